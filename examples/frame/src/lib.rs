@@ -1,0 +1,105 @@
+//! What every example shares: the options `--json` and `--out`, exit codes, and a progress bar.
+//!
+//! An example is one function `run(&Options) -> signorini::Result<Headline>` and a `main` of one line. Exit codes:
+//! 0 the statement is confirmed, 1 it is not, 2 bad input (one clear line on stderr).
+
+use clap::{Args, Parser};
+use indicatif::{ProgressBar, ProgressStyle};
+use signorini::report::Headline;
+use signorini::{Error, Result};
+use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Where the outcome goes.
+#[derive(Debug, Clone, Default, Args)]
+pub struct Output {
+    /// Print one JSON object per row instead of the table
+    #[arg(long)]
+    pub json: bool,
+    /// Write figures (SVG) into this directory
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+impl Output {
+    /// The directory for figures, created if need be; `None` when no figure was asked for.
+    ///
+    /// # Errors
+    /// [`Error::File`] when it cannot be created or written.
+    pub fn directory(&self) -> Result<Option<&Path>> {
+        let Some(directory) = self.out.as_deref() else {
+            return Ok(None);
+        };
+        std::fs::create_dir_all(directory).map_err(|e| Error::file(directory, e))?;
+        let probe = directory.join(".signorini-write-probe");
+        std::fs::write(&probe, "")
+            .and_then(|()| std::fs::remove_file(&probe))
+            .map_err(|e| Error::file(directory, e))?;
+        Ok(Some(directory))
+    }
+}
+
+/// Options of an example that carry an [`Output`].
+pub trait HasOutput {
+    /// The output options.
+    fn output(&self) -> &Output;
+}
+
+/// Parses the command line, runs the example and prints its headline.
+pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> ExitCode {
+    let options = match O::try_parse() {
+        Ok(options) => options,
+        Err(error) => return report_usage(&error),
+    };
+    let json = options.output().json;
+    // A directory that cannot be written is found before the work, not after it.
+    match options
+        .output()
+        .directory()
+        .map(|_| ())
+        .and_then(|()| run(&options))
+    {
+        Ok(headline) => {
+            let text = if json {
+                headline.table.json_rows().join("\n") + "\n"
+            } else {
+                headline.to_string()
+            };
+            // A closed pipe (`| head`) is the reader's choice, not a failure.
+            let _ = std::io::stdout().write_all(text.as_bytes());
+            if headline.verdict.is_confirmed() {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::FAILURE
+            }
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// `--help` and `--version` go to stdout; anything else is one line on stderr.
+fn report_usage(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    let text = error.to_string();
+    eprintln!("{}", text.lines().next().unwrap_or("error: bad command line"));
+    ExitCode::from(2)
+}
+
+/// A progress bar over `steps`, drawn only on a terminal.
+pub fn progress(steps: u64) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(steps);
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}") {
+        bar.set_style(style);
+    }
+    bar
+}

@@ -1,0 +1,123 @@
+//! The one error type of the library. Every variant carries the offending value.
+
+use std::path::PathBuf;
+
+/// Result with the library's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Why a question has no answer, or none that can be trusted.
+///
+/// How an iteration ended (converged, stalled, cycled) is not an error but a status in its result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter lies outside the range in which the formula holds.
+    #[error("{name} = {value:?} is outside {range}")]
+    OutOfRange {
+        /// What the parameter is called.
+        name: &'static str,
+        /// The value that was given.
+        value: f64,
+        /// The admissible set, as text.
+        range: &'static str,
+    },
+    /// A count (cells, nodes, levels, ...) is not admissible.
+    #[error("{name} = {value} is outside {range}")]
+    CountOutOfRange {
+        /// What is counted.
+        name: &'static str,
+        /// The count that was given.
+        value: usize,
+        /// The admissible set, as text.
+        range: &'static str,
+    },
+    /// A name that is none of the known ones.
+    #[error("unknown {what} '{given}': expected {expected}")]
+    UnknownName {
+        /// What is named.
+        what: &'static str,
+        /// The name that was given.
+        given: String,
+        /// The known names, as text.
+        expected: &'static str,
+    },
+    /// A value (data, load, function value) is NaN or infinite.
+    #[error("{name} is not finite: {value} at index {index}")]
+    NotFinite {
+        /// What the value is.
+        name: &'static str,
+        /// Its position.
+        index: usize,
+        /// The value.
+        value: f64,
+    },
+    /// Two arrays that must agree in length do not.
+    #[error("{name} has length {given}, expected {expected}")]
+    LengthMismatch {
+        /// Which array.
+        name: &'static str,
+        /// Its length.
+        given: usize,
+        /// The length it should have.
+        expected: usize,
+    },
+    /// The norm asked for is infinite.
+    #[error("the norm is infinite: {why} (order {order})")]
+    InfiniteNorm {
+        /// Order of the Sobolev norm.
+        order: f64,
+        /// The reason, as text.
+        why: &'static str,
+    },
+    /// The tolerance could not be met; carries what was reached.
+    #[error("{what}: relative error {reached:e} reached, {asked:e} asked")]
+    ToleranceNotMet {
+        /// The quantity.
+        what: &'static str,
+        /// The relative tolerance asked for.
+        asked: f64,
+        /// The estimated relative error reached.
+        reached: f64,
+    },
+    /// A matrix that should be positive definite is not, to working accuracy.
+    #[error("{what} is not positive definite: pivot {pivot}")]
+    NotPositiveDefinite {
+        /// Which matrix.
+        what: &'static str,
+        /// Where the factorization broke down.
+        pivot: usize,
+    },
+    /// A file could not be read or written.
+    #[error("{}: {reason}", path.display())]
+    File {
+        /// The path.
+        path: PathBuf,
+        /// What the system said.
+        reason: String,
+    },
+    /// A figure could not be drawn.
+    #[error("figure: {reason}")]
+    Figure {
+        /// What went wrong.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// The parameter `name` if it satisfies `admissible`, else [`Error::OutOfRange`]. NaN is never admissible.
+    pub fn require(name: &'static str, value: f64, range: &'static str, admissible: bool) -> Result<f64> {
+        if admissible && !value.is_nan() {
+            Ok(value)
+        } else {
+            Err(Error::OutOfRange { name, value, range })
+        }
+    }
+
+    /// The file `path` with the reason the system gave.
+    pub fn file(path: impl Into<PathBuf>, reason: impl std::fmt::Display) -> Self {
+        Error::File {
+            path: path.into(),
+            reason: reason.to_string(),
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! The speed-accuracy knob: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
+//!
+//! A tolerance τ is *relative*: the value v returned for the exact value v* should satisfy |v − v*| ≤ τ |v*|. The
+//! `error` of an estimate is *absolute*: an honest estimate of |v − v*|, never below the rounding of v itself.
+
+use crate::error::{Error, Result};
+use std::fmt;
+use std::ops::{Add, AddAssign};
+use std::str::FromStr;
+
+/// Requested relative accuracy, in [1e-15, 0.1].
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct Tolerance(f64);
+
+impl Tolerance {
+    /// A number between 1e-15 and 0.1.
+    pub fn new(relative: f64) -> Result<Self> {
+        let admissible = (1e-15..=0.1).contains(&relative);
+        Error::require("tolerance", relative, "[1e-15, 0.1]", admissible).map(Self)
+    }
+
+    /// 1e-4: enough for a picture.
+    pub const fn fast() -> Self {
+        Self(1e-4)
+    }
+
+    /// 1e-8: enough for a table.
+    pub const fn balanced() -> Self {
+        Self(1e-8)
+    }
+
+    /// 1e-12: as far as binary64 carries comfortably.
+    pub const fn reference() -> Self {
+        Self(1e-12)
+    }
+
+    /// The relative tolerance as a number.
+    pub const fn relative(self) -> f64 {
+        self.0
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self::balanced()
+    }
+}
+
+impl fmt::Display for Tolerance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:e}", self.0)
+    }
+}
+
+impl FromStr for Tolerance {
+    type Err = Error;
+
+    /// `fast`, `balanced`, `reference` or a number.
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "fast" => Ok(Self::fast()),
+            "balanced" => Ok(Self::balanced()),
+            "reference" => Ok(Self::reference()),
+            _ => match text.parse() {
+                Ok(relative) => Self::new(relative),
+                Err(_) => Err(Error::UnknownName {
+                    what: "tolerance",
+                    given: text.to_owned(),
+                    expected: "fast, balanced, reference or a number in [1e-15, 0.1]",
+                }),
+            },
+        }
+    }
+}
+
+/// What an estimate cost, in counts that do not depend on the machine.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Evaluations of a function or a kernel.
+    pub points: u64,
+    /// Pairs of cells of a double integral.
+    pub pairs: u64,
+    /// Steps of an iteration.
+    pub iterations: u64,
+    /// Matrix factorizations or dense eigenproblems.
+    pub factorizations: u64,
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            points: self.points + other.points,
+            pairs: self.pairs + other.pairs,
+            iterations: self.iterations + other.iterations,
+            factorizations: self.factorizations + other.factorizations,
+        }
+    }
+}
+
+impl AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+/// A number with an honest absolute error estimate and the work it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value; finite.
+    pub value: f64,
+    /// Estimated absolute error; at least the rounding of `value`.
+    pub error: f64,
+    /// What it cost.
+    pub work: Work,
+}
+
+impl Estimate {
+    /// A value with its absolute error; the error is raised to the rounding of the value.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the value or the error is NaN or infinite: no NaN leaves the library as an answer.
+    pub fn new(value: f64, error: f64, work: Work) -> Result<Self> {
+        for (index, number) in [value, error].into_iter().enumerate() {
+            if !number.is_finite() {
+                return Err(Error::NotFinite {
+                    name: "estimate (value, error)",
+                    index,
+                    value: number,
+                });
+            }
+        }
+        Ok(Self {
+            value,
+            error: error.abs().max(value.abs() * f64::EPSILON),
+            work,
+        })
+    }
+
+    /// error / |value|, or the absolute error when the value is zero.
+    pub fn relative_error(&self) -> f64 {
+        if self.value == 0.0 {
+            self.error
+        } else {
+            self.error / self.value.abs()
+        }
+    }
+
+    /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] when the value is negative beyond its error.
+    pub fn sqrt(self) -> Result<Self> {
+        if self.value < -self.error {
+            return Err(Error::OutOfRange {
+                name: "radicand",
+                value: self.value,
+                range: "[0, inf)",
+            });
+        }
+        let root = self.value.max(0.0).sqrt();
+        let error = if self.value > self.error {
+            self.error / (2.0 * root)
+        } else {
+            self.error.sqrt()
+        };
+        Self::new(root, error, self.work)
+    }
+}
+
+impl fmt::Display for Estimate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:.12e} ± {:.1e}", self.value, self.error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerance_is_read_from_presets_and_numbers() {
+        assert_eq!("fast".parse(), Ok(Tolerance::fast()));
+        assert_eq!("1e-9".parse(), Tolerance::new(1e-9));
+        for bad in ["0", "nan", "1", "tight"] {
+            assert!(bad.parse::<Tolerance>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn square_root_of_an_estimate_carries_its_error() {
+        let four = Estimate::new(4.0, 4e-6, Work::default()).unwrap();
+        let root = four.sqrt().unwrap();
+        assert_eq!(root.value, 2.0);
+        assert!((root.error - 1e-6).abs() < 1e-20);
+        assert!(Estimate::new(-1.0, 0.1, Work::default()).unwrap().sqrt().is_err());
+        assert!(Estimate::new(f64::NAN, 0.0, Work::default()).is_err());
+    }
+}

@@ -1,0 +1,1 @@
+//! Charts and mesh pictures (SVG).

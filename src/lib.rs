@@ -1,0 +1,22 @@
+//! A companion to one paper, and a fractional-Sobolev toolkit that stands on its own.
+//!
+//! The paper is P. Hild and Y. Renard, *An improved a priori error analysis for finite element approximations of
+//! Signorini's problem*, SIAM J. Numer. Anal. 50 (2012) 2400-2419. It holds no computation; every number here is new.
+//! The modules follow its table of contents.
+//!
+//! | paper | room |
+//! | --- | --- |
+//! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
+//! | what is printed and drawn | [`report`], [`figures`] |
+//!
+//! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+pub mod error;
+pub mod estimate;
+pub mod figures;
+pub mod quadrature;
+pub mod report;
+
+pub use error::{Error, Result};
+pub use estimate::{Estimate, Tolerance, Work};

@@ -1,0 +1,7 @@
+//! What an example says: a claim, one short table, a verdict; as text for people and as JSON rows for programs.
+
+mod headline;
+mod table;
+
+pub use headline::{Headline, Verdict};
+pub use table::{Cell, Column, Format, Table};

@@ -1,0 +1,317 @@
+//! Tables with explained columns: aligned text, or one JSON object per row with all digits.
+
+use serde_json::{Map, Number, Value};
+use std::fmt::Write as _;
+
+/// How a number is printed in the text form. JSON always carries all digits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Significant digits, plain where that is short, else with an exponent.
+    Significant(usize),
+    /// Digits after the point.
+    Fixed(usize),
+    /// Digits after the point, always with an exponent.
+    Scientific(usize),
+    /// Not in the text form, only in JSON.
+    Hidden,
+}
+
+/// A column: its key in JSON, its title, how it is printed and what it means.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    key: &'static str,
+    title: String,
+    format: Format,
+    meaning: String,
+}
+
+impl Column {
+    /// A column with `key` in JSON and `title` in text; `meaning` is printed below the table unless empty.
+    pub fn new(
+        key: &'static str,
+        title: impl Into<String>,
+        format: Format,
+        meaning: impl Into<String>,
+    ) -> Self {
+        Self {
+            key,
+            title: title.into(),
+            format,
+            meaning: meaning.into(),
+        }
+    }
+
+    /// A column that appears in JSON only.
+    pub fn hidden(key: &'static str) -> Self {
+        Self::new(key, key, Format::Hidden, "")
+    }
+
+    /// The key in JSON.
+    pub fn key(&self) -> &'static str {
+        self.key
+    }
+
+    fn is_shown(&self) -> bool {
+        self.format != Format::Hidden
+    }
+}
+
+/// One entry of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// A real number.
+    Number(f64),
+    /// A count.
+    Integer(i64),
+    /// Words.
+    Text(String),
+    /// Several numbers; appears as a JSON array.
+    List(Vec<f64>),
+    /// Nothing to report.
+    Missing,
+}
+
+impl From<f64> for Cell {
+    fn from(value: f64) -> Self {
+        Cell::Number(value)
+    }
+}
+
+impl From<usize> for Cell {
+    fn from(value: usize) -> Self {
+        i64::try_from(value).map_or(Cell::Number(value as f64), Cell::Integer)
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(value: &str) -> Self {
+        Cell::Text(value.to_owned())
+    }
+}
+
+impl From<String> for Cell {
+    fn from(value: String) -> Self {
+        Cell::Text(value)
+    }
+}
+
+impl From<Vec<f64>> for Cell {
+    fn from(value: Vec<f64>) -> Self {
+        Cell::List(value)
+    }
+}
+
+impl<T: Into<Cell>> From<Option<T>> for Cell {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Cell::Missing, Into::into)
+    }
+}
+
+impl Cell {
+    fn text(&self, format: Format) -> String {
+        match self {
+            Cell::Number(value) => number_text(*value, format),
+            Cell::Integer(value) => value.to_string(),
+            Cell::Text(words) => words.clone(),
+            Cell::List(values) => values
+                .iter()
+                .map(|&v| number_text(v, format))
+                .collect::<Vec<_>>()
+                .join(" "),
+            Cell::Missing => "-".to_owned(),
+        }
+    }
+
+    fn json(&self) -> Value {
+        let number = |v: f64| Number::from_f64(v).map_or(Value::Null, Value::Number);
+        match self {
+            Cell::Number(value) => number(*value),
+            Cell::Integer(value) => Value::from(*value),
+            Cell::Text(words) => Value::from(words.as_str()),
+            Cell::List(values) => values.iter().map(|&v| number(v)).collect(),
+            Cell::Missing => Value::Null,
+        }
+    }
+}
+
+fn number_text(value: f64, format: Format) -> String {
+    match format {
+        Format::Fixed(digits) => format!("{value:.digits$}"),
+        Format::Scientific(digits) => format!("{value:.digits$e}"),
+        Format::Significant(digits) => significant(value, digits.max(1)),
+        Format::Hidden => String::new(),
+    }
+}
+
+/// `digits` significant digits; plain notation for magnitudes between 1e-3 and 1e6.
+fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let scientific = format!("{value:.*e}", digits - 1);
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, e)| e.parse::<i32>().ok())
+        .unwrap_or(0);
+    if (-3..6).contains(&exponent) {
+        let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
+        format!("{value:.decimals$}")
+    } else {
+        scientific
+    }
+}
+
+/// Rows of cells under explained columns.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table {
+    columns: Vec<Column>,
+    rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new(columns: Vec<Column>) -> Self {
+        Self {
+            columns,
+            rows: Vec::new(),
+        }
+    }
+
+    /// Appends a row. Missing cells are filled with [`Cell::Missing`], surplus ones dropped.
+    pub fn push(&mut self, mut row: Vec<Cell>) {
+        row.resize(self.columns.len(), Cell::Missing);
+        self.rows.push(row);
+    }
+
+    /// The columns.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The rows, each as long as the columns.
+    pub fn rows(&self) -> &[Vec<Cell>] {
+        &self.rows
+    }
+
+    /// The number in the given row under the column with the given key.
+    pub fn number(&self, row: usize, key: &str) -> Option<f64> {
+        let column = self.columns.iter().position(|c| c.key == key)?;
+        match self.rows.get(row)?.get(column)? {
+            Cell::Number(value) => Some(*value),
+            Cell::Integer(value) => Some(*value as f64),
+            _ => None,
+        }
+    }
+
+    /// One JSON object per row, keys in the order of the columns; numbers with all their digits.
+    pub fn json_rows(&self) -> Vec<String> {
+        self.rows
+            .iter()
+            .map(|row| self.json_row(row).to_string())
+            .collect()
+    }
+
+    fn json_row(&self, row: &[Cell]) -> Value {
+        let entries = self
+            .columns
+            .iter()
+            .zip(row)
+            .map(|(column, cell)| (column.key.to_owned(), cell.json()));
+        Value::Object(entries.collect::<Map<_, _>>())
+    }
+
+    /// Aligned text: numbers to the right, words to the left, explanations of the columns below.
+    pub fn text(&self) -> String {
+        let shown: Vec<usize> = (0..self.columns.len())
+            .filter(|&j| self.columns[j].is_shown())
+            .collect();
+        let cells: Vec<Vec<String>> = self
+            .rows
+            .iter()
+            .map(|row| {
+                shown
+                    .iter()
+                    .map(|&j| row[j].text(self.columns[j].format))
+                    .collect()
+            })
+            .collect();
+        let widths: Vec<usize> = shown
+            .iter()
+            .enumerate()
+            .map(|(k, &j)| {
+                let longest = cells.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+                longest.max(self.columns[j].title.chars().count())
+            })
+            .collect();
+        let is_words: Vec<bool> = shown
+            .iter()
+            .map(|&j| {
+                self.rows
+                    .iter()
+                    .any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_)))
+            })
+            .collect();
+        let mut text = String::new();
+        let titles: Vec<String> = shown.iter().map(|&j| self.columns[j].title.clone()).collect();
+        push_line(&mut text, &titles, &widths, &is_words);
+        let rule: Vec<String> = widths.iter().map(|&w| "-".repeat(w)).collect();
+        push_line(&mut text, &rule, &widths, &is_words);
+        for row in &cells {
+            push_line(&mut text, row, &widths, &is_words);
+        }
+        for &j in &shown {
+            let Column { title, meaning, .. } = &self.columns[j];
+            if !meaning.is_empty() {
+                let _ = writeln!(text, "  {title}: {meaning}");
+            }
+        }
+        text
+    }
+}
+
+fn push_line(text: &mut String, cells: &[String], widths: &[usize], is_words: &[bool]) {
+    let padded: Vec<String> = cells
+        .iter()
+        .zip(widths)
+        .zip(is_words)
+        .map(|((cell, &width), &words)| {
+            if words {
+                format!("{cell:<width$}")
+            } else {
+                format!("{cell:>width$}")
+            }
+        })
+        .collect();
+    text.push_str(padded.join("  ").trim_end());
+    text.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_aligned_and_json_keeps_digits() {
+        let mut table = Table::new(vec![
+            Column::new("nu", "nu", Format::Significant(3), "order"),
+            Column::new("gamma", "gamma", Format::Significant(7), ""),
+            Column::hidden("error"),
+        ]);
+        table.push(vec![0.5.into(), std::f64::consts::PI.into(), 1e-300.into()]);
+        let text = table.text();
+        assert_eq!(text.lines().nth(2), Some("0.500  3.141593"));
+        assert!(text.ends_with("nu: order\n"));
+        assert_eq!(
+            table.json_rows()[0],
+            r#"{"nu":0.5,"gamma":3.141592653589793,"error":1e-300}"#
+        );
+        assert_eq!(table.number(0, "error"), Some(1e-300));
+    }
+
+    #[test]
+    fn significant_digits_switch_notation() {
+        assert_eq!(significant(123.456, 4), "123.5");
+        assert_eq!(significant(1.5e-7, 3), "1.50e-7");
+        assert_eq!(significant(0.0, 3), "0");
+    }
+}
