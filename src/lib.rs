@@ -12,6 +12,7 @@
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod analysis;
 pub mod error;
 pub mod estimate;
 pub mod figures;

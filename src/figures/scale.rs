@@ -136,7 +136,7 @@ fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
 
 /// A tick of a linear axis: as many decimals as the step needs, one power of ten for very large or small axes.
 fn plain(at: f64, step: f64, largest: f64) -> String {
-    if largest >= 1e5 || largest < 1e-2 {
+    if !(1e-2..1e5).contains(&largest) {
         if at.abs() < 0.5 * step {
             return "0".to_owned();
         }

@@ -1,0 +1,15 @@
+//! Sections 3 and 4 on computed solutions: which case a contact segment falls into, what it adds to the consistency
+//! term, and how fast errors fall.
+//!
+//! Everything here looks at the trace on the straight contact edge only ([`EdgeTrace`]): the normal displacement at the
+//! nodes of a fine mesh and the contact forces there. Lengths are in units of the data.
+
+mod alternatives;
+mod consistency;
+mod edge_trace;
+mod orders;
+
+pub use alternatives::{Alternative, NearVertices, SetDiameter, printed_theta};
+pub use consistency::{midpoint_term, nodal_term};
+pub use edge_trace::{EdgeTrace, Interval};
+pub use orders::{Bound, observed_orders};
