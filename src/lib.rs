@@ -7,6 +7,7 @@
 //! | paper | room |
 //! | --- | --- |
 //! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
+//! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -18,6 +19,7 @@ pub mod estimate;
 pub mod figures;
 pub mod quadrature;
 pub mod report;
+pub mod sobolev;
 
 pub use error::{Error, Result};
 pub use estimate::{Estimate, Tolerance, Work};

@@ -1,0 +1,5 @@
+//! Section 1: fractional Sobolev spaces on intervals.
+
+mod order;
+
+pub use order::FractionalOrder;
