@@ -43,11 +43,7 @@ impl Alternative {
 pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
     Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
     Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
-    Ok(if tau == 2.0 {
-        h * h
-    } else {
-        h.powf(2.0 * tau - 3.0)
-    })
+    Ok(if tau == 2.0 { h * h } else { h.powf(2.0 * tau - 3.0) })
 }
 
 fn checked_theta(theta: f64) -> Result<f64> {
@@ -70,21 +66,11 @@ impl NearVertices {
     /// The cases that hold on `segment`.
     pub fn classify(&self, trace: &EdgeTrace, segment: Interval) -> Alternative {
         let reach = segment.length() * self.theta;
-        let zeros: Vec<Interval> = trace
-            .contact()
-            .iter()
-            .filter_map(|c| c.intersection(&segment))
-            .collect();
+        let zeros: Vec<Interval> = trace.contact().iter().filter_map(|c| c.intersection(&segment)).collect();
         let near_start = zeros.first().is_some_and(|c| c.start - segment.start < reach);
         let near_end = zeros.last().is_some_and(|c| segment.end - c.end < reach);
-        let start_piece = Interval {
-            start: segment.start,
-            end: segment.start + reach,
-        };
-        let end_piece = Interval {
-            start: segment.end - reach,
-            end: segment.end,
-        };
+        let start_piece = Interval { start: segment.start, end: segment.start + reach };
+        let end_piece = Interval { start: segment.end - reach, end: segment.end };
         Alternative {
             first: near_start && near_end,
             second: is_unpressed(trace, start_piece) || is_unpressed(trace, end_piece),
@@ -124,10 +110,7 @@ impl SetDiameter {
     /// The cases that hold on `segment`.
     pub fn classify(&self, trace: &EdgeTrace, segment: Interval) -> Alternative {
         let (diameter, limit) = (Self::diameter(trace, segment), segment.length() * self.theta);
-        Alternative {
-            first: diameter <= limit,
-            second: diameter >= limit,
-        }
+        Alternative { first: diameter <= limit, second: diameter >= limit }
     }
 }
 
@@ -141,10 +124,7 @@ mod tests {
     fn trace(contact: &[(f64, f64)]) -> EdgeTrace {
         let nodes: Vec<f64> = (0..=20).map(|i| f64::from(i) / 20.0).collect();
         let inside = |x: f64| contact.iter().any(|&(a, b)| x >= a && x <= b);
-        let displacement = nodes
-            .iter()
-            .map(|&x| if inside(x) { 0.0 } else { -1.0 })
-            .collect();
+        let displacement = nodes.iter().map(|&x| if inside(x) { 0.0 } else { -1.0 }).collect();
         let force = nodes.iter().map(|&x| if inside(x) { 1.0 } else { 0.0 }).collect();
         EdgeTrace::new(nodes, displacement, force, 1e-12).unwrap()
     }
@@ -164,11 +144,7 @@ mod tests {
             (vec![(0.0, 0.0)], "second"),
         ];
         for (contact, expected) in cases {
-            assert_eq!(
-                quarter.classify(&trace(&contact), SEGMENT).name(),
-                expected,
-                "{contact:?}"
-            );
+            assert_eq!(quarter.classify(&trace(&contact), SEGMENT).name(), expected, "{contact:?}");
         }
     }
 
@@ -184,11 +160,7 @@ mod tests {
             (vec![(0.0, 1.0)], "second"),
         ];
         for (contact, expected) in cases {
-            assert_eq!(
-                half.classify(&trace(&contact), SEGMENT).name(),
-                expected,
-                "{contact:?}"
-            );
+            assert_eq!(half.classify(&trace(&contact), SEGMENT).name(), expected, "{contact:?}");
         }
     }
 

@@ -8,10 +8,7 @@ use super::edge_trace::{EdgeTrace, Interval};
 
 /// ∫_T σ_N (I^h u)_N dΓ over one segment. Cost: the number of nodes of the trace in the segment.
 pub fn nodal_term(trace: &EdgeTrace, segment: Interval) -> f64 {
-    let (left, right) = (
-        trace.displacement_at(segment.start),
-        trace.displacement_at(segment.end),
-    );
+    let (left, right) = (trace.displacement_at(segment.start), trace.displacement_at(segment.end));
     forces_in(trace, segment)
         .map(|(x, force)| {
             let s = (x - segment.start) / segment.length();
@@ -34,33 +31,20 @@ fn forces_in(trace: &EdgeTrace, segment: Interval) -> impl Iterator<Item = (f64,
     (from..to).map(move |i| {
         let x = nodes[i];
         let is_shared = (x == segment.start && x > edge_start) || (x == segment.end && x < edge_end);
-        (
-            x,
-            if is_shared {
-                0.5 * trace.force()[i]
-            } else {
-                trace.force()[i]
-            },
-        )
+        (x, if is_shared { 0.5 * trace.force()[i] } else { trace.force()[i] })
     })
 }
 
 fn node_range(trace: &EdgeTrace, segment: Interval) -> (usize, usize) {
     let nodes = trace.nodes();
-    (
-        nodes.partition_point(|&x| x < segment.start),
-        nodes.partition_point(|&x| x <= segment.end),
-    )
+    (nodes.partition_point(|&x| x < segment.start), nodes.partition_point(|&x| x <= segment.end))
 }
 
 /// ∫_T u_N dΓ by trapezes between the nodes, exact for the piecewise linear trace.
 fn integral(trace: &EdgeTrace, segment: Interval) -> f64 {
     let (from, to) = node_range(trace, segment);
     let inner = trace.nodes()[from..to].iter().copied();
-    let stops: Vec<f64> = std::iter::once(segment.start)
-        .chain(inner)
-        .chain([segment.end])
-        .collect();
+    let stops: Vec<f64> = std::iter::once(segment.start).chain(inner).chain([segment.end]).collect();
     stops
         .windows(2)
         .map(|p| 0.5 * (p[1] - p[0]) * (trace.displacement_at(p[0]) + trace.displacement_at(p[1])))
@@ -74,13 +58,7 @@ mod tests {
     /// u_N = −x on [0, 1/2] mirrored, contact at the ends; forces 1 and 3 at the ends, coarse segments of length 1/2.
     fn trace() -> EdgeTrace {
         let nodes = vec![0.0, 0.25, 0.5, 0.75, 1.0];
-        EdgeTrace::new(
-            nodes,
-            vec![0.0, -0.25, -0.5, 0.0, 0.0],
-            vec![1.0, 0.0, 0.0, 3.0, 2.0],
-            0.0,
-        )
-        .unwrap()
+        EdgeTrace::new(nodes, vec![0.0, -0.25, -0.5, 0.0, 0.0], vec![1.0, 0.0, 0.0, 3.0, 2.0], 0.0).unwrap()
     }
 
     #[test]

@@ -59,56 +59,26 @@ impl EdgeTrace {
         }
         for (name, values) in [("displacement", &displacement), ("force", &force)] {
             if values.len() != nodes.len() {
-                return Err(Error::LengthMismatch {
-                    name,
-                    given: values.len(),
-                    expected: nodes.len(),
-                });
+                return Err(Error::LengthMismatch { name, given: values.len(), expected: nodes.len() });
             }
         }
-        for (name, values) in [
-            ("node", &nodes),
-            ("displacement", &displacement),
-            ("force", &force),
-        ] {
+        for (name, values) in [("node", &nodes), ("displacement", &displacement), ("force", &force)] {
             if let Some(index) = values.iter().position(|v| !v.is_finite()) {
-                return Err(Error::NotFinite {
-                    name,
-                    index,
-                    value: values[index],
-                });
+                return Err(Error::NotFinite { name, index, value: values[index] });
             }
         }
         if let Some(pair) = nodes.windows(2).find(|p| p[0] >= p[1]) {
-            return Err(Error::OutOfRange {
-                name: "node",
-                value: pair[1],
-                range: "increasing nodes",
-            });
+            return Err(Error::OutOfRange { name: "node", value: pair[1], range: "increasing nodes" });
         }
         if let Some(&value) = displacement.iter().find(|&&u| u > rounding) {
-            return Err(Error::OutOfRange {
-                name: "normal displacement",
-                value,
-                range: "u_N <= 0",
-            });
+            return Err(Error::OutOfRange { name: "normal displacement", value, range: "u_N <= 0" });
         }
         let largest_u = displacement.iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let largest_force = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-        let force_rounding = if largest_u > 0.0 {
-            rounding / largest_u * largest_force
-        } else {
-            0.0
-        };
+        let force_rounding = if largest_u > 0.0 { rounding / largest_u * largest_force } else { 0.0 };
         let contact = runs(&nodes, |i| displacement[i] >= -rounding);
         let pressed = runs(&nodes, |i| force[i] > force_rounding);
-        Ok(Self {
-            nodes,
-            displacement,
-            force,
-            contact,
-            pressed,
-        })
+        Ok(Self { nodes, displacement, force, contact, pressed })
     }
 
     /// The nodes, increasing.

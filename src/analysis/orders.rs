@@ -42,11 +42,7 @@ impl Bound {
         Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
         let power = h.powf(self.exponent(tau)?);
         let is_logarithmic = self == Bound::Paper && tau == 2.0;
-        Ok(if is_logarithmic {
-            power * h.ln().abs().sqrt()
-        } else {
-            power
-        })
+        Ok(if is_logarithmic { power * h.ln().abs().sqrt() } else { power })
     }
 
     /// The exponent of h, 3/2 < τ ≤ 2; at τ = 2 the paper's bound has a logarithm beside it.
@@ -73,11 +69,7 @@ mod tests {
         let errors = h.map(|h: f64| 3.0 * h.powf(0.75));
         let orders = observed_orders(&h, &errors).unwrap();
         assert_eq!(orders[0], None);
-        assert!(
-            orders[1..]
-                .iter()
-                .all(|p| p.is_some_and(|p| (p - 0.75).abs() < 1e-14))
-        );
+        assert!(orders[1..].iter().all(|p| p.is_some_and(|p| (p - 0.75).abs() < 1e-14)));
     }
 
     #[test]

@@ -58,9 +58,7 @@ impl Canvas<'_> {
         let mut text = String::new();
         let (w, h) = (units(width) as u32, units(height) as u32);
         {
-            let canvas = Canvas {
-                area: SVGBackend::with_string(&mut text, (w, h)).into_drawing_area(),
-            };
+            let canvas = Canvas { area: SVGBackend::with_string(&mut text, (w, h)).into_drawing_area() };
             content(&canvas)?;
             canvas.area.present().map_err(failure)?;
         }
@@ -69,9 +67,7 @@ impl Canvas<'_> {
 
     pub(super) fn line(&self, points: &[(f64, f64)], paint: Paint, width: f64) -> Result<()> {
         let path: Vec<_> = points.iter().map(|&p| pixel(p)).collect();
-        self.area
-            .draw(&PathElement::new(path, stroke(paint, width)))
-            .map_err(failure)
+        self.area.draw(&PathElement::new(path, stroke(paint, width))).map_err(failure)
     }
 
     /// A line of dashes `on` long with gaps `off`, both in user units.
@@ -102,24 +98,16 @@ impl Canvas<'_> {
             left -= length;
             dash.push(to);
         }
-        if pen_down {
-            self.line(&dash, paint, width)
-        } else {
-            Ok(())
-        }
+        if pen_down { self.line(&dash, paint, width) } else { Ok(()) }
     }
 
     pub(super) fn polygon(&self, corners: &[(f64, f64)], paint: Paint) -> Result<()> {
         let corners: Vec<_> = corners.iter().map(|&p| pixel(p)).collect();
-        self.area
-            .draw(&Polygon::new(corners, paint.rgba().filled()))
-            .map_err(failure)
+        self.area.draw(&Polygon::new(corners, paint.rgba().filled())).map_err(failure)
     }
 
     pub(super) fn disc(&self, centre: (f64, f64), radius: f64, paint: Paint) -> Result<()> {
-        self.area
-            .draw(&Circle::new(pixel(centre), units(radius), paint.rgba().filled()))
-            .map_err(failure)
+        self.area.draw(&Circle::new(pixel(centre), units(radius), paint.rgba().filled())).map_err(failure)
     }
 
     pub(super) fn text(&self, words: &str, at: (f64, f64), size: f64, anchor: Anchor) -> Result<()> {
@@ -130,9 +118,7 @@ impl Canvas<'_> {
             Anchor::Right => (font, HPos::Right),
             Anchor::Upwards => (font.transform(FontTransform::Rotate270), HPos::Center),
         };
-        let style = TextStyle::from(font)
-            .color(&INK)
-            .pos(Pos::new(horizontal, VPos::Center));
+        let style = TextStyle::from(font).color(&INK).pos(Pos::new(horizontal, VPos::Center));
         let element = EmptyElement::at(pixel(at)) + Text::new(words.to_owned(), (0, 0), style);
         self.area.draw(&element).map_err(failure)
     }
@@ -151,17 +137,12 @@ fn stroke(paint: Paint, width: f64) -> ShapeStyle {
 }
 
 fn failure(error: impl std::fmt::Display) -> Error {
-    Error::Figure {
-        reason: error.to_string(),
-    }
+    Error::Figure { reason: error.to_string() }
 }
 
 fn finish(text: &str, width: f64, height: f64, title: &str) -> String {
     let head_end = text.find('>').map_or(0, |i| i + 1);
-    let title = title
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;");
+    let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
     let body = text[head_end..].replace(INK_TEXT, "currentColor");
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{title}\" width=\"{width}\" \

@@ -29,20 +29,12 @@ pub struct Axis {
 impl Axis {
     /// A linear axis that fits the data.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self {
-            label: label.into(),
-            logarithmic: false,
-            range: None,
-        }
+        Self { label: label.into(), logarithmic: false, range: None }
     }
 
     /// A base-ten logarithmic axis that fits the positive data; values ≤ 0 are not drawn.
     pub fn logarithmic(label: impl Into<String>) -> Self {
-        Self {
-            label: label.into(),
-            logarithmic: true,
-            range: None,
-        }
+        Self { label: label.into(), logarithmic: true, range: None }
     }
 
     /// The same axis over exactly [low, high].
@@ -79,13 +71,7 @@ pub struct Series {
 
 impl Series {
     fn new(name: impl Into<String>, points: Vec<(f64, f64)>, mark: Mark) -> Self {
-        Self {
-            name: name.into(),
-            points,
-            half_bars: Vec::new(),
-            mark,
-            colour: None,
-        }
+        Self { name: name.into(), points, half_bars: Vec::new(), mark, colour: None }
     }
 
     /// A line through the points.
@@ -142,21 +128,13 @@ pub struct Chart {
 impl Chart {
     /// A chart without data.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        Self {
-            title: title.into(),
-            x,
-            y,
-            series: Vec::new(),
-            bands: Vec::new(),
-        }
+        Self { title: title.into(), x, y, series: Vec::new(), bands: Vec::new() }
     }
 
     /// Adds a series; it takes the next colour of the palette unless it brings its own.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
-        let colour = series
-            .colour
-            .unwrap_or(PALETTE[self.series.len() % PALETTE.len()]);
+        let colour = series.colour.unwrap_or(PALETTE[self.series.len() % PALETTE.len()]);
         self.series.push(series.colour(colour));
         self
     }
@@ -164,11 +142,7 @@ impl Chart {
     /// Shades intervals of the horizontal axis.
     #[must_use]
     pub fn with_bands(mut self, name: impl Into<String>, intervals: Vec<(f64, f64)>, colour: Colour) -> Self {
-        self.bands.push(Bands {
-            name: name.into(),
-            intervals,
-            colour,
-        });
+        self.bands.push(Bands { name: name.into(), intervals, colour });
         self
     }
 
@@ -181,18 +155,10 @@ impl Chart {
         let height = TOP + PLOT_HEIGHT + BELOW + LEGEND_ROW * rows.len() as f64 + 8.0;
         Canvas::draw(WIDTH, height, &self.title, |canvas| {
             let frame = self.frame();
-            canvas.text(
-                &self.title,
-                (WIDTH / 2.0, TOP / 2.0),
-                TEXT_SIZE + 2.0,
-                Anchor::Centre,
-            )?;
+            canvas.text(&self.title, (WIDTH / 2.0, TOP / 2.0), TEXT_SIZE + 2.0, Anchor::Centre)?;
             self.draw_bands(canvas, &frame)?;
             self.draw_axes(canvas, &frame)?;
-            self.series
-                .iter()
-                .enumerate()
-                .try_for_each(|(k, s)| draw_series(canvas, &frame, s, k))?;
+            self.series.iter().enumerate().try_for_each(|(k, s)| draw_series(canvas, &frame, s, k))?;
             self.draw_legend(canvas, &rows)
         })
     }
@@ -209,11 +175,7 @@ impl Chart {
         let points = || self.series.iter().flat_map(|s| &s.points);
         let bars = self.series.iter().flat_map(|s| s.points.iter().zip(&s.half_bars));
         let ends = bars.flat_map(|(p, b)| [p.1 - b, p.1 + b]);
-        let bands = self
-            .bands
-            .iter()
-            .flat_map(|b| &b.intervals)
-            .flat_map(|&(a, b)| [a, b]);
+        let bands = self.bands.iter().flat_map(|b| &b.intervals).flat_map(|&(a, b)| [a, b]);
         Frame {
             x: self.x.scale(points().map(|p| p.0).chain(bands)),
             y: self.y.scale(points().map(|p| p.1).chain(ends)),
@@ -258,12 +220,7 @@ impl Chart {
         let corners =
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(|(s, t)| (across(s), up(t)));
         canvas.line(&corners, Paint::Ink(0.8), 1.0)?;
-        canvas.text(
-            &self.x.label,
-            (across(0.5), up(0.0) + 36.0),
-            TEXT_SIZE,
-            Anchor::Centre,
-        )?;
+        canvas.text(&self.x.label, (across(0.5), up(0.0) + 36.0), TEXT_SIZE, Anchor::Centre)?;
         canvas.text(&self.y.label, (14.0, up(0.5)), TEXT_SIZE, Anchor::Upwards)
     }
 
@@ -298,12 +255,8 @@ impl Chart {
                 match entry {
                     Entry::Series(series, index) => draw_sample(canvas, series, *index, (*x, y))?,
                     Entry::Bands(bands) => {
-                        let corners = [
-                            (*x, y - 6.0),
-                            (x + 28.0, y - 6.0),
-                            (x + 28.0, y + 6.0),
-                            (*x, y + 6.0),
-                        ];
+                        let corners =
+                            [(*x, y - 6.0), (x + 28.0, y - 6.0), (x + 28.0, y + 6.0), (*x, y + 6.0)];
                         canvas.polygon(&corners, Paint::Colour(bands.colour, 0.25))?;
                     }
                 }
@@ -383,13 +336,10 @@ fn draw_run(canvas: &Canvas<'_>, series: &Series, index: usize, run: &[(f64, f64
     match series.mark {
         Mark::Line => canvas.line(run, paint(series), 1.8),
         Mark::Dashed => canvas.dashes(run, paint(series), 1.6, (7.0, 4.0)),
-        Mark::Points => run
-            .iter()
-            .try_for_each(|&p| draw_marker(canvas, series, index, p)),
+        Mark::Points => run.iter().try_for_each(|&p| draw_marker(canvas, series, index, p)),
         Mark::LineAndPoints => {
             canvas.line(run, paint(series), 1.5)?;
-            run.iter()
-                .try_for_each(|&p| draw_marker(canvas, series, index, p))
+            run.iter().try_for_each(|&p| draw_marker(canvas, series, index, p))
         }
     }
 }

@@ -75,27 +75,17 @@ impl BodyPicture<'_> {
     fn check(&self) -> Result<()> {
         if self.values.len() != self.triangles.len() {
             let (given, expected) = (self.values.len(), self.triangles.len());
-            return Err(Error::LengthMismatch {
-                name: "values per triangle",
-                given,
-                expected,
-            });
+            return Err(Error::LengthMismatch { name: "values per triangle", given, expected });
         }
         let arrows = self.arrows.iter().flat_map(|(a, b)| [a, b]);
         let numbers = self.nodes.iter().chain(arrows).flatten().chain(self.values);
         if let Some((index, &value)) = numbers.enumerate().find(|(_, v)| !v.is_finite()) {
-            return Err(Error::NotFinite {
-                name: "picture data",
-                index,
-                value,
-            });
+            return Err(Error::NotFinite { name: "picture data", index, value });
         }
         match self.triangles.iter().flatten().find(|&&k| k >= self.nodes.len()) {
-            Some(&value) => Err(Error::CountOutOfRange {
-                name: "node number",
-                value,
-                range: "the nodes given",
-            }),
+            Some(&value) => {
+                Err(Error::CountOutOfRange { name: "node number", value, range: "the nodes given" })
+            }
             None => Ok(()),
         }
     }
@@ -110,11 +100,7 @@ impl BodyPicture<'_> {
         let (low, high) = self.value_range();
         let mut paths = vec![String::new(); SHADES];
         for (triangle, &value) in self.triangles.iter().zip(self.values) {
-            let s = if high > low {
-                (value - low) / (high - low)
-            } else {
-                0.0
-            };
+            let s = if high > low { (value - low) / (high - low) } else { 0.0 };
             let path = &mut paths[((s * SHADES as f64) as usize).min(SHADES - 1)];
             for (corner, &node) in triangle.iter().enumerate() {
                 let (x, y) = view.place(self.nodes[node]);
@@ -238,11 +224,7 @@ impl View {
         let span = [high[0] - low[0], high[1] - low[1]];
         let inner = WIDTH - 2.0 * MARGIN;
         let scale = (inner / span[0]).min(420.0 / span[1]);
-        let scale = if scale.is_finite() && scale > 0.0 {
-            scale
-        } else {
-            1.0
-        };
+        let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
         Self {
             left: low[0] - 0.5 * (inner / scale - span[0]),
             top: high[1],
@@ -252,10 +234,7 @@ impl View {
     }
 
     fn place(&self, [x, y]: [f64; 2]) -> (f64, f64) {
-        (
-            MARGIN + (x - self.left) * self.scale,
-            TOP + (self.top - y) * self.scale,
-        )
+        (MARGIN + (x - self.left) * self.scale, TOP + (self.top - y) * self.scale)
     }
 }
 
@@ -281,15 +260,9 @@ fn short(value: f64) -> String {
         return format!("{value:.3}");
     }
     let exponent = value.abs().log10().floor();
-    format!(
-        "{:.2}·{}",
-        value / 10f64.powf(exponent),
-        power_of_ten(exponent as i64)
-    )
+    format!("{:.2}·{}", value / 10f64.powf(exponent), power_of_ten(exponent as i64))
 }
 
 fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }

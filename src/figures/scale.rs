@@ -20,10 +20,7 @@ impl Scale {
     /// values that are not finite, do not count.
     pub(super) fn fit(values: impl Iterator<Item = f64>, logarithmic: bool) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for value in values
-            .map(|v| transform(v, logarithmic))
-            .filter(|v| v.is_finite())
-        {
+        for value in values.map(|v| transform(v, logarithmic)).filter(|v| v.is_finite()) {
             low = low.min(value);
             high = high.max(value);
         }
@@ -34,20 +31,12 @@ impl Scale {
             (low, high) = (low - 0.5, high + 0.5);
         }
         let room = 0.04 * (high - low);
-        Self {
-            low: low - room,
-            high: high + room,
-            logarithmic,
-        }
+        Self { low: low - room, high: high + room, logarithmic }
     }
 
     /// An axis over exactly [low, high] in data units.
     pub(super) fn exact(low: f64, high: f64, logarithmic: bool) -> Self {
-        Self {
-            low: transform(low, logarithmic),
-            high: transform(high, logarithmic),
-            logarithmic,
-        }
+        Self { low: transform(low, logarithmic), high: transform(high, logarithmic), logarithmic }
     }
 
     /// The position of a value: 0 at the low end, 1 at the high end; `None` when it cannot be shown.
@@ -69,18 +58,13 @@ impl Scale {
     }
 
     fn tick(&self, at: f64, label: Option<String>) -> Tick {
-        Tick {
-            position: (at - self.low) / (self.high - self.low),
-            label,
-        }
+        Tick { position: (at - self.low) / (self.high - self.low), label }
     }
 
     fn decades(&self, least_step: f64) -> Vec<Tick> {
         let steps = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0];
         let step = steps.into_iter().find(|&s| s >= least_step).unwrap_or(100.0);
-        multiples(self.low, self.high, step)
-            .map(|k| self.tick(k, Some(power_of_ten(k as i64))))
-            .collect()
+        multiples(self.low, self.high, step).map(|k| self.tick(k, Some(power_of_ten(k as i64)))).collect()
     }
 
     fn within_a_decade(&self) -> Vec<Tick> {
@@ -102,11 +86,7 @@ impl Scale {
                 format!("{}·{}", trimmed(m, 1), power_of_ten(k))
             }
         };
-        candidates
-            .iter()
-            .step_by(every)
-            .map(|&(at, k, m)| self.tick(at, Some(label(k, m))))
-            .collect()
+        candidates.iter().step_by(every).map(|&(at, k, m)| self.tick(at, Some(label(k, m)))).collect()
     }
 
     fn linear(&self, most: usize) -> Vec<Tick> {
@@ -118,9 +98,7 @@ impl Scale {
             .find(|&s| s >= raw * 0.999)
             .unwrap_or(10.0 * decade);
         let largest = self.low.abs().max(self.high.abs());
-        multiples(self.low, self.high, step)
-            .map(|at| self.tick(at, Some(plain(at, step, largest))))
-            .collect()
+        multiples(self.low, self.high, step).map(|at| self.tick(at, Some(plain(at, step, largest)))).collect()
     }
 }
 
@@ -151,16 +129,8 @@ fn plain(at: f64, step: f64, largest: f64) -> String {
 /// `value` with at most `decimals` digits after the point and no trailing zeros.
 fn trimmed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.replace('-', "−")
-    }
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.replace('-', "−") }
 }
 
 /// 10^k with raised digits.
@@ -176,10 +146,7 @@ pub(super) fn power_of_ten(k: i64) -> String {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        _ => c
-            .to_digit(10)
-            .and_then(|d| char::from_u32(0x2070 + d))
-            .unwrap_or(c),
+        _ => c.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(c),
     };
     format!("10{}", k.to_string().chars().map(raised).collect::<String>())
 }
@@ -195,23 +162,14 @@ mod tests {
     #[test]
     fn wide_logarithmic_axes_have_few_decades() {
         let labels = labels(Scale::exact(1e-300, 1.0, true));
-        assert_eq!(
-            labels,
-            ["10⁻³⁰⁰", "10⁻²⁵⁰", "10⁻²⁰⁰", "10⁻¹⁵⁰", "10⁻¹⁰⁰", "10⁻⁵⁰", "1"]
-        );
+        assert_eq!(labels, ["10⁻³⁰⁰", "10⁻²⁵⁰", "10⁻²⁰⁰", "10⁻¹⁵⁰", "10⁻¹⁰⁰", "10⁻⁵⁰", "1"]);
     }
 
     #[test]
     fn narrow_axes_have_round_labels() {
-        assert_eq!(
-            labels(Scale::exact(0.0, 1.0, false)),
-            ["0", "0.2", "0.4", "0.6", "0.8", "1"]
-        );
+        assert_eq!(labels(Scale::exact(0.0, 1.0, false)), ["0", "0.2", "0.4", "0.6", "0.8", "1"]);
         assert_eq!(labels(Scale::exact(0.1, 1.0, true)), ["0.1", "0.2", "0.5", "1"]);
-        assert_eq!(
-            labels(Scale::exact(0.0, 2e-3, false)),
-            ["0", "0.5·10⁻³", "1·10⁻³", "1.5·10⁻³", "2·10⁻³"]
-        );
+        assert_eq!(labels(Scale::exact(0.0, 2e-3, false)), ["0", "0.5·10⁻³", "1·10⁻³", "1.5·10⁻³", "2·10⁻³"]);
     }
 
     #[test]

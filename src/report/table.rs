@@ -23,6 +23,7 @@ pub struct Column {
     title: String,
     format: Format,
     meaning: String,
+    wrap: Option<usize>,
 }
 
 impl Column {
@@ -33,12 +34,7 @@ impl Column {
         format: Format,
         meaning: impl Into<String>,
     ) -> Self {
-        Self {
-            key,
-            title: title.into(),
-            format,
-            meaning: meaning.into(),
-        }
+        Self { key, title: title.into(), format, meaning: meaning.into(), wrap: None }
     }
 
     /// A column that appears in JSON only.
@@ -46,9 +42,20 @@ impl Column {
         Self::new(key, key, Format::Hidden, "")
     }
 
+    /// A column of words, broken into lines of at most `width` characters.
+    pub fn words(key: &'static str, title: impl Into<String>, width: usize) -> Self {
+        Self { wrap: Some(width.max(1)), ..Self::new(key, title, Format::Significant(6), "") }
+    }
+
     /// The key in JSON.
     pub fn key(&self) -> &'static str {
         self.key
+    }
+
+    /// The lines of a cell of this column.
+    fn lines(&self, cell: &Cell) -> Vec<String> {
+        let text = cell.text(self.format);
+        self.wrap.map_or_else(|| vec![text.clone()], |width| wrapped(&text, width))
     }
 
     fn is_shown(&self) -> bool {
@@ -113,11 +120,9 @@ impl Cell {
             Cell::Number(value) => number_text(*value, format),
             Cell::Integer(value) => value.to_string(),
             Cell::Text(words) => words.clone(),
-            Cell::List(values) => values
-                .iter()
-                .map(|&v| number_text(v, format))
-                .collect::<Vec<_>>()
-                .join(" "),
+            Cell::List(values) => {
+                values.iter().map(|&v| number_text(v, format)).collect::<Vec<_>>().join(" ")
+            }
             Cell::Missing => "-".to_owned(),
         }
     }
@@ -149,10 +154,7 @@ fn significant(value: f64, digits: usize) -> String {
         return value.to_string();
     }
     let scientific = format!("{value:.*e}", digits - 1);
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse::<i32>().ok())
-        .unwrap_or(0);
+    let exponent = scientific.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok()).unwrap_or(0);
     if (-3..6).contains(&exponent) {
         let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
         format!("{value:.decimals$}")
@@ -171,10 +173,7 @@ pub struct Table {
 impl Table {
     /// A table without rows.
     pub fn new(columns: Vec<Column>) -> Self {
-        Self {
-            columns,
-            rows: Vec::new(),
-        }
+        Self { columns, rows: Vec::new() }
     }
 
     /// Appends a row. Missing cells are filled with [`Cell::Missing`], surplus ones dropped.
@@ -205,59 +204,43 @@ impl Table {
 
     /// One JSON object per row, keys in the order of the columns; numbers with all their digits.
     pub fn json_rows(&self) -> Vec<String> {
-        self.rows
-            .iter()
-            .map(|row| self.json_row(row).to_string())
-            .collect()
+        self.rows.iter().map(|row| self.json_row(row).to_string()).collect()
     }
 
     fn json_row(&self, row: &[Cell]) -> Value {
-        let entries = self
-            .columns
-            .iter()
-            .zip(row)
-            .map(|(column, cell)| (column.key.to_owned(), cell.json()));
+        let entries = self.columns.iter().zip(row).map(|(column, cell)| (column.key.to_owned(), cell.json()));
         Value::Object(entries.collect::<Map<_, _>>())
     }
 
     /// Aligned text: numbers to the right, words to the left, explanations of the columns below.
     pub fn text(&self) -> String {
-        let shown: Vec<usize> = (0..self.columns.len())
-            .filter(|&j| self.columns[j].is_shown())
-            .collect();
-        let cells: Vec<Vec<String>> = self
+        let shown: Vec<usize> = (0..self.columns.len()).filter(|&j| self.columns[j].is_shown()).collect();
+        let cells: Vec<Vec<Vec<String>>> = self
             .rows
             .iter()
-            .map(|row| {
-                shown
-                    .iter()
-                    .map(|&j| row[j].text(self.columns[j].format))
-                    .collect()
-            })
+            .map(|row| shown.iter().map(|&j| self.columns[j].lines(&row[j])).collect())
             .collect();
-        let widths: Vec<usize> = shown
+        let layout: Vec<(usize, bool)> = shown
             .iter()
             .enumerate()
             .map(|(k, &j)| {
-                let longest = cells.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-                longest.max(self.columns[j].title.chars().count())
-            })
-            .collect();
-        let is_words: Vec<bool> = shown
-            .iter()
-            .map(|&j| {
-                self.rows
-                    .iter()
-                    .any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_)))
+                let longest = cells.iter().flat_map(|row| &row[k]).map(|line| line.chars().count()).max();
+                let width = longest.unwrap_or(0).max(self.columns[j].title.chars().count());
+                let is_words = self.rows.iter().any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_)));
+                (width, is_words)
             })
             .collect();
         let mut text = String::new();
         let titles: Vec<String> = shown.iter().map(|&j| self.columns[j].title.clone()).collect();
-        push_line(&mut text, &titles, &widths, &is_words);
-        let rule: Vec<String> = widths.iter().map(|&w| "-".repeat(w)).collect();
-        push_line(&mut text, &rule, &widths, &is_words);
+        push_line(&mut text, &titles, &layout);
+        let rule: Vec<String> = layout.iter().map(|&(width, _)| "-".repeat(width)).collect();
+        push_line(&mut text, &rule, &layout);
         for row in &cells {
-            push_line(&mut text, row, &widths, &is_words);
+            for line in 0..row.iter().map(Vec::len).max().unwrap_or(0) {
+                let part: Vec<String> =
+                    row.iter().map(|c| c.get(line).cloned().unwrap_or_default()).collect();
+                push_line(&mut text, &part, &layout);
+            }
         }
         for &j in &shown {
             let Column { title, meaning, .. } = &self.columns[j];
@@ -269,21 +252,35 @@ impl Table {
     }
 }
 
-fn push_line(text: &mut String, cells: &[String], widths: &[usize], is_words: &[bool]) {
+fn push_line(text: &mut String, cells: &[String], layout: &[(usize, bool)]) {
     let padded: Vec<String> = cells
         .iter()
-        .zip(widths)
-        .zip(is_words)
-        .map(|((cell, &width), &words)| {
-            if words {
-                format!("{cell:<width$}")
-            } else {
-                format!("{cell:>width$}")
-            }
-        })
+        .zip(layout)
+        .map(
+            |(cell, &(width, words))| {
+                if words { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+            },
+        )
         .collect();
     text.push_str(padded.join("  ").trim_end());
     text.push('\n');
+}
+
+/// Greedy line breaking at spaces; a longer word stands alone on its line.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words.split_whitespace() {
+        let Some(line) = lines.last_mut() else { break };
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= width {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
 }
 
 #[cfg(test)]
@@ -301,11 +298,16 @@ mod tests {
         let text = table.text();
         assert_eq!(text.lines().nth(2), Some("0.500  3.141593"));
         assert!(text.ends_with("nu: order\n"));
-        assert_eq!(
-            table.json_rows()[0],
-            r#"{"nu":0.5,"gamma":3.141592653589793,"error":1e-300}"#
-        );
+        assert_eq!(table.json_rows()[0], r#"{"nu":0.5,"gamma":3.141592653589793,"error":1e-300}"#);
         assert_eq!(table.number(0, "error"), Some(1e-300));
+    }
+
+    #[test]
+    fn words_are_wrapped_beside_numbers() {
+        let mut table =
+            Table::new(vec![Column::words("claim", "claim", 9), Column::new("s", "s", Format::Fixed(1), "")]);
+        table.push(vec!["one two three four".into(), 1.0.into()]);
+        assert_eq!(table.text(), "claim      s\n-------  ---\none two  1.0\nthree\nfour\n");
     }
 
     #[test]
