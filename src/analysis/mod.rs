@@ -8,8 +8,10 @@ mod alternatives;
 mod consistency;
 mod edge_trace;
 mod orders;
+mod regularity;
 
 pub use alternatives::{Alternative, NearVertices, SetDiameter, printed_theta};
 pub use consistency::{midpoint_term, nodal_term};
 pub use edge_trace::{EdgeTrace, Interval};
 pub use orders::{Bound, observed_orders};
+pub use regularity::clamped_free_exponent;
