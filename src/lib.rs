@@ -15,6 +15,8 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod analysis;
+#[cfg(doctest)]
+mod book;
 pub mod error;
 pub mod estimate;
 pub mod figures;

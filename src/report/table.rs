@@ -52,6 +52,16 @@ impl Column {
         self.key
     }
 
+    /// The title in text.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// What the column means; may be empty.
+    pub fn meaning(&self) -> &str {
+        &self.meaning
+    }
+
     /// The lines of a cell of this column.
     fn lines(&self, cell: &Cell) -> Vec<String> {
         let text = cell.text(self.format);
@@ -210,6 +220,20 @@ impl Table {
     fn json_row(&self, row: &[Cell]) -> Value {
         let entries = self.columns.iter().zip(row).map(|(column, cell)| (column.key.to_owned(), cell.json()));
         Value::Object(entries.collect::<Map<_, _>>())
+    }
+
+    /// The columns that appear in the text form.
+    pub fn shown_columns(&self) -> impl Iterator<Item = &Column> {
+        self.columns.iter().filter(|column| column.is_shown())
+    }
+
+    /// The rows as they appear in the text form, unwrapped, one entry per shown column.
+    pub fn text_rows(&self) -> Vec<Vec<String>> {
+        let shown = |row: &Vec<Cell>| {
+            let cells = row.iter().zip(&self.columns).filter(|(_, column)| column.is_shown());
+            cells.map(|(cell, column)| cell.text(column.format)).collect()
+        };
+        self.rows.iter().map(shown).collect()
     }
 
     /// Aligned text: numbers to the right, words to the left, explanations of the columns below.

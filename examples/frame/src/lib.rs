@@ -20,6 +20,9 @@ pub struct Output {
     /// Write figures (SVG) into this directory
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Write the whole outcome as one JSON object into this file (read by the book)
+    #[arg(long, value_name = "FILE")]
+    pub values: Option<PathBuf>,
 }
 
 impl Output {
@@ -37,6 +40,14 @@ impl Output {
             .and_then(|()| std::fs::remove_file(&probe))
             .map_err(|e| Error::file(directory, e))?;
         Ok(Some(directory))
+    }
+
+    /// Writes the whole outcome where `--values` asks for it.
+    fn record(&self, headline: &Headline) -> Result<()> {
+        let Some(file) = self.values.as_deref() else {
+            return Ok(());
+        };
+        std::fs::write(file, headline.json()).map_err(|e| Error::file(file, e))
     }
 }
 
