@@ -5,12 +5,14 @@
 //! nodes of a fine mesh and the contact forces there. Lengths are in units of the data.
 
 mod alternatives;
+mod classification;
 mod consistency;
 mod edge_trace;
 mod orders;
 mod regularity;
 
 pub use alternatives::{Alternative, NearVertices, SetDiameter, printed_theta};
+pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
 pub use edge_trace::{EdgeTrace, Interval};
 pub use orders::{Bound, observed_orders};
