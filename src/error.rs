@@ -106,18 +106,11 @@ pub enum Error {
 impl Error {
     /// The parameter `name` if it satisfies `admissible`, else [`Error::OutOfRange`]. NaN is never admissible.
     pub fn require(name: &'static str, value: f64, range: &'static str, admissible: bool) -> Result<f64> {
-        if admissible && !value.is_nan() {
-            Ok(value)
-        } else {
-            Err(Error::OutOfRange { name, value, range })
-        }
+        if admissible && !value.is_nan() { Ok(value) } else { Err(Error::OutOfRange { name, value, range }) }
     }
 
     /// The file `path` with the reason the system gave.
     pub fn file(path: impl Into<PathBuf>, reason: impl std::fmt::Display) -> Self {
-        Error::File {
-            path: path.into(),
-            reason: reason.to_string(),
-        }
+        Error::File { path: path.into(), reason: reason.to_string() }
     }
 }

@@ -124,27 +124,15 @@ impl Estimate {
     pub fn new(value: f64, error: f64, work: Work) -> Result<Self> {
         for (index, number) in [value, error].into_iter().enumerate() {
             if !number.is_finite() {
-                return Err(Error::NotFinite {
-                    name: "estimate (value, error)",
-                    index,
-                    value: number,
-                });
+                return Err(Error::NotFinite { name: "estimate (value, error)", index, value: number });
             }
         }
-        Ok(Self {
-            value,
-            error: error.abs().max(value.abs() * f64::EPSILON),
-            work,
-        })
+        Ok(Self { value, error: error.abs().max(value.abs() * f64::EPSILON), work })
     }
 
     /// error / |value|, or the absolute error when the value is zero.
     pub fn relative_error(&self) -> f64 {
-        if self.value == 0.0 {
-            self.error
-        } else {
-            self.error / self.value.abs()
-        }
+        if self.value == 0.0 { self.error } else { self.error / self.value.abs() }
     }
 
     /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
@@ -153,18 +141,10 @@ impl Estimate {
     /// [`Error::OutOfRange`] when the value is negative beyond its error.
     pub fn sqrt(self) -> Result<Self> {
         if self.value < -self.error {
-            return Err(Error::OutOfRange {
-                name: "radicand",
-                value: self.value,
-                range: "[0, inf)",
-            });
+            return Err(Error::OutOfRange { name: "radicand", value: self.value, range: "[0, inf)" });
         }
         let root = self.value.max(0.0).sqrt();
-        let error = if self.value > self.error {
-            self.error / (2.0 * root)
-        } else {
-            self.error.sqrt()
-        };
+        let error = if self.value > self.error { self.error / (2.0 * root) } else { self.error.sqrt() };
         Self::new(root, error, self.work)
     }
 }

@@ -24,7 +24,11 @@ fn powers_have_twelve_digits() {
         let exact = number(row, "seminorm_sq");
         let error = (estimate.value / exact - 1.0).abs();
         println!("{a} {order} {error:e} {:e}", estimate.relative_error());
-        assert!(error < CLOSED_FORM_TOLERANCE, "a {a} nu {order}: {} against {exact}, {error:e}", estimate.value);
+        assert!(
+            error < CLOSED_FORM_TOLERANCE,
+            "a {a} nu {order}: {} against {exact}, {error:e}",
+            estimate.value
+        );
         assert!(error < estimate.relative_error(), "a {a} nu {order}: error {error:e} beyond its estimate");
     }
 }
@@ -37,7 +41,11 @@ fn powers_of_the_logarithm_have_twelve_digits() {
         let exact = number(row, "seminorm_sq");
         let error = (estimate.value / exact - 1.0).abs();
         println!("{alpha} {error:e}");
-        assert!(error < CLOSED_FORM_TOLERANCE, "alpha {alpha}: {} against {exact}, {error:e}", estimate.value);
+        assert!(
+            error < CLOSED_FORM_TOLERANCE,
+            "alpha {alpha}: {} against {exact}, {error:e}",
+            estimate.value
+        );
     }
 }
 
@@ -57,7 +65,8 @@ fn large_exponents_stay_accurate() {
     // a = 40, ν = 1/2: B second difference with ψ: 4a [ψ(2a) − ψ(a)] / (2a) ... by the sum 1 + 1/2 + ... instead:
     // ∫₀¹ ((1−t^a)/(1−t))² dt = Σ_{i,j<a} 1/(i+j+1)
     let a = 40;
-    let exact: f64 = (0..a).flat_map(|i| (0..a).map(move |j| 1.0 / f64::from(i + j + 1))).sum::<f64>() / f64::from(a);
+    let exact: f64 =
+        (0..a).flat_map(|i| (0..a).map(move |j| 1.0 / f64::from(i + j + 1))).sum::<f64>() / f64::from(a);
     let value = closed_forms::power(f64::from(a), FractionalOrder::HALF).unwrap().value;
     assert!((value / exact - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{value} {exact}");
 }

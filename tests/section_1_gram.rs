@@ -26,16 +26,8 @@ fn from_hex(value: &Value) -> f64 {
 }
 
 fn mesh_and_order(case: &Value) -> (Partition, FractionalOrder) {
-    let nodes: Vec<f64> = case["nodes_hex"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(from_hex)
-        .collect();
-    (
-        Partition::from_nodes(&nodes).unwrap(),
-        FractionalOrder::new(from_hex(&case["nu_hex"])).unwrap(),
-    )
+    let nodes: Vec<f64> = case["nodes_hex"].as_array().unwrap().iter().map(from_hex).collect();
+    (Partition::from_nodes(&nodes).unwrap(), FractionalOrder::new(from_hex(&case["nu_hex"])).unwrap())
 }
 
 fn check_entries(case: &Value, key: &str, matrix: &Mat<f64>) {
@@ -57,14 +49,8 @@ fn check_entries(case: &Value, key: &str, matrix: &Mat<f64>) {
 fn check_row_sums(what: &str, matrix: &Mat<f64>) {
     for i in 0..matrix.nrows() {
         let row: Vec<f64> = (0..matrix.ncols()).map(|j| matrix[(i, j)]).collect();
-        let (sum, scale) = (
-            row.iter().sum::<f64>(),
-            row.iter().map(|a| a.abs()).sum::<f64>(),
-        );
-        assert!(
-            sum.abs() <= ROW_SUM_TOLERANCE * scale,
-            "{what} row {i}: sum {sum:e}, scale {scale:e}"
-        );
+        let (sum, scale) = (row.iter().sum::<f64>(), row.iter().map(|a| a.abs()).sum::<f64>());
+        assert!(sum.abs() <= ROW_SUM_TOLERANCE * scale, "{what} row {i}: sum {sum:e}, scale {scale:e}");
     }
 }
 
@@ -97,10 +83,7 @@ fn further_meshes() -> Vec<(&'static str, Partition)> {
     vec![
         ("one element", Partition::uniform(1, 3.0).unwrap()),
         ("two-sided", Partition::two_sided(80, 0.3, 2.0).unwrap()),
-        (
-            "interior point",
-            Partition::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap(),
-        ),
+        ("interior point", Partition::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
         ("alternating", Partition::from_lengths(alternating).unwrap()),
         ("uniform", Partition::uniform(400, 1.0).unwrap()),
         ("tiny", Partition::uniform(9, 1e-299).unwrap()),

@@ -41,22 +41,14 @@ impl Rule {
     pub fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Self> {
         point_count(n)?;
         for (name, exponent) in [("alpha", alpha), ("beta", beta)] {
-            Error::require(
-                name,
-                exponent,
-                "(-1, inf)",
-                exponent > -1.0 && exponent.is_finite(),
-            )?;
+            Error::require(name, exponent, "(-1, inf)", exponent > -1.0 && exponent.is_finite())?;
         }
         let recurrence = Recurrence::new(n, alpha, beta);
         let mut points = recurrence.eigenvalues();
         points.iter_mut().for_each(|t| *t = recurrence.polish(*t));
         points.sort_by(f64::total_cmp);
         let mass = beta_function(alpha + 1.0, beta + 1.0);
-        let weights = points
-            .iter()
-            .map(|&t| mass / recurrence.evaluate(t).square_sum)
-            .collect();
+        let weights = points.iter().map(|&t| mass / recurrence.evaluate(t).square_sum).collect();
         Ok(Self { points, weights })
     }
 
@@ -133,10 +125,7 @@ impl Recurrence {
                 (k * (k + alpha) * (k + beta) * ratio / (s * s * (s + 1.0))).sqrt()
             })
             .collect();
-        Self {
-            diagonal,
-            off_diagonal,
-        }
+        Self { diagonal, off_diagonal }
     }
 
     fn eigenvalues(&self) -> Vec<f64> {
@@ -162,11 +151,7 @@ impl Recurrence {
             (previous_derivative, derivative) = (derivative, next_derivative);
             below = b;
         }
-        Evaluation {
-            value,
-            derivative,
-            square_sum,
-        }
+        Evaluation { value, derivative, square_sum }
     }
 
     /// Newton's method from an eigenvalue good to about 1e-15 absolutely: three steps square away what is left.
@@ -194,15 +179,9 @@ mod tests {
     #[test]
     fn jacobi_moments_are_beta_functions() {
         for n in [1, 2, 3, 5, 8, 13, 40] {
-            for (alpha, beta) in [
-                (0.0, 0.0),
-                (-0.5, -0.5),
-                (0.3, -0.7),
-                (-0.9, 0.4),
-                (1.6, -0.999),
-                (0.0, 2.3),
-                (-0.3, -0.7),
-            ] {
+            for (alpha, beta) in
+                [(0.0, 0.0), (-0.5, -0.5), (0.3, -0.7), (-0.9, 0.4), (1.6, -0.999), (0.0, 2.3), (-0.3, -0.7)]
+            {
                 let rule = Rule::gauss_jacobi(n, alpha, beta).unwrap();
                 for k in 0..2 * n {
                     let moment = rule.integrate(|t| t.powi(k as i32));
@@ -219,15 +198,10 @@ mod tests {
     #[test]
     fn legendre_is_jacobi_without_weight() {
         for n in [1, 2, 7, 30] {
-            let (legendre, jacobi) = (
-                Rule::gauss_legendre(n).unwrap(),
-                Rule::gauss_jacobi(n, 0.0, 0.0).unwrap(),
-            );
+            let (legendre, jacobi) =
+                (Rule::gauss_legendre(n).unwrap(), Rule::gauss_jacobi(n, 0.0, 0.0).unwrap());
             for ((s, v), (t, w)) in legendre.iter().zip(jacobi.iter()) {
-                assert!(
-                    (s - t).abs() < 1e-15 && (v - w).abs() < 1e-14,
-                    "{n}: {s} {t} {v} {w}"
-                );
+                assert!((s - t).abs() < 1e-15 && (v - w).abs() < 1e-14, "{n}: {s} {t} {v} {w}");
             }
         }
     }

@@ -33,12 +33,7 @@ impl Column {
         format: Format,
         meaning: impl Into<String>,
     ) -> Self {
-        Self {
-            key,
-            title: title.into(),
-            format,
-            meaning: meaning.into(),
-        }
+        Self { key, title: title.into(), format, meaning: meaning.into() }
     }
 
     /// A column that appears in JSON only.
@@ -113,11 +108,9 @@ impl Cell {
             Cell::Number(value) => number_text(*value, format),
             Cell::Integer(value) => value.to_string(),
             Cell::Text(words) => words.clone(),
-            Cell::List(values) => values
-                .iter()
-                .map(|&v| number_text(v, format))
-                .collect::<Vec<_>>()
-                .join(" "),
+            Cell::List(values) => {
+                values.iter().map(|&v| number_text(v, format)).collect::<Vec<_>>().join(" ")
+            }
             Cell::Missing => "-".to_owned(),
         }
     }
@@ -149,10 +142,7 @@ fn significant(value: f64, digits: usize) -> String {
         return value.to_string();
     }
     let scientific = format!("{value:.*e}", digits - 1);
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse::<i32>().ok())
-        .unwrap_or(0);
+    let exponent = scientific.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok()).unwrap_or(0);
     if (-3..6).contains(&exponent) {
         let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
         format!("{value:.decimals$}")
@@ -171,10 +161,7 @@ pub struct Table {
 impl Table {
     /// A table without rows.
     pub fn new(columns: Vec<Column>) -> Self {
-        Self {
-            columns,
-            rows: Vec::new(),
-        }
+        Self { columns, rows: Vec::new() }
     }
 
     /// Appends a row. Missing cells are filled with [`Cell::Missing`], surplus ones dropped.
@@ -205,35 +192,21 @@ impl Table {
 
     /// One JSON object per row, keys in the order of the columns; numbers with all their digits.
     pub fn json_rows(&self) -> Vec<String> {
-        self.rows
-            .iter()
-            .map(|row| self.json_row(row).to_string())
-            .collect()
+        self.rows.iter().map(|row| self.json_row(row).to_string()).collect()
     }
 
     fn json_row(&self, row: &[Cell]) -> Value {
-        let entries = self
-            .columns
-            .iter()
-            .zip(row)
-            .map(|(column, cell)| (column.key.to_owned(), cell.json()));
+        let entries = self.columns.iter().zip(row).map(|(column, cell)| (column.key.to_owned(), cell.json()));
         Value::Object(entries.collect::<Map<_, _>>())
     }
 
     /// Aligned text: numbers to the right, words to the left, explanations of the columns below.
     pub fn text(&self) -> String {
-        let shown: Vec<usize> = (0..self.columns.len())
-            .filter(|&j| self.columns[j].is_shown())
-            .collect();
+        let shown: Vec<usize> = (0..self.columns.len()).filter(|&j| self.columns[j].is_shown()).collect();
         let cells: Vec<Vec<String>> = self
             .rows
             .iter()
-            .map(|row| {
-                shown
-                    .iter()
-                    .map(|&j| row[j].text(self.columns[j].format))
-                    .collect()
-            })
+            .map(|row| shown.iter().map(|&j| row[j].text(self.columns[j].format)).collect())
             .collect();
         let widths: Vec<usize> = shown
             .iter()
@@ -245,11 +218,7 @@ impl Table {
             .collect();
         let is_words: Vec<bool> = shown
             .iter()
-            .map(|&j| {
-                self.rows
-                    .iter()
-                    .any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_)))
-            })
+            .map(|&j| self.rows.iter().any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_))))
             .collect();
         let mut text = String::new();
         let titles: Vec<String> = shown.iter().map(|&j| self.columns[j].title.clone()).collect();
@@ -274,13 +243,11 @@ fn push_line(text: &mut String, cells: &[String], widths: &[usize], is_words: &[
         .iter()
         .zip(widths)
         .zip(is_words)
-        .map(|((cell, &width), &words)| {
-            if words {
-                format!("{cell:<width$}")
-            } else {
-                format!("{cell:>width$}")
-            }
-        })
+        .map(
+            |((cell, &width), &words)| {
+                if words { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+            },
+        )
         .collect();
     text.push_str(padded.join("  ").trim_end());
     text.push('\n');
@@ -301,10 +268,7 @@ mod tests {
         let text = table.text();
         assert_eq!(text.lines().nth(2), Some("0.500  3.141593"));
         assert!(text.ends_with("nu: order\n"));
-        assert_eq!(
-            table.json_rows()[0],
-            r#"{"nu":0.5,"gamma":3.141592653589793,"error":1e-300}"#
-        );
+        assert_eq!(table.json_rows()[0], r#"{"nu":0.5,"gamma":3.141592653589793,"error":1e-300}"#);
         assert_eq!(table.number(0, "error"), Some(1e-300));
     }
 

@@ -36,9 +36,7 @@ pub(crate) struct Touching {
 
 impl CellPairs {
     pub(crate) fn new(order: FractionalOrder) -> Self {
-        Self {
-            kernel: PowerKernel::new(order),
-        }
+        Self { kernel: PowerKernel::new(order) }
     }
 
     /// f(lengths / S) S^{1-2ν} for S a power of two near √(low high).
@@ -110,11 +108,8 @@ impl CellPairs {
                 // The closed inner integral costs two powers, a short rule less.
                 let (points, weights) = gauss_for(q / d);
                 graded_gauss(d, p, |s, v| {
-                    let inner: f64 = points
-                        .iter()
-                        .zip(weights)
-                        .map(|(&t, &w)| w * self.kernel.at(d + s + q * t))
-                        .sum();
+                    let inner: f64 =
+                        points.iter().zip(weights).map(|(&t, &w)| w * self.kernel.at(d + s + q * t)).sum();
                     sum += v * q * inner;
                 });
             } else {

@@ -47,10 +47,7 @@ pub fn power(a: f64, order: FractionalOrder) -> Result<Estimate> {
     let value = (below + above) / gap;
     // The rounding of a itself matters where the denominators 2a−2ν+1 and 2a+1 are small.
     let conditioning = a.abs() / gap + a.abs() / (0.5 + a).abs();
-    let work = Work {
-        points: below_terms + above_terms,
-        ..Work::default()
-    };
+    let work = Work { points: below_terms + above_terms, ..Work::default() };
     Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning), work)
 }
 
@@ -147,7 +144,8 @@ pub fn log_power(alpha: f64) -> Result<Estimate> {
         (std::f64::consts::PI * (0.5 - alpha)).sin().ln()
     };
     let log_quotient = log_gamma_defect(alpha) - log_cos;
-    let value = 2.0 * zeta(1.0 + 2.0 * alpha, 2.0 * alpha) * libm::tgamma(1.0 + 2.0 * alpha) * log_quotient.exp_m1();
+    let value =
+        2.0 * zeta(1.0 + 2.0 * alpha, 2.0 * alpha) * libm::tgamma(1.0 + 2.0 * alpha) * log_quotient.exp_m1();
     let conditioning = 0.5 / (0.5 - alpha);
     Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning), Work::default())
 }

@@ -40,10 +40,7 @@ pub fn gram_constants(partition: &Partition, order: FractionalOrder) -> Result<M
 pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> Mat<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
-    let far: Vec<FarRow> = (0..n)
-        .into_par_iter()
-        .map(|e| FarRow::new(partition, &cells, e))
-        .collect();
+    let far: Vec<FarRow> = (0..n).into_par_iter().map(|e| FarRow::new(partition, &cells, e)).collect();
     let mut rows: Vec<Vec<f64>> = (0..=n).map(|i| vec![0.0; n + 1 - i]).collect();
     for (e, far_row) in far.iter().enumerate() {
         // Cell e touches the nodes e (its far hat) and e + 1 (its near hat).
@@ -82,20 +79,13 @@ pub(crate) fn require_constants_finite(order: FractionalOrder) -> Result<()> {
     if order.is_below_half() {
         return Ok(());
     }
-    Err(Error::InfiniteNorm {
-        order: order.value(),
-        why: "a jump is not in H^nu for nu >= 1/2",
-    })
+    Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
 }
 
 /// ∫_{cell i} ∫_{cell j} |x−y|^{-1-2ν} for i < j with the lengths between them summing to `gap`.
-fn constants_on(partition: &Partition, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
+pub(crate) fn constants_on(partition: &Partition, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
     let (p, q) = (partition.lengths()[i], partition.lengths()[j]);
-    if j == i + 1 {
-        cells.touching_constants(p, q)
-    } else {
-        cells.separate_constants(p, q, gap)
-    }
+    if j == i + 1 { cells.touching_constants(p, q) } else { cells.separate_constants(p, q, gap) }
 }
 
 /// 2 ∫_{cell} ∫_{outside} |x−y|^{-1-2ν}.
@@ -107,13 +97,13 @@ pub(crate) fn diagonal_constant(partition: &Partition, cells: &CellPairs, i: usi
 }
 
 /// What cell e contributes to the entries of its two hats with the hats of nodes e + 2, e + 3, ...
-struct FarRow {
+pub(crate) struct FarRow {
     /// `values[k]` = contributions of (node e + 1, node e) with node e + 2 + k
-    values: Vec<[f64; 2]>,
+    pub(crate) values: Vec<[f64; 2]>,
 }
 
 impl FarRow {
-    fn new(partition: &Partition, cells: &CellPairs, e: usize) -> Self {
+    pub(crate) fn new(partition: &Partition, cells: &CellPairs, e: usize) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
         let mut values = vec![[0.0; 2]; n.saturating_sub(e + 1)];

@@ -3,10 +3,15 @@
 mod cells;
 pub mod closed_forms;
 mod gram;
+mod lebesgue;
 mod order;
 mod partition;
+mod piecewise;
+mod polynomial_pairs;
 mod power;
+mod seminorm;
 
 pub use gram::{gram_constants, gram_linears, mass_constants, mass_linears};
 pub use order::FractionalOrder;
 pub use partition::Partition;
+pub use piecewise::PiecewisePolynomial;

@@ -16,10 +16,7 @@ pub struct FractionalOrder {
 
 impl FractionalOrder {
     /// ν = 1/2, the order of traces.
-    pub const HALF: Self = Self {
-        value: 0.5,
-        offset: 0.0,
-    };
+    pub const HALF: Self = Self { value: 0.5, offset: 0.0 };
 
     /// The order ν itself.
     ///
@@ -101,9 +98,9 @@ impl FromStr for FractionalOrder {
         let text = text.trim();
         match text.strip_prefix("1/2") {
             Some("") => Ok(Self::HALF),
-            Some(offset) if offset.starts_with(['+', '-']) => offset
-                .parse()
-                .map_or_else(|_| Err(unreadable(text)), Self::from_offset),
+            Some(offset) if offset.starts_with(['+', '-']) => {
+                offset.parse().map_or_else(|_| Err(unreadable(text)), Self::from_offset)
+            }
             _ => text.parse().map_or_else(|_| Err(unreadable(text)), Self::new),
         }
     }

@@ -84,11 +84,7 @@ impl Partition {
 
     fn at(left: f64, lengths: Vec<f64>) -> Result<Self> {
         if lengths.is_empty() {
-            return Err(Error::CountOutOfRange {
-                name: "elements",
-                value: 0,
-                range: ">= 1",
-            });
+            return Err(Error::CountOutOfRange { name: "elements", value: 0, range: ">= 1" });
         }
         for &length in &lengths {
             let admissible = length > 0.0 && length.is_finite();
@@ -107,12 +103,7 @@ impl Partition {
             "[2.3e-308, inf) and at least 1e-303 of the interval",
             admissible,
         )?;
-        Ok(Self {
-            left,
-            lengths,
-            from_left,
-            from_right,
-        })
+        Ok(Self { left, lengths, from_left, from_right })
     }
 
     /// Number of elements.
@@ -198,11 +189,8 @@ pub(crate) struct RunningSum {
 impl RunningSum {
     pub(crate) fn add(&mut self, term: f64) {
         let next = self.sum + term;
-        self.carry += if self.sum.abs() >= term.abs() {
-            (self.sum - next) + term
-        } else {
-            (term - next) + self.sum
-        };
+        self.carry +=
+            if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
         self.sum = next;
     }
 

@@ -10,7 +10,7 @@ use crate::quadrature::Rule;
 use std::sync::OnceLock;
 
 /// Orders 1 ..= MAX_POINTS of the Gauss rules kept at hand.
-const MAX_POINTS: usize = 16;
+const MAX_POINTS: usize = 40;
 
 /// Pieces longer than this multiple of their distance from the singularity are not left to one Gauss rule.
 pub(crate) const GAUSS_REACH: f64 = 2.0;
@@ -24,16 +24,11 @@ struct GaussTable {
 fn gauss_table() -> &'static GaussTable {
     static TABLE: OnceLock<GaussTable> = OnceLock::new();
     TABLE.get_or_init(|| {
-        let mut table = GaussTable {
-            rules: Vec::new(),
-            reach: Vec::new(),
-        };
+        let mut table = GaussTable { rules: Vec::new(), reach: Vec::new() };
         for n in 1..=MAX_POINTS {
             // n >= 1, so the rule exists
             let Ok(rule) = Rule::gauss_legendre(n) else { continue };
-            table
-                .rules
-                .push((rule.points().to_vec(), rule.weights().to_vec()));
+            table.rules.push((rule.points().to_vec(), rule.weights().to_vec()));
             // The error is about ρ^{-2n} with ρ + 1/ρ = 2 (1 + 2 x/ℓ): ρ^{-2n} = 1e-17
             let rho = 10f64.powf(17.0 / (2.0 * n as f64));
             table.reach.push(2.0 / (0.5 * (rho + 1.0 / rho) - 1.0));
@@ -42,24 +37,33 @@ fn gauss_table() -> &'static GaussTable {
     })
 }
 
-/// Points and weights on (0, 1) of the Gauss rule exact to rounding for (x + ℓη)^{-1-2ν} times a quadratic, ℓ ≤ 2x.
+/// Points and weights on (0, 1) of the Gauss rule exact to rounding for (x + ℓη)^{-1-2ν} times a quadratic, ratio = ℓ/x ≤ 2.
 pub(crate) fn gauss_for(ratio: f64) -> (&'static [f64], &'static [f64]) {
+    gauss_for_degree(ratio, 1)
+}
+
+/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree`: that many points more than the kernel needs.
+pub(crate) fn gauss_for_degree(ratio: f64, degree: usize) -> (&'static [f64], &'static [f64]) {
     let table = gauss_table();
-    // One more point than the kernel needs, for the polynomial weight.
-    let needed = table.reach.partition_point(|&reach| reach < ratio) + 1;
+    let needed = table.reach.partition_point(|&reach| reach < ratio) + degree;
     let (points, weights) = &table.rules[needed.min(MAX_POINTS - 1)];
     (points, weights)
 }
 
 /// Σ w f over pieces of (0, ℓ) that grow away from a singularity at −x, each by a rule exact to rounding.
-pub(crate) fn graded_gauss(x: f64, length: f64, mut f: impl FnMut(f64, f64)) {
+pub(crate) fn graded_gauss(x: f64, length: f64, f: impl FnMut(f64, f64)) {
+    graded_gauss_degree(x, length, 1, f);
+}
+
+/// As [`graded_gauss`] for the kernel times a polynomial of degree 2 `degree`.
+pub(crate) fn graded_gauss_degree(x: f64, length: f64, degree: usize, mut f: impl FnMut(f64, f64)) {
     let mut start = 0.0;
     loop {
         let rest = length - start;
         let reach = GAUSS_REACH * (x + start);
         // A last piece slightly too long is cheaper than a sliver.
         let (piece, last) = if rest <= reach { (rest, true) } else { (reach, false) };
-        let (points, weights) = gauss_for(piece / (x + start));
+        let (points, weights) = gauss_for_degree(piece / (x + start), degree);
         for (&point, &weight) in points.iter().zip(weights) {
             f(start + piece * point, piece * weight);
         }
@@ -118,11 +122,7 @@ impl PowerKernel {
 
     /// S^{1-2ν}, how integrals over two cells scale; the exponent that is exact is the one used.
     pub(crate) fn scaling(&self, scale: f64) -> f64 {
-        if self.twice < 0.5 {
-            scale * scale.powf(-self.twice)
-        } else {
-            scale.powf(self.one_minus)
-        }
+        if self.twice < 0.5 { scale * scale.powf(-self.twice) } else { scale.powf(self.one_minus) }
     }
 
     /// ∫_0^ℓ (x+t)^{-1-2ν} dt.

@@ -54,25 +54,12 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
     };
     let json = options.output().json;
     // A directory that cannot be written is found before the work, not after it.
-    match options
-        .output()
-        .directory()
-        .map(|_| ())
-        .and_then(|()| run(&options))
-    {
+    match options.output().directory().map(|_| ()).and_then(|()| run(&options)) {
         Ok(headline) => {
-            let text = if json {
-                headline.table.json_rows().join("\n") + "\n"
-            } else {
-                headline.to_string()
-            };
+            let text = if json { headline.table.json_rows().join("\n") + "\n" } else { headline.to_string() };
             // A closed pipe (`| head`) is the reader's choice, not a failure.
             let _ = std::io::stdout().write_all(text.as_bytes());
-            if headline.verdict.is_confirmed() {
-                ExitCode::SUCCESS
-            } else {
-                ExitCode::FAILURE
-            }
+            if headline.verdict.is_confirmed() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
         }
         Err(error) => {
             eprintln!("error: {error}");
