@@ -2,6 +2,8 @@
 //!
 //! All rules live on (0, 1) so that a point close to the end 0 keeps its relative accuracy: t = 1 + x on (−1, 1) does not.
 
+mod power_weight;
 mod rules;
 
+pub use power_weight::PowerWeightRule;
 pub use rules::Rule;

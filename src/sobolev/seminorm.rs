@@ -1,0 +1,224 @@
+//! Norms of order m + ν of piecewise polynomials, (1.1) of the paper.
+//!
+//! |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m = 0, 1.
+//!
+//! Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which
+//! uses that constants have seminorm zero and so keeps its digits when u is nearly constant; other degrees are integrated
+//! pair by pair ([`super::polynomial_pairs`]). Everything is exact to rounding; the [`Tolerance`] is what the rounding is
+//! held against. Cost O(N²) kernel values, without a stored matrix.
+
+use super::cells::CellPairs;
+use super::gram::{FarRow, constants_on, neighbours_linear};
+use super::order::FractionalOrder;
+use super::partition::RunningSum;
+use super::piecewise::PiecewisePolynomial;
+use super::polynomial_pairs::{Cell, PairSum, PolynomialPairs};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use rayon::prelude::*;
+
+/// Relative rounding of one entry or one pair.
+const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+impl PiecewisePolynomial {
+    /// The seminorm |u^{(m)}|_ν, m = 0 or 1.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] when u^{(m)} jumps and ν ≥ 1/2, or u jumps and m = 1; [`Error::CountOutOfRange`] for m > 1;
+    /// [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
+    pub fn seminorm(&self, m: usize, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        let (scale, squared) = self.scaled_seminorm_squared(m, order)?;
+        accept("seminorm", scaled_root(scale, squared)?, tolerance)
+    }
+
+    /// The norm ||u||_{m+ν}, m = 0 or 1.
+    ///
+    /// # Errors
+    /// As [`PiecewisePolynomial::seminorm`].
+    pub fn norm(&self, m: usize, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        let (top_scale, top) = self.scaled_seminorm_squared(m, order)?;
+        let mut parts = vec![scaled_root(top_scale, top)?, self.l2_norm()?];
+        if m == 1 {
+            parts.push(self.derivative()?.l2_norm()?);
+        }
+        accept("norm", root_of_squares(&parts)?, tolerance)
+    }
+
+    /// The L² norm, exact to rounding.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] on overflow.
+    pub fn l2_norm(&self) -> Result<Estimate> {
+        let scale = self.scale();
+        let rule = crate::quadrature::Rule::gauss_legendre(self.degree() + 1)?;
+        let mut sum = RunningSum::default();
+        // The length may overflow a product of its own; the root is taken of values in units of the interval.
+        let total = self.partition().total();
+        for (piece, &h) in self.pieces().iter().zip(self.partition().lengths()) {
+            sum.add(h / total * rule.integrate(|t| (piece.value(t) / scale).powi(2)));
+        }
+        let value = scale * (total.sqrt() * sum.value().sqrt());
+        Estimate::new(value, ENTRY_ROUNDING * value, Work::default())
+    }
+
+    /// A power of two near the largest value; 1 for the zero function.
+    fn scale(&self) -> f64 {
+        let largest = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
+        if largest == 0.0 {
+            return 1.0;
+        }
+        // The reciprocal must stay finite.
+        libm::ldexp(1.0, libm::ilogb(largest).max(-1000))
+    }
+
+    /// (S, |u^{(m)}/S|²_ν).
+    fn scaled_seminorm_squared(&self, m: usize, order: FractionalOrder) -> Result<(f64, Estimate)> {
+        match m {
+            0 => {
+                self.require_finite_seminorm(order)?;
+                let scale = self.scale();
+                Ok((scale, self.scaled_by(1.0 / scale).seminorm_squared_of_moderate(order)?))
+            }
+            1 if !self.is_continuous() => Err(Error::InfiniteNorm {
+                order: 1.0 + order.value(),
+                why: "a function that jumps has no derivative in L^2",
+            }),
+            1 => self.derivative()?.scaled_seminorm_squared(0, order),
+            _ => Err(Error::CountOutOfRange { name: "derivatives m", value: m, range: "0 or 1" }),
+        }
+    }
+
+    fn require_finite_seminorm(&self, order: FractionalOrder) -> Result<()> {
+        if order.is_below_half() || self.is_continuous() {
+            return Ok(());
+        }
+        Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
+    }
+
+    fn seminorm_squared_of_moderate(&self, order: FractionalOrder) -> Result<Estimate> {
+        if self.is_exactly(|piece| piece.left == piece.right) {
+            self.constants_squared(order)
+        } else if self.is_exactly(|_| true) && self.is_continuous() {
+            self.linears_squared(order)
+        } else {
+            self.pairs_squared(order)
+        }
+    }
+
+    fn is_exactly(&self, shape: impl Fn(&super::piecewise::Piece) -> bool) -> bool {
+        self.pieces().iter().all(|piece| piece.bubbles.is_empty() && shape(piece))
+    }
+
+    fn constants_squared(&self, order: FractionalOrder) -> Result<Estimate> {
+        let (partition, pieces) = (self.partition(), self.pieces());
+        if pieces.iter().all(|piece| piece.left == pieces[0].left) {
+            return Estimate::new(0.0, 0.0, Work::default());
+        }
+        let cells = CellPairs::new(order);
+        let n = pieces.len();
+        let value: f64 = (0..n)
+            .into_par_iter()
+            .map(|i| {
+                let (mut sum, mut gap) = (0.0, RunningSum::default());
+                for j in i + 1..n {
+                    let difference = pieces[i].left - pieces[j].left;
+                    if difference != 0.0 {
+                        sum += constants_on(partition, &cells, i, j, gap.value()) * difference * difference;
+                    }
+                    gap.add(partition.lengths()[j]);
+                }
+                2.0 * sum
+            })
+            .sum();
+        Estimate::new(value, ENTRY_ROUNDING * value, pair_work(n))
+    }
+
+    fn linears_squared(&self, order: FractionalOrder) -> Result<Estimate> {
+        let partition = self.partition();
+        let cells = CellPairs::new(order);
+        let n = partition.len();
+        let mut nodal: Vec<f64> = self.pieces().iter().map(|piece| piece.left).collect();
+        nodal.push(self.pieces()[n - 1].right);
+        let square = |i: usize, j: usize| (nodal[i] - nodal[j]) * (nodal[i] - nodal[j]);
+        let (value, absolute) = (0..n)
+            .into_par_iter()
+            .map(|e| {
+                let entry = neighbours_linear(partition, &cells, e) * square(e, e + 1);
+                let (mut sum, mut absolute) = (-entry, entry.abs());
+                for (k, [near, far]) in FarRow::new(partition, &cells, e).values.into_iter().enumerate() {
+                    let term = -near * square(e + 1, e + 2 + k) - far * square(e, e + 2 + k);
+                    sum += term;
+                    absolute += term;
+                }
+                (sum, absolute)
+            })
+            .reduce(|| (0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
+        Estimate::new(value, ENTRY_ROUNDING * absolute, pair_work(n))
+    }
+
+    fn pairs_squared(&self, order: FractionalOrder) -> Result<Estimate> {
+        let pairs = PolynomialPairs::new(order, self.degree().max(1))?;
+        let lengths = self.partition().lengths();
+        let n = lengths.len();
+        let cell = |i: usize| Cell { length: lengths[i], piece: &self.pieces()[i] };
+        let total = (0..n)
+            .into_par_iter()
+            .map(|i| {
+                let mut sum = pairs.own(cell(i));
+                if i + 1 < n {
+                    sum = sum.plus(pairs.touching(cell(i), cell(i + 1), self.jump(i + 1)));
+                }
+                let mut gap = RunningSum::default();
+                for j in i + 2..n {
+                    gap.add(lengths[j - 1]);
+                    sum = sum.plus(pairs.separate(cell(i), cell(j), gap.value()));
+                }
+                sum
+            })
+            .reduce(PairSum::default, PairSum::plus);
+        let work = Work { points: total.points, ..pair_work(n) };
+        Estimate::new(total.value, ENTRY_ROUNDING * total.value + total.rounding, work)
+    }
+}
+
+impl PairSum {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            value: self.value + other.value,
+            rounding: self.rounding + other.rounding,
+            points: self.points + other.points,
+        }
+    }
+}
+
+fn pair_work(n: usize) -> Work {
+    Work { pairs: (n * (n + 1) / 2) as u64, ..Work::default() }
+}
+
+fn scaled_root(scale: f64, squared: Estimate) -> Result<Estimate> {
+    let root = squared.sqrt()?;
+    Estimate::new(scale * root.value, scale * root.error, root.work)
+}
+
+/// √(Σ parts²) without overflow, with its error.
+pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
+    let value = parts.iter().fold(0.0, |norm, part| part.value.hypot(norm));
+    let mut error = 0.0;
+    let mut work = Work::default();
+    for part in parts {
+        let weight = if value > 0.0 { part.value / value } else { 1.0 };
+        error += part.error * weight;
+        work += part.work;
+    }
+    Estimate::new(value, error, work)
+}
+
+/// The estimate, unless its error exceeds the tolerance.
+pub(crate) fn accept(what: &'static str, estimate: Estimate, tolerance: Tolerance) -> Result<Estimate> {
+    // Nothing can be asked below the rounding of the result itself.
+    let asked = tolerance.relative().max(ENTRY_ROUNDING);
+    if estimate.relative_error() <= asked || estimate.value == 0.0 {
+        return Ok(estimate);
+    }
+    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached: estimate.relative_error() })
+}

@@ -1,0 +1,99 @@
+//! Closed forms of squared seminorms against references computed in multiple precision.
+
+use serde_json::Value;
+use signorini::Error;
+use signorini::sobolev::{FractionalOrder, closed_forms};
+
+/// A few hundred operations of one sign.
+const CLOSED_FORM_TOLERANCE: f64 = 1e-12;
+
+fn references() -> Vec<Value> {
+    serde_json::from_str(include_str!("reference/closed_forms.json")).unwrap()
+}
+
+fn number(row: &Value, key: &str) -> f64 {
+    row[key].as_str().unwrap().parse().unwrap()
+}
+
+#[test]
+fn powers_have_twelve_digits() {
+    for row in references().iter().filter(|row| row["function"] == "x^a") {
+        let order: FractionalOrder = row["nu"].as_str().unwrap().parse().unwrap();
+        let a = number(row, "a");
+        let estimate = closed_forms::power(a, order).unwrap();
+        let exact = number(row, "seminorm_sq");
+        let error = (estimate.value / exact - 1.0).abs();
+        println!("{a} {order} {error:e} {:e}", estimate.relative_error());
+        assert!(
+            error < CLOSED_FORM_TOLERANCE,
+            "a {a} nu {order}: {} against {exact}, {error:e}",
+            estimate.value
+        );
+        assert!(error < estimate.relative_error(), "a {a} nu {order}: error {error:e} beyond its estimate");
+    }
+}
+
+#[test]
+fn powers_of_the_logarithm_have_twelve_digits() {
+    for row in references().iter().filter(|row| row["function"] == "|ln x|^alpha") {
+        let alpha = number(row, "alpha");
+        let estimate = closed_forms::log_power(alpha).unwrap();
+        let exact = number(row, "seminorm_sq");
+        let error = (estimate.value / exact - 1.0).abs();
+        println!("{alpha} {error:e}");
+        assert!(
+            error < CLOSED_FORM_TOLERANCE,
+            "alpha {alpha}: {} against {exact}, {error:e}",
+            estimate.value
+        );
+    }
+}
+
+#[test]
+fn the_identity_has_the_elementary_value() {
+    // |x|²_ν = ∫∫ |x−y|^{1-2ν} = 2 / ((2−2ν)(3−2ν))
+    for nu in [1e-6, 0.3, 0.5, 0.7, 1.0 - 1e-6] {
+        let order = FractionalOrder::new(nu).unwrap();
+        let exact = 1.0 / ((1.0 - nu) * (3.0 - 2.0 * nu));
+        let value = closed_forms::power(1.0, order).unwrap().value;
+        assert!((value / exact - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{nu}");
+    }
+}
+
+#[test]
+fn large_exponents_stay_accurate() {
+    // a = 40, ν = 1/2: B second difference with ψ: 4a [ψ(2a) − ψ(a)] / (2a) ... by the sum 1 + 1/2 + ... instead:
+    // ∫₀¹ ((1−t^a)/(1−t))² dt = Σ_{i,j<a} 1/(i+j+1)
+    let a = 40;
+    let exact: f64 =
+        (0..a).flat_map(|i| (0..a).map(move |j| 1.0 / f64::from(i + j + 1))).sum::<f64>() / f64::from(a);
+    let value = closed_forms::power(f64::from(a), FractionalOrder::HALF).unwrap().value;
+    assert!((value / exact - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{value} {exact}");
+}
+
+#[test]
+fn infinite_norms_say_why() {
+    let order = FractionalOrder::new(0.75).unwrap();
+    for outcome in [
+        closed_forms::power(0.25, order),
+        closed_forms::jump(0.5, 0.5, order),
+        closed_forms::jump(0.5, 0.5, FractionalOrder::HALF),
+        closed_forms::log_power(0.5),
+    ] {
+        assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "{outcome:?}");
+    }
+    assert!(closed_forms::power(f64::NAN, order).is_err());
+    assert!(closed_forms::log_power(-0.1).is_err());
+}
+
+#[test]
+fn jumps_and_hats_have_elementary_values() {
+    // ν = 1/4, p = q = 1: 2 (2 − √2) / (1/4)
+    let quarter = FractionalOrder::new(0.25).unwrap();
+    let jump = closed_forms::jump(1.0, 1.0, quarter).unwrap().value;
+    assert!((jump / (8.0 * (2.0 - 2f64.sqrt())) - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{jump}");
+    // ν = 1/2, hat over two unit elements alone: own cells 1 each, touching cells 2 ∫∫ (s−t)²/(s+t)² = 4 (3/2 − 2 ln 2) + ...
+    let hat = closed_forms::hat(0.0, 1.0, 1.0, 0.0, FractionalOrder::HALF).unwrap().value;
+    let touching = 2.0 * (3.0 - 4.0 * 2f64.ln()); // ∫∫ = ∫₀¹ ((1−η)/(1+η))² dη · (2/2) · 1 = 3 − 4 ln 2
+    assert!((hat / (2.0 + touching) - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{hat} {}", 2.0 + touching);
+}
