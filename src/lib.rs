@@ -8,6 +8,7 @@
 //! | --- | --- |
 //! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
 //! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
+//! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -17,6 +18,7 @@
 pub mod analysis;
 #[cfg(doctest)]
 mod book;
+pub mod contact;
 pub mod error;
 pub mod estimate;
 pub mod figures;
