@@ -28,8 +28,8 @@ pub mod figures;
 pub mod mesh;
 pub mod quadrature;
 pub mod report;
-pub mod sobolev;
 pub mod scenes;
+pub mod sobolev;
 
 pub use error::{Error, Result};
 pub use estimate::{Estimate, Tolerance, Work};
