@@ -8,6 +8,10 @@
 //! | --- | --- |
 //! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
 //! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
+//! | Sec. 2: domains and forms | [`mesh`], [`fem`] |
+//! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
+//! | Sec. 2: examples of problems | [`scenes`] |
+//! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -17,11 +21,16 @@
 pub mod analysis;
 #[cfg(doctest)]
 mod book;
+pub mod contact;
 pub mod error;
 pub mod estimate;
+pub mod fem;
 pub mod figures;
+pub mod mesh;
+pub mod poincare;
 pub mod quadrature;
 pub mod report;
+pub mod scenes;
 pub mod sobolev;
 
 pub use error::{Error, Result};

@@ -66,7 +66,8 @@ impl Data {
     /// # Errors
     /// [`Error::File`].
     pub fn write(&self, directory: &Path) -> Result<()> {
-        let values = serde_json::to_string_pretty(&self.examples).unwrap_or_default();
+        let mut values = String::new();
+        push_json(&mut values, &Value::Object(self.examples.clone()), 0);
         write(&directory.join("values.json"), values + "\n")?;
         let figures = directory.join("figures");
         if figures.exists() {
@@ -128,6 +129,32 @@ pub(crate) fn parse_object(path: &Path, text: &str) -> Result<Map<String, Value>
     serde_json::from_str(text).map_err(|e| Error::Data { path: path.to_owned(), message: e.to_string() })
 }
 
+/// JSON with one entry of an object per line, and arrays of plain values and innermost objects on one line: changes
+/// show line by line.
+fn push_json(text: &mut String, value: &Value, depth: usize) {
+    let is_plain = |v: &Value| !v.is_array() && !v.is_object();
+    let (open, close, entries): (char, char, Vec<(String, &Value)>) = match value {
+        Value::Object(map) => {
+            ('{', '}', map.iter().map(|(k, v)| (format!("{}: ", Value::from(k.as_str())), v)).collect())
+        }
+        Value::Array(list) => ('[', ']', list.iter().map(|v| (String::new(), v)).collect()),
+        plain => return text.push_str(&plain.to_string()),
+    };
+    let in_one_line = depth > 2 && entries.iter().all(|(_, v)| is_plain(v)) || entries.is_empty();
+    let (indent, gap) = if in_one_line { (String::new(), " ") } else { ("  ".repeat(depth + 1), "\n") };
+    text.push(open);
+    for (k, (key, entry)) in entries.iter().enumerate() {
+        let comma = if k > 0 { "," } else { "" };
+        let gap = if in_one_line && k == 0 { "" } else { gap };
+        text.push_str(&format!("{comma}{gap}{indent}{key}"));
+        push_json(text, entry, depth + 1);
+    }
+    if !in_one_line {
+        text.push_str(&format!("\n{}", "  ".repeat(depth)));
+    }
+    text.push(close);
+}
+
 /// The names in a directory, sorted; an absent directory has none.
 pub(crate) fn names(directory: &Path) -> Result<Vec<String>> {
     if !directory.exists() {
@@ -174,6 +201,8 @@ mod tests {
         let data = data();
         data.write(directory.path()).unwrap();
         assert_eq!(Data::read(directory.path()).unwrap(), data);
+        let text = read(&directory.path().join("values.json")).unwrap();
+        assert!(text.contains("    \"values\": {\n      \"x\": 1.5,\n      \"own\": 2\n    }\n"), "{text}");
         assert_eq!(Data::read(&directory.path().join("absent")).unwrap(), Data::default());
     }
 }

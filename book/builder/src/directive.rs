@@ -6,13 +6,27 @@
 //! | `{{measured: example}}`, `verdict`, `claim`, `label` | that line of the example's headline |
 //! | `{{table: example}}` | the example's table, with what its columns mean |
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
+//! | `{{code: example: function}}` | that function of the example |
 
+use crate::code;
 use crate::data::{Data, Unknown};
 use crate::figure;
 use crate::markup::escape;
 use crate::number::{Format, Written};
 use serde_json::Value;
 use std::fmt::Write as _;
+use std::path::Path;
+
+/// What a page may draw on.
+#[derive(Debug, Clone, Copy)]
+pub struct Sources<'a> {
+    /// What the examples computed.
+    pub data: &'a Data,
+    /// The directory of their programs.
+    pub examples: &'a Path,
+    /// Decimals that may be typed by hand.
+    pub allowed: &'a [String],
+}
 
 /// What a directive stands for.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,13 +37,16 @@ pub enum Meaning {
     Words(String),
     /// HTML of its own paragraph.
     Block(String),
+    /// Markdown of its own paragraph.
+    Markdown(String),
 }
 
-/// Looks up what a directive stands for; `used` receives the full names of figures shown.
+/// Looks up what a directive stands for.
 ///
 /// # Errors
 /// In words, what is wrong with it.
-pub fn resolve(text: &str, data: &Data) -> Result<Meaning, String> {
+pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
+    let data = sources.data;
     let mut parts = text.splitn(3, ':').map(str::trim);
     let name = parts.next().unwrap_or("");
     let key = parts.next().unwrap_or("");
@@ -40,6 +57,7 @@ pub fn resolve(text: &str, data: &Data) -> Result<Meaning, String> {
             .text(key, name)
             .map(|words| Meaning::Words(words.to_owned()))
             .ok_or_else(|| Unknown::Missing.words("example")),
+        ("code", Some(function)) => code::block(sources.examples, key, function).map(Meaning::Markdown),
         ("table", None) => table(key, data).map(Meaning::Block),
         ("figure", Some(caption)) if !caption.is_empty() => {
             let (full, svg) = data.figure(key).map_err(|e| e.words("figure"))?;
@@ -94,7 +112,6 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
 mod tests {
     use super::*;
     use crate::data::parse_object;
-    use std::path::Path;
 
     fn data() -> Data {
         let text = r#"{"ex": {"verdict": "holds", "values": {"gamma": 0.29156}, "confirmed": true,
@@ -109,20 +126,22 @@ mod tests {
     #[test]
     fn numbers_words_tables_and_figures_are_found() {
         let data = data();
+        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
         let number = |value, format| Ok(Meaning::Number(Written::new(value, format)));
-        assert_eq!(resolve("value:gamma", &data), number(0.29156, Format::Significant(4)));
-        assert_eq!(resolve(" value : ex/gamma : f2 ", &data), number(0.29156, Format::Fixed(2)));
-        assert_eq!(resolve("verdict: ex", &data), Ok(Meaning::Words("holds".into())));
-        let Ok(Meaning::Block(html)) = resolve("table:ex", &data) else { panic!("no table") };
+        assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
+        assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
+        assert_eq!(resolve("verdict: ex", &sources), Ok(Meaning::Words("holds".into())));
+        let Ok(Meaning::Block(html)) = resolve("table:ex", &sources) else { panic!("no table") };
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");
         assert!(html.contains("10<sup>\u{2212}3</sup>"), "{html}");
         assert!(html.contains("<b>nu</b> order"), "{html}");
-        assert!(matches!(resolve("figure:f:a: b", &data), Ok(Meaning::Block(h)) if h.contains("a: b")));
+        assert!(matches!(resolve("figure:f:a: b", &sources), Ok(Meaning::Block(h)) if h.contains("a: b")));
     }
 
     #[test]
     fn what_is_unknown_is_refused() {
         let data = data();
+        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
         let bad = [
             "value:delta",
             "value:gamma:x9",
@@ -134,7 +153,7 @@ mod tests {
             "",
         ];
         for text in bad {
-            assert!(resolve(text, &data).is_err(), "{text}");
+            assert!(resolve(text, &sources).is_err(), "{text}");
         }
     }
 }

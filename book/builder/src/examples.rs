@@ -26,9 +26,9 @@ pub fn gather(repository: &Path) -> Result<Data> {
         if !is_known {
             eprintln!("[{}/{count}] {name}", k + 1);
             run(&name, program, &cache)?;
-            write(&cache.join("stamp"), &stamp)?;
         }
         collect(&name, &cache, &mut data)?;
+        write(&cache.join("stamp"), &stamp)?;
     }
     Ok(data)
 }

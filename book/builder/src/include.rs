@@ -36,7 +36,8 @@ fn fault(body: &str, fence: &str, source: &Path) -> Option<String> {
     let has = |mark: &str| {
         text.lines().any(|line| line.split_once(mark).is_some_and(|(_, name)| name.trim() == anchor))
     };
-    if !anchor.is_empty() && !(has("ANCHOR: ") && has("ANCHOR_END: ")) {
+    let is_found = anchor.is_empty() || (has("ANCHOR: ") && has("ANCHOR_END: "));
+    if !is_found {
         return Some("included file has no such anchor".to_owned());
     }
     let is_rust = Path::new(path).extension().is_some_and(|e| e == "rs");

@@ -4,6 +4,7 @@
 //! A chapter is Markdown with formulas between dollars and directives ([`directive`]); nothing computed is typed by
 //! hand. Every fault names file, line and the offending text.
 
+pub mod code;
 pub mod data;
 pub mod decimal;
 pub mod directive;
@@ -21,6 +22,7 @@ pub mod stale;
 pub mod verify;
 
 use data::Data;
+use directive::Sources;
 use error::{Fault, Result, none_of, read};
 use page::Page;
 use std::collections::BTreeSet;
@@ -63,7 +65,8 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     for page in &pages {
         faults.extend(include::faults(page, &layout.book.join("src")));
     }
-    let marked = match page::mark(&pages, data, &decimal::allow_list(&allowed)) {
+    let (examples, allowed) = (layout.repository.join("examples"), decimal::allow_list(&allowed));
+    let marked = match page::mark(&pages, &Sources { data, examples: &examples, allowed: &allowed }) {
         Ok(marked) => marked,
         Err(more) => {
             faults.extend(more);

@@ -1,12 +1,12 @@
 //! Pages of the book made ready for mdBook: formulas, numbers, figures and tables replaced by marks that Markdown
 //! leaves alone; after mdBook the marks are replaced by what they stand for.
 
-use crate::data::Data;
 use crate::decimal;
-use crate::directive::{self, Meaning};
+use crate::directive::{self, Meaning, Sources};
 use crate::error::Fault;
 use crate::formula::{self, Formula, Labels};
-use crate::scan::{Kind, line_at, pieces};
+use crate::markup::escape;
+use crate::scan::{Kind, Piece, line_at, pieces};
 use std::path::PathBuf;
 
 /// Marks are numbers between these two characters of Unicode's private use area.
@@ -47,81 +47,109 @@ pub struct Marked {
 ///
 /// # Errors
 /// Every fault on every page: formulas, keys, decimals typed by hand.
-pub fn mark(pages: &[Page], data: &Data, allowed: &[String]) -> Result<Marked, Vec<Fault>> {
-    let mut faults = Vec::new();
-    let mut marked = Marked::default();
-    let mut formulas = Vec::new();
-    let mut places = Vec::new(); // the snippet of each formula
+pub fn mark(pages: &[Page], sources: &Sources<'_>) -> Result<Marked, Vec<Fault>> {
+    let mut marker = Marker {
+        sources,
+        marked: Marked::default(),
+        formulas: Vec::new(),
+        places: Vec::new(),
+        faults: Vec::new(),
+    };
     for (number, page) in pages.iter().enumerate() {
-        let mut text = String::new();
+        let text = marker.page(number, page);
+        marker.marked.texts.push(text);
+        marker.marked.html.push(page.html.clone());
+    }
+    marker.finish(pages)
+}
+
+/// Pages marked so far.
+struct Marker<'a> {
+    sources: &'a Sources<'a>,
+    marked: Marked,
+    formulas: Vec<Formula>,
+    /// The snippet of each formula.
+    places: Vec<usize>,
+    faults: Vec<Fault>,
+}
+
+impl Marker<'_> {
+    fn page(&mut self, number: usize, page: &Page) -> String {
         let found = pieces(&page.text).unwrap_or_else(|error| {
             let rest = page.text[error.start..].lines().next().unwrap_or("");
-            faults.push(Fault::new(&page.file, line_at(&page.text, error.start), error.what, rest));
+            self.faults.push(Fault::new(&page.file, line_at(&page.text, error.start), error.what, rest));
             Vec::new()
         });
+        let mut text = String::new();
         for piece in found {
-            let line = line_at(&page.text, piece.start);
-            let mut fault = |what: &str, text: &str| faults.push(Fault::new(&page.file, line, what, text));
             match piece.kind {
                 Kind::Code => text.push_str(piece.text),
                 Kind::Prose => {
-                    faults.extend(decimals(page, piece.start, &without_links(piece.text), allowed));
+                    self.decimals(page, piece.start, &without_links(piece.text));
                     text.push_str(piece.text);
                 }
-                Kind::Inline | Kind::Display => {
-                    let start = &text[text.rfind('\n').map_or(0, |k| k + 1)..];
-                    if start.starts_with('#') {
-                        fault("formula in a heading", piece.text);
-                    }
-                    faults.extend(decimals(page, piece.start, &without_values(piece.text), allowed));
-                    let latex = fill(piece.text, data).unwrap_or_else(|(what, key)| {
-                        faults.push(Fault::new(&page.file, line, what, key));
-                        String::new()
-                    });
-                    places.push(marked.snippets.len());
-                    let is_display = piece.kind == Kind::Display;
-                    formulas.push(Formula { page: number, line, latex, is_display });
-                    marked.push(&mut text, Snippet::Inline(String::new()));
-                }
-                Kind::Directive => match directive::resolve(piece.text, data) {
-                    Ok(Meaning::Number(number)) => marked.push(&mut text, Snippet::Inline(number.html())),
-                    Ok(Meaning::Words(words)) => {
-                        marked.push(&mut text, Snippet::Inline(crate::markup::escape(&words)));
-                    }
-                    Ok(Meaning::Block(html)) => marked.push(&mut text, Snippet::Block(html)),
-                    Err(what) => fault(&what, piece.text),
-                },
+                Kind::Inline | Kind::Display => self.formula(number, page, &piece, &mut text),
+                Kind::Directive => self.directive(page, &piece, &mut text),
             }
         }
-        marked.texts.push(text);
-        marked.html.push(page.html.clone());
+        text
     }
-    match formula::convert(&formulas) {
-        Ok((mathml, labels)) => {
-            for ((place, formula), mathml) in places.iter().zip(&formulas).zip(mathml) {
-                let class = if formula.is_display { "display" } else { "inline" };
-                marked.snippets[*place] =
-                    Snippet::Inline(format!("<span class=\"{class}-formula\">{mathml}</span>"));
-            }
-            marked.labels = labels;
-        }
-        Err(refused) => faults.extend(refused.into_iter().filter(|_| !formulas.is_empty()).map(|r| {
-            let Formula { page, line, .. } = formulas[r.formula];
-            Fault::new(&pages[page].file, line, r.what, r.text)
-        })),
-    }
-    if faults.is_empty() { Ok(marked) } else { Err(faults) }
-}
 
-/// Decimals typed by hand in a piece of a page.
-fn decimals(page: &Page, start: usize, text: &str, allowed: &[String]) -> Vec<Fault> {
-    decimal::typed_by_hand(text, allowed)
-        .into_iter()
-        .map(|found| {
+    fn formula(&mut self, number: usize, page: &Page, piece: &Piece<'_>, text: &mut String) {
+        let line = line_at(&page.text, piece.start);
+        let start_of_line = text.rfind('\n').map_or(0, |k| k + 1);
+        if text[start_of_line..].starts_with('#') {
+            self.faults.push(Fault::new(&page.file, line, "formula in a heading", piece.text));
+        }
+        self.decimals(page, piece.start, &without_values(piece.text));
+        let latex = fill(piece.text, self.sources).unwrap_or_else(|(what, key)| {
+            self.faults.push(Fault::new(&page.file, line, what, key));
+            String::new()
+        });
+        let is_display = piece.kind == Kind::Display;
+        self.places.push(self.marked.snippets.len());
+        self.formulas.push(Formula { page: number, line, latex, is_display });
+        self.marked.push(text, Snippet::Inline(String::new()));
+    }
+
+    fn directive(&mut self, page: &Page, piece: &Piece<'_>, text: &mut String) {
+        match directive::resolve(piece.text, self.sources) {
+            Ok(Meaning::Number(number)) => self.marked.push(text, Snippet::Inline(number.html())),
+            Ok(Meaning::Words(words)) => self.marked.push(text, Snippet::Inline(escape(&words))),
+            Ok(Meaning::Block(html)) => self.marked.push(text, Snippet::Block(html)),
+            Ok(Meaning::Markdown(block)) => text.push_str(&block),
+            Err(what) => {
+                let line = line_at(&page.text, piece.start);
+                self.faults.push(Fault::new(&page.file, line, what, piece.text));
+            }
+        }
+    }
+
+    fn decimals(&mut self, page: &Page, start: usize, text: &str) {
+        self.faults.extend(decimal::typed_by_hand(text, self.sources.allowed).into_iter().map(|found| {
             let line = line_at(&page.text, start + found.start);
             Fault::new(&page.file, line, "decimal typed by hand (use {{value:...}})", found.text)
-        })
-        .collect()
+        }));
+    }
+
+    /// All formulas of the book at once.
+    fn finish(mut self, pages: &[Page]) -> Result<Marked, Vec<Fault>> {
+        match formula::convert(&self.formulas) {
+            Ok((mathml, labels)) => {
+                for ((&place, formula), mathml) in self.places.iter().zip(&self.formulas).zip(mathml) {
+                    let class = if formula.is_display { "display" } else { "inline" };
+                    let html = format!("<span class=\"{class}-formula\">{mathml}</span>");
+                    self.marked.snippets[place] = Snippet::Inline(html);
+                }
+                self.marked.labels = labels;
+            }
+            Err(refused) => self.faults.extend(refused.into_iter().map(|refused| {
+                let Formula { page, line, .. } = self.formulas[refused.formula];
+                Fault::new(&pages[page].file, line, refused.what, refused.text)
+            })),
+        }
+        if self.faults.is_empty() { Ok(self.marked) } else { Err(self.faults) }
+    }
 }
 
 /// Prose with link targets and HTML tags blanked out, length unchanged.
@@ -149,13 +177,13 @@ fn blank(text: &str, open: &str, close: &str) -> String {
 }
 
 /// A formula with its values filled in.
-fn fill(latex: &str, data: &Data) -> Result<String, (String, String)> {
+fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String, String)> {
     let mut filled = String::new();
     let mut rest = latex;
     while let Some(start) = rest.find("{{value:") {
         let Some(length) = rest[start..].find("}}") else { break };
         let directive = &rest[start + 2..start + length];
-        match directive::resolve(directive, data) {
+        match directive::resolve(directive, sources) {
             Ok(Meaning::Number(number)) => {
                 filled.push_str(&rest[..start]);
                 filled.push_str(&number.latex());

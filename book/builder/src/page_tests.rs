@@ -1,5 +1,5 @@
 use super::*;
-use crate::data::parse_object;
+use crate::data::{Data, parse_object};
 use std::path::Path;
 
 fn page(name: &str, text: &str) -> Page {
@@ -11,8 +11,12 @@ fn data() -> Data {
     Data { examples: parse_object(Path::new("test"), text).unwrap(), ..Data::default() }
 }
 
+fn marked(pages: &[Page]) -> Result<Marked, Vec<Fault>> {
+    mark(pages, &Sources { data: &data(), examples: Path::new("none"), allowed: &[] })
+}
+
 fn faults(text: &str) -> Vec<(usize, String)> {
-    let faults = mark(&[page("p", text)], &data(), &[]).unwrap_err();
+    let faults = marked(&[page("p", text)]).unwrap_err();
     faults.into_iter().map(|f| (f.line, f.text)).collect()
 }
 
@@ -22,7 +26,7 @@ fn marks_survive_and_are_replaced() {
         page("one", "So $x_1$ is {{value:gamma}} and {{verdict:ex}}.\n\n{{table:ex}}\n\nSee $\\eqref{far}$."),
         page("two", "$$\n\\begin{equation} y \\label{far} \\end{equation}\n$$"),
     ];
-    let marked = mark(&pages, &data(), &[]).unwrap();
+    let marked = marked(&pages).unwrap();
     assert!(!marked.texts[0].contains('$'));
     let built = format!("<p>{}</p>", marked.texts[0].replace("\n\n", "</p><p>"));
     let html = marked.unmark("one.html", &built).unwrap();
@@ -35,7 +39,7 @@ fn marks_survive_and_are_replaced() {
 
 #[test]
 fn blocks_must_stand_alone() {
-    let marked = mark(&[page("p", "{{table:ex}}")], &data(), &[]).unwrap();
+    let marked = marked(&[page("p", "{{table:ex}}")]).unwrap();
     let text = &marked.texts[0];
     assert!(marked.unmark("p.html", &format!("<p>see {text}</p>")).is_err());
     assert!(marked.unmark("p.html", &format!("<p>{text}</p>")).is_ok());
@@ -43,7 +47,7 @@ fn blocks_must_stand_alone() {
 
 #[test]
 fn values_enter_formulas() {
-    let marked = mark(&[page("p", "$\\gamma = {{value:gamma:f1}}$")], &data(), &[]).unwrap();
+    let marked = marked(&[page("p", "$\\gamma = {{value:gamma:f1}}$")]).unwrap();
     let html = marked.unmark("p.html", &marked.texts[0]).unwrap();
     assert!(html.contains("<mn>0.5</mn>"), "{html}");
 }
@@ -60,5 +64,5 @@ fn every_fault_is_named_with_its_line() {
 #[test]
 fn link_targets_and_code_may_hold_decimals() {
     let text = "[a](file-1.5.md) `0.25` <span style=\"width:0.5em\">x</span>";
-    assert!(mark(&[page("p", text)], &data(), &[]).is_ok());
+    assert!(marked(&[page("p", text)]).is_ok());
 }

@@ -24,6 +24,8 @@ By $\\eqref{bound}$ and Lemma 5.2 the verdict is: {{verdict: ex}}.
 ```rust,ignore
 {{#include ../../examples/ex.rs:run}}
 ```
+
+{{code: ex: walk}}
 ";
 const CHART: &str = r##"<svg width="640" height="480" xmlns="http://www.w3.org/2000/svg"><path d="M100 200" stroke="#000000"/></svg>"##;
 
@@ -41,7 +43,7 @@ impl Fixture {
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
         fixture.write("book/src/second.md", SECOND);
         fixture.write("src/book.rs", "first: \"first.md\", second: \"second.md\",");
-        fixture.write("examples/ex.rs", "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n");
+        fixture.write("examples/ex.rs", "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n\nfn walk() {}\n");
         data(0.29156).write(&fixture.layout().generated()).unwrap();
         fixture
     }
@@ -99,7 +101,12 @@ fn a_sound_book_builds_and_is_complete() {
     }
     let second = fixture.read("book/html/second.html");
     assert!(second.contains("href=\"first.html#bound\""), "{second}");
-    assert!(second.contains("fn main() {}") && second.contains("verdict is: holds."), "{second}");
+    assert!(
+        second.contains("fn main() {}")
+            && second.contains("fn walk() {}")
+            && second.contains("verdict is: holds."),
+        "{second}"
+    );
     assert!(fixture.0.path().join("book/html/fonts/NewCMMath-Regular.otf").is_file());
     for name in ["first.html", "second.html", "index.html", "print.html", "toc.js"] {
         let text = fixture.read(&format!("book/html/{name}"));
@@ -128,6 +135,7 @@ fn faults_of_keys_fail() {
     Fixture::expect(first, "ex/chart", "ex/none", "book/src/first.md:3:", "unknown figure");
     Fixture::expect(second, "verdict: ex", "verdict: no", "book/src/second.md:3:", "unknown example");
     Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:6:", "no such anchor");
+    Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:9:", "no such function");
     Fixture::expect("src/book.rs", "second.md", "", "book/src/second.md:1:", "not listed");
 }
 

@@ -65,7 +65,8 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
     };
     let json = options.output().json;
     // A directory that cannot be written is found before the work, not after it.
-    match options.output().directory().map(|_| ()).and_then(|()| run(&options)) {
+    let outcome = options.output().directory().map(|_| ()).and_then(|()| run(&options));
+    match outcome.and_then(|headline| options.output().record(&headline).map(|()| headline)) {
         Ok(headline) => {
             let text = if json { headline.table.json_rows().join("\n") + "\n" } else { headline.to_string() };
             // A closed pipe (`| head`) is the reader's choice, not a failure.
