@@ -6,7 +6,7 @@ use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
 use signorini::figures::{Axis, Chart, Series};
 use signorini::interpolation::{
-    ErrorNorm, LocalError, RoughFamily, RoughSlopes, element_constant, longest_element, power_slope,
+    ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, element_constant, longest_element, power_slope,
 };
 use signorini::report::{Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::FractionalOrder;
@@ -51,14 +51,14 @@ impl HasOutput for Options {
 /// Largest (L2, derivative) ratio over random functions and powers.
 fn worst_ratios(options: &Options, order: FractionalOrder) -> Result<(f64, f64)> {
     let mut worst = (0.0f64, 0.0f64);
-    let mut try_on = |error: LocalError| -> Result<()> {
+    let mut try_on = |error: InterpolationError| -> Result<()> {
         worst = (worst.0.max(error.l2_ratio()?.value), worst.1.max(error.derivative_ratio()?.value));
         Ok(())
     };
     for family in RoughFamily::admissible(order) {
         let mut slopes = RoughSlopes::new(family, order, options.seed);
         for _ in 0..options.functions {
-            try_on(LocalError::of_slope(&slopes.draw()?, order, Tolerance::balanced())?)?;
+            try_on(InterpolationError::of_slope(&slopes.draw()?, order, Tolerance::balanced())?)?;
         }
     }
     for exponent in GAPS.map(|gap| order.offset() + gap).into_iter().filter(|a| *a != 0.0) {

@@ -6,8 +6,8 @@ mod example;
 
 use serde_json::Value;
 use signorini::interpolation::{
-    ErrorNorm, LocalError, RoughFamily, RoughSlopes, ascend, element_constant, element_extremal, limits,
-    power_slope,
+    ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, ascend, element_constant,
+    element_extremal, limits, power_slope,
 };
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Error, Tolerance};
@@ -27,7 +27,7 @@ fn order(nu: f64) -> FractionalOrder {
     FractionalOrder::new(nu).unwrap()
 }
 
-fn ratio(error: &LocalError, norm: ErrorNorm) -> signorini::Result<signorini::Estimate> {
+fn ratio(error: &InterpolationError, norm: ErrorNorm) -> signorini::Result<signorini::Estimate> {
     match norm {
         ErrorNorm::L2 => error.l2_ratio(),
         ErrorNorm::Derivative => error.derivative_ratio(),
@@ -89,7 +89,8 @@ fn no_rough_function_exceeds_the_best_constants() {
         for family in RoughFamily::admissible(nu) {
             let mut slopes = RoughSlopes::new(family, nu, 61);
             for index in 0..100 {
-                let error = LocalError::of_slope(&slopes.draw().unwrap(), nu, Tolerance::balanced()).unwrap();
+                let error =
+                    InterpolationError::of_slope(&slopes.draw().unwrap(), nu, Tolerance::balanced()).unwrap();
                 for (norm, best) in NORMS.into_iter().zip(best) {
                     let found = ratio(&error, norm).unwrap();
                     assert!(
@@ -133,14 +134,14 @@ fn an_optimiser_reaches_the_best_constants() {
         let nu = order(nu);
         for norm in NORMS {
             let best = element_constant(norm, nu, Tolerance::balanced()).unwrap();
-            let partition = Partition::uniform(48, 1.0).unwrap();
+            let mesh = ElementMesh::uniform(1, 48).unwrap();
             // A Weierstrass sum from the rough family: it has nothing of the extremal function.
             let rough = RoughSlopes::new(RoughFamily::Weierstrass, nu, 5).draw().unwrap();
             let start: Vec<f64> = (0..=48)
                 .map(|i| if i < 48 { rough.value(i, 0.0) } else { rough.value(47, 1.0) }.unwrap())
                 .collect();
-            let slope = ascend(norm, nu, &partition, &start).unwrap();
-            let error = LocalError::of_slope(&slope, nu, Tolerance::balanced()).unwrap();
+            let slope = ascend(norm, nu, &mesh, &start).unwrap();
+            let error = InterpolationError::of_slope(&slope, nu, Tolerance::balanced()).unwrap();
             let share = ratio(&error, norm).unwrap().value / best.value;
             assert!(share >= OPTIMISER_SHARE, "nu {nu} {norm:?}: {share}");
             assert!(share <= 1.0 + 1e-8, "nu {nu} {norm:?}: {share}");
@@ -159,7 +160,7 @@ fn the_extremal_function_attains_its_constant() {
                 extremal.slope(x.min(1.0)).unwrap()
             })
             .unwrap();
-            let error = LocalError::of_slope(&slope, order(nu), Tolerance::balanced()).unwrap();
+            let error = InterpolationError::of_slope(&slope, order(nu), Tolerance::balanced()).unwrap();
             assert!((error.seminorm.value - 1.0).abs() < 1e-8, "nu {nu}: {}", error.seminorm);
             let found = ratio(&error, norm).unwrap();
             assert!((found.value / extremal.constant.value - 1.0).abs() < 1e-8, "nu {nu} {norm:?}: {found}");

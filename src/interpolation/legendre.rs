@@ -6,8 +6,8 @@
 //! three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, without a difference.
 //! Domain 0 < ν < 1. Cost O(d²) points, O(d² K²) operations for K functions of degree at most d.
 
-use crate::error::Result;
-use crate::estimate::Work;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
 use faer::linalg::matmul::matmul;
@@ -86,6 +86,54 @@ pub(crate) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64,
         let root = (2.0 * k as f64 + 1.0).sqrt();
         (value + c * root * legendre[k], primitive + c * 0.5 / root * (legendre[k + 1] - legendre[k - 1]))
     })
+}
+
+/// Gram matrix of ‖v'‖₀² for degrees of one parity: 2 √((2j+1)(2k+1)) m(m+1), m = min(j, k).
+pub(crate) fn stiffness_gram(degrees: &[usize]) -> Mat<f64> {
+    Mat::from_fn(degrees.len(), degrees.len(), |i, j| {
+        let [k, l, m] = [degrees[i], degrees[j], degrees[i.min(j)]].map(|d| d as f64);
+        2.0 * ((2.0 * k + 1.0) * (2.0 * l + 1.0)).sqrt() * m * (m + 1.0)
+    })
+}
+
+/// The degrees 1, 3, ..., 2·count − 1.
+pub(crate) fn odd_degrees(count: usize) -> Vec<usize> {
+    (0..count).map(|k| 2 * k + 1).collect()
+}
+
+/// Numbers of functions that are tried in turn.
+const COUNTS: [usize; 5] = [4, 8, 16, 32, 64];
+
+/// Doubling the count divides the error by 2^{5.6} = 48; half of that is relied upon.
+const GAIN_OF_DOUBLING: f64 = 24.0;
+
+/// Rounding of an extremal quotient, relative; grows with the number of functions.
+const ROUNDING_PER_FUNCTION: f64 = 4.0 * f64::EPSILON;
+
+/// Raises the number of functions until the value, which rises with it, has the tolerance.
+pub(crate) fn converge(
+    what: &'static str,
+    tolerance: Tolerance,
+    mut value_of: impl FnMut(usize) -> Result<(f64, Work)>,
+) -> Result<Estimate> {
+    let mut work = Work::default();
+    let mut coarse: Option<f64> = None;
+    let mut reached = f64::INFINITY;
+    for count in COUNTS {
+        let (value, cost) = value_of(count)?;
+        work += cost + Work { iterations: 1, ..Work::default() };
+        if let Some(previous) = coarse {
+            let truncation = (value - previous).abs() / GAIN_OF_DOUBLING;
+            let rounding = ROUNDING_PER_FUNCTION * count as f64 * value;
+            let estimate = Estimate::new(value, truncation + rounding, work)?;
+            reached = estimate.relative_error();
+            if reached <= tolerance.relative() {
+                return Ok(estimate);
+            }
+        }
+        coarse = Some(value);
+    }
+    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached })
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 //!   k(s) = s/h for s < x, s/h − 1 for s > x. Worst at the ends, 1/√3; best in the centre, 1/(2√3). The paper has 1.
 
 use super::element::ErrorNorm;
+use super::legendre::odd_degrees;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::poincare::slopes::pencil::largest_eigenvalue;
@@ -25,7 +26,7 @@ pub fn at_zero(norm: ErrorNorm) -> Result<Estimate> {
         return Estimate::new(0.5, 0.0, Work::default());
     }
     let value = |count: usize| -> Result<f64> {
-        let degrees: Vec<usize> = (0..count).map(|k| 2 * k + 1).collect();
+        let degrees = odd_degrees(count);
         let harmonic = |k: usize| (1..=k).rev().map(|j| 1.0 / j as f64).sum::<f64>();
         let seminorm =
             Mat::from_fn(count, count, |i, j| if i == j { 4.0 * harmonic(degrees[i]) } else { 0.0 });

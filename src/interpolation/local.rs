@@ -1,21 +1,24 @@
-//! Both sides of Lemma 6.1 for one function, given by its slope v = u'.
+//! Both sides of Lemmas 6.1 and 6.2 and of (4.6) for one function, given by its slope v = u' (in (4.6): by φ = v).
 //!
 //! e' = v − v̄ and e(x) = ∫₀^x (v − v̄). A slope on cells as short as 1e-300 is taken as it is; nothing is divided by a cell
 //! length. For v = x^a everything is closed:
 //! ‖e'‖₀² = a²/((2a+1)(a+1)²),  ‖e‖₀² = 2a²/(3(2a+3)(a+3)(a+1)²).
 
+use super::elements::ElementMesh;
+use super::samples::{PanelRules, SampleSlope};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::quadrature::Rule;
-use crate::sobolev::{FractionalOrder, PiecewisePolynomial, closed_forms};
+use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
+use crate::sobolev::{RunningSum, root_of_squares};
 
 /// Relative rounding of the sums below: positive terms, each from a few operations on (v − v̄).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// The norms in Lemma 6.1 for one function on an interval of length h.
+/// The norms in Lemma 6.1 for one function on an interval, or in Lemma 6.2 on a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LocalError {
-    /// Length of the interval.
+pub struct InterpolationError {
+    /// Length of the interval, or of the longest element.
     pub h: f64,
     /// ‖u − I u‖₀.
     pub l2: Estimate,
@@ -26,8 +29,8 @@ pub struct LocalError {
     order: FractionalOrder,
 }
 
-impl LocalError {
-    /// For the slope v of u.
+impl InterpolationError {
+    /// On one element: Lemma 6.1 for the slope v of u.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when v jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`].
@@ -39,6 +42,39 @@ impl LocalError {
         let seminorm = slope.seminorm(0, order, tolerance)?;
         let (l2, derivative) = error_norms(slope)?;
         Ok(Self { h: slope.partition().total(), l2, derivative, seminorm, order })
+    }
+
+    /// On a mesh: Lemma 6.2 for the slope v of u, and (4.6) for φ = v.
+    ///
+    /// # Errors
+    /// As [`InterpolationError::of_slope`]; [`Error::LengthMismatch`] unless v lives on the cells of the mesh.
+    pub fn on_elements(
+        slope: &PiecewisePolynomial,
+        mesh: &ElementMesh,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Self> {
+        mesh.require_cells(slope)?;
+        let seminorm = slope.seminorm(0, order, tolerance)?;
+        let (mut l2, mut derivative) = (Vec::new(), Vec::new());
+        for range in mesh.elements() {
+            let (error, error_slope) = error_norms(&slope.restrict(range.clone())?)?;
+            l2.push(error);
+            derivative.push(error_slope);
+        }
+        let (l2, derivative) = (root_of_squares(&l2)?, root_of_squares(&derivative)?);
+        Ok(Self { h: mesh.h(), l2, derivative, seminorm, order })
+    }
+
+    /// On a mesh of (0, 1), for a slope in closed form; any number of elements, cost O(N).
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] when the slope is not in H^ν; [`Error::OutOfRange`] unless the mesh is one of (0, 1).
+    pub fn of_sample(slope: SampleSlope, mesh: &Partition, order: FractionalOrder) -> Result<Self> {
+        let seminorm = slope.seminorm(order)?;
+        let (l2, derivative) = sample_norms(slope, mesh)?;
+        let h = mesh.lengths().iter().copied().fold(0.0, f64::max);
+        Ok(Self { h, l2, derivative, seminorm, order })
     }
 
     /// ‖u − I u‖₀ / (h^{1+ν} |u|_{1+ν}): at most 1 by the lemma, at most C_L2(ν) in truth.
@@ -53,7 +89,7 @@ impl LocalError {
     /// ‖(u − I u)'‖₀ / (h^ν |u|_{1+ν}): at most C_H1(ν).
     ///
     /// # Errors
-    /// As [`LocalError::l2_ratio`].
+    /// As [`InterpolationError::l2_ratio`].
     pub fn derivative_ratio(&self) -> Result<Estimate> {
         self.quotient(self.derivative)
     }
@@ -61,7 +97,7 @@ impl LocalError {
     /// ‖u − I u‖₁ / (h^ν |u|_{1+ν}) with the full norm: at most C_1(ν, h).
     ///
     /// # Errors
-    /// As [`LocalError::l2_ratio`].
+    /// As [`InterpolationError::l2_ratio`].
     pub fn h1_ratio(&self) -> Result<Estimate> {
         let (l2, derivative) = (self.quotient(self.l2)?, self.quotient(self.derivative)?);
         let value = l2.value.hypot(derivative.value);
@@ -114,25 +150,59 @@ pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Esti
     ))
 }
 
+/// (‖e‖₀, ‖e'‖₀) on a mesh of (0, 1) for a slope in closed form.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless the mesh is one of (0, 1).
+pub(super) fn sample_norms(slope: SampleSlope, mesh: &Partition) -> Result<(Estimate, Estimate)> {
+    slope.check()?;
+    require_unit(mesh)?;
+    let rules = PanelRules::new()?;
+    let (mut error, mut slopes, mut points) = (RunningSum::default(), RunningSum::default(), 0);
+    for (&left, &h) in mesh.from_left().iter().zip(mesh.lengths()) {
+        let squares = slope.element_squares(left, h, &rules);
+        error.add(squares.error);
+        slopes.add(squares.slope);
+        points += squares.points;
+    }
+    let estimate = |square: f64| {
+        let value = square.sqrt();
+        Estimate::new(value, ROUNDING * value, Work { points, ..Work::default() })
+    };
+    Ok((estimate(error.value())?, estimate(slopes.value())?))
+}
+
+/// The mesh is one of (0, 1).
+pub(super) fn require_unit(mesh: &Partition) -> Result<()> {
+    let total = mesh.total();
+    let fits = mesh.left() == 0.0 && (total - 1.0).abs() <= ROUNDING;
+    Error::require("length of the mesh", total, "{1}, from 0", fits).map(|_| ())
+}
+
+/// (‖e‖₀, ‖e'‖₀) on (0, 1) for u' = x^a.
+pub(super) fn power_error_norms(a: f64) -> (f64, f64) {
+    let next = a + 1.0;
+    let derivative = a.abs() / next / (2.0 * a + 1.0).sqrt();
+    let l2 = a.abs() / next * (2.0 / (3.0 * (2.0 * a + 3.0) * (a + 3.0))).sqrt();
+    (l2, derivative)
+}
+
 /// The norms of Lemma 6.1 on (0, 1) for u' = x^a, a > ν − 1/2, a > −1/2, by closed forms.
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2, [`Error::OutOfRange`] for a not finite or above 1e4.
-pub fn power_slope(a: f64, order: FractionalOrder) -> Result<LocalError> {
+pub fn power_slope(a: f64, order: FractionalOrder) -> Result<InterpolationError> {
     let seminorm = closed_forms::power(a, order)?.sqrt()?;
-    let next = a + 1.0;
-    let derivative = a.abs() / next / (2.0 * a + 1.0).sqrt();
-    let l2 = a.abs() / next * (2.0 / (3.0 * (2.0 * a + 3.0) * (a + 3.0))).sqrt();
+    let (l2, derivative) = power_error_norms(a);
     // 2a + 1 is exact to the rounding of a, which weighs where it is small.
     let relative = ROUNDING + f64::EPSILON * (a / (2.0 * a + 1.0)).abs();
     let estimate = |value: f64| Estimate::new(value, relative * value, Work::default());
-    Ok(LocalError { h: 1.0, l2: estimate(l2)?, derivative: estimate(derivative)?, seminorm, order })
+    Ok(InterpolationError { h: 1.0, l2: estimate(l2)?, derivative: estimate(derivative)?, seminorm, order })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sobolev::Partition;
 
     #[test]
     fn a_linear_slope_has_the_power_s_norms() {
@@ -141,7 +211,7 @@ mod tests {
         let slope = PiecewisePolynomial::linears(partition, &nodes).unwrap();
         for nu in [0.1, 0.5, 0.9] {
             let order = FractionalOrder::new(nu).unwrap();
-            let cells = LocalError::of_slope(&slope, order, Tolerance::reference()).unwrap();
+            let cells = InterpolationError::of_slope(&slope, order, Tolerance::reference()).unwrap();
             let closed = power_slope(1.0, order).unwrap();
             for (a, b) in [
                 (cells.l2, closed.l2),
@@ -160,7 +230,7 @@ mod tests {
         let ratio = |h: f64| {
             let partition = Partition::from_lengths(vec![0.2 * h, 0.5 * h, 0.3 * h]).unwrap();
             let slope = PiecewisePolynomial::linears(partition, &[0.0, 1.0, -1.0, 0.5]).unwrap();
-            LocalError::of_slope(&slope, order, Tolerance::balanced()).unwrap()
+            InterpolationError::of_slope(&slope, order, Tolerance::balanced()).unwrap()
         };
         let unit = ratio(1.0);
         for h in [1e-100, 1e-3, 7.0, 1e100] {
@@ -179,7 +249,7 @@ mod tests {
         let partition = Partition::uniform(3, 1.0).unwrap();
         let slope = PiecewisePolynomial::constants(partition, &[2.0; 3]).unwrap();
         let order = FractionalOrder::new(0.3).unwrap();
-        let error = LocalError::of_slope(&slope, order, Tolerance::fast()).unwrap();
+        let error = InterpolationError::of_slope(&slope, order, Tolerance::fast()).unwrap();
         assert!(matches!(error.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));
         assert!(matches!(power_slope(0.0, order).unwrap().derivative_ratio(), Err(Error::OutOfRange { .. })));
         assert!(power_slope(-0.2, order).is_err());

@@ -14,4 +14,6 @@ mod seminorm;
 pub use gram::{gram_constants, gram_linears, mass_constants, mass_linears};
 pub use order::FractionalOrder;
 pub use partition::Partition;
+pub(crate) use partition::RunningSum;
 pub use piecewise::PiecewisePolynomial;
+pub(crate) use seminorm::root_of_squares;

@@ -1,0 +1,141 @@
+//! The dual norm of (4.7): ‖f‖_{1/2,*} = sup ∫ f ψ / ‖ψ‖_{1/2} over ψ ∈ H^{1/2}(I), with the full norm (1.1).
+//!
+//! Over the continuous piecewise linears ψ on given cells the supremum is (bᵀ (A + M)⁻¹ b)^{1/2}, b_i = ∫ f ψ_i: a lower
+//! bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving the cells at least halves what
+//! is missing of the square; the difference from the cells twice as long is the error estimate. Cost O(N³).
+
+use super::forms::{MAX_CELLS, mass_form, seminorm_form};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::quadrature::Rule;
+use crate::sobolev::Partition;
+use faer::linalg::solvers::{Llt, Solve};
+use faer::{Mat, Side};
+
+/// Gauss points per cell: f is smooth on each.
+const POINTS: usize = 8;
+
+/// Rounding of the solve, relative.
+const ROUNDING: f64 = 1e-12;
+
+/// ‖·‖_{1/2,*} on the cells of an interval, factorized once.
+#[derive(Debug, Clone)]
+pub struct DualNorm {
+    cells: Partition,
+    fine: Llt<f64>,
+    /// On the cells joined in pairs.
+    coarse: Llt<f64>,
+}
+
+impl DualNorm {
+    /// On an even number of cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for an odd number of cells or more than 4096 (the matrices are dense).
+    pub fn new(cells: &Partition) -> Result<Self> {
+        let count = cells.len();
+        if !count.is_multiple_of(2) || count > MAX_CELLS {
+            return Err(Error::CountOutOfRange { name: "cells", value: count, range: "even, <= 4096" });
+        }
+        let pairs = cells.lengths().chunks(2).map(|pair| pair.iter().sum()).collect();
+        let coarse = factorize(&Partition::from_lengths(pairs)?)?;
+        Ok(Self { cells: cells.clone(), fine: factorize(cells)?, coarse })
+    }
+
+    /// The cells.
+    pub fn cells(&self) -> &Partition {
+        &self.cells
+    }
+
+    /// ‖f‖_{1/2,*} for f smooth on each cell; f is called with a cell and the local coordinate in (0, 1).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a value of f.
+    pub fn of(&self, f: impl Fn(usize, f64) -> f64) -> Result<Estimate> {
+        let rule = Rule::gauss_legendre(POINTS)?;
+        let mut load = vec![0.0; self.cells.len() + 1];
+        for (i, &h) in self.cells.lengths().iter().enumerate() {
+            for (t, w) in rule.iter() {
+                let value = f(i, t);
+                load[i] += h * w * value * (1.0 - t);
+                load[i + 1] += h * w * value * t;
+            }
+        }
+        self.of_load(&load)
+    }
+
+    /// ‖f‖_{1/2,*} from the integrals b_i = ∫ f ψ_i of f against the hats of all nodes.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] unless there is an integral per node, [`Error::NotFinite`] for a bad one.
+    pub fn of_load(&self, load: &[f64]) -> Result<Estimate> {
+        let count = self.cells.len();
+        if load.len() != count + 1 {
+            return Err(Error::LengthMismatch { name: "load", given: load.len(), expected: count + 1 });
+        }
+        if let Some(index) = load.iter().position(|b| !b.is_finite()) {
+            return Err(Error::NotFinite { name: "load", index, value: load[index] });
+        }
+        let fine = squared(&self.fine, load);
+        let coarse = squared(&self.coarse, &self.load_on_pairs(load));
+        let value = fine.sqrt();
+        let missing = (fine - coarse).max(0.0);
+        let work = Work { points: (POINTS * count) as u64, factorizations: 2, ..Work::default() };
+        Estimate::new(value, (fine + missing).sqrt() - value + ROUNDING * value, work)
+    }
+
+    /// A hat on joined cells is a hat plus parts of its two neighbours.
+    fn load_on_pairs(&self, load: &[f64]) -> Vec<f64> {
+        let mut joined: Vec<f64> = load.iter().step_by(2).copied().collect();
+        for (k, pair) in self.cells.lengths().chunks(2).enumerate() {
+            let middle = load[2 * k + 1] / (pair[0] + pair[1]);
+            joined[k] += middle * pair[1];
+            joined[k + 1] += middle * pair[0];
+        }
+        joined
+    }
+}
+
+fn factorize(cells: &Partition) -> Result<Llt<f64>> {
+    let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
+    let pivot = cells.len();
+    norm.llt(Side::Lower)
+        .map_err(|_| Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot })
+}
+
+/// bᵀ (A + M)⁻¹ b.
+fn squared(factor: &Llt<f64>, load: &[f64]) -> f64 {
+    let representer = factor.solve(Mat::from_fn(load.len(), 1, |i, _| load[i]));
+    load.iter().enumerate().map(|(i, b)| b * representer[(i, 0)]).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_dual_norm_of_a_constant_is_the_constant() {
+        for cells in [Partition::uniform(8, 1.0).unwrap(), Partition::two_sided(4, 0.3, 1.0).unwrap()] {
+            let norm = DualNorm::new(&cells).unwrap().of(|_, _| -3.0).unwrap();
+            assert!((norm.value - 3.0).abs() < 1e-12, "{norm}");
+            assert!(norm.error < 1e-10);
+        }
+        assert!(DualNorm::new(&Partition::uniform(3, 1.0).unwrap()).is_err());
+        let norm = DualNorm::new(&Partition::uniform(2, 1.0).unwrap()).unwrap();
+        assert!(norm.of(|_, _| f64::NAN).is_err() && norm.of_load(&[1.0]).is_err());
+    }
+
+    #[test]
+    fn refinement_stays_within_the_error() {
+        let norm = |n: usize| {
+            let cells = Partition::uniform(n, 1.0).unwrap();
+            DualNorm::new(&cells).unwrap().of(|i, t| (3.0 * (i as f64 + t) / n as f64).sin()).unwrap()
+        };
+        let finest = norm(256);
+        for n in [8, 16, 32, 64] {
+            let coarse = norm(n);
+            let missing = finest.value - coarse.value;
+            assert!((0.0..=coarse.error).contains(&missing), "{n}: {coarse} against {finest}");
+        }
+    }
+}
