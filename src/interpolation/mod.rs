@@ -13,6 +13,7 @@
 //! | (4.6), (4.7): best constants, norms on a mesh | [`projection_constant`], [`dual_projection_constant`], [`projection_norm_on_mesh`] |
 //! | Remark 2 | [`AliasedWave`], [`all_waves_mean`] |
 //! | ‖·‖_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
+//! | C(q), C(α) in (3.6), (3.10), (4.12), (E3) | [`embedding_upper_bound`], [`EmbeddingSpace`], [`EndIncrements`] |
 //! | limits ν → 0, ν → 1, (6.2) | [`limits`] |
 //!
 //! All constants are those of the seminorm (1.1) as the paper defines it, on an interval of length h = 1 unless said.
@@ -22,8 +23,10 @@ mod ascent;
 mod dual;
 mod element;
 mod elements;
+mod embedding;
 mod forms;
 mod global;
+mod hoelder;
 mod legendre;
 pub mod limits;
 mod local;
@@ -36,7 +39,9 @@ pub use ascent::ascend;
 pub use dual::DualNorm;
 pub use element::{ElementExtremal, ErrorNorm, element_constant, element_extremal, longest_element};
 pub use elements::{ElementMesh, lagrange};
+pub use embedding::{EmbeddingSpace, EmbeddingTrial, critical_exponent, embedding_upper_bound};
 pub use global::mesh_constant;
+pub use hoelder::EndIncrements;
 pub use local::{InterpolationError, power_slope};
 pub use projection::{
     ProjectionNorm, dual_projection_constant, projection_constant, projection_norm_on_mesh,

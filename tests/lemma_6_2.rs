@@ -1,0 +1,161 @@
+//! Lemma 6.2: the global interpolation estimate.
+
+#[allow(dead_code)]
+#[path = "../examples/lemma_6_2_global_estimate.rs"]
+mod example;
+
+use signorini::interpolation::{
+    ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, SampleSlope, ascend,
+    element_constant, mesh_constant,
+};
+use signorini::sobolev::{FractionalOrder, Partition};
+use signorini::{Error, Tolerance};
+
+/// Share of the best constant on a mesh that 24 steps of the optimiser reach: its top eigenvalues lie close together.
+const OPTIMISER_SHARE: f64 = 0.98;
+/// Second order in the cells: 8 per element leave below (π/8)²/12 = 1.3 %.
+const CELL_TOLERANCE: f64 = 0.015;
+
+fn order(nu: f64) -> FractionalOrder {
+    FractionalOrder::new(nu).unwrap()
+}
+
+fn best(norm: ErrorNorm, order: FractionalOrder) -> f64 {
+    element_constant(norm, order, Tolerance::balanced()).unwrap().value
+}
+
+#[test]
+fn no_rough_function_exceeds_the_constants_of_one_element() {
+    for nu in [0.1, 0.5, 0.9] {
+        let nu = order(nu);
+        let (l2, derivative) = (best(ErrorNorm::L2, nu), best(ErrorNorm::Derivative, nu));
+        for family in RoughFamily::admissible(nu) {
+            let mut slopes = RoughSlopes::new(family, nu, 62);
+            for index in 0..40 {
+                let slope = slopes.draw().unwrap();
+                let cells = slope.partition().len();
+                // elements of 1, 2, 3, ... cells, the rest in one: lengths over many decades
+                let mut groups = Vec::new();
+                let mut left = cells;
+                while left > 0 {
+                    let next = (groups.len() + 1).min(left);
+                    groups.push(next);
+                    left -= next;
+                }
+                let mesh = ElementMesh::new(slope.partition().clone(), &groups).unwrap();
+                let error =
+                    InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();
+                let (a, b) = (error.l2_ratio().unwrap(), error.derivative_ratio().unwrap());
+                assert!(a.value <= l2 + a.error, "{family:?} {index} nu {nu}: {a} above {l2}");
+                assert!(
+                    b.value <= derivative + b.error,
+                    "{family:?} {index} nu {nu}: {b} above {derivative}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn one_element_is_the_local_lemma() {
+    for nu in [0.2, 0.5, 0.8] {
+        for norm in [ErrorNorm::L2, ErrorNorm::Derivative, ErrorNorm::H1 { h: 1.0 }] {
+            let (mesh, element) = (mesh_constant(norm, order(nu), 1, 16).unwrap(), best(norm, order(nu)));
+            assert!(
+                mesh.value <= element && element <= mesh.value + mesh.error,
+                "{norm:?} {nu}: {mesh} {element}"
+            );
+        }
+    }
+}
+
+#[test]
+fn constants_on_a_mesh_lie_below_that_of_an_element_and_stay_bounded_below() {
+    for nu in [0.2, 0.5, 0.8] {
+        for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
+            let element = best(norm, order(nu));
+            let mut last = element;
+            for elements in [2, 4, 8, 16] {
+                let mesh = mesh_constant(norm, order(nu), elements, 8).unwrap().value;
+                assert!(
+                    mesh < last * (1.0 + CELL_TOLERANCE),
+                    "{norm:?} nu {nu} N {elements}: {mesh} after {last}"
+                );
+                assert!(mesh > 0.6 * element, "{norm:?} nu {nu} N {elements}: {mesh} of {element}");
+                last = mesh;
+            }
+        }
+    }
+}
+
+#[test]
+fn an_optimiser_reaches_the_best_constant_on_a_mesh() {
+    let nu = order(0.4);
+    let mesh = ElementMesh::uniform(4, 8).unwrap();
+    for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
+        let best = mesh_constant(norm, nu, 4, 8).unwrap().value;
+        let start: Vec<f64> = (0..=32).map(|i| f64::from((7 * i) % 11)).collect();
+        let slope = ascend(norm, nu, &mesh, &start).unwrap();
+        let error = InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();
+        let found = if norm == ErrorNorm::L2 { error.l2_ratio() } else { error.derivative_ratio() };
+        let share = found.unwrap().value / best;
+        assert!((OPTIMISER_SHARE..=1.0 + 1e-9).contains(&share), "{norm:?}: {share}");
+    }
+}
+
+#[test]
+fn samples_and_cells_agree() {
+    // x is both a power and a piecewise linear; cos(kπx) against its interpolant on fine cells.
+    let mesh = ElementMesh::uniform(5, 4).unwrap();
+    let elements = Partition::uniform(5, 1.0).unwrap();
+    let nodes = mesh.cells().nodes();
+    let slope = signorini::sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &nodes).unwrap();
+    let cells = InterpolationError::on_elements(&slope, &mesh, order(0.3), Tolerance::balanced()).unwrap();
+    let closed = InterpolationError::of_sample(SampleSlope::Power(1.0), &elements, order(0.3)).unwrap();
+    for (a, b) in
+        [(cells.l2, closed.l2), (cells.derivative, closed.derivative), (cells.seminorm, closed.seminorm)]
+    {
+        assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
+    }
+    let cells = signorini::sobolev::PiecewisePolynomial::interpolate(mesh.cells().clone(), 8, |x| {
+        (3.0 * std::f64::consts::PI * x).cos()
+    })
+    .unwrap();
+    let cells = InterpolationError::on_elements(&cells, &mesh, order(0.7), Tolerance::balanced()).unwrap();
+    let closed = InterpolationError::of_sample(SampleSlope::Cosine(3), &elements, order(0.7)).unwrap();
+    for (a, b) in
+        [(cells.l2, closed.l2), (cells.derivative, closed.derivative), (cells.seminorm, closed.seminorm)]
+    {
+        assert!((a.value / b.value - 1.0).abs() < 1e-7, "{a} {b}");
+    }
+}
+
+#[test]
+fn a_million_elements_and_a_constant_slope_are_answered() {
+    let mesh = Partition::uniform(1_000_000, 1.0).unwrap();
+    // Smooth: ‖u − I u‖ = h² ‖u''‖/√120, ‖(u − I u)'‖ = h ‖u''‖/√12, u'' = −π sin(πx).
+    let error = InterpolationError::of_sample(SampleSlope::Cosine(1), &mesh, order(0.5)).unwrap();
+    let second = std::f64::consts::PI / 2f64.sqrt();
+    assert!((error.l2.value / (1e-12 * second / 120f64.sqrt()) - 1.0).abs() < 1e-9, "{}", error.l2);
+    assert!(
+        (error.derivative.value / (1e-6 * second / 12f64.sqrt()) - 1.0).abs() < 1e-9,
+        "{}",
+        error.derivative
+    );
+    let affine = InterpolationError::of_sample(SampleSlope::Constant, &mesh, order(0.5)).unwrap();
+    assert_eq!(affine.l2.value, 0.0);
+    assert!(matches!(affine.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));
+    let step = InterpolationError::of_sample(SampleSlope::Step(0.3), &mesh, order(0.5));
+    assert!(matches!(step, Err(Error::InfiniteNorm { .. })));
+    let longer = Partition::uniform(10, 2.0).unwrap();
+    assert!(InterpolationError::of_sample(SampleSlope::Cosine(1), &longer, order(0.5)).is_err());
+}
+
+#[test]
+fn the_example_confirms_the_lemma() {
+    let options = example::Options { elements: vec![1, 4, 64], ..example::Options::default() };
+    let headline = example::run(&options).unwrap();
+    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    let constant = example::Options { function: SampleSlope::Constant, ..options };
+    assert!(example::run(&constant).is_err());
+}

@@ -1,0 +1,54 @@
+//! Remark 2: the dual norm of the interpolation error of H^{3/2} functions is of order h^{3/2} and no better.
+
+#[allow(dead_code)]
+#[path = "../examples/remark_2_dual_norm_counterexample.rs"]
+mod example;
+
+use signorini::Tolerance;
+use signorini::interpolation::{AliasedWave, ErrorNorm, all_waves_mean, element_constant};
+use signorini::sobolev::FractionalOrder;
+
+/// Required of the exponents.
+const EXPONENT_TOLERANCE: f64 = 0.02;
+
+#[test]
+fn a_wave_per_element_stays_at_three_halves_on_every_mesh() {
+    let bound = element_constant(ErrorNorm::L2, FractionalOrder::HALF, Tolerance::balanced()).unwrap().value;
+    let quotient = |k: u32| AliasedWave::new(1 << k).unwrap().quotient().unwrap();
+    // ‖e‖/‖u‖ → h^{3/2}/(√8 π²)
+    let limit = 1.0 / (8f64.sqrt() * std::f64::consts::PI.powi(2));
+    for k in 4..40 {
+        let (coarse, fine) = (quotient(k), quotient(k + 1));
+        let rate = (coarse.value / fine.value).log2();
+        assert!((rate - 1.5).abs() < EXPONENT_TOLERANCE, "2^{k}: {rate}");
+        let scaled = fine.value * 2f64.powf(1.5 * f64::from(k + 1));
+        assert!(scaled <= bound && scaled >= 0.5 * limit, "2^{k}: {scaled}");
+    }
+    let finest = quotient(40);
+    assert!((finest.value * 2f64.powf(60.0) / limit - 1.0).abs() < 1e-5, "{finest}");
+}
+
+#[test]
+fn one_function_is_no_better_on_all_meshes() {
+    // c_j = (1+j)^{-p} tilts the exponent by p/k: below 0.02 from k = 30 on for p = 0.6.
+    for (k, l) in [(60, 120), (170, 340)] {
+        let (coarse, fine) = (all_waves_mean(k, 0.6).unwrap().value, all_waves_mean(l, 0.6).unwrap().value);
+        let rate = (coarse / fine).log2() / (l - k) as f64;
+        assert!((rate - 1.5).abs() < EXPONENT_TOLERANCE && rate > 1.5, "{k} {l}: {rate}");
+    }
+}
+
+#[test]
+fn the_example_measures_both_exponents() {
+    let headline = example::run(&example::Options::default()).unwrap();
+    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    let last = headline.table.rows().len() - 1;
+    let number = |key| headline.table.number(last, key).unwrap();
+    assert!((number("wave_rate") - 1.5).abs() < EXPONENT_TOLERANCE);
+    assert!((number("falk") - 0.75).abs() < EXPONENT_TOLERANCE);
+    assert!((number("smooth_rate") - 2.0).abs() < EXPONENT_TOLERANCE);
+    for bad in [(0, 3), (16, 1), (16, 21), (1000, 3)] {
+        let options = example::Options { elements: bad.0, meshes: bad.1, ..example::Options::default() };
+        assert!(example::run(&options).is_err(), "{bad:?}");
+    }
+}

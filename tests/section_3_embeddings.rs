@@ -1,0 +1,135 @@
+//! (3.6), (3.10), (4.12), (E3): embeddings of H^{ν} in L^q and of H^{3/2} in C^{0,α}.
+
+#[allow(dead_code)]
+#[path = "../examples/section_3_embedding_constants.rs"]
+mod example;
+
+use signorini::Tolerance;
+use signorini::interpolation::{
+    EmbeddingSpace, EndIncrements, RoughFamily, RoughSlopes, SampleSlope, critical_exponent,
+    embedding_upper_bound,
+};
+use signorini::sobolev::{FractionalOrder, Partition};
+
+/// C(q)/√q for q = 2 ... 200 at ν = 1/2.
+const GROWTH: [f64; 2] = [0.167, 0.708];
+
+fn order(nu: f64) -> FractionalOrder {
+    FractionalOrder::new(nu).unwrap()
+}
+
+#[test]
+fn no_rough_function_exceeds_the_upper_bound() {
+    for nu in [0.1, 0.3, 0.45, 0.5] {
+        let nu = order(nu);
+        for family in RoughFamily::admissible(nu) {
+            let mut functions = RoughSlopes::new(family, nu, 63);
+            for index in 0..30 {
+                let u = functions.draw().unwrap();
+                let norm = u.norm(0, nu, Tolerance::balanced()).unwrap().value;
+                for q in [2.0, 3.0, 20.0, 200.0_f64] {
+                    let q = q.min(critical_exponent(nu).unwrap());
+                    let quotient = u.lq_norm(q, Tolerance::balanced()).unwrap().value / norm;
+                    let bound = embedding_upper_bound(nu, q).unwrap();
+                    assert!(quotient <= bound, "{family:?} {index} nu {nu} q {q}: {quotient} above {bound}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_circle_s_weights_bound_the_seminorm_of_waves() {
+    // |cos(kπ·)|²_ν ≥ (w_k − 1)/2, the step from the interval to the circle: w_k = π² k + 3 − π²/2 at ν = 1/2.
+    let square = std::f64::consts::PI.powi(2);
+    for k in [1, 2, 5, 10, 40] {
+        let seminorm = SampleSlope::Cosine(k).seminorm(FractionalOrder::HALF).unwrap().value.powi(2);
+        let weight = 0.5 * (square * (k as f64 - 0.5) + 2.0);
+        assert!(seminorm >= weight, "{k}: {seminorm} below {weight}");
+        assert!(
+            seminorm <= 2.2 * weight,
+            "{k}: {seminorm} {weight}: interior waves lose a factor 2, the reflected half"
+        );
+    }
+}
+
+#[test]
+fn constants_are_one_where_the_upper_bound_says_so() {
+    for (nu, q) in [(0.5, 2.0), (0.5, 8.0), (0.3, 5.0), (0.1, 2.5), (1e-6, 2.0)] {
+        assert_eq!(embedding_upper_bound(order(nu), q).unwrap(), 1.0, "{nu} {q}");
+    }
+    // the constant function loses its place when 2 + 1/γ₁² = 13.76 is passed, here by a global competitor
+    let space = EmbeddingSpace::new(FractionalOrder::HALF, 40, 0.6).unwrap();
+    assert!((space.climb(12.0).unwrap().quotient.value - 1.0).abs() < 1e-10);
+    assert!(space.climb(16.0).unwrap().quotient.value > 1.005);
+}
+
+#[test]
+fn growth_is_that_of_a_square_root_between_two_constants() {
+    let space = EmbeddingSpace::new(FractionalOrder::HALF, 265, 0.6).unwrap();
+    let mut last = f64::INFINITY;
+    for q in [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0_f64] {
+        let lower = space.climb(q).unwrap().quotient.value / q.sqrt();
+        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap() / q.sqrt();
+        assert!(GROWTH[0] <= lower && lower <= upper && upper <= GROWTH[1], "{q}: {lower} {upper}");
+        // towards (3/(4π²e))^{1/2} = 0.16721 from above
+        assert!(lower < last, "{q}: {lower} after {last}");
+        last = lower;
+    }
+    assert!((last / 0.16721 - 1.0).abs() < 0.04, "{last}");
+}
+
+#[test]
+fn a_finer_mesh_does_not_change_the_trial_quotient_much() {
+    let coarse = EmbeddingSpace::new(FractionalOrder::HALF, 100, 0.5).unwrap();
+    let fine = EmbeddingSpace::new(FractionalOrder::HALF, 195, 0.7).unwrap();
+    for q in [16.0, 50.0, 90.0] {
+        let (a, b) = (coarse.climb(q).unwrap().quotient.value, fine.climb(q).unwrap().quotient.value);
+        assert!(a <= b * (1.0 + 1e-6) && b <= a * 1.003, "{q}: {a} {b}");
+    }
+}
+
+#[test]
+fn hoelder_constants_grow_like_the_root_of_one_over_one_minus_alpha() {
+    let increments = EndIncrements::new(&Partition::geometric(250, 0.6, 1.0).unwrap()).unwrap();
+    for q in [2.0, 10.0, 50.0, 200.0_f64] {
+        let (lower, place) = increments.constant(1.0 - 1.0 / q).unwrap();
+        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap();
+        assert!(lower.value <= upper, "{q}: {lower} {upper}");
+        assert!(lower.value / q.sqrt() > 0.167, "{q}: {lower}");
+        if q >= 50.0 {
+            // ln(1/θ) near q/2
+            assert!((0.3..0.7).contains(&(-place.ln() / q)), "{q}: {place:e}");
+        }
+    }
+    // A pair inside the interval has a smaller increment than one at the end.
+    let theta = 0.6f64.powi(20);
+    let at_end = increments
+        .increments()
+        .map(|(t, n)| ((t / theta).ln().abs(), n))
+        .fold((9.9, 0.0), |a, b| if b.0 < a.0 { b } else { a });
+    assert!(at_end.1 > 1.0);
+    for alpha in [0.0, 1.0, -0.5, f64::NAN] {
+        assert!(increments.constant(alpha).is_err());
+    }
+}
+
+#[test]
+fn exponents_outside_the_embedding_are_errors() {
+    for (nu, q) in [(0.6, 3.0), (0.3, 5.1), (0.5, 1.0), (0.5, f64::NAN), (0.5, f64::INFINITY), (0.5, 1e7)] {
+        assert!(embedding_upper_bound(order(nu), q).is_err(), "{nu} {q}");
+    }
+    assert!(critical_exponent(order(0.6)).is_err());
+    let near = FractionalOrder::from_offset(-1e-9).unwrap();
+    let at_half = embedding_upper_bound(order(0.5), 100.0).unwrap();
+    assert!((embedding_upper_bound(near, 100.0).unwrap() / at_half - 1.0).abs() < 1e-6);
+    assert!(EmbeddingSpace::new(order(0.7), 10, 0.5).is_err());
+    assert!(EmbeddingSpace::new(order(0.5), 10, 1.5).is_err());
+}
+
+#[test]
+fn the_example_confirms_the_growth() {
+    let options = example::Options { q: vec![2.0, 16.0, 100.0], nu: vec![order(0.3)], ..Default::default() };
+    let headline = example::run(&options).unwrap();
+    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+}

@@ -1,0 +1,155 @@
+//! (4.6), (4.7): the L² projection onto piecewise constants, in L² and in the dual norm of H^{1/2}; Remark 4.
+
+#[allow(dead_code)]
+#[path = "../examples/section_4_p0_projection.rs"]
+mod example;
+#[allow(dead_code)]
+#[path = "../examples/remark_4_saturation.rs"]
+mod saturation;
+
+use signorini::interpolation::{
+    DualNorm, ElementMesh, ProjectionNorm, SampleSlope, dual_projection_constant, projection_constant,
+    projection_norm_on_mesh, sample_projection_dual_error, sample_projection_error,
+};
+use signorini::poincare::{Condition, Zone, gamma};
+use signorini::sobolev::{FractionalOrder, Partition};
+use signorini::{Error, Tolerance};
+
+/// Required of the measured rates.
+const RATE_TOLERANCE: f64 = 0.02;
+/// Two codes, each to 1e-8.
+const TWO_ROADS: f64 = 2e-8;
+
+fn constant(r: f64) -> f64 {
+    projection_constant(r, Tolerance::balanced()).unwrap().value
+}
+
+#[test]
+fn the_best_constant_is_the_poincare_constant_of_the_whole_interval() {
+    for r in [0.05, 0.3, 0.5, 0.7, 0.95] {
+        let order = FractionalOrder::new(r).unwrap();
+        let whole =
+            gamma(order, Zone::end(1.0).unwrap(), Condition::MeanZero, Tolerance::balanced()).unwrap();
+        let projection = constant(r);
+        assert!((projection / whole.value - 1.0).abs() < TWO_ROADS, "{r}: {projection} {whole}");
+    }
+    // r = 0 and r = 1 carry other norms: φ of mean zero, and cos(πx).
+    assert_eq!(constant(0.0), 1.0);
+    assert_eq!(constant(1.0), std::f64::consts::FRAC_1_PI);
+}
+
+#[test]
+fn the_dual_constant_lies_below_the_paper_s_chain_and_meets_it_at_one_half() {
+    let half = constant(0.5);
+    for r in [0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0] {
+        let dual = dual_projection_constant(r, Tolerance::balanced()).unwrap().value;
+        let chain = constant(r) * half;
+        assert!(dual <= chain * (1.0 + 1e-8), "{r}: {dual} above {chain}");
+        assert!(dual >= 0.99 * chain, "{r}: {dual} far below {chain}");
+        if r == 0.0 || r == 0.5 {
+            assert!((dual / chain - 1.0).abs() < 1e-7, "{r}: {dual} {chain}");
+        }
+    }
+}
+
+#[test]
+fn one_element_on_a_mesh_is_the_best_constant() {
+    for r in [0.2, 0.5, 1.0] {
+        let mesh = projection_norm_on_mesh(ProjectionNorm::L2, r, 1, 32).unwrap();
+        assert!(mesh.value <= constant(r) * (1.0 + 1e-9), "{r}: {mesh}");
+        assert!(constant(r) <= mesh.value + mesh.error, "{r}: {mesh}");
+    }
+}
+
+#[test]
+fn norms_on_meshes_stay_below_the_constants_and_have_their_rates() {
+    for r in [0.3, 0.5, 0.8, 1.0] {
+        for norm in [ProjectionNorm::L2, ProjectionNorm::Dual] {
+            let best = match norm {
+                ProjectionNorm::L2 => constant(r),
+                ProjectionNorm::Dual => dual_projection_constant(r, Tolerance::balanced()).unwrap().value,
+            };
+            let norms: Vec<f64> =
+                [16, 32].iter().map(|&n| projection_norm_on_mesh(norm, r, n, 4).unwrap().value).collect();
+            assert!(norms[1] <= best * 32f64.powf(-norm.rate(r)), "{norm:?} {r}: {norms:?}");
+            let rate = (norms[0] / norms[1]).log2();
+            assert!((rate - norm.rate(r)).abs() < RATE_TOLERANCE, "{norm:?} {r}: {rate}");
+        }
+    }
+}
+
+#[test]
+fn both_estimates_hold_for_given_functions() {
+    let cells = Partition::uniform(128, 1.0).unwrap();
+    let dual = DualNorm::new(&cells).unwrap();
+    for (phi, r) in [
+        (SampleSlope::Power(-0.3), 0.1),
+        (SampleSlope::Step(0.3), 0.4),
+        (SampleSlope::Power(0.2), 0.6),
+        (SampleSlope::Cosine(3), 0.9),
+    ] {
+        let order = FractionalOrder::new(r).unwrap();
+        let seminorm = phi.seminorm(order).unwrap().value;
+        for elements in [1, 4, 32] {
+            let h = 1.0 / elements as f64;
+            let l2 = sample_projection_error(phi, &Partition::uniform(elements, 1.0).unwrap()).unwrap();
+            assert!(l2.value <= constant(r) * h.powf(r) * seminorm, "{phi} N {elements}: {l2}");
+            let error = sample_projection_dual_error(phi, &dual, 128 / elements).unwrap();
+            let best = dual_projection_constant(r, Tolerance::fast()).unwrap().value * 1.0001;
+            assert!(error.value <= best * h.powf(r + 0.5) * seminorm, "{phi} N {elements}: {error}");
+        }
+    }
+}
+
+#[test]
+fn projections_and_dual_norms_of_cells_agree_with_samples() {
+    // φ = x: loads of φ − π φ by moments and by Gauss points.
+    let cells = Partition::uniform(32, 1.0).unwrap();
+    let dual = DualNorm::new(&cells).unwrap();
+    let sample = sample_projection_dual_error(SampleSlope::Power(1.0), &dual, 4).unwrap();
+    let direct = dual.of(|i, t| ((i % 4) as f64 + t - 2.0) / 32.0).unwrap();
+    assert!((sample.value / direct.value - 1.0).abs() < 1e-10, "{sample} {direct}");
+    let mesh = ElementMesh::uniform(8, 4).unwrap();
+    let function =
+        signorini::sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &mesh.cells().nodes())
+            .unwrap();
+    let projection = mesh.projection(&function).unwrap();
+    assert!((projection.value(3, 0.1).unwrap() - 3.5 / 8.0).abs() < 1e-15);
+}
+
+#[test]
+fn inadmissible_orders_are_errors() {
+    for r in [-0.1, 1.1, f64::NAN] {
+        assert!(matches!(projection_constant(r, Tolerance::fast()), Err(Error::OutOfRange { .. })));
+        assert!(dual_projection_constant(r, Tolerance::fast()).is_err());
+        assert!(projection_norm_on_mesh(ProjectionNorm::L2, r, 2, 4).is_err());
+    }
+    for (elements, cells) in [(0, 4), (4, 3), (4, 2), (usize::MAX, 4), (10_000, 4)] {
+        assert!(projection_norm_on_mesh(ProjectionNorm::L2, 0.5, elements, cells).is_err());
+    }
+    let dual = DualNorm::new(&Partition::uniform(8, 1.0).unwrap()).unwrap();
+    for cells in [0, 3, 9] {
+        assert!(sample_projection_dual_error(SampleSlope::Cosine(1), &dual, cells).is_err());
+    }
+}
+
+#[test]
+fn the_example_measures_the_rates() {
+    let options = example::Options { r: vec![0.1, 0.5, 0.9, 1.0], ..example::Options::default() };
+    let headline = example::run(&options).unwrap();
+    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+}
+
+#[test]
+fn the_projection_saturates_at_h1() {
+    let headline = saturation::run(&saturation::Options::default()).unwrap();
+    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    for row in 0..headline.table.rows().len() {
+        let number = |key| headline.table.number(row, key);
+        let (r, rate) = (number("r").unwrap(), number("projection").unwrap());
+        assert!((rate - r.min(1.0)).abs() < RATE_TOLERANCE, "r {r}: {rate}");
+        if let Some(limit) = number("limit") {
+            assert!((limit - 1.0).abs() < 1e-3, "r {r}: {limit}");
+        }
+    }
+}
