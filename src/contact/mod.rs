@@ -12,6 +12,7 @@ mod edge_problem;
 mod interior_point;
 mod judge;
 mod listing;
+mod picture;
 mod problem;
 mod solution;
 mod solver;
