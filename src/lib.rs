@@ -11,6 +11,7 @@
 //! | Sec. 2: domains and forms | [`mesh`], [`fem`] |
 //! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
 //! | Sec. 2: examples of problems | [`scenes`] |
+//! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -26,6 +27,7 @@ pub mod estimate;
 pub mod fem;
 pub mod figures;
 pub mod mesh;
+pub mod poincare;
 pub mod quadrature;
 pub mod report;
 pub mod scenes;
