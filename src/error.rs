@@ -87,6 +87,38 @@ pub enum Error {
         /// Where the factorization broke down.
         pivot: usize,
     },
+    /// A solver of another library refused the problem.
+    #[error("solver: {reason}")]
+    Solver {
+        /// What it said.
+        reason: String,
+    },
+    /// A triangle of a mesh is not usable.
+    #[error("triangle {triangle} {reason} {value}")]
+    Triangle {
+        /// Its number, from 0.
+        triangle: usize,
+        /// What is wrong.
+        reason: &'static str,
+        /// The number that shows it.
+        value: f64,
+    },
+    /// An edge of a mesh is not usable.
+    #[error("edge {}-{} {reason}", nodes[0], nodes[1])]
+    Edge {
+        /// Its end nodes.
+        nodes: [usize; 2],
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// A node of a mesh is not usable.
+    #[error("node {node} {reason}")]
+    Node {
+        /// Its number, from 0.
+        node: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// A file could not be read or written.
     #[error("{}: {reason}", path.display())]
     File {

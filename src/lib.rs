@@ -8,7 +8,9 @@
 //! | --- | --- |
 //! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
 //! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
-//! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
+//! | Section 2: domains and forms | [`mesh`], [`fem`] |
+//! | Section 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
+//! | Section 2: examples of problems | [`scenes`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -21,9 +23,12 @@ mod book;
 pub mod contact;
 pub mod error;
 pub mod estimate;
+pub mod fem;
 pub mod figures;
+pub mod mesh;
 pub mod quadrature;
 pub mod report;
+pub mod scenes;
 pub mod sobolev;
 
 pub use error::{Error, Result};

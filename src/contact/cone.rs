@@ -51,11 +51,7 @@ impl Cone {
     pub fn apply_transposed(self, multiplier: &[f64], nodes: usize) -> Result<Vec<f64>> {
         let expected = self.constraints(nodes);
         if multiplier.len() != expected {
-            return Err(Error::LengthMismatch {
-                name: "multiplier",
-                given: multiplier.len(),
-                expected,
-            });
+            return Err(Error::LengthMismatch { name: "multiplier", given: multiplier.len(), expected });
         }
         Ok(match self {
             Cone::Nodal => multiplier.to_vec(),

@@ -59,9 +59,7 @@ impl ContactSet {
     /// Number of constraints that are active in exactly one of the two sets.
     pub fn distance(&self, other: &Self) -> usize {
         let longest = self.active.len().max(other.active.len());
-        (0..longest)
-            .filter(|&i| self.contains(i) != other.contains(i))
-            .count()
+        (0..longest).filter(|&i| self.contains(i) != other.contains(i)).count()
     }
 }
 

@@ -50,10 +50,7 @@ pub struct Judgement {
 impl Judgement {
     /// The worst of the four.
     pub fn worst(&self) -> f64 {
-        self.balance
-            .max(self.sign)
-            .max(self.gap)
-            .max(self.complementarity)
+        self.balance.max(self.sign).max(self.gap).max(self.complementarity)
     }
 }
 
@@ -70,10 +67,7 @@ pub struct Margins {
 impl Margins {
     /// True when some active force or some inactive gap is below `threshold`: contact is weak there.
     pub fn is_weak(&self, threshold: f64) -> bool {
-        [self.pressure, self.gap]
-            .into_iter()
-            .flatten()
-            .any(|margin| margin <= threshold)
+        [self.pressure, self.gap].into_iter().flatten().any(|margin| margin <= threshold)
     }
 }
 
@@ -88,10 +82,7 @@ impl Evidence<'_> {
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         Ok(Judgement {
             balance: ratio(largest(&mut self.residual.iter().map(|r| r.abs())), self.force),
-            sign: ratio(
-                largest(&mut self.multiplier.iter().map(|&l| -l)),
-                force_of_contact,
-            ),
+            sign: ratio(largest(&mut self.multiplier.iter().map(|&l| -l)), force_of_contact),
             gap: ratio(largest(&mut self.gap.iter().copied()), self.displacement),
             complementarity: largest(
                 &mut self
@@ -111,10 +102,7 @@ impl Evidence<'_> {
         self.check()?;
         same_length("contact set", active.len(), self.gap.len())?;
         let smallest = |wanted: bool, values: &dyn Fn(usize) -> f64| {
-            (0..active.len())
-                .filter(|&i| active[i] == wanted)
-                .map(values)
-                .reduce(f64::min)
+            (0..active.len()).filter(|&i| active[i] == wanted).map(values).reduce(f64::min)
         };
         let scale = self.multiplier_scale();
         Ok(Margins {
@@ -126,11 +114,7 @@ impl Evidence<'_> {
     /// max |λ|, or the force scale when every multiplier is rounding.
     pub fn multiplier_scale(&self) -> f64 {
         let largest = self.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
-        if largest > NOISE * self.force {
-            largest
-        } else {
-            self.force
-        }
+        if largest > NOISE * self.force { largest } else { self.force }
     }
 
     fn check(&self) -> Result<()> {
@@ -143,11 +127,7 @@ impl Evidence<'_> {
             ("scale", &scales),
         ] {
             if let Some(index) = values.iter().position(|v| !v.is_finite()) {
-                return Err(Error::NotFinite {
-                    name,
-                    index,
-                    value: values[index],
-                });
+                return Err(Error::NotFinite { name, index, value: values[index] });
             }
         }
         Ok(())
@@ -155,15 +135,7 @@ impl Evidence<'_> {
 }
 
 fn same_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
-    if given == expected {
-        Ok(())
-    } else {
-        Err(Error::LengthMismatch {
-            name,
-            given,
-            expected,
-        })
-    }
+    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
 }
 
 /// a / b, with 0 / 0 = 0.
@@ -176,20 +148,12 @@ mod tests {
     use super::*;
 
     fn evidence<'a>(residual: &'a [f64], multiplier: &'a [f64], gap: &'a [f64]) -> Evidence<'a> {
-        Evidence {
-            residual,
-            multiplier,
-            gap,
-            force: 2.0,
-            displacement: 0.5,
-        }
+        Evidence { residual, multiplier, gap, force: 2.0, displacement: 0.5 }
     }
 
     #[test]
     fn each_condition_has_its_figure() {
-        let judged = evidence(&[0.2, -0.4], &[4.0, -1.0, 0.0], &[0.0, 0.0, -0.1])
-            .judge()
-            .unwrap();
+        let judged = evidence(&[0.2, -0.4], &[4.0, -1.0, 0.0], &[0.0, 0.0, -0.1]).judge().unwrap();
         assert_eq!((judged.balance, judged.sign), (0.2, 0.25));
         assert_eq!((judged.gap, judged.complementarity), (0.0, 0.0));
         let judged = evidence(&[], &[4.0, 2.0], &[0.1, -0.25]).judge().unwrap();
@@ -204,9 +168,8 @@ mod tests {
 
     #[test]
     fn margins_see_weak_contact() {
-        let margins = evidence(&[], &[4.0, 1e-14, 0.0], &[0.0, 0.0, -0.1])
-            .margins(&[true, true, false])
-            .unwrap();
+        let margins =
+            evidence(&[], &[4.0, 1e-14, 0.0], &[0.0, 0.0, -0.1]).margins(&[true, true, false]).unwrap();
         assert_eq!(margins.gap, Some(0.2));
         assert!(margins.is_weak(1e-12) && !margins.is_weak(1e-16));
     }
