@@ -8,9 +8,9 @@
 //! | --- | --- |
 //! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
 //! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
-//! | Sec. 2: domains and forms | [`mesh`], [`fem`] |
-//! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
-//! | Sec. 2: examples of problems | [`scenes`] |
+//! | Section 2: domains and forms | [`mesh`], [`fem`] |
+//! | Section 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
+//! | Section 2: examples of problems | [`scenes`] |
 //! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
