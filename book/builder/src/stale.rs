@@ -1,5 +1,5 @@
 //! Is committed data still what the examples compute? Compared as written, up to the last digits: processors and
-//! threads differ there. Times are not compared.
+//! threads differ there. Times and counts of solver steps are not compared.
 
 use crate::data::Data;
 use serde_json::Value;
@@ -50,10 +50,11 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     found
 }
 
-/// Keys, columns and figures that hold times end in `seconds`, `ms` or `speedup` (words joined by `.`, `_`, `-`).
+/// Keys, columns and figures that hold times or solver steps end in `seconds`, `ms`, `speedup`, `iterations`, `steps`
+/// (words joined by `.`, `_`, `-`).
 pub fn is_timed(key: &str) -> bool {
     let last = key.rsplit(['.', '_', '-', '/', ' ']).next().unwrap_or(key);
-    matches!(last, "seconds" | "ms" | "speedup")
+    matches!(last, "seconds" | "ms" | "speedup" | "iterations" | "steps")
 }
 
 fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, String)>) {
