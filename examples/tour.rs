@@ -1,0 +1,121 @@
+//! The whole paper in one run: every argument computed, one row each with claim, measured, verdict and seconds.
+//!
+//! `cargo run --release --example tour -- --out out`
+
+use clap::Parser;
+use example_frame::{HasOutput, Output, progress};
+use signorini::Result;
+use signorini::contact::Cone;
+use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// Every argument of the paper: claim, measured, verdict, seconds
+#[derive(Debug, Clone, Default, Parser)]
+pub struct Options {
+    /// Smaller meshes and fewer values: a few seconds instead of up to a minute
+    #[arg(long)]
+    pub quick: bool,
+    /// Where the outcome goes
+    #[command(flatten)]
+    pub output: Output,
+}
+
+impl HasOutput for Options {
+    fn output(&self) -> &Output {
+        &self.output
+    }
+}
+
+/// The examples are the rows: each file is loaded here, so that tour, example, test and book cannot disagree.
+macro_rules! example {
+    ($name:ident, $file:literal) => {
+        #[path = $file]
+        #[allow(dead_code, reason = "only `run` is used here")]
+        mod $name;
+    };
+}
+example!(section_2_elastic_contact, "section_2_elastic_contact.rs");
+example!(section_2_scalar_contact, "section_2_scalar_contact.rs");
+example!(figure_3_2_alternative, "figure_3_2_alternative.rs");
+example!(figure_4_1_alternative, "figure_4_1_alternative.rs");
+example!(lemma_5_2_poincare_scaling, "lemma_5_2_poincare_scaling.rs");
+example!(lemma_6_1_local_estimate, "lemma_6_1_local_estimate.rs");
+example!(theorem_3_1_rates, "theorem_3_1_rates.rs");
+example!(theorem_4_1_rates, "theorem_4_1_rates.rs");
+
+/// One row: how to compute it.
+type Row = Box<dyn Fn(&Options) -> Result<Headline>>;
+
+/// A row that runs an example with some of its options set.
+macro_rules! row {
+    ($example:ident { $($field:ident: $value:expr),* $(,)? }) => {
+        Box::new(move |tour: &Options| {
+            let output = tour.output.clone();
+            #[allow(unused_mut, reason = "some rows set no option")]
+            let mut options = $example::Options { output, ..Default::default() };
+            $(options.$field = $value(tour);)*
+            $example::run(&options)
+        })
+    };
+}
+
+fn rows() -> Vec<Row> {
+    let n = |tour: &Options| if tour.quick { 16 } else { 32 };
+    let levels = |tour: &Options| if tour.quick { 4 } else { 5 };
+    let thetas = |tour: &Options| (1..=if tour.quick { 3 } else { 6 }).map(|k| 10f64.powi(-k)).collect();
+    vec![
+        row!(section_2_elastic_contact { n }),
+        row!(section_2_scalar_contact { n }),
+        row!(section_2_elastic_contact { n, cone: |_: &Options| Cone::Midpoint }),
+        row!(section_2_scalar_contact { n, cone: |_: &Options| Cone::Midpoint }),
+        row!(figure_3_2_alternative { n }),
+        row!(figure_4_1_alternative { n }),
+        row!(lemma_5_2_poincare_scaling { theta: thetas }),
+        row!(lemma_6_1_local_estimate {}),
+        row!(theorem_3_1_rates { levels }),
+        row!(theorem_4_1_rates { levels }),
+    ]
+}
+
+/// Runs every row and gathers their headlines.
+pub fn run(options: &Options) -> Result<Headline> {
+    let mut table = Table::new(vec![
+        Column::words("label", "label", 14),
+        Column::words("claim", "claim", 34),
+        Column::words("measured", "measured", 34),
+        Column::words("verdict", "verdict", 20),
+        Column::new("seconds", "s", Format::Significant(2), ""),
+    ]);
+    let (mut figures, mut values, mut unconfirmed) = (Vec::new(), Vec::new(), Vec::new());
+    let rows = rows();
+    let (bar, started) = (progress(rows.len() as u64), Instant::now());
+    for row in &rows {
+        let row_started = Instant::now();
+        let headline = row(options)?;
+        let seconds = row_started.elapsed().as_secs_f64();
+        bar.set_message(headline.label.clone());
+        bar.inc(1);
+        if !headline.verdict.is_confirmed() {
+            unconfirmed.push(headline.label.clone());
+        }
+        let verdict = headline.verdict.to_string();
+        let words = [headline.label, headline.claim, headline.measured, verdict].map(Cell::Text);
+        table.push(words.into_iter().chain([Cell::Number(seconds)]).collect());
+        figures.extend(headline.figures);
+        values.extend(headline.values);
+    }
+    bar.finish_and_clear();
+    let measured = format!("{} arguments in {:.0} s", rows.len(), started.elapsed().as_secs_f64());
+    let verdict =
+        if unconfirmed.is_empty() { Verdict::Holds } else { Verdict::NotConfirmed(unconfirmed.join(", ")) };
+    let claim = "an a priori error analysis for Signorini's problem, argument by argument";
+    let mut headline = Headline::new("Hild & Renard 2012", claim, table, measured, verdict);
+    headline.figures = figures;
+    headline.values = values;
+    Ok(headline)
+}
+
+fn main() -> ExitCode {
+    example_frame::main(run)
+}
