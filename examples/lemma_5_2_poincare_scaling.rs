@@ -5,10 +5,12 @@
 
 use clap::Parser;
 use example_frame::{HasOutput, Output};
+use signorini::figures::{Axis, Chart, PALETTE, Series};
 use signorini::poincare::{Condition, Zone, end_limit, gamma, gamma_at_point, half_law, printed_growth};
 use signorini::report::{Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::FractionalOrder;
 use signorini::{Result, Tolerance};
+use std::f64::consts::PI;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -76,38 +78,72 @@ pub fn run(options: &Options) -> Result<Headline> {
         ),
         Column::hidden("seconds"),
     ]);
-    let mut decline = 1.0_f64;
+    let mut decline = None;
+    let mut curves = Vec::new();
     for &nu in &options.nu {
-        let mut ratios = Vec::new();
+        let (mut ratios, mut computed, mut theory) = (Vec::new(), Vec::new(), Vec::new());
         for &theta in &options.theta {
             let start = Instant::now();
             let estimate = gamma(nu, Zone::end(theta)?, options.condition, options.tolerance)?;
             let seconds = start.elapsed().as_secs_f64();
             let printed = estimate.value / printed_growth(nu, theta);
-            ratios.push(printed);
+            let law = (theta <= 0.5).then(|| true_law(nu, theta, options.tolerance)).transpose()?;
+            ratios.extend((theta <= 0.5).then_some(printed));
+            computed.push((theta, estimate.value));
+            theory.extend(law.map(|law| (theta, law)));
             table.push(vec![
                 nu.value().into(),
                 theta.into(),
                 estimate.value.into(),
                 estimate.error.into(),
-                printed.into(),
-                (theta <= 0.5)
-                    .then(|| true_law(nu, theta, options.tolerance))
-                    .transpose()?
-                    .map(|law| estimate.value / law)
-                    .into(),
+                printed.is_finite().then_some(printed).into(),
+                law.map(|law| estimate.value / law).into(),
                 seconds.into(),
             ]);
         }
-        if nu.offset() == 0.0 {
-            decline = ratios[ratios.len() - 1] / ratios[0];
+        if nu.offset() == 0.0 && ratios.len() > 1 {
+            decline = Some(ratios[ratios.len() - 1] / ratios[0]);
+        }
+        curves.push((nu, computed, theory));
+    }
+    let (measured, verdict) = match decline {
+        Some(decline) => (
+            format!(
+                "at nu = 1/2 gamma/ln(1/theta) falls to {decline:.3} of its first value: sqrt(ln), not ln"
+            ),
+            Verdict::HoldsLoose("sqrt(ln(1/theta)) at nu = 1/2".into()),
+        ),
+        None => ("gamma against both laws, row by row".to_owned(), Verdict::Holds),
+    };
+    let claim = "gamma_theta(nu) <= C theta^(nu-1/2), C ln(1/theta), C for nu < 1/2, = 1/2, > 1/2";
+    let mut headline = Headline::new("Lemma 5.2", claim, table, measured, verdict);
+    for (nu, computed, _) in &curves {
+        for &(theta, gamma) in computed {
+            headline.quote(format!("lemma.5.2.gamma.nu{nu}.theta{theta:e}"), gamma);
         }
     }
-    let measured =
-        format!("at nu = 1/2 gamma/ln(1/theta) falls to {decline:.3} of its first value: sqrt(ln), not ln");
-    let verdict = Verdict::HoldsLoose("sqrt(ln(1/theta)) at nu = 1/2".into());
-    let claim = "gamma_theta(nu) <= C theta^(nu-1/2), C ln(1/theta), C for nu < 1/2, = 1/2, > 1/2";
-    Ok(Headline::new("Lemma 5.2", claim, table, measured, verdict))
+    headline.quote("lemma.5.2.slope.end", 3.0 / (2.0 * PI * PI));
+    if let Some(directory) = options.output.directory()? {
+        headline.figures.push(chart(curves).save(directory, "lemma_5_2_gamma")?);
+    }
+    Ok(headline)
+}
+
+/// Order, computed constants, law that holds.
+type Curve = (FractionalOrder, Vec<(f64, f64)>, Vec<(f64, f64)>);
+
+/// γ_θ(ν) against θ: points computed, dashed the law that holds as θ → 0.
+fn chart(curves: Vec<Curve>) -> Chart {
+    let x = Axis::logarithmic("θ, length of the zone (interval = 1)");
+    let mut chart =
+        Chart::new("Poincaré constants of Lemma 5.2", x, Axis::logarithmic("γ, Poincaré constant"));
+    for (k, (nu, computed, law)) in curves.into_iter().enumerate() {
+        let colour = PALETTE[k % PALETTE.len()];
+        chart = chart
+            .with(Series::points(format!("ν = {nu}, computed"), computed).colour(colour))
+            .with(Series::dashed(format!("ν = {nu}, law as θ → 0"), law).colour(colour));
+    }
+    chart
 }
 
 fn main() -> ExitCode {
