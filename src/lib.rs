@@ -12,6 +12,7 @@
 //! | Section 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
 //! | Section 2: examples of problems | [`scenes`] |
 //! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
+//! | Appendix B, (4.6), (4.7), Remarks 2 and 4: interpolation, projection, embeddings | [`interpolation`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -26,6 +27,7 @@ pub mod error;
 pub mod estimate;
 pub mod fem;
 pub mod figures;
+pub mod interpolation;
 pub mod mesh;
 pub mod poincare;
 pub mod quadrature;

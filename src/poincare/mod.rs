@@ -8,7 +8,7 @@ mod constant;
 mod limits;
 mod mellin;
 mod mesh;
-mod slopes;
+pub(crate) mod slopes;
 mod zone;
 
 pub use constant::{gamma, gamma_at_point};
