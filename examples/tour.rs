@@ -21,6 +21,23 @@ pub struct Options {
     pub output: Output,
 }
 
+impl Options {
+    /// Squares along each side of the contact scenes.
+    fn size(&self) -> usize {
+        if self.quick { 16 } else { 32 }
+    }
+
+    /// Nested meshes of the rate studies.
+    fn levels(&self) -> usize {
+        if self.quick { 4 } else { 5 }
+    }
+
+    /// Lengths θ of the zones of Lemma 5.2.
+    fn zones(&self) -> Vec<f64> {
+        (1..=if self.quick { 3 } else { 6 }).map(|k| 10f64.powi(-k)).collect()
+    }
+}
+
 impl HasOutput for Options {
     fn output(&self) -> &Output {
         &self.output
@@ -47,34 +64,30 @@ example!(theorem_4_1_rates, "theorem_4_1_rates.rs");
 /// One row: how to compute it.
 type Row = Box<dyn Fn(&Options) -> Result<Headline>>;
 
-/// A row that runs an example with some of its options set.
+/// A row that runs an example with some of its options set from those of the tour.
 macro_rules! row {
-    ($example:ident { $($field:ident: $value:expr),* $(,)? }) => {
-        Box::new(move |tour: &Options| {
-            let output = tour.output.clone();
-            #[allow(unused_mut, reason = "some rows set no option")]
-            let mut options = $example::Options { output, ..Default::default() };
-            $(options.$field = $value(tour);)*
+    ($tour:ident: $example:ident $(, $field:ident = $value:expr)*) => {
+        Box::new(|$tour: &Options| {
+            let output = Output { values: None, ..$tour.output.clone() };
+            #[allow(clippy::needless_update, reason = "some examples have no other option")]
+            let options = $example::Options { $($field: $value,)* output, ..Default::default() };
             $example::run(&options)
         })
     };
 }
 
 fn rows() -> Vec<Row> {
-    let n = |tour: &Options| if tour.quick { 16 } else { 32 };
-    let levels = |tour: &Options| if tour.quick { 4 } else { 5 };
-    let thetas = |tour: &Options| (1..=if tour.quick { 3 } else { 6 }).map(|k| 10f64.powi(-k)).collect();
     vec![
-        row!(section_2_elastic_contact { n }),
-        row!(section_2_scalar_contact { n }),
-        row!(section_2_elastic_contact { n, cone: |_: &Options| Cone::Midpoint }),
-        row!(section_2_scalar_contact { n, cone: |_: &Options| Cone::Midpoint }),
-        row!(figure_3_2_alternative { n }),
-        row!(figure_4_1_alternative { n }),
-        row!(lemma_5_2_poincare_scaling { theta: thetas }),
-        row!(lemma_6_1_local_estimate {}),
-        row!(theorem_3_1_rates { levels }),
-        row!(theorem_4_1_rates { levels }),
+        row!(tour: section_2_elastic_contact, n = tour.size()),
+        row!(tour: section_2_scalar_contact, n = tour.size()),
+        row!(tour: section_2_elastic_contact, n = tour.size(), cone = Cone::Midpoint),
+        row!(tour: section_2_scalar_contact, n = tour.size(), cone = Cone::Midpoint),
+        row!(tour: figure_3_2_alternative, n = tour.size()),
+        row!(tour: figure_4_1_alternative, n = tour.size()),
+        row!(tour: lemma_5_2_poincare_scaling, theta = tour.zones()),
+        row!(tour: lemma_6_1_local_estimate),
+        row!(tour: theorem_3_1_rates, levels = tour.levels()),
+        row!(tour: theorem_4_1_rates, levels = tour.levels()),
     ]
 }
 
