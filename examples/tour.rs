@@ -7,6 +7,7 @@ use example_frame::{HasOutput, Output, progress};
 use signorini::Result;
 use signorini::contact::Cone;
 use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
+use signorini::sobolev::FractionalOrder;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -84,7 +85,9 @@ fn rows() -> Vec<Row> {
         row!(tour: section_2_scalar_contact, n = tour.size(), cone = Cone::Midpoint),
         row!(tour: figure_3_2_alternative, n = tour.size()),
         row!(tour: figure_4_1_alternative, n = tour.size()),
-        row!(tour: lemma_5_2_poincare_scaling, theta = tour.zones()),
+        row!(tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.25)?], theta = tour.zones()),
+        row!(tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::HALF], theta = tour.zones()),
+        row!(tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.75)?], theta = tour.zones()),
         row!(tour: lemma_6_1_local_estimate),
         row!(tour: theorem_3_1_rates, levels = tour.levels()),
         row!(tour: theorem_4_1_rates, levels = tour.levels()),
