@@ -14,6 +14,7 @@ mod judge;
 mod listing;
 mod picture;
 mod problem;
+mod projection;
 mod solution;
 mod solver;
 mod status;

@@ -6,6 +6,7 @@ mod dissection;
 mod form;
 mod front;
 mod matrix;
+mod pool;
 mod stress;
 
 pub use assembly::{Frame, consistent_load, stiffness};
