@@ -8,6 +8,7 @@ mod active_set;
 mod condensed;
 mod cone;
 mod contact_set;
+mod data;
 mod edge_problem;
 mod interior_point;
 mod judge;
