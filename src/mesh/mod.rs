@@ -9,5 +9,5 @@ mod triangulation;
 pub use contact_edge::ContactEdge;
 pub use hierarchy::Hierarchy;
 pub use structured::{Sides, mapped_grid, rectangles, unit_square};
-pub(crate) use triangulation::doubled_area;
 pub use triangulation::{BoundaryEdge, Part, Point, Triangulation};
+pub(crate) use triangulation::{distance, doubled_area};
