@@ -120,17 +120,23 @@ fn same_number(a: f64, b: f64) -> bool {
 /// The same words, and numbers that agree up to their last written digits.
 fn same_text(a: &str, b: &str) -> bool {
     let (a, b) = (tokens(a), tokens(b));
+    let is_time = |k: usize| a.get(k + 1).is_some_and(|after| is_seconds(after));
     a.len() == b.len()
-        && a.iter().zip(&b).all(|(a, b)| {
+        && a.iter().zip(&b).enumerate().all(|(k, (a, b))| {
             a == b
                 || match (a.parse::<f64>(), b.parse::<f64>()) {
                     (Ok(x), Ok(y)) => {
                         let slack = LAST_DIGIT * last_digit(a).max(last_digit(b));
-                        same_number(x, y) || (x - y).abs() <= slack * (1.0 + 1e-9)
+                        is_time(k) || same_number(x, y) || (x - y).abs() <= slack * (1.0 + 1e-9)
                     }
                     _ => false,
                 }
         })
+}
+
+/// What follows a number says that it counted seconds, as in "10 rows in 3 s".
+fn is_seconds(after: &str) -> bool {
+    after.strip_prefix(" s").is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
 }
 
 /// Numbers and what stands between them.
