@@ -9,6 +9,7 @@ macro_rules! chapters {
 }
 
 chapters! {
+    readme: "../../README.md",
     introduction: "introduction.md",
     tour: "tour.md",
     section_2_elastic_contact: "section_2_elastic_contact.md",
