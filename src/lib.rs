@@ -11,6 +11,7 @@
 //! | Sec. 2: domains and forms | [`mesh`], [`fem`] |
 //! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
 //! | Sec. 2: examples of problems | [`scenes`] |
+//! | Sec. 2 on a strip, reduced to its contact edge | [`strip`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -30,6 +31,7 @@ pub mod quadrature;
 pub mod report;
 pub mod scenes;
 pub mod sobolev;
+pub mod strip;
 
 pub use error::{Error, Result};
 pub use estimate::{Estimate, Tolerance, Work};
