@@ -14,11 +14,7 @@ fn cases(problem: &str) -> Vec<Value> {
     let text = include_str!("reference/strip_reference.json");
     let all: Value = serde_json::from_str(text).unwrap();
     let cases = all["cases"].as_array().unwrap();
-    cases
-        .iter()
-        .filter(|case| case["problem"].as_str().unwrap().starts_with(problem))
-        .cloned()
-        .collect()
+    cases.iter().filter(|case| case["problem"].as_str().unwrap().starts_with(problem)).cloned().collect()
 }
 
 fn compare(case: &Value, solution: &EdgeSolution) {
@@ -29,12 +25,8 @@ fn compare(case: &Value, solution: &EdgeSolution) {
         assert!(error < REFERENCE, "{name} {what}: {got} against {expected}, {error:e}");
     };
     close("J", solution.energy, number("J"), number("J").abs());
-    let active: Vec<usize> = case["active"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|v| v.as_u64().unwrap() as usize)
-        .collect();
+    let active: Vec<usize> =
+        case["active"].as_array().unwrap().iter().map(|v| v.as_u64().unwrap() as usize).collect();
     assert_eq!(solution.contact.indices(), active, "{name}");
     let total: f64 = solution.multiplier.iter().sum();
     close("force", total, number("sum_multipliers"), number("sum_multipliers"));
@@ -61,7 +53,8 @@ fn scalar_strip_meets_the_reference() {
         let n = case["n"].as_u64().unwrap() as usize;
         let strip = ScalarStrip::new(n, n).unwrap();
         let load = strip.condense(|x, _| (2.0 * PI * x).cos() + 0.3).unwrap();
-        let solution = solve_contact(strip.operator(), &load, cone(&case), None, &Settings::default()).unwrap();
+        let solution =
+            solve_contact(strip.operator(), &load, cone(&case), None, &Settings::default()).unwrap();
         compare(&case, &solution);
     }
 }

@@ -124,11 +124,7 @@ impl EdgeOperator {
 
     /// W_i: ½ at the two ends of an edge with natural sides, else 1.
     pub fn weight(&self, node: usize) -> f64 {
-        if self.sides == Sides::Natural && (node == 0 || node == self.cells) {
-            0.5
-        } else {
-            1.0
-        }
+        if self.sides == Sides::Natural && (node == 0 || node == self.cells) { 0.5 } else { 1.0 }
     }
 
     /// A g: the nodal forces that hold the edge in the shape g.
@@ -165,10 +161,7 @@ impl EdgeOperator {
     }
 
     pub(crate) fn workspace(&self) -> Workspace {
-        let scratch = self
-            .forward
-            .get_scratch_len()
-            .max(self.backward.get_scratch_len());
+        let scratch = self.forward.get_scratch_len().max(self.backward.get_scratch_len());
         Workspace {
             real: self.forward.make_input_vec(),
             spectrum: self.forward.make_output_vec(),
@@ -250,9 +243,7 @@ impl EdgeOperator {
             }
         }
         // The lengths are those of the plan, the only thing the transform can complain about.
-        let done = self
-            .forward
-            .process_with_scratch(&mut work.real, &mut work.spectrum, &mut work.scratch);
+        let done = self.forward.process_with_scratch(&mut work.real, &mut work.spectrum, &mut work.scratch);
         debug_assert!(done.is_ok());
         if self.sides == Sides::Natural {
             work.spectrum.iter_mut().for_each(|v| v.im = 0.0);
@@ -271,9 +262,7 @@ impl EdgeOperator {
         let last = work.spectrum.len() - 1;
         work.spectrum[0].im = 0.0;
         work.spectrum[last].im = 0.0;
-        let done =
-            self.backward
-                .process_with_scratch(&mut work.spectrum, &mut work.real, &mut work.scratch);
+        let done = self.backward.process_with_scratch(&mut work.spectrum, &mut work.real, &mut work.scratch);
         debug_assert!(done.is_ok());
     }
 }
@@ -286,34 +275,18 @@ pub(crate) fn check_cells(cells: usize, sides: Sides) -> Result<()> {
     if admissible && cells <= 1 << 26 {
         Ok(())
     } else {
-        Err(Error::CountOutOfRange {
-            name: "cells",
-            value: cells,
-            range,
-        })
+        Err(Error::CountOutOfRange { name: "cells", value: cells, range })
     }
 }
 
 pub(crate) fn check_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
-    if given == expected {
-        Ok(())
-    } else {
-        Err(Error::LengthMismatch {
-            name,
-            given,
-            expected,
-        })
-    }
+    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
 }
 
 pub(crate) fn check_finite(name: &'static str, values: &[f64]) -> Result<()> {
     match values.iter().position(|v| !v.is_finite()) {
         None => Ok(()),
-        Some(index) => Err(Error::NotFinite {
-            name,
-            index,
-            value: values[index],
-        }),
+        Some(index) => Err(Error::NotFinite { name, index, value: values[index] }),
     }
 }
 
@@ -336,9 +309,7 @@ mod tests {
 
     fn operator(sides: Sides) -> EdgeOperator {
         let cells = 12;
-        let symbol = (0..=sides.period(cells) / 2)
-            .map(|k| 0.3 + k as f64)
-            .collect();
+        let symbol = (0..=sides.period(cells) / 2).map(|k| 0.3 + k as f64).collect();
         EdgeOperator::new(cells, sides, symbol).unwrap()
     }
 

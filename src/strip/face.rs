@@ -38,11 +38,7 @@ impl Face {
             Cone::Nodal => active.to_vec(),
             Cone::Midpoint => (0..nodes)
                 .map(|i| {
-                    let left = if i > 0 {
-                        active[i - 1]
-                    } else {
-                        periodic && active[nodes - 1]
-                    };
+                    let left = if i > 0 { active[i - 1] } else { periodic && active[nodes - 1] };
                     left || active.get(i).copied().unwrap_or(false)
                 })
                 .collect(),
@@ -52,24 +48,12 @@ impl Face {
             let next = (i + 1) % nodes;
             closed[i] == closed[next] && (cone == Cone::Nodal || !closed[i] || active[i])
         };
-        let mut face = Self {
-            cone,
-            nodes,
-            gaps: Vec::new(),
-            runs: Vec::new(),
-        };
-        let first = if periodic {
-            (0..nodes).find(|&i| !linked(i)).map_or(0, |i| i + 1)
-        } else {
-            0
-        };
+        let mut face = Self { cone, nodes, gaps: Vec::new(), runs: Vec::new() };
+        let first = if periodic { (0..nodes).find(|&i| !linked(i)).map_or(0, |i| i + 1) } else { 0 };
         let mut start = first;
         for i in first..first + nodes {
             if i + 1 == first + nodes || !linked(i % nodes) {
-                let block = Block {
-                    start: start % nodes,
-                    len: i + 1 - start,
-                };
+                let block = Block { start: start % nodes, len: i + 1 - start };
                 if closed[start % nodes] {
                     face.runs.push(block);
                 } else {

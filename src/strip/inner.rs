@@ -60,8 +60,7 @@ impl<'a> FaceSolver<'a> {
         self.direction.copy_from_slice(&self.corrected);
         let mut iterations = 0;
         while rho.sqrt() > target && iterations < limit {
-            self.operator
-                .apply_into(&self.direction, &mut self.image, &mut self.work);
+            self.operator.apply_into(&self.direction, &mut self.image, &mut self.work);
             face.project(&mut self.image);
             let curvature = dot(&self.direction, &self.image);
             if curvature <= 0.0 {
@@ -99,8 +98,7 @@ impl<'a> FaceSolver<'a> {
 
     /// corrected ← B residual; returns residual'B residual.
     fn precondition(&mut self, face: &Face) -> f64 {
-        self.preconditioner
-            .apply(face, &self.residual, &mut self.corrected, &mut self.work);
+        self.preconditioner.apply(face, &self.residual, &mut self.corrected, &mut self.work);
         face.project(&mut self.corrected);
         dot(&self.residual, &self.corrected).max(0.0)
     }

@@ -12,14 +12,20 @@
 //! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
 //! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
 
+mod contact_sets;
+mod defect;
 mod edge;
+mod exact;
 mod face;
 mod inner;
 mod precondition;
 mod projection;
 mod scalar;
+mod scene;
 mod solve;
 
 pub use edge::{EdgeOperator, Sides};
+pub use exact::{ExactEdge, Reference};
 pub use scalar::{EdgeLoad, ScalarStrip};
+pub use scene::{EdgeScene, SceneKind};
 pub use solve::{EdgeSolution, Settings, solve_contact};

@@ -100,25 +100,18 @@ impl<'a> Preconditioner<'a> {
         }
         self.spectrum.clear();
         self.spectrum.resize(half + 1, Complex::default());
-        let scratch = plan
-            .forward
-            .get_scratch_len()
-            .max(plan.backward.get_scratch_len());
+        let scratch = plan.forward.get_scratch_len().max(plan.backward.get_scratch_len());
         if self.scratch.len() < scratch {
             self.scratch.resize(scratch, Complex::default());
         }
         // Lengths are those of the plan.
-        let done = plan
-            .forward
-            .process_with_scratch(&mut self.real, &mut self.spectrum, &mut self.scratch);
+        let done = plan.forward.process_with_scratch(&mut self.real, &mut self.spectrum, &mut self.scratch);
         debug_assert!(done.is_ok());
         for (value, factor) in self.spectrum.iter_mut().zip(&plan.factor) {
             *value = Complex::new(0.0, value.im * factor);
         }
         self.spectrum[half].im = 0.0;
-        let done = plan
-            .backward
-            .process_with_scratch(&mut self.spectrum, &mut self.real, &mut self.scratch);
+        let done = plan.backward.process_with_scratch(&mut self.spectrum, &mut self.real, &mut self.scratch);
         debug_assert!(done.is_ok());
         for j in 0..gap.len {
             let position = if !mirrored {

@@ -41,11 +41,7 @@ pub(crate) fn project_chain(z: &[f64]) -> (Vec<f64>, Vec<bool>) {
 fn minima(z: &[f64]) -> Vec<f64> {
     // Stored coordinate t' = σ t and stored derivative D = σ f'; adding t − z to f' adds t' − σ z to D.
     let mut pieces: VecDeque<Piece> = VecDeque::new();
-    pieces.push_back(Piece {
-        left: f64::NEG_INFINITY,
-        slope: 0.0,
-        intercept: 0.0,
-    });
+    pieces.push_back(Piece { left: f64::NEG_INFINITY, slope: 0.0, intercept: 0.0 });
     let (mut sigma, mut count, mut shift) = (1.0, 0.0, 0.0);
     let mut minima = Vec::with_capacity(z.len());
     for (i, &value) in z.iter().enumerate() {
@@ -75,11 +71,7 @@ fn cut_right(pieces: &mut VecDeque<Piece>, count: f64, shift: f64) -> f64 {
         zero = piece.left;
         pieces.pop_back();
     }
-    pieces.push_back(Piece {
-        left: zero,
-        slope: -count,
-        intercept: -shift,
-    });
+    pieces.push_back(Piece { left: zero, slope: -count, intercept: -shift });
     zero
 }
 
@@ -98,11 +90,7 @@ fn cut_left(pieces: &mut VecDeque<Piece>, count: f64, shift: f64) -> f64 {
         zero = right;
         pieces.pop_front();
     }
-    pieces.push_front(Piece {
-        left: f64::NEG_INFINITY,
-        slope: -count,
-        intercept: -shift,
-    });
+    pieces.push_front(Piece { left: f64::NEG_INFINITY, slope: -count, intercept: -shift });
     zero
 }
 
@@ -126,18 +114,13 @@ pub(crate) fn project_ring(z: &[f64], cut: usize) -> (Vec<f64>, Vec<bool>) {
             return ((0..n).map(|i| x[back(i)]).collect(), flags);
         }
         let slack = |s: usize| x[back(s)] + x[back((s + 1) % n)];
-        let next = (0..n)
-            .filter(|&s| !tried[s])
-            .min_by(|&a, &b| slack(a).total_cmp(&slack(b)));
+        let next = (0..n).filter(|&s| !tried[s]).min_by(|&a, &b| slack(a).total_cmp(&slack(b)));
         match next {
             Some(segment) => cut = segment,
             None => break,
         }
     }
-    let mean = (0..n)
-        .map(|i| if i % 2 == 0 { z[i] } else { -z[i] })
-        .sum::<f64>()
-        / n as f64;
+    let mean = (0..n).map(|i| if i % 2 == 0 { z[i] } else { -z[i] }).sum::<f64>() / n as f64;
     let x = (0..n).map(|i| if i % 2 == 0 { mean } else { -mean }).collect();
     (x, vec![true; n])
 }

@@ -47,9 +47,8 @@ impl ScalarStrip {
     pub fn new(cells: usize, layers: usize) -> Result<Self> {
         check_cells(cells, Sides::Natural)?;
         check_layers(layers)?;
-        let symbol = (0..=cells)
-            .map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64))
-            .collect();
+        let symbol =
+            (0..=cells).map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64)).collect();
         let operator = EdgeOperator::new(cells, Sides::Natural, symbol)?;
         Ok(Self { operator, layers })
     }
@@ -87,11 +86,7 @@ impl ScalarStrip {
             check_finite("volume load", &values)?;
             let load = operator.dual_modes(&values);
             for k in 0..modes {
-                let pull = if excess[k].is_finite() {
-                    carried[k] / (1.0 + excess[k])
-                } else {
-                    0.0
-                };
+                let pull = if excess[k].is_finite() { carried[k] / (1.0 + excess[k]) } else { 0.0 };
                 carried[k] = load[k].re + pull;
             }
             if j == 0 {
@@ -99,11 +94,7 @@ impl ScalarStrip {
             }
             for k in 0..modes {
                 let s = (0.5 * PI * k as f64 / operator.cells() as f64).sin();
-                let above = if excess[k].is_finite() {
-                    excess[k] / (1.0 + excess[k])
-                } else {
-                    1.0
-                };
+                let above = if excess[k].is_finite() { excess[k] / (1.0 + excess[k]) } else { 1.0 };
                 excess[k] = 4.0 * s * s + above;
             }
             let (carried, excess) = (&carried, &excess);
@@ -111,10 +102,7 @@ impl ScalarStrip {
         }
         let modes: Vec<Complex<f64>> = carried.iter().map(|&v| Complex::new(v, 0.0)).collect();
         let mut force = operator.from_modes(&modes);
-        force
-            .iter_mut()
-            .enumerate()
-            .for_each(|(i, b)| *b *= operator.weight(i));
+        force.iter_mut().enumerate().for_each(|(i, b)| *b *= operator.weight(i));
         Ok(EdgeLoad { force, constant })
     }
 
@@ -160,11 +148,7 @@ pub(crate) fn check_layers(layers: usize) -> Result<()> {
     if (1..=1 << 26).contains(&layers) {
         Ok(())
     } else {
-        Err(Error::CountOutOfRange {
-            name: "layers",
-            value: layers,
-            range: "[1, 2^26]",
-        })
+        Err(Error::CountOutOfRange { name: "layers", value: layers, range: "[1, 2^26]" })
     }
 }
 
@@ -208,10 +192,7 @@ mod tests {
                 let expected = 1.0 + 0.5 * mu - 1.0 / pivot;
                 let got = strip.operator().symbol()[k];
                 // The plain pivots lose ε m²; that is what the closed form is for.
-                assert!(
-                    (got - expected).abs() < ELIMINATION * (m * m) as f64 * expected,
-                    "{n} {m} {k}"
-                );
+                assert!((got - expected).abs() < ELIMINATION * (m * m) as f64 * expected, "{n} {m} {k}");
             }
         }
     }

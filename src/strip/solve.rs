@@ -33,19 +33,14 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self {
-            tolerance: 1e-13,
-            reduction: 1e-2,
-            steps: 200,
-        }
+        Self { tolerance: 1e-13, reduction: 1e-2, steps: 200 }
     }
 }
 
 impl Settings {
     fn check(&self) -> Result<()> {
-        let open_unit = |name, value: f64| {
-            Error::require(name, value, "(0, 1)", value > 0.0 && value < 1.0).map(|_| ())
-        };
+        let open_unit =
+            |name, value: f64| Error::require(name, value, "(0, 1)", value > 0.0 && value < 1.0).map(|_| ());
         open_unit("tolerance", self.tolerance)?;
         open_unit("reduction", self.reduction)
     }
@@ -138,11 +133,7 @@ impl<'a> Iteration<'a> {
         } else if start.values.len() == self.operator.sides().nodes(cells / 2) {
             self.values = prolong(&start.values, nodes);
         } else {
-            return Err(Error::LengthMismatch {
-                name: "start",
-                given: start.values.len(),
-                expected: nodes,
-            });
+            return Err(Error::LengthMismatch { name: "start", given: start.values.len(), expected: nodes });
         }
         self.active = match (start.cone == self.cone, start.values.len() == nodes) {
             (true, true) => start.contact.as_slice().to_vec(),
@@ -150,10 +141,7 @@ impl<'a> Iteration<'a> {
             // From the other cone: a constraint is taken as active where the values leave no room.
             (false, _) => {
                 let cone = self.cone;
-                means(self.operator, cone, &self.values)
-                    .iter()
-                    .map(|&mean| mean >= 0.0)
-                    .collect()
+                means(self.operator, cone, &self.values).iter().map(|&mean| mean >= 0.0).collect()
             }
         };
         Ok(())
@@ -183,22 +171,14 @@ impl<'a> Iteration<'a> {
             }
             self.active = next;
         }
-        Status::StepLimit {
-            steps: self.inner.len(),
-        }
+        Status::StepLimit { steps: self.inner.len() }
     }
 
     fn newton_step(&mut self, reduction: f64) -> f64 {
         const LIMIT: usize = 200;
         let face = Face::new(self.cone, self.operator, &self.active);
-        let inner = self.solver.solve(
-            &face,
-            self.b,
-            &mut self.values,
-            self.settings.tolerance,
-            reduction,
-            LIMIT,
-        );
+        let inner =
+            self.solver.solve(&face, self.b, &mut self.values, self.settings.tolerance, reduction, LIMIT);
         self.inner.push(inner.iterations);
         inner.residual
     }
@@ -229,10 +209,9 @@ impl<'a> Iteration<'a> {
 
     fn project(&self, z: &[f64]) -> (Vec<f64>, Vec<bool>) {
         match (self.cone, self.operator.sides()) {
-            (Cone::Nodal, _) => (
-                z.iter().map(|v| v.min(0.0)).collect(),
-                z.iter().map(|&v| v > 0.0).collect(),
-            ),
+            (Cone::Nodal, _) => {
+                (z.iter().map(|v| v.min(0.0)).collect(), z.iter().map(|&v| v > 0.0).collect())
+            }
             (Cone::Midpoint, Sides::Natural) => project_chain(z),
             (Cone::Midpoint, Sides::Periodic) => {
                 let n = z.len();
@@ -249,9 +228,8 @@ impl<'a> Iteration<'a> {
         let mut product = vec![0.0; feasible.len()];
         while self.inner.len() < self.settings.steps {
             self.solver.product(&feasible, &mut product);
-            let z: Vec<f64> = (0..feasible.len())
-                .map(|i| feasible[i] + (self.b[i] - product[i]) / sigma)
-                .collect();
+            let z: Vec<f64> =
+                (0..feasible.len()).map(|i| feasible[i] + (self.b[i] - product[i]) / sigma).collect();
             let (point, active) = self.project(&z);
             self.active = active;
             self.values.copy_from_slice(&point);
@@ -260,13 +238,9 @@ impl<'a> Iteration<'a> {
             if step >= 1.0 && self.next_set() == self.active && residual <= self.settings.tolerance {
                 return Status::Converged;
             }
-            feasible = (0..point.len())
-                .map(|i| point[i] + step * (self.values[i] - point[i]))
-                .collect();
+            feasible = (0..point.len()).map(|i| point[i] + step * (self.values[i] - point[i])).collect();
         }
-        Status::StepLimit {
-            steps: self.inner.len(),
-        }
+        Status::StepLimit { steps: self.inner.len() }
     }
 
     /// The largest t ≤ 1 with point + t (values − point) in the cone.
@@ -393,13 +367,8 @@ fn multipliers(operator: &EdgeOperator, cone: Cone, active: &[bool], surplus: &[
 
 /// On a closed ring λ is determined up to ±c: the choice with equal smallest even and odd multipliers.
 fn balance_ring(multiplier: &mut [f64]) {
-    let smallest = |parity: usize| {
-        multiplier
-            .iter()
-            .skip(parity)
-            .step_by(2)
-            .fold(f64::INFINITY, |m, &v| m.min(v))
-    };
+    let smallest =
+        |parity: usize| multiplier.iter().skip(parity).step_by(2).fold(f64::INFINITY, |m, &v| m.min(v));
     let shift = 0.5 * (smallest(1) - smallest(0));
     for (i, value) in multiplier.iter_mut().enumerate() {
         *value += if i % 2 == 0 { shift } else { -shift };
