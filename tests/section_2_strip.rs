@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use signorini::contact::Cone;
-use signorini::strip::{EdgeSolution, ScalarStrip, Settings, solve_contact};
+use signorini::strip::{EdgeLoad, EdgeSolution, ElasticStrip, ScalarStrip, Settings, solve_contact};
 use std::f64::consts::PI;
 
 /// The reference holds 14 digits; both roads round at a few units of 1e-16 times the condition of small problems.
@@ -53,6 +53,37 @@ fn scalar_strip_meets_the_reference() {
         let n = case["n"].as_u64().unwrap() as usize;
         let strip = ScalarStrip::new(n, n).unwrap();
         let load = strip.condense(|x, _| (2.0 * PI * x).cos() + 0.3).unwrap();
+        let solution =
+            solve_contact(strip.operator(), &load, cone(&case), None, &Settings::default()).unwrap();
+        compare(&case, &solution);
+    }
+}
+
+/// The three loads of the elastic reference.
+fn elastic_load(strip: &ElasticStrip, name: &str) -> EdgeLoad {
+    let n = strip.operator().cells();
+    if name.starts_with("edge force") {
+        let force = |i: usize| ((2.0 * PI * i as f64 / n as f64).cos() + 0.3) / n as f64;
+        return EdgeLoad::on_edge((0..n).map(force).collect());
+    }
+    let swirl = if name.contains("0.3 sin") { 1.0 } else { 0.0 };
+    let load = strip
+        .condense(|x, _| {
+            let sideways = swirl * 0.3 * (2.0 * PI * x).sin();
+            [sideways, swirl * 0.1 * (4.0 * PI * x).sin() - (2.0 * PI * x).cos()]
+        })
+        .unwrap();
+    load.normal
+}
+
+#[test]
+fn elastic_strip_meets_the_reference() {
+    let cases = cases("elastic strip");
+    assert_eq!(cases.len(), 10);
+    for case in cases {
+        let n = case["n"].as_u64().unwrap() as usize;
+        let strip = ElasticStrip::new(n, n, 1.0, 1.0).unwrap();
+        let load = elastic_load(&strip, case["load"].as_str().unwrap());
         let solution =
             solve_contact(strip.operator(), &load, cone(&case), None, &Settings::default()).unwrap();
         compare(&case, &solution);

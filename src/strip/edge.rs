@@ -54,6 +54,7 @@ pub struct EdgeOperator {
     cells: usize,
     sides: Sides,
     symbol: Vec<f64>,
+    norm: f64,
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
 }
@@ -81,6 +82,7 @@ impl EdgeOperator {
         Ok(Self {
             cells,
             sides,
+            norm: symbol.iter().fold(0.0, |m: f64, &s| m.max(s)),
             symbol,
             forward: planner.plan_fft_forward(period),
             backward: planner.plan_fft_inverse(period),
@@ -112,9 +114,9 @@ impl EdgeOperator {
         &self.symbol
     }
 
-    /// S(π), the largest symbol of the strips of this room: the norm of A.
-    pub fn top_symbol(&self) -> f64 {
-        self.symbol[self.symbol.len() - 1]
+    /// The largest symbol: the norm of A.
+    pub fn norm(&self) -> f64 {
+        self.norm
     }
 
     /// Position of node i, i/n.
@@ -200,7 +202,7 @@ impl EdgeOperator {
     }
 
     /// The edge function with the given modes.
-    pub(crate) fn from_modes(&self, modes: &[Complex<f64>]) -> Vec<f64> {
+    pub(crate) fn with_modes(&self, modes: &[Complex<f64>]) -> Vec<f64> {
         let mut work = self.workspace();
         work.spectrum.copy_from_slice(modes);
         self.back_transform(&mut work);
@@ -327,7 +329,7 @@ mod tests {
             assert!((left - right).abs() < ROUNDING * left.abs().max(1.0));
             let (energy, product) = (a.energy(&g).unwrap(), dot(&a.apply(&g).unwrap(), &g));
             assert!((energy - product).abs() < ROUNDING * energy);
-            let again = a.from_modes(&a.modes(&g));
+            let again = a.with_modes(&a.modes(&g));
             assert!(g.iter().zip(&again).all(|(x, y)| (x - y).abs() < ROUNDING));
         }
     }

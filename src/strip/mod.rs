@@ -15,6 +15,7 @@
 mod contact_sets;
 mod defect;
 mod edge;
+mod elastic;
 mod exact;
 mod face;
 mod inner;
@@ -22,9 +23,11 @@ mod precondition;
 mod projection;
 mod scalar;
 mod scene;
+mod slab;
 mod solve;
 
 pub use edge::{EdgeOperator, Sides};
+pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
 pub use scalar::{EdgeLoad, ScalarStrip};
 pub use scene::{EdgeScene, SceneKind};

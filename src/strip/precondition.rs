@@ -4,7 +4,7 @@
 //! B = DST⁻¹ S(πk/(L+1))⁻¹ DST (odd extension of period 2(L+1)); both are equivalent to the half Laplacian on the gap. The
 //! spectrum of BA stays in a fixed interval however many gaps there are and however long. A gap that reaches a natural side
 //! is continued evenly past it; without any contact B is the exact inverse. Contact runs (midpoint amplitudes) are divided
-//! by S(π). L + 1 is raised to the next number with prime factors up to 13, so that no transform has a large prime length.
+//! by ‖A‖. L + 1 is raised to the next number with prime factors up to 13, so that no transform has a large prime length.
 //! Cost O(n log n).
 
 use super::edge::{EdgeOperator, Sides, Workspace};
@@ -46,7 +46,7 @@ impl<'a> Preconditioner<'a> {
     /// z ← B r on the face.
     pub(crate) fn apply(&mut self, face: &Face, r: &[f64], z: &mut [f64], work: &mut Workspace) {
         let nodes = self.operator.nodes();
-        let diagonal = 1.0 / self.operator.top_symbol();
+        let diagonal = 1.0 / self.operator.norm();
         for run in &face.runs {
             run.nodes(nodes).for_each(|i| z[i] = diagonal * r[i]);
         }

@@ -101,7 +101,7 @@ impl ScalarStrip {
             constant -= 0.5 * operator.mode_sum_of(|k| carried[k] * carried[k] / (1.0 + excess[k]));
         }
         let modes: Vec<Complex<f64>> = carried.iter().map(|&v| Complex::new(v, 0.0)).collect();
-        let mut force = operator.from_modes(&modes);
+        let mut force = operator.with_modes(&modes);
         force.iter_mut().enumerate().for_each(|(i, b)| *b *= operator.weight(i));
         Ok(EdgeLoad { force, constant })
     }

@@ -1,6 +1,6 @@
 //! Contact on the edge: min ½ g'A g − b'g over the nodal or the midpoint cone.
 //!
-//! Semismooth Newton on w = Proj(w + (b − A w)/σ), σ = S(π) = ‖A‖, Proj the exact projection onto the cone: the
+//! Semismooth Newton on w = Proj(w + (b − A w)/σ), σ = ‖A‖, Proj the exact projection onto the cone: the
 //! constraints active in the projection define a face, the next w solves the linear problem on it. For the nodal cone this is the
 //! primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge matrix is an M-matrix; for the midpoint cone
 //! the textbook rule stalls in checkerboards and the projection does not. While the set moves the linear problems are solved to two
@@ -189,7 +189,7 @@ impl<'a> Iteration<'a> {
         self.solver.product(&self.values, &mut product);
         let face = Face::new(self.cone, self.operator, &self.active);
         let mut shifted = self.values.clone();
-        let sigma = self.operator.top_symbol();
+        let sigma = self.operator.norm();
         for run in &face.runs {
             for i in run.nodes(shifted.len()) {
                 shifted[i] += (self.b[i] - product[i]) / sigma;
@@ -223,7 +223,7 @@ impl<'a> Iteration<'a> {
 
     /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the border of the cone.
     fn descend(&mut self) -> Status {
-        let sigma = self.operator.top_symbol();
+        let sigma = self.operator.norm();
         let (mut feasible, _) = self.project(&self.values.clone());
         let mut product = vec![0.0; feasible.len()];
         while self.inner.len() < self.settings.steps {
@@ -272,7 +272,7 @@ impl<'a> Iteration<'a> {
             multiplier: &multiplier,
             gap: &gap,
             // ‖A‖ max|g| + max|b|: the size of what cancels in the balance.
-            force: self.operator.top_symbol() * displacement + largest(self.b),
+            force: self.operator.norm() * displacement + largest(self.b),
             displacement,
         };
         let judgement = evidence.judge()?;
