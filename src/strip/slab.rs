@@ -101,6 +101,10 @@ impl<T: Field> Matrix<T> {
         Self(self.0.map(conj))
     }
 
+    pub(crate) fn hermitian(self) -> Self {
+        self.add(self.adjoint()).scale(T::from(0.5))
+    }
+
     /// Inverse of a Hermitian positive definite matrix.
     pub(crate) fn inverse(self) -> Self {
         let [a, b, c, d] = self.0;
