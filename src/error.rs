@@ -118,6 +118,7 @@ pub enum Error {
         node: usize,
         /// What is wrong.
         reason: &'static str,
+    },
     /// Contact force and open gap at the same place.
     #[error("node {node}: u_N = {value} and lambda = {force} are both nonzero")]
     NotComplementary {
