@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 use signorini::contact::Cone;
+use signorini::fem::Lame;
 use signorini::strip::{EdgeLoad, EdgeSolution, ElasticStrip, ScalarStrip, Settings, solve_contact};
 use std::f64::consts::PI;
 
@@ -82,7 +83,7 @@ fn elastic_strip_meets_the_reference() {
     assert_eq!(cases.len(), 10);
     for case in cases {
         let n = case["n"].as_u64().unwrap() as usize;
-        let strip = ElasticStrip::new(n, n, 1.0, 1.0).unwrap();
+        let strip = ElasticStrip::new(n, n, Lame::new(1.0, 1.0).unwrap()).unwrap();
         let load = elastic_load(&strip, case["load"].as_str().unwrap());
         let solution =
             solve_contact(strip.operator(), &load, cone(&case), None, &Settings::default()).unwrap();

@@ -35,7 +35,6 @@ impl Column {
         meaning: impl Into<String>,
     ) -> Self {
         Self { key, title: title.into(), format, meaning: meaning.into(), wrap: None }
-        Self { key, title: title.into(), format, meaning: meaning.into() }
     }
 
     /// A column that appears in JSON only.
@@ -244,10 +243,6 @@ impl Table {
             .rows
             .iter()
             .map(|row| shown.iter().map(|&j| self.columns[j].lines(&row[j])).collect())
-        let cells: Vec<Vec<String>> = self
-            .rows
-            .iter()
-            .map(|row| shown.iter().map(|&j| row[j].text(self.columns[j].format)).collect())
             .collect();
         let layout: Vec<(usize, bool)> = shown
             .iter()
@@ -258,13 +253,6 @@ impl Table {
                 let is_words = self.rows.iter().any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_)));
                 (width, is_words)
             })
-                let longest = cells.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-                longest.max(self.columns[j].title.chars().count())
-            })
-            .collect();
-        let is_words: Vec<bool> = shown
-            .iter()
-            .map(|&j| self.rows.iter().any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_))))
             .collect();
         let mut text = String::new();
         let titles: Vec<String> = shown.iter().map(|&j| self.columns[j].title.clone()).collect();
@@ -294,10 +282,6 @@ fn push_line(text: &mut String, cells: &[String], layout: &[(usize, bool)]) {
         .zip(layout)
         .map(
             |(cell, &(width, words))| {
-        .zip(widths)
-        .zip(is_words)
-        .map(
-            |((cell, &width), &words)| {
                 if words { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
             },
         )

@@ -9,8 +9,9 @@
 
 use super::edge::{EdgeOperator, Sides, check_cells, check_finite, check_length};
 use super::scalar::{EdgeLoad, check_layers, mass_row};
-use super::slab::{DEPTH, Lame, Matrix, Mode, Slab, edge_matrix};
+use super::slab::{DEPTH, Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result};
+use crate::fem::Lame;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
@@ -71,18 +72,16 @@ pub struct ElasticLoad {
 }
 
 impl ElasticStrip {
-    /// n cells along the edge, m layers, Lamé's λ and μ.
+    /// n cells along the edge, m layers, one material.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for an odd n or an m that is not a power of two; [`Error::OutOfRange`] unless μ > 0,
-    /// λ + μ > 0.
-    pub fn new(cells: usize, layers: usize, lambda: f64, mu: f64) -> Result<Self> {
+    /// [`Error::CountOutOfRange`] for an odd n or an m that is not a power of two.
+    pub fn new(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
         check_cells(cells, Sides::Periodic)?;
         check_layers(layers)?;
         if !layers.is_power_of_two() {
             return Err(Error::CountOutOfRange { name: "layers", value: layers, range: "the powers of two" });
         }
-        let lame = lame(lambda, mu)?;
         let matrices = edge_matrices(cells, layers, lame);
         let symbol = matrices.iter().map(|a| a.normal()).collect();
         Ok(Self { operator: EdgeOperator::new(cells, Sides::Periodic, symbol)?, matrices, lame, layers })
@@ -183,13 +182,6 @@ impl ElasticStrip {
     }
 }
 
-/// Checks Lamé's constants.
-pub(crate) fn lame(lambda: f64, mu: f64) -> Result<Lame> {
-    Error::require("mu", mu, "(0, inf)", mu > 0.0 && mu.is_finite())?;
-    Error::require("lambda", lambda, "(-mu, inf)", lambda + mu > 0.0 && lambda.is_finite())?;
-    Ok(Lame { lambda, mu })
-}
-
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.
 pub(crate) fn edge_matrices(cells: usize, layers: usize, lame: Lame) -> Vec<EdgeMatrix> {
     (0..=cells / 2)
@@ -242,7 +234,7 @@ mod tests {
 
     #[test]
     fn doubling_and_elimination_layer_by_layer_agree() {
-        let lame = lame(1.0, 1.0).unwrap();
+        let lame = Lame::new(1.0, 1.0).unwrap();
         for (n, m) in [(8usize, 8usize), (16, 4), (32, 128)] {
             let matrices = edge_matrices(n, m, lame);
             for k in 0..=n / 2 {
@@ -261,11 +253,10 @@ mod tests {
     }
 
     #[test]
-    fn material_and_counts_are_checked() {
-        assert!(ElasticStrip::new(8, 8, 1.0, 0.0).is_err());
-        assert!(ElasticStrip::new(8, 8, -1.0, 1.0).is_err());
-        assert!(ElasticStrip::new(7, 8, 1.0, 1.0).is_err());
-        assert!(ElasticStrip::new(8, 6, 1.0, 1.0).is_err());
-        assert!(ElasticStrip::new(8, 8, f64::NAN, 1.0).is_err());
+    fn counts_are_checked() {
+        let lame = Lame::new(1.0, 1.0).unwrap();
+        assert!(ElasticStrip::new(7, 8, lame).is_err());
+        assert!(ElasticStrip::new(8, 6, lame).is_err());
+        assert!(ElasticStrip::new(8, 0, lame).is_err());
     }
 }

@@ -144,13 +144,18 @@ impl ExactEdge {
     }
 
     fn level(&self, cells: usize) -> Result<usize> {
-        let level = (0..self.loads.len()).find(|&level| self.cells >> level == cells);
-        level.ok_or(Error::CountOutOfRange {
-            name: "cells",
-            value: cells,
-            range: "the halvings of the reference grid, down to 2",
-        })
+        level_of(self.cells, cells, self.loads.len())
     }
+}
+
+/// How often `fine` is halved to give `cells`, less than `levels` times.
+pub(crate) fn level_of(fine: usize, cells: usize, levels: usize) -> Result<usize> {
+    let level = (0..levels).find(|&level| fine >> level == cells);
+    level.ok_or(Error::CountOutOfRange {
+        name: "cells",
+        value: cells,
+        range: "the halvings of the reference grid",
+    })
 }
 
 pub(crate) fn power_of_two(cells: usize) -> Result<()> {

@@ -19,6 +19,7 @@
 //!
 //! Written for any real field: binary64, or double-double where differences of these matrices are wanted (`elastic_defect`).
 
+use crate::fem::Lame;
 use realfft::num_complex::Complex;
 use realfft::num_traits::Num;
 use std::ops::Neg;
@@ -26,13 +27,6 @@ use std::ops::Neg;
 /// A real field with the four operations.
 pub(crate) trait Field: Num + Copy + Neg<Output = Self> + From<f64> {}
 impl<T: Num + Copy + Neg<Output = T> + From<f64>> Field for T {}
-
-/// Lamé's constants.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Lame {
-    pub(crate) lambda: f64,
-    pub(crate) mu: f64,
-}
 
 /// sin²(θ/2) and sin θ: all a layer needs to know of its mode.
 #[derive(Debug, Clone, Copy)]
@@ -53,10 +47,6 @@ impl Mode<f64> {
 pub(crate) struct Matrix<T>(pub(crate) [Complex<T>; 4]);
 
 impl<T: Field> Matrix<T> {
-    pub(crate) fn zero() -> Self {
-        Self([Complex::new(T::zero(), T::zero()); 4])
-    }
-
     fn real(entries: [T; 4]) -> Self {
         Self(entries.map(|v| Complex::new(v, T::zero())))
     }
@@ -129,7 +119,7 @@ pub(crate) struct Slab<T> {
 impl<T: Field> Slab<T> {
     /// One layer.
     pub(crate) fn layer(mode: Mode<T>, lame: Lame) -> Self {
-        let (lambda, mu) = (T::from(lame.lambda), T::from(lame.mu));
+        let (lambda, mu) = (T::from(lame.lambda()), T::from(lame.mu()));
         let (zero, half) = (T::zero(), T::from(0.5));
         let stiff = lambda + mu + mu;
         let xx = Matrix::real([stiff, zero, zero, mu]);

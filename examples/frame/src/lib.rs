@@ -67,7 +67,6 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
     // A directory that cannot be written is found before the work, not after it.
     let outcome = options.output().directory().map(|_| ()).and_then(|()| run(&options));
     match outcome.and_then(|headline| options.output().record(&headline).map(|()| headline)) {
-    match options.output().directory().map(|_| ()).and_then(|()| run(&options)) {
         Ok(headline) => {
             let text = if json { headline.table.json_rows().join("\n") + "\n" } else { headline.to_string() };
             // A closed pipe (`| head`) is the reader's choice, not a failure.
