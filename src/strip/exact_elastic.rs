@@ -108,6 +108,16 @@ impl ExactElastic {
         Ok(EdgeLoad::on_edge(self.loads[level].clone()))
     }
 
+    /// The operator of u_N on the edge of `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for a level that does not exist.
+    pub fn operator(&self, cells: usize) -> Result<EdgeOperator> {
+        let level = level_of(self.cells, cells, self.matrices.len())?;
+        let symbol = self.matrices[level].iter().map(|a| a.normal()).collect();
+        EdgeOperator::new(cells, Sides::Periodic, symbol)
+    }
+
     /// |u − u_h|_a for the discrete solution with the given u_N on `cells` cells.
     ///
     /// # Errors

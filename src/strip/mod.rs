@@ -27,6 +27,8 @@ mod scalar;
 mod scene;
 mod slab;
 mod solve;
+mod source;
+mod study;
 
 pub use edge::{EdgeOperator, Sides};
 pub use elastic::{ElasticLoad, ElasticStrip};
@@ -35,3 +37,5 @@ pub use exact_elastic::ExactElastic;
 pub use scalar::{EdgeLoad, ScalarStrip};
 pub use scene::{EdgeScene, SceneKind};
 pub use solve::{EdgeSolution, Settings, solve_contact};
+pub use source::SceneSource;
+pub use study::{Level, Levels, StripKind, StripProblem, mean_errors, study};

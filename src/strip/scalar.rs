@@ -58,6 +58,11 @@ impl ScalarStrip {
         &self.operator
     }
 
+    /// The edge operator alone.
+    pub fn into_operator(self) -> EdgeOperator {
+        self.operator
+    }
+
     /// Number m of layers.
     pub fn layers(&self) -> usize {
         self.layers

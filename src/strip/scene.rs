@@ -119,13 +119,13 @@ impl EdgeScene {
         Ok(scene)
     }
 
-    /// Reads u_N and λ (a density) from text: one line per node of an edge with natural sides, two numbers per
-    /// line, `#` starts a comment. The number of lines is a power of two plus one.
+    /// Reads u_N and λ (a density) from text: one line per node, two numbers per line, `#` starts a comment. The
+    /// number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
     ///
     /// # Errors
     /// [`Error::Samples`] naming the line that is not two numbers; [`Error::CountOutOfRange`] for the number of lines;
     /// and as [`EdgeScene::new`].
-    pub fn from_samples(text: &str) -> Result<Self> {
+    pub fn from_samples(text: &str, sides: Sides) -> Result<Self> {
         let mut values = Vec::new();
         let mut densities = Vec::new();
         for (index, line) in text.lines().enumerate() {
@@ -145,24 +145,20 @@ impl EdgeScene {
             values.push(value);
             densities.push(density);
         }
-        let cells = values.len().saturating_sub(1);
+        let (cells, range) = match sides {
+            Sides::Natural => (values.len().saturating_sub(1), "the numbers 2^k + 1, k >= 1"),
+            Sides::Periodic => (values.len(), "the numbers 2^k, k >= 1"),
+        };
         if !cells.is_power_of_two() || cells < 2 {
-            return Err(Error::CountOutOfRange {
-                name: "lines of samples",
-                value: values.len(),
-                range: "the numbers 2^k + 1, k >= 1",
-            });
+            return Err(Error::CountOutOfRange { name: "lines of samples", value: values.len(), range });
         }
-        let last = cells;
-        let forces = densities
-            .iter()
-            .enumerate()
-            .map(|(i, density)| {
-                let width = if i == 0 || i == last { 0.5 } else { 1.0 };
-                density * width / cells as f64
+        let forces = (0..densities.len())
+            .map(|i| {
+                let at_side = sides == Sides::Natural && (i == 0 || i == cells);
+                densities[i] * if at_side { 0.5 } else { 1.0 } / cells as f64
             })
             .collect();
-        Self::new(cells, Sides::Natural, values, forces)
+        Self::new(cells, sides, values, forces)
     }
 
     /// Number of cells of the fine edge.
