@@ -10,7 +10,7 @@
 //! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion along each run.
 //! Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
-use super::edge::{EdgeOperator, Sides};
+use super::edge::{EdgeOperator, Sides, check_finite};
 use super::face::Face;
 use super::inner::{FaceSolver, dot};
 use super::projection::{project_chain, project_ring};
@@ -89,10 +89,22 @@ pub fn solve_contact(
 ) -> Result<EdgeSolution> {
     settings.check()?;
     operator.check_field("edge load", &load.force)?;
-    let mut iteration = Iteration::new(operator, &load.force, cone, settings);
-    iteration.start(start)?;
+    // The problem is homogeneous: solved for a load of size one, whatever the size of the data.
+    let size = largest(&load.force);
+    let scale = if size > 0.0 { size } else { 1.0 };
+    let unit: Vec<f64> = load.force.iter().map(|b| b / scale).collect();
+    let mut iteration = Iteration::new(operator, &unit, cone, settings);
+    iteration.start(start, scale)?;
     let status = iteration.run();
-    iteration.finish(status, load.constant)
+    let mut solution = iteration.finish(status)?;
+    solution.values.iter_mut().chain(&mut solution.multiplier).for_each(|v| *v *= scale);
+    solution.energy = solution.energy * scale * scale + load.constant;
+    check_finite("energy", &[solution.energy])?;
+    Ok(solution)
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
 struct Iteration<'a> {
@@ -121,7 +133,7 @@ impl<'a> Iteration<'a> {
     }
 
     /// Cold: the face of Proj(b/σ). Nested: values interpolated, contact runs refined.
-    fn start(&mut self, start: Option<&EdgeSolution>) -> Result<()> {
+    fn start(&mut self, start: Option<&EdgeSolution>, scale: f64) -> Result<()> {
         let Some(start) = start else {
             self.active = self.next_set();
             return Ok(());
@@ -135,6 +147,7 @@ impl<'a> Iteration<'a> {
         } else {
             return Err(Error::LengthMismatch { name: "start", given: start.values.len(), expected: nodes });
         }
+        self.values.iter_mut().for_each(|v| *v /= scale);
         self.active = match (start.cone == self.cone, start.values.len() == nodes) {
             (true, true) => start.contact.as_slice().to_vec(),
             (true, false) => refine_set(start.contact.as_slice(), self.cone, self.operator),
@@ -256,7 +269,7 @@ impl<'a> Iteration<'a> {
         longest
     }
 
-    fn finish(mut self, status: Status, constant: f64) -> Result<EdgeSolution> {
+    fn finish(mut self, status: Status) -> Result<EdgeSolution> {
         let nodes = self.operator.nodes();
         let mut product = vec![0.0; nodes];
         self.solver.product(&self.values, &mut product);
@@ -265,7 +278,6 @@ impl<'a> Iteration<'a> {
         let held = forces(self.operator, self.cone, &multiplier)?;
         let residual: Vec<f64> = (0..nodes).map(|i| held[i] - surplus[i]).collect();
         let gap = means(self.operator, self.cone, &self.values);
-        let largest = |v: &[f64]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let displacement = largest(&self.values);
         let evidence = Evidence {
             residual: &residual,
@@ -277,7 +289,7 @@ impl<'a> Iteration<'a> {
         };
         let judgement = evidence.judge()?;
         let margins = evidence.margins(&self.active)?;
-        let energy = 0.5 * dot(&self.values, &product) - dot(self.b, &self.values) + constant;
+        let energy = 0.5 * dot(&self.values, &product) - dot(self.b, &self.values);
         Ok(EdgeSolution {
             multiplier,
             contact: ContactSet::new(self.active),
