@@ -56,12 +56,18 @@ const JUDGED: f64 = 1e-10;
 pub fn run(options: &Options) -> Result<Headline> {
     let sources = positions(options)?;
     let bar = progress((options.levels.cells().count() * sources.len()) as u64);
-    let (mut studies, mut tau, mut gaps) = (Vec::new(), None, 0);
+    let build = |source: &SceneSource| {
+        source.scene(options.tau, options.levels.reference_cells(), options.kind.sides())
+    };
+    let first = build(&sources[0])?;
+    let (tau, gaps) = (first.regularity(), first.gaps());
+    let coarsest = options.levels.cells().next().unwrap_or(2);
+    let mut problem = StripProblem::new(options.kind, &first, coarsest)?;
+    let mut studies = Vec::new();
     for source in &sources {
-        let scene = source.scene(options.tau, options.levels.reference_cells(), options.kind.sides())?;
-        (tau, gaps) = (scene.regularity(), scene.gaps());
-        let coarsest = options.levels.cells().next().unwrap_or(2);
-        let problem = StripProblem::new(options.kind, &scene, coarsest)?;
+        if !studies.is_empty() {
+            problem.set_scene(&build(source)?)?;
+        }
         studies.push(study(&problem, options.levels, options.cone, |_| bar.inc(1))?);
     }
     bar.finish_and_clear();

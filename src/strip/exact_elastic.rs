@@ -24,6 +24,7 @@ use realfft::num_complex::Complex;
 pub struct ExactElastic {
     cells: usize,
     height: (usize, usize),
+    operator: EdgeOperator,
     /// A on N, N/2, ... cells.
     matrices: Vec<Vec<EdgeMatrix>>,
     /// G on N/2, N/4, ... cells.
@@ -31,7 +32,8 @@ pub struct ExactElastic {
     loads: Vec<Vec<f64>>,
     /// u_x and u_y.
     exact: [Vec<f64>; 2],
-    energy: f64,
+    /// |u|_a.
+    norm: f64,
 }
 
 impl ExactElastic {
@@ -72,18 +74,31 @@ impl ExactElastic {
         }
         let symbol = matrices[0].iter().map(|a| a.normal()).collect();
         let operator = EdgeOperator::new(cells, Sides::Periodic, symbol)?;
-        let mut force = operator.apply(scene.values())?;
-        force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
-        let exact = displacement(&operator, &matrices[0], scene.values());
-        Ok(Self {
+        let mut exact = Self {
             cells,
             height,
-            defects,
-            loads: pyramid(force, Sides::Periodic),
-            exact,
-            energy: operator.energy(scene.values())?,
+            operator,
             matrices,
-        })
+            defects,
+            loads: Vec::new(),
+            exact: Default::default(),
+            norm: 0.0,
+        };
+        exact.set_scene(scene)?;
+        Ok(exact)
+    }
+
+    /// Replaces the scene by another one on the same fine grid.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] when the grid is another one.
+    pub fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+        let mut force = self.operator.apply(scene.values())?;
+        force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
+        self.loads = pyramid(force, Sides::Periodic);
+        self.exact = displacement(&self.operator, &self.matrices[0], scene.values());
+        self.norm = self.operator.energy(scene.values())?.sqrt();
+        Ok(())
     }
 
     /// Number of cells N of the fine grid.
@@ -142,7 +157,7 @@ impl ExactElastic {
         let edge = form(&flat(self.cells)?, &self.matrices[0], &difference);
         let square = edge + interior;
         // As in the scalar case; the defects of low modes are rounded from double-double, of others to 1e-12.
-        let shift = 2.0 * f64::EPSILON * self.energy.sqrt();
+        let shift = 2.0 * f64::EPSILON * self.norm;
         let work = Work { points: 2 * self.cells as u64, ..Work::default() };
         Estimate::new(square.sqrt(), shift + 1e-12 * square.sqrt(), work)
     }

@@ -145,6 +145,17 @@ impl StripProblem {
         })
     }
 
+    /// Replaces the scene by another one on the same grid; much cheaper than a new problem.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] when the grid is another one.
+    pub fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+        match self {
+            Self::Scalar(exact) => exact.set_scene(scene),
+            Self::Elastic(exact) => exact.set_scene(scene),
+        }
+    }
+
     /// The edge operator on `cells` cells and the number of unknowns it stands for.
     ///
     /// # Errors
