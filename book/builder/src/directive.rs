@@ -99,7 +99,7 @@ fn greek(text: &str) -> String {
         result.push_str(letter);
         rest = &rest[start + length..];
     }
-    result + rest
+    (result + rest).replace("<=", "≤").replace(">=", "≥")
 }
 
 /// Strings of a JSON array.
@@ -120,7 +120,7 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
         html.push_str("<tr>");
         for cell in strings(row) {
             let class = if cell.parse::<f64>().is_ok() { " class=\"number\"" } else { "" };
-            let _ = write!(html, "<td{class}>{}</td>", Written::from_text(&escape(cell)).html());
+            let _ = write!(html, "<td{class}>{}</td>", Written::from_text(&escape(&greek(cell))).html());
         }
         html.push_str("</tr>");
     }
@@ -164,7 +164,7 @@ mod tests {
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");
         assert!(html.contains("10<sup>\u{2212}3</sup>"), "{html}");
         assert!(html.contains("<b>ν</b> order"), "{html}");
-        assert_eq!(greek("gamma/ln(1/theta), pi^h, number"), "γ/ln(1/θ), π^h, number");
+        assert_eq!(greek("gamma/ln(1/theta) <= pi^h, number"), "γ/ln(1/θ) ≤ π^h, number");
         assert!(matches!(resolve("figure:f:a: b", &sources), Ok(Meaning::Block(h)) if h.contains("a: b")));
     }
 
