@@ -119,6 +119,16 @@ pub enum Error {
         /// What is wrong.
         reason: &'static str,
     },
+    /// A text does not follow its format.
+    #[error("{format}, line {line}: {reason}")]
+    Syntax {
+        /// The format.
+        format: &'static str,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong.
+        reason: String,
+    },
     /// A file could not be read or written.
     #[error("{}: {reason}", path.display())]
     File {
