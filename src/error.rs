@@ -135,13 +135,15 @@ pub enum Error {
         /// Number of nodes of the edge.
         nodes: usize,
     },
-    /// A line of a samples file is not what it should be.
-    #[error("line {line}: expected two numbers, got '{text}'")]
-    Samples {
-        /// Number of the line, from one.
+    /// A text does not follow its format.
+    #[error("{format}, line {line}: {reason}")]
+    Syntax {
+        /// The format.
+        format: &'static str,
+        /// The line, from 1.
         line: usize,
-        /// The line.
-        text: String,
+        /// What is wrong.
+        reason: String,
     },
     /// A file could not be read or written.
     #[error("{}: {reason}", path.display())]

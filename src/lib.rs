@@ -13,10 +13,7 @@
 //! | Section 2: examples of problems | [`scenes`] |
 //! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
 //! | Appendix B, (4.6), (4.7), Remarks 2 and 4: interpolation, projection, embeddings | [`interpolation`] |
-//! | Sec. 2: domains and forms | [`mesh`], [`fem`] |
-//! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
-//! | Sec. 2: examples of problems | [`scenes`] |
-//! | Sec. 2 on a strip, reduced to its contact edge | [`strip`] |
+//! | Section 2 on a strip, reduced to its contact edge | [`strip`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.

@@ -76,8 +76,8 @@ impl ContactProblem {
     ///
     /// # Errors
     /// [`crate::Error::NotFinite`].
-    pub fn set_gap(&mut self, gap: impl Fn(Point) -> f64) -> Result<()> {
-        let values: Vec<f64> = self.edge.points().iter().map(|&point| gap(point)).collect();
+    pub fn set_gap(&mut self, gap: impl FnMut(Point) -> f64) -> Result<()> {
+        let values: Vec<f64> = self.edge.points().iter().copied().map(gap).collect();
         check_values("gap", &values, self.gap.len())?;
         self.gap = values;
         Ok(())

@@ -123,7 +123,7 @@ impl EdgeScene {
     /// number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
     ///
     /// # Errors
-    /// [`Error::Samples`] naming the line that is not two numbers; [`Error::CountOutOfRange`] for the number of lines;
+    /// [`Error::Syntax`] naming the line that is not two numbers; [`Error::CountOutOfRange`] for the number of lines;
     /// and as [`EdgeScene::new`].
     pub fn from_samples(text: &str, sides: Sides) -> Result<Self> {
         let mut values = Vec::new();
@@ -133,7 +133,11 @@ impl EdgeScene {
             if content.is_empty() {
                 continue;
             }
-            let bad = || Error::Samples { line: index + 1, text: line.to_owned() };
+            let bad = || Error::Syntax {
+                format: "samples",
+                line: index + 1,
+                reason: format!("expected two numbers, got '{line}'"),
+            };
             let numbers: Vec<f64> = content
                 .split(|c: char| c.is_whitespace() || c == ',')
                 .filter(|word| !word.is_empty())
