@@ -74,11 +74,24 @@ pub fn run(options: &Options) -> Result<Headline> {
     };
     let claim =
         format!("the elastic problem in the {} cone has one solution; every solver finds it", options.cone);
-    let mut headline = Headline::new("Section 2, (2.9)", claim, table, measured, verdict);
-    headline.quote("section.2.block.energy", first.energy);
-    headline.quote("section.2.block.force", first.contact_force);
-    headline.quote("section.2.block.active", first.contact_set.count() as f64);
-    headline.quote("section.2.block.kkt", worst);
+    let label = match options.cone {
+        Cone::Nodal => "Section 2, (2.9), elastic",
+        Cone::Midpoint => "Section 4, (4.1), elastic",
+    };
+    let mut headline = Headline::new(label, claim, table, measured, verdict);
+    for (key, value) in [
+        ("energy", first.energy),
+        ("force", first.contact_force),
+        ("active", first.contact_set.count() as f64),
+        ("kkt", worst),
+    ] {
+        headline.quote(format!("section.2.block.{}.{key}", options.cone), value);
+    }
+    if let Some(directory) = options.output.directory()? {
+        let name = |what: &str| format!("section_2_block_{what}_{}", options.cone);
+        headline.figures.push(first.save_body(&problem, "Scene block", directory, &name("body"))?);
+        headline.figures.push(first.save_edge(&problem, "Scene block", directory, &name("edge"))?);
+    }
     Ok(headline)
 }
 

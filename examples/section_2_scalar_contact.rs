@@ -74,11 +74,23 @@ pub fn run(options: &Options) -> Result<Headline> {
     };
     let claim =
         format!("the scalar problem in the {} cone has one solution; every solver finds it", options.cone);
-    let mut headline = Headline::new("Section 2, Remark 1", claim, table, measured, verdict);
-    headline.quote("section.2.membrane.energy", first.energy);
-    headline.quote("section.2.membrane.force", first.contact_force);
-    headline.quote("section.2.membrane.active", first.contact_set.count() as f64);
-    headline.quote("section.2.membrane.kkt", worst);
+    let label = match options.cone {
+        Cone::Nodal => "Section 2, (2.9), scalar",
+        Cone::Midpoint => "Section 4, (4.1), scalar",
+    };
+    let mut headline = Headline::new(label, claim, table, measured, verdict);
+    for (key, value) in [
+        ("energy", first.energy),
+        ("force", first.contact_force),
+        ("active", first.contact_set.count() as f64),
+        ("kkt", worst),
+    ] {
+        headline.quote(format!("section.2.membrane.{}.{key}", options.cone), value);
+    }
+    if let Some(directory) = options.output.directory()? {
+        let name = format!("section_2_membrane_edge_{}", options.cone);
+        headline.figures.push(first.save_edge(&problem, "Scene membrane", directory, &name)?);
+    }
     Ok(headline)
 }
 

@@ -119,6 +119,32 @@ pub enum Error {
         /// What is wrong.
         reason: &'static str,
     },
+    /// Contact force and open gap at the same place.
+    #[error("node {node}: u_N = {value} and lambda = {force} are both nonzero")]
+    NotComplementary {
+        /// The node.
+        node: usize,
+        /// u_N there.
+        value: f64,
+        /// λ there.
+        force: f64,
+    },
+    /// A contact scene without a node in contact.
+    #[error("the contact set is empty: u_N < 0 at all {nodes} nodes")]
+    EmptyContact {
+        /// Number of nodes of the edge.
+        nodes: usize,
+    },
+    /// A text does not follow its format.
+    #[error("{format}, line {line}: {reason}")]
+    Syntax {
+        /// The format.
+        format: &'static str,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong.
+        reason: String,
+    },
     /// A file could not be read or written.
     #[error("{}: {reason}", path.display())]
     File {

@@ -8,11 +8,12 @@
 //! | --- | --- |
 //! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
 //! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
-//! | Sec. 2: domains and forms | [`mesh`], [`fem`] |
-//! | Sec. 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
-//! | Sec. 2: examples of problems | [`scenes`] |
+//! | Section 2: domains and forms | [`mesh`], [`fem`] |
+//! | Section 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
+//! | Section 2: examples of problems | [`scenes`] |
 //! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
 //! | Appendix B, (4.6), (4.7), Remarks 2 and 4: interpolation, projection, embeddings | [`interpolation`] |
+//! | Section 2 on a strip, reduced to its contact edge | [`strip`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
@@ -34,6 +35,7 @@ pub mod quadrature;
 pub mod report;
 pub mod scenes;
 pub mod sobolev;
+pub mod strip;
 
 pub use error::{Error, Result};
 pub use estimate::{Estimate, Tolerance, Work};

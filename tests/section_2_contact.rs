@@ -1,14 +1,13 @@
 //! Section 2: the discrete Signorini problem (2.9) and its scalar form, nodal cone.
 
-#[allow(unreachable_pub)]
 #[path = "reference_squares/mod.rs"]
 mod reference_squares;
 
-#[allow(dead_code, unreachable_pub)]
+#[allow(dead_code)]
 #[path = "../examples/section_2_elastic_contact.rs"]
 mod section_2_elastic_contact;
 
-#[allow(dead_code, unreachable_pub)]
+#[allow(dead_code)]
 #[path = "../examples/section_2_scalar_contact.rs"]
 mod section_2_scalar_contact;
 

@@ -1,6 +1,5 @@
 //! Section 4: the cone (4.1), means over the contact segments.
 
-#[allow(unreachable_pub)]
 #[path = "reference_squares/mod.rs"]
 mod reference_squares;
 

@@ -104,7 +104,7 @@ impl SetDiameter {
     pub fn diameter(trace: &EdgeTrace, segment: Interval) -> f64 {
         let mut zeros = trace.contact().iter().filter_map(|c| c.intersection(&segment));
         let Some(first) = zeros.next() else { return 0.0 };
-        zeros.last().unwrap_or(first).end - first.start
+        zeros.next_back().unwrap_or(first).end - first.start
     }
 
     /// The cases that hold on `segment`.

@@ -62,12 +62,12 @@ impl Classification {
 
     /// The consistency term summed over the segments whose cases are exactly `name`.
     pub fn term(&self, name: &str) -> f64 {
-        self.in_case(name).map(|s| s.term).sum()
+        sum(self.in_case(name).map(|s| s.term))
     }
 
     /// The whole consistency term.
     pub fn total(&self) -> f64 {
-        self.segments.iter().map(|s| s.term).sum()
+        sum(self.segments.iter().map(|s| s.term))
     }
 
     /// The segments whose cases are exactly `name`, as intervals.
@@ -78,6 +78,11 @@ impl Classification {
     fn in_case<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a ClassifiedSegment> {
         self.segments.iter().filter(move |s| s.alternative.name() == name)
     }
+}
+
+/// From +0: the empty sum of the standard library is −0, which would be printed.
+fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    terms.fold(0.0, |sum, term| sum + term)
 }
 
 #[cfg(test)]

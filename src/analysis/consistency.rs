@@ -14,13 +14,13 @@ pub fn nodal_term(trace: &EdgeTrace, segment: Interval) -> f64 {
             let s = (x - segment.start) / segment.length();
             -force * ((1.0 - s) * left + s * right)
         })
-        .sum()
+        .fold(0.0, |sum, term| sum + term)
 }
 
 /// ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ over one segment. Cost: the number of nodes of the trace in the segment.
 pub fn midpoint_term(trace: &EdgeTrace, segment: Interval) -> f64 {
     let force: f64 = forces_in(trace, segment).map(|(_, force)| force).sum();
-    -force * integral(trace, segment) / segment.length()
+    0.0 - force * integral(trace, segment) / segment.length()
 }
 
 /// Nodes in the segment with their forces, halved at its ends unless the end is an end of the whole edge.

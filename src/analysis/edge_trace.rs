@@ -96,6 +96,13 @@ impl EdgeTrace {
         &self.force
     }
 
+    /// −σ_N at the nodes: each force over half the length of the cells it belongs to.
+    pub fn pressure(&self) -> Vec<f64> {
+        let last = self.nodes.len() - 1;
+        let width = |i: usize| self.nodes[(i + 1).min(last)] - self.nodes[i.saturating_sub(1)];
+        self.force.iter().enumerate().map(|(i, force)| 2.0 * force / width(i)).collect()
+    }
+
     /// The contact set {u_N = 0}, as intervals in increasing order.
     pub fn contact(&self) -> &[Interval] {
         &self.contact

@@ -1,14 +1,22 @@
 //! Condensed primal-dual active set: guess the contact set, solve on the edge, correct the guess.
 //!
 //! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0) and the
-//! inactive ones that penetrate ((B w − g)_i > 0). All of them change sides: the semismooth Newton step of
-//! M. Hintermüller, K. Ito and K. Kunisch (SIAM J. Optim. 13 (2002)). When a set comes back, only the wrong constraint
-//! with the least index changes sides until fewer constraints are wrong than ever before: finite for every
-//! symmetric positive definite S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994).
+//! inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a semismooth Newton step for
+//! w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
+//!
+//! * nodal cone: all wrong constraints change sides (M. Hintermüller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002));
+//! * midpoint cone: the constraints active at the exact projection onto the cone. Changing sides one by one falls into
+//!   checkerboards there, because the constraints of neighbouring segments are coupled through B B'.
+//!
+//! A set that reproduces itself solves the problem. When a set comes back, only the wrong constraint with the least
+//! index changes sides until fewer constraints are wrong than ever before: finite for every symmetric positive definite
+//! S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994).
 //! Cost: one dense factorization on the edge per step, however fine the mesh behind it.
 
+use super::cone::Cone;
 use super::contact_set::ContactSet;
 use super::edge_problem::{EdgeProblem, EdgeState};
+use super::projection::project;
 use super::status::Status;
 use crate::error::Result;
 use std::collections::HashMap;
@@ -56,11 +64,28 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
         } else {
             one_at_a_time |= came_back;
         }
-        let changed = if one_at_a_time { &wrong[..1] } else { &wrong[..] };
-        let mut active = set.as_slice().to_vec();
-        changed.iter().for_each(|&i| active[i] = !active[i]);
-        set = ContactSet::new(active);
+        set = match (one_at_a_time, problem.cone) {
+            (true, _) => changed(&set, &wrong[..1]),
+            (false, Cone::Nodal) => changed(&set, &wrong),
+            (false, Cone::Midpoint) => projected_set(problem, &state)?,
+        };
     }
+}
+
+/// The set with the given constraints on the other side.
+fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
+    let mut active = set.as_slice().to_vec();
+    constraints.iter().for_each(|&i| active[i] = !active[i]);
+    ContactSet::new(active)
+}
+
+/// The constraints active at the projection of w − D⁻¹ ∇J = w + D⁻¹ B'λ, D the diagonal of S.
+fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<ContactSet> {
+    let nodes = state.displacement.len();
+    let weights: Vec<f64> = (0..nodes).map(|i| problem.stiffness[(i, i)]).collect();
+    let force = problem.cone.apply_transposed(&state.multiplier, nodes)?;
+    let target: Vec<f64> = (0..nodes).map(|i| state.displacement[i] + force[i] / weights[i]).collect();
+    Ok(project(&target, &weights, problem.bound, problem.fixed).1)
 }
 
 /// The constraints on the wrong side, ascending.
@@ -94,7 +119,6 @@ fn terms(problem: &EdgeProblem<'_>, w: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::Cone;
     use faer::Mat;
 
     /// Murty's 3x3 example: changing all wrong constraints at once cycles on it, the fallback must finish.

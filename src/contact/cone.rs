@@ -9,6 +9,7 @@
 //! the midpoint cone λ_i = -∫ σ_N over segment i. The kernel of the midpoint B is the sawtooth (-1)^i.
 //! Cost: O(m) for every operation.
 
+use super::contact_set::ContactSet;
 use crate::error::{Error, Result};
 use std::fmt;
 use std::str::FromStr;
@@ -73,6 +74,18 @@ impl Cone {
             Cone::Midpoint => i..=i + 1,
         }
     }
+
+    /// The guess for a chain with every segment halved: constraints lying in the contact set of the coarse chain.
+    pub fn refined_set(self, coarse: &ContactSet) -> ContactSet {
+        let set = coarse.as_slice();
+        ContactSet::new(match self {
+            // Old nodes and, between two active ones, the new node.
+            Cone::Nodal => {
+                (0..(2 * set.len()).saturating_sub(1)).map(|i| set[i / 2] && set[i.div_ceil(2)]).collect()
+            }
+            Cone::Midpoint => set.iter().flat_map(|&active| [active; 2]).collect(),
+        })
+    }
 }
 
 impl fmt::Display for Cone {
@@ -103,6 +116,15 @@ impl FromStr for Cone {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn halved_segments_inherit_contact() {
+        let coarse = ContactSet::new(vec![true, true, false]);
+        let fine = Cone::Nodal.refined_set(&coarse);
+        assert_eq!(fine.as_slice(), [true, true, true, false, false]);
+        let fine = Cone::Midpoint.refined_set(&coarse);
+        assert_eq!(fine.as_slice(), [true, true, true, true, false, false]);
+    }
 
     #[test]
     fn transposed_is_the_adjoint() {

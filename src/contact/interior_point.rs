@@ -7,7 +7,7 @@
 use super::cone::Cone;
 use super::contact_set::ContactSet;
 use super::problem::ContactProblem;
-use super::solution::{Candidate, ContactSolution, Seconds, conclude, gap_of, largest};
+use super::solution::{Candidate, ContactSolution, Seconds, conclude, displacement_scale, gap_of, largest};
 use super::solver::Solver;
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -37,7 +37,7 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     let normal: Vec<f64> =
         problem.normal_unknowns().into_iter().map(|unknown| answer.unknowns[unknown]).collect();
     let gap = gap_of(problem, cone, &normal);
-    let contact_set = dominant(&answer.multiplier, &gap, largest(&answer.unknowns));
+    let contact_set = dominant(&answer.multiplier, &gap, displacement_scale(problem, &answer.unknowns));
     let status = match answer.status {
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
             Status::Converged
@@ -113,7 +113,12 @@ fn run(problem: &ContactProblem, cone: Cone) -> Result<Answer> {
     let gap = gap_of(problem, cone, &fixed_part);
     let stiff = free.iter().map(|&i| problem.matrix.diagonal(i)).fold(0.0, f64::max);
     let force = largest(&load).max(stiff * largest(&gap));
-    let force = if force > 0.0 { force } else { 1.0 };
+    // Nothing to move, or nothing that moves it: no scale for the solver to work in, and nothing to solve.
+    if free.is_empty() || force == 0.0 {
+        let multiplier = vec![0.0; cone.constraints(normals.len())];
+        let (unknowns, status) = (problem.values.clone(), SolverStatus::Solved);
+        return Ok(Answer { unknowns, multiplier, status, iterations: 0 });
+    }
     let upper = upper_triangle(problem, &free, &number, stiff);
     let rows = constraint_matrix(cone, &constraints, &normals, &number, free.len());
     let linear: Vec<f64> = load.iter().map(|f| -f / force).collect();

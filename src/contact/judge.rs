@@ -30,7 +30,7 @@ pub struct Evidence<'a> {
     pub gap: &'a [f64],
     /// max_i (|K||u| + |F|)_i.
     pub force: f64,
-    /// max(|u|, |g|).
+    /// max(|u|, |g|), or what the load would do alone when contact prevents everything.
     pub displacement: f64,
 }
 

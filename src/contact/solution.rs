@@ -65,6 +65,10 @@ pub struct ContactSolution {
     pub status: Status,
     /// The four KKT figures.
     pub judgement: Judgement,
+    /// The force scale of the judgement: max_i (|K||u| + |F|)_i.
+    pub force_scale: f64,
+    /// The displacement scale of the judgement.
+    pub displacement_scale: f64,
     /// Distance from weak contact.
     pub margins: Margins,
     /// J.
@@ -111,12 +115,13 @@ pub(super) fn conclude(
     let gap = gap_of(problem, cone, &normal_displacement);
     let free: Vec<f64> =
         (0..residual.len()).filter(|&i| !problem.prescribed[i]).map(|i| residual[i]).collect();
+    let (force_scale, displacement_scale) = (force_scale(problem, u), displacement_scale(problem, u));
     let evidence = Evidence {
         residual: &free,
         multiplier: &candidate.multiplier,
         gap: &gap,
-        force: force_scale(problem, u),
-        displacement: largest(u).max(largest(&problem.gap)),
+        force: force_scale,
+        displacement: displacement_scale,
     };
     let judgement = evidence.judge()?;
     let margins = evidence.margins(candidate.contact_set.as_slice())?;
@@ -139,6 +144,8 @@ pub(super) fn conclude(
         contact_set: candidate.contact_set,
         status,
         judgement,
+        force_scale,
+        displacement_scale,
         margins,
         energy: 0.5 * dot(u, &stress_force) - dot(u, &problem.load),
         reaction,
@@ -163,6 +170,15 @@ fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
         .filter(|&i| !problem.prescribed[i])
         .map(|i| sizes[i] + problem.load[i].abs())
         .fold(0.0, f64::max)
+}
+
+/// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents everything.
+pub(super) fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+    let alone = (0..u.len())
+        .filter(|&i| !problem.prescribed[i] && problem.load[i] != 0.0)
+        .map(|i| problem.load[i].abs() / problem.matrix.diagonal(i))
+        .fold(0.0, f64::max);
+    largest(u).max(largest(&problem.gap)).max(alone)
 }
 
 /// Total reaction and the relative imbalance of all forces.

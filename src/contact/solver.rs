@@ -58,6 +58,14 @@ impl ContactProblem {
         }
     }
 
+    /// The same from the contact set of the next coarser mesh, every contact segment of which was halved.
+    ///
+    /// # Errors
+    /// As for [`ContactProblem::solve_from`].
+    pub fn solve_after(&self, coarse: &ContactSolution) -> Result<ContactSolution> {
+        self.solve_from(coarse.cone, coarse.cone.refined_set(&coarse.contact_set))
+    }
+
     /// The discrete solution by the active set, starting from a guess of the contact set (of a coarser level, say).
     ///
     /// # Errors

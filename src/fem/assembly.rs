@@ -1,4 +1,4 @@
-//! Stiffness matrix and consistent load, assembled row by row.
+//! The stiffness matrix, assembled row by row.
 //!
 //! Every node gathers the contributions of its own triangles, so rows are independent and no task writes where
 //! another does. At the nodes of a straight elastic contact edge the two unknowns are the tangential and the normal
@@ -158,20 +158,4 @@ fn push_row(
             }
         }
     }
-}
-
-/// The load of the P1 function with the given nodal values: consistent mass matrix times values, Cartesian.
-pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) -> Vec<f64> {
-    let mut load = vec![0.0; mesh.nodes().len() * components];
-    for (t, corners) in mesh.triangles().iter().enumerate() {
-        let weight = Element::new(mesh.corners(t)).area / 12.0;
-        for c in 0..components {
-            let f = corners.map(|node| values[node * components + c]);
-            let sum = f[0] + f[1] + f[2];
-            for k in 0..3 {
-                load[corners[k] * components + c] += weight * (sum + f[k]);
-            }
-        }
-    }
-    load
 }

@@ -13,6 +13,7 @@
 use super::dissection::{Tree, dissect};
 use super::front::{Front, Update};
 use super::matrix::BlockMatrix;
+use super::pool::Pool;
 use crate::error::{Error, Result};
 use crate::mesh::Point;
 use faer::Mat;
@@ -54,6 +55,7 @@ pub(super) struct Ordering<'a> {
     pub(super) matrix: &'a BlockMatrix,
     pub(super) positions: &'a [u32],
     pub(super) unknowns: &'a [u32],
+    pub(super) pool: Pool,
 }
 
 impl Condensation {
@@ -91,7 +93,7 @@ impl Condensation {
         for (position, &unknown) in unknowns.iter().enumerate() {
             positions[unknown as usize] = position as u32;
         }
-        let ordering = Ordering { matrix, positions: &positions, unknowns: &unknowns };
+        let ordering = Ordering { matrix, positions: &positions, unknowns: &unknowns, pool: Pool::default() };
         let (mut fronts, update) = tree.eliminate(&ordering)?;
         let rows: Vec<u32> = (interior as u32..unknowns.len() as u32).collect();
         let (front, root) = Front::eliminate(&ordering, last, Some(rows), vec![update])?;

@@ -140,6 +140,21 @@ impl Element {
         Self { area: 0.5 * doubled, gradients }
     }
 
+    /// ∇v from the values at the corners; a constant has gradient exactly zero.
+    pub(crate) fn gradient(&self, values: [f64; 3]) -> Point {
+        let (a, b) = (values[1] - values[0], values[2] - values[0]);
+        let [_, g, h] = self.gradients;
+        [a * g[0] + b * h[0], a * g[1] + b * h[1]]
+    }
+
+    /// Barycentric coordinates of a point.
+    pub(crate) fn barycentric(&self, corners: [Point; 3], point: Point) -> [f64; 3] {
+        let [_, g, h] = self.gradients;
+        let d = [point[0] - corners[0][0], point[1] - corners[0][1]];
+        let (second, third) = (g[0] * d[0] + g[1] * d[1], h[0] * d[0] + h[1] * d[1]);
+        [1.0 - second - third, second, third]
+    }
+
     /// The block of local nodes `i`, `j`; a scalar form fills the first entry only.
     pub(crate) fn block(&self, form: &Form, region: usize, i: usize, j: usize) -> [[f64; 2]; 2] {
         let (g, h) = (self.gradients[i], self.gradients[j]);

@@ -56,8 +56,8 @@ impl Front {
     ) -> Result<(Self, Update)> {
         let rows = rows.unwrap_or_else(|| rows_of(ordering, &pivots, &children));
         let height = pivots.len() + rows.len();
-        let mut panel = vec![0.0; height * pivots.len()];
-        let mut update = vec![0.0; rows.len() * rows.len()];
+        let mut panel = ordering.pool.zeros(height * pivots.len());
+        let mut update = ordering.pool.zeros(rows.len() * rows.len());
         let local = |position: usize| {
             if position < pivots.end {
                 position - pivots.start
@@ -75,6 +75,7 @@ impl Front {
         }
         for child in children {
             extend_add(&child, &local, pivots.len(), height, &mut panel, &mut update);
+            ordering.pool.keep(child.values);
         }
         let front = Self { pivots, rows, panel };
         front.factor(ordering, update)

@@ -2,14 +2,23 @@
 
 mod assembly;
 mod condensation;
+mod cubature;
 mod dissection;
+mod error_norms;
+mod field;
 mod form;
 mod front;
+mod loads;
 mod matrix;
+mod pool;
 mod stress;
 
-pub use assembly::{Frame, consistent_load, stiffness};
+pub use assembly::{Frame, stiffness};
 pub use condensation::{Condensation, Reduced};
+pub use cubature::Cubature;
+pub use error_norms::{ErrorNorms, Gradient, error_norms};
+pub use field::Field;
 pub use form::{Form, Lame};
+pub use loads::{consistent_load, surface_load, volume_load};
 pub use matrix::{BlockMatrix, compensated, dot};
 pub use stress::{Stress, gradients, stresses};

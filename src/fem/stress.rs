@@ -37,7 +37,7 @@ pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
     Ok((0..mesh.triangles().len())
         .map(|t| {
             let at = mesh.triangles()[t].map(|node| values[node]);
-            gradient(&Element::new(mesh.corners(t)), at)
+            Element::new(mesh.corners(t)).gradient(at)
         })
         .collect())
 }
@@ -58,7 +58,7 @@ pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Resu
             let element = Element::new(mesh.corners(t));
             let along = |axis: usize| {
                 let at = mesh.triangles()[t].map(|node| displacement[2 * node + axis]);
-                gradient(&element, at)
+                element.gradient(at)
             };
             let ([xx, xy], [yx, yy]) = (along(0), along(1));
             let pressure = material.lambda() * (xx + yy);
@@ -69,13 +69,6 @@ pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Resu
             })
         })
         .collect()
-}
-
-fn gradient(element: &Element, values: [f64; 3]) -> Point {
-    // Differences to the first value: a constant has gradient exactly zero.
-    let (a, b) = (values[1] - values[0], values[2] - values[0]);
-    let [_, g, h] = element.gradients;
-    [a * g[0] + b * h[0], a * g[1] + b * h[1]]
 }
 
 fn check_length(values: &[f64], expected: usize) -> Result<()> {

@@ -48,10 +48,10 @@ impl Scale {
     /// At most about `most` labelled ticks.
     pub(super) fn ticks(&self, most: usize) -> Vec<Tick> {
         let span = self.high - self.low;
-        if self.logarithmic && span >= 1.5 {
+        if self.logarithmic && span >= 3.0 {
             self.decades((span / most as f64).ceil().max(1.0))
         } else if self.logarithmic {
-            self.within_a_decade()
+            self.few_decades()
         } else {
             self.linear(most)
         }
@@ -67,18 +67,18 @@ impl Scale {
         multiples(self.low, self.high, step).map(|k| self.tick(k, Some(power_of_ten(k as i64)))).collect()
     }
 
-    fn within_a_decade(&self) -> Vec<Tick> {
+    fn few_decades(&self) -> Vec<Tick> {
         let (first, last) = (self.low.floor() as i64, self.high.ceil() as i64);
-        let mantissas = if self.high - self.low > 0.7 {
-            vec![1.0, 2.0, 5.0]
-        } else {
-            (10..100).map(|k| f64::from(k) / 10.0).collect()
+        let mantissas = match self.high - self.low {
+            span if span > 2.2 => vec![1.0, 3.0],
+            span if span > 0.7 => vec![1.0, 2.0, 5.0],
+            _ => (10..100).map(|k| f64::from(k) / 10.0).collect(),
         };
         let candidates: Vec<(f64, i64, f64)> = (first..=last)
             .flat_map(|k| mantissas.iter().map(move |&m: &f64| (k as f64 + m.log10(), k, m)))
             .filter(|&(at, ..)| at >= self.low && at <= self.high)
             .collect();
-        let every = candidates.len().div_ceil(6).max(1);
+        let every = if mantissas.len() > 3 { candidates.len().div_ceil(6).max(1) } else { 1 };
         let label = |k: i64, m: f64| {
             if (-3..4).contains(&k) {
                 trimmed(m * 10f64.powi(k as i32), (1 - k).max(0) as usize)

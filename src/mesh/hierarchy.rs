@@ -1,10 +1,12 @@
-//! Nested uniform (red) refinement with memory of the levels.
+//! Nested refinement with memory of the levels: uniform (red), or local toward a point or an edge.
 //!
-//! Every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are nested and a function of
+//! Uniformly, every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are nested and a function of
 //! level k is one of level k + 1: at a new node it is the mean over the ends of the edge that was halved.
 //! Cost of a refinement: O(number of triangles).
 
-use super::triangulation::{BoundaryEdge, Triangulation};
+use super::bisection::bisect;
+use super::edges::Edges;
+use super::triangulation::{BoundaryEdge, Part, Point, Triangulation, distance};
 use crate::error::{Error, Result};
 
 /// A triangulation and its uniform refinements, coarsest first.
@@ -52,6 +54,57 @@ impl Hierarchy {
         Ok(())
     }
 
+    /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as little as keeps the
+    /// mesh conforming and its angles bounded below (longest edges are halved first).
+    ///
+    /// # Errors
+    /// As for [`Hierarchy::refined`].
+    pub fn refine_where(&mut self, marked: impl Fn(&Triangulation, usize) -> bool) -> Result<()> {
+        let coarse = self.finest();
+        let chosen: Vec<bool> = (0..coarse.triangles().len()).map(|t| marked(coarse, t)).collect();
+        let (fine, parents) = bisect(coarse, &chosen)?;
+        self.levels.push(fine);
+        self.parents.push(parents);
+        Ok(())
+    }
+
+    /// Adds `times` levels graded toward a node: on each, the triangles at that point are cut. Sizes are proportional to
+    /// the distance, down to 2^-times of the first.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] when the point is not a node of the coarsest level.
+    pub fn refine_toward_point(&mut self, point: Point, times: usize) -> Result<()> {
+        let coarsest = &self.levels[0];
+        let nearest =
+            coarsest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
+        if nearest > 1e-12 * coarsest.mesh_size() {
+            return Err(Error::OutOfRange {
+                name: "distance of the point from the nodes",
+                value: nearest,
+                range: "rounding: refinement is toward a node",
+            });
+        }
+        for _ in 0..times {
+            // The nearest node of this level is the point itself: nodes are never moved.
+            self.refine_where(|mesh, t| {
+                mesh.corners(t).into_iter().any(|corner| distance(corner, point) <= nearest)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Adds `times` levels graded toward the boundary edges with the given label.
+    ///
+    /// # Errors
+    /// As for [`Hierarchy::refined`].
+    pub fn refine_toward_part(&mut self, part: Part, times: usize) -> Result<()> {
+        for _ in 0..times {
+            let on = self.finest().nodes_on(part);
+            self.refine_where(|mesh, t| mesh.triangles()[t].iter().any(|&node| on[node]))?;
+        }
+        Ok(())
+    }
+
     /// The levels, coarsest first.
     pub fn levels(&self) -> &[Triangulation] {
         &self.levels
@@ -89,64 +142,6 @@ impl Hierarchy {
             }
         }
         Ok(values)
-    }
-}
-
-/// Edges of a triangulation, numbered: edges (a, b), a < b, in buckets by a.
-struct Edges {
-    offsets: Vec<usize>,
-    partners: Vec<usize>,
-}
-
-impl Edges {
-    fn new(nodes: usize, triangles: &[[usize; 3]]) -> Self {
-        let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let mut offsets = vec![0; nodes + 1];
-        sides().for_each(|[a, b]| offsets[a.min(b) + 1] += 1);
-        (0..nodes).for_each(|i| offsets[i + 1] += offsets[i]);
-        let mut next = offsets.clone();
-        let mut partners = vec![0; offsets[nodes]];
-        for [a, b] in sides() {
-            partners[next[a.min(b)]] = a.max(b);
-            next[a.min(b)] += 1;
-        }
-        Self::without_doubles(offsets, partners)
-    }
-
-    /// Inner edges were entered twice; buckets are short.
-    fn without_doubles(mut offsets: Vec<usize>, mut partners: Vec<usize>) -> Self {
-        let mut kept = 0;
-        for a in 0..offsets.len() - 1 {
-            let bucket = offsets[a]..offsets[a + 1];
-            partners[bucket.clone()].sort_unstable();
-            offsets[a] = kept;
-            for k in bucket {
-                if kept == offsets[a] || partners[kept - 1] != partners[k] {
-                    partners[kept] = partners[k];
-                    kept += 1;
-                }
-            }
-        }
-        partners.truncate(kept);
-        if let Some(last) = offsets.last_mut() {
-            *last = kept;
-        }
-        Self { offsets, partners }
-    }
-
-    fn find(&self, a: usize, b: usize) -> Result<usize> {
-        let start = self.offsets[a.min(b)];
-        self.partners[start..self.offsets[a.min(b) + 1]]
-            .iter()
-            .position(|&partner| partner == a.max(b))
-            .map(|k| start + k)
-            .ok_or(Error::Edge { nodes: [a, b], reason: "belongs to no triangle" })
-    }
-
-    fn pairs(&self) -> Vec<[usize; 2]> {
-        (0..self.offsets.len() - 1)
-            .flat_map(|a| self.partners[self.offsets[a]..self.offsets[a + 1]].iter().map(move |&b| [a, b]))
-            .collect()
     }
 }
 

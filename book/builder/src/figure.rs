@@ -22,13 +22,15 @@ pub fn inline(name: &str, svg: &str, caption: &str) -> Result<String, String> {
         if is_root && tag.name != "svg" {
             return Err("figure does not start with <svg>".to_owned());
         }
-        if matches!(tag.name, "script" | "image" | "foreignObject" | "style") {
+        if matches!(tag.name, "script" | "image" | "foreignObject") {
             return Err(format!("figure contains <{}>", tag.name));
         }
-        if !is_root {
+        if !is_root && tag.name != "/style" {
             html.push_str(&svg[copied..tag.start]);
         }
-        if is_root {
+        if matches!(tag.name, "style" | "/style") {
+            // colours for a figure opened by itself; here they are the page's
+        } else if is_root {
             push_root(&mut html, &tag, caption)?;
         } else {
             push_tag(&mut html, &tag, name);
@@ -93,7 +95,7 @@ mod tests {
     use super::*;
 
     const CHART: &str = r##"<?xml version="1.0"?>
-<svg width="640" height="480" xmlns="http://www.w3.org/2000/svg"><defs><clipPath id="c"><rect/></clipPath></defs>
+<svg width="640" height="480" xmlns="http://www.w3.org/2000/svg"><style>svg:root{color:#222}</style><defs><clipPath id="c"><rect/></clipPath></defs>
 <rect fill="#FFFFFF"/><path clip-path="url(#c)" stroke="#000000" fill="red"/><text fill="black">a &lt; b</text></svg>"##;
 
     #[test]
@@ -109,7 +111,7 @@ mod tests {
         ] {
             assert!(html.contains(part), "{part} not in {html}");
         }
-        assert!(!html.contains("http"), "{html}");
+        assert!(!html.contains("http") && !html.contains("color:#222") && !html.contains("style"), "{html}");
         assert!(well_formed(&html).is_ok());
     }
 

@@ -100,13 +100,23 @@ fn mathml(formulas: &[Formula]) -> Vec<Converted> {
         .map(|(result, formula)| {
             let lead = formula.latex.len() - formula.latex.trim_start().len();
             match result {
-                Ok(result) => {
-                    markup::well_formed(&result.mathml).map(|()| result.mathml).map_err(|what| (what, 0..0))
-                }
+                Ok(result) => markup::well_formed(&result.mathml)
+                    .map(|()| primes(&result.mathml))
+                    .map_err(|what| (what, 0..0)),
                 Err(e) => Err((e.error_message(), e.0.start + lead..e.0.end + lead)),
             }
         })
         .collect()
+}
+
+/// Primes at full size and lowered: Chromium does not take the font's glyph for a superscript (feature `ssty`) and
+/// sets the one that is small and high already still smaller and higher.
+fn primes(mathml: &str) -> String {
+    const PRIME: &str = "<mo>′</mo>";
+    const LOWERED: &str = r#"<mpadded voffset="-0.4em" height="0.2em"><mo scriptlevel="0">′</mo></mpadded>"#;
+    ["</msup>", "</msubsup>"].iter().fold(mathml.to_owned(), |text, end| {
+        text.replace(&format!("{PRIME}{end}"), &format!("{LOWERED}{end}"))
+    })
 }
 
 /// The arguments of a command, such as the labels of `\label{...}`.
@@ -152,6 +162,12 @@ mod tests {
         at.sort_unstable();
         assert_eq!(at, [1, 2, 3, 5]);
         assert!(refused.iter().any(|r| r.text == r"\nosuchcommand"), "{refused:?}");
+    }
+
+    #[test]
+    fn primes_are_lowered() {
+        let (mathml, _) = convert(&[formula(0, r"u' + \uN'")]).unwrap();
+        assert_eq!(mathml[0].matches("voffset").count(), 2, "{}", mathml[0]);
     }
 
     #[test]

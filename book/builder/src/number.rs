@@ -73,13 +73,17 @@ impl Written {
         Self { mantissa, exponent: None, suffix }
     }
 
-    /// Takes a number apart that was printed by Rust, such as `1.5e-7`; other text stays as it is.
+    /// Takes a number apart that was printed by Rust, such as `1.5e-7`; other text stays as it is, and a zero is 0.
     pub fn from_text(text: &str) -> Self {
         let parts = text
             .split_once('e')
             .filter(|(mantissa, _)| mantissa.parse::<f64>().is_ok())
             .and_then(|(mantissa, e)| Some((mantissa, e.parse::<i32>().ok()?)));
-        let (mantissa, exponent) = parts.map_or((text, None), |(m, e)| (m, Some(e)));
+        let (mantissa, exponent) = match parts {
+            Some((mantissa, _)) if mantissa.parse() == Ok(0.0) => ("0", None),
+            Some((mantissa, e)) => (mantissa, Some(e)),
+            None => (text, None),
+        };
         Self { mantissa: mantissa.to_owned(), exponent, suffix: "" }
     }
 
@@ -91,6 +95,8 @@ impl Written {
         let space = if self.suffix.is_empty() { "" } else { "\u{202f}" };
         match self.exponent {
             None => format!("{mantissa}{space}{}", self.suffix),
+            Some(0) => mantissa,
+            Some(e) if mantissa == "1" => format!("10<sup>{}</sup>", minus(&e.to_string())),
             Some(e) => format!("{mantissa}\u{202f}·\u{202f}10<sup>{}</sup>", minus(&e.to_string())),
         }
     }
@@ -100,6 +106,8 @@ impl Written {
         match self.exponent {
             None if self.suffix.is_empty() => self.mantissa.clone(),
             None => format!(r"{}\,\%", self.mantissa),
+            Some(0) => self.mantissa.clone(),
+            Some(e) if self.mantissa == "1" => format!("10^{{{e}}}"),
             Some(e) => format!(r"{}\cdot 10^{{{e}}}", self.mantissa),
         }
     }
@@ -122,7 +130,7 @@ mod tests {
         assert_eq!(html(31.7, "i"), "32");
         assert_eq!(html(0.1234, "p1"), "12.3\u{202f}%");
         assert_eq!(html(-1e-9, "f2"), "0.00");
-        assert_eq!(html(0.0, "s3"), "0.00");
+        assert_eq!(html(0.0, "s3"), "0");
         assert_eq!(Written::new(1.5e-7, Format::Power(1)).latex(), r"1.5\cdot 10^{-7}");
     }
 
@@ -137,6 +145,8 @@ mod tests {
     fn words_stay_words() {
         assert_eq!(Written::from_text("active-set").html(), "active-set");
         assert_eq!(Written::from_text("nodal").html(), "nodal");
-        assert_eq!(Written::from_text("1e-3").html(), "1\u{202f}·\u{202f}10<sup>\u{2212}3</sup>");
+        assert_eq!(Written::from_text("1e-3").html(), "10<sup>\u{2212}3</sup>");
+        assert_eq!(Written::from_text("0.00e0").html(), "0");
+        assert_eq!(Written::from_text("4.60e0").html(), "4.60");
     }
 }

@@ -97,12 +97,14 @@ impl Marker<'_> {
 
     fn formula(&mut self, number: usize, page: &Page, piece: &Piece<'_>, text: &mut String) {
         let line = line_at(&page.text, piece.start);
-        let start_of_line = text.rfind('\n').map_or(0, |k| k + 1);
-        if text[start_of_line..].starts_with('#') {
+        let start_of_line = &text[text.rfind('\n').map_or(0, |k| k + 1)..];
+        let is_quoted = start_of_line.starts_with('>');
+        if start_of_line.starts_with('#') {
             self.faults.push(Fault::new(&page.file, line, "formula in a heading", piece.text));
         }
         self.decimals(page, piece.start, &without_values(piece.text));
-        let latex = fill(piece.text, self.sources).unwrap_or_else(|(what, key)| {
+        let latex = if is_quoted { piece.text.replace("\n>", "\n") } else { piece.text.to_owned() };
+        let latex = fill(&latex, self.sources).unwrap_or_else(|(what, key)| {
             self.faults.push(Fault::new(&page.file, line, what, key));
             String::new()
         });

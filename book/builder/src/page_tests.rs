@@ -46,6 +46,15 @@ fn blocks_must_stand_alone() {
 }
 
 #[test]
+fn quotation_marks_are_no_part_of_a_formula() {
+    let marked = marked(&[page("p", "> so\n>\n> $$\n> x\n> $$\n>\n> $a > b$")]).unwrap();
+    assert_eq!(marked.texts[0], "> so\n>\n> \u{E000}0\u{E001}\n>\n> \u{E000}1\u{E001}");
+    let html = marked.unmark("p.html", &marked.texts[0]).unwrap();
+    assert!(html.contains("<math display=\"block\"><mi>x</mi></math>"), "{html}");
+    assert!(html.contains("<mo>&gt;</mo>"), "{html}");
+}
+
+#[test]
 fn values_enter_formulas() {
     let marked = marked(&[page("p", "$\\gamma = {{value:gamma:f1}}$")]).unwrap();
     let html = marked.unmark("p.html", &marked.texts[0]).unwrap();

@@ -120,7 +120,9 @@ fn formula(
     kind: Kind,
 ) -> Result<(Kind, Range<usize>, usize), Unclosed> {
     let start = at + dollars.len();
-    let paragraph = text[start..].find("\n\n").map_or(text.len(), |k| start + k);
+    let rest = &text[start..];
+    let paragraph = ["\n\n", "\n>\n"].iter().filter_map(|gap| rest.find(gap)).min();
+    let paragraph = paragraph.map_or(text.len(), |k| start + k);
     let mut k = start;
     while k < paragraph {
         if text[k..].starts_with('\\') {

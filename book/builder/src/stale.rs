@@ -1,5 +1,5 @@
 //! Is committed data still what the examples compute? Compared as written, up to the last digits: processors and
-//! threads differ there. Times are not compared.
+//! threads differ there. Times and counts of solver steps are not compared.
 
 use crate::data::Data;
 use serde_json::Value;
@@ -50,10 +50,11 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     found
 }
 
-/// Keys, columns and figures that hold times end in `seconds`, `ms` or `speedup` (words joined by `.`, `_`, `-`).
+/// Keys, columns and figures that hold times or solver steps end in `seconds`, `ms`, `speedup`, `iterations`, `steps`
+/// (words joined by `.`, `_`, `-`).
 pub fn is_timed(key: &str) -> bool {
     let last = key.rsplit(['.', '_', '-', '/', ' ']).next().unwrap_or(key);
-    matches!(last, "seconds" | "ms" | "speedup")
+    matches!(last, "seconds" | "ms" | "speedup" | "iterations" | "steps")
 }
 
 fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, String)>) {
@@ -119,17 +120,23 @@ fn same_number(a: f64, b: f64) -> bool {
 /// The same words, and numbers that agree up to their last written digits.
 fn same_text(a: &str, b: &str) -> bool {
     let (a, b) = (tokens(a), tokens(b));
+    let is_time = |k: usize| a.get(k + 1).is_some_and(|after| is_seconds(after));
     a.len() == b.len()
-        && a.iter().zip(&b).all(|(a, b)| {
+        && a.iter().zip(&b).enumerate().all(|(k, (a, b))| {
             a == b
                 || match (a.parse::<f64>(), b.parse::<f64>()) {
                     (Ok(x), Ok(y)) => {
                         let slack = LAST_DIGIT * last_digit(a).max(last_digit(b));
-                        same_number(x, y) || (x - y).abs() <= slack * (1.0 + 1e-9)
+                        is_time(k) || same_number(x, y) || (x - y).abs() <= slack * (1.0 + 1e-9)
                     }
                     _ => false,
                 }
         })
+}
+
+/// What follows a number says that it counted seconds, as in "10 rows in 3 s".
+fn is_seconds(after: &str) -> bool {
+    after.strip_prefix(" s").is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
 }
 
 /// Numbers and what stands between them.

@@ -9,12 +9,12 @@ fn data(text: &str, svg: &str) -> Data {
     }
 }
 
-const OLD: &str = r#"{"ex": {"measured": "slope 0.151967", "values": {"gamma": 0.29155661, "kkt": 3e-16, "run.seconds": 1.5},
+const OLD: &str = r#"{"ex": {"measured": "slope 0.151967 in 3 s", "values": {"gamma": 0.29155661, "kkt": 3e-16, "run.seconds": 1.5},
     "columns": [{"key": "n"}, {"key": "seconds"}], "rows": [["8", "0.1"]]}}"#;
 
 #[test]
 fn last_digits_rounding_errors_and_times_do_not_count() {
-    let new = r#"{"ex": {"measured": "slope 0.151968", "values": {"gamma": 0.29155662, "kkt": 5e-15, "run.seconds": 9.5},
+    let new = r#"{"ex": {"measured": "slope 0.151968 in 17 s", "values": {"gamma": 0.29155662, "kkt": 5e-15, "run.seconds": 9.5},
         "columns": [{"key": "n"}, {"key": "seconds"}], "rows": [["8", "0.4"]]}}"#;
     let old = data(OLD, r#"<path d="M1234 -5678"/>"#);
     assert_eq!(compare(&old, &data(new, r#"<path d="M1235 -5679"/>"#)), []);
@@ -25,6 +25,7 @@ fn what_differs_is_named() {
     let cases = [
         ("0.29155661", "0.2916", "ex/values/gamma"),
         ("slope 0.151967", "slope 0.152967", "ex/measured"),
+        ("in 3 s", "in 3 steps", "ex/measured"),
         ("slope 0", "order 0", "ex/measured"),
         (r#"["8", "0.1"]"#, r#"["9", "0.1"]"#, "ex/rows/0/0"),
         (r#"[["8", "0.1"]]"#, "[]", "ex/rows"),
