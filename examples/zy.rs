@@ -1,12 +1,9 @@
 use signorini::sobolev::*; use signorini::*;
 fn main(){
-   let f=SingularFunction::new(&[0.0,1.0],|x:f64|x.powf(-0.249)).unwrap();
-   println!("{:?}",f.seminorm("0.25".parse().unwrap(),Tolerance::new(1e-3).unwrap()));
-   let f=SingularFunction::new(&[0.0,1.0],|x:f64|x.powf(0.6)).unwrap();
-   println!("{:?}",f.seminorm("0.99".parse().unwrap(),Tolerance::new(1e-11).unwrap()));
-   let f=SingularFunction::new(&[0.0,1.0],|x:f64|x).unwrap();
-   println!("{:?}",f.seminorm("0.999".parse().unwrap(),Tolerance::new(1e-11).unwrap()));
-   let al=0.4; 
+   for al in [0.4] { let exact=closed_forms::log_power(al).unwrap().value.sqrt();
    let f=SingularFunction::from_positions(&[0.0,1.0],|p:Position| if p.anchor()==0 {(-p.offset().ln()).powf(al)} else {(-(p.offset().ln_1p())).powf(al)}).unwrap();
-   println!("{:?}",f.seminorm(FractionalOrder::HALF,Tolerance::new(1e-11).unwrap()));
+   for tol in [1e-10,3e-11,2e-11] {
+   match f.seminorm(FractionalOrder::HALF,Tolerance::new(tol).unwrap()) {
+    Ok(e)=>println!("log^{al} tol {tol:e}: true {:.1e} est {:.1e} points {}", (e.value/exact-1.0).abs(), e.relative_error(), e.work.points),
+    Err(e)=>println!("log^{al} tol {tol:e}: {e}") } }}
 }

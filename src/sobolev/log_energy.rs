@@ -14,6 +14,9 @@ use super::power::PowerKernel;
 use crate::error::Result;
 use crate::quadrature::{PowerWeightRule, Rule};
 
+/// Where a point of an arm is so deep that other breaks are as good as infinitely far in t.
+const NEAR_DEPTH: f64 = 3.0;
+
 /// Values of u on one cell of one arm.
 struct CellSamples {
     t: Vec<f64>,
@@ -31,6 +34,8 @@ pub(crate) struct LogEnergy<'a> {
     kernel: PowerKernel,
     rule: Rule,
     near: PowerWeightRule,
+    /// away from the other breaks, whose distance is e^t δ: fewer points, not so close to s = 0, lose fewer digits
+    near_deep: PowerWeightRule,
     level: Level,
     /// S in which all lengths are measured: the longest arm
     unit: f64,
@@ -71,6 +76,7 @@ impl<'a> LogEnergy<'a> {
             kernel,
             rule: Rule::gauss_legendre(level.points)?,
             near: PowerWeightRule::new(level.points + 6, kernel.two_minus)?,
+            near_deep: PowerWeightRule::new(level.points / 2 + 3, kernel.two_minus)?,
             level,
             points: 0,
         })
@@ -221,7 +227,8 @@ impl<'a> LogEnergy<'a> {
     fn near_piece(&mut self, x: Outer, reach: f64) -> Result<Density> {
         let arm = self.arms[x.arm];
         let (mut sum, mut rounding) = (0.0, 0.0);
-        for (node, w) in self.near.iter() {
+        let rule = if x.t - reach > NEAR_DEPTH { &self.near_deep } else { &self.near };
+        for (node, w) in rule.iter() {
             let s = reach * node;
             // From δ itself, so that δ and ε keep their quotient e^s however deep they lie.
             let y = x.delta * s.exp();
