@@ -117,7 +117,9 @@ impl ArmIntegral {
             }
             let ratio = (cell / previous).abs();
             previous = cell;
-            if end < self.structured && rounding.get() > (0.02 * self.tolerance * whole).max(0.03 * cell.abs()) {
+            if end < self.structured
+                && rounding.get() > (0.02 * self.tolerance * whole).max(0.03 * cell.abs())
+            {
                 // Deeper, a function of the rounded x has no digits left: go no further, extrapolate.
                 break;
             }
