@@ -5,6 +5,7 @@ mod band;
 mod cells;
 pub mod closed_forms;
 mod cluster;
+mod dual;
 mod function;
 mod function_norms;
 mod gram;
@@ -20,6 +21,7 @@ mod power;
 mod seminorm;
 mod toeplitz;
 
+pub use dual::{DualOf, dual_norm_of_functional};
 pub use function::{Position, SingularFunction};
 pub use gram::{gram_constants, gram_linears, mass_constants, mass_linears};
 pub use operator::GramOperator;
