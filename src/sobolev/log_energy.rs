@@ -195,10 +195,11 @@ impl<'a> LogEnergy<'a> {
             let difference = x.value - cell.value[i];
             let weight = cell.weight[i] / distance * last_power;
             sum += weight * difference * difference;
-            rounding += (weight * difference * (x.value.abs() + cell.value[i].abs())).powi(2);
+            rounding += weight * difference.abs() * (x.value.abs() + cell.value[i].abs());
         }
         let scale = self.kernel.scaling(x.delta / self.unit);
-        Density { value: sum * scale, rounding: rounding.sqrt() * scale * f64::EPSILON }
+        // Independent roundings add as squares do: the sum of n like terms, divided by √n.
+        Density { value: sum * scale, rounding: rounding / (cell.t.len() as f64).sqrt() * scale * f64::EPSILON }
     }
 
     fn distance(&self, x: Outer, other: usize, t: f64, epsilon: f64) -> f64 {
@@ -240,11 +241,12 @@ impl<'a> LogEnergy<'a> {
             sum += weight * quotient * quotient;
             let blur = arm.blur * quotient.abs() / x.delta;
             let size = f64::EPSILON * (x.value.abs() + value.abs());
-            rounding += (weight * quotient * (size + blur) / s).powi(2);
+            rounding += (weight * quotient * (size + blur) / s).abs();
         }
         self.points += (self.level.points + 6) as u64;
         // ∫₀^reach s^{1-2ν} f ds = reach^{2-2ν} Σ w f
+        let count = self.level.points as f64;
         let scale = reach.powf(self.kernel.two_minus) * self.kernel.scaling(x.delta / self.unit);
-        Ok(Density { value: sum * scale, rounding: rounding.sqrt() * scale })
+        Ok(Density { value: sum * scale, rounding: rounding / count.sqrt() * scale })
     }
 }
