@@ -87,6 +87,64 @@ pub enum Error {
         /// Where the factorization broke down.
         pivot: usize,
     },
+    /// A solver of another library refused the problem.
+    #[error("solver: {reason}")]
+    Solver {
+        /// What it said.
+        reason: String,
+    },
+    /// A triangle of a mesh is not usable.
+    #[error("triangle {triangle} {reason} {value}")]
+    Triangle {
+        /// Its number, from 0.
+        triangle: usize,
+        /// What is wrong.
+        reason: &'static str,
+        /// The number that shows it.
+        value: f64,
+    },
+    /// An edge of a mesh is not usable.
+    #[error("edge {}-{} {reason}", nodes[0], nodes[1])]
+    Edge {
+        /// Its end nodes.
+        nodes: [usize; 2],
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// A node of a mesh is not usable.
+    #[error("node {node} {reason}")]
+    Node {
+        /// Its number, from 0.
+        node: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// Contact force and open gap at the same place.
+    #[error("node {node}: u_N = {value} and lambda = {force} are both nonzero")]
+    NotComplementary {
+        /// The node.
+        node: usize,
+        /// u_N there.
+        value: f64,
+        /// λ there.
+        force: f64,
+    },
+    /// A contact scene without a node in contact.
+    #[error("the contact set is empty: u_N < 0 at all {nodes} nodes")]
+    EmptyContact {
+        /// Number of nodes of the edge.
+        nodes: usize,
+    },
+    /// A text does not follow its format.
+    #[error("{format}, line {line}: {reason}")]
+    Syntax {
+        /// The format.
+        format: &'static str,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong.
+        reason: String,
+    },
     /// A file could not be read or written.
     #[error("{}: {reason}", path.display())]
     File {

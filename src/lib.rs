@@ -8,17 +8,34 @@
 //! | --- | --- |
 //! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
 //! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
+//! | Section 2: domains and forms | [`mesh`], [`fem`] |
+//! | Section 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
+//! | Section 2: examples of problems | [`scenes`] |
+//! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
+//! | Appendix B, (4.6), (4.7), Remarks 2 and 4: interpolation, projection, embeddings | [`interpolation`] |
+//! | Section 2 on a strip, reduced to its contact edge | [`strip`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
+#![warn(unreachable_pub)]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod analysis;
+#[cfg(doctest)]
+mod book;
+pub mod contact;
 pub mod error;
 pub mod estimate;
+pub mod fem;
 pub mod figures;
+pub mod interpolation;
+pub mod mesh;
+pub mod poincare;
 pub mod quadrature;
 pub mod report;
+pub mod scenes;
 pub mod sobolev;
+pub mod strip;
 
 pub use error::{Error, Result};
 pub use estimate::{Estimate, Tolerance, Work};

@@ -1,6 +1,7 @@
 //! The outcome of an example: claim, table, verdict, and where its figures are.
 
 use super::table::Table;
+use serde_json::{Map, Value, json};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -78,6 +79,25 @@ impl Headline {
     pub fn quote(&mut self, key: impl Into<String>, value: f64) {
         self.values.push((key.into(), value));
     }
+
+    /// All of it but the figures as one JSON object: `label`, `claim`, `measured`, `verdict`, `confirmed`, `values`
+    /// by key, and the table as it is printed (`columns`, `rows`). Numbers carry all their digits.
+    pub fn json(&self) -> String {
+        let values: Map<String, Value> = self.values.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
+        let column = |c: &super::Column| json!({"key": c.key(), "title": c.title(), "meaning": c.meaning()});
+        let columns: Vec<Value> = self.table.shown_columns().map(column).collect();
+        json!({
+            "label": self.label,
+            "claim": self.claim,
+            "measured": self.measured,
+            "verdict": self.verdict.to_string(),
+            "confirmed": self.verdict.is_confirmed(),
+            "values": values,
+            "columns": columns,
+            "rows": self.table.text_rows(),
+        })
+        .to_string()
+    }
 }
 
 impl fmt::Display for Headline {
@@ -90,5 +110,27 @@ impl fmt::Display for Headline {
             writeln!(f, "figure:   {}", figure.display())?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Column, Format};
+    use super::*;
+
+    #[test]
+    fn json_carries_what_is_printed_and_quoted() {
+        let mut table = Table::new(vec![
+            Column::new("gamma", "gamma", Format::Significant(3), "constant"),
+            Column::hidden("error"),
+        ]);
+        table.push(vec![0.291_557.into(), 1e-9.into()]);
+        let mut headline = Headline::new("Lemma 5.2", "claim", table, "much", Verdict::Holds);
+        headline.quote("gamma.one", 0.291_557);
+        let json: Value = serde_json::from_str(&headline.json()).unwrap();
+        assert_eq!(json["values"]["gamma.one"], 0.291_557);
+        assert_eq!(json["rows"], json!([["0.292"]]));
+        assert_eq!(json["columns"][0]["meaning"], "constant");
+        assert_eq!(json["verdict"], "holds");
     }
 }

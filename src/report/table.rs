@@ -23,6 +23,7 @@ pub struct Column {
     title: String,
     format: Format,
     meaning: String,
+    wrap: Option<usize>,
 }
 
 impl Column {
@@ -33,7 +34,7 @@ impl Column {
         format: Format,
         meaning: impl Into<String>,
     ) -> Self {
-        Self { key, title: title.into(), format, meaning: meaning.into() }
+        Self { key, title: title.into(), format, meaning: meaning.into(), wrap: None }
     }
 
     /// A column that appears in JSON only.
@@ -41,9 +42,30 @@ impl Column {
         Self::new(key, key, Format::Hidden, "")
     }
 
+    /// A column of words, broken into lines of at most `width` characters.
+    pub fn words(key: &'static str, title: impl Into<String>, width: usize) -> Self {
+        Self { wrap: Some(width.max(1)), ..Self::new(key, title, Format::Significant(6), "") }
+    }
+
     /// The key in JSON.
     pub fn key(&self) -> &'static str {
         self.key
+    }
+
+    /// The title in text.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// What the column means; may be empty.
+    pub fn meaning(&self) -> &str {
+        &self.meaning
+    }
+
+    /// The lines of a cell of this column.
+    fn lines(&self, cell: &Cell) -> Vec<String> {
+        let text = cell.text(self.format);
+        self.wrap.map_or_else(|| vec![text.clone()], |width| wrapped(&text, width))
     }
 
     fn is_shown(&self) -> bool {
@@ -200,33 +222,49 @@ impl Table {
         Value::Object(entries.collect::<Map<_, _>>())
     }
 
+    /// The columns that appear in the text form.
+    pub fn shown_columns(&self) -> impl Iterator<Item = &Column> {
+        self.columns.iter().filter(|column| column.is_shown())
+    }
+
+    /// The rows as they appear in the text form, unwrapped, one entry per shown column.
+    pub fn text_rows(&self) -> Vec<Vec<String>> {
+        let shown = |row: &Vec<Cell>| {
+            let cells = row.iter().zip(&self.columns).filter(|(_, column)| column.is_shown());
+            cells.map(|(cell, column)| cell.text(column.format)).collect()
+        };
+        self.rows.iter().map(shown).collect()
+    }
+
     /// Aligned text: numbers to the right, words to the left, explanations of the columns below.
     pub fn text(&self) -> String {
         let shown: Vec<usize> = (0..self.columns.len()).filter(|&j| self.columns[j].is_shown()).collect();
-        let cells: Vec<Vec<String>> = self
+        let cells: Vec<Vec<Vec<String>>> = self
             .rows
             .iter()
-            .map(|row| shown.iter().map(|&j| row[j].text(self.columns[j].format)).collect())
+            .map(|row| shown.iter().map(|&j| self.columns[j].lines(&row[j])).collect())
             .collect();
-        let widths: Vec<usize> = shown
+        let layout: Vec<(usize, bool)> = shown
             .iter()
             .enumerate()
             .map(|(k, &j)| {
-                let longest = cells.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-                longest.max(self.columns[j].title.chars().count())
+                let longest = cells.iter().flat_map(|row| &row[k]).map(|line| line.chars().count()).max();
+                let width = longest.unwrap_or(0).max(self.columns[j].title.chars().count());
+                let is_words = self.rows.iter().any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_)));
+                (width, is_words)
             })
-            .collect();
-        let is_words: Vec<bool> = shown
-            .iter()
-            .map(|&j| self.rows.iter().any(|row| matches!(row[j], Cell::Text(_) | Cell::List(_))))
             .collect();
         let mut text = String::new();
         let titles: Vec<String> = shown.iter().map(|&j| self.columns[j].title.clone()).collect();
-        push_line(&mut text, &titles, &widths, &is_words);
-        let rule: Vec<String> = widths.iter().map(|&w| "-".repeat(w)).collect();
-        push_line(&mut text, &rule, &widths, &is_words);
+        push_line(&mut text, &titles, &layout);
+        let rule: Vec<String> = layout.iter().map(|&(width, _)| "-".repeat(width)).collect();
+        push_line(&mut text, &rule, &layout);
         for row in &cells {
-            push_line(&mut text, row, &widths, &is_words);
+            for line in 0..row.iter().map(Vec::len).max().unwrap_or(0) {
+                let part: Vec<String> =
+                    row.iter().map(|c| c.get(line).cloned().unwrap_or_default()).collect();
+                push_line(&mut text, &part, &layout);
+            }
         }
         for &j in &shown {
             let Column { title, meaning, .. } = &self.columns[j];
@@ -238,19 +276,35 @@ impl Table {
     }
 }
 
-fn push_line(text: &mut String, cells: &[String], widths: &[usize], is_words: &[bool]) {
+fn push_line(text: &mut String, cells: &[String], layout: &[(usize, bool)]) {
     let padded: Vec<String> = cells
         .iter()
-        .zip(widths)
-        .zip(is_words)
+        .zip(layout)
         .map(
-            |((cell, &width), &words)| {
+            |(cell, &(width, words))| {
                 if words { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
             },
         )
         .collect();
     text.push_str(padded.join("  ").trim_end());
     text.push('\n');
+}
+
+/// Greedy line breaking at spaces; a longer word stands alone on its line.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words.split_whitespace() {
+        let Some(line) = lines.last_mut() else { break };
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= width {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
 }
 
 #[cfg(test)]
@@ -270,6 +324,14 @@ mod tests {
         assert!(text.ends_with("nu: order\n"));
         assert_eq!(table.json_rows()[0], r#"{"nu":0.5,"gamma":3.141592653589793,"error":1e-300}"#);
         assert_eq!(table.number(0, "error"), Some(1e-300));
+    }
+
+    #[test]
+    fn words_are_wrapped_beside_numbers() {
+        let mut table =
+            Table::new(vec![Column::words("claim", "claim", 9), Column::new("s", "s", Format::Fixed(1), "")]);
+        table.push(vec!["one two three four".into(), 1.0.into()]);
+        assert_eq!(table.text(), "claim      s\n-------  ---\none two  1.0\nthree\nfour\n");
     }
 
     #[test]

@@ -20,6 +20,9 @@ pub struct Output {
     /// Write figures (SVG) into this directory
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Write the whole outcome as one JSON object into this file (read by the book)
+    #[arg(long, value_name = "FILE")]
+    pub values: Option<PathBuf>,
 }
 
 impl Output {
@@ -38,6 +41,14 @@ impl Output {
             .map_err(|e| Error::file(directory, e))?;
         Ok(Some(directory))
     }
+
+    /// Writes the whole outcome where `--values` asks for it.
+    fn record(&self, headline: &Headline) -> Result<()> {
+        let Some(file) = self.values.as_deref() else {
+            return Ok(());
+        };
+        std::fs::write(file, headline.json()).map_err(|e| Error::file(file, e))
+    }
 }
 
 /// Options of an example that carry an [`Output`].
@@ -54,7 +65,8 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
     };
     let json = options.output().json;
     // A directory that cannot be written is found before the work, not after it.
-    match options.output().directory().map(|_| ()).and_then(|()| run(&options)) {
+    let outcome = options.output().directory().map(|_| ()).and_then(|()| run(&options));
+    match outcome.and_then(|headline| options.output().record(&headline).map(|()| headline)) {
         Ok(headline) => {
             let text = if json { headline.table.json_rows().join("\n") + "\n" } else { headline.to_string() };
             // A closed pipe (`| head`) is the reader's choice, not a failure.

@@ -1,0 +1,129 @@
+//! Decimals typed by hand: a number with a fractional part or a power of ten in prose or in a formula must come from
+//! a computation (`{{value:...}}`) or be on the allow-list. The paper's own labels (Lemma 5.2, (3.15)) are no numbers.
+
+/// Highest equation number of each section of the paper: (1.1), (2.1)-(2.9), ... (6.1)-(6.2).
+const LAST_EQUATION: [(u32, u32); 6] = [(1, 1), (2, 9), (3, 15), (4, 14), (5, 9), (6, 2)];
+
+/// Words after which `S.k` names a statement, a figure or a section.
+const LABEL_WORDS: [&str; 15] = [
+    "Lemma", "Lemmas", "Theorem", "Theorems", "Figure", "Figures", "Fig.", "Figs.", "Section", "Sections",
+    "Sec.", "Secs.", "Remark", "Remarks", "§",
+];
+
+/// A decimal found: its offset (bytes) and its text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Decimal<'a> {
+    /// Where it starts.
+    pub start: usize,
+    /// The decimal.
+    pub text: &'a str,
+}
+
+/// Decimals in a text that are neither labels of the paper nor on the allow-list.
+pub fn typed_by_hand<'a>(text: &'a str, allowed: &[String]) -> Vec<Decimal<'a>> {
+    let bytes = text.as_bytes();
+    let mut found = Vec::new();
+    let mut at = 0;
+    while at < bytes.len() {
+        if !bytes[at].is_ascii_digit() {
+            at += 1;
+            continue;
+        }
+        let end = number_end(bytes, at);
+        let token = &text[at..end];
+        let in_a_name = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'_');
+        let is_decimal = token.contains(['.', 'e', 'E']);
+        if is_decimal && !in_a_name && !is_label(text, at, end) && !allowed.iter().any(|a| a == token) {
+            found.push(Decimal { start: at, text: token });
+        }
+        at = end;
+    }
+    found
+}
+
+/// The end of the number that starts at `at`: digits, a fraction, a power of ten.
+fn number_end(bytes: &[u8], at: usize) -> usize {
+    let digits = |mut k: usize| {
+        while bytes.get(k).is_some_and(u8::is_ascii_digit) {
+            k += 1;
+        }
+        k
+    };
+    let mut end = digits(at);
+    while bytes.get(end) == Some(&b'.') && digits(end + 1) > end + 1 {
+        end = digits(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        if digits(end + 1 + sign) > end + 1 + sign {
+            end = digits(end + 1 + sign);
+        }
+    }
+    end
+}
+
+/// True for `S.k` in parentheses, in the range of the paper's equations, or after a word such as "Lemma".
+fn is_label(text: &str, start: usize, end: usize) -> bool {
+    let Some((section, number)) = text[start..end].split_once('.') else { return false };
+    let (Ok(section), Ok(number)) = (section.parse::<u32>(), number.parse::<u32>()) else { return false };
+    let exists = LAST_EQUATION.iter().any(|&(s, last)| s == section && (1..=last).contains(&number));
+    let before = text[..start].trim_end();
+    let in_parentheses = text[..start].ends_with('(') && text[end..].starts_with(')');
+    let in_tag = text[..start].ends_with(r"\tag{");
+    let named = LABEL_WORDS.iter().any(|word| before.ends_with(word));
+    // "Theorems 3.1 and 4.1", "Lemmas 6.1, 6.2"
+    let listed = before.strip_suffix("and").or_else(|| before.strip_suffix(',')).is_some_and(|list| {
+        let list = list.trim_end();
+        let first = list.rfind(|c: char| !c.is_ascii_digit() && c != '.').map_or(0, |k| k + 1);
+        first < list.len() && is_label(list, first, list.len())
+    });
+    exists && (in_parentheses || in_tag || named || listed)
+}
+
+/// The allow-list: one decimal per line, with its reason after `#`.
+pub fn allow_list(text: &str) -> Vec<String> {
+    text.lines()
+        .map(|line| line.split('#').next().unwrap_or("").trim())
+        .filter(|entry| !entry.is_empty())
+        .map(str::to_owned)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(text: &str) -> Vec<&str> {
+        typed_by_hand(text, &["0.25".to_owned()]).iter().map(|d| d.text).collect()
+    }
+
+    #[test]
+    fn decimals_and_powers_are_found() {
+        assert_eq!(found("gamma is 0.2916, or 3e-7, not 12"), ["0.2916", "3e-7"]);
+        assert_eq!(found(r"\gamma = 1.5\cdot 10^{-3}"), ["1.5"]);
+        assert_eq!(found("(1.5) and (0.29)"), ["1.5", "0.29"]);
+        assert_eq!(found("ends in 12. Next"), [""; 0]);
+    }
+
+    #[test]
+    fn labels_and_allowed_decimals_pass() {
+        for text in [
+            "Lemma 5.2 and (3.15)",
+            "Theorems 3.1 and 4.1",
+            "Fig. 3.2",
+            "Lemmas 6.1, 6.2",
+            "nu = 0.25",
+            r"x \tag{5.2}",
+            "H1.5",
+            "§2.1",
+        ] {
+            assert_eq!(found(text), [""; 0], "{text}");
+        }
+        assert_eq!(found("Lemma 7.9"), ["7.9"]);
+    }
+
+    #[test]
+    fn allow_list_drops_reasons() {
+        assert_eq!(allow_list("# all\n0.25 # order\n\n0.75\n"), ["0.25", "0.75"]);
+    }
+}

@@ -1,0 +1,189 @@
+//! Directives of a page and what they stand for.
+//!
+//! | written | becomes |
+//! | --- | --- |
+//! | `{{value: key}}`, `{{value: key: format}}` | a computed number; formats in [`crate::number`] |
+//! | `{{measured: example}}`, `verdict`, `claim`, `label` | that line of the example's headline |
+//! | `{{table: example}}` | the example's table, with what its columns mean |
+//! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
+//! | `{{code: example: function}}` | that function of the example |
+
+use crate::code;
+use crate::data::{Data, Unknown};
+use crate::figure;
+use crate::markup::escape;
+use crate::number::{Format, Written};
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// A table with more columns than this is set in small type.
+const NARROW: usize = 9;
+
+/// What a page may draw on.
+#[derive(Debug, Clone, Copy)]
+pub struct Sources<'a> {
+    /// What the examples computed.
+    pub data: &'a Data,
+    /// The directory of their programs.
+    pub examples: &'a Path,
+    /// Decimals that may be typed by hand.
+    pub allowed: &'a [String],
+}
+
+/// What a directive stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Meaning {
+    /// A number.
+    Number(Written),
+    /// Words of a headline.
+    Words(String),
+    /// HTML of its own paragraph.
+    Block(String),
+    /// Markdown of its own paragraph.
+    Markdown(String),
+}
+
+/// Looks up what a directive stands for.
+///
+/// # Errors
+/// In words, what is wrong with it.
+pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
+    let data = sources.data;
+    let mut parts = text.splitn(3, ':').map(str::trim);
+    let name = parts.next().unwrap_or("");
+    let key = parts.next().unwrap_or("");
+    let rest = parts.next();
+    match (name, rest) {
+        ("value", format) => value(key, format.unwrap_or("s4"), data).map(Meaning::Number),
+        ("label" | "claim" | "measured" | "verdict", None) => data
+            .text(key, name)
+            .map(|words| Meaning::Words(greek(words)))
+            .ok_or_else(|| Unknown::Missing.words("example")),
+        ("code", Some(function)) => code::block(sources.examples, key, function).map(Meaning::Markdown),
+        ("table", None) => table(key, data).map(Meaning::Block),
+        ("figure", Some(caption)) if !caption.is_empty() => {
+            let (full, svg) = data.figure(key).map_err(|e| e.words("figure"))?;
+            figure::inline(full, svg, caption).map(Meaning::Block)
+        }
+        ("figure", _) => Err("figure without a caption".to_owned()),
+        _ => Err("unknown directive".to_owned()),
+    }
+}
+
+fn value(key: &str, format: &str, data: &Data) -> Result<Written, String> {
+    let digits = Format::parse(format).ok_or_else(|| format!("unknown format {format}"))?;
+    let value = data.value(key).map_err(|e| e.words("key"))?;
+    Ok(Written::new(value, digits))
+}
+
+/// Words of a terminal, where Greek letters are spelled out, as words of a page.
+fn greek(text: &str) -> String {
+    const LETTERS: [(&str, &str); 7] = [
+        ("theta", "θ"),
+        ("nu", "ν"),
+        ("gamma", "γ"),
+        ("tau", "τ"),
+        ("sigma", "σ"),
+        ("lambda", "λ"),
+        ("pi", "π"),
+    ];
+    let is_letter = |c: char| c.is_alphanumeric();
+    let mut result = String::new();
+    let mut rest = text;
+    while let Some(start) = rest.find(is_letter) {
+        let length = rest[start..].find(|c| !is_letter(c)).unwrap_or(rest.len() - start);
+        let word = &rest[start..start + length];
+        let letter = LETTERS.iter().find(|(name, _)| *name == word).map_or(word, |(_, letter)| letter);
+        result.push_str(&rest[..start]);
+        result.push_str(letter);
+        rest = &rest[start + length..];
+    }
+    (result + rest).replace("<=", "≤").replace(">=", "≥")
+}
+
+/// Strings of a JSON array.
+fn strings(array: &Value) -> impl Iterator<Item = &str> {
+    array.as_array().into_iter().flatten().map(|cell| cell.as_str().unwrap_or(""))
+}
+
+fn table(example: &str, data: &Data) -> Result<String, String> {
+    let headline = data.examples.get(example).ok_or_else(|| Unknown::Missing.words("example"))?;
+    let columns = headline["columns"].as_array().map_or(&[][..], Vec::as_slice);
+    let width = if columns.len() > NARROW { " wide" } else { "" };
+    let mut html = format!("<div class=\"table-wrapper{width}\"><table><thead><tr>");
+    for column in columns {
+        let _ = write!(html, "<th>{}</th>", escape(&greek(column["title"].as_str().unwrap_or(""))));
+    }
+    html.push_str("</tr></thead><tbody>");
+    for row in headline["rows"].as_array().into_iter().flatten() {
+        html.push_str("<tr>");
+        for cell in strings(row) {
+            let class = if cell.parse::<f64>().is_ok() { " class=\"number\"" } else { "" };
+            let _ = write!(html, "<td{class}>{}</td>", Written::from_text(&escape(&greek(cell))).html());
+        }
+        html.push_str("</tr>");
+    }
+    html.push_str("</tbody></table></div>");
+    let meanings: Vec<String> = columns
+        .iter()
+        .map(|c| (c["title"].as_str().unwrap_or(""), c["meaning"].as_str().unwrap_or("")))
+        .filter(|(_, meaning)| !meaning.is_empty())
+        .map(|(title, meaning)| format!("<b>{}</b> {}", escape(&greek(title)), escape(&greek(meaning))))
+        .collect();
+    if !meanings.is_empty() {
+        let _ = write!(html, "<p class=\"table-key\">{}</p>", meanings.join("; "));
+    }
+    Ok(html)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data::parse_object;
+
+    fn data() -> Data {
+        let text = r#"{"ex": {"verdict": "holds", "values": {"gamma": 0.29156}, "confirmed": true,
+            "columns": [{"key": "nu", "title": "nu", "meaning": "order"}, {"key": "e", "title": "<e>", "meaning": ""}],
+            "rows": [["0.5", "1e-3"], ["x", "-"]]}}"#;
+        Data {
+            examples: parse_object(Path::new("test"), text).unwrap(),
+            figures: [("ex/f".to_owned(), "<svg viewBox=\"0 0 1 1\"/>".to_owned())].into(),
+        }
+    }
+
+    #[test]
+    fn numbers_words_tables_and_figures_are_found() {
+        let data = data();
+        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
+        let number = |value, format| Ok(Meaning::Number(Written::new(value, format)));
+        assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
+        assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
+        assert_eq!(resolve("verdict: ex", &sources), Ok(Meaning::Words("holds".into())));
+        let Ok(Meaning::Block(html)) = resolve("table:ex", &sources) else { panic!("no table") };
+        assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");
+        assert!(html.contains("10<sup>\u{2212}3</sup>"), "{html}");
+        assert!(html.contains("<b>ν</b> order"), "{html}");
+        assert_eq!(greek("gamma/ln(1/theta) <= pi^h, number"), "γ/ln(1/θ) ≤ π^h, number");
+        assert!(matches!(resolve("figure:f:a: b", &sources), Ok(Meaning::Block(h)) if h.contains("a: b")));
+    }
+
+    #[test]
+    fn what_is_unknown_is_refused() {
+        let data = data();
+        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
+        let bad = [
+            "value:delta",
+            "value:gamma:x9",
+            "figure:f",
+            "figure:g:c",
+            "table:none",
+            "claim:none",
+            "what:x",
+            "",
+        ];
+        for text in bad {
+            assert!(resolve(text, &sources).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Runs every example of the library at its default size and collects what it computed.
+//!
+//! An outcome is kept in `target/book-cache` beside a stamp of the program that computed it, so that only examples
+//! whose program changed run again.
+
+use crate::data::{Data, names, parse_object};
+use crate::error::{Error, Result, read, write};
+use serde_json::Value;
+use std::hash::{DefaultHasher, Hasher};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Builds the examples of the package at `repository` and runs those whose program changed.
+///
+/// # Errors
+/// [`Error::Example`] when one does not build or run, [`Error::File`].
+pub fn gather(repository: &Path) -> Result<Data> {
+    let programs = build(repository)?;
+    let mut data = Data::default();
+    let count = programs.len();
+    for (k, program) in programs.iter().enumerate() {
+        let name = program.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let cache = cache_directory(program).join(&name);
+        let stamp = stamp(program)?;
+        let is_known = read(&cache.join("stamp")).is_ok_and(|known| known == stamp);
+        if !is_known {
+            eprintln!("[{}/{count}] {name}", k + 1);
+            run(&name, program, &cache)?;
+        }
+        collect(&name, &cache, &mut data)?;
+        write(&cache.join("stamp"), &stamp)?;
+    }
+    Ok(data)
+}
+
+/// Builds all examples in release and returns their programs, sorted by name.
+fn build(repository: &Path) -> Result<Vec<PathBuf>> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let failed = |message: String| Error::Example { name: "(cargo build)".to_owned(), message };
+    let output = Command::new(cargo)
+        .current_dir(repository)
+        .args(["build", "--release", "--examples", "--package", "signorini", "--quiet"])
+        .args(["--message-format", "json-render-diagnostics"])
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|e| failed(e.to_string()))?;
+    if !output.status.success() {
+        return Err(failed("failed, see above".to_owned()));
+    }
+    let mut programs: Vec<PathBuf> = String::from_utf8_lossy(&output.stdout)
+        .lines()
+        .filter_map(|line| serde_json::from_str::<Value>(line).ok())
+        .filter(|message| message["target"]["kind"][0] == "example")
+        .filter_map(|message| message["executable"].as_str().map(PathBuf::from))
+        .collect();
+    programs.sort();
+    Ok(programs)
+}
+
+/// `target/book-cache` for `target/release/examples/name`.
+fn cache_directory(program: &Path) -> PathBuf {
+    let target = program.ancestors().nth(3).unwrap_or(Path::new("target"));
+    target.join("book-cache")
+}
+
+/// Changes whenever the program does.
+fn stamp(program: &Path) -> Result<String> {
+    let bytes = std::fs::read(program).map_err(|source| Error::File { path: program.to_owned(), source })?;
+    let mut hasher = DefaultHasher::new();
+    hasher.write(&bytes);
+    Ok(format!("{:016x} {}", hasher.finish(), bytes.len()))
+}
+
+/// Runs one example; its headline and figures go to `cache`.
+fn run(name: &str, program: &Path, cache: &Path) -> Result<()> {
+    let failed = |message: String| Error::Example { name: name.to_owned(), message };
+    if cache.exists() {
+        std::fs::remove_dir_all(cache).map_err(|source| Error::File { path: cache.to_owned(), source })?;
+    }
+    write(&cache.join("headline.json"), "")?; // makes the directory too
+    let output = Command::new(program)
+        .arg("--values")
+        .arg(cache.join("headline.json"))
+        .arg("--out")
+        .arg(cache.join("figures"))
+        .output()
+        .map_err(|e| failed(e.to_string()))?;
+    // 1 says that the statement was not confirmed: an outcome like any other, carried by the verdict.
+    match output.status.code() {
+        Some(0 | 1) => Ok(()),
+        _ => Err(failed(String::from_utf8_lossy(&output.stderr).trim().to_owned())),
+    }
+}
+
+fn collect(name: &str, cache: &Path, data: &mut Data) -> Result<()> {
+    let path = cache.join("headline.json");
+    let headline = parse_object(&path, &read(&path)?)?;
+    if headline.get("confirmed") == Some(&Value::Bool(false)) {
+        eprintln!("{name}: {}", headline["verdict"].as_str().unwrap_or("not confirmed"));
+    }
+    data.examples.insert(name.to_owned(), Value::Object(headline));
+    let figures = cache.join("figures");
+    for file in names(&figures)? {
+        if let Some(stem) = file.strip_suffix(".svg") {
+            data.figures.insert(format!("{name}/{stem}"), read(&figures.join(&file))?);
+        }
+    }
+    Ok(())
+}

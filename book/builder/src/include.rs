@@ -1,0 +1,66 @@
+//! Code included from examples: the file and the anchor must exist (mdBook itself would pass over them in silence),
+//! and Rust code must stand in a block marked `rust,ignore`, because chapters are documentation tests.
+
+use crate::error::Fault;
+use crate::page::Page;
+use std::path::Path;
+
+/// Faults of the lines `{{#include path:anchor}}` of a page; paths are relative to `source`.
+pub fn faults(page: &Page, source: &Path) -> Vec<Fault> {
+    let mut found = Vec::new();
+    let mut fence = "";
+    for (k, line) in page.text.lines().enumerate() {
+        if let Some(info) = line.trim_start().strip_prefix("```") {
+            fence = info.trim();
+        }
+        let mut rest = line;
+        while let Some((_, after)) = rest.split_once("{{#") {
+            let (body, behind) = after.split_once("}}").unwrap_or((after, ""));
+            if let Some(what) = fault(body, fence, source) {
+                found.push(Fault::new(&page.file, k + 1, what, body));
+            }
+            rest = behind;
+        }
+    }
+    found
+}
+
+fn fault(body: &str, fence: &str, source: &Path) -> Option<String> {
+    let Some(target) = body.strip_prefix("include ") else {
+        return Some("not an include".to_owned());
+    };
+    let (path, anchor) = target.trim().split_once(':').unwrap_or((target.trim(), ""));
+    let Ok(text) = std::fs::read_to_string(source.join(path)) else {
+        return Some("included file does not exist".to_owned());
+    };
+    let has = |mark: &str| {
+        text.lines().any(|line| line.split_once(mark).is_some_and(|(_, name)| name.trim() == anchor))
+    };
+    let is_found = anchor.is_empty() || (has("ANCHOR: ") && has("ANCHOR_END: "));
+    if !is_found {
+        return Some("included file has no such anchor".to_owned());
+    }
+    let is_rust = Path::new(path).extension().is_some_and(|e| e == "rs");
+    (is_rust && fence != "rust,ignore").then(|| "included Rust code not in a `rust,ignore` block".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn file_anchor_and_fence_are_checked() {
+        let directory = tempfile::tempdir().unwrap();
+        std::fs::write(directory.path().join("a.rs"), "// ANCHOR: run\nfn f() {}\n// ANCHOR_END: run\n")
+            .unwrap();
+        let check = |text: &str| {
+            let page = Page { file: "p.md".into(), html: "p.html".into(), text: text.to_owned() };
+            faults(&page, directory.path()).iter().map(|f| f.line).collect::<Vec<_>>()
+        };
+        assert_eq!(check("```rust,ignore\n{{#include a.rs:run}}\n```"), [0; 0]);
+        assert_eq!(check("```rust,ignore\n{{#include a.rs:none}}\n```"), [2]);
+        assert_eq!(check("```rust,ignore\n{{#include b.rs:run}}\n```"), [2]);
+        assert_eq!(check("```rust\n{{#include a.rs:run}}\n```"), [2]);
+        assert_eq!(check("\n\n{{#title x}}"), [3]);
+    }
+}

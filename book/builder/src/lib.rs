@@ -1,0 +1,138 @@
+//! Builds the book of the library `signorini`: runs the examples, puts their numbers, tables and figures into the
+//! chapters, renders the formulas, drives mdBook, and checks the result.
+//!
+//! A chapter is Markdown with formulas between dollars and directives ([`directive`]); nothing computed is typed by
+//! hand. Every fault names file, line and the offending text.
+
+pub mod code;
+pub mod data;
+pub mod decimal;
+pub mod directive;
+pub mod error;
+pub mod examples;
+pub mod figure;
+pub mod formula;
+pub mod html;
+pub mod include;
+pub mod markup;
+pub mod number;
+pub mod page;
+pub mod scan;
+pub mod stale;
+pub mod verify;
+
+use data::Data;
+use directive::Sources;
+use error::{Fault, Result, none_of, read};
+use page::Page;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Where the parts of a book are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Layout {
+    /// The repository; faults name files relative to it.
+    pub repository: PathBuf,
+    /// The book: `book.toml`, `src`, `generated`, `allowed-decimals.txt`.
+    pub book: PathBuf,
+}
+
+impl Layout {
+    /// The layout of a repository that keeps its book in `book`.
+    pub fn of(repository: &Path) -> Self {
+        Self { repository: repository.to_owned(), book: repository.join("book") }
+    }
+
+    /// Where the committed data of the examples is.
+    pub fn generated(&self) -> PathBuf {
+        self.book.join("generated")
+    }
+
+    /// The module that makes every chapter a documentation test.
+    fn doctests(&self) -> PathBuf {
+        self.repository.join("src").join("book.rs")
+    }
+}
+
+/// Builds the pages from data that is there; returns the directory of the HTML.
+///
+/// # Errors
+/// [`error::Error::Faults`] with every fault found, or what went wrong around them.
+pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
+    let pages = html::chapters(&layout.book, &layout.repository)?;
+    let allowed = read(&layout.book.join("allowed-decimals.txt")).unwrap_or_default();
+    let mut faults = untested(layout, &pages);
+    for page in &pages {
+        faults.extend(include::faults(page, &layout.book.join("src")));
+    }
+    let (examples, allowed) = (layout.repository.join("examples"), decimal::allow_list(&allowed));
+    let marked = match page::mark(&pages, &Sources { data, examples: &examples, allowed: &allowed }) {
+        Ok(marked) => marked,
+        Err(more) => {
+            faults.extend(more);
+            page::Marked::default()
+        }
+    };
+    none_of(faults)?;
+    let output = html::build(&layout.book, &marked)?;
+    none_of(verify::faults(&output, &pages)?)?;
+    Ok(output)
+}
+
+/// Chapters that are no documentation tests.
+fn untested(layout: &Layout, pages: &[Page]) -> Vec<Fault> {
+    let Ok(module) = read(&layout.doctests()) else { return Vec::new() };
+    let name = |page: &Page| page.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    pages
+        .iter()
+        .filter(|page| !module.contains(&format!("{}\"", name(page))))
+        .map(|page| Fault::new(&page.file, 1, "chapter is not listed in src/book.rs", name(page)))
+        .collect()
+}
+
+/// Fails where committed data is not what was computed now.
+///
+/// # Errors
+/// [`error::Error::Faults`], each entry that differs.
+pub fn check_fresh(layout: &Layout, committed: &Data, computed: &Data) -> Result<()> {
+    let generated = layout.generated();
+    let generated = generated.strip_prefix(&layout.repository).unwrap_or(&generated);
+    let faults = stale::compare(committed, computed).into_iter().map(|stale| {
+        let file = generated.join(&stale.file);
+        let text = read(&layout.repository.join(&file)).unwrap_or_default();
+        Fault::new(&file, line_of(&text, &stale.entry), format!("stale: {}", stale.what), stale.entry)
+    });
+    none_of(faults.collect())
+}
+
+/// The line of an entry such as `example/values/key` in pretty-printed JSON; 1 where it cannot be told.
+fn line_of(text: &str, entry: &str) -> usize {
+    let mut at = 0;
+    for key in entry.split('/') {
+        match text[at..].find(&format!("\"{key}\":")) {
+            Some(k) => at += k,
+            None => break,
+        }
+    }
+    scan::line_at(text, at)
+}
+
+/// Only the figures that pages show are committed; all values are.
+///
+/// # Errors
+/// When the chapters cannot be read.
+pub fn shown(layout: &Layout, mut data: Data) -> Result<Data> {
+    let mut names = BTreeSet::new();
+    for page in html::chapters(&layout.book, &layout.repository)? {
+        for piece in scan::pieces(&page.text).unwrap_or_default() {
+            let figure = piece.text.trim_start().strip_prefix("figure:").map(|rest| rest.split(':').next());
+            if let (scan::Kind::Directive, Some(Some(name))) = (piece.kind, figure)
+                && let Ok((full, _)) = data.figure(name.trim())
+            {
+                names.insert(full.to_owned());
+            }
+        }
+    }
+    data.figures.retain(|name, _| names.contains(name));
+    Ok(data)
+}

@@ -1,0 +1,55 @@
+//! `cargo book`: runs the examples, writes `book/generated`, builds the pages.
+//! `cargo book build`: builds the pages from the committed data.
+//! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
+
+use book_builder::data::Data;
+use book_builder::error::Result;
+use book_builder::{Layout, build, check_fresh, examples, shown};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+const USAGE: &str = "usage: cargo book [build | check]";
+
+fn main() -> ExitCode {
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let layout = Layout::of(&repository.canonicalize().unwrap_or(repository));
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let done = match words.as_slice() {
+        [] => renew(&layout),
+        ["build"] => Data::read(&layout.generated()).and_then(|data| build(&layout, &data)),
+        ["check"] => check(&layout),
+        ["-h" | "--help" | "help"] => {
+            println!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        _ => {
+            eprintln!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match done {
+        Ok(output) => {
+            println!("file://{}", output.join("index.html").display());
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn renew(layout: &Layout) -> Result<PathBuf> {
+    let data = shown(layout, examples::gather(&layout.repository)?)?;
+    data.write(&layout.generated())?;
+    build(layout, &data)
+}
+
+/// Pages first: their faults show at once, without the examples.
+fn check(layout: &Layout) -> Result<PathBuf> {
+    let committed = Data::read(&layout.generated())?;
+    let output = build(layout, &committed)?;
+    check_fresh(layout, &committed, &examples::gather(&layout.repository)?)?;
+    Ok(output)
+}

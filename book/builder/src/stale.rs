@@ -1,0 +1,190 @@
+//! Is committed data still what the examples compute? Compared as written, up to the last digits: processors and
+//! threads differ there. Times and counts of solver steps are not compared.
+
+use crate::data::Data;
+use serde_json::Value;
+
+/// Relative difference that counts as equal: far above the accuracy the examples converge to (1e-8 at worst), far
+/// below the digits a page quotes.
+const RELATIVE: f64 = 1e-6;
+/// Below this both numbers are rounding errors (residuals, balances) and carry no digits.
+const ROUNDING: f64 = 1e-10;
+/// Units of the last written digit by which texts and drawings may differ.
+const LAST_DIGIT: f64 = 2.0;
+
+/// Something committed that is no longer computed so.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Stale {
+    /// File below `generated`.
+    pub file: String,
+    /// Which entry.
+    pub entry: String,
+    /// What was committed and what was computed.
+    pub what: String,
+}
+
+/// What of `committed` differs from `computed`. Figures are compared where they are committed.
+pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
+    let mut found = Vec::new();
+    let values = |entry: String, what: String| Stale { file: "values.json".to_owned(), entry, what };
+    for (name, new) in &computed.examples {
+        let Some(old) = committed.examples.get(name) else {
+            found.push(values(name.clone(), "computed and not committed".to_owned()));
+            continue;
+        };
+        let mut differences = Vec::new();
+        difference(name, old, new, &mut differences);
+        found.extend(differences.into_iter().map(|(entry, what)| values(entry, what)));
+    }
+    for name in committed.examples.keys().filter(|name| !computed.examples.contains_key(*name)) {
+        found.push(values(name.clone(), "committed and no longer computed".to_owned()));
+    }
+    for (name, old) in &committed.figures {
+        let what = match computed.figures.get(name) {
+            None => "committed and no longer drawn",
+            Some(new) if !is_timed(name) && !same_text(old, new) => "drawn differently now",
+            Some(_) => continue,
+        };
+        found.push(Stale { file: format!("figures/{name}.svg"), entry: name.clone(), what: what.to_owned() });
+    }
+    found
+}
+
+/// Keys, columns and figures that hold times or solver steps end in `seconds`, `ms`, `speedup`, `iterations`, `steps`
+/// (words joined by `.`, `_`, `-`).
+pub fn is_timed(key: &str) -> bool {
+    let last = key.rsplit(['.', '_', '-', '/', ' ']).next().unwrap_or(key);
+    matches!(last, "seconds" | "ms" | "speedup" | "iterations" | "steps")
+}
+
+fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, String)>) {
+    let mut differs = || found.push((path.to_owned(), format!("committed {old}, computed {new}")));
+    match (old, new) {
+        _ if is_timed(path) => {}
+        (Value::Number(a), Value::Number(b)) => {
+            if !same_number(a.as_f64().unwrap_or(f64::NAN), b.as_f64().unwrap_or(f64::NAN)) {
+                differs();
+            }
+        }
+        (Value::String(a), Value::String(b)) if same_text(a, b) => {}
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            for (k, (a, b)) in a.iter().zip(b).enumerate() {
+                difference(&format!("{path}/{k}"), a, b, found);
+            }
+        }
+        (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
+            let timed = timed_columns(a);
+            for (key, a) in a {
+                if key == "rows" {
+                    difference(
+                        &format!("{path}/rows"),
+                        &without(a, &timed),
+                        &without(&b["rows"], &timed),
+                        found,
+                    );
+                } else {
+                    difference(&format!("{path}/{key}"), a, &b[key], found);
+                }
+            }
+        }
+        (a, b) if a == b => {}
+        _ => differs(),
+    }
+}
+
+/// Places of the columns that hold times.
+fn timed_columns(headline: &serde_json::Map<String, Value>) -> Vec<usize> {
+    let columns = headline.get("columns").and_then(Value::as_array);
+    let is_timed = |column: &Value| column["key"].as_str().is_some_and(is_timed);
+    columns
+        .into_iter()
+        .flatten()
+        .enumerate()
+        .filter_map(|(k, column)| is_timed(column).then_some(k))
+        .collect()
+}
+
+fn without(rows: &Value, columns: &[usize]) -> Value {
+    let kept = |row: &Value| -> Value {
+        let cells = row.as_array().into_iter().flatten().enumerate();
+        cells.filter(|(k, _)| !columns.contains(k)).map(|(_, cell)| cell.clone()).collect()
+    };
+    rows.as_array().into_iter().flatten().map(kept).collect()
+}
+
+fn same_number(a: f64, b: f64) -> bool {
+    let size = a.abs().max(b.abs());
+    a == b || size <= ROUNDING || (a - b).abs() <= RELATIVE * size
+}
+
+/// The same words, and numbers that agree up to their last written digits.
+fn same_text(a: &str, b: &str) -> bool {
+    let (a, b) = (tokens(a), tokens(b));
+    let is_time = |k: usize| a.get(k + 1).is_some_and(|after| is_seconds(after));
+    a.len() == b.len()
+        && a.iter().zip(&b).enumerate().all(|(k, (a, b))| {
+            a == b
+                || match (a.parse::<f64>(), b.parse::<f64>()) {
+                    (Ok(x), Ok(y)) => {
+                        let slack = LAST_DIGIT * last_digit(a).max(last_digit(b));
+                        is_time(k) || same_number(x, y) || (x - y).abs() <= slack * (1.0 + 1e-9)
+                    }
+                    _ => false,
+                }
+        })
+}
+
+/// What follows a number says that it counted seconds, as in "10 rows in 3 s".
+fn is_seconds(after: &str) -> bool {
+    after.strip_prefix(" s").is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+}
+
+/// Numbers and what stands between them.
+fn tokens(text: &str) -> Vec<&str> {
+    let bytes = text.as_bytes();
+    let digit = |k: usize| bytes.get(k).is_some_and(u8::is_ascii_digit);
+    let mut found = Vec::new();
+    let (mut at, mut from) = (0, 0);
+    while at < bytes.len() {
+        let signed = bytes[at] == b'-' && digit(at + 1);
+        if !digit(at) && !signed {
+            at += 1;
+            continue;
+        }
+        let start = at;
+        at += 1;
+        while digit(at) || (bytes.get(at) == Some(&b'.') && digit(at + 1)) {
+            at += 1;
+        }
+        let sign = usize::from(matches!(bytes.get(at + 1), Some(b'-' | b'+')));
+        if bytes.get(at) == Some(&b'e') && digit(at + 1 + sign) {
+            at += 1 + sign;
+            while digit(at) {
+                at += 1;
+            }
+        }
+        if from < start {
+            found.push(&text[from..start]);
+        }
+        found.push(&text[start..at]);
+        from = at;
+    }
+    if from < text.len() {
+        found.push(&text[from..]);
+    }
+    found
+}
+
+/// The size of one unit of the last written digit. An integer of up to two digits is a count and must agree.
+fn last_digit(number: &str) -> f64 {
+    let (mantissa, exponent) = number.split_once('e').unwrap_or((number, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+    if decimals == 0 && exponent == "0" && mantissa.trim_start_matches('-').len() < 3 {
+        return 0.0;
+    }
+    10f64.powi(exponent.parse::<i32>().unwrap_or(0) - decimals as i32)
+}
+
+#[cfg(test)]
+#[path = "stale_tests.rs"]
+mod tests;

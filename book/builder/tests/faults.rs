@@ -1,0 +1,194 @@
+//! A small book builds; every fault put into it fails, and the message names file, line and offending text.
+
+use book_builder::data::Data;
+use book_builder::error::Error;
+use book_builder::{Layout, build, check_fresh, shown};
+use serde_json::json;
+use std::path::Path;
+use tempfile::TempDir;
+
+const FIRST: &str = "# First {#first}
+
+{{figure: ex/chart: gamma against theta}}
+
+$$
+\\begin{equation} \\gamma_\\theta \\le C \\tag{5.2} \\label{bound} \\end{equation}
+$$
+
+It is {{value: gamma: s4}}, see [the second page](second.md#two). {{table: ex}}
+";
+const SECOND: &str = "# Second {#two}
+
+By $\\eqref{bound}$ and Lemma 5.2 the verdict is: {{verdict: ex}}.
+
+```rust,ignore
+{{#include ../../examples/ex.rs:run}}
+```
+
+{{code: ex: walk}}
+";
+const CHART: &str = r##"<svg width="640" height="480" xmlns="http://www.w3.org/2000/svg"><path d="M100 200" stroke="#000000"/></svg>"##;
+
+/// A repository with a book of two pages.
+struct Fixture(TempDir);
+
+impl Fixture {
+    fn new() -> Self {
+        let fixture = Self(tempfile::tempdir().unwrap());
+        let toml =
+            std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../book.toml")).unwrap();
+        fixture.write("book/book.toml", &toml);
+        fixture.write("book/style/book.css", "math { font-family: math; }");
+        fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
+        fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
+        fixture.write("book/src/second.md", SECOND);
+        fixture.write("src/book.rs", "first: \"first.md\", second: \"second.md\",");
+        fixture.write("examples/ex.rs", "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n\nfn walk() {}\n");
+        data(0.29156).write(&fixture.layout().generated()).unwrap();
+        fixture
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::of(self.0.path())
+    }
+
+    fn write(&self, path: &str, text: &str) {
+        let path = self.0.path().join(path);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+
+    fn read(&self, path: &str) -> String {
+        std::fs::read_to_string(self.0.path().join(path)).unwrap()
+    }
+
+    fn build(&self) -> Result<(), Error> {
+        build(&self.layout(), &Data::read(&self.layout().generated())?).map(|_| ())
+    }
+
+    /// Replaces text in a file and expects a fault that begins with `place` and contains `words`.
+    fn expect(path: &str, from: &str, to: &str, place: &str, words: &str) {
+        let fixture = Self::new();
+        let text = fixture.read(path);
+        assert!(text.contains(from), "{from}");
+        fixture.write(path, &text.replace(from, to));
+        let message = fixture.build().expect_err(to).to_string();
+        let found = message.lines().any(|line| line.starts_with(place) && line.contains(words));
+        assert!(found, "expected {place} ... {words}, got\n{message}");
+    }
+}
+
+fn data(gamma: f64) -> Data {
+    let example = json!({
+        "label": "Lemma 5.2", "claim": "c", "measured": "m", "verdict": "holds", "confirmed": true,
+        "values": {"gamma": gamma},
+        "columns": [{"key": "theta", "title": "theta", "meaning": "zone"}],
+        "rows": [["1e-3"]],
+    });
+    let figures = [("ex/chart".to_owned(), CHART.to_owned()), ("ex/unused".to_owned(), CHART.to_owned())];
+    Data { examples: [("ex".to_owned(), example)].into_iter().collect(), figures: figures.into() }
+}
+
+#[test]
+fn a_sound_book_builds_and_is_complete() {
+    let fixture = Fixture::new();
+    fixture.build().unwrap();
+    let first = fixture.read("book/html/first.html");
+    for part in
+        ["role=\"img\"", "aria-label=\"gamma against theta\"", "stroke=\"currentColor\"", "0.2916", "(5.2)"]
+    {
+        assert!(first.contains(part), "{part}");
+    }
+    let second = fixture.read("book/html/second.html");
+    assert!(second.contains("href=\"first.html#bound\""), "{second}");
+    assert!(
+        second.contains("fn main() {}")
+            && second.contains("fn walk() {}")
+            && second.contains("verdict is: holds."),
+        "{second}"
+    );
+    assert!(fixture.0.path().join("book/html/fonts/NewCMMath-Regular.otf").is_file());
+    for name in ["first.html", "second.html", "index.html", "print.html", "toc.js"] {
+        let text = fixture.read(&format!("book/html/{name}"));
+        assert!(!text.contains(['\u{E000}', '\u{E001}']), "mark left in {name}");
+        for reference in ["src=\"http", "href=\"http", "url(http", "=\"//"] {
+            assert!(!text.contains(reference), "{reference} in {name}");
+        }
+    }
+}
+
+#[test]
+fn faults_of_formulas_fail() {
+    let (first, second) = ("book/src/first.md", "book/src/second.md");
+    Fixture::expect(first, "\\le C", "\\nosuch C", "book/src/first.md:5:", "`\\nosuch`");
+    Fixture::expect(first, "\\le C", "\\frac{", "book/src/first.md:5:", "does not parse");
+    Fixture::expect(second, "$\\eqref{bound}$", "$\\eqref{nowhere}$", "book/src/second.md:3:", "`nowhere`");
+    Fixture::expect(first, "\\label{bound}", "", "book/src/second.md:3:", "`bound`");
+    Fixture::expect(second, "the verdict", "$x + the verdict", "book/src/second.md:3:", "closing dollar");
+}
+
+#[test]
+fn faults_of_keys_fail() {
+    let (first, second) = ("book/src/first.md", "book/src/second.md");
+    Fixture::expect(first, "value: gamma:", "value: delta:", "book/src/first.md:9:", "`value: delta: s4`");
+    Fixture::expect(first, "s4}}", "z4}}", "book/src/first.md:9:", "unknown format z4");
+    Fixture::expect(first, "ex/chart", "ex/none", "book/src/first.md:3:", "unknown figure");
+    Fixture::expect(second, "verdict: ex", "verdict: no", "book/src/second.md:3:", "unknown example");
+    Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:6:", "no such anchor");
+    Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:9:", "no such function");
+    Fixture::expect("src/book.rs", "second.md", "", "book/src/second.md:1:", "not listed");
+}
+
+#[test]
+fn faults_of_links_fail() {
+    let first = "book/src/first.md";
+    Fixture::expect(first, "second.md#two", "third.md", "book/src/first.md:9:", "dead link: `third.");
+    Fixture::expect(
+        first,
+        "second.md#two",
+        "second.md#three",
+        "book/src/first.md:9:",
+        "dead anchor: `second.html#three`",
+    );
+    Fixture::expect(
+        first,
+        "second.md#two",
+        "https://example.org",
+        "book/src/first.md:9:",
+        "link out of the book",
+    );
+}
+
+#[test]
+fn decimals_typed_by_hand_fail_unless_allowed() {
+    let first = "book/src/first.md";
+    Fixture::expect(first, "It is", "It is 0.2916 or", "book/src/first.md:9:", "`0.2916`");
+    Fixture::expect(first, "\\le C", "\\le 1.5", "book/src/first.md:6:", "`1.5`");
+    let fixture = Fixture::new();
+    fixture.write(first, &fixture.read(first).replace("It is", "It is 0.2916 or"));
+    fixture.write("book/allowed-decimals.txt", "0.2916 # for this test\n");
+    fixture.build().unwrap();
+}
+
+#[test]
+fn stale_values_and_figures_fail() {
+    let fixture = Fixture::new();
+    let layout = fixture.layout();
+    let committed = shown(&layout, Data::read(&layout.generated()).unwrap()).unwrap();
+    assert_eq!(committed.figures.keys().collect::<Vec<_>>(), ["ex/chart"]);
+    check_fresh(&layout, &committed, &data(0.29156 * (1.0 + 1e-9))).unwrap();
+
+    let message = check_fresh(&layout, &committed, &data(0.2917)).unwrap_err().to_string();
+    assert!(
+        message.starts_with("book/generated/values.json:9: stale: committed 0.29156, computed 0.2917"),
+        "{message}"
+    );
+
+    let mut computed = data(0.29156);
+    computed.figures.insert("ex/chart".to_owned(), CHART.replace("100", "150"));
+    let message = check_fresh(&layout, &committed, &computed).unwrap_err().to_string();
+    assert!(
+        message.starts_with("book/generated/figures/ex/chart.svg:1: stale: drawn differently"),
+        "{message}"
+    );
+}

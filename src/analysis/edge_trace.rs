@@ -1,0 +1,148 @@
+//! The trace of a computed solution on the contact edge.
+//!
+//! | paper | here |
+//! | --- | --- |
+//! | u_N on Γ_C | piecewise linear with nodal values `displacement` ≤ 0 |
+//! | −σ_N dΓ | point forces `force` ≥ 0 at the nodes, so that ∫ σ_N v dΓ = −Σ λᵢ v(xᵢ) |
+//! | contact set {u_N = 0} | closed intervals between consecutive nodes where u_N = 0, single points included |
+
+use crate::error::{Error, Result};
+
+/// A closed interval [start, end] of the contact edge; a single point when both agree.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// Left end.
+    pub start: f64,
+    /// Right end, not below `start`.
+    pub end: f64,
+}
+
+impl Interval {
+    /// end − start.
+    pub fn length(&self) -> f64 {
+        self.end - self.start
+    }
+
+    /// The common part, if there is one; it may be a point.
+    pub fn intersection(&self, other: &Interval) -> Option<Interval> {
+        let (start, end) = (self.start.max(other.start), self.end.min(other.end));
+        (start <= end).then_some(Interval { start, end })
+    }
+}
+
+/// Nodes of a fine mesh of the contact edge with normal displacements and contact forces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EdgeTrace {
+    nodes: Vec<f64>,
+    displacement: Vec<f64>,
+    force: Vec<f64>,
+    contact: Vec<Interval>,
+    pressed: Vec<Interval>,
+}
+
+impl EdgeTrace {
+    /// Nodes in increasing order, u_N at the nodes, forces λ ≥ 0 at the nodes.
+    ///
+    /// A node is in contact where u_N = 0 to within `rounding` (absolute, of u_N), pressed where λ exceeds `rounding`
+    /// times the largest force relative to the largest displacement.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], and [`Error::OutOfRange`] when nodes do not increase, when u_N
+    /// exceeds `rounding`, or when fewer than two nodes are given ([`Error::CountOutOfRange`]).
+    pub fn new(nodes: Vec<f64>, displacement: Vec<f64>, force: Vec<f64>, rounding: f64) -> Result<Self> {
+        if nodes.len() < 2 {
+            return Err(Error::CountOutOfRange {
+                name: "nodes of the contact edge",
+                value: nodes.len(),
+                range: "n >= 2",
+            });
+        }
+        for (name, values) in [("displacement", &displacement), ("force", &force)] {
+            if values.len() != nodes.len() {
+                return Err(Error::LengthMismatch { name, given: values.len(), expected: nodes.len() });
+            }
+        }
+        for (name, values) in [("node", &nodes), ("displacement", &displacement), ("force", &force)] {
+            if let Some(index) = values.iter().position(|v| !v.is_finite()) {
+                return Err(Error::NotFinite { name, index, value: values[index] });
+            }
+        }
+        if let Some(pair) = nodes.windows(2).find(|p| p[0] >= p[1]) {
+            return Err(Error::OutOfRange { name: "node", value: pair[1], range: "increasing nodes" });
+        }
+        if let Some(&value) = displacement.iter().find(|&&u| u > rounding) {
+            return Err(Error::OutOfRange { name: "normal displacement", value, range: "u_N <= 0" });
+        }
+        let largest_u = displacement.iter().fold(0.0f64, |m, u| m.max(u.abs()));
+        let largest_force = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+        let force_rounding = if largest_u > 0.0 { rounding / largest_u * largest_force } else { 0.0 };
+        let contact = runs(&nodes, |i| displacement[i] >= -rounding);
+        let pressed = runs(&nodes, |i| force[i] > force_rounding);
+        Ok(Self { nodes, displacement, force, contact, pressed })
+    }
+
+    /// The nodes, increasing.
+    pub fn nodes(&self) -> &[f64] {
+        &self.nodes
+    }
+
+    /// u_N at the nodes.
+    pub fn displacement(&self) -> &[f64] {
+        &self.displacement
+    }
+
+    /// Contact forces λ at the nodes.
+    pub fn force(&self) -> &[f64] {
+        &self.force
+    }
+
+    /// −σ_N at the nodes: each force over half the length of the cells it belongs to.
+    pub fn pressure(&self) -> Vec<f64> {
+        let last = self.nodes.len() - 1;
+        let width = |i: usize| self.nodes[(i + 1).min(last)] - self.nodes[i.saturating_sub(1)];
+        self.force.iter().enumerate().map(|(i, force)| 2.0 * force / width(i)).collect()
+    }
+
+    /// The contact set {u_N = 0}, as intervals in increasing order.
+    pub fn contact(&self) -> &[Interval] {
+        &self.contact
+    }
+
+    /// The support of σ_N, as intervals in increasing order.
+    pub fn pressed(&self) -> &[Interval] {
+        &self.pressed
+    }
+
+    /// u_N at any point of the edge (linear between nodes, constant beyond the ends).
+    pub fn displacement_at(&self, x: f64) -> f64 {
+        let right = self.nodes.partition_point(|&node| node < x);
+        if right == 0 {
+            return self.displacement[0];
+        }
+        if right == self.nodes.len() {
+            return self.displacement[right - 1];
+        }
+        let (a, b) = (self.nodes[right - 1], self.nodes[right]);
+        let s = (x - a) / (b - a);
+        (1.0 - s) * self.displacement[right - 1] + s * self.displacement[right]
+    }
+}
+
+/// Maximal runs of nodes with a property, as closed intervals.
+fn runs(nodes: &[f64], has: impl Fn(usize) -> bool) -> Vec<Interval> {
+    let mut found: Vec<Interval> = Vec::new();
+    let mut open = false;
+    for (i, &x) in nodes.iter().enumerate() {
+        match (has(i), open) {
+            (true, false) => found.push(Interval { start: x, end: x }),
+            (true, true) => {
+                if let Some(last) = found.last_mut() {
+                    last.end = x;
+                }
+            }
+            (false, _) => {}
+        }
+        open = has(i);
+    }
+    found
+}

@@ -1,0 +1,24 @@
+//! The chapters of the book as documentation tests: a Rust block in a chapter compiles and runs, unless it is code
+//! included from an example (`rust,ignore`, compiled there).
+
+macro_rules! chapters {
+    ($($name:ident: $file:literal,)*) => {
+        $(#[doc = include_str!(concat!("../book/src/", $file))]
+        mod $name {})*
+    };
+}
+
+chapters! {
+    readme: "../../README.md",
+    introduction: "introduction.md",
+    tour: "tour.md",
+    section_2_elastic_contact: "section_2_elastic_contact.md",
+    section_2_scalar_contact: "section_2_scalar_contact.md",
+    section_4_midpoint_cone: "section_4_midpoint_cone.md",
+    figure_3_2_alternative: "figure_3_2_alternative.md",
+    theorem_3_1_rates: "theorem_3_1_rates.md",
+    figure_4_1_alternative: "figure_4_1_alternative.md",
+    theorem_4_1_rates: "theorem_4_1_rates.md",
+    lemma_5_2: "lemma_5_2.md",
+    lemma_6_1: "lemma_6_1.md",
+}

@@ -1,0 +1,117 @@
+//! The default solver: condensation to the contact edge, active set there, recovery, one step of refinement.
+//!
+//! Refinement repeats recovery for the residual of the full system with the contact set held fixed; the factorization
+//! is not repeated. It removes what rounding in the elimination left in the balance of forces.
+
+use super::active_set::solve_on_edge;
+use super::cone::Cone;
+use super::contact_set::ContactSet;
+use super::edge_problem::EdgeProblem;
+use super::problem::ContactProblem;
+use super::solution::{Candidate, ContactSolution, Seconds, conclude, gap_of};
+use super::solver::Solver;
+use crate::error::{Error, Result};
+use crate::estimate::Work;
+use crate::fem::{Condensation, Reduced};
+use std::time::Instant;
+
+/// Iterate and everything needed to correct it.
+struct Condensed<'a> {
+    problem: &'a ContactProblem,
+    cone: Cone,
+    condensation: Condensation,
+    normals: Vec<usize>,
+    fixed: Vec<bool>,
+    unknowns: Vec<f64>,
+    multiplier: Vec<f64>,
+}
+
+pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
+    if cone == Cone::Midpoint && problem.edge.is_closed() {
+        return Err(Error::Edge {
+            nodes: [problem.edge.nodes()[0], problem.edge.nodes()[0]],
+            reason: "closes the contact edge: the midpoint cone needs an edge with two ends",
+        });
+    }
+    let start = Instant::now();
+    let normals = problem.normal_unknowns();
+    let mut iterate = Condensed {
+        condensation: Condensation::new(
+            &problem.matrix,
+            problem.mesh.nodes(),
+            &problem.prescribed,
+            &normals,
+        )?,
+        fixed: normals.iter().map(|&unknown| problem.prescribed[unknown]).collect(),
+        unknowns: problem.values.clone(),
+        multiplier: vec![0.0; cone.constraints(normals.len())],
+        problem,
+        cone,
+        normals,
+    };
+    let factorization = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let (reduced, bound) = iterate.remainder()?;
+    let outcome = solve_on_edge(&iterate.edge_problem(&reduced, &bound), guess)?;
+    let contact = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    iterate.add(&reduced, &outcome.state.displacement, &outcome.state.multiplier);
+    let (reduced, bound) = iterate.remainder()?;
+    let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
+    iterate.add(&reduced, &correction.displacement, &correction.multiplier);
+    let steps = outcome.history.len() as u64;
+    let mut solution = conclude(
+        problem,
+        cone,
+        Candidate {
+            solver: Solver::ActiveSet,
+            unknowns: iterate.unknowns,
+            multiplier: iterate.multiplier,
+            contact_set: outcome.set,
+            status: outcome.status,
+            history: outcome.history,
+            work: Work { iterations: steps, factorizations: 1, ..Work::default() },
+            seconds: Seconds::default(),
+        },
+    )?;
+    solution.seconds = Seconds {
+        assembly: problem.assembly_seconds,
+        factorization,
+        contact,
+        recovery: start.elapsed().as_secs_f64(),
+    };
+    Ok(solution)
+}
+
+impl Condensed<'_> {
+    /// What the iterate leaves: F − K u − B'λ condensed to the edge, and the bounds on a correction of B u.
+    fn remainder(&self) -> Result<(Reduced, Vec<f64>)> {
+        let mut residual = self.problem.matrix.multiply(&self.unknowns);
+        for (r, f) in residual.iter_mut().zip(&self.problem.load) {
+            *r = f - *r;
+        }
+        let force = self.cone.apply_transposed(&self.multiplier, self.normals.len())?;
+        for (&unknown, force) in self.normals.iter().zip(force) {
+            residual[unknown] -= force;
+        }
+        let normal: Vec<f64> = self.normals.iter().map(|&unknown| self.unknowns[unknown]).collect();
+        let bound = gap_of(self.problem, self.cone, &normal).into_iter().map(|gap| -gap).collect();
+        Ok((self.condensation.reduce(&residual), bound))
+    }
+
+    fn edge_problem<'b>(&'b self, reduced: &'b Reduced, bound: &'b [f64]) -> EdgeProblem<'b> {
+        EdgeProblem {
+            stiffness: self.condensation.schur(),
+            load: reduced.kept(),
+            bound,
+            fixed: &self.fixed,
+            cone: self.cone,
+        }
+    }
+
+    fn add(&mut self, reduced: &Reduced, normal: &[f64], multiplier: &[f64]) {
+        let change = self.condensation.recover(reduced, normal);
+        self.unknowns.iter_mut().zip(change).for_each(|(u, d)| *u += d);
+        self.multiplier.iter_mut().zip(multiplier).for_each(|(l, d)| *l += d);
+    }
+}

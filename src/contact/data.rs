@@ -1,0 +1,85 @@
+//! Further data of a contact problem: loads by quadrature, surface loads, prescribed displacement, initial gap.
+
+use super::problem::{ContactProblem, check_values};
+use crate::error::Result;
+use crate::fem::{Cubature, Field, surface_load, volume_load};
+use crate::mesh::{Part, Point};
+use crate::quadrature::Rule;
+
+/// Gauss points per boundary edge for surface loads.
+const EDGE_POINTS: usize = 5;
+
+impl ContactProblem {
+    /// Adds the volume load ∫ f·v, by quadrature of the function itself (singular points are declared in the rule).
+    ///
+    /// # Errors
+    /// [`crate::Error::LengthMismatch`] when f has the wrong number of components, [`crate::Error::NotFinite`].
+    pub fn add_volume_load(&mut self, density: &Field<'_>, rule: &Cubature) -> Result<()> {
+        density.require(self.form.components())?;
+        let load = volume_load(&self.mesh, density, rule)?;
+        self.add_load(&load)
+    }
+
+    /// Adds the surface load ∫ F·v over the Neumann part.
+    ///
+    /// # Errors
+    /// As for [`ContactProblem::add_volume_load`].
+    pub fn add_surface_load(&mut self, density: &Field<'_>) -> Result<()> {
+        density.require(self.form.components())?;
+        self.add_boundary_load(Part::Neumann, &|point, _| density.at(point))
+    }
+
+    /// Adds ∫ F(x, n)·v over the edges with the given label, n the outward normal. On the contact part this is a force
+    /// besides the contact force.
+    ///
+    /// # Errors
+    /// [`crate::Error::NotFinite`], or what F returns.
+    pub fn add_boundary_load(
+        &mut self,
+        part: Part,
+        density: &dyn Fn(Point, Point) -> Result<Point>,
+    ) -> Result<()> {
+        let rule = Rule::gauss_legendre(EDGE_POINTS)?;
+        let load = surface_load(&self.mesh, part, self.form.components(), density, &rule)?;
+        self.add_load(&load)
+    }
+
+    /// Adds nodal forces (Cartesian, node-major).
+    ///
+    /// # Errors
+    /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
+    pub fn add_load(&mut self, load: &[f64]) -> Result<()> {
+        check_values("load", load, self.load.len())?;
+        let framed = self.to_frame(load);
+        self.load.iter_mut().zip(framed).for_each(|(sum, f)| *sum += f);
+        Ok(())
+    }
+
+    /// Prescribes u = data on the Dirichlet part.
+    ///
+    /// # Errors
+    /// As for [`ContactProblem::add_volume_load`].
+    pub fn set_dirichlet(&mut self, data: &Field<'_>) -> Result<()> {
+        let c = self.form.components();
+        data.require(c)?;
+        let mut values = vec![0.0; self.values.len()];
+        for node in 0..self.mesh.nodes().len() {
+            if self.prescribed[node * c] {
+                values[node * c..(node + 1) * c].copy_from_slice(&data.at(self.mesh.nodes()[node])?[..c]);
+            }
+        }
+        self.values = self.to_frame(&values);
+        Ok(())
+    }
+
+    /// Sets the initial gap: u_N ≤ g, at the nodes of the contact edge.
+    ///
+    /// # Errors
+    /// [`crate::Error::NotFinite`].
+    pub fn set_gap(&mut self, gap: impl FnMut(Point) -> f64) -> Result<()> {
+        let values: Vec<f64> = self.edge.points().iter().copied().map(gap).collect();
+        check_values("gap", &values, self.gap.len())?;
+        self.gap = values;
+        Ok(())
+    }
+}

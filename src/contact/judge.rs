@@ -1,0 +1,176 @@
+//! One judge for every contact solution, whatever computed it: the Karush-Kuhn-Tucker conditions, each scaled.
+//!
+//! For min ½ u'K u − F'u subject to B u ≤ g, with multipliers λ:
+//!
+//! | figure | condition | measure |
+//! | --- | --- | --- |
+//! | balance | K u − F + B'λ = 0 | max_i abs(residual_i) / force |
+//! | sign | λ ≥ 0 | max_i (−λ_i)₊ / λ scale |
+//! | gap | B u − g ≤ 0 | max_i (B u − g)₊ / displacement |
+//! | complementarity | λ_i (B u − g)_i = 0 | max_i abs(product) / (λ scale · displacement) |
+//!
+//! force = max_i (abs(K) abs(u) + abs(F))_i is the size of what is summed in the balance (a backward error in the
+//! sense of Oettli and Prager, normwise); displacement = max abs(u) and max abs(g). The λ scale is max abs(λ), unless
+//! all multipliers lie below the rounding of the balance, [`NOISE`] · force: then it is force. All figures are
+//! invariant under scaling of load, stiffness and lengths. A figure 0/0 (no load at all) is 0. Cost: O(length).
+
+use crate::error::{Error, Result};
+
+/// Multipliers below this multiple of the force scale are rounding of the balance (about 500 ε).
+pub const NOISE: f64 = 1e-13;
+
+/// What the judge looks at. Vectors in any order, as long as `multiplier` and `gap` agree.
+#[derive(Debug, Clone, Copy)]
+pub struct Evidence<'a> {
+    /// K u − F + B'λ on every unknown that is not prescribed.
+    pub residual: &'a [f64],
+    /// λ, one per constraint.
+    pub multiplier: &'a [f64],
+    /// B u − g, one per constraint; admissible when ≤ 0.
+    pub gap: &'a [f64],
+    /// max_i (|K||u| + |F|)_i.
+    pub force: f64,
+    /// max(|u|, |g|), or what the load would do alone when contact prevents everything.
+    pub displacement: f64,
+}
+
+/// The four scaled figures; 0 is perfect.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Judgement {
+    /// Balance of forces.
+    pub balance: f64,
+    /// Contact forces only push: λ ≥ 0, σ_N ≤ 0.
+    pub sign: f64,
+    /// No penetration in the sense of the cone.
+    pub gap: f64,
+    /// Force only where the gap is closed.
+    pub complementarity: f64,
+}
+
+impl Judgement {
+    /// The worst of the four.
+    pub fn worst(&self) -> f64 {
+        self.balance.max(self.sign).max(self.gap).max(self.complementarity)
+    }
+}
+
+/// How far the solution is from a degenerate one, where contact without force or force-free touching makes the
+/// contact set ambiguous.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Margins {
+    /// min λ_i over the active constraints, relative to the λ scale; `None` without contact.
+    pub pressure: Option<f64>,
+    /// min −(B u − g)_i over the inactive constraints, relative to the displacement; `None` with full contact.
+    pub gap: Option<f64>,
+}
+
+impl Margins {
+    /// True when some active force or some inactive gap is below `threshold`: contact is weak there.
+    pub fn is_weak(&self, threshold: f64) -> bool {
+        [self.pressure, self.gap].into_iter().flatten().any(|margin| margin <= threshold)
+    }
+}
+
+impl Evidence<'_> {
+    /// The four figures.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] or [`Error::NotFinite`]: a solution that is not a number is not judged.
+    pub fn judge(&self) -> Result<Judgement> {
+        self.check()?;
+        let force_of_contact = self.multiplier_scale();
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        Ok(Judgement {
+            balance: ratio(largest(&mut self.residual.iter().map(|r| r.abs())), self.force),
+            sign: ratio(largest(&mut self.multiplier.iter().map(|&l| -l)), force_of_contact),
+            gap: ratio(largest(&mut self.gap.iter().copied()), self.displacement),
+            complementarity: largest(
+                &mut self
+                    .multiplier
+                    .iter()
+                    .zip(self.gap)
+                    .map(|(&l, &g)| ratio(l.abs(), force_of_contact) * ratio(g.abs(), self.displacement)),
+            ),
+        })
+    }
+
+    /// The margins of strict complementarity for the given active set.
+    ///
+    /// # Errors
+    /// As for [`Evidence::judge`].
+    pub fn margins(&self, active: &[bool]) -> Result<Margins> {
+        self.check()?;
+        same_length("contact set", active.len(), self.gap.len())?;
+        let smallest = |wanted: bool, values: &dyn Fn(usize) -> f64| {
+            (0..active.len()).filter(|&i| active[i] == wanted).map(values).reduce(f64::min)
+        };
+        let scale = self.multiplier_scale();
+        Ok(Margins {
+            pressure: smallest(true, &|i| ratio(self.multiplier[i], scale)),
+            gap: smallest(false, &|i| ratio(-self.gap[i], self.displacement)),
+        })
+    }
+
+    /// max |λ|, or the force scale when every multiplier is rounding.
+    pub fn multiplier_scale(&self) -> f64 {
+        let largest = self.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
+        if largest > NOISE * self.force { largest } else { self.force }
+    }
+
+    fn check(&self) -> Result<()> {
+        same_length("multiplier", self.multiplier.len(), self.gap.len())?;
+        let scales = [self.force, self.displacement];
+        for (name, values) in [
+            ("residual", self.residual),
+            ("multiplier", self.multiplier),
+            ("gap", self.gap),
+            ("scale", &scales),
+        ] {
+            if let Some(index) = values.iter().position(|v| !v.is_finite()) {
+                return Err(Error::NotFinite { name, index, value: values[index] });
+            }
+        }
+        Ok(())
+    }
+}
+
+fn same_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
+    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
+}
+
+/// a / b, with 0 / 0 = 0.
+fn ratio(a: f64, b: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { a / b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn evidence<'a>(residual: &'a [f64], multiplier: &'a [f64], gap: &'a [f64]) -> Evidence<'a> {
+        Evidence { residual, multiplier, gap, force: 2.0, displacement: 0.5 }
+    }
+
+    #[test]
+    fn each_condition_has_its_figure() {
+        let judged = evidence(&[0.2, -0.4], &[4.0, -1.0, 0.0], &[0.0, 0.0, -0.1]).judge().unwrap();
+        assert_eq!((judged.balance, judged.sign), (0.2, 0.25));
+        assert_eq!((judged.gap, judged.complementarity), (0.0, 0.0));
+        let judged = evidence(&[], &[4.0, 2.0], &[0.1, -0.25]).judge().unwrap();
+        assert_eq!((judged.gap, judged.complementarity), (0.2, 0.25));
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_not_judged() {
+        assert!(evidence(&[f64::NAN], &[], &[]).judge().is_err());
+        assert!(evidence(&[], &[1.0], &[]).judge().is_err());
+    }
+
+    #[test]
+    fn margins_see_weak_contact() {
+        let margins =
+            evidence(&[], &[4.0, 1e-14, 0.0], &[0.0, 0.0, -0.1]).margins(&[true, true, false]).unwrap();
+        assert_eq!(margins.gap, Some(0.2));
+        assert!(margins.is_weak(1e-12) && !margins.is_weak(1e-16));
+    }
+}

@@ -1,0 +1,80 @@
+//! The row that a contact solution contributes to a table, the same in every example.
+
+use super::problem::ContactProblem;
+use super::solution::ContactSolution;
+use crate::report::{Cell, Column, Format};
+
+impl ContactSolution {
+    /// The columns of [`ContactSolution::row`].
+    pub fn columns() -> Vec<Column> {
+        let words = Format::Significant(3);
+        vec![
+            Column::new("n", "n", words, ""),
+            Column::hidden("unknowns"),
+            Column::new("cone", "cone", words, ""),
+            Column::new("solver", "solver", words, ""),
+            Column::new("energy", "J", Format::Significant(13), "energy a(u,u)/2 - l(u)"),
+            Column::new("active", "active", words, "constraints that hold with equality"),
+            Column::hidden("constraints"),
+            Column::hidden("runs"),
+            Column::new("contact_force", "force", Format::Significant(7), "sum of the multipliers"),
+            Column::new(
+                "balance",
+                "balance",
+                Format::Scientific(1),
+                "loads + reactions - contact force, relative",
+            ),
+            Column::new(
+                "kkt",
+                "KKT",
+                Format::Scientific(1),
+                "worst of balance, sign, gap, complementarity, each scaled",
+            ),
+            Column::hidden("kkt_balance"),
+            Column::hidden("kkt_sign"),
+            Column::hidden("kkt_gap"),
+            Column::hidden("kkt_complementarity"),
+            Column::hidden("pressure_margin"),
+            Column::hidden("gap_margin"),
+            Column::new("iterations", "steps", words, "iterations of the solver"),
+            Column::new("status", "status", words, ""),
+            Column::new("seconds", "s", Format::Significant(2), "seconds, assembly included"),
+            Column::hidden("seconds_assembly"),
+            Column::hidden("seconds_factorization"),
+            Column::hidden("seconds_contact"),
+            Column::hidden("seconds_recovery"),
+        ]
+    }
+
+    /// The row of this solution; `n` is whatever counts the mesh in the example.
+    pub fn row(&self, n: usize, problem: &ContactProblem) -> Vec<Cell> {
+        let ends = self.contact_set.runs().into_iter().flat_map(|run| [run.start, run.end - 1]);
+        let runs: Vec<f64> = ends.map(|i| self.positions[i]).collect();
+        vec![
+            n.into(),
+            problem.free_unknowns().into(),
+            self.cone.to_string().into(),
+            self.solver.to_string().into(),
+            self.energy.into(),
+            self.contact_set.count().into(),
+            self.contact_set.constraints().into(),
+            runs.into(),
+            self.contact_force.into(),
+            self.balance.into(),
+            self.judgement.worst().into(),
+            self.judgement.balance.into(),
+            self.judgement.sign.into(),
+            self.judgement.gap.into(),
+            self.judgement.complementarity.into(),
+            self.margins.pressure.into(),
+            self.margins.gap.into(),
+            (self.work.iterations as usize).into(),
+            self.status.to_string().into(),
+            self.seconds.total().into(),
+            self.seconds.assembly.into(),
+            self.seconds.factorization.into(),
+            self.seconds.contact.into(),
+            self.seconds.recovery.into(),
+        ]
+    }
+}

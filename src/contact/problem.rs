@@ -1,0 +1,179 @@
+//! The discrete Signorini problem (2.9) on a triangulation: form, load, prescribed values, contact edge, gap.
+//!
+//! Unknowns are node-major. At the nodes of an elastic contact edge they are (u_T, u_N) internally; everything that
+//! goes in or out is Cartesian. The scalar problem has u in the place of u_N.
+
+use crate::error::{Error, Result};
+use crate::fem::{BlockMatrix, Form, Frame, consistent_load, dot, stiffness};
+use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
+use std::time::Instant;
+
+/// A discrete Signorini problem, assembled.
+#[derive(Debug, Clone)]
+pub struct ContactProblem {
+    pub(super) mesh: Triangulation,
+    pub(super) form: Form,
+    pub(super) edge: ContactEdge,
+    pub(super) normal: Option<Point>,
+    pub(super) frame: Frame,
+    pub(super) matrix: BlockMatrix,
+    /// Load on all unknowns of the frame.
+    pub(super) load: Vec<f64>,
+    pub(super) prescribed: Vec<bool>,
+    /// Prescribed values of the frame; zero elsewhere.
+    pub(super) values: Vec<f64>,
+    /// Initial gap at the nodes of the contact edge.
+    pub(super) gap: Vec<f64>,
+    pub(super) assembly_seconds: f64,
+}
+
+impl ContactProblem {
+    /// The problem with volume load equal to the P1 function with the given nodal values (node-major, one number per
+    /// node for a scalar form, two for elasticity), zero surface load, zero Dirichlet data and zero initial gap.
+    ///
+    /// # Errors
+    /// Names what is missing or wrong: no contact edge, contact edge in pieces or (elastic) not straight, nothing
+    /// that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
+    pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
+        let start = Instant::now();
+        form.check()?;
+        let edge = ContactEdge::of(&mesh)?;
+        let c = form.components();
+        let held = mesh.nodes_on(Part::Dirichlet);
+        let reaction = matches!(form, Form::Scalar { reaction } if reaction > 0.0);
+        if !reaction && !held.contains(&true) {
+            return Err(Error::CountOutOfRange {
+                name: "Dirichlet edges",
+                value: 0,
+                range: "[1, inf), unless there is a reaction term",
+            });
+        }
+        check_values("volume load", volume, mesh.nodes().len() * c)?;
+        let (normal, frame) = if c == 2 {
+            let normal = edge.normal()?;
+            (Some(normal), Frame::turned(normal, mesh.nodes_on(Part::Contact)))
+        } else {
+            (None, Frame::cartesian())
+        };
+        let matrix = stiffness(&mesh, &form, &frame);
+        let mut problem = Self {
+            prescribed: held.iter().flat_map(|&held| std::iter::repeat_n(held, c)).collect(),
+            values: vec![0.0; mesh.nodes().len() * c],
+            gap: vec![0.0; edge.nodes().len()],
+            load: Vec::new(),
+            assembly_seconds: 0.0,
+            mesh,
+            form,
+            edge,
+            normal,
+            frame,
+            matrix,
+        };
+        problem.load = problem.to_frame(&consistent_load(&problem.mesh, c, volume));
+        problem.assembly_seconds = start.elapsed().as_secs_f64();
+        Ok(problem)
+    }
+
+    /// The triangulation.
+    pub fn mesh(&self) -> &Triangulation {
+        &self.mesh
+    }
+
+    /// The bilinear form.
+    pub fn form(&self) -> &Form {
+        &self.form
+    }
+
+    /// The contact edge.
+    pub fn edge(&self) -> &ContactEdge {
+        &self.edge
+    }
+
+    /// Unknowns that are not prescribed.
+    pub fn free_unknowns(&self) -> usize {
+        self.prescribed.iter().filter(|&&prescribed| !prescribed).count()
+    }
+
+    /// Numbers of the unknowns u_N along the contact edge.
+    pub(super) fn normal_unknowns(&self) -> Vec<usize> {
+        let c = self.form.components();
+        self.edge.nodes().iter().map(|&node| node * c + c - 1).collect()
+    }
+
+    /// u_N (scalar: u) at the nodes of the contact edge, from Cartesian nodal values.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
+    pub fn normal_displacement(&self, displacement: &[f64]) -> Result<Vec<f64>> {
+        check_values("displacement", displacement, self.matrix.unknowns())?;
+        let framed = self.to_frame(displacement);
+        Ok(self.normal_unknowns().into_iter().map(|unknown| framed[unknown]).collect())
+    }
+
+    /// The energy norm a(v, v)^{1/2} of Cartesian nodal values.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
+    pub fn energy_norm(&self, displacement: &[f64]) -> Result<f64> {
+        check_values("displacement", displacement, self.matrix.unknowns())?;
+        // Scaled, so that squares neither overflow nor underflow.
+        let scale = displacement.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        if scale == 0.0 {
+            return Ok(0.0);
+        }
+        let unit: Vec<f64> = displacement.iter().map(|v| v / scale).collect();
+        let framed = self.to_frame(&unit);
+        Ok(scale * dot(&framed, &self.matrix.multiply(&framed)).max(0.0).sqrt())
+    }
+
+    /// |u − P u_h|_a for nested levels: u lives on this problem's mesh, which is level `to` of the hierarchy; u_h on
+    /// level `from`, prolonged by P.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for levels in the wrong order, [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn nested_energy_error(
+        &self,
+        hierarchy: &Hierarchy,
+        (from, coarse): (usize, &[f64]),
+        (to, fine): (usize, &[f64]),
+    ) -> Result<f64> {
+        check_values("fine displacement", fine, self.matrix.unknowns())?;
+        let prolonged = hierarchy.prolong(from, to, self.form.components(), coarse)?;
+        check_values("prolonged displacement", &prolonged, fine.len())?;
+        let difference: Vec<f64> = fine.iter().zip(prolonged).map(|(u, v)| u - v).collect();
+        self.energy_norm(&difference)
+    }
+
+    /// Cartesian nodal values in the unknowns of the frame.
+    pub(super) fn to_frame(&self, values: &[f64]) -> Vec<f64> {
+        self.turn(values, Frame::to_frame)
+    }
+
+    /// Unknowns of the frame as Cartesian nodal values.
+    pub(super) fn to_cartesian(&self, values: &[f64]) -> Vec<f64> {
+        self.turn(values, Frame::to_cartesian)
+    }
+
+    fn turn(&self, values: &[f64], turn: fn(&Frame, usize, Point) -> Point) -> Vec<f64> {
+        let mut turned = values.to_vec();
+        if self.normal.is_some() {
+            for &node in self.edge.nodes() {
+                let [a, b] = turn(&self.frame, node, [values[2 * node], values[2 * node + 1]]);
+                turned[2 * node] = a;
+                turned[2 * node + 1] = b;
+            }
+        }
+        turned
+    }
+}
+
+/// Right length and finite.
+pub(super) fn check_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
+    if values.len() != expected {
+        return Err(Error::LengthMismatch { name, given: values.len(), expected });
+    }
+    match values.iter().position(|v| !v.is_finite()) {
+        Some(index) => Err(Error::NotFinite { name, index, value: values[index] }),
+        None => Ok(()),
+    }
+}

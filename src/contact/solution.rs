@@ -1,0 +1,213 @@
+//! What a contact solver returns, and the figures computed from displacement and multiplier alone.
+//!
+//! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: nodal contact force B'λ over the length that belongs to
+//! the node (∫ of its hat function). Global balance: in every direction d (a unit translation; scalar: the constant 1),
+//! loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to the sum of absolute loads and
+//! reactions; a(d, u) vanishes without a reaction term.
+
+use super::cone::Cone;
+use super::contact_set::ContactSet;
+use super::judge::{Evidence, Judgement, Margins};
+use super::problem::ContactProblem;
+use super::solver::Solver;
+use super::status::Status;
+use crate::error::Result;
+use crate::estimate::Work;
+use crate::fem::{compensated, dot};
+use crate::mesh::Point;
+
+/// A solution judged worse than this did not converge, whatever its solver says.
+const ACCEPTED: f64 = 1e-8;
+
+/// Wall-clock seconds by phase.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Seconds {
+    /// Stiffness matrix and load.
+    pub assembly: f64,
+    /// Elimination down to the contact edge (active set only).
+    pub factorization: f64,
+    /// The contact iteration.
+    pub contact: f64,
+    /// Recovery of the displacement, refinement, judgement.
+    pub recovery: f64,
+}
+
+impl Seconds {
+    /// All phases.
+    pub fn total(&self) -> f64 {
+        self.assembly + self.factorization + self.contact + self.recovery
+    }
+}
+
+/// A discrete solution with everything that is reported of it.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ContactSolution {
+    /// The cone.
+    pub cone: Cone,
+    /// The solver.
+    pub solver: Solver,
+    /// Cartesian nodal displacement, node-major.
+    pub displacement: Vec<f64>,
+    /// u_N (scalar: u) at the nodes of the contact edge, in order.
+    pub normal_displacement: Vec<f64>,
+    /// λ, one per constraint.
+    pub multiplier: Vec<f64>,
+    /// B u − g, one per constraint.
+    pub gap: Vec<f64>,
+    /// Arc length of every constraint: of its node or of the middle of its segment.
+    pub positions: Vec<f64>,
+    /// −σ_N at the nodes of the contact edge.
+    pub pressure: Vec<f64>,
+    /// The active constraints.
+    pub contact_set: ContactSet,
+    /// How the solver ended.
+    pub status: Status,
+    /// The four KKT figures.
+    pub judgement: Judgement,
+    /// The force scale of the judgement: max_i (|K||u| + |F|)_i.
+    pub force_scale: f64,
+    /// The displacement scale of the judgement.
+    pub displacement_scale: f64,
+    /// Distance from weak contact.
+    pub margins: Margins,
+    /// J.
+    pub energy: f64,
+    /// Sum of the multipliers.
+    pub contact_force: f64,
+    /// Total reaction of the Dirichlet part (scalar: second entry 0).
+    pub reaction: Point,
+    /// Global balance of forces, relative.
+    pub balance: f64,
+    /// Contact sets visited by the active set, in order; empty for the interior point.
+    pub history: Vec<ContactSet>,
+    /// Iterations and factorizations.
+    pub work: Work,
+    /// Seconds by phase.
+    pub seconds: Seconds,
+}
+
+/// What a solver hands over: unknowns of the frame, multipliers, its own view of how it ended.
+pub(super) struct Candidate {
+    pub(super) solver: Solver,
+    pub(super) unknowns: Vec<f64>,
+    pub(super) multiplier: Vec<f64>,
+    pub(super) contact_set: ContactSet,
+    pub(super) status: Status,
+    pub(super) history: Vec<ContactSet>,
+    pub(super) work: Work,
+    pub(super) seconds: Seconds,
+}
+
+/// Judges a candidate and computes what is reported of it; the same for every solver.
+pub(super) fn conclude(
+    problem: &ContactProblem,
+    cone: Cone,
+    candidate: Candidate,
+) -> Result<ContactSolution> {
+    let u = &candidate.unknowns;
+    let normals = problem.normal_unknowns();
+    let normal_displacement: Vec<f64> = normals.iter().map(|&unknown| u[unknown]).collect();
+    let edge_force = cone.apply_transposed(&candidate.multiplier, normals.len())?;
+    let stress_force = problem.matrix.multiply(u);
+    let mut residual: Vec<f64> = stress_force.iter().zip(&problem.load).map(|(k, f)| k - f).collect();
+    normals.iter().zip(&edge_force).for_each(|(&unknown, force)| residual[unknown] += force);
+    let gap = gap_of(problem, cone, &normal_displacement);
+    let free: Vec<f64> =
+        (0..residual.len()).filter(|&i| !problem.prescribed[i]).map(|i| residual[i]).collect();
+    let (force_scale, displacement_scale) = (force_scale(problem, u), displacement_scale(problem, u));
+    let evidence = Evidence {
+        residual: &free,
+        multiplier: &candidate.multiplier,
+        gap: &gap,
+        force: force_scale,
+        displacement: displacement_scale,
+    };
+    let judgement = evidence.judge()?;
+    let margins = evidence.margins(candidate.contact_set.as_slice())?;
+    let (reaction, balance) = global_balance(problem, u, &residual, &edge_force);
+    let status = match candidate.status {
+        Status::Converged if judgement.worst() > ACCEPTED => Status::Stalled { residual: judgement.worst() },
+        status => status,
+    };
+    let lengths = problem.edge.nodal_lengths();
+    Ok(ContactSolution {
+        cone,
+        solver: candidate.solver,
+        displacement: problem.to_cartesian(u),
+        pressure: edge_force.iter().zip(lengths).map(|(force, length)| force / length).collect(),
+        normal_displacement,
+        contact_force: compensated(candidate.multiplier.iter().copied()),
+        multiplier: candidate.multiplier,
+        positions: cone.apply(problem.edge.arc()),
+        gap,
+        contact_set: candidate.contact_set,
+        status,
+        judgement,
+        force_scale,
+        displacement_scale,
+        margins,
+        energy: 0.5 * dot(u, &stress_force) - dot(u, &problem.load),
+        reaction,
+        balance,
+        history: candidate.history,
+        work: candidate.work,
+        seconds: candidate.seconds,
+    })
+}
+
+/// B u − g.
+pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: &[f64]) -> Vec<f64> {
+    let bound = cone.apply(&problem.gap);
+    let means = cone.apply(normal_displacement);
+    means.iter().zip(bound).map(|(mean, g)| mean - g).collect()
+}
+
+/// max_i (|K||u| + |F|)_i over the free unknowns.
+fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+    let sizes = problem.matrix.multiply_absolute(u);
+    (0..sizes.len())
+        .filter(|&i| !problem.prescribed[i])
+        .map(|i| sizes[i] + problem.load[i].abs())
+        .fold(0.0, f64::max)
+}
+
+/// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents everything.
+pub(super) fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+    let alone = (0..u.len())
+        .filter(|&i| !problem.prescribed[i] && problem.load[i] != 0.0)
+        .map(|i| problem.load[i].abs() / problem.matrix.diagonal(i))
+        .fold(0.0, f64::max);
+    largest(u).max(largest(&problem.gap)).max(alone)
+}
+
+/// Total reaction and the relative imbalance of all forces.
+fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_force: &[f64]) -> (Point, f64) {
+    let c = problem.form.components();
+    let mut reactions = vec![0.0; residual.len()];
+    for i in (0..residual.len()).filter(|&i| problem.prescribed[i]) {
+        reactions[i] = residual[i];
+    }
+    let mut contact = vec![0.0; residual.len()];
+    for (unknown, force) in problem.normal_unknowns().into_iter().zip(edge_force) {
+        contact[unknown] = *force;
+    }
+    let absolute = |values: &[f64]| compensated(values.iter().map(|v| v.abs()));
+    let scale = absolute(&problem.load) + absolute(&reactions);
+    let (mut reaction, mut worst) = ([0.0; 2], 0.0_f64);
+    for axis in 0..c {
+        let unit: Vec<f64> = (0..residual.len()).map(|i| f64::from(u8::from(i % c == axis))).collect();
+        let direction = problem.to_frame(&unit);
+        reaction[axis] = dot(&direction, &reactions);
+        let sum = dot(&direction, &problem.load) + reaction[axis]
+            - dot(&direction, &contact)
+            - dot(&problem.matrix.multiply(&direction), u);
+        worst = worst.max(sum.abs());
+    }
+    let balance = if worst == 0.0 { 0.0 } else { worst / scale };
+    (reaction, balance)
+}
+
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}

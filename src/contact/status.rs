@@ -1,0 +1,44 @@
+//! How a contact iteration ended. Misuse is an error; this is not.
+
+use std::fmt;
+
+/// How an iteration ended; the numbers say how far it came. The judgement of the solution stands beside it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Status {
+    /// The stopping rule of the solver was met.
+    Converged,
+    /// No further progress; `residual` is the worst figure of the judgement.
+    Stalled {
+        /// Worst of balance, sign, gap and complementarity.
+        residual: f64,
+    },
+    /// The same contact set came back after `period` steps and no way out of the cycle was found.
+    Cycled {
+        /// Steps between the two visits.
+        period: usize,
+    },
+    /// The allowed number of steps was used up.
+    StepLimit {
+        /// Steps taken.
+        steps: usize,
+    },
+}
+
+impl Status {
+    /// True for [`Status::Converged`].
+    pub fn is_converged(self) -> bool {
+        self == Status::Converged
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Status::Converged => write!(f, "converged"),
+            Status::Stalled { residual } => write!(f, "stalled at {residual:.1e}"),
+            Status::Cycled { period } => write!(f, "cycled with period {period}"),
+            Status::StepLimit { steps } => write!(f, "stopped after {steps} steps"),
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Elimination of everything but a few kept unknowns: a multifrontal Cholesky factorization on a dissection tree.
+//!
+//! With interior unknowns i (all that are neither prescribed nor kept) and kept unknowns k,
+//!
+//! K = [[K_ii, K_ik], [K_ki, K_kk]],   S = K_kk − K_ki K_ii⁻¹ K_ik,   b = F_k − K_ki K_ii⁻¹ F_i.
+//!
+//! The kept unknowns are ordered last, so S is the update matrix that reaches the root: for the normal displacements of
+//! the contact edge it *is* the discrete Steklov-Poincaré operator. The contact iteration works on S and b alone; the
+//! factorization is done once. Every node of the tree is a dense front (faer: Cholesky, triangular solve, symmetric
+//! product); independent subtrees run in parallel (I. S. Duff and J. K. Reid, ACM TOMS 9 (1983)).
+//! Cost for N nodes of a quasi-uniform mesh: O(N^{3/2}) operations, O(N log N) memory.
+
+use super::dissection::{Tree, dissect};
+use super::front::{Front, Update};
+use super::matrix::BlockMatrix;
+use super::pool::Pool;
+use crate::error::{Error, Result};
+use crate::mesh::Point;
+use faer::Mat;
+
+/// Subtrees with at least this many nodes are worth a task of their own.
+const TASK: usize = 2000;
+
+/// Position of an unknown that is prescribed.
+const PRESCRIBED: u32 = u32::MAX;
+
+/// The factorization and the condensed matrix.
+#[derive(Debug)]
+pub struct Condensation {
+    /// Position in the elimination order of every unknown.
+    positions: Vec<u32>,
+    /// The unknown at every position.
+    unknowns: Vec<u32>,
+    fronts: Vec<Front>,
+    interior: usize,
+    schur: Mat<f64>,
+}
+
+/// A right-hand side after forward elimination.
+#[derive(Debug, Clone)]
+pub struct Reduced {
+    values: Vec<f64>,
+    interior: usize,
+}
+
+impl Reduced {
+    /// b = F_k − K_ki K_ii⁻¹ F_i, in the order of the kept unknowns.
+    pub fn kept(&self) -> &[f64] {
+        &self.values[self.interior..]
+    }
+}
+
+/// What the elimination of a subtree reads.
+pub(super) struct Ordering<'a> {
+    pub(super) matrix: &'a BlockMatrix,
+    pub(super) positions: &'a [u32],
+    pub(super) unknowns: &'a [u32],
+    pub(super) pool: Pool,
+}
+
+impl Condensation {
+    /// Eliminates all unknowns that are neither `prescribed` nor in `kept`; `points` are the node coordinates.
+    /// Kept unknowns stay, prescribed or not.
+    ///
+    /// # Errors
+    /// [`Error::NotPositiveDefinite`] with the unknown whose pivot vanished: some part of the body is not held.
+    /// [`Error::LengthMismatch`] when the arrays do not fit.
+    pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
+        check_lengths(matrix, points, prescribed)?;
+        let c = matrix.components();
+        let mut is_kept = vec![false; matrix.unknowns()];
+        kept.iter().for_each(|&unknown| is_kept[unknown] = true);
+        let interior_at = |node: usize| {
+            (node * c..(node + 1) * c).filter(|&unknown| !prescribed[unknown] && !is_kept[unknown])
+        };
+        // Interior unknowns beside kept ones wait until the tree is done.
+        let has_kept = |node: usize| (node * c..(node + 1) * c).any(|unknown| is_kept[unknown]);
+        let (late, early): (Vec<u32>, Vec<u32>) = (0..matrix.nodes() as u32)
+            .filter(|&node| interior_at(node as usize).next().is_some())
+            .partition(|&node| has_kept(node as usize));
+        let tree = dissect(matrix, points, early);
+        let mut unknowns = Vec::with_capacity(matrix.unknowns());
+        let mut number = |nodes: &[u32]| {
+            let first = unknowns.len();
+            unknowns.extend(nodes.iter().flat_map(|&node| interior_at(node as usize)).map(|u| u as u32));
+            first..unknowns.len()
+        };
+        let tree = NumberedTree::new(tree, &mut number);
+        let last = number(&late);
+        let interior = last.end;
+        unknowns.extend(kept.iter().map(|&unknown| unknown as u32));
+        let mut positions = vec![PRESCRIBED; matrix.unknowns()];
+        for (position, &unknown) in unknowns.iter().enumerate() {
+            positions[unknown as usize] = position as u32;
+        }
+        let ordering = Ordering { matrix, positions: &positions, unknowns: &unknowns, pool: Pool::default() };
+        let (mut fronts, update) = tree.eliminate(&ordering)?;
+        let rows: Vec<u32> = (interior as u32..unknowns.len() as u32).collect();
+        let (front, root) = Front::eliminate(&ordering, last, Some(rows), vec![update])?;
+        fronts.push(front);
+        let schur = whole_schur(&ordering, root, interior);
+        Ok(Self { positions, unknowns, fronts, interior, schur })
+    }
+
+    /// S, symmetric, in the order of the kept unknowns.
+    pub fn schur(&self) -> &Mat<f64> {
+        &self.schur
+    }
+
+    /// Number of stored entries of the factor.
+    pub fn factor_entries(&self) -> usize {
+        self.fronts.iter().map(Front::entries).sum()
+    }
+
+    /// Forward elimination of a load on all unknowns; entries at prescribed unknowns are ignored.
+    pub fn reduce(&self, load: &[f64]) -> Reduced {
+        let mut values: Vec<f64> = self.unknowns.iter().map(|&unknown| load[unknown as usize]).collect();
+        self.fronts.iter().for_each(|front| front.forward(&mut values));
+        Reduced { values, interior: self.interior }
+    }
+
+    /// All unknowns from the kept ones; prescribed unknowns that are not kept are 0.
+    pub fn recover(&self, reduced: &Reduced, kept: &[f64]) -> Vec<f64> {
+        let mut values = reduced.values.clone();
+        values[self.interior..].copy_from_slice(kept);
+        self.fronts.iter().rev().for_each(|front| front.backward(&mut values));
+        let at = |&position: &u32| if position == PRESCRIBED { 0.0 } else { values[position as usize] };
+        self.positions.iter().map(at).collect()
+    }
+}
+
+fn check_lengths(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool]) -> Result<()> {
+    for (name, given, expected) in
+        [("points", points.len(), matrix.nodes()), ("prescribed", prescribed.len(), matrix.unknowns())]
+    {
+        if given != expected {
+            return Err(Error::LengthMismatch { name, given, expected });
+        }
+    }
+    Ok(())
+}
+
+/// The root's update plus the entries of K between kept unknowns, both triangles.
+fn whole_schur(ordering: &Ordering<'_>, root: Update, interior: usize) -> Mat<f64> {
+    let size = ordering.unknowns.len() - interior;
+    let mut schur = Mat::from_fn(size, size, |i, j| root.at(i.max(j), i.min(j)));
+    for i in 0..size {
+        let unknown = ordering.unknowns[interior + i] as usize;
+        for (column, value) in ordering.matrix.row(unknown) {
+            let position = ordering.positions[column];
+            if position != PRESCRIBED && position as usize >= interior {
+                schur[(i, position as usize - interior)] += value;
+            }
+        }
+    }
+    schur
+}
+
+/// A tree whose pivots have their positions.
+struct NumberedTree {
+    pivots: std::ops::Range<usize>,
+    children: Vec<NumberedTree>,
+    size: usize,
+}
+
+impl NumberedTree {
+    fn new(tree: Tree, number: &mut impl FnMut(&[u32]) -> std::ops::Range<usize>) -> Self {
+        let children = tree.children.into_iter().map(|child| Self::new(child, number)).collect();
+        Self { children, pivots: number(&tree.pivots), size: tree.size }
+    }
+
+    /// The fronts of the subtree in postorder and the update of its root.
+    fn eliminate(self, ordering: &Ordering<'_>) -> Result<(Vec<Front>, Update)> {
+        let mut children = self.children;
+        let done = match (children.pop(), children.pop()) {
+            (Some(one), Some(two)) if one.size.min(two.size) >= TASK => {
+                // Popped in reverse: `two` comes first in the elimination order.
+                let (two, one) = rayon::join(|| two.eliminate(ordering), || one.eliminate(ordering));
+                vec![two?, one?]
+            }
+            (one, two) => {
+                let in_order = two.into_iter().chain(one);
+                in_order.map(|child| child.eliminate(ordering)).collect::<Result<_>>()?
+            }
+        };
+        let mut fronts = Vec::new();
+        let mut updates = Vec::new();
+        for (part, update) in done {
+            fronts.extend(part);
+            updates.push(update);
+        }
+        let (front, update) = Front::eliminate(ordering, self.pivots, None, updates)?;
+        fronts.push(front);
+        Ok((fronts, update))
+    }
+}

@@ -1,0 +1,70 @@
+//! Data and exact solutions given as functions of the point.
+
+use crate::error::{Error, Result};
+use crate::mesh::Point;
+
+/// A function on the plane with as many components as the form has.
+#[derive(Clone, Copy)]
+pub enum Field<'a> {
+    /// For scalar forms.
+    Scalar(&'a (dyn Fn(Point) -> f64 + Sync)),
+    /// For elasticity, Cartesian.
+    Vector(&'a (dyn Fn(Point) -> Point + Sync)),
+}
+
+impl std::fmt::Debug for Field<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Field with {} components", self.components())
+    }
+}
+
+impl Field<'_> {
+    /// Number of components.
+    pub fn components(&self) -> usize {
+        match self {
+            Field::Scalar(_) => 1,
+            Field::Vector(_) => 2,
+        }
+    }
+
+    /// The value; a scalar field has second entry 0.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the function returns NaN or an infinity.
+    pub fn at(&self, point: Point) -> Result<Point> {
+        let value = match self {
+            Field::Scalar(f) => [f(point), 0.0],
+            Field::Vector(f) => f(point),
+        };
+        match value.iter().position(|v| !v.is_finite()) {
+            Some(index) => Err(Error::NotFinite { name: "value of a field", index, value: value[index] }),
+            None => Ok(value),
+        }
+    }
+
+    /// Values at points, node-major.
+    ///
+    /// # Errors
+    /// As for [`Field::at`].
+    pub fn sample(&self, points: &[Point]) -> Result<Vec<f64>> {
+        let c = self.components();
+        let mut values = Vec::with_capacity(points.len() * c);
+        for &point in points {
+            values.extend_from_slice(&self.at(point)?[..c]);
+        }
+        Ok(values)
+    }
+
+    /// # Errors
+    /// [`Error::LengthMismatch`] unless the field has `components` components.
+    pub(crate) fn require(&self, components: usize) -> Result<()> {
+        if self.components() == components {
+            return Ok(());
+        }
+        Err(Error::LengthMismatch {
+            name: "components of a field",
+            given: self.components(),
+            expected: components,
+        })
+    }
+}

@@ -1,0 +1,212 @@
+//! The bilinear forms of Section 2 on P1 triangles: elasticity in the plane and the scalar form of Remark 1.
+//!
+//! | form | a(u, v) | coercive for |
+//! | --- | --- | --- |
+//! | scalar | ∫ ∇u·∇v + c u v | c ≥ 0 |
+//! | elastic | ∫ λ div u div v + 2 μ ε(u) : ε(v) | μ > 0, λ + μ > 0 |
+//!
+//! On a triangle of area A with barycentric gradients g_i the elastic block of nodes i, j is
+//! A (λ g_i g_j' + μ g_j g_i' + μ (g_i·g_j) I); the scalar one A g_i·g_j + c A (1 + δ_ij)/12. Both are invariant under
+//! scaling of lengths, except for the reaction term.
+
+use crate::error::{Error, Result};
+use crate::mesh::{Point, doubled_area};
+
+/// Lamé's constants of the plane problem.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lame {
+    lambda: f64,
+    mu: f64,
+}
+
+impl Lame {
+    /// λ and μ of plane strain.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless μ > 0 and λ + μ > 0, both finite.
+    pub fn new(lambda: f64, mu: f64) -> Result<Self> {
+        let in_plane = lambda + mu;
+        Error::require("mu", mu, "(0, inf)", mu > 0.0 && mu.is_finite())?;
+        Error::require("lambda + mu", in_plane, "(0, inf)", in_plane > 0.0 && in_plane.is_finite())?;
+        Ok(Self { lambda, mu })
+    }
+
+    /// Plane strain from Young's modulus E and Poisson's ratio: λ = E ν / ((1+ν)(1−2ν)), μ = E / (2(1+ν)).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless E > 0 and −1 < ν < 1/2.
+    pub fn plane_strain(young: f64, poisson: f64) -> Result<Self> {
+        Self::three_dimensional(young, poisson)
+    }
+
+    /// Plane stress from Young's modulus E and Poisson's ratio: λ = E ν / (1−ν²), μ = E / (2(1+ν)).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless E > 0 and −1 < ν < 1/2.
+    pub fn plane_stress(young: f64, poisson: f64) -> Result<Self> {
+        let Self { mu, .. } = Self::three_dimensional(young, poisson)?;
+        Self::new(young * poisson / ((1.0 - poisson) * (1.0 + poisson)), mu)
+    }
+
+    fn three_dimensional(young: f64, poisson: f64) -> Result<Self> {
+        Error::require("Young's modulus", young, "(0, inf)", young > 0.0 && young.is_finite())?;
+        let admissible = poisson > -1.0 && poisson < 0.5;
+        Error::require("Poisson's ratio", poisson, "(-1, 1/2)", admissible)?;
+        let mu = young / (2.0 * (1.0 + poisson));
+        Self::new(2.0 * mu * poisson / (1.0 - 2.0 * poisson), mu)
+    }
+
+    /// The first constant, λ.
+    pub fn lambda(self) -> f64 {
+        self.lambda
+    }
+
+    /// The shear modulus, μ.
+    pub fn mu(self) -> f64 {
+        self.mu
+    }
+}
+
+/// A bilinear form on P1 functions.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Form {
+    /// ∫ ∇u·∇v + c u v for scalar u.
+    Scalar {
+        /// c ≥ 0; 1 in Remark 1, 0 for Laplace.
+        reaction: f64,
+    },
+    /// Linear elasticity; region k of the mesh has material k, regions beyond the list the last one.
+    Elastic {
+        /// At least one material.
+        materials: Vec<Lame>,
+    },
+}
+
+impl Form {
+    /// ∫ ∇u·∇v.
+    pub const LAPLACE: Form = Form::Scalar { reaction: 0.0 };
+
+    /// Elasticity with one material.
+    pub fn elastic(material: Lame) -> Self {
+        Form::Elastic { materials: vec![material] }
+    }
+
+    /// Unknowns per node.
+    pub fn components(&self) -> usize {
+        match self {
+            Form::Scalar { .. } => 1,
+            Form::Elastic { .. } => 2,
+        }
+    }
+
+    /// # Errors
+    /// [`Error::OutOfRange`] for a negative reaction, [`Error::CountOutOfRange`] without materials.
+    pub(crate) fn check(&self) -> Result<()> {
+        match self {
+            Form::Scalar { reaction } => {
+                let admissible = *reaction >= 0.0 && reaction.is_finite();
+                Error::require("reaction", *reaction, "[0, inf)", admissible).map(|_| ())
+            }
+            Form::Elastic { materials } if materials.is_empty() => {
+                Err(Error::CountOutOfRange { name: "materials", value: 0, range: "[1, inf)" })
+            }
+            Form::Elastic { .. } => Ok(()),
+        }
+    }
+
+    /// The material of a region; `None` for a scalar form.
+    pub fn material(&self, region: usize) -> Option<Lame> {
+        match self {
+            Form::Scalar { .. } => None,
+            Form::Elastic { materials } => materials.get(region).or(materials.last()).copied(),
+        }
+    }
+}
+
+/// Geometry of a P1 triangle: area and the gradients of the barycentric coordinates.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Element {
+    pub(crate) area: f64,
+    pub(crate) gradients: [Point; 3],
+}
+
+impl Element {
+    pub(crate) fn new(corners: [Point; 3]) -> Self {
+        let doubled = doubled_area(corners);
+        let gradients = [0, 1, 2].map(|i| {
+            let (a, b) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
+            [(a[1] - b[1]) / doubled, (b[0] - a[0]) / doubled]
+        });
+        Self { area: 0.5 * doubled, gradients }
+    }
+
+    /// ∇v from the values at the corners; a constant has gradient exactly zero.
+    pub(crate) fn gradient(&self, values: [f64; 3]) -> Point {
+        let (a, b) = (values[1] - values[0], values[2] - values[0]);
+        let [_, g, h] = self.gradients;
+        [a * g[0] + b * h[0], a * g[1] + b * h[1]]
+    }
+
+    /// Barycentric coordinates of a point.
+    pub(crate) fn barycentric(&self, corners: [Point; 3], point: Point) -> [f64; 3] {
+        let [_, g, h] = self.gradients;
+        let d = [point[0] - corners[0][0], point[1] - corners[0][1]];
+        let (second, third) = (g[0] * d[0] + g[1] * d[1], h[0] * d[0] + h[1] * d[1]);
+        [1.0 - second - third, second, third]
+    }
+
+    /// The block of local nodes `i`, `j`; a scalar form fills the first entry only.
+    pub(crate) fn block(&self, form: &Form, region: usize, i: usize, j: usize) -> [[f64; 2]; 2] {
+        let (g, h) = (self.gradients[i], self.gradients[j]);
+        let product = g[0] * h[0] + g[1] * h[1];
+        match (form, form.material(region)) {
+            (Form::Scalar { reaction }, _) => {
+                let mass = if i == j { 1.0 / 6.0 } else { 1.0 / 12.0 };
+                [[self.area * (product + reaction * mass), 0.0], [0.0; 2]]
+            }
+            (Form::Elastic { .. }, material) => {
+                let Lame { lambda, mu } = material.unwrap_or(Lame { lambda: 0.0, mu: 0.0 });
+                let entry = |a: usize, b: usize| {
+                    let diagonal = if a == b { mu * product } else { 0.0 };
+                    self.area * (lambda * g[a] * h[b] + mu * g[b] * h[a] + diagonal)
+                };
+                [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moduli_are_consistent() {
+        let strain = Lame::plane_strain(2.5, 0.25).unwrap();
+        assert!((strain.lambda() - 1.0).abs() < 1e-15 && (strain.mu() - 1.0).abs() < 1e-15);
+        // Plane stress is plane strain with λ replaced by 2λμ/(λ+2μ).
+        let stress = Lame::plane_stress(2.5, 0.25).unwrap();
+        assert!((stress.lambda() - 2.0 / 3.0).abs() < 1e-15);
+        assert!(Lame::new(1.0, 0.0).is_err() && Lame::plane_strain(1.0, 0.5).is_err());
+        assert!(Lame::new(f64::NAN, 1.0).is_err());
+    }
+
+    #[test]
+    fn rigid_motions_cost_nothing() {
+        let corners = [[0.1, 0.2], [1.3, 0.1], [0.4, 0.9]];
+        let form = Form::elastic(Lame::new(1.3, 0.7).unwrap());
+        let element = Element::new(corners);
+        for motion in [|_: Point| [1.0, 0.0], |_| [0.0, 1.0], |[x, y]: Point| [-y, x]] {
+            for i in 0..3 {
+                let force = (0..3).fold([0.0, 0.0], |mut force, j| {
+                    let (block, u) = (element.block(&form, 0, i, j), motion(corners[j]));
+                    for a in 0..2 {
+                        force[a] += block[a][0] * u[0] + block[a][1] * u[1];
+                    }
+                    force
+                });
+                assert!(force.iter().all(|f| f.abs() < 1e-15), "{force:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Load vectors l(φ_i) = ∫_Ω f·φ_i + ∫_{Γ_N} F·φ_i, Cartesian and node-major.
+
+use super::cubature::Cubature;
+use super::field::Field;
+use super::form::Element;
+use crate::error::Result;
+use crate::mesh::{Part, Point, Triangulation, distance};
+use crate::quadrature::Rule;
+
+/// The load of the P1 function with the given nodal values: consistent mass matrix times values.
+pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) -> Vec<f64> {
+    let mut load = vec![0.0; mesh.nodes().len() * components];
+    for (t, corners) in mesh.triangles().iter().enumerate() {
+        let weight = Element::new(mesh.corners(t)).area / 12.0;
+        for c in 0..components {
+            let f = corners.map(|node| values[node * components + c]);
+            let sum = f[0] + f[1] + f[2];
+            for k in 0..3 {
+                load[corners[k] * components + c] += weight * (sum + f[k]);
+            }
+        }
+    }
+    load
+}
+
+/// ∫_Ω f·φ_i by the given rule.
+///
+/// # Errors
+/// [`crate::Error::NotFinite`] when f is not finite at a point of the rule.
+pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -> Result<Vec<f64>> {
+    let components = density.components();
+    let mut load = vec![0.0; mesh.nodes().len() * components];
+    for (t, corners) in mesh.triangles().iter().enumerate() {
+        let triangle = mesh.corners(t);
+        let element = Element::new(triangle);
+        rule.on(triangle, &mut |point, weight| {
+            let value = density.at(point)?;
+            let shares = element.barycentric(triangle, point);
+            for k in 0..3 {
+                for c in 0..components {
+                    load[corners[k] * components + c] += weight * shares[k] * value[c];
+                }
+            }
+            Ok(())
+        })?;
+    }
+    Ok(load)
+}
+
+/// ∫_Γ F·φ_i over the boundary edges with the given label, by Gauss' rule on every edge. F gets the point and the
+/// outward normal.
+///
+/// # Errors
+/// [`crate::Error::NotFinite`] when F is not finite at a point of the rule.
+pub fn surface_load(
+    mesh: &Triangulation,
+    part: Part,
+    components: usize,
+    density: &dyn Fn(Point, Point) -> Result<Point>,
+    rule: &Rule,
+) -> Result<Vec<f64>> {
+    let mut load = vec![0.0; mesh.nodes().len() * components];
+    for edge in mesh.boundary().iter().filter(|edge| edge.part == part) {
+        let [a, b] = mesh.ends(edge);
+        let length = distance(a, b);
+        let normal = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
+        for (t, weight) in rule.iter() {
+            let point = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+            let value = density(point, normal)?;
+            for (node, share) in edge.nodes.into_iter().zip([1.0 - t, t]) {
+                for c in 0..components {
+                    load[node * components + c] += weight * length * share * value[c];
+                }
+            }
+        }
+    }
+    Ok(load)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Sides, unit_square};
+
+    #[test]
+    fn quadrature_of_an_affine_load_is_the_consistent_one() {
+        let mesh = unit_square(3, Sides::HANGING).unwrap();
+        let affine = |[x, y]: Point| [1.0 + x - 2.0 * y, 3.0 * y];
+        let field = Field::Vector(&affine);
+        let values = field.sample(mesh.nodes()).unwrap();
+        let nodal = consistent_load(&mesh, 2, &values);
+        let load = volume_load(&mesh, &field, &Cubature::new(2).unwrap()).unwrap();
+        for (a, b) in load.iter().zip(nodal) {
+            assert!((a - b).abs() < 1e-16);
+        }
+    }
+
+    #[test]
+    fn pressure_on_a_closed_curve_has_no_resultant() {
+        let mesh =
+            unit_square(3, Sides { bottom: Part::Neumann, top: Part::Neumann, ..Sides::HANGING }).unwrap();
+        let rule = Rule::gauss_legendre(2).unwrap();
+        let load = surface_load(&mesh, Part::Neumann, 2, &|_, normal| Ok(normal), &rule).unwrap();
+        let total = load.chunks(2).fold([0.0, 0.0], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
+        assert!(total.iter().all(|f| f.abs() < 1e-15));
+    }
+}

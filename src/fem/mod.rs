@@ -1,0 +1,24 @@
+//! Section 2: P1 finite elements for the scalar and the elastic form, and elimination of all but the contact unknowns.
+
+mod assembly;
+mod condensation;
+mod cubature;
+mod dissection;
+mod error_norms;
+mod field;
+mod form;
+mod front;
+mod loads;
+mod matrix;
+mod pool;
+mod stress;
+
+pub use assembly::{Frame, stiffness};
+pub use condensation::{Condensation, Reduced};
+pub use cubature::Cubature;
+pub use error_norms::{ErrorNorms, Gradient, error_norms};
+pub use field::Field;
+pub use form::{Form, Lame};
+pub use loads::{consistent_load, surface_load, volume_load};
+pub use matrix::{BlockMatrix, compensated, dot};
+pub use stress::{Stress, gradients, stresses};

@@ -1,0 +1,65 @@
+//! Buffers that are used again: the updates of a multifrontal elimination come and go in similar sizes, and asking the
+//! system for fresh zeroed pages each time costs more than the arithmetic on them.
+
+use std::sync::{Mutex, PoisonError};
+
+/// Buffers shorter than this are left to the allocator, which keeps them at hand itself.
+const WORTH_KEEPING: usize = 1 << 13;
+
+/// Buffers waiting for their next use, shared by all threads.
+#[derive(Debug, Default)]
+pub(super) struct Pool {
+    waiting: Mutex<Vec<Vec<f64>>>,
+}
+
+impl Pool {
+    /// A buffer of `length` zeros: the shortest one waiting that is long enough and not over four times as long.
+    pub(super) fn zeros(&self, length: usize) -> Vec<f64> {
+        match self.fitting(length) {
+            Some(mut buffer) => {
+                buffer.clear();
+                buffer.resize(length, 0.0);
+                buffer
+            }
+            // Written at once: zero pages that are first read and then written cost two page faults each.
+            None => std::iter::repeat_n(0.0, length).collect(),
+        }
+    }
+
+    fn fitting(&self, length: usize) -> Option<Vec<f64>> {
+        if length < WORTH_KEEPING {
+            return None;
+        }
+        // The list is in a usable state whatever happened to another thread that held it.
+        let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        let best = waiting
+            .iter()
+            .enumerate()
+            .filter(|(_, buffer)| (length..=4 * length).contains(&buffer.capacity()))
+            .min_by_key(|(_, buffer)| buffer.capacity())
+            .map(|(k, _)| k)?;
+        Some(waiting.swap_remove(best))
+    }
+
+    /// Takes a buffer back.
+    pub(super) fn keep(&self, buffer: Vec<f64>) {
+        if buffer.capacity() >= WORTH_KEEPING {
+            self.waiting.lock().unwrap_or_else(PoisonError::into_inner).push(buffer);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn buffers_come_back_zeroed() {
+        let pool = Pool::default();
+        pool.keep(vec![7.0; 3 * WORTH_KEEPING]);
+        let buffer = pool.zeros(2 * WORTH_KEEPING);
+        assert!(buffer.capacity() == 3 * WORTH_KEEPING && buffer.iter().all(|&x| x == 0.0));
+        assert_eq!(buffer.len(), 2 * WORTH_KEEPING);
+        assert_eq!(pool.zeros(5).len(), 5);
+    }
+}

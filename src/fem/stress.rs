@@ -1,0 +1,102 @@
+//! Stresses and gradients of P1 functions: one constant per triangle.
+
+use super::form::{Element, Form};
+use crate::error::{Error, Result};
+use crate::mesh::{Point, Triangulation};
+
+/// The in-plane stress tensor.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Stress {
+    /// σ_xx.
+    pub xx: f64,
+    /// σ_yy.
+    pub yy: f64,
+    /// σ_xy.
+    pub xy: f64,
+}
+
+impl Stress {
+    /// The greatest in-plane shear stress: the radius of Mohr's circle.
+    pub fn max_shear(&self) -> f64 {
+        (0.5 * (self.xx - self.yy)).hypot(self.xy)
+    }
+
+    /// Normal and tangential traction (σ_N, σ_T) on a line with unit normal n; σ_T along t = (−n_y, n_x).
+    pub fn traction(&self, [nx, ny]: Point) -> Point {
+        let force = [self.xx * nx + self.xy * ny, self.xy * nx + self.yy * ny];
+        [force[0] * nx + force[1] * ny, force[1] * nx - force[0] * ny]
+    }
+}
+
+/// ∇v on every triangle, for scalar nodal values.
+///
+/// # Errors
+/// [`Error::LengthMismatch`] unless there is one value per node.
+pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
+    check_length(values, mesh.nodes().len())?;
+    Ok((0..mesh.triangles().len())
+        .map(|t| {
+            let at = mesh.triangles()[t].map(|node| values[node]);
+            Element::new(mesh.corners(t)).gradient(at)
+        })
+        .collect())
+}
+
+/// σ = λ (div u) I + 2 μ ε(u) on every triangle, for Cartesian nodal displacements (node-major).
+///
+/// # Errors
+/// [`Error::LengthMismatch`] unless there are two values per node; [`Error::UnknownName`] for a scalar form.
+pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Result<Vec<Stress>> {
+    check_length(displacement, 2 * mesh.nodes().len())?;
+    (0..mesh.triangles().len())
+        .map(|t| {
+            let material = form.material(mesh.region(t)).ok_or_else(|| Error::UnknownName {
+                what: "form",
+                given: "scalar".to_owned(),
+                expected: "elastic, for stresses",
+            })?;
+            let element = Element::new(mesh.corners(t));
+            let along = |axis: usize| {
+                let at = mesh.triangles()[t].map(|node| displacement[2 * node + axis]);
+                element.gradient(at)
+            };
+            let ([xx, xy], [yx, yy]) = (along(0), along(1));
+            let pressure = material.lambda() * (xx + yy);
+            Ok(Stress {
+                xx: pressure + 2.0 * material.mu() * xx,
+                yy: pressure + 2.0 * material.mu() * yy,
+                xy: material.mu() * (xy + yx),
+            })
+        })
+        .collect()
+}
+
+fn check_length(values: &[f64], expected: usize) -> Result<()> {
+    if values.len() == expected {
+        return Ok(());
+    }
+    Err(Error::LengthMismatch { name: "nodal values", given: values.len(), expected })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fem::Lame;
+    use crate::mesh::{Sides, unit_square};
+
+    #[test]
+    fn affine_displacements_have_constant_stress() {
+        let mesh = unit_square(3, Sides::HANGING).unwrap();
+        let form = Form::elastic(Lame::new(2.0, 3.0).unwrap());
+        let u: Vec<f64> = mesh.nodes().iter().flat_map(|&[x, y]| [0.5 * x + y, 3.0 * x - y]).collect();
+        for stress in stresses(&mesh, &form, &u).unwrap() {
+            // div u = −1/2, ε = ((1/2, 2), (2, −1)).
+            for (value, exact) in [(stress.xx, 2.0), (stress.yy, -7.0), (stress.xy, 12.0)] {
+                assert!((value - exact).abs() < 1e-13);
+            }
+            let [normal, tangential] = stress.traction([0.0, -1.0]);
+            assert!((normal + 7.0).abs() < 1e-13 && (tangential + 12.0).abs() < 1e-13);
+        }
+        assert!(stresses(&mesh, &Form::LAPLACE, &u).is_err());
+    }
+}

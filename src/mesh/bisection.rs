@@ -1,0 +1,145 @@
+//! Local refinement by halving longest edges.
+//!
+//! All edges of a marked triangle are halved; a triangle with a halved edge has its longest edge halved, too, until
+//! nothing changes. Then every triangle is cut at its longest edge and the two pieces at their other halved edges, so
+//! the result conforms. Angles stay above half the smallest first one (I. G. Rosenberg and F. Stenger, Math. Comp. 29
+//! (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)). Cost: O(triangles) per sweep of the closure.
+
+use super::edges::Edges;
+use super::triangulation::{BoundaryEdge, Triangulation, distance};
+use crate::error::Result;
+
+/// The refined triangulation and the parents of its new nodes.
+pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+    let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
+    let pairs = edges.pairs();
+    let turned = turned_to_longest(coarse, &edges)?;
+    let halved = closure(&turned, marked, pairs.len());
+    let mut nodes = coarse.nodes().to_vec();
+    let mut parents = Vec::new();
+    let mut middles = vec![None; pairs.len()];
+    for (edge, &[a, b]) in pairs.iter().enumerate().filter(|&(edge, _)| halved[edge]) {
+        let (p, q) = (coarse.nodes()[a], coarse.nodes()[b]);
+        middles[edge] = Some(nodes.len());
+        nodes.push([0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1]]);
+        parents.push([a, b]);
+    }
+    let (mut triangles, mut regions) = (Vec::new(), Vec::new());
+    for (t, &(corners, sides)) in turned.iter().enumerate() {
+        cut(corners, sides.map(|edge| middles[edge]), &mut triangles);
+        regions.resize(triangles.len(), coarse.region(t) as u32);
+    }
+    let mut boundary = Vec::new();
+    for &BoundaryEdge { nodes: [a, b], part } in coarse.boundary() {
+        match middles[edges.find(a, b)?] {
+            None => boundary.push(BoundaryEdge { nodes: [a, b], part }),
+            Some(m) => boundary.extend([[a, m], [m, b]].map(|nodes| BoundaryEdge { nodes, part })),
+        }
+    }
+    let fine = Triangulation::trusted(nodes, triangles, boundary);
+    let fine = if coarse.regions().is_empty() { fine } else { fine.with_regions(regions)? };
+    Ok((fine, parents))
+}
+
+/// A triangle (a, b, c) with longest edge ab, and its edges ab, bc, ca.
+type Turned = ([usize; 3], [usize; 3]);
+
+fn turned_to_longest(mesh: &Triangulation, edges: &Edges) -> Result<Vec<Turned>> {
+    let turn = |&corners: &[usize; 3]| {
+        let length = |k: usize| {
+            let (a, b) = (corners[k], corners[(k + 1) % 3]);
+            (distance(mesh.nodes()[a], mesh.nodes()[b]), [a.min(b), a.max(b)])
+        };
+        // Ties are broken by node numbers, the same on both sides of an edge.
+        let longest = (1..3).fold(0, |best, k| if length(k) > length(best) { k } else { best });
+        let [a, b, c] = [0, 1, 2].map(|k| corners[(longest + k) % 3]);
+        Ok(([a, b, c], [edges.find(a, b)?, edges.find(b, c)?, edges.find(c, a)?]))
+    };
+    mesh.triangles().iter().map(turn).collect()
+}
+
+/// The edges to halve: those of marked triangles, and longest edges wherever another edge is halved.
+fn closure(turned: &[Turned], marked: &[bool], edges: usize) -> Vec<bool> {
+    let mut halved = vec![false; edges];
+    for ((_, sides), _) in turned.iter().zip(marked).filter(|&(_, &marked)| marked) {
+        sides.iter().for_each(|&edge| halved[edge] = true);
+    }
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for &(_, [longest, second, third]) in turned {
+            if !halved[longest] && (halved[second] || halved[third]) {
+                halved[longest] = true;
+                changed = true;
+            }
+        }
+    }
+    halved
+}
+
+/// Cuts (a, b, c) at the given middles of ab, bc, ca.
+fn cut([a, b, c]: [usize; 3], middles: [Option<usize>; 3], triangles: &mut Vec<[usize; 3]>) {
+    let [Some(m), bc, ca] = middles else {
+        triangles.push([a, b, c]);
+        return;
+    };
+    match ca {
+        Some(q) => triangles.extend([[a, m, q], [m, c, q]]),
+        None => triangles.push([a, m, c]),
+    }
+    match bc {
+        Some(p) => triangles.extend([[m, b, p], [m, p, c]]),
+        None => triangles.push([m, b, c]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Hierarchy, Part, Sides, unit_square};
+
+    fn smallest_angle(mesh: &Triangulation) -> f64 {
+        (0..mesh.triangles().len())
+            .flat_map(|t| {
+                let p = mesh.corners(t);
+                (0..3).map(move |k| {
+                    let (a, b, c) = (p[k], p[(k + 1) % 3], p[(k + 2) % 3]);
+                    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+                    (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
+                })
+            })
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    fn assert_sound(mesh: &Triangulation) {
+        let checked =
+            Triangulation::new(mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
+        assert_eq!(&checked.unwrap(), mesh);
+    }
+
+    #[test]
+    fn grading_toward_a_point_conforms_and_keeps_angles() {
+        let mut hierarchy = Hierarchy::new(unit_square(4, Sides::HANGING).unwrap());
+        let first = smallest_angle(hierarchy.finest());
+        hierarchy.refine_toward_point([0.25, 0.0], 20).unwrap();
+        let mesh = hierarchy.finest();
+        assert_sound(mesh);
+        assert!(smallest_angle(mesh) >= 0.5 * first - 1e-12);
+        assert!(mesh.triangles().len() < 1500, "{}", mesh.triangles().len());
+        let at_point = mesh.nodes().iter().map(|&p| distance(p, [0.25, 0.0])).filter(|&d| d > 0.0);
+        assert_eq!(at_point.fold(f64::INFINITY, f64::min), 0.25 * 0.5_f64.powi(20));
+        assert!(hierarchy.refine_toward_point([0.1, 0.1], 1).is_err());
+    }
+
+    #[test]
+    fn grading_toward_the_contact_edge_keeps_nested_functions() {
+        let mut hierarchy = Hierarchy::new(unit_square(2, Sides::HANGING).unwrap());
+        hierarchy.refine_toward_part(Part::Contact, 4).unwrap();
+        let mesh = hierarchy.finest();
+        assert_sound(mesh);
+        let affine =
+            |mesh: &Triangulation| -> Vec<f64> { mesh.nodes().iter().map(|&[x, y]| 2.0 * x - y).collect() };
+        let prolonged = hierarchy.prolong(0, 4, 1, &affine(&hierarchy.levels()[0])).unwrap();
+        assert_eq!(prolonged, affine(mesh));
+    }
+}

@@ -1,0 +1,118 @@
+//! What a triangulation given from outside must satisfy.
+
+use super::triangulation::{BoundaryEdge, Triangulation, distance, doubled_area};
+use crate::error::{Error, Result};
+
+/// A triangle whose area is below this multiple of its squared diameter has no usable shape: 2^10 roundings.
+const FLATNESS: f64 = 1024.0 * f64::EPSILON;
+
+/// Finite coordinates, node numbers in range, positive areas, no node without triangle.
+pub(super) fn nodes_and_triangles(mesh: &Triangulation) -> Result<()> {
+    let nodes = mesh.nodes();
+    if mesh.triangles().is_empty() {
+        return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "[1, inf)" });
+    }
+    for (index, point) in nodes.iter().enumerate() {
+        if let Some(&value) = point.iter().find(|x| !x.is_finite()) {
+            return Err(Error::NotFinite { name: "node coordinate", index, value });
+        }
+    }
+    let mut used = vec![false; nodes.len()];
+    for (t, triangle) in mesh.triangles().iter().enumerate() {
+        for &node in triangle {
+            *used
+                .get_mut(node)
+                .ok_or_else(|| bad_triangle(t, "has a node number out of range", node as f64))? = true;
+        }
+        let corners = mesh.corners(t);
+        let diameter = (0..3).fold(0.0, |d: f64, k| d.max(distance(corners[k], corners[(k + 1) % 3])));
+        // Divided by the diameter first: tiny and huge triangles have their shape, too.
+        let doubled = doubled_area(
+            corners.map(|[x, y]| [(x - corners[0][0]) / diameter, (y - corners[0][1]) / diameter]),
+        );
+        if doubled < -FLATNESS {
+            return Err(bad_triangle(t, "is inverted: twice its scaled area is", doubled));
+        }
+        if doubled.is_nan() || doubled <= FLATNESS {
+            return Err(bad_triangle(t, "has no area: twice its scaled area is", doubled));
+        }
+    }
+    match used.iter().position(|&used| !used) {
+        Some(node) => Err(Error::Node { node, reason: "belongs to no triangle" }),
+        None => Ok(()),
+    }
+}
+
+fn bad_triangle(triangle: usize, reason: &'static str, value: f64) -> Error {
+    Error::Triangle { triangle, reason, value }
+}
+
+/// Every edge in one or two triangles; the labels are exactly the edges in one, turned to have the domain on the left.
+pub(super) fn boundary(labels: &mut [BoundaryEdge], triangles: &[[usize; 3]]) -> Result<()> {
+    let bad = |nodes, reason| Err(Error::Edge { nodes, reason });
+    let mut sides: Vec<([usize; 2], [usize; 2])> = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+        .map(|side| (sorted(side), side))
+        .collect();
+    sides.sort_unstable();
+    let mut outer: Vec<([usize; 2], [usize; 2])> = Vec::new();
+    for group in sides.chunk_by(|x, y| x.0 == y.0) {
+        match group {
+            [only] => outer.push(*only),
+            [one, two] if one.1 != two.1 => {}
+            _ => return bad(group[0].0, "is shared by more than two triangles or by two that overlap"),
+        }
+    }
+    let mut labelled = vec![false; outer.len()];
+    for label in labels.iter_mut() {
+        let Ok(found) = outer.binary_search_by(|probe| probe.0.cmp(&sorted(label.nodes))) else {
+            return bad(label.nodes, "carries a label and is not on the boundary");
+        };
+        if std::mem::replace(&mut labelled[found], true) {
+            return bad(label.nodes, "carries two labels");
+        }
+        label.nodes = outer[found].1;
+    }
+    match labelled.iter().position(|&labelled| !labelled) {
+        Some(missing) => bad(outer[missing].1, "is on the boundary and carries no label"),
+        None => Ok(()),
+    }
+}
+
+fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Part;
+
+    fn two_triangles(top: f64, edges: &[[usize; 2]]) -> Result<Triangulation> {
+        Triangulation::new(
+            vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, top]],
+            vec![[0, 1, 2], [0, 2, 3]],
+            edges.iter().map(|&nodes| BoundaryEdge { nodes, part: Part::Neumann }).collect(),
+        )
+    }
+
+    const AROUND: [[usize; 2]; 4] = [[1, 0], [1, 2], [3, 2], [3, 0]];
+
+    #[test]
+    fn edges_are_turned_to_have_the_domain_on_their_left() {
+        let mesh = two_triangles(1.0, &AROUND).unwrap();
+        let turned: Vec<_> = mesh.boundary().iter().map(|edge| edge.nodes).collect();
+        assert_eq!(turned, vec![[0, 1], [1, 2], [2, 3], [3, 0]]);
+    }
+
+    #[test]
+    fn faults_are_named() {
+        assert!(matches!(two_triangles(0.0, &AROUND), Err(Error::Triangle { triangle: 1, .. })));
+        assert!(matches!(two_triangles(-1.0, &AROUND), Err(Error::Triangle { triangle: 1, .. })));
+        assert!(matches!(two_triangles(1.0, &AROUND[..3]), Err(Error::Edge { nodes: [3, 0], .. })));
+        let inner = [AROUND[0], AROUND[1], AROUND[2], AROUND[3], [0, 2]];
+        assert!(matches!(two_triangles(1.0, &inner), Err(Error::Edge { nodes: [0, 2], .. })));
+        assert!(two_triangles(f64::NAN, &AROUND).is_err());
+    }
+}

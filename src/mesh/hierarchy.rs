@@ -1,0 +1,217 @@
+//! Nested refinement with memory of the levels: uniform (red), or local toward a point or an edge.
+//!
+//! Uniformly, every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are nested and a function of
+//! level k is one of level k + 1: at a new node it is the mean over the ends of the edge that was halved.
+//! Cost of a refinement: O(number of triangles).
+
+use super::bisection::bisect;
+use super::edges::Edges;
+use super::triangulation::{BoundaryEdge, Part, Point, Triangulation, distance};
+use crate::error::{Error, Result};
+
+/// A triangulation and its uniform refinements, coarsest first.
+#[derive(Debug, Clone)]
+pub struct Hierarchy {
+    levels: Vec<Triangulation>,
+    /// For level k > 0, the two parents of every node that is new on it.
+    parents: Vec<Vec<[usize; 2]>>,
+}
+
+impl Hierarchy {
+    /// The hierarchy with a single level.
+    pub fn new(coarsest: Triangulation) -> Self {
+        Self { levels: vec![coarsest], parents: Vec::new() }
+    }
+
+    /// `coarsest` refined `times` times.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] when the finest level would have more than 2^32 triangles.
+    pub fn refined(coarsest: Triangulation, times: usize) -> Result<Self> {
+        let mut hierarchy = Self::new(coarsest);
+        for _ in 0..times {
+            hierarchy.refine()?;
+        }
+        Ok(hierarchy)
+    }
+
+    /// Adds a level.
+    ///
+    /// # Errors
+    /// As for [`Hierarchy::refined`].
+    pub fn refine(&mut self) -> Result<()> {
+        let coarse = self.finest();
+        if coarse.triangles().len() > 1 << 30 {
+            return Err(Error::CountOutOfRange {
+                name: "triangles to refine",
+                value: coarse.triangles().len(),
+                range: "[1, 2^30]",
+            });
+        }
+        let (fine, parents) = red(coarse)?;
+        self.levels.push(fine);
+        self.parents.push(parents);
+        Ok(())
+    }
+
+    /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as little as keeps the
+    /// mesh conforming and its angles bounded below (longest edges are halved first).
+    ///
+    /// # Errors
+    /// As for [`Hierarchy::refined`].
+    pub fn refine_where(&mut self, marked: impl Fn(&Triangulation, usize) -> bool) -> Result<()> {
+        let coarse = self.finest();
+        let chosen: Vec<bool> = (0..coarse.triangles().len()).map(|t| marked(coarse, t)).collect();
+        let (fine, parents) = bisect(coarse, &chosen)?;
+        self.levels.push(fine);
+        self.parents.push(parents);
+        Ok(())
+    }
+
+    /// Adds `times` levels graded toward a node: on each, the triangles at that point are cut. Sizes are proportional to
+    /// the distance, down to 2^-times of the first.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] when the point is not a node of the coarsest level.
+    pub fn refine_toward_point(&mut self, point: Point, times: usize) -> Result<()> {
+        let coarsest = &self.levels[0];
+        let nearest =
+            coarsest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
+        if nearest > 1e-12 * coarsest.mesh_size() {
+            return Err(Error::OutOfRange {
+                name: "distance of the point from the nodes",
+                value: nearest,
+                range: "rounding: refinement is toward a node",
+            });
+        }
+        for _ in 0..times {
+            // The nearest node of this level is the point itself: nodes are never moved.
+            self.refine_where(|mesh, t| {
+                mesh.corners(t).into_iter().any(|corner| distance(corner, point) <= nearest)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Adds `times` levels graded toward the boundary edges with the given label.
+    ///
+    /// # Errors
+    /// As for [`Hierarchy::refined`].
+    pub fn refine_toward_part(&mut self, part: Part, times: usize) -> Result<()> {
+        for _ in 0..times {
+            let on = self.finest().nodes_on(part);
+            self.refine_where(|mesh, t| mesh.triangles()[t].iter().any(|&node| on[node]))?;
+        }
+        Ok(())
+    }
+
+    /// The levels, coarsest first.
+    pub fn levels(&self) -> &[Triangulation] {
+        &self.levels
+    }
+
+    /// The finest level.
+    pub fn finest(&self) -> &Triangulation {
+        // A hierarchy is never empty: it starts with one level and only grows.
+        &self.levels[self.levels.len() - 1]
+    }
+
+    /// Nodal values on level `from` (`components` per node) as nodal values of the same function on level `to` ≥ `from`.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for levels that do not exist or are in the wrong order, [`Error::LengthMismatch`].
+    pub fn prolong(&self, from: usize, to: usize, components: usize, values: &[f64]) -> Result<Vec<f64>> {
+        if from > to || to >= self.levels.len() {
+            return Err(Error::CountOutOfRange {
+                name: "target level",
+                value: to,
+                range: "[source level, finest level]",
+            });
+        }
+        let expected = self.levels[from].nodes().len() * components;
+        if values.len() != expected {
+            return Err(Error::LengthMismatch { name: "nodal values", given: values.len(), expected });
+        }
+        let mut values = values.to_vec();
+        for parents in &self.parents[from..to] {
+            values.reserve(parents.len() * components);
+            for &[a, b] in parents {
+                for c in 0..components {
+                    values.push(0.5 * values[a * components + c] + 0.5 * values[b * components + c]);
+                }
+            }
+        }
+        Ok(values)
+    }
+}
+
+/// One red refinement and the parents of the new nodes.
+fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+    let count = coarse.nodes().len();
+    let edges = Edges::new(count, coarse.triangles());
+    let parents = edges.pairs();
+    let mut nodes = coarse.nodes().to_vec();
+    nodes.extend(parents.iter().map(|&[a, b]| {
+        let (p, q) = (coarse.nodes()[a], coarse.nodes()[b]);
+        [0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1]]
+    }));
+    let middle = |a, b| edges.find(a, b).map(|edge| count + edge);
+    let mut triangles = Vec::with_capacity(4 * coarse.triangles().len());
+    for &[a, b, c] in coarse.triangles() {
+        let (ab, bc, ca) = (middle(a, b)?, middle(b, c)?, middle(c, a)?);
+        triangles.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+    }
+    let mut boundary = Vec::with_capacity(2 * coarse.boundary().len());
+    for &BoundaryEdge { nodes: [a, b], part } in coarse.boundary() {
+        let m = middle(a, b)?;
+        boundary.extend([[a, m], [m, b]].map(|nodes| BoundaryEdge { nodes, part }));
+    }
+    let mut fine = Triangulation::trusted(nodes, triangles, boundary);
+    if !coarse.regions().is_empty() {
+        let regions = coarse.regions().iter().flat_map(|&region| [region; 4]).collect();
+        fine = fine.with_regions(regions)?;
+    }
+    Ok((fine, parents))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Sides, unit_square};
+
+    #[test]
+    fn red_refinement_of_the_square_is_the_finer_square() {
+        let hierarchy = Hierarchy::refined(unit_square(2, Sides::HANGING).unwrap(), 2).unwrap();
+        let key = |mesh: &Triangulation| {
+            let mut corners: Vec<_> = (0..mesh.triangles().len())
+                .map(|t| {
+                    let mut corners = mesh.corners(t).map(|[x, y]| ((x * 8.0) as usize, (y * 8.0) as usize));
+                    corners.sort_unstable();
+                    corners
+                })
+                .collect();
+            corners.sort_unstable();
+            corners
+        };
+        assert_eq!(key(hierarchy.finest()), key(&unit_square(8, Sides::HANGING).unwrap()));
+        let checked = Triangulation::new(
+            hierarchy.finest().nodes().to_vec(),
+            hierarchy.finest().triangles().to_vec(),
+            hierarchy.finest().boundary().to_vec(),
+        );
+        assert_eq!(&checked.unwrap(), hierarchy.finest());
+    }
+
+    #[test]
+    fn prolongation_keeps_affine_functions() {
+        let hierarchy = Hierarchy::refined(unit_square(3, Sides::HANGING).unwrap(), 2).unwrap();
+        let affine = |mesh: &Triangulation| -> Vec<f64> {
+            mesh.nodes().iter().map(|&[x, y]| 1.0 + 2.0 * x - 3.0 * y).collect()
+        };
+        let fine = hierarchy.prolong(0, 2, 1, &affine(&hierarchy.levels()[0])).unwrap();
+        for (a, b) in fine.iter().zip(affine(hierarchy.finest())) {
+            assert!((a - b).abs() < 1e-14);
+        }
+        assert!(hierarchy.prolong(2, 1, 1, &fine).is_err());
+    }
+}

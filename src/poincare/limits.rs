@@ -1,0 +1,53 @@
+//! The printed laws (5.1)-(5.3) and the exact limits they should be compared with.
+//!
+//! | ν | printed | true, zone at an end | true, zone inside |
+//! | --- | --- | --- | --- |
+//! | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, [`super::end_limit`] | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
+//! | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), A = 3/(2π²), L = ln(1/θ) | γ² ~ L/(2π²) |
+//! | > 1/2 | C | γ₀(ν), [`super::gamma_at_point`] | the same at the point |
+
+use crate::error::{Error, Result};
+use crate::sobolev::FractionalOrder;
+use std::f64::consts::PI;
+
+/// A = 3/(2π²): slope of γ² against ln(1/θ) at ν = 1/2 for a zone at an end.
+pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
+
+/// 1/(2π²): the slope for a zone inside.
+pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
+
+/// c and d of γ² = A L + c + d/(A L + c): computed elsewhere to 16 and 13 digits, confirmed by the tests.
+const HALF_CONSTANT: f64 = -0.024_979_277_635_795_44;
+const HALF_CORRECTION: f64 = 0.023_889_056_206_59;
+
+/// The growth that Lemma 5.2 prints: θ^{ν−1/2}, ln(1/θ), 1.
+pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
+    if order.is_below_half() {
+        theta.powf(order.offset())
+    } else if order.offset() == 0.0 {
+        -theta.ln()
+    } else {
+        1.0
+    }
+}
+
+/// √(A L + c + d/(A L + c)): γ_θ(1/2) for a zone (0,θ), up to O(L⁻²) in the square.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2.
+pub fn half_law(theta: f64) -> Result<f64> {
+    Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
+    let leading = -END_SLOPE * theta.ln() + HALF_CONSTANT;
+    Ok((leading + HALF_CORRECTION / leading).sqrt())
+}
+
+/// lim θ^{1/2−ν} γ_θ for a zone inside (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).
+///
+/// # Errors
+/// [`Error::OutOfRange`] for ν ≥ 1/2.
+pub fn interior_limit(order: FractionalOrder) -> Result<f64> {
+    Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
+    // tan(πν) = cot(π(1/2 − ν))
+    let tangent = 1.0 / (PI * -order.offset()).tan();
+    Ok((tangent / (2.0 * PI * (1.0 + 2.0 * order.value()))).sqrt())
+}

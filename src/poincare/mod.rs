@@ -1,0 +1,17 @@
+//! Appendix A: the Poincaré constants γ_θ(ν) of Lemma 5.2.
+//!
+//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1), 0 < ν < 1, whose mean over a [`Zone`] is zero or which vanish there; the seminorm is
+//! |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper bounds γ by θ^{ν−1/2}, ln(1/θ), C in
+//! (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
+
+mod constant;
+mod limits;
+mod mellin;
+mod mesh;
+pub(crate) mod slopes;
+mod zone;
+
+pub use constant::{gamma, gamma_at_point};
+pub use limits::{END_SLOPE, INTERIOR_SLOPE, half_law, interior_limit, printed_growth};
+pub use mellin::end_limit;
+pub use zone::{Condition, Zone};

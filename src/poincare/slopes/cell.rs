@@ -1,0 +1,148 @@
+//! Cells of the slope space and the panels they are cut into for quadrature.
+//!
+//! A cell is an interval of positive length with a map ξ ∈ (0,1) ↦ x: affine, or exponential away from a point at which
+//! the function is singular (r = r₀ (r₁/r₀)^ξ, r the distance from that point). Positions are never stored: every
+//! distance is a sum of lengths, so that it keeps its relative accuracy however small it is.
+
+/// How a cell is parametrized.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Grading {
+    /// x is affine in ξ.
+    Uniform,
+    /// ln of the distance from a point on the left is affine in ξ; `inner` is that distance at ξ = 0.
+    FromLeft {
+        /// Distance of the left end from the singular point.
+        inner: f64,
+        /// ln of the ratio of the two distances.
+        spread: f64,
+    },
+    /// The mirror image: `inner` is the distance of the right end (ξ = 1) from a point on the right.
+    FromRight {
+        /// Distance of the right end from the singular point.
+        inner: f64,
+        /// ln of the ratio of the two distances.
+        spread: f64,
+    },
+}
+
+/// An interval with its parametrization and the degree of the slopes du/dξ on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cell {
+    pub(crate) length: f64,
+    pub(crate) grading: Grading,
+    /// Number of slope functions: Legendre polynomials of degree 0, ..., `functions` − 1; zero freezes u to a constant.
+    pub(crate) functions: usize,
+}
+
+impl Cell {
+    pub(crate) fn uniform(length: f64, functions: usize) -> Self {
+        Self { length, grading: Grading::Uniform, functions }
+    }
+
+    /// The cell between the distances `inner` and `inner` e^`spread` right of a point.
+    pub(crate) fn from_left(inner: f64, spread: f64, functions: usize) -> Self {
+        Self { length: inner * spread.exp_m1(), grading: Grading::FromLeft { inner, spread }, functions }
+    }
+
+    /// The reflection of the cell.
+    pub(crate) fn mirrored(self) -> Self {
+        let grading = match self.grading {
+            Grading::Uniform => Grading::Uniform,
+            Grading::FromLeft { inner, spread } => Grading::FromRight { inner, spread },
+            Grading::FromRight { inner, spread } => Grading::FromLeft { inner, spread },
+        };
+        Self { grading, ..self }
+    }
+
+    /// Cuts the cell at equal steps of ξ into panels of spread at most `largest`.
+    pub(crate) fn panels(&self, cell: usize, largest: f64) -> Vec<Panel> {
+        let pieces = match self.grading {
+            Grading::Uniform => 1,
+            Grading::FromLeft { spread, .. } | Grading::FromRight { spread, .. } => {
+                (spread / largest).ceil().max(1.0) as usize
+            }
+        };
+        let width = 1.0 / pieces as f64;
+        (0..pieces)
+            .map(|k| {
+                let (grading, length) = match self.grading {
+                    Grading::Uniform => (Grading::Uniform, self.length),
+                    Grading::FromLeft { inner, spread } => {
+                        let (inner, spread) = (inner * (spread * k as f64 * width).exp(), spread * width);
+                        (Grading::FromLeft { inner, spread }, inner * spread.exp_m1())
+                    }
+                    Grading::FromRight { inner, spread } => {
+                        let steps = (pieces - 1 - k) as f64;
+                        let (inner, spread) = (inner * (spread * steps * width).exp(), spread * width);
+                        (Grading::FromRight { inner, spread }, inner * spread.exp_m1())
+                    }
+                };
+                Panel { cell, start: k as f64 * width, width, length, grading }
+            })
+            .collect()
+    }
+}
+
+/// A piece of a cell, short enough for Gauss rules. Its own coordinate ξ runs over (0,1) from left to right.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Panel {
+    /// The cell it belongs to.
+    pub(crate) cell: usize,
+    /// Where it starts in the coordinate of the cell.
+    pub(crate) start: f64,
+    /// Its extent in the coordinate of the cell.
+    pub(crate) width: f64,
+    pub(crate) length: f64,
+    grading: Grading,
+}
+
+impl Panel {
+    /// Distance of the point ξ from the left end.
+    pub(crate) fn from_left(&self, xi: f64) -> f64 {
+        match self.grading {
+            Grading::Uniform => self.length * xi,
+            Grading::FromLeft { inner, spread } => inner * (xi * spread).exp_m1(),
+            Grading::FromRight { inner, spread } => -inner * spread.exp() * (-xi * spread).exp_m1(),
+        }
+    }
+
+    /// Distance of the point ξ = 1 − `eta` from the right end.
+    pub(crate) fn from_right(&self, eta: f64) -> f64 {
+        self.mirrored().from_left(eta)
+    }
+
+    /// Distance between the points ξ and ξ + `step` of the panel.
+    pub(crate) fn between(&self, xi: f64, step: f64) -> f64 {
+        match self.grading {
+            Grading::Uniform => self.length * step,
+            Grading::FromLeft { inner, spread } => inner * (xi * spread).exp() * (step * spread).exp_m1(),
+            Grading::FromRight { inner, spread } => {
+                inner * ((1.0 - xi - step) * spread).exp() * (step * spread).exp_m1()
+            }
+        }
+    }
+
+    /// dx/dξ at ξ.
+    pub(crate) fn stretch(&self, xi: f64) -> f64 {
+        match self.grading {
+            Grading::Uniform => self.length,
+            Grading::FromLeft { inner, spread } => inner * spread * (xi * spread).exp(),
+            Grading::FromRight { inner, spread } => inner * spread * ((1.0 - xi) * spread).exp(),
+        }
+    }
+
+    /// The panel seen from the other side. Only the geometry is reflected, not `start`.
+    fn mirrored(&self) -> Self {
+        let grading = match self.grading {
+            Grading::Uniform => Grading::Uniform,
+            Grading::FromLeft { inner, spread } => Grading::FromRight { inner, spread },
+            Grading::FromRight { inner, spread } => Grading::FromLeft { inner, spread },
+        };
+        Self { grading, ..*self }
+    }
+
+    /// The coordinate in the cell of the panel's point ξ.
+    pub(crate) fn in_cell(&self, xi: f64) -> f64 {
+        self.start + self.width * xi
+    }
+}

@@ -1,0 +1,13 @@
+//! The hp space in which the constants of the appendices are computed: slopes on graded cells.
+//!
+//! Unknowns are the slopes of u, so that constants, the kernel of the seminorm, do not appear at all and no position is
+//! ever subtracted from another. See [`cell`] for the parametrizations, [`gram`] for |u|_ν², [`mass`] for ‖u‖₀² under a
+//! condition that fixes the constant, [`pencil`] for the extremal quotient.
+
+pub(crate) mod cell;
+pub(crate) mod gram;
+pub(crate) mod kernel;
+pub(crate) mod mass;
+pub(crate) mod pencil;
+mod rules;
+pub(crate) mod space;

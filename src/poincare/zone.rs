@@ -1,0 +1,114 @@
+//! The zone E = (a, a+θ) ⊂ (0,1) on which a function is controlled, and how.
+
+use crate::error::{Error, Result};
+use std::fmt;
+use std::str::FromStr;
+
+/// Shortest length that is admitted: below, f64 itself loses digits.
+const SHORTEST: f64 = 1e-300;
+
+/// A zone (a, a+θ) in (0,1), kept as its three lengths a, θ and 1 − a − θ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Zone {
+    start: f64,
+    length: f64,
+    rest: f64,
+}
+
+impl Zone {
+    /// (0, θ), 1e-300 ≤ θ ≤ 1.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
+    pub fn end(theta: f64) -> Result<Self> {
+        Self::at(0.0, theta)
+    }
+
+    /// (a, a+θ) with a = 0 or a ≥ 1e-300, 1e-300 ≤ θ ≤ 1, a + θ ≤ 1 up to rounding.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
+    pub fn at(a: f64, theta: f64) -> Result<Self> {
+        let theta = Error::require("theta", theta, "[1e-300, 1]", (SHORTEST..=1.0).contains(&theta))?;
+        let inside = a == 0.0 || (SHORTEST..1.0).contains(&a);
+        let start = Error::require("zone start", a, "{0} or [1e-300, 1)", inside)?;
+        let rest = (1.0 - start) - theta;
+        // a + θ = 1 need not hold exactly for the rounded a and θ
+        let admissible = rest >= -f64::EPSILON;
+        Error::require("zone end", start + theta, "(0, 1]", admissible)?;
+        Ok(Self { start, length: theta, rest: if rest <= f64::EPSILON { 0.0 } else { rest } })
+    }
+
+    /// The zone of length θ in the middle.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 1e-300 ≤ θ ≤ 1.
+    pub fn centred(theta: f64) -> Result<Self> {
+        Self::at(0.5 * (1.0 - theta), theta)
+    }
+
+    /// a.
+    pub const fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// θ.
+    pub const fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// 1 − a − θ.
+    pub const fn rest(&self) -> f64 {
+        self.rest
+    }
+
+    /// The zone touches an end of the interval.
+    pub fn is_at_an_end(&self) -> bool {
+        self.start == 0.0 || self.rest == 0.0
+    }
+}
+
+impl fmt::Display for Zone {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.start == 0.0 {
+            write!(f, "(0, {:e})", self.length)
+        } else {
+            write!(f, "({:e}, {:e})+{:e}", self.start, self.start, self.length)
+        }
+    }
+}
+
+/// What is asked of u on the zone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Condition {
+    /// ∫_E u = 0.
+    #[default]
+    MeanZero,
+    /// u = 0 on E.
+    Vanishing,
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Condition::MeanZero => "mean-zero",
+            Condition::Vanishing => "vanishing",
+        })
+    }
+}
+
+impl FromStr for Condition {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "mean-zero" => Ok(Self::MeanZero),
+            "vanishing" => Ok(Self::Vanishing),
+            _ => Err(Error::UnknownName {
+                what: "condition",
+                given: text.to_owned(),
+                expected: "mean-zero or vanishing",
+            }),
+        }
+    }
+}

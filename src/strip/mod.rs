@@ -1,0 +1,41 @@
+//! Contact on a strip, reduced exactly to its contact edge by Fourier modes.
+//!
+//! The rows of a uniform mesh on a strip are translation invariant: Fourier modes diagonalise them, and eliminating all rows
+//! but the contact edge is exact. What is left is a dense symmetric operator A on n edge unknowns, known by its symbol and applied
+//! in O(n log n); n = 2^20 stands for 10^12 nodes. Sign convention of the paper: u_N ≤ 0, λ = −σ_N ≥ 0 on the contact edge
+//! y = 0, whose outward normal points down; in the scalar strip u itself plays the part of u_N (Remark 1).
+//!
+//! | symbol | here |
+//! | --- | --- |
+//! | n, m, h = 1/n, H = m/n | cells along the edge, layers, mesh size, height |
+//! | A, S(θ) | [`EdgeOperator`] and its symbol |
+//! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
+//! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
+
+mod contact_sets;
+mod defect;
+mod edge;
+mod elastic;
+mod elastic_defect;
+mod exact;
+mod exact_elastic;
+mod face;
+mod inner;
+mod precondition;
+mod projection;
+mod scalar;
+mod scene;
+mod slab;
+mod solve;
+mod source;
+mod study;
+
+pub use edge::{EdgeOperator, Sides};
+pub use elastic::{ElasticLoad, ElasticStrip};
+pub use exact::{ExactEdge, Reference};
+pub use exact_elastic::ExactElastic;
+pub use scalar::{EdgeLoad, ScalarStrip};
+pub use scene::{EdgeScene, SceneKind};
+pub use solve::{EdgeSolution, Settings, solve_contact};
+pub use source::SceneSource;
+pub use study::{Level, Levels, StripKind, StripProblem, mean_errors, study};

@@ -1,0 +1,411 @@
+//! Contact on the edge: min ½ g'A g − b'g over the nodal or the midpoint cone.
+//!
+//! Semismooth Newton on w = Proj(w + (b − A w)/σ), σ = ‖A‖, Proj the exact projection onto the cone: the
+//! constraints active in the projection define a face, the next w solves the linear problem on it. For the nodal cone this is the
+//! primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge matrix is an M-matrix; for the midpoint cone
+//! the textbook rule stalls in checkerboards and the projection does not. While the set moves the linear problems are solved to two
+//! digits only. A start from the half as fine grid carries over set and values. Should a set ever come back, the iteration goes on with
+//! feasible descent: every step lowers J, so that no set can return.
+//!
+//! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion along each run.
+//! Cost: O(n log n) per inner iteration, a few dozen of them per level.
+
+use super::edge::{EdgeOperator, Sides, check_finite};
+use super::face::Face;
+use super::inner::{FaceSolver, dot};
+use super::projection::{project_chain, project_ring};
+use super::scalar::EdgeLoad;
+use crate::contact::{Cone, ContactSet, Evidence, Judgement, Margins, Status};
+use crate::error::{Error, Result};
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// When to stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Residual of the last linear problem, relative, in the energy norm.
+    pub tolerance: f64,
+    /// Reduction of the residual asked of the linear problems while the contact set moves.
+    pub reduction: f64,
+    /// Allowed steps (linear problems).
+    pub steps: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { tolerance: 1e-13, reduction: 1e-2, steps: 200 }
+    }
+}
+
+impl Settings {
+    fn check(&self) -> Result<()> {
+        let open_unit =
+            |name, value: f64| Error::require(name, value, "(0, 1)", value > 0.0 && value < 1.0).map(|_| ());
+        open_unit("tolerance", self.tolerance)?;
+        open_unit("reduction", self.reduction)
+    }
+}
+
+/// A discrete contact solution on the edge, with its judgement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EdgeSolution {
+    /// u_N at the edge nodes.
+    pub values: Vec<f64>,
+    /// λ ≥ 0, one per node (nodal cone) or per segment (midpoint cone).
+    pub multiplier: Vec<f64>,
+    /// Active constraints.
+    pub contact: ContactSet,
+    /// The cone.
+    pub cone: Cone,
+    /// min J = ½ g'A g − b'g + c.
+    pub energy: f64,
+    /// How the iteration ended.
+    pub status: Status,
+    /// The four KKT figures.
+    pub judgement: Judgement,
+    /// Distance from weak contact.
+    pub margins: Margins,
+    /// Inner iterations of each step.
+    pub inner_iterations: Vec<usize>,
+}
+
+impl EdgeSolution {
+    /// Number of linear problems solved.
+    pub fn steps(&self) -> usize {
+        self.inner_iterations.len()
+    }
+}
+
+/// Solves the contact problem of `operator` with the given load; `start` is a solution on the half as fine edge, or on this one.
+///
+/// # Errors
+/// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::OutOfRange`] for data that do not fit.
+pub fn solve_contact(
+    operator: &EdgeOperator,
+    load: &EdgeLoad,
+    cone: Cone,
+    start: Option<&EdgeSolution>,
+    settings: &Settings,
+) -> Result<EdgeSolution> {
+    settings.check()?;
+    operator.check_field("edge load", &load.force)?;
+    // The problem is homogeneous: solved for a load of size one, whatever the size of the data.
+    let size = largest(&load.force);
+    let scale = if size > 0.0 { size } else { 1.0 };
+    let unit: Vec<f64> = load.force.iter().map(|b| b / scale).collect();
+    let mut iteration = Iteration::new(operator, &unit, cone, settings);
+    iteration.start(start, scale)?;
+    let status = iteration.run();
+    let mut solution = iteration.finish(status)?;
+    solution.values.iter_mut().chain(&mut solution.multiplier).for_each(|v| *v *= scale);
+    solution.energy = solution.energy * scale * scale + load.constant;
+    check_finite("energy", &[solution.energy])?;
+    Ok(solution)
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}
+
+struct Iteration<'a> {
+    operator: &'a EdgeOperator,
+    cone: Cone,
+    settings: &'a Settings,
+    b: &'a [f64],
+    solver: FaceSolver<'a>,
+    values: Vec<f64>,
+    active: Vec<bool>,
+    inner: Vec<usize>,
+}
+
+impl<'a> Iteration<'a> {
+    fn new(operator: &'a EdgeOperator, b: &'a [f64], cone: Cone, settings: &'a Settings) -> Self {
+        Self {
+            operator,
+            cone,
+            settings,
+            b,
+            solver: FaceSolver::new(operator),
+            values: vec![0.0; operator.nodes()],
+            active: vec![false; constraints(operator, cone)],
+            inner: Vec::new(),
+        }
+    }
+
+    /// Cold: the face of Proj(b/σ). Nested: values interpolated, contact runs refined.
+    fn start(&mut self, start: Option<&EdgeSolution>, scale: f64) -> Result<()> {
+        let Some(start) = start else {
+            self.active = self.next_set();
+            return Ok(());
+        };
+        let cells = self.operator.cells();
+        let nodes = self.operator.nodes();
+        if start.values.len() == nodes {
+            self.values.copy_from_slice(&start.values);
+        } else if start.values.len() == self.operator.sides().nodes(cells / 2) {
+            self.values = prolong(&start.values, nodes);
+        } else {
+            return Err(Error::LengthMismatch { name: "start", given: start.values.len(), expected: nodes });
+        }
+        self.values.iter_mut().for_each(|v| *v /= scale);
+        self.active = match (start.cone == self.cone, start.values.len() == nodes) {
+            (true, true) => start.contact.as_slice().to_vec(),
+            (true, false) => refine_set(start.contact.as_slice(), self.cone, self.operator),
+            // From the other cone: a constraint is taken as active where the values leave no room.
+            (false, _) => {
+                let cone = self.cone;
+                means(self.operator, cone, &self.values).iter().map(|&mean| mean >= 0.0).collect()
+            }
+        };
+        Ok(())
+    }
+
+    fn run(&mut self) -> Status {
+        let mut visited = HashSet::new();
+        let mut accurate = false;
+        for _ in 0..self.settings.steps {
+            let reduction = if accurate { 0.0 } else { self.settings.reduction };
+            let residual = self.newton_step(reduction);
+            let next = self.next_set();
+            if next == self.active {
+                if residual <= self.settings.tolerance {
+                    return Status::Converged;
+                }
+                accurate = true;
+                continue;
+            }
+            // A set that comes back: first more accurate linear problems, then a descent that cannot cycle.
+            if !visited.insert(fingerprint(&next)) {
+                if accurate {
+                    return self.descend();
+                }
+                accurate = true;
+                visited.clear();
+            }
+            self.active = next;
+        }
+        Status::StepLimit { steps: self.inner.len() }
+    }
+
+    fn newton_step(&mut self, reduction: f64) -> f64 {
+        const LIMIT: usize = 200;
+        let face = Face::new(self.cone, self.operator, &self.active);
+        let inner =
+            self.solver.solve(&face, self.b, &mut self.values, self.settings.tolerance, reduction, LIMIT);
+        self.inner.push(inner.iterations);
+        inner.residual
+    }
+
+    /// w + (b − A w)/σ on contact runs, w in gaps.
+    fn shifted(&mut self) -> Vec<f64> {
+        let mut product = vec![0.0; self.operator.nodes()];
+        self.solver.product(&self.values, &mut product);
+        let face = Face::new(self.cone, self.operator, &self.active);
+        let mut shifted = self.values.clone();
+        let sigma = self.operator.norm();
+        for run in &face.runs {
+            for i in run.nodes(shifted.len()) {
+                shifted[i] += (self.b[i] - product[i]) / sigma;
+            }
+        }
+        shifted
+    }
+
+    fn next_set(&mut self) -> Vec<bool> {
+        let shifted = if self.active.iter().any(|&a| a) || self.values.iter().any(|&v| v != 0.0) {
+            self.shifted()
+        } else {
+            self.b.to_vec()
+        };
+        self.project(&shifted).1
+    }
+
+    fn project(&self, z: &[f64]) -> (Vec<f64>, Vec<bool>) {
+        match (self.cone, self.operator.sides()) {
+            (Cone::Nodal, _) => {
+                (z.iter().map(|v| v.min(0.0)).collect(), z.iter().map(|&v| v > 0.0).collect())
+            }
+            (Cone::Midpoint, Sides::Natural) => project_chain(z),
+            (Cone::Midpoint, Sides::Periodic) => {
+                let n = z.len();
+                let deepest = (0..n).min_by(|&a, &b| z[a].total_cmp(&z[b])).unwrap_or(0);
+                project_ring(z, deepest)
+            }
+        }
+    }
+
+    /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the border of the cone.
+    fn descend(&mut self) -> Status {
+        let sigma = self.operator.norm();
+        let (mut feasible, _) = self.project(&self.values.clone());
+        let mut product = vec![0.0; feasible.len()];
+        while self.inner.len() < self.settings.steps {
+            self.solver.product(&feasible, &mut product);
+            let z: Vec<f64> =
+                (0..feasible.len()).map(|i| feasible[i] + (self.b[i] - product[i]) / sigma).collect();
+            let (point, active) = self.project(&z);
+            self.active = active;
+            self.values.copy_from_slice(&point);
+            let residual = self.newton_step(0.0);
+            let step = self.longest_step(&point);
+            if step >= 1.0 && self.next_set() == self.active && residual <= self.settings.tolerance {
+                return Status::Converged;
+            }
+            feasible = (0..point.len()).map(|i| point[i] + step * (self.values[i] - point[i])).collect();
+        }
+        Status::StepLimit { steps: self.inner.len() }
+    }
+
+    /// The largest t ≤ 1 with point + t (values − point) in the cone.
+    fn longest_step(&self, point: &[f64]) -> f64 {
+        let here = means(self.operator, self.cone, point);
+        let there = means(self.operator, self.cone, &self.values);
+        let mut longest: f64 = 1.0;
+        for i in 0..here.len() {
+            if !self.active[i] && there[i] > 0.0 {
+                longest = longest.min((here[i] / (here[i] - there[i])).max(0.0));
+            }
+        }
+        longest
+    }
+
+    fn finish(mut self, status: Status) -> Result<EdgeSolution> {
+        let nodes = self.operator.nodes();
+        let mut product = vec![0.0; nodes];
+        self.solver.product(&self.values, &mut product);
+        let surplus: Vec<f64> = (0..nodes).map(|i| self.b[i] - product[i]).collect();
+        let multiplier = multipliers(self.operator, self.cone, &self.active, &surplus);
+        let held = forces(self.operator, self.cone, &multiplier)?;
+        let residual: Vec<f64> = (0..nodes).map(|i| held[i] - surplus[i]).collect();
+        let gap = means(self.operator, self.cone, &self.values);
+        let displacement = largest(&self.values);
+        let evidence = Evidence {
+            residual: &residual,
+            multiplier: &multiplier,
+            gap: &gap,
+            // ‖A‖ max|g| + max|b|: the size of what cancels in the balance.
+            force: self.operator.norm() * displacement + largest(self.b),
+            displacement,
+        };
+        let judgement = evidence.judge()?;
+        let margins = evidence.margins(&self.active)?;
+        let energy = 0.5 * dot(&self.values, &product) - dot(self.b, &self.values);
+        Ok(EdgeSolution {
+            multiplier,
+            contact: ContactSet::new(self.active),
+            values: self.values,
+            cone: self.cone,
+            energy,
+            status,
+            judgement,
+            margins,
+            inner_iterations: self.inner,
+        })
+    }
+}
+
+fn fingerprint(active: &[bool]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    active.hash(&mut hasher);
+    hasher.finish()
+}
+
+/// Number of constraints of the cone on this edge.
+pub(crate) fn constraints(operator: &EdgeOperator, cone: Cone) -> usize {
+    match cone {
+        Cone::Nodal => operator.nodes(),
+        Cone::Midpoint => operator.segments(),
+    }
+}
+
+/// B w; a ring is a chain whose last node is the first.
+pub(crate) fn means(operator: &EdgeOperator, cone: Cone, w: &[f64]) -> Vec<f64> {
+    if cone == Cone::Midpoint && operator.sides() == Sides::Periodic {
+        let mut closed = w.to_vec();
+        closed.push(w[0]);
+        cone.apply(&closed)
+    } else {
+        cone.apply(w)
+    }
+}
+
+/// B'λ.
+fn forces(operator: &EdgeOperator, cone: Cone, multiplier: &[f64]) -> Result<Vec<f64>> {
+    let nodes = operator.nodes();
+    if cone == Cone::Midpoint && operator.sides() == Sides::Periodic {
+        let mut chain = cone.apply_transposed(multiplier, nodes + 1)?;
+        let last = chain.pop().unwrap_or(0.0);
+        chain[0] += last;
+        Ok(chain)
+    } else {
+        cone.apply_transposed(multiplier, nodes)
+    }
+}
+
+/// λ on the runs from B'λ = surplus there, zero elsewhere.
+fn multipliers(operator: &EdgeOperator, cone: Cone, active: &[bool], surplus: &[f64]) -> Vec<f64> {
+    let nodes = operator.nodes();
+    let mut multiplier = vec![0.0; active.len()];
+    if cone == Cone::Nodal {
+        for i in 0..nodes {
+            if active[i] {
+                multiplier[i] = surplus[i];
+            }
+        }
+        return multiplier;
+    }
+    let face = Face::new(cone, operator, active);
+    for run in &face.runs {
+        let list: Vec<usize> = run.nodes(nodes).collect();
+        let ring = active.iter().all(|&a| a) && active.len() == nodes;
+        let middle = if ring { list.len() } else { list.len() / 2 };
+        // From both ends to the middle: rounding is carried over half the run only.
+        let mut previous = 0.0;
+        for &node in &list[..middle] {
+            previous = 2.0 * surplus[node] - previous;
+            multiplier[node] = previous;
+        }
+        let mut previous = 0.0;
+        for pair in list[middle..].windows(2).rev() {
+            previous = 2.0 * surplus[pair[1]] - previous;
+            multiplier[pair[0]] = previous;
+        }
+        if ring {
+            balance_ring(&mut multiplier);
+        }
+    }
+    multiplier
+}
+
+/// On a closed ring λ is determined up to ±c: the choice with equal smallest even and odd multipliers.
+fn balance_ring(multiplier: &mut [f64]) {
+    let smallest =
+        |parity: usize| multiplier.iter().skip(parity).step_by(2).fold(f64::INFINITY, |m, &v| m.min(v));
+    let shift = 0.5 * (smallest(1) - smallest(0));
+    for (i, value) in multiplier.iter_mut().enumerate() {
+        *value += if i % 2 == 0 { shift } else { -shift };
+    }
+}
+
+/// Linear interpolation from the half as fine edge.
+pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
+    (0..nodes)
+        .map(|i| {
+            if i % 2 == 0 {
+                coarse[i / 2]
+            } else {
+                0.5 * (coarse[i / 2] + coarse[(i / 2 + 1) % coarse.len()])
+            }
+        })
+        .collect()
+}
+
+fn refine_set(coarse: &[bool], cone: Cone, operator: &EdgeOperator) -> Vec<bool> {
+    (0..constraints(operator, cone))
+        .map(|i| match cone {
+            Cone::Midpoint => coarse[i / 2],
+            Cone::Nodal if i % 2 == 0 => coarse[i / 2],
+            Cone::Nodal => coarse[i / 2] && coarse[(i / 2 + 1) % coarse.len()],
+        })
+        .collect()
+}

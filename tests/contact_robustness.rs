@@ -1,0 +1,271 @@
+//! Random scenes, extreme scales, degenerate contact: every solution is judged, both solvers agree.
+
+use signorini::contact::{Cone, ContactProblem, ContactSet, ContactSolution, Solver};
+use signorini::fem::{Form, Lame};
+use signorini::mesh::{Part, Point, Sides, Triangulation, mapped_grid};
+use signorini::scenes::Scene;
+
+/// Scaled KKT figures of a solution that calls itself converged.
+const KKT: f64 = 1e-10;
+/// Both solvers, relative to the size of the terms in J.
+const SOLVERS: f64 = 1e-8;
+/// Change of the scaled answer under translation, rotation, scaling: condition number (up to 1e6) times rounding.
+const INVARIANCE: f64 = 1e-9;
+
+/// Coordinates are multiples of 1/GRID.
+const GRID: f64 = 1048576.0;
+
+/// A linear congruential generator (Knuth's MMIX constants); the seed is the trial.
+struct Random(u64);
+
+impl Random {
+    fn new(seed: u64) -> Self {
+        let mut random = Self(seed);
+        (0..4).for_each(|_| {
+            random.unit();
+        });
+        random
+    }
+
+    /// Uniform in (0, 1).
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.unit() * count as f64) as usize
+    }
+}
+
+/// A random scene: kept as data so that it can be moved and scaled.
+struct Draft {
+    mesh: Triangulation,
+    form: Form,
+    load: Vec<f64>,
+    gap: Vec<f64>,
+}
+
+impl Draft {
+    /// Quadrilateral with random corners above a straight bottom, graded and distorted grid, random labels at the sides,
+    /// materials over six decades, loads rough or smooth.
+    fn random(seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let (nx, ny) = (1 + random.below(24), 1 + random.below(16));
+        let side = |random: &mut Random| if random.below(3) == 0 { Part::Dirichlet } else { Part::Neumann };
+        let sides = Sides {
+            bottom: Part::Contact,
+            right: side(&mut random),
+            top: Part::Dirichlet,
+            left: side(&mut random),
+        };
+        let [a, b] = [random.between(-0.2, 0.2), random.between(-0.2, 0.2)];
+        let [p, q] = [random.between(0.7, 2.0), random.between(0.7, 2.0)];
+        let grading = random.between(0.6, 2.0);
+        let wave = random.between(0.0, 0.1);
+        let mesh = mapped_grid(nx, ny, sides, |[x, y]| {
+            let x = x.powf(grading);
+            let height = p + (q - p) * x;
+            let shift = wave * (7.0 * x).sin() * y * (1.0 - y);
+            // Multiples of 2^-20, so that a translation by 1e6 is exact.
+            [x + y * (a + (b - a) * x), height * (y + shift)].map(|c| (c * GRID).round() / GRID)
+        })
+        .unwrap();
+        let form = if random.below(2) == 0 {
+            Form::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) } }
+        } else {
+            let mu = 10_f64.powf(random.between(-3.0, 3.0));
+            Form::elastic(Lame::new(mu * 10_f64.powf(random.between(-2.0, 2.0)), mu).unwrap())
+        };
+        let (rough, waves) = (random.below(2) == 0, random.between(0.5, 6.0));
+        let load = (0..mesh.nodes().len() * form.components())
+            .map(|i| {
+                let [x, _] = mesh.nodes()[i / form.components()];
+                if rough { random.between(-1.0, 1.0) } else { (waves * x + i as f64 % 2.0).cos() }
+            })
+            .collect();
+        let size = if random.below(3) == 0 { 0.05 } else { 0.0 };
+        let gap = (0..=nx).map(|_| size * random.unit()).collect();
+        Self { mesh, form, load, gap }
+    }
+
+    /// Moved by a similarity of the plane; data carried along so that the scaled answer stays the same.
+    fn problem(&self, scale: f64, angle: f64, shift: Point, load_scale: f64) -> ContactProblem {
+        let (sin, cos) = angle.sin_cos();
+        let turn = |[x, y]: Point| [cos * x - sin * y, sin * x + cos * y];
+        let mesh = self
+            .mesh
+            .clone()
+            .mapped(|point| {
+                let [x, y] = turn(point);
+                [scale * x + shift[0], scale * y + shift[1]]
+            })
+            .unwrap();
+        // Forces are ∫ f φ ~ scale², stiffness is free of scale: u ~ load scale².
+        let (density, unit) = (load_scale / (scale * scale), load_scale);
+        let load: Vec<f64> = match self.form.components() {
+            1 => self.load.iter().map(|f| f * density).collect(),
+            _ => self.load.chunks(2).flat_map(|f| turn([f[0], f[1]])).map(|f| f * density).collect(),
+        };
+        let form = match self.form {
+            Form::Scalar { reaction } => Form::Scalar { reaction: reaction / (scale * scale) },
+            ref elastic => elastic.clone(),
+        };
+        let mut problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let mut next = 0;
+        problem
+            .set_gap(|_| {
+                next += 1;
+                unit * self.gap[next - 1]
+            })
+            .unwrap();
+        problem
+    }
+}
+
+fn judged(solution: &ContactSolution, case: &str) {
+    assert!(
+        !solution.status.is_converged() || solution.judgement.worst() <= KKT,
+        "{case}: {} but {:?}",
+        solution.status,
+        solution.judgement
+    );
+}
+
+#[test]
+fn three_hundred_random_scenes_are_solved_and_judged() {
+    let mut unresolved = 0;
+    for seed in 0..300 {
+        let problem = Draft::random(seed).problem(1.0, 0.0, [0.0; 2], 1.0);
+        for cone in Cone::ALL {
+            let case = format!("scene {seed}, {cone}");
+            let direct = problem.solve(cone, Solver::ActiveSet).unwrap();
+            judged(&direct, &case);
+            unresolved += usize::from(!direct.status.is_converged());
+            let interior = problem.solve(cone, Solver::InteriorPoint).unwrap();
+            // Contact may prevent every displacement: then J = 0 has no scale of its own.
+            let scale = if direct.energy == 0.0 {
+                direct.force_scale * direct.displacement_scale
+            } else {
+                direct.energy.abs()
+            };
+            let apart = if scale == 0.0 {
+                interior.energy.abs()
+            } else {
+                (interior.energy - direct.energy).abs() / scale
+            };
+            assert!(
+                apart <= SOLVERS,
+                "{case}: energies apart by {apart:e}: {:e} {}, {:e} {}",
+                direct.energy,
+                direct.status,
+                interior.energy,
+                interior.status
+            );
+        }
+    }
+    assert_eq!(unresolved, 0);
+}
+
+#[test]
+fn answers_do_not_depend_on_place_size_or_units() {
+    let moves: [(f64, f64, Point, f64); 7] = [
+        (1e-6, 0.0, [0.0; 2], 1.0),
+        (1e6, 0.0, [0.0; 2], 1.0),
+        (1.0, 0.7, [0.0; 2], 1.0),
+        (1.0, 2.9, [1e-6, -1e-6], 1.0),
+        (1.0, 0.0, [1e6, -1e6], 1.0),
+        (1.0, 0.0, [0.0; 2], 1e-150),
+        (1.0, 0.0, [0.0; 2], 1e150),
+    ];
+    for seed in 300..320 {
+        let draft = Draft::random(seed);
+        for cone in Cone::ALL {
+            let still = draft.problem(1.0, 0.0, [0.0; 2], 1.0).solve(cone, Solver::ActiveSet).unwrap();
+            let largest = still.normal_displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+            for (scale, angle, shift, units) in moves {
+                let problem = draft.problem(scale, angle, shift, units);
+                let moved = problem.solve(cone, Solver::ActiveSet).unwrap();
+                let case = format!("scene {seed}, {cone}, moved by {:?}", (scale, angle, shift, units));
+                judged(&moved, &case);
+                let energy = (moved.energy / units / units / still.energy - 1.0).abs();
+                assert!(energy <= INVARIANCE, "{case}: J off by {energy:e}");
+                for (a, b) in moved.normal_displacement.iter().zip(&still.normal_displacement) {
+                    let off = (a / units - b).abs() / largest;
+                    assert!(off <= INVARIANCE, "{case}: u_N off by {off:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn midpoint_cone_leaves_every_cycle_in_two_hundred_rough_loads() {
+    let mut steps = Vec::new();
+    for seed in 0..200 {
+        let mut random = Random::new(1000 + seed);
+        let mesh = Scene::Block.mesh(24).unwrap();
+        let load: Vec<f64> = (0..2 * mesh.nodes().len()).map(|_| random.between(-1.0, 1.0)).collect();
+        let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
+        let problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let solution = problem.solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
+        assert!(solution.status.is_converged(), "seed {seed}: {}", solution.status);
+        judged(&solution, &format!("seed {seed}"));
+        steps.push(solution.work.iterations);
+    }
+    steps.sort_unstable();
+    assert!(steps[100] <= 12, "median number of steps {}", steps[100]);
+}
+
+#[test]
+fn nested_starts_need_at_most_four_steps() {
+    for scene in [Scene::Block, Scene::Membrane] {
+        let mut coarse = scene.problem(8).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        for n in [16, 32, 64, 128, 256] {
+            let problem = scene.problem(n).unwrap();
+            coarse = problem.solve_after(&coarse).unwrap();
+            assert!(coarse.work.iterations <= 4, "{scene} n = {n}: {} steps", coarse.work.iterations);
+            assert!(coarse.judgement.worst() <= KKT && coarse.balance <= 1e-11, "{scene} n = {n}");
+        }
+    }
+}
+
+#[test]
+fn every_first_guess_leads_to_the_same_contact_set() {
+    let problem = Scene::Block.problem(16).unwrap();
+    for cone in Cone::ALL {
+        let cold = problem.solve(cone, Solver::ActiveSet).unwrap();
+        for seed in 0..20 {
+            let mut random = Random::new(seed);
+            let guess = (0..cone.constraints(17)).map(|_| random.below(2) == 0).collect();
+            let warm = problem.solve_from(cone, ContactSet::new(guess)).unwrap();
+            assert_eq!(warm.contact_set, cold.contact_set, "{cone}, guess {seed}");
+        }
+    }
+}
+
+#[test]
+fn weak_contact_is_reported_and_not_in_the_way() {
+    // No load at all: every constraint touches without force.
+    let mesh = Scene::Block.mesh(8).unwrap();
+    let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
+    let load = vec![0.0; 2 * mesh.nodes().len()];
+    let problem = ContactProblem::new(mesh, form, &load).unwrap();
+    for cone in Cone::ALL {
+        for solver in [Solver::ActiveSet, Solver::InteriorPoint] {
+            let solution = problem.solve(cone, solver).unwrap();
+            assert!(
+                solution.status.is_converged(),
+                "{cone} {solver}: {} {:?}",
+                solution.status,
+                solution.judgement
+            );
+            assert!(solution.margins.is_weak(1e-12), "{cone} {solver}");
+            assert_eq!(solution.energy, 0.0, "{cone} {solver}");
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! Meshes from outside: what is wrong is named, what is right is read, nothing panics.
+
+use proptest::prelude::*;
+use signorini::Error;
+use signorini::contact::{Cone, ContactProblem, Solver};
+use signorini::fem::{Form, Lame};
+use signorini::mesh::{
+    BoundaryEdge, Part, Sides, Triangulation, mapped_grid, parse_msh, read_msh, unit_square,
+};
+
+/// Two squares of unit size side by side, each in two triangles; node 20 is a point of the geometry only.
+const GOOD: &str = "$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+4
+1 1 \"Dirichlet\"
+1 2 \"Neumann\"
+1 3 \"Contact\"
+2 7 \"body\"
+$EndPhysicalNames
+$Entities
+1 4 2 0
+20 5 5 0 0
+1 0 0 0 2 0 0 1 3 2 20 -20
+2 2 0 0 2 1 0 1 2 2 20 -20
+3 0 1 0 2 1 0 1 1 2 20 -20
+4 0 0 0 0 1 0 1 2 2 20 -20
+1 0 0 0 1 1 0 1 7 0
+2 1 0 0 2 1 0 0 0
+$EndEntities
+$Nodes
+1 7 1 20
+2 1 0 7
+1
+2
+3
+4
+5
+6
+20
+0 0 0
+1 0 0
+2 0 0
+0 1 0
+1 1 0
+2 1 0
+5 5 0
+$EndNodes
+$Elements
+7 11 1 11
+0 20 15 1
+1 20
+1 1 1 2
+2 1 2
+3 2 3
+1 2 1 1
+4 3 6
+1 3 1 2
+5 6 5
+6 5 4
+1 4 1 1
+7 4 1
+2 1 2 2
+8 1 2 5
+9 1 5 4
+2 2 2 2
+10 2 3 6
+11 2 6 5
+$EndElements
+$Comment
+anything
+$EndComment
+";
+
+fn elastic() -> Form {
+    Form::elastic(Lame::new(1.0, 1.0).unwrap())
+}
+
+#[test]
+fn gmsh_files_are_read() {
+    let mesh = parse_msh(GOOD).unwrap();
+    assert_eq!((mesh.nodes().len(), mesh.triangles().len(), mesh.boundary().len()), (6, 4, 6));
+    let regions: Vec<usize> = (0..4).map(|t| mesh.region(t)).collect();
+    assert_eq!(regions, [1, 1, 0, 0], "surfaces without a group come first");
+    let load = [0.0, -1.0].repeat(6);
+    let problem = ContactProblem::new(mesh, elastic(), &load).unwrap();
+    let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    assert_eq!(solution.contact_set.count(), 3);
+    assert!(solution.judgement.worst() < 1e-14);
+}
+
+#[test]
+fn gmsh_faults_are_named() {
+    let faults = [
+        ("4.1 0 8", "2.2 0 8"),
+        ("4.1 0 8", "4.1 1 8"),
+        ("1 7 1 20\n2 1 0 7", "1 8 1 20\n2 1 0 7"),
+        ("8 1 2 5", "8 1 2 9"),
+        ("8 1 2 5", "8 1 5 2"),
+        ("8 1 2 5", "8 1 2 2"),
+        ("8 1 2 5", "8 1 2"),
+        ("2 1 2 2\n8", "2 1 3 2\n8"),
+        ("\"Contact\"", "\"Obstacle\""),
+        ("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20"),
+        ("0 1 0\n1 1 0", "0 1 0\nnan 1 0"),
+        ("7 11 1 11", "7 10 1 11"),
+        ("$EndNodes", "$EndElements"),
+        ("5\n6\n20", "5\n5\n20"),
+    ];
+    for (good, bad) in faults {
+        let text = GOOD.replacen(good, bad, 1);
+        assert_ne!(text, GOOD, "{good} does not occur");
+        assert!(parse_msh(&text).is_err(), "{bad} was accepted");
+    }
+    assert!(matches!(
+        parse_msh(&GOOD.replacen("8 1 2 5", "8 1 5 2", 1)),
+        Err(Error::Triangle { triangle: 0, .. })
+    ));
+    assert!(matches!(parse_msh(""), Err(Error::Syntax { .. })));
+    assert!(matches!(read_msh(std::path::Path::new("no/such/file.msh")), Err(Error::File { .. })));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn damaged_gmsh_files_never_panic(
+        cut in 0..GOOD.len(),
+        place in 0..GOOD.len(),
+        text in prop_oneof![
+            "[-0-9 .e\n$\"]{0,12}",
+            Just("18446744073709551615".to_owned()),
+            Just("-9223372036854775808".to_owned()),
+            Just("1e308 -1e308 inf nan".to_owned()),
+            Just("$Nodes\n9999999999 9999999999 1 1\n".to_owned()),
+        ],
+        truncate in any::<bool>(),
+    ) {
+        let mut damaged = GOOD.to_owned();
+        damaged.replace_range(place..(place + text.len() / 2).min(GOOD.len()), &text);
+        if truncate {
+            damaged.truncate(cut);
+        }
+        if let Ok(mesh) = parse_msh(&damaged) {
+            // Whatever passed the checks can be worked with.
+            let load = vec![1.0; 2 * mesh.nodes().len()];
+            if let Ok(problem) = ContactProblem::new(mesh, elastic(), &load) {
+                let _ = problem.solve(Cone::Midpoint, Solver::ActiveSet);
+            }
+        }
+    }
+
+    #[test]
+    fn arbitrary_text_never_panics(text in "\\PC{0,200}") {
+        let _ = parse_msh(&text);
+        let _ = parse_msh(&format!("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n{text}"));
+    }
+}
+
+#[test]
+fn problems_that_hang_in_the_air_are_errors() {
+    let load = |mesh: &Triangulation| vec![1.0; 2 * mesh.nodes().len()];
+    let free = Sides { top: Part::Neumann, ..Sides::HANGING };
+    let mesh = unit_square(3, free).unwrap();
+    let values = load(&mesh);
+    assert!(matches!(
+        ContactProblem::new(mesh.clone(), elastic(), &values),
+        Err(Error::CountOutOfRange { name: "Dirichlet edges", .. })
+    ));
+    assert!(ContactProblem::new(mesh.clone(), Form::LAPLACE, &values[..16]).is_err());
+    assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &values[..16]).is_ok());
+    assert!(
+        ContactProblem::new(
+            unit_square(3, Sides::HANGING).unwrap(),
+            Form::Scalar { reaction: -1.0 },
+            &[0.0; 16]
+        )
+        .is_err()
+    );
+
+    let bent = mapped_grid(4, 2, Sides::HANGING, |[x, y]| [x, y - 0.2 * (1.0 - y) * x * x]).unwrap();
+    let values = load(&bent);
+    assert!(matches!(ContactProblem::new(bent, elastic(), &values), Err(Error::Edge { .. })));
+
+    let none = unit_square(2, Sides { bottom: Part::Neumann, ..Sides::HANGING }).unwrap();
+    let values = load(&none);
+    assert!(matches!(
+        ContactProblem::new(none, elastic(), &values),
+        Err(Error::CountOutOfRange { name: "contact edges", .. })
+    ));
+}
+
+#[test]
+fn a_loose_piece_is_found_by_its_pivot() {
+    let held = unit_square(4, Sides::HANGING).unwrap();
+    let count = held.nodes().len();
+    let mut nodes = held.nodes().to_vec();
+    nodes.extend(held.nodes().iter().map(|&[x, y]| [x + 3.0, y]));
+    let mut triangles = held.triangles().to_vec();
+    triangles.extend(held.triangles().iter().map(|t| t.map(|node| node + count)));
+    let mut boundary = held.boundary().to_vec();
+    boundary.extend(
+        held.boundary()
+            .iter()
+            .map(|edge| BoundaryEdge { nodes: edge.nodes.map(|node| node + count), part: Part::Neumann }),
+    );
+    let mesh = Triangulation::new(nodes, triangles, boundary).unwrap();
+    let load = vec![1.0; 2 * mesh.nodes().len()];
+    for (form, values) in [(elastic(), &load[..]), (Form::LAPLACE, &load[..2 * count])] {
+        let problem = ContactProblem::new(mesh.clone(), form, values).unwrap();
+        let failed = problem.solve(Cone::Nodal, Solver::ActiveSet);
+        assert!(matches!(failed, Err(Error::NotPositiveDefinite { .. })));
+    }
+}

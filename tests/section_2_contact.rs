@@ -1,0 +1,132 @@
+//! Section 2: the discrete Signorini problem (2.9) and its scalar form, nodal cone.
+
+#[path = "reference_squares/mod.rs"]
+mod reference_squares;
+
+#[allow(dead_code)]
+#[path = "../examples/section_2_elastic_contact.rs"]
+mod section_2_elastic_contact;
+
+#[allow(dead_code)]
+#[path = "../examples/section_2_scalar_contact.rs"]
+mod section_2_scalar_contact;
+
+use clap::Parser;
+use reference_squares::{check_against_reference, solvers_agree};
+use signorini::contact::{Cone, ContactProblem, Solver};
+use signorini::fem::{Condensation, Form, Lame, stiffness};
+use signorini::mesh::{Hierarchy, Sides, unit_square};
+use signorini::scenes::Scene;
+
+#[test]
+fn block_nodal_matches_five_packages() {
+    check_against_reference("E1", Scene::Block, Cone::Nodal);
+}
+
+#[test]
+fn membrane_nodal_matches_five_packages() {
+    check_against_reference("S1", Scene::Membrane, Cone::Nodal);
+}
+
+#[test]
+fn active_set_and_interior_point_agree() {
+    for scene in [Scene::Block, Scene::Membrane] {
+        solvers_agree(scene, Cone::Nodal);
+    }
+}
+
+#[test]
+fn refined_mesh_gives_the_same_solution_as_the_structured_one() {
+    // Same triangles, other numbering, other elimination order: equal up to rounding of 10^4 operations per sum.
+    const NUMBERING: f64 = 1e-13;
+    let mut hierarchy = Hierarchy::new(Scene::Block.mesh(8).unwrap());
+    hierarchy.refine().unwrap();
+    let nested = Scene::Block.on(hierarchy.finest().clone()).unwrap();
+    let nested = nested.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    let direct = Scene::Block.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    assert!((nested.energy / direct.energy - 1.0).abs() < NUMBERING);
+    for (a, b) in nested.normal_displacement.iter().zip(&direct.normal_displacement) {
+        assert!((a - b).abs() < NUMBERING, "{a} {b}");
+    }
+}
+
+#[test]
+fn condensation_is_the_schur_complement() {
+    // Against elimination of one unknown after the other from a dense copy; 16 ε times 50 unknowns.
+    const DENSE: f64 = 1e-13;
+    let mesh = unit_square(4, Sides::HANGING).unwrap();
+    let matrix = stiffness(&mesh, &Form::LAPLACE, &signorini::fem::Frame::cartesian());
+    let prescribed: Vec<bool> = mesh.nodes().iter().map(|&[_, y]| y == 1.0).collect();
+    let kept = [0, 1, 2, 3, 4];
+    let condensed = Condensation::new(&matrix, mesh.nodes(), &prescribed, &kept).unwrap();
+    let n = matrix.unknowns();
+    let mut dense = vec![vec![0.0; n]; n];
+    for i in 0..n {
+        matrix.row(i).for_each(|(j, value)| dense[i][j] = value);
+    }
+    for pivot in (5..n).filter(|&i| !prescribed[i]) {
+        for i in (0..n).filter(|&i| i < 5 || i > pivot) {
+            let factor = dense[i][pivot] / dense[pivot][pivot];
+            for j in 0..n {
+                dense[i][j] -= factor * dense[pivot][j];
+            }
+        }
+    }
+    for i in 0..5 {
+        for j in 0..5 {
+            assert!((condensed.schur()[(i, j)] - dense[i][j]).abs() < DENSE, "{i} {j}");
+        }
+    }
+}
+
+#[test]
+fn nested_energy_errors_decrease() {
+    // Only the decrease, and that a function has no distance to itself.
+    let hierarchy = Hierarchy::refined(Scene::Membrane.mesh(8).unwrap(), 2).unwrap();
+    let solve = |level: usize| {
+        let problem = Scene::Membrane.on(hierarchy.levels()[level].clone()).unwrap();
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        (problem, solution.displacement)
+    };
+    let (finest, reference) = solve(2);
+    let errors: Vec<f64> = (0..3)
+        .map(|level| {
+            let (_, coarse) = solve(level);
+            finest.nested_energy_error(&hierarchy, (level, &coarse), (2, &reference)).unwrap()
+        })
+        .collect();
+    assert!(errors[0] > 1.5 * errors[1] && errors[1] > 0.0 && errors[2] == 0.0, "{errors:?}");
+}
+
+#[test]
+fn bad_input_is_an_error() {
+    assert!(Scene::Block.problem(0).is_err());
+    assert!("planar".parse::<Cone>().is_err() && "newton".parse::<Solver>().is_err());
+    let mesh = || unit_square(4, Sides::HANGING).unwrap();
+    let elastic = || Form::elastic(Lame::new(1.0, 1.0).unwrap());
+    assert!(ContactProblem::new(mesh(), elastic(), &[0.0; 3]).is_err());
+    assert!(ContactProblem::new(mesh(), elastic(), &[f64::NAN; 50]).is_err());
+    let loose = Sides { top: signorini::mesh::Part::Neumann, ..Sides::HANGING };
+    let floating = ContactProblem::new(unit_square(4, loose).unwrap(), elastic(), &[0.0; 50]);
+    assert!(floating.is_err());
+    for arguments in [["--n", "0"], ["--cone", "planar"], ["--solver", "newton"]] {
+        let given = [&["example"], &arguments[..]].concat();
+        let failed = match section_2_elastic_contact::Options::try_parse_from(given) {
+            Ok(options) => section_2_elastic_contact::run(&options).is_err(),
+            Err(_) => true,
+        };
+        assert!(failed, "{arguments:?}");
+    }
+}
+
+#[test]
+fn examples_confirm_their_claim() {
+    let elastic = section_2_elastic_contact::run(&Default::default()).unwrap();
+    let scalar = section_2_scalar_contact::run(&Default::default()).unwrap();
+    for headline in [elastic, scalar] {
+        assert!(headline.verdict.is_confirmed(), "{headline}");
+        for key in ["n", "energy", "active", "contact_force", "balance", "kkt", "iterations", "seconds"] {
+            assert!(headline.table.number(0, key).is_some(), "{key}");
+        }
+    }
+}
