@@ -29,7 +29,7 @@ pub struct Options {
     /// Discrete cone: nodal (2.9) or midpoint (4.1)
     #[arg(long, default_value_t = Cone::Nodal)]
     pub cone: Cone,
-    /// Average the squared error over this many positions of the transition within the coarsest cell
+    /// Average the squared error over this many positions of the transition in the coarsest cell (odd: evenly spread on all levels)
     #[arg(long, default_value_t = 1)]
     pub positions: usize,
     /// Where the outcome goes
@@ -110,13 +110,14 @@ pub fn run(options: &Options) -> Result<Headline> {
     Ok(headline)
 }
 
-/// The scene, or the transition at several places of one coarse cell (multiples of the golden section).
+/// The scene, or the transition at several places of one coarsest cell. Doubling permutes the multiples of 1/count for an
+/// odd count, so that the places are evenly spread over the cells of every level.
 fn positions(options: &Options) -> Result<Vec<SceneSource>> {
     match (&options.scene, options.positions) {
         (_, 0) => Err(Error::CountOutOfRange { name: "positions", value: 0, range: "[1, inf)" }),
         (SceneSource::Built(SceneKind::Transition { position }), count) => {
             let cell = 1.0 / options.levels.cells().next().unwrap_or(2) as f64;
-            let place = |i: usize| (i as f64 * 0.618_033_988_749_895).fract() * cell;
+            let place = |i: usize| i as f64 / count as f64 * cell;
             let shifted = |i| SceneKind::Transition { position: position + place(i) };
             Ok((0..count).map(|i| SceneSource::Built(shifted(i))).collect())
         }

@@ -98,7 +98,7 @@ impl EdgeScene {
     pub fn build(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<Self> {
         check_cells(cells, sides)?;
         Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
-        let (gaps, dimension) = gaps_of(kind, tau, cells, sides)?;
+        let ContactSetShape { gaps, dimension, advance } = gaps_of(kind, tau, cells, sides)?;
         let exponent = tau - 1.0 + 0.5 * dimension;
         let fractal = matches!(kind, SceneKind::Cantor { .. } | SceneKind::FatCantor { .. });
         let pressure = if fractal { 0.0 } else { tau - 2.0 };
@@ -109,7 +109,7 @@ impl EdgeScene {
             for i in gap.left + 1..gap.right.min(gap.left + nodes) {
                 let node = if sides == Sides::Periodic { i % cells } else { i };
                 if node < nodes {
-                    values[node] = -(h * depth_in(*gap, i, cells, sides)).powf(exponent);
+                    values[node] = -(h * depth_in(*gap, advance, i, cells, sides)).powf(exponent);
                 }
             }
         }
@@ -199,31 +199,39 @@ impl EdgeScene {
     }
 }
 
-/// The gaps of a scene and their boundary dimension d.
-fn gaps_of(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<(Vec<Gap>, f64)> {
+/// The gaps of a scene, their boundary dimension d, and how far beyond its left node a single gap begins (in cells, below 1).
+struct ContactSetShape {
+    gaps: Vec<Gap>,
+    dimension: f64,
+    advance: f64,
+}
+
+fn gaps_of(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<ContactSetShape> {
+    let shape = |gaps, dimension| ContactSetShape { gaps, dimension, advance: 0.0 };
     match kind {
         SceneKind::Transition { position } => {
             Error::require("position", position, "(0, 1)", position > 0.0 && position < 1.0)?;
-            let left = (position * cells as f64).round() as usize;
+            let place = position * cells as f64;
+            let left = place as usize;
             let right = match sides {
                 // Beyond the side: the gap never closes.
                 Sides::Natural => usize::MAX,
                 Sides::Periodic => left + cells / 2,
             };
-            Ok((vec![Gap { left, right }], 0.0))
+            Ok(ContactSetShape { gaps: vec![Gap { left, right }], dimension: 0.0, advance: place.fract() })
         }
-        SceneKind::Transitions { gaps } => Ok((many_gaps(cells, gaps, 0.5)?, 0.0)),
+        SceneKind::Transitions { gaps } => Ok(shape(many_gaps(cells, gaps)?, 0.0)),
         SceneKind::Cantor { ratio, depth } => {
             Error::require("ratio", ratio, "(0, 1/2)", ratio > 0.0 && ratio < 0.5)?;
             check_depth(depth)?;
             let dimension = std::f64::consts::LN_2 / -ratio.ln();
-            Ok((cantor(cells, ratio, depth), dimension))
+            Ok(shape(cantor(cells, ratio, depth), dimension))
         }
         SceneKind::FatCantor { depth } => {
             Error::require("tau", tau, "(3/2, 2) for a fat Cantor set", tau < 2.0)?;
             check_depth(depth)?;
             let dimension = 4.0 - 2.0 * tau;
-            Ok((fat_cantor(cells, dimension, 0.5, depth), dimension))
+            Ok(shape(fat_cantor(cells, dimension, 0.5, depth), dimension))
         }
     }
 }
@@ -236,13 +244,13 @@ fn check_depth(depth: usize) -> Result<()> {
     }
 }
 
-/// δ/h at node i of a gap: (i − a)(b − i)/(b − a), or i − a when the gap ends beyond the side.
-fn depth_in(gap: Gap, i: usize, cells: usize, sides: Sides) -> f64 {
-    let left = (i - gap.left) as f64;
+/// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a when the gap ends beyond the side.
+fn depth_in(gap: Gap, advance: f64, i: usize, cells: usize, sides: Sides) -> f64 {
+    let left = (i - gap.left) as f64 - advance;
     if sides == Sides::Natural && gap.right > cells {
         left
     } else {
-        left * (gap.right - i) as f64 / (gap.right - gap.left) as f64
+        left * (gap.right - i) as f64 / ((gap.right - gap.left) as f64 - advance)
     }
 }
 
