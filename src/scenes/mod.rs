@@ -16,6 +16,9 @@
 //! inside a straight edge, r^{3/2}.
 
 pub mod manufactured;
+mod study;
+
+pub use study::{AGREEMENT, JUDGED, SceneRun, SceneStudy};
 
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
