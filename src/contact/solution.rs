@@ -181,7 +181,7 @@ pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: 
 }
 
 /// max_i (|K||u| + |F|)_i over the free unknowns.
-fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+pub(super) fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let sizes = problem.matrix.multiply_absolute(u);
     (0..sizes.len())
         .filter(|&i| !problem.prescribed[i])
