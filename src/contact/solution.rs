@@ -124,7 +124,7 @@ pub(super) fn conclude(
         displacement: displacement_scale,
     };
     let judgement = evidence.judge()?;
-    let margins = evidence.margins(candidate.contact_set.as_slice())?;
+    let margins = free_margins(problem, cone, &evidence, &candidate.contact_set)?;
     let (reaction, balance) = global_balance(problem, u, &residual, &edge_force);
     let status = match candidate.status {
         Status::Converged if judgement.worst() > ACCEPTED => Status::Stalled { residual: judgement.worst() },
@@ -156,6 +156,23 @@ pub(super) fn conclude(
     })
 }
 
+/// The margins over the constraints that have a node free to move; at clamped nodes nothing is decided.
+fn free_margins(
+    problem: &ContactProblem,
+    cone: Cone,
+    evidence: &Evidence<'_>,
+    set: &ContactSet,
+) -> Result<Margins> {
+    let normals = problem.normal_unknowns();
+    let free: Vec<usize> = (0..evidence.gap.len())
+        .filter(|&i| cone.support(i).any(|node| !problem.prescribed[normals[node]]))
+        .collect();
+    let pick = |values: &[f64]| -> Vec<f64> { free.iter().map(|&i| values[i]).collect() };
+    let (multiplier, gap) = (pick(evidence.multiplier), pick(evidence.gap));
+    let active: Vec<bool> = free.iter().map(|&i| set.contains(i)).collect();
+    Evidence { multiplier: &multiplier, gap: &gap, ..*evidence }.margins(&active)
+}
+
 /// B u − g.
 pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: &[f64]) -> Vec<f64> {
     let bound = cone.apply(&problem.gap);
@@ -164,7 +181,7 @@ pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: 
 }
 
 /// max_i (|K||u| + |F|)_i over the free unknowns.
-fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+pub(super) fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let sizes = problem.matrix.multiply_absolute(u);
     (0..sizes.len())
         .filter(|&i| !problem.prescribed[i])
