@@ -199,7 +199,10 @@ impl<'a> LogEnergy<'a> {
         }
         let scale = self.kernel.scaling(x.delta / self.unit);
         // Independent roundings add as squares do: the sum of n like terms, divided by √n.
-        Density { value: sum * scale, rounding: rounding / (cell.t.len() as f64).sqrt() * scale * f64::EPSILON }
+        Density {
+            value: sum * scale,
+            rounding: rounding / (cell.t.len() as f64).sqrt() * scale * f64::EPSILON,
+        }
     }
 
     fn distance(&self, x: Outer, other: usize, t: f64, epsilon: f64) -> f64 {
