@@ -8,6 +8,7 @@ mod cluster;
 mod dual;
 mod function;
 mod function_norms;
+mod gallery;
 mod gram;
 mod hierarchical;
 mod lebesgue;
@@ -23,6 +24,7 @@ mod toeplitz;
 
 pub use dual::{DualOf, dual_norm_of_functional};
 pub use function::{Position, SingularFunction};
+pub use gallery::GalleryFunction;
 pub use gram::{gram_constants, gram_linears, mass_constants, mass_linears};
 pub use operator::GramOperator;
 pub use order::FractionalOrder;

@@ -141,6 +141,13 @@ fn smooth_length(n: usize) -> usize {
     best
 }
 
+/// Buffers come from the plans themselves; a wrong length would be theirs.
 fn fourier(error: realfft::FftError) -> Error {
-    Error::Figure { reason: error.to_string() }
+    let (expected, given) = match error {
+        realfft::FftError::InputBuffer(expected, given)
+        | realfft::FftError::OutputBuffer(expected, given)
+        | realfft::FftError::ScratchBuffer(expected, given) => (expected, given),
+        realfft::FftError::InputValues(..) => (0, 0),
+    };
+    Error::LengthMismatch { name: "Fourier buffer", given, expected }
 }
