@@ -154,3 +154,22 @@ fn initial_gap_and_settlement_move_the_contact() {
         }
     }
 }
+
+#[test]
+fn traction_from_the_residual_is_the_contact_pressure() {
+    let (problem, solution) = solved(Scene::Block, 32, Cone::Nodal);
+    for (pressure, [normal, tangential]) in solution.pressure.iter().zip(&solution.traction) {
+        assert!(
+            (pressure + normal).abs() < 1e-12 && tangential.abs() < 1e-12,
+            "{pressure} {normal} {tangential}"
+        );
+    }
+    assert_eq!(problem.contact_partition().unwrap().lengths().len(), 32);
+    // Against the known σ_N, away from both ends of the run.
+    let (problem, solution) = solved(Scene::Manufactured, 128, Cone::Nodal);
+    for (&x, [normal, _]) in problem.edge().arc().iter().zip(&solution.traction) {
+        if (0.1..0.35).contains(&x) {
+            assert!((normal - manufactured::normal_derivative(x)).abs() < 2e-3, "{x}: {normal}");
+        }
+    }
+}

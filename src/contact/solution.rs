@@ -59,6 +59,9 @@ pub struct ContactSolution {
     pub positions: Vec<f64>,
     /// −σ_N at the nodes of the contact edge.
     pub pressure: Vec<f64>,
+    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force over nodal length. At
+    /// clamped nodes this is the reaction; a scalar problem has (∂u/∂n, 0).
+    pub traction: Vec<Point>,
     /// The active constraints.
     pub contact_set: ContactSet,
     /// How the solver ended.
@@ -110,6 +113,8 @@ pub(super) fn conclude(
     let normal_displacement: Vec<f64> = normals.iter().map(|&unknown| u[unknown]).collect();
     let edge_force = cone.apply_transposed(&candidate.multiplier, normals.len())?;
     let stress_force = problem.matrix.multiply(u);
+    let lengths = problem.edge.nodal_lengths();
+    let traction = tractions(problem, &stress_force, &lengths);
     let mut residual: Vec<f64> = stress_force.iter().zip(&problem.load).map(|(k, f)| k - f).collect();
     normals.iter().zip(&edge_force).for_each(|(&unknown, force)| residual[unknown] += force);
     let gap = gap_of(problem, cone, &normal_displacement);
@@ -130,12 +135,12 @@ pub(super) fn conclude(
         Status::Converged if judgement.worst() > ACCEPTED => Status::Stalled { residual: judgement.worst() },
         status => status,
     };
-    let lengths = problem.edge.nodal_lengths();
     Ok(ContactSolution {
         cone,
         solver: candidate.solver,
         displacement: problem.to_cartesian(u),
         pressure: edge_force.iter().zip(lengths).map(|(force, length)| force / length).collect(),
+        traction,
         normal_displacement,
         contact_force: compensated(candidate.multiplier.iter().copied()),
         multiplier: candidate.multiplier,
@@ -154,6 +159,17 @@ pub(super) fn conclude(
         work: candidate.work,
         seconds: candidate.seconds,
     })
+}
+
+/// (K u − F) over the nodal lengths, along the contact edge.
+fn tractions(problem: &ContactProblem, stress_force: &[f64], lengths: &[f64]) -> Vec<Point> {
+    let c = problem.form.components();
+    let force = |unknown: usize| stress_force[unknown] - problem.load[unknown];
+    let at = |(&node, length): (&usize, &f64)| match c {
+        1 => [force(node) / length, 0.0],
+        _ => [force(2 * node + 1) / length, force(2 * node) / length],
+    };
+    problem.edge.nodes().iter().zip(lengths).map(at).collect()
 }
 
 /// The margins over the constraints that have a node free to move; at clamped nodes nothing is decided.
