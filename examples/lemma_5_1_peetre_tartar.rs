@@ -49,8 +49,8 @@ const AGREEMENT: f64 = 1e-3;
 /// Computes α from γ and checks it on the extremal function.
 pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(vec![
-        Column::new("nu", "nu", Format::Significant(3), ""),
-        Column::new("theta", "theta", Format::Scientific(0), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
+        Column::new("theta", "theta", Format::Plain, ""),
         Column::new("gamma", "gamma", Format::Significant(9), ""),
         Column::new("alpha", "alpha", Format::Significant(9), "(1 + gamma^2)^(-1/2)"),
         Column::new(

@@ -48,7 +48,7 @@ impl HasOutput for Options {
 
 fn columns() -> Vec<Column> {
     vec![
-        Column::new("nu", "nu", Format::Significant(3), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
         Column::new("theta", "theta^2", Format::Scientific(1), "length after the step"),
         Column::new("gamma", "gamma", Format::Significant(8), "its constant"),
         Column::new("factor", "factor", Format::Significant(5), "gamma at theta^2 over gamma at theta"),

@@ -80,8 +80,8 @@ fn true_law(nu: FractionalOrder, options: &Options) -> Result<Law> {
 
 fn columns() -> Vec<Column> {
     vec![
-        Column::new("nu", "nu", Format::Significant(3), ""),
-        Column::new("theta", "theta", Format::Scientific(0), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
+        Column::new("theta", "theta", Format::Plain, ""),
         Column::hidden("zone"),
         Column::new("gamma", "gamma", Format::Significant(11), "computed constant"),
         Column::new("error", "error", Format::Scientific(0), "its estimated error"),

@@ -49,7 +49,7 @@ const SHORT: f64 = 1e-12;
 /// Compares the constant of a point with that of short zones.
 pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(vec![
-        Column::new("nu", "nu", Format::Significant(3), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
         Column::new("gamma0", "gamma_0", Format::Significant(10), "u = 0 at the end of the interval"),
         Column::new("short", "gamma_theta", Format::Significant(10), "mean zero on (0, 1e-12)"),
         Column::new(

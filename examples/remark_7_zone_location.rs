@@ -55,7 +55,7 @@ const SHARE: f64 = 1e-3;
 /// Compares places, then the printed step with its repair.
 pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(vec![
-        Column::new("nu", "nu", Format::Significant(3), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
         Column::new("a", "a", Format::Significant(3), "start of the zone"),
         Column::new("gamma", "gamma", Format::Significant(9), "its constant"),
         Column::new("ratio", "/end", Format::Significant(6), "over the constant of (0, theta), at most 1"),
