@@ -41,10 +41,13 @@ impl HasOutput for Options {
     }
 }
 
-/// One tolerance of one case: what was asked, what it cost, how wrong it was (relative).
+/// One tolerance of one case.
 pub struct Row {
+    /// Relative tolerance.
     pub asked: f64,
+    /// Seconds of the fastest run.
     pub seconds: f64,
+    /// Relative error against a value computed another way.
     pub true_error: f64,
 }
 

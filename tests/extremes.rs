@@ -127,7 +127,12 @@ fn nan_infinite_and_repeated_input_are_errors() {
 fn infinite_norms_of_closures_are_recognised() {
     let jump = SingularFunction::new(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 }).unwrap();
     let power = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(-0.3)).unwrap();
-    for (u, nu) in [(&jump, 0.5), (&jump, 0.8), (&power, 0.3)] {
+    let logarithm = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+        0 => (-at.offset().ln()).powf(0.6),
+        _ => (-at.offset().ln_1p()).powf(0.6),
+    })
+    .unwrap();
+    for (u, nu) in [(&jump, 0.5), (&jump, 0.8), (&power, 0.3), (&power, 0.95), (&logarithm, 0.5)] {
         let outcome = u.seminorm(FractionalOrder::new(nu).unwrap(), Tolerance::fast());
         assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "nu {nu}: {outcome:?}");
     }

@@ -129,10 +129,10 @@ impl ArmIntegral {
             }
         }
         let mut partials = Partials { ends, partial, densities };
-        if depth >= self.structured + 5.0 * BLOCK {
-            if let Some(limit) = self.deep(depth, scale, &mut partials, &mut density)? {
-                return Ok(limit);
-            }
+        if depth >= self.structured + 5.0 * BLOCK
+            && let Some(limit) = self.deep(depth, scale, &mut partials, &mut density)?
+        {
+            return Ok(limit);
         }
         self.decide(&partials)
     }
@@ -180,9 +180,13 @@ impl ArmIntegral {
             let sum = before + self.cell(&rule, from, width, density)?;
             found.push(from + width, sum, density(from + width, 0.0)?);
             cells += 1;
+            if found.grows() {
+                break;
+            }
             if cells % BLOCK_CELLS == 0 && cells >= 5 * BLOCK_CELLS {
-                let limit = found.limit();
-                if let Some(limit) = limit
+                // An extrapolated divergent integral has a limit too, and it means nothing.
+                if let Some(limit) = found.limit()
+                    && !found.diverges()
                     && limit.error <= 0.05 * self.tolerance * (limit.value.abs() + scale)
                 {
                     return Ok(Some(limit));
@@ -194,22 +198,13 @@ impl ArmIntegral {
 
     /// The limit of what was summed, or why there is none.
     fn decide(&self, found: &Partials) -> Result<Limit> {
-        let Partials { ends, densities, .. } = found;
-        let last = ends.len() - 1;
-        let middle = last / 2;
-        if middle > 0 && densities[last] > 0.0 {
-            let slope = |k: usize| (densities[k - 1] / densities[k]).ln() / (ends[k] - ends[k - 1]);
-            let (at_middle, at_end) = (slope(middle) * ends[middle], slope(last) * ends[last]);
-            // ℓ ~ t^{-p} with p ≤ 1, or no decay at all.
-            let algebraic = (at_end - at_middle).abs() < 0.05 * at_end.abs() && at_end <= 1.001;
-            if algebraic || densities[last] >= densities[middle] * (1.0 - 1e-9) {
-                return Err(Error::InfiniteNorm {
-                    order: self.order,
-                    why: "the contributions near a break point do not decay",
-                });
-            }
+        if found.diverges() {
+            return Err(Error::InfiniteNorm {
+                order: self.order,
+                why: "the contributions near a break point do not decay",
+            });
         }
-        Ok(found.limit().unwrap_or(Limit { value: found.sum(), error: densities[last].abs() * ends[last] }))
+        Ok(found.limit().unwrap_or(Limit { value: found.sum(), error: found.rest() }))
     }
 }
 
@@ -233,6 +228,32 @@ impl Partials {
         self.ends.push(end);
         self.partial.push(sum);
         self.densities.push(density);
+    }
+
+    /// A crude size of what lies beyond the end.
+    fn rest(&self) -> f64 {
+        self.densities[self.densities.len() - 1].abs() * self.end()
+    }
+
+    /// ℓ has grown beyond doubt.
+    fn grows(&self) -> bool {
+        let last = self.densities.len() - 1;
+        !self.sum().is_finite() || self.densities[last] > 4.0 * self.densities[last / 2]
+    }
+
+    /// ℓ does not decay, or no faster than 1/t.
+    fn diverges(&self) -> bool {
+        let (ends, densities) = (&self.ends, &self.densities);
+        let last = ends.len() - 1;
+        let middle = ends.iter().position(|&t| t >= 0.5 * self.end()).unwrap_or(0);
+        if middle == 0 || middle == last || densities[last] <= 0.0 {
+            return false;
+        }
+        let slope = |k: usize| (densities[k - 1] / densities[k]).ln() / (ends[k] - ends[k - 1]);
+        // p of ℓ ~ t^{-p}; an exponential would double it from the middle to the end.
+        let (at_middle, at_end) = (slope(middle) * ends[middle], slope(last) * ends[last]);
+        let algebraic = (at_end - at_middle).abs() < 0.05 * at_end.abs() && at_end <= 1.001;
+        algebraic || self.grows() || densities[last] >= densities[middle] * (1.0 - 1e-9)
     }
 
     fn limit(&self) -> Option<Limit> {
