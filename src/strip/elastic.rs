@@ -7,8 +7,9 @@
 //! P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y.
 //! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
 
-use super::edge::{EdgeOperator, Sides, check_cells, check_finite, check_length};
+use super::edge::EdgeOperator;
 use super::scalar::{EdgeLoad, check_layers, mass_row};
+use super::sides::{Sides, check_cells, check_finite, check_length};
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result};
 use crate::fem::Lame;
