@@ -190,7 +190,7 @@ impl ElasticStrip {
 
 /// Below this angle (three modes in a hundred) edge matrices are computed in double-double: those need the most doublings and are
 /// the ones whose differences matter.
-const LOW: f64 = 0.1;
+pub(crate) const LOW: f64 = 0.1;
 
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.
 pub(crate) fn edge_matrices(cells: usize, layers: usize, lame: Lame) -> Vec<EdgeMatrix> {

@@ -157,10 +157,10 @@ impl ExactElastic {
         }
         let edge = form(&flat(self.cells)?, &self.matrices[0], &difference);
         let square = edge + interior;
-        // As in the scalar case; the defects of low modes are rounded from double-double, of others to 1e-12.
+        // As in the scalar case; the defects of low modes are rounded from double-double, of others to 1e-11.
         let shift = 2.0 * f64::EPSILON * self.norm;
         let work = Work { points: 2 * self.cells as u64, ..Work::default() };
-        Estimate::new(square.sqrt(), shift + 1e-12 * square.sqrt(), work)
+        Estimate::new(square.sqrt(), shift + 1e-11 * square.sqrt(), work)
     }
 }
 
