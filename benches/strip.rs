@@ -6,7 +6,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::contact::Cone;
 use signorini::fem::Lame;
 use signorini::strip::{
-    EdgeScene, ElasticStrip, SceneKind, Settings, StripKind, StripProblem, solve_contact,
+    EdgeScene, ElasticStrip, Reference, SceneKind, Settings, StripKind, StripProblem, solve_contact,
 };
 use std::hint::black_box;
 
@@ -14,7 +14,7 @@ const REFERENCE: usize = 1 << 18;
 
 fn problem(kind: StripKind, scene: SceneKind, tau: f64) -> StripProblem {
     let scene = EdgeScene::build(scene, tau, REFERENCE, kind.sides()).expect("the scene exists");
-    StripProblem::new(kind, &scene, 1 << 12).expect("the reference grid is a power of two")
+    StripProblem::new(kind, &scene, Reference::Nested, 1 << 12).expect("the reference grid is a power of two")
 }
 
 fn edge_operator(c: &mut Criterion) {

@@ -187,6 +187,7 @@ fn example_runs_and_refuses() {
         vec!["--levels", "3-6", "--scene", "fat-cantor:6", "--kind", "elastic"],
         vec!["--levels", "3-6", "--scene", "transitions:2", "--tau", "2"],
         vec!["--levels", "3-5", "--scene", "transition:0.3", "--positions", "3"],
+        vec!["--levels", "3-9", "--reference", "harmonic"],
     ] {
         let headline = run(&arguments).unwrap();
         assert!(headline.verdict.is_confirmed(), "{arguments:?}: {}", headline.verdict);
@@ -194,6 +195,7 @@ fn example_runs_and_refuses() {
     }
     refused(run(&["--tau", "1.2"]), "tau");
     refused(run(&["--positions", "0"]), "positions");
+    refused(run(&["--kind", "elastic", "--reference", "harmonic"]), "reference");
     refused(run(&["--scene", "samples:/nowhere/at-all"]), "/nowhere/at-all");
     for arguments in
         [["--levels", "9-3"], ["--levels", "3-40"], ["--levels", "x"], ["--scene", "cliff"], ["--kind", "x"]]

@@ -7,8 +7,9 @@
 //! P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y.
 //! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
 
-use super::edge::{EdgeOperator, Sides, check_cells, check_finite, check_length};
+use super::edge::EdgeOperator;
 use super::scalar::{EdgeLoad, check_layers, mass_row};
+use super::sides::{Sides, check_cells, check_finite, check_length};
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result};
 use crate::fem::Lame;
@@ -189,7 +190,7 @@ impl ElasticStrip {
 
 /// Below this angle (three modes in a hundred) edge matrices are computed in double-double: those need the most doublings and are
 /// the ones whose differences matter.
-const LOW: f64 = 0.1;
+pub(crate) const LOW: f64 = 0.1;
 
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.
 pub(crate) fn edge_matrices(cells: usize, layers: usize, lame: Lame) -> Vec<EdgeMatrix> {

@@ -5,18 +5,15 @@
 //! D(θ) = A_h(θ) − 2 [c⁴ A_{h/2}(θ/2) + s⁴ conj A_{h/2}(π − θ/2)],  s = sin(θ/4), c = cos(θ/4),
 //!
 //! and over several halvings G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ conj G_{h/2}(π − θ/2)]. D is O(θ³) and A is O(θ): the
-//! difference loses ε/θ². There is no closed form to rewrite; for θ below [`LOW`] (about one mode in a hundred) the whole computation
+//! difference loses ε/θ². There is no closed form to rewrite; for θ below [`LOW`] (three modes in a hundred) the whole computation
 //! is done in double-double, which keeps 1e-30/θ², more than 16 digits for n up to 2^26.
 
-use super::elastic::EdgeMatrix;
+use super::elastic::{EdgeMatrix, LOW};
 use super::slab::{Mode, edge_matrix};
 use crate::fem::Lame;
 use qd::Quad;
 use rayon::prelude::*;
 use std::f64::consts::PI;
-
-/// Below this angle differences are taken in double-double; above it binary64 keeps ε/θ² < 1e-12.
-const LOW: f64 = 0.025;
 
 /// D at θ = 2πk/n, k = 0 ... n/2, between `layers` and 2 `layers` layers; `coarse` and `fine` are the edge matrices.
 pub(crate) fn halvings(
@@ -81,6 +78,24 @@ mod tests {
         // One layer of the scale: D/θ³ tends to a constant, so neighbouring low modes of a deep strip agree.
         let ratio = |k: usize| low_mode(k, 1 << 18, 1 << 18, lame).yy / (k as f64).powi(3);
         assert!((ratio(400) / ratio(401) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn differences_keep_ten_digits_at_every_mode() {
+        // ε/θ² with A known to about 10 ε; LOW bounds θ from below.
+        const DIGITS: f64 = 1e-10;
+        let lame = Lame::new(1.0, 1.0).unwrap();
+        let (n, m) = (1 << 12, 1 << 12);
+        let (coarse, fine) = (edge_matrices(n, m, lame), edge_matrices(2 * n, 2 * m, lame));
+        let differences = halvings(n, m, lame, &coarse, &fine);
+        let mut worst = 0.0f64;
+        for k in (1..=n / 2).step_by(7) {
+            let (long, got) = (low_mode(k, n, m, lame), differences[k]);
+            let error = (long.xx - got.xx).abs().max((long.yy - got.yy).abs()).max((long.xy - got.xy).norm());
+            worst = worst.max(error / long.xx.min(long.yy));
+        }
+        println!("differences: worst {worst:.1e}");
+        assert!(worst < DIGITS, "{worst:e}");
     }
 
     #[test]
