@@ -4,6 +4,8 @@
 
 mod power_weight;
 mod rules;
+mod tail;
 
 pub use power_weight::PowerWeightRule;
 pub use rules::Rule;
+pub(crate) use tail::{Limit, extrapolate};

@@ -1,17 +1,32 @@
 //! Section 1: fractional Sobolev spaces on intervals.
 
+mod arm_integral;
+mod band;
 mod cells;
 pub mod closed_forms;
+mod cluster;
+mod dual;
+mod function;
+mod function_norms;
+mod gallery;
 mod gram;
+mod hierarchical;
 mod lebesgue;
+mod log_energy;
+mod operator;
 mod order;
 mod partition;
 mod piecewise;
 mod polynomial_pairs;
 mod power;
 mod seminorm;
+mod toeplitz;
 
+pub use dual::{DualOf, dual_norm_of_functional};
+pub use function::{Position, SingularFunction};
+pub use gallery::GalleryFunction;
 pub use gram::{gram_constants, gram_linears, mass_constants, mass_linears};
+pub use operator::GramOperator;
 pub use order::FractionalOrder;
 pub use partition::Partition;
 pub(crate) use partition::RunningSum;

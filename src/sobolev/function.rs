@@ -1,0 +1,150 @@
+//! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
+//!
+//! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one break. A point
+//! of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of the distance to the break is a
+//! smooth function, and double integrals are taken over pairs (t, t′) ([`super::log_energy`]). A closure of x alone knows
+//! its distance to a break c ≠ 0 only to an ulp of c; one that takes a [`Position`] sees the distance itself, however small.
+
+use super::piecewise::require_finite;
+use crate::error::{Error, Result};
+
+/// A point of the interval, known by its distance to the nearest break point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Position {
+    x: f64,
+    anchor: usize,
+    offset: f64,
+}
+
+impl Position {
+    /// The coordinate, rounded.
+    pub fn x(&self) -> f64 {
+        self.x
+    }
+
+    /// Index of the break point this position is given from: the nearest one.
+    pub fn anchor(&self) -> usize {
+        self.anchor
+    }
+
+    /// x minus the coordinate of that break point, exact.
+    pub fn offset(&self) -> f64 {
+        self.offset
+    }
+}
+
+/// A real function on an interval whose singular points are declared.
+pub struct SingularFunction<'a> {
+    breaks: Vec<f64>,
+    function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
+    sees_offsets: bool,
+}
+
+impl std::fmt::Debug for SingularFunction<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SingularFunction").field("breaks", &self.breaks).finish_non_exhaustive()
+    }
+}
+
+impl<'a> SingularFunction<'a> {
+    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::OutOfRange`] unless they increase strictly, are finite and
+    /// lie at least 1e-290 and 1e-290 of the interval apart.
+    pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(move |at: Position| f(at.x)), false)
+    }
+
+    /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
+    ///
+    /// # Errors
+    /// As [`SingularFunction::new`].
+    pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(f), true)
+    }
+
+    fn build(
+        breaks: &[f64],
+        function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
+        sees_offsets: bool,
+    ) -> Result<Self> {
+        if breaks.len() < 2 {
+            return Err(Error::CountOutOfRange {
+                name: "break points",
+                value: breaks.len(),
+                range: ">= 2, the ends of the interval among them",
+            });
+        }
+        let total = breaks[breaks.len() - 1] - breaks[0];
+        for pair in breaks.windows(2) {
+            let length = pair[1] - pair[0];
+            let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
+            Error::require(
+                "distance of break points",
+                length,
+                "(1e-290, inf), and 1e-290 of the interval",
+                admissible,
+            )?;
+        }
+        Ok(Self { breaks: breaks.to_vec(), function, sees_offsets })
+    }
+
+    /// The break points.
+    pub fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    /// Length of the interval.
+    pub fn length(&self) -> f64 {
+        self.breaks[self.breaks.len() - 1] - self.breaks[0]
+    }
+
+    /// The arms, from left to right.
+    pub(crate) fn arms(&self) -> Vec<Arm> {
+        let mut arms = Vec::with_capacity(2 * self.breaks.len());
+        for (i, pair) in self.breaks.windows(2).enumerate() {
+            let length = 0.5 * (pair[1] - pair[0]);
+            arms.push(self.arm(i, 1.0, length));
+            arms.push(self.arm(i + 1, -1.0, length));
+        }
+        arms
+    }
+
+    fn arm(&self, anchor: usize, sign: f64, length: f64) -> Arm {
+        let start = self.breaks[anchor];
+        let smallest = 1e-300f64.max(1e-300 * length);
+        // Where x = c + δ is rounded, δ has no digits below an ulp of c and few above it.
+        let blurred = if self.sees_offsets { 0.0 } else { start.abs() * 4.0 * f64::EPSILON };
+        let depth = (length / smallest.max(16.0 * blurred).min(0.5 * length)).ln();
+        Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
+    }
+
+    /// The value at distance δ from the anchor of an arm.
+    pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
+        let offset = arm.sign * delta;
+        let value = (self.function)(Position { x: arm.start + offset, anchor: arm.anchor, offset });
+        require_finite("function value near break", arm.anchor, value)?;
+        Ok(value)
+    }
+}
+
+/// Half of the interval between two breaks: the points c + sign δ, 0 < δ < length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Arm {
+    pub(crate) anchor: usize,
+    pub(crate) start: f64,
+    pub(crate) sign: f64,
+    pub(crate) length: f64,
+    /// largest t at which the function can be trusted
+    pub(crate) depth: f64,
+    /// rounding of x = c + δ; 0 where offsets are seen
+    pub(crate) blur: f64,
+}
+
+impl Arm {
+    /// δ = R e^{-t}.
+    pub(crate) fn delta(&self, t: f64) -> f64 {
+        self.length * (-t).exp()
+    }
+}
