@@ -6,6 +6,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
 use signorini::figures::{Axis, Chart, Series};
+use signorini::interpolation::{ErrorNorm, dual_projection_constant, element_constant};
 use signorini::report::{Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::{
     DualOf, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, closed_forms,
@@ -55,7 +56,7 @@ pub struct Row {
 pub type Case = (&'static str, fn(u32) -> Result<Vec<Row>>);
 
 /// Everything that is measured.
-pub const CASES: [Case; 7] = [
+pub const CASES: [Case; 10] = [
     ("closure x^0.6, nu 0.25", |repeat| power(0.6, 0.25, repeat)),
     ("closure x^0.001, nu 1/2", |repeat| power(0.001, 0.5, repeat)),
     ("closure x^0.51, nu 0.99", |repeat| power(0.51, 0.99, repeat)),
@@ -63,6 +64,13 @@ pub const CASES: [Case; 7] = [
     ("fast product, geometric 1e-30, N 2000", fast_product),
     ("hat on 1000 elements, nu 1/2", hat),
     ("dual norm of a constant", dual),
+    ("interpolation C_L2, nu 1/2", |repeat| {
+        interpolation(ErrorNorm::L2, 0.5, 0.092_742_524_652_174_63, repeat)
+    }),
+    ("interpolation C_H1, nu 0.99", |repeat| {
+        interpolation(ErrorNorm::Derivative, 0.99, 0.032_024_593_023_715_79, repeat)
+    }),
+    ("projection C*, r 1/2", dual_projection),
 ];
 
 const TOLERANCES: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
@@ -139,6 +147,18 @@ fn dual(repeat: u32) -> Result<Vec<Row>> {
     rows(repeat, 1.0, |tolerance| {
         Ok(u.dual_norm(DualOf::Slobodeckij, FractionalOrder::HALF, tolerance)?.value)
     })
+}
+
+/// Best constants of Lemma 6.1 against values from hp functions in ball arithmetic.
+fn interpolation(norm: ErrorNorm, nu: f64, exact: f64, repeat: u32) -> Result<Vec<Row>> {
+    let order = FractionalOrder::new(nu)?;
+    rows(repeat, exact, |tolerance| Ok(element_constant(norm, order, tolerance)?.value))
+}
+
+/// (4.7) at r = 1/2, where the best constant is γ₁(1/2)².
+fn dual_projection(repeat: u32) -> Result<Vec<Row>> {
+    let gamma: f64 = 0.291_564_029_207_657_16;
+    rows(repeat, gamma * gamma, |tolerance| Ok(dual_projection_constant(0.5, tolerance)?.value))
 }
 
 /// Measures every case.

@@ -118,6 +118,22 @@ fn projections_and_dual_norms_of_cells_agree_with_samples() {
 }
 
 #[test]
+fn the_dual_norm_agrees_with_the_sobolev_room() {
+    // The same functional through a solve with the fast operator.
+    let cells = Partition::uniform(256, 1.0).unwrap();
+    let load: Vec<f64> = (0..=256).map(|i| f64::from((37 * i) % 101) / 101.0 - 0.3).collect();
+    let dense = DualNorm::new(&cells).unwrap().of_load(&load).unwrap();
+    let other = signorini::sobolev::dual_norm_of_functional(
+        &cells,
+        FractionalOrder::HALF,
+        &load,
+        Tolerance::balanced(),
+    )
+    .unwrap();
+    assert!((dense.value / other.value - 1.0).abs() < 1e-8, "{dense} {other}");
+}
+
+#[test]
 fn inadmissible_orders_are_errors() {
     for r in [-0.1, 1.1, f64::NAN] {
         assert!(matches!(projection_constant(r, Tolerance::fast()), Err(Error::OutOfRange { .. })));

@@ -4,7 +4,7 @@
 //! bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving the cells at least halves what
 //! is missing of the square; the difference from the cells twice as long is the error estimate. Cost O(N³).
 
-use super::forms::{MAX_CELLS, mass_form, seminorm_form};
+use super::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::quadrature::Rule;
@@ -22,9 +22,19 @@ const ROUNDING: f64 = 1e-12;
 #[derive(Debug, Clone)]
 pub struct DualNorm {
     cells: Partition,
-    fine: Llt<f64>,
+    fine: Solver,
     /// On the cells joined in pairs.
-    coarse: Llt<f64>,
+    coarse: Solver,
+}
+
+/// A + M + m mᵀ/|I|², factorized, and m, the integrals of the hats.
+///
+/// The representer of 1 is 1, so f splits into its mean f̄ and a rest whose representer has mean zero and does not see m mᵀ:
+/// ‖f‖² = |I| f̄² + ‖f − f̄‖². On an interval as short as 1e-100, A + M alone is singular to rounding.
+#[derive(Debug, Clone)]
+struct Solver {
+    factor: Llt<f64>,
+    integrals: Vec<f64>,
 }
 
 impl DualNorm {
@@ -38,8 +48,8 @@ impl DualNorm {
             return Err(Error::CountOutOfRange { name: "cells", value: count, range: "even, <= 4096" });
         }
         let pairs = cells.lengths().chunks(2).map(|pair| pair.iter().sum()).collect();
-        let coarse = factorize(&Partition::from_lengths(pairs)?)?;
-        Ok(Self { cells: cells.clone(), fine: factorize(cells)?, coarse })
+        let coarse = Solver::new(&Partition::from_lengths(pairs)?)?;
+        Ok(Self { cells: cells.clone(), fine: Solver::new(cells)?, coarse })
     }
 
     /// The cells.
@@ -76,8 +86,8 @@ impl DualNorm {
         if let Some(index) = load.iter().position(|b| !b.is_finite()) {
             return Err(Error::NotFinite { name: "load", index, value: load[index] });
         }
-        let fine = squared(&self.fine, load);
-        let coarse = squared(&self.coarse, &self.load_on_pairs(load));
+        let fine = self.fine.squared(load);
+        let coarse = self.coarse.squared(&self.load_on_pairs(load));
         let value = fine.sqrt();
         let missing = (fine - coarse).max(0.0);
         let work = Work { points: (POINTS * count) as u64, factorizations: 2, ..Work::default() };
@@ -96,17 +106,27 @@ impl DualNorm {
     }
 }
 
-fn factorize(cells: &Partition) -> Result<Llt<f64>> {
-    let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
-    let pivot = cells.len();
-    norm.llt(Side::Lower)
-        .map_err(|_| Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot })
-}
+impl Solver {
+    fn new(cells: &Partition) -> Result<Self> {
+        let integrals = hat_integrals(cells, 0..cells.len());
+        let total = cells.total();
+        let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
+        let size = integrals.len();
+        let fixed =
+            Mat::from_fn(size, size, |i, j| norm[(i, j)] + (integrals[i] / total) * (integrals[j] / total));
+        let broken = |_| Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
+        Ok(Self { factor: fixed.llt(Side::Lower).map_err(broken)?, integrals })
+    }
 
-/// bᵀ (A + M)⁻¹ b.
-fn squared(factor: &Llt<f64>, load: &[f64]) -> f64 {
-    let representer = factor.solve(Mat::from_fn(load.len(), 1, |i, _| load[i]));
-    load.iter().enumerate().map(|(i, b)| b * representer[(i, 0)]).sum()
+    /// The squared dual norm of a load.
+    fn squared(&self, load: &[f64]) -> f64 {
+        let total: f64 = self.integrals.iter().sum();
+        let mean = load.iter().sum::<f64>() / total;
+        let rest = Mat::from_fn(load.len(), 1, |i, _| load[i] - mean * self.integrals[i]);
+        let representer = self.factor.solve(&rest);
+        let of_rest: f64 = (0..load.len()).map(|i| rest[(i, 0)] * representer[(i, 0)]).sum();
+        mean * total * mean + of_rest
+    }
 }
 
 #[cfg(test)]

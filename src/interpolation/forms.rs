@@ -20,7 +20,7 @@ use faer::{Mat, Side};
 pub(super) const MAX_CELLS: usize = 4096;
 
 /// Integrals of the hats over the cells of a range, for all nodes.
-fn hat_integrals(cells: &Partition, range: std::ops::Range<usize>) -> Vec<f64> {
+pub(super) fn hat_integrals(cells: &Partition, range: std::ops::Range<usize>) -> Vec<f64> {
     let mut integrals = vec![0.0; cells.len() + 1];
     for i in range {
         integrals[i] += 0.5 * cells.lengths()[i];
