@@ -2,6 +2,7 @@
 
 use super::canvas::{Anchor, Canvas, Paint};
 use super::scale::Scale;
+use super::series::{Axis, Mark, Series};
 use super::{Colour, PALETTE};
 use crate::error::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -17,95 +18,6 @@ const LEGEND_ROW: f64 = 20.0;
 const TEXT_SIZE: f64 = 13.0;
 /// Mean width of a character relative to the text size, for laying out the legend.
 const CHARACTER: f64 = 0.56;
-
-/// An axis: its label (with the unit, or the word nondimensional left to the label), scale and optional range.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
-    label: String,
-    logarithmic: bool,
-    range: Option<(f64, f64)>,
-}
-
-impl Axis {
-    /// A linear axis that fits the data.
-    pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), logarithmic: false, range: None }
-    }
-
-    /// A base-ten logarithmic axis that fits the positive data; values ≤ 0 are not drawn.
-    pub fn logarithmic(label: impl Into<String>) -> Self {
-        Self { label: label.into(), logarithmic: true, range: None }
-    }
-
-    /// The same axis over exactly [low, high].
-    pub fn range(mut self, low: f64, high: f64) -> Self {
-        self.range = Some((low, high));
-        self
-    }
-
-    fn scale(&self, values: impl Iterator<Item = f64>) -> Scale {
-        match self.range {
-            Some((low, high)) => Scale::exact(low, high, self.logarithmic),
-            None => Scale::fit(values, self.logarithmic),
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Mark {
-    Line,
-    Dashed,
-    Points,
-    LineAndPoints,
-}
-
-/// A named sequence of points, drawn as a line, as points, or both.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Series {
-    name: String,
-    points: Vec<(f64, f64)>,
-    half_bars: Vec<f64>,
-    mark: Mark,
-    colour: Option<Colour>,
-}
-
-impl Series {
-    fn new(name: impl Into<String>, points: Vec<(f64, f64)>, mark: Mark) -> Self {
-        Self { name: name.into(), points, half_bars: Vec::new(), mark, colour: None }
-    }
-
-    /// A line through the points.
-    pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, points, Mark::Line)
-    }
-
-    /// A dashed line: bounds and theory.
-    pub fn dashed(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, points, Mark::Dashed)
-    }
-
-    /// Points only: measurements.
-    pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, points, Mark::Points)
-    }
-
-    /// Points joined by a line.
-    pub fn line_and_points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, points, Mark::LineAndPoints)
-    }
-
-    /// Error bars of the given half heights, one per point.
-    pub fn bars(mut self, half_bars: Vec<f64>) -> Self {
-        self.half_bars = half_bars;
-        self
-    }
-
-    /// A fixed colour instead of the next one of the palette.
-    pub fn colour(mut self, colour: Colour) -> Self {
-        self.colour = Some(colour);
-        self
-    }
-}
 
 /// Vertical bands behind the data: intervals of the horizontal axis that belong together.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,9 +8,11 @@ mod canvas;
 mod chart;
 mod picture;
 mod scale;
+mod series;
 
-pub use chart::{Axis, Chart, Series};
+pub use chart::Chart;
 pub use picture::BodyPicture;
+pub use series::{Axis, Series};
 
 /// A colour as red, green, blue.
 pub type Colour = (u8, u8, u8);
