@@ -71,7 +71,7 @@ fn worst_ratios(options: &Options, order: FractionalOrder) -> Result<(f64, f64)>
 pub fn run(options: &Options) -> Result<Headline> {
     let number = |key, title: &str, format, meaning: &str| Column::new(key, title, format, meaning);
     let mut table = Table::new(vec![
-        number("nu", "nu", Format::Significant(6), ""),
+        number("nu", "nu", Format::Plain, ""),
         number(
             "worst_l2",
             "found L2",

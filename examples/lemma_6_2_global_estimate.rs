@@ -47,7 +47,7 @@ impl HasOutput for Options {
 /// Ratios and constants on every mesh.
 pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(vec![
-        Column::new("nu", "nu", Format::Significant(4), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
         Column::new("elements", "elements", Format::Significant(7), ""),
         Column::new(
             "ratio_l2",

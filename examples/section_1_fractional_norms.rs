@@ -41,7 +41,7 @@ impl HasOutput for Options {
 fn columns() -> Vec<Column> {
     vec![
         Column::new("function", "function", Format::Significant(6), ""),
-        Column::new("nu", "nu", Format::Significant(6), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
         Column::new("seminorm", "|u|_nu", Format::Significant(13), "empty where infinite"),
         Column::new("norm", "||u||_nu", Format::Significant(13), ""),
         Column::new("error", "error", Format::Scientific(1), "estimated absolute error of the seminorm"),

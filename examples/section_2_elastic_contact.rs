@@ -1,27 +1,39 @@
-//! Section 2: the elastic Signorini problem `block`, by two unrelated solvers, judged by one function.
+//! Section 2: elastic Signorini problems, by two unrelated solvers, judged by one function.
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
 use clap::Parser;
 use example_frame::{HasOutput, Output};
-use signorini::Result;
-use signorini::contact::{Cone, ContactSolution, Solver};
-use signorini::report::{Headline, Table, Verdict};
-use signorini::scenes::Scene;
+use signorini::contact::{Cone, Solver};
+use signorini::report::Headline;
+use signorini::scenes::{Scene, SceneStudy, Setting};
+use signorini::{Error, Result};
 use std::process::ExitCode;
 
-/// Solve the scene `block` on n x n squares in one of the paper's two cones
+/// Solve an elastic scene in one of the paper's two cones, on one mesh or on nested ones
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
-    /// Squares along each side
+    /// block, incompressible, free or closed
+    #[arg(long, default_value_t = Scene::Block)]
+    pub scene: Scene,
+    /// Cells along each side of the coarsest mesh
     #[arg(long, default_value_t = 32)]
     pub n: usize,
+    /// Number of meshes n, 2n, 4n, ...
+    #[arg(long, default_value_t = 1)]
+    pub levels: usize,
     /// Discrete cone: nodal (2.9) or midpoint (4.1)
     #[arg(long, default_value_t = Cone::Nodal)]
     pub cone: Cone,
     /// active-set or interior-point; both unless given
     #[arg(long)]
     pub solver: Option<Solver>,
+    /// Poisson's ratio of `incompressible`
+    #[arg(long, default_value_t = Setting::default().poisson)]
+    pub poisson: f64,
+    /// Factor on the load
+    #[arg(long, default_value_t = 1.0)]
+    pub load_scale: f64,
     /// Where the outcome goes
     #[command(flatten)]
     pub output: Output,
@@ -29,7 +41,10 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { n: 32, cone: Cone::Nodal, solver: None, output: Output::default() }
+        let Setting { poisson, load_scale, .. } = Setting::default();
+        let (cone, solver) = (Cone::Nodal, None);
+        let (scene, output) = (Scene::Block, Output::default());
+        Self { scene, n: 32, levels: 1, cone, solver, poisson, load_scale, output }
     }
 }
 
@@ -39,58 +54,36 @@ impl HasOutput for Options {
     }
 }
 
-/// Both solvers must agree in J to this, relative: the interior point method is asked for 1e-10 or better.
-const AGREEMENT: f64 = 1e-8;
-
-/// Every scaled KKT figure must be below this.
-const JUDGED: f64 = 1e-10;
-
 /// Solves the scene and says how well the discrete conditions are met.
 pub fn run(options: &Options) -> Result<Headline> {
-    let problem = Scene::Block.problem(options.n)?;
-    let solvers =
-        options.solver.map_or(vec![Solver::ActiveSet, Solver::InteriorPoint], |solver| vec![solver]);
-    let mut table = Table::new(ContactSolution::columns());
-    let mut solutions = Vec::new();
-    for solver in solvers {
-        let solution = problem.solve(options.cone, solver)?;
-        table.push(solution.row(options.n, &problem));
-        solutions.push(solution);
+    if !options.scene.is_elastic() {
+        let given = options.scene.to_string();
+        return Err(Error::UnknownName {
+            what: "elastic scene",
+            given,
+            expected: "block, incompressible, free or closed",
+        });
     }
-    let first = &solutions[0];
-    let worst = solutions.iter().fold(0.0, |w: f64, s| w.max(s.judgement.worst()));
-    let apart = solutions.iter().fold(0.0, |w: f64, s| w.max((s.energy / first.energy - 1.0).abs()));
-    let measured = format!(
-        "J = {:.12}, {} of {} constraints active, contact force {:.8}, KKT {worst:.0e}",
-        first.energy,
-        first.contact_set.count(),
-        first.contact_set.constraints(),
-        first.contact_force,
-    );
-    let verdict = if worst <= JUDGED && apart <= AGREEMENT {
-        Verdict::Holds
-    } else {
-        Verdict::NotConfirmed(format!("KKT {worst:.1e}, energies apart by {apart:.1e}"))
+    let study = SceneStudy {
+        scene: options.scene,
+        setting: Setting { poisson: options.poisson, load_scale: options.load_scale, ..Setting::default() },
+        cone: options.cone,
+        solver: options.solver,
+        n: options.n,
+        levels: options.levels,
     };
-    let claim =
-        format!("the elastic problem in the {} cone has one solution; every solver finds it", options.cone);
-    let label = match options.cone {
-        Cone::Nodal => "Section 2, (2.9), elastic",
-        Cone::Midpoint => "Section 4, (4.1), elastic",
-    };
-    let mut headline = Headline::new(label, claim, table, measured, verdict);
-    for (key, value) in [
-        ("energy", first.energy),
-        ("force", first.contact_force),
-        ("active", first.contact_set.count() as f64),
-        ("kkt", worst),
-    ] {
-        headline.quote(format!("section.2.block.{}.{key}", options.cone), value);
-    }
-    if let Some(directory) = options.output.directory()? {
-        let name = |what: &str| format!("section_2_block_{what}_{}", options.cone);
-        headline.figures.push(first.save_body(&problem, "Scene block", directory, &name("body"))?);
-        headline.figures.push(first.save_edge(&problem, "Scene block", directory, &name("edge"))?);
+    let runs = study.run()?;
+    let mut headline = study.headline(&runs)?;
+    let finest = runs.iter().map(|run| run.n).max();
+    if let (Some(directory), Some(last)) =
+        (options.output.directory()?, runs.iter().find(|run| Some(run.n) == finest))
+    {
+        let title = format!("Scene {}", options.scene);
+        let name = |what: &str| format!("section_2_{}_{what}_{}", options.scene, options.cone);
+        headline.figures.push(last.solution.save_body(&last.problem, &title, directory, &name("body"))?);
+        headline.figures.push(last.solution.save_edge(&last.problem, &title, directory, &name("edge"))?);
+        let history = last.solution.save_history(&last.problem, &title, directory, &name("history"))?;
+        headline.figures.extend(history);
     }
     Ok(headline)
 }

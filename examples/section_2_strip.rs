@@ -6,8 +6,11 @@ use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
 use signorini::contact::Cone;
 use signorini::figures::{Axis, Chart, Series};
-use signorini::report::{Column, Format, Headline, Table, Verdict};
-use signorini::strip::{Level, Levels, SceneKind, SceneSource, StripKind, StripProblem, mean_errors, study};
+use signorini::report::{Headline, Verdict};
+use signorini::strip::{
+    Level, Levels, Reference, SceneKind, SceneSource, StripKind, StripProblem, level_table, mean_errors,
+    mean_order, study,
+};
 use signorini::{Error, Estimate, Result};
 use std::process::ExitCode;
 
@@ -29,7 +32,10 @@ pub struct Options {
     /// Discrete cone: nodal (2.9) or midpoint (4.1)
     #[arg(long, default_value_t = Cone::Nodal)]
     pub cone: Cone,
-    /// Average the squared error over this many positions of the transition within the coarsest cell
+    /// Compare with the solution on the grid of the scene (nested) or with the continuous one (harmonic; scalar only)
+    #[arg(long, default_value_t = Reference::Nested)]
+    pub reference: Reference,
+    /// Average the squared error over this many positions of the transition in the coarsest cell (odd: evenly spread on all levels)
     #[arg(long, default_value_t = 1)]
     pub positions: usize,
     /// Where the outcome goes
@@ -62,7 +68,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let first = build(&sources[0])?;
     let (tau, gaps) = (first.regularity(), first.gaps());
     let coarsest = options.levels.cells().next().unwrap_or(2);
-    let mut problem = StripProblem::new(options.kind, &first, coarsest)?;
+    let mut problem = StripProblem::new(options.kind, &first, options.reference, coarsest)?;
     let mut studies = Vec::new();
     for source in &sources {
         if !studies.is_empty() {
@@ -76,7 +82,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let all = || studies.iter().flatten();
     let kkt = all().fold(0.0, |w: f64, level| w.max(level.kkt));
     let converged = all().all(|level| level.status.is_converged());
-    let order = mean_order(levels, &errors);
+    let order = mean_order(levels, &errors).unwrap_or(0.0);
     let last = &levels[levels.len() - 1];
     let measured = format!(
         "error {:.4e} at n = {} ({:.1e} unknowns), mean order {order:.3}, KKT {kkt:.0e}",
@@ -100,7 +106,8 @@ pub fn run(options: &Options) -> Result<Headline> {
         "the {} strip in the {} cone, scene {} ({gaps} gaps), u of regularity tau = {tau_text}: order at least the paper's",
         options.kind, options.cone, options.scene
     );
-    let mut headline = Headline::new("Section 2, strip", claim, table(levels, &errors), measured, verdict);
+    let mut headline =
+        Headline::new("Section 2, strip", claim, level_table(levels, &errors), measured, verdict);
     headline.quote("section.2.strip.unknowns", last.virtual_unknowns);
     headline.quote("section.2.strip.error", errors[errors.len() - 1].value);
     headline.quote("section.2.strip.order", order);
@@ -110,13 +117,14 @@ pub fn run(options: &Options) -> Result<Headline> {
     Ok(headline)
 }
 
-/// The scene, or the transition at several places of one coarse cell (multiples of the golden section).
+/// The scene, or the transition at several places of one coarsest cell. Doubling permutes the multiples of 1/count for an
+/// odd count, so that the places are evenly spread over the cells of every level.
 fn positions(options: &Options) -> Result<Vec<SceneSource>> {
     match (&options.scene, options.positions) {
         (_, 0) => Err(Error::CountOutOfRange { name: "positions", value: 0, range: "[1, inf)" }),
         (SceneSource::Built(SceneKind::Transition { position }), count) => {
             let cell = 1.0 / options.levels.cells().next().unwrap_or(2) as f64;
-            let place = |i: usize| (i as f64 * 0.618_033_988_749_895).fract() * cell;
+            let place = |i: usize| i as f64 / count as f64 * cell;
             let shifted = |i| SceneKind::Transition { position: position + place(i) };
             Ok((0..count).map(|i| SceneSource::Built(shifted(i))).collect())
         }
@@ -127,66 +135,6 @@ fn positions(options: &Options) -> Result<Vec<SceneSource>> {
 /// The exponent of Theorems 3.1 and 4.1.
 fn paper_exponent(tau: f64) -> f64 {
     tau / 2.0 - 0.25 + (tau - 1.5).powi(2)
-}
-
-/// Least squares slope over the finer half of the levels.
-fn mean_order(levels: &[Level], errors: &[Estimate]) -> f64 {
-    let first = levels.len() / 2;
-    let points = || (first..levels.len()).map(|i| ((levels[i].cells as f64).log2(), errors[i].value.log2()));
-    let count = points().count() as f64;
-    let (x, y) = points().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
-    let (xy, xx) = points().fold((0.0, 0.0), |(a, b), (u, v)| (a + (u - x) * (v - y), b + (u - x).powi(2)));
-    if xx > 0.0 { -xy / xx } else { f64::NAN }
-}
-
-fn table(levels: &[Level], errors: &[Estimate]) -> Table {
-    let mut table = Table::new(vec![
-        Column::new("cells", "n", Format::Significant(7), ""),
-        Column::hidden("h"),
-        Column::new(
-            "unknowns",
-            "unknowns",
-            Format::Scientific(1),
-            "of the two-dimensional problem solved exactly",
-        ),
-        Column::new("error", "error", Format::Scientific(6), "energy norm of u - u_h"),
-        Column::hidden("error_bound"),
-        Column::new(
-            "order",
-            "order",
-            Format::Fixed(3),
-            "log2 of the ratio; it alternates with the place of a transition in its cell",
-        ),
-        Column::new("contact_runs", "runs", Format::Significant(6), ""),
-        Column::new(
-            "steps",
-            "steps",
-            Format::Significant(3),
-            "linear problems; start from the coarser level",
-        ),
-        Column::new("inner", "inner", Format::Significant(3), "most inner iterations in a step"),
-        Column::new("kkt", "KKT", Format::Scientific(0), ""),
-        Column::new("seconds", "seconds", Format::Significant(2), "operator, load, contact"),
-        Column::hidden("error_seconds"),
-    ]);
-    for (i, level) in levels.iter().enumerate() {
-        let order = (i > 0).then(|| (errors[i - 1].value / errors[i].value).log2());
-        table.push(vec![
-            level.cells.into(),
-            (1.0 / level.cells as f64).into(),
-            level.virtual_unknowns.into(),
-            errors[i].value.into(),
-            errors[i].error.into(),
-            order.into(),
-            level.contact_runs.into(),
-            level.inner_iterations.len().into(),
-            level.inner_iterations.iter().copied().max().unwrap_or(0).into(),
-            level.kkt.into(),
-            level.seconds.into(),
-            level.error_seconds.into(),
-        ]);
-    }
-    table
 }
 
 fn figure(options: &Options, levels: &[Level], errors: &[Estimate], tau: Option<f64>) -> Chart {

@@ -52,7 +52,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let largest = options.q.iter().copied().fold(2.0, f64::max);
     Error::require("q", largest, "[2, 1000]", largest <= 1000.0)?;
     let mut table = Table::new(vec![
-        Column::new("nu", "nu", Format::Significant(4), ""),
+        Column::new("nu", "nu", Format::Plain, ""),
         Column::new("q", "q", Format::Significant(5), "for nu < 1/2 the critical exponent 2/(1-2 nu)"),
         Column::new("lower", "C(q) >=", Format::Fixed(6), "quotient of a function"),
         Column::new("upper", "C(q) <=", Format::Fixed(6), "for all functions"),

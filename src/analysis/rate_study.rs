@@ -10,7 +10,7 @@ use super::regularity::clamped_free_exponent;
 use crate::contact::{Cone, Solver};
 use crate::error::{Error, Result};
 use crate::mesh::Hierarchy;
-use crate::scenes::Scene;
+use crate::scenes::{Scene, Setting};
 use std::time::Instant;
 
 /// Refinements between the finest level and the reference.
@@ -110,12 +110,18 @@ impl RateStudy {
 
 /// The supremum of the τ ≤ 2 for which the solution of a scene lies in H^τ.
 ///
-/// `block`: 1 + λ of its clamped/free right angles; the contact transition r^{3/2} is smoother. `membrane`: 2, since a
-/// right angle between u = 0 and zero flux is harmless.
+/// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother. `corner`:
+/// 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is harmless.
 fn regularity(scene: Scene) -> Result<f64> {
     match scene {
+        Scene::Incompressible => {
+            Ok(1.0 + clamped_free_exponent(std::f64::consts::FRAC_PI_2, Setting::default().poisson)?)
+        }
         // λ = μ = 1 is Poisson's ratio 1/4.
-        Scene::Block => Ok(1.0 + clamped_free_exponent(std::f64::consts::FRAC_PI_2, 0.25)?),
-        Scene::Membrane => Ok(2.0),
+        Scene::Block | Scene::Free | Scene::Closed => {
+            Ok(1.0 + clamped_free_exponent(std::f64::consts::FRAC_PI_2, 0.25)?)
+        }
+        Scene::Corner => Ok((1.0 + 90.0 / Setting::default().angle).min(2.0)),
+        Scene::Membrane | Scene::MembraneReaction | Scene::Manufactured => Ok(2.0),
     }
 }

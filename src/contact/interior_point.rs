@@ -6,8 +6,11 @@
 
 use super::cone::Cone;
 use super::contact_set::ContactSet;
+use super::judge::NOISE;
 use super::problem::ContactProblem;
-use super::solution::{Candidate, ContactSolution, Seconds, conclude, displacement_scale, gap_of, largest};
+use super::solution::{
+    Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of, largest,
+};
 use super::solver::Solver;
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -18,8 +21,14 @@ use clarabel::solver::{
 };
 use std::time::Instant;
 
-/// Asked of Clarabel for feasibility and duality gap; it stops earlier when it cannot progress, and is judged then.
-const ASKED: f64 = 1e-14;
+/// Asked of Clarabel for feasibility, relative.
+const FEASIBILITY: f64 = 1e-14;
+
+/// Asked of Clarabel for the duality gap, relative; it may stop earlier when it cannot progress, and is judged then.
+const DUALITY_GAP: f64 = 1e-13;
+
+/// Not asked: absolute gaps have no scale here, and a problem with a solution is never to be called infeasible.
+const NEVER: f64 = 1e-300;
 
 /// Clarabel's answer in the scaling of the problem.
 struct Answer {
@@ -37,7 +46,7 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     let normal: Vec<f64> =
         problem.normal_unknowns().into_iter().map(|unknown| answer.unknowns[unknown]).collect();
     let gap = gap_of(problem, cone, &normal);
-    let contact_set = dominant(&answer.multiplier, &gap, displacement_scale(problem, &answer.unknowns));
+    let contact_set = dominant(problem, &answer, &gap);
     let status = match answer.status {
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
             Status::Converged
@@ -75,21 +84,28 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     Ok(solution)
 }
 
-/// Active: where the multiplier, relative to the largest, exceeds the gap, relative to the displacement.
-fn dominant(multiplier: &[f64], gap: &[f64], displacement: f64) -> ContactSet {
-    let force = largest(multiplier);
-    let pairs = multiplier.iter().zip(gap);
-    ContactSet::new(pairs.map(|(l, g)| l * displacement > g.abs() * force).collect())
+/// Active: where the multiplier, relative to the largest, exceeds the gap, relative to the displacement. Multipliers that
+/// are all rounding are compared with the force scale instead, as by the judge.
+fn dominant(problem: &ContactProblem, answer: &Answer, gap: &[f64]) -> ContactSet {
+    let displacement = displacement_scale(problem, &answer.unknowns);
+    let (most, scale) = (largest(&answer.multiplier), force_scale(problem, &answer.unknowns));
+    let force = if most > NOISE * scale { most } else { scale };
+    let pairs = answer.multiplier.iter().zip(gap);
+    // Quotients: products of huge loads and displacements would overflow.
+    ContactSet::new(pairs.map(|(l, g)| l / force > g.abs() / displacement).collect())
 }
 
 fn settings() -> DefaultSettings<f64> {
     DefaultSettings {
         verbose: false,
-        max_iter: 100,
-        tol_gap_abs: ASKED,
-        tol_gap_rel: ASKED,
-        tol_feas: ASKED,
+        max_iter: 60,
+        tol_gap_abs: NEVER,
+        tol_gap_rel: DUALITY_GAP,
+        tol_feas: FEASIBILITY,
+        tol_infeas_abs: NEVER,
+        tol_infeas_rel: NEVER,
         static_regularization_enable: false,
+        dynamic_regularization_enable: false,
         iterative_refinement_reltol: 1e-15,
         iterative_refinement_abstol: 1e-15,
         iterative_refinement_max_iter: 20,

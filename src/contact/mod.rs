@@ -10,6 +10,7 @@ mod cone;
 mod contact_set;
 mod data;
 mod edge_problem;
+mod history;
 mod interior_point;
 mod judge;
 mod listing;

@@ -6,6 +6,7 @@
 use crate::error::{Error, Result};
 use crate::fem::{BlockMatrix, Form, Frame, consistent_load, dot, stiffness};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
+use crate::sobolev::Partition;
 use std::time::Instant;
 
 /// A discrete Signorini problem, assembled.
@@ -87,6 +88,14 @@ impl ContactProblem {
     /// The contact edge.
     pub fn edge(&self) -> &ContactEdge {
         &self.edge
+    }
+
+    /// The contact edge as a partition of (0, length) into its segments.
+    ///
+    /// # Errors
+    /// As for [`Partition::from_lengths`].
+    pub fn contact_partition(&self) -> Result<Partition> {
+        Partition::from_lengths(self.edge.segment_lengths())
     }
 
     /// Unknowns that are not prescribed.

@@ -59,6 +59,9 @@ pub struct ContactSolution {
     pub positions: Vec<f64>,
     /// −σ_N at the nodes of the contact edge.
     pub pressure: Vec<f64>,
+    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force over nodal length. At
+    /// clamped nodes this is the reaction; a scalar problem has (∂u/∂n, 0).
+    pub traction: Vec<Point>,
     /// The active constraints.
     pub contact_set: ContactSet,
     /// How the solver ended.
@@ -110,6 +113,8 @@ pub(super) fn conclude(
     let normal_displacement: Vec<f64> = normals.iter().map(|&unknown| u[unknown]).collect();
     let edge_force = cone.apply_transposed(&candidate.multiplier, normals.len())?;
     let stress_force = problem.matrix.multiply(u);
+    let lengths = problem.edge.nodal_lengths();
+    let traction = tractions(problem, &stress_force, &lengths);
     let mut residual: Vec<f64> = stress_force.iter().zip(&problem.load).map(|(k, f)| k - f).collect();
     normals.iter().zip(&edge_force).for_each(|(&unknown, force)| residual[unknown] += force);
     let gap = gap_of(problem, cone, &normal_displacement);
@@ -124,18 +129,18 @@ pub(super) fn conclude(
         displacement: displacement_scale,
     };
     let judgement = evidence.judge()?;
-    let margins = evidence.margins(candidate.contact_set.as_slice())?;
+    let margins = free_margins(problem, cone, &evidence, &candidate.contact_set)?;
     let (reaction, balance) = global_balance(problem, u, &residual, &edge_force);
     let status = match candidate.status {
         Status::Converged if judgement.worst() > ACCEPTED => Status::Stalled { residual: judgement.worst() },
         status => status,
     };
-    let lengths = problem.edge.nodal_lengths();
     Ok(ContactSolution {
         cone,
         solver: candidate.solver,
         displacement: problem.to_cartesian(u),
         pressure: edge_force.iter().zip(lengths).map(|(force, length)| force / length).collect(),
+        traction,
         normal_displacement,
         contact_force: compensated(candidate.multiplier.iter().copied()),
         multiplier: candidate.multiplier,
@@ -156,6 +161,34 @@ pub(super) fn conclude(
     })
 }
 
+/// (K u − F) over the nodal lengths, along the contact edge.
+fn tractions(problem: &ContactProblem, stress_force: &[f64], lengths: &[f64]) -> Vec<Point> {
+    let c = problem.form.components();
+    let force = |unknown: usize| stress_force[unknown] - problem.load[unknown];
+    let at = |(&node, length): (&usize, &f64)| match c {
+        1 => [force(node) / length, 0.0],
+        _ => [force(2 * node + 1) / length, force(2 * node) / length],
+    };
+    problem.edge.nodes().iter().zip(lengths).map(at).collect()
+}
+
+/// The margins over the constraints that have a node free to move; at clamped nodes nothing is decided.
+fn free_margins(
+    problem: &ContactProblem,
+    cone: Cone,
+    evidence: &Evidence<'_>,
+    set: &ContactSet,
+) -> Result<Margins> {
+    let normals = problem.normal_unknowns();
+    let free: Vec<usize> = (0..evidence.gap.len())
+        .filter(|&i| cone.support(i).any(|node| !problem.prescribed[normals[node]]))
+        .collect();
+    let pick = |values: &[f64]| -> Vec<f64> { free.iter().map(|&i| values[i]).collect() };
+    let (multiplier, gap) = (pick(evidence.multiplier), pick(evidence.gap));
+    let active: Vec<bool> = free.iter().map(|&i| set.contains(i)).collect();
+    Evidence { multiplier: &multiplier, gap: &gap, ..*evidence }.margins(&active)
+}
+
 /// B u − g.
 pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: &[f64]) -> Vec<f64> {
     let bound = cone.apply(&problem.gap);
@@ -164,7 +197,7 @@ pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: 
 }
 
 /// max_i (|K||u| + |F|)_i over the free unknowns.
-fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+pub(super) fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let sizes = problem.matrix.multiply_absolute(u);
     (0..sizes.len())
         .filter(|&i| !problem.prescribed[i])

@@ -12,7 +12,7 @@
 use super::legendre::{converge, evaluate, odd_degrees, primitive_gram, seminorm_gram};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
-use crate::poincare::slopes::pencil::largest_eigenvalue;
+use crate::poincare::slopes::pencil::Factored;
 use crate::sobolev::FractionalOrder;
 use faer::Mat;
 
@@ -102,7 +102,7 @@ pub fn element_extremal(
     let constant = converge("interpolation constant", tolerance, |count| {
         let degrees = odd_degrees(count);
         let (gram, mut work) = seminorm_gram(order, &degrees)?;
-        let (top, vector) = largest_eigenvalue(&gram, &norm.form(&degrees)?)?;
+        let (top, vector) = Factored::new(&gram)?.largest_eigenvalue(&norm.form(&degrees)?)?;
         work.factorizations += 2;
         last = Some((normalised(&gram, &vector, &degrees), degrees));
         Ok((top.sqrt(), work))

@@ -10,7 +10,7 @@ use super::elements::ElementMesh;
 use super::forms::{MAX_CELLS, without_constants};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
-use crate::poincare::slopes::pencil::largest_eigenvalue;
+use crate::poincare::slopes::pencil::Factored;
 use crate::sobolev::{FractionalOrder, gram_linears};
 use faer::Mat;
 
@@ -55,7 +55,7 @@ pub(super) fn extremal_on_mesh(
     let value = |cells: usize| -> Result<f64> {
         let mesh = ElementMesh::uniform(elements, cells)?;
         let (seminorm, form) = forms(&mesh)?;
-        Ok(largest_eigenvalue(&without_constants(&seminorm, mesh.cells()), &form)?.0.sqrt())
+        Ok(Factored::new(&without_constants(&seminorm, mesh.cells()))?.largest_eigenvalue(&form)?.0.sqrt())
     };
     let (coarse, fine) = (value(cells / 2)?, value(cells)?);
     Estimate::new(fine, fine - coarse, Work { factorizations: 4, ..Work::default() })

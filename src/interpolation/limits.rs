@@ -10,7 +10,7 @@ use super::element::ErrorNorm;
 use super::legendre::odd_degrees;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
-use crate::poincare::slopes::pencil::largest_eigenvalue;
+use crate::poincare::slopes::pencil::Factored;
 use faer::Mat;
 use std::f64::consts::PI;
 
@@ -30,7 +30,7 @@ pub fn at_zero(norm: ErrorNorm) -> Result<Estimate> {
         let harmonic = |k: usize| (1..=k).rev().map(|j| 1.0 / j as f64).sum::<f64>();
         let seminorm =
             Mat::from_fn(count, count, |i, j| if i == j { 4.0 * harmonic(degrees[i]) } else { 0.0 });
-        Ok(largest_eigenvalue(&seminorm, &norm.form(&degrees)?)?.0.sqrt())
+        Ok(Factored::new(&seminorm)?.largest_eigenvalue(&norm.form(&degrees)?)?.0.sqrt())
     };
     let fine = value(COUNT)?;
     let error = (fine - value(COUNT / 2)?).abs() + 16.0 * f64::EPSILON * fine;

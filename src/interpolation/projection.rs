@@ -18,7 +18,7 @@ use super::local::{require_unit, sample_norms};
 use super::samples::{PanelRules, SampleSlope};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::poincare::slopes::pencil::largest_eigenvalue;
+use crate::poincare::slopes::pencil::Factored;
 use crate::sobolev::{FractionalOrder, Partition};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -79,7 +79,7 @@ pub fn dual_projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate
             work += cost;
             gram
         };
-        let (top, _) = largest_eigenvalue(&form, &inverse)?;
+        let (top, _) = Factored::new(&form)?.largest_eigenvalue(&inverse)?;
         work.factorizations += 3;
         Ok((top.sqrt(), work))
     })

@@ -1,21 +1,19 @@
-//! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition.
+//! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and extremal function.
 //!
 //! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the pencil (‖·‖₀², |·|_ν²) on
-//! the slope space of `slopes`, on the mesh of `mesh`; a conforming space, so every value is a lower bound up to rounding.
+//! the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so every value is a lower bound up to rounding.
 //! The error estimate compares two spaces of different shape; their difference is mostly the error of the coarser one.
 //! Cost: a few hundred unknowns, whatever θ.
 
-use super::mesh::{MeshModel, PANEL_SPREAD};
-use super::slopes::gram::seminorm_gram;
-use super::slopes::mass::{Primitives, mass_gram};
-use super::slopes::pencil::largest_eigenvalue;
-use super::slopes::space::SlopeSpace;
+use super::discrete::{Constraint, Discrete};
+use super::extremal::ExtremalFunction;
+use super::mesh::MeshModel;
 use super::zone::{Condition, Zone};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
-/// Relative error of assembly, factorization and quotient: 1e-13 was the worst seen where the space is exact.
+/// Relative error of assembly, factorization and quotient: 1.3e-13 was the worst seen where the space is exact.
 const ROUNDING: f64 = 2e-13;
 
 /// How often the space is refined when the two spaces still differ too much.
@@ -32,42 +30,173 @@ pub fn gamma(
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<Estimate> {
-    if condition == Condition::Vanishing {
-        let theta = zone.length();
-        Error::require("theta", theta, "(0, 1) for a vanishing function", zone.start() + zone.rest() > 0.0)?;
-    }
-    refine_until(tolerance, |target| {
-        largest_quotient(order, [zone.start(), zone.length(), zone.rest()], condition, target)
-    })
+    let constraint = constraint(&zone, condition)?;
+    refine_until(order, tolerance, |model| quotient(order, &constraint, model))
 }
 
 /// γ₀(ν) = sup ‖u‖₀ / |u|_ν over the functions that vanish at the point `a` of \[0,1\], ν > 1/2 (Remark 6).
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for ν ≤ 1/2, where points have no trace, or a point outside; [`Error::ToleranceNotMet`] as for [`gamma`].
+/// [`Error::OutOfRange`] for ν ≤ 1/2, where points have no trace, or a point outside; [`Error::ToleranceNotMet`] as for
+/// [`gamma`], and when ν is so close to 1/2 that the constant is decided below r = 1e-290.
 pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
     let inside = a == 0.0 || (1e-300..=1.0).contains(&a);
     let a = Error::require("point", a, "{0} or [1e-300, 1]", inside)?;
-    refine_until(tolerance, |target| largest_quotient(order, [a, 0.0, 1.0 - a], Condition::Vanishing, target))
+    let constraint = Constraint::at_point(a);
+    refine_until(order, tolerance, |model| quotient(order, &constraint, model))
 }
 
-/// Two lower bounds of the same number, from a finer and from a coarser space.
-struct Bounds {
-    fine: f64,
-    coarse: f64,
-    work: Work,
+/// γ₁(ν): mean zero over the whole interval. 1/2 as ν → 0, √(1−ν)/π as ν → 1.
+///
+/// # Errors
+/// [`Error::ToleranceNotMet`] as for [`gamma`].
+pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    refine_until(order, tolerance, |model| quotient(order, &Constraint::whole(), model))
 }
 
-fn refine_until(tolerance: Tolerance, solve: impl Fn(f64) -> Result<Bounds>) -> Result<Estimate> {
+/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of 1_E/|E| − 1.
+///
+/// # Errors
+/// As for [`gamma`].
+pub fn dual_norm(
+    order: FractionalOrder,
+    zone: Zone,
+    condition: Condition,
+    tolerance: Tolerance,
+) -> Result<Estimate> {
+    let constraint = constraint(&zone, condition)?;
+    refine_until(order, tolerance, |model| {
+        let discrete = Discrete::new(order, &constraint, model)?;
+        Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
+    })
+}
+
+/// N² and ‖r‖₀² for a zone (0,θ), r the mean-free representer of the dual norm.
+pub(crate) struct DualMoments {
+    pub(crate) square: Estimate,
+    pub(crate) representer: Estimate,
+}
+
+pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
+    let constraint = Constraint::on_zone(&Zone::end(theta)?, Condition::MeanZero);
+    let moments = |model: &MeshModel| -> Result<([f64; 2], Work)> {
+        let discrete = Discrete::new(order, &constraint, model)?;
+        let dual = discrete.dual_norm()?;
+        let scale = discrete.factor * discrete.factor;
+        Ok(([dual.square * scale, dual.square * dual.rayleigh * scale * scale], discrete.work))
+    };
+    let model = MeshModel::new(order, tolerance.relative());
+    let (fine, work) = moments(&model)?;
+    let (coarse, more) = moments(&model.varied())?;
+    let estimate = |k: usize| {
+        Estimate::new(fine[k], (fine[k] - coarse[k]).abs() + 2.0 * ROUNDING * fine[k], work + more)
+    };
+    Ok(DualMoments { square: estimate(0)?, representer: estimate(1)? })
+}
+
+/// γ between two bounds that do not use the eigenvalue itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoSided {
+    /// γ with its error.
+    pub gamma: Estimate,
+    /// A conforming lower bound: the quotient of a function of the space, less its rounding.
+    pub lower: f64,
+    /// An upper bound from γ₁ and the dual norm N, sharpened; raised by the estimated errors of γ₁ and N.
+    pub upper: f64,
+    /// γ₁(ν), the constant of the whole interval.
+    pub whole: Estimate,
+    /// N, the dual norm of the mean value: max(γ₁, N)² ≤ γ² ≤ γ₁² + N² for the mean-zero condition.
+    pub dual_norm: Estimate,
+}
+
+/// γ with two-sided bounds (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u over (0,1)).
+///
+/// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when the representer of
+/// m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
+///
+/// # Errors
+/// As for [`gamma`].
+pub fn two_sided(
+    order: FractionalOrder,
+    zone: Zone,
+    condition: Condition,
+    tolerance: Tolerance,
+) -> Result<TwoSided> {
+    let constraint = constraint(&zone, condition)?;
+    let gamma = gamma(order, zone, condition, tolerance)?;
+    let whole = gamma_whole(order, tolerance)?;
+    let model = MeshModel::new(order, tolerance.relative());
+    let mut norms = Vec::new();
+    let mut uppers = Vec::new();
+    let mut work = Work::default();
+    for model in [model, model.varied()] {
+        let discrete = Discrete::new(order, &constraint, &model)?;
+        let dual = discrete.dual_norm()?;
+        let whole_here = (whole.value + whole.error) / discrete.factor;
+        norms.push(dual.square.sqrt() * discrete.factor);
+        uppers.push(dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor);
+        work += discrete.work;
+    }
+    let spread = |values: &[f64]| (values[0] - values[1]).abs();
+    Ok(TwoSided {
+        gamma,
+        lower: gamma.value * (1.0 - ROUNDING),
+        upper: uppers[0].max(uppers[1]) * (1.0 + 2.0 * ROUNDING) + spread(&uppers) + spread(&norms),
+        whole,
+        dual_norm: Estimate::new(norms[0].max(norms[1]), spread(&norms) + ROUNDING * norms[0], work)?,
+    })
+}
+
+/// γ with the function for which it is attained.
+///
+/// # Errors
+/// As for [`gamma`].
+pub fn extremal(
+    order: FractionalOrder,
+    zone: Zone,
+    condition: Condition,
+    tolerance: Tolerance,
+) -> Result<(Estimate, ExtremalFunction)> {
+    let constraint = constraint(&zone, condition)?;
+    let estimate = gamma(order, zone, condition, tolerance)?;
+    let model = MeshModel::new(order, tolerance.relative());
+    let mut discrete = Discrete::new(order, &constraint, &model)?;
+    let (_, coefficients) = discrete.largest_quotient()?;
+    Ok((estimate, ExtremalFunction::new(&discrete, coefficients)))
+}
+
+fn constraint(zone: &Zone, condition: Condition) -> Result<Constraint> {
+    if condition == Condition::Vanishing {
+        let theta = zone.length();
+        let something_left = zone.start() + zone.rest() > 0.0;
+        Error::require("theta", theta, "(0, 1) for a vanishing function", something_left)?;
+    }
+    Ok(Constraint::on_zone(zone, condition))
+}
+
+fn quotient(order: FractionalOrder, constraint: &Constraint, model: &MeshModel) -> Result<(f64, Work)> {
+    let mut discrete = Discrete::new(order, constraint, model)?;
+    let (value, _) = discrete.largest_quotient()?;
+    Ok((value, discrete.work))
+}
+
+/// A supremum over spaces, computed on two spaces, finer ones until their difference meets the tolerance.
+pub(crate) fn refine_until(
+    order: FractionalOrder,
+    tolerance: Tolerance,
+    solve: impl Fn(&MeshModel) -> Result<(f64, Work)>,
+) -> Result<Estimate> {
     let mut work = Work::default();
     let mut target = tolerance.relative();
     let mut reached = f64::INFINITY;
     for _ in 0..=REFINEMENTS {
-        let bounds = solve(target)?;
-        work += bounds.work;
-        let value = bounds.fine.max(bounds.coarse);
-        let error = (bounds.fine - bounds.coarse).abs() + ROUNDING * value;
+        let model = MeshModel::new(order, target);
+        let (fine, fine_work) = solve(&model)?;
+        let (coarse, coarse_work) = solve(&model.varied())?;
+        work += fine_work + coarse_work;
+        let value = fine.max(coarse);
+        let error = (fine - coarse).abs() + ROUNDING * value;
         reached = error / value;
         if reached <= tolerance.relative() {
             return Estimate::new(value, error, work);
@@ -75,37 +204,4 @@ fn refine_until(tolerance: Tolerance, solve: impl Fn(f64) -> Result<Bounds>) -> 
         target *= 0.02;
     }
     Err(Error::ToleranceNotMet { what: "Poincare constant", asked: tolerance.relative(), reached })
-}
-
-/// γ for the three lengths before, on and after the zone, on two spaces for a relative error of about `target`.
-fn largest_quotient(
-    order: FractionalOrder,
-    lengths: [f64; 3],
-    condition: Condition,
-    target: f64,
-) -> Result<Bounds> {
-    let model = MeshModel::new(order, target);
-    let (fine, work) = lower_bound(order, lengths, condition, &model)?;
-    let (coarse, more) = lower_bound(order, lengths, condition, &model.varied())?;
-    Ok(Bounds { fine, coarse, work: work + more })
-}
-
-/// The largest quotient ‖u‖₀/|u|_ν on the space of one mesh model.
-fn lower_bound(
-    order: FractionalOrder,
-    lengths: [f64; 3],
-    condition: Condition,
-    model: &MeshModel,
-) -> Result<(f64, Work)> {
-    let shortest = lengths.into_iter().filter(|&l| l > 0.0).fold(1.0, f64::min);
-    // Lengths between 1e-150 and 1e150 instead of 1e-300 and 1
-    let unit = shortest.sqrt();
-    let (cells, range) = model.cells(lengths.map(|l| l / unit), condition == Condition::Vanishing);
-    let space = SlopeSpace::new(cells, PANEL_SPREAD);
-    let (gram, mut work) = seminorm_gram(&space, order, model.points())?;
-    let primitives = Primitives::new(&space, &range, model.points() + 4)?;
-    let (square, _) = largest_eigenvalue(&gram, &mass_gram(&space, &primitives))?;
-    work.factorizations += 2;
-    // γ² scales like ℓ^{2ν} and the mass matrix is divided by ℓ, the length 1/unit of the interval
-    Ok((square.sqrt() * unit.powf(order.offset()), work))
 }

@@ -3,7 +3,7 @@
 //! | ν | printed | true, zone at an end | true, zone inside |
 //! | --- | --- | --- | --- |
 //! | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, [`super::end_limit`] | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
-//! | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), A = 3/(2π²), L = ln(1/θ) | γ² ~ L/(2π²) |
+//! | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), A = 3/(2π²), L = ln(1/θ), [`super::UniformLaw`] | γ² ~ L/(2π²) |
 //! | > 1/2 | C | γ₀(ν), [`super::gamma_at_point`] | the same at the point |
 
 use crate::error::{Error, Result};
@@ -16,10 +16,6 @@ pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
 /// 1/(2π²): the slope for a zone inside.
 pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 
-/// c and d of γ² = A L + c + d/(A L + c): computed elsewhere to 16 and 13 digits, confirmed by the tests.
-const HALF_CONSTANT: f64 = -0.024_979_277_635_795_44;
-const HALF_CORRECTION: f64 = 0.023_889_056_206_59;
-
 /// The growth that Lemma 5.2 prints: θ^{ν−1/2}, ln(1/θ), 1.
 pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
     if order.is_below_half() {
@@ -29,16 +25,6 @@ pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
     } else {
         1.0
     }
-}
-
-/// √(A L + c + d/(A L + c)): γ_θ(1/2) for a zone (0,θ), up to O(L⁻²) in the square.
-///
-/// # Errors
-/// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2.
-pub fn half_law(theta: f64) -> Result<f64> {
-    Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
-    let leading = -END_SLOPE * theta.ln() + HALF_CONSTANT;
-    Ok((leading + HALF_CORRECTION / leading).sqrt())
 }
 
 /// lim θ^{1/2−ν} γ_θ for a zone inside (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).

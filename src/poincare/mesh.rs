@@ -31,6 +31,9 @@ pub(crate) struct MeshModel {
 /// and high degrees would be linearly dependent in f64.
 const LARGEST_FALL: f64 = 22.0;
 
+/// Smallest ratio of two features that are told apart.
+const SEPARATION: f64 = 3.0;
+
 /// Largest extent in ln r of a quadrature panel.
 pub(crate) const PANEL_SPREAD: f64 = 2.0;
 
@@ -69,46 +72,51 @@ impl MeshModel {
         self.functions + 4
     }
 
-    /// Cells for the three lengths before, on and after the zone (any may be zero), in order, and the cells of the zone.
-    pub(crate) fn cells(&self, lengths: [f64; 3], zone_is_frozen: bool) -> (Vec<Cell>, Range<usize>) {
+    /// Cells for consecutive parts of the given lengths, in order, and the range of cells of each part. A part of length zero
+    /// has no cells and marks a point at which u vanishes; the part `frozen` is one cell on which u is constant.
+    pub(crate) fn cells(&self, parts: &[f64], frozen: Option<usize>) -> (Vec<Cell>, Vec<Range<usize>>) {
         let mut cells = Vec::new();
-        let mut bounds = [0; 4];
-        for part in 0..3 {
-            if lengths[part] > 0.0 {
-                if part == 1 && zone_is_frozen {
-                    cells.push(Cell::uniform(lengths[1], 0));
+        let mut ranges = Vec::new();
+        for (part, &length) in parts.iter().enumerate() {
+            let start = cells.len();
+            if length > 0.0 {
+                if frozen == Some(part) {
+                    cells.push(Cell::uniform(length, 0));
                 } else {
-                    self.push_part(&mut cells, lengths, part);
+                    self.push_part(&mut cells, parts, part);
                 }
             }
-            bounds[part + 1] = cells.len();
+            ranges.push(start..cells.len());
         }
-        (cells, bounds[1]..bounds[2])
+        (cells, ranges)
     }
 
-    fn push_part(&self, cells: &mut Vec<Cell>, lengths: [f64; 3], part: usize) {
-        // Distances of the other singular points, seen from either end of the part, away from the part.
-        let beyond = |sequence: Vec<f64>| -> Vec<f64> {
-            let mut sum = 0.0;
-            let mut seen = Vec::new();
-            for length in sequence {
-                sum += length;
-                seen.push(sum);
-            }
-            seen
+    fn push_part(&self, cells: &mut Vec<Cell>, parts: &[f64], part: usize) {
+        // Distances from either end of the part to the singular points beyond it.
+        let running = |sum: &mut f64, length: &f64| {
+            *sum += length;
+            Some(*sum)
         };
-        let left = beyond(lengths[..part].iter().rev().copied().collect());
-        let right = beyond(lengths[part + 1..].to_vec());
-        let at_point = |side: usize| lengths[1] == 0.0 && part == side;
-        cells.extend(self.half(lengths[part], &left, at_point(2)));
-        cells.extend(self.half(lengths[part], &right, at_point(0)).into_iter().rev().map(Cell::mirrored));
+        let left: Vec<f64> = parts[..part].iter().rev().scan(0.0, running).collect();
+        let right: Vec<f64> = parts[part + 1..].iter().scan(0.0, running).collect();
+        let at_point = |beyond: &[f64]| beyond.first() == Some(&0.0);
+        let length = parts[part];
+        // A zero length at the very end of the interval is no point condition but an empty part.
+        cells.extend(self.half(length, &left, at_point(&left)));
+        cells.extend(self.half(length, &right, at_point(&right)).into_iter().rev().map(Cell::mirrored));
     }
 
     /// Cells from a singular point up to half the length of its interval.
     fn half(&self, length: f64, others: &[f64], at_point: bool) -> Vec<Cell> {
         let top = 0.5 * length;
-        let mut features: Vec<f64> =
-            others.iter().copied().filter(|&distance| distance > 0.0 && distance < 0.5 * top).collect();
+        let mut features: Vec<f64> = Vec::new();
+        for &distance in others {
+            // Features closer than a cell are one feature.
+            let apart = features.last().is_none_or(|&last| distance > SEPARATION * last);
+            if distance > 0.0 && apart && SEPARATION * distance < top {
+                features.push(distance);
+            }
+        }
         features.push(top);
         let relative = if at_point { self.innermost_at_point } else { self.innermost };
         let inner = relative * features[0];
@@ -117,9 +125,13 @@ impl MeshModel {
         spreads.reverse();
         for pair in features.windows(2) {
             let span = (pair[1] / pair[0]).ln();
-            let half = self.grow(0.5 * span);
-            spreads.extend(half.iter());
-            spreads.extend(half.iter().rev());
+            if span < 2.0 * self.finest {
+                spreads.push(span);
+            } else {
+                let half = self.grow(0.5 * span);
+                spreads.extend(half.iter());
+                spreads.extend(half.iter().rev());
+            }
         }
         let mut radius = inner;
         for spread in spreads {
@@ -131,18 +143,17 @@ impl MeshModel {
         cells
     }
 
-    /// Extents that start at `finest`, grow by `growth` and fill `span`.
+    /// Extents that start near `finest`, grow by `growth` and fill `span`.
     fn grow(&self, span: f64) -> Vec<f64> {
         let mut extents = Vec::new();
-        let mut sum = 0.0;
-        let mut next = self.finest;
-        while sum < span {
+        let (mut sum, mut next) = (0.0, self.finest);
+        // One more cell as long as the common factor that makes them fit stays closer to 1.
+        while extents.is_empty() || sum * (sum + next) < span * span {
             extents.push(next);
             sum += next;
             next *= self.growth;
         }
-        let fit = span / sum;
-        extents.iter_mut().for_each(|extent| *extent *= fit);
+        extents.iter_mut().for_each(|extent| *extent *= span / sum);
         extents
     }
 }

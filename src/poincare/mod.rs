@@ -5,13 +5,18 @@
 //! (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
 
 mod constant;
+mod discrete;
+mod extremal;
 mod limits;
 mod mellin;
 mod mesh;
 pub(crate) mod slopes;
+mod uniform;
 mod zone;
 
-pub use constant::{gamma, gamma_at_point};
-pub use limits::{END_SLOPE, INTERIOR_SLOPE, half_law, interior_limit, printed_growth};
+pub use constant::{TwoSided, dual_norm, extremal, gamma, gamma_at_point, gamma_whole, two_sided};
+pub use extremal::ExtremalFunction;
+pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use mellin::end_limit;
-pub use zone::{Condition, Zone};
+pub use uniform::UniformLaw;
+pub use zone::{Condition, Place, Zone};

@@ -78,6 +78,60 @@ impl fmt::Display for Zone {
     }
 }
 
+/// Where zones of any length are put.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Place {
+    /// (0, θ).
+    #[default]
+    End,
+    /// In the middle.
+    Centre,
+    /// (a, a+θ).
+    At(f64),
+}
+
+impl Place {
+    /// The zone of length θ at this place.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] as for [`Zone::at`].
+    pub fn zone(self, theta: f64) -> Result<Zone> {
+        match self {
+            Place::End => Zone::end(theta),
+            Place::Centre => Zone::centred(theta),
+            Place::At(a) => Zone::at(a, theta),
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::End => f.write_str("end"),
+            Place::Centre => f.write_str("centre"),
+            Place::At(a) => write!(f, "{a:e}"),
+        }
+    }
+}
+
+impl FromStr for Place {
+    type Err = Error;
+
+    /// `end`, `centre` or the start a.
+    fn from_str(text: &str) -> Result<Self> {
+        match (text, text.parse()) {
+            ("end", _) => Ok(Self::End),
+            ("centre", _) => Ok(Self::Centre),
+            (_, Ok(a)) => Error::require("zone start", a, "[0, 1)", (0.0..1.0).contains(&a)).map(Self::At),
+            _ => Err(Error::UnknownName {
+                what: "zone",
+                given: text.to_owned(),
+                expected: "end, centre or the start a in [0, 1)",
+            }),
+        }
+    }
+}
+
 /// What is asked of u on the zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Condition {

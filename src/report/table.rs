@@ -8,6 +8,8 @@ use std::fmt::Write as _;
 pub enum Format {
     /// Significant digits, plain where that is short, else with an exponent.
     Significant(usize),
+    /// As few digits as identify the number: parameters that somebody chose.
+    Plain,
     /// Digits after the point.
     Fixed(usize),
     /// Digits after the point, always with an exponent.
@@ -151,6 +153,8 @@ impl Cell {
 
 fn number_text(value: f64, format: Format) -> String {
     match format {
+        Format::Plain if value != 0.0 && !(1e-3..1e6).contains(&value.abs()) => format!("{value:e}"),
+        Format::Plain => value.to_string(),
         Format::Fixed(digits) => format!("{value:.digits$}"),
         Format::Scientific(digits) => format!("{value:.digits$e}"),
         Format::Significant(digits) => significant(value, digits.max(1)),

@@ -129,10 +129,10 @@ impl ArmIntegral {
             }
         }
         let mut partials = Partials { ends, partial, densities };
-        if depth >= self.structured + 5.0 * BLOCK {
-            if let Some(limit) = self.deep(depth, scale, &mut partials, &mut density)? {
-                return Ok(limit);
-            }
+        if depth >= self.structured + 5.0 * BLOCK
+            && let Some(limit) = self.deep(depth, scale, &mut partials, &mut density)?
+        {
+            return Ok(limit);
         }
         self.decide(&partials)
     }
@@ -245,8 +245,8 @@ impl Partials {
     fn diverges(&self) -> bool {
         let (ends, densities) = (&self.ends, &self.densities);
         let last = ends.len() - 1;
-        let middle = last / 2;
-        if middle == 0 || densities[last] <= 0.0 {
+        let middle = ends.iter().position(|&t| t >= 0.5 * self.end()).unwrap_or(0);
+        if middle == 0 || middle == last || densities[last] <= 0.0 {
             return false;
         }
         let slope = |k: usize| (densities[k - 1] / densities[k]).ln() / (ends[k] - ends[k - 1]);

@@ -2,7 +2,7 @@
 //!
 //! On elements of equal length the entries of two hats (or indicators) that are apart depend on i − j alone; the half hats at
 //! the two ends have rows of their own; the diagonal and its neighbours feel the distance to the ends and are kept as they are.
-//! The Toeplitz part is embedded in a circulant of a length without large prime factors (two real FFTs). Setup O(N) integrals; product
+//! The Toeplitz part is embedded in a circulant of length 2^a or 3·2^a (two real FFTs). Setup O(N) integrals; product
 //! O(N log N), memory about 10 N numbers.
 
 use super::cells::CellPairs;
@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// The part of a Gram matrix on a uniform mesh that lies off its band.
 pub(crate) struct Toeplitz {
@@ -24,6 +24,15 @@ pub(crate) struct Toeplitz {
     size: usize,
     /// row of the first half hat; mirrored, of the last. Empty for constants.
     end_row: Vec<f64>,
+    /// buffers of finished products, for the next one
+    workspaces: Mutex<Vec<Workspace>>,
+}
+
+/// Buffers of one product.
+struct Workspace {
+    signal: Vec<f64>,
+    spectrum: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
 }
 
 impl Toeplitz {
@@ -82,23 +91,44 @@ impl Toeplitz {
         let inverse = planner.plan_fft_inverse(length);
         let mut symbol = forward.make_output_vec();
         forward.process(&mut circulant, &mut symbol).map_err(fourier)?;
-        Ok(Self { symbol, forward, inverse, length, size, end_row })
+        Ok(Self { symbol, forward, inverse, length, size, end_row, workspaces: Mutex::new(Vec::new()) })
     }
 
     /// y += off-band part of A x.
     pub(crate) fn add(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
-        let mut signal = vec![0.0; self.length];
+        let mut space = self.workspace();
+        let outcome = self.transform(x, y, &mut space);
+        if let Ok(mut free) = self.workspaces.lock() {
+            free.push(space);
+        }
+        outcome
+    }
+
+    fn workspace(&self) -> Workspace {
+        let free = self.workspaces.lock().ok().and_then(|mut free| free.pop());
+        free.unwrap_or_else(|| Workspace {
+            signal: vec![0.0; self.length],
+            spectrum: self.forward.make_output_vec(),
+            scratch: vec![
+                Complex::default();
+                self.forward.get_scratch_len().max(self.inverse.get_scratch_len())
+            ],
+        })
+    }
+
+    fn transform(&self, x: &[f64], y: &mut [f64], space: &mut Workspace) -> Result<()> {
+        let Workspace { signal, spectrum, scratch } = space;
         signal[..self.size].copy_from_slice(x);
+        signal[self.size..].fill(0.0);
         let last = self.size - 1;
         if !self.end_row.is_empty() {
             (signal[0], signal[last]) = (0.0, 0.0);
         }
-        let mut spectrum = self.forward.make_output_vec();
-        self.forward.process(&mut signal, &mut spectrum).map_err(fourier)?;
+        self.forward.process_with_scratch(signal, spectrum, scratch).map_err(fourier)?;
         spectrum.iter_mut().zip(&self.symbol).for_each(|(a, b)| *a *= b);
-        self.inverse.process(&mut spectrum, &mut signal).map_err(fourier)?;
+        self.inverse.process_with_scratch(spectrum, signal, scratch).map_err(fourier)?;
         if self.end_row.is_empty() {
-            y.iter_mut().zip(&signal).for_each(|(y, s)| *y += s);
+            y.iter_mut().zip(signal.iter()).for_each(|(y, s)| *y += s);
             return Ok(());
         }
         let (mut first, mut final_row) = (RunningSum::default(), RunningSum::default());
@@ -122,23 +152,11 @@ fn multiples(h: f64, count: usize) -> Vec<f64> {
     (0..=count).map(|k| k as f64 * h).collect()
 }
 
-/// The smallest 2^a 3^b 5^c that is even and at least n.
+/// The smallest 2^a or 3·2^a that is at least n: lengths for which every stage is a fast one.
 fn smooth_length(n: usize) -> usize {
-    let mut best = n.next_power_of_two().max(2);
-    let mut five = 1;
-    while five < best {
-        let mut three = five;
-        while three < best {
-            let mut candidate = 2 * three;
-            while candidate < n {
-                candidate *= 2;
-            }
-            best = best.min(candidate);
-            three *= 3;
-        }
-        five *= 5;
-    }
-    best
+    let power = n.next_power_of_two().max(4);
+    let with_three = power / 4 * 3;
+    if with_three >= n { with_three } else { power }
 }
 
 /// Buffers come from the plans themselves; a wrong length would be theirs.

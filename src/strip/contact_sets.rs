@@ -1,7 +1,7 @@
 //! Contact sets on a fine edge of N cells, as lists of gaps: one or many transitions, Cantor sets, fat Cantor sets.
 //!
 //! A gap (a, b) is open: its nodes a + 1, ..., b − 1 are free, a and b are in contact. Everything is rounded to nodes of the
-//! fine edge; a Cantor construction stops where a gap would have no free node or a contact piece no cell, so that the
+//! fine edge, except that a single transition may lie between two nodes; a Cantor construction stops where a gap would have no free node or a contact piece no cell, so that the
 //! discrete scene is never degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
 
 use crate::error::{Error, Result};
@@ -15,17 +15,16 @@ pub(crate) struct Gap {
     pub(crate) right: usize,
 }
 
-/// `count` equal gaps with contact of the same length between them, beginning with contact at `offset` (in [0, 1), a fraction
-/// of one period 1/count).
-pub(crate) fn many_gaps(cells: usize, count: usize, offset: f64) -> Result<Vec<Gap>> {
+/// `count` equal gaps with contact of the same length between them; contact of half that length at either side.
+pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
     if count == 0 || 4 * count > cells {
         return Err(Error::CountOutOfRange { name: "gaps", value: count, range: "[1, cells / 4]" });
     }
     let node = |place: f64| (place * cells as f64 / count as f64).round() as usize;
     Ok((0..count)
         .map(|i| {
-            let start = i as f64 + 0.25 + 0.5 * (offset - 0.5);
-            Gap { left: node(start.max(0.0)), right: node(start + 0.5) }
+            let start = i as f64 + 0.25;
+            Gap { left: node(start), right: node(start + 0.5) }
         })
         .filter(|gap| gap.right > gap.left + 1)
         .collect())
@@ -101,9 +100,9 @@ mod tests {
 
     #[test]
     fn equal_gaps() {
-        let gaps = many_gaps(64, 4, 0.5).unwrap();
+        let gaps = many_gaps(64, 4).unwrap();
         assert_eq!(gaps[0], Gap { left: 4, right: 12 });
         assert_eq!(gaps.len(), 4);
-        assert!(many_gaps(64, 17, 0.5).is_err() && many_gaps(64, 0, 0.5).is_err());
+        assert!(many_gaps(64, 17).is_err() && many_gaps(64, 0).is_err());
     }
 }

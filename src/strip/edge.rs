@@ -8,38 +8,12 @@
 //!
 //! S > 0, so A is positive definite. A product or a solve costs one real FFT of length P and one back: O(n log n).
 
+use super::sides::{Sides, check_cells, check_finite, check_length};
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::fmt;
 use std::sync::Arc;
-
-/// What the sides x = 0 and x = 1 of the strip do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Sides {
-    /// No condition is imposed (homogeneous Neumann): n + 1 edge nodes.
-    Natural,
-    /// The sides are identified: n edge nodes.
-    Periodic,
-}
-
-impl Sides {
-    /// Number of nodes on an edge of `cells` cells.
-    pub fn nodes(self, cells: usize) -> usize {
-        match self {
-            Sides::Natural => cells + 1,
-            Sides::Periodic => cells,
-        }
-    }
-
-    /// Period of the (evenly extended) edge, in cells.
-    pub fn period(self, cells: usize) -> usize {
-        match self {
-            Sides::Natural => 2 * cells,
-            Sides::Periodic => cells,
-        }
-    }
-}
 
 /// Buffers of one Fourier multiplier; reused from product to product.
 pub(crate) struct Workspace {
@@ -266,29 +240,6 @@ impl EdgeOperator {
         work.spectrum[last].im = 0.0;
         let done = self.backward.process_with_scratch(&mut work.spectrum, &mut work.real, &mut work.scratch);
         debug_assert!(done.is_ok());
-    }
-}
-
-pub(crate) fn check_cells(cells: usize, sides: Sides) -> Result<()> {
-    let (admissible, range) = match sides {
-        Sides::Natural => (cells >= 2, "[2, 2^26]"),
-        Sides::Periodic => (cells >= 2 && cells.is_multiple_of(2), "the even numbers in [2, 2^26]"),
-    };
-    if admissible && cells <= 1 << 26 {
-        Ok(())
-    } else {
-        Err(Error::CountOutOfRange { name: "cells", value: cells, range })
-    }
-}
-
-pub(crate) fn check_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
-    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
-}
-
-pub(crate) fn check_finite(name: &'static str, values: &[f64]) -> Result<()> {
-    match values.iter().position(|v| !v.is_finite()) {
-        None => Ok(()),
-        Some(index) => Err(Error::NotFinite { name, index, value: values[index] }),
     }
 }
 

@@ -7,11 +7,13 @@
 //! P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y.
 //! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
 
-use super::edge::{EdgeOperator, Sides, check_cells, check_finite, check_length};
+use super::edge::EdgeOperator;
 use super::scalar::{EdgeLoad, check_layers, mass_row};
-use super::slab::{DEPTH, Matrix, Mode, Slab, edge_matrix};
+use super::sides::{Sides, check_cells, check_finite, check_length};
+use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result};
 use crate::fem::Lame;
+use qd::Quad;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
@@ -27,6 +29,10 @@ pub(crate) struct EdgeMatrix {
 impl EdgeMatrix {
     pub(crate) fn of(matrix: &Matrix<f64>) -> Self {
         Self { xx: matrix.0[0].re, yy: matrix.0[3].re, xy: matrix.0[1] }
+    }
+
+    pub(crate) fn rounded(matrix: &Matrix<Quad>) -> Self {
+        Self::of(&Matrix(matrix.0.map(|z| Complex::new(z.re.0, z.im.0))))
     }
 
     pub(crate) fn conjugate(self) -> Self {
@@ -182,15 +188,20 @@ impl ElasticStrip {
     }
 }
 
+/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: those need the most doublings and are
+/// the ones whose differences matter.
+pub(crate) const LOW: f64 = 0.1;
+
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.
 pub(crate) fn edge_matrices(cells: usize, layers: usize, lame: Lame) -> Vec<EdgeMatrix> {
     (0..=cells / 2)
         .into_par_iter()
         .map(|k| {
             let theta = 2.0 * PI * k as f64 / cells as f64;
-            let mode = Mode::new(theta);
-            let decay = 2.0 * mode.half_sine_squared.sqrt().asinh();
-            EdgeMatrix::of(&edge_matrix(mode, lame, layers.ilog2(), decay, DEPTH))
+            if theta < LOW {
+                return EdgeMatrix::rounded(&edge_matrix(Mode::long(k, cells), lame, layers.ilog2()));
+            }
+            EdgeMatrix::of(&edge_matrix(Mode::new(theta), lame, layers.ilog2()))
         })
         .collect()
 }

@@ -5,18 +5,15 @@
 //! D(θ) = A_h(θ) − 2 [c⁴ A_{h/2}(θ/2) + s⁴ conj A_{h/2}(π − θ/2)],  s = sin(θ/4), c = cos(θ/4),
 //!
 //! and over several halvings G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ conj G_{h/2}(π − θ/2)]. D is O(θ³) and A is O(θ): the
-//! difference loses ε/θ². There is no closed form to rewrite; for θ below [`LOW`] (about one mode in a hundred) the whole computation
+//! difference loses ε/θ². There is no closed form to rewrite; for θ below [`LOW`] (three modes in a hundred) the whole computation
 //! is done in double-double, which keeps 1e-30/θ², more than 16 digits for n up to 2^26.
 
-use super::elastic::EdgeMatrix;
-use super::slab::{DEPTH_LONG, Matrix, Mode, edge_matrix};
+use super::elastic::{EdgeMatrix, LOW};
+use super::slab::{Mode, edge_matrix};
 use crate::fem::Lame;
 use qd::Quad;
 use rayon::prelude::*;
 use std::f64::consts::PI;
-
-/// Below this angle differences are taken in double-double; above it binary64 keeps ε/θ² < 1e-12.
-const LOW: f64 = 0.025;
 
 /// D at θ = 2πk/n, k = 0 ... n/2, between `layers` and 2 `layers` layers; `coarse` and `fine` are the edge matrices.
 pub(crate) fn halvings(
@@ -45,37 +42,16 @@ pub(crate) fn aliased(k: usize, cells: usize, fine: &[EdgeMatrix]) -> EdgeMatrix
 }
 
 fn low_mode(k: usize, cells: usize, layers: usize, lame: Lame) -> EdgeMatrix {
-    let quarter = Quad::PI * Quad::from(k as f64) / Quad::from((2 * cells) as f64);
-    let (s, c) = sine_cosine(quarter);
-    let two = Quad::from(2.0);
-    let (half_sine, half_cosine) = (two * s * c, c * c - s * s);
-    let decay = |m: Mode<Quad>| 2.0 * m.half_sine_squared.0.sqrt().asinh();
     let doublings = layers.ilog2();
-    let matrix = |mode: Mode<Quad>, times| edge_matrix(mode, lame, times, decay(mode), DEPTH_LONG);
-    let coarse = Mode { half_sine_squared: half_sine * half_sine, sine: two * half_sine * half_cosine };
-    let same = Mode { half_sine_squared: s * s, sine: half_sine };
-    let alias = Mode { half_sine_squared: c * c, sine: half_sine };
-    let sum = matrix(same, doublings + 1)
-        .scale(two * c * c * c * c)
-        .add(matrix(alias, doublings + 1).conjugate().scale(two * s * s * s * s));
-    rounded(&matrix(coarse, doublings).sub(sum))
-}
-
-fn rounded(matrix: &Matrix<Quad>) -> EdgeMatrix {
-    EdgeMatrix::of(&Matrix(matrix.0.map(|z| realfft::num_complex::Complex::new(z.re.0, z.im.0))))
-}
-
-/// sin x and cos x in double-double for 0 ≤ x ≤ 0.01 (Taylor).
-fn sine_cosine(x: Quad) -> (Quad, Quad) {
-    let square = x * x;
-    let one = Quad::from(1.0);
-    let (mut sine, mut cosine) = (one, one);
-    for k in (1..=8).rev() {
-        let k = f64::from(k);
-        sine = one - square * sine / Quad::from((2.0 * k) * (2.0 * k + 1.0));
-        cosine = one - square * cosine / Quad::from((2.0 * k - 1.0) * (2.0 * k));
-    }
-    (x * sine, cosine)
+    let same = Mode::long(k, 2 * cells);
+    let alias = Mode::long(cells - k, 2 * cells);
+    // s² = sin²(θ/4) and c² = cos²(θ/4) = sin²((π − θ/2)/2).
+    let two = Quad::from(2.0);
+    let (s2, c2) = (same.half_sine_squared, alias.half_sine_squared);
+    let sum = edge_matrix(same, lame, doublings + 1)
+        .scale(two * c2 * c2)
+        .add(edge_matrix(alias, lame, doublings + 1).conjugate().scale(two * s2 * s2));
+    EdgeMatrix::rounded(&edge_matrix(Mode::long(k, cells), lame, doublings).sub(sum))
 }
 
 #[cfg(test)]
@@ -102,5 +78,48 @@ mod tests {
         // One layer of the scale: D/θ³ tends to a constant, so neighbouring low modes of a deep strip agree.
         let ratio = |k: usize| low_mode(k, 1 << 18, 1 << 18, lame).yy / (k as f64).powi(3);
         assert!((ratio(400) / ratio(401) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn differences_keep_ten_digits_at_every_mode() {
+        // ε/θ² with A known to about 10 ε; LOW bounds θ from below.
+        const DIGITS: f64 = 1e-10;
+        let lame = Lame::new(1.0, 1.0).unwrap();
+        let (n, m) = (1 << 12, 1 << 12);
+        let (coarse, fine) = (edge_matrices(n, m, lame), edge_matrices(2 * n, 2 * m, lame));
+        let differences = halvings(n, m, lame, &coarse, &fine);
+        let mut worst = 0.0f64;
+        for k in (1..=n / 2).step_by(7) {
+            let (long, got) = (low_mode(k, n, m, lame), differences[k]);
+            let error = (long.xx - got.xx).abs().max((long.yy - got.yy).abs()).max((long.xy - got.xy).norm());
+            worst = worst.max(error / long.xx.min(long.yy));
+        }
+        println!("differences: worst {worst:.1e}");
+        assert!(worst < DIGITS, "{worst:e}");
+    }
+
+    #[test]
+    fn normal_symbol_keeps_thirteen_digits_at_every_mode() {
+        /// What the issue asks for.
+        const DIGITS: f64 = 1e-13;
+        let n = 1 << 18;
+        for (lambda, mu) in [(1.0, 1.0), (100.0, 1.0), (-0.5, 1.0)] {
+            let lame = Lame::new(lambda, mu).unwrap();
+            let matrices = edge_matrices(n, n, lame);
+            // All low modes, which need the most doublings, and one in 61 of the others.
+            let modes: Vec<usize> = (0..=n / 2).filter(|k| *k < 9000 || k % 61 == 0 || *k == n / 2).collect();
+            let worst = modes
+                .par_iter()
+                .map(|&k| {
+                    let mode = Mode::long(k, n);
+                    let long = edge_matrix(mode, lame, n.ilog2()).0;
+                    let normal =
+                        long[3].re - (long[1].re * long[1].re + long[1].im * long[1].im) / long[0].re;
+                    (matrices[k].normal() / normal.0 - 1.0).abs()
+                })
+                .reduce(|| 0.0, f64::max);
+            println!("lambda {lambda}, mu {mu}: worst of {} modes {worst:.1e}", modes.len());
+            assert!(worst < DIGITS, "{lambda} {mu}: {worst:e}");
+        }
     }
 }

@@ -9,14 +9,18 @@
 //! `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference of energies loses
 //! six and more digits at n = 2^18. Cost: one transform of length N per error.
 
+use super::chain::prolong;
 use super::defect::{halving, harmonic_defect, harmonic_symbol};
-use super::edge::{EdgeOperator, Sides, check_length};
+use super::edge::EdgeOperator;
+use super::pressure::restrict;
 use super::scalar::{EdgeLoad, check_layers, scalar_symbol};
-use super::scene::{EdgeScene, restrict};
-use super::solve::prolong;
+use super::scene::EdgeScene;
+use super::sides::{Sides, check_length};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;
+use std::fmt;
+use std::str::FromStr;
 
 /// What the discrete solutions are compared with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,6 +29,31 @@ pub enum Reference {
     Nested,
     /// The continuous harmonic function above the fine edge data.
     Harmonic,
+}
+
+impl fmt::Display for Reference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Reference::Nested => "nested",
+            Reference::Harmonic => "harmonic",
+        })
+    }
+}
+
+impl FromStr for Reference {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "nested" => Ok(Reference::Nested),
+            "harmonic" => Ok(Reference::Harmonic),
+            _ => Err(Error::UnknownName {
+                what: "reference",
+                given: text.to_owned(),
+                expected: "nested or harmonic",
+            }),
+        }
+    }
 }
 
 /// Exact edge data g, λ on a fine grid, its loads on all coarser grids, and errors against it.

@@ -7,13 +7,14 @@
 //!
 //! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode.
 
-use super::edge::{EdgeOperator, Sides, check_length};
+use super::chain::prolong;
+use super::edge::EdgeOperator;
 use super::elastic::{EdgeMatrix, edge_matrices};
 use super::elastic_defect::{aliased, halvings};
 use super::exact::{layers_on, level_of, power_of_two, pyramid};
 use super::scalar::EdgeLoad;
 use super::scene::EdgeScene;
-use super::solve::prolong;
+use super::sides::{Sides, check_length};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Lame;
@@ -156,10 +157,10 @@ impl ExactElastic {
         }
         let edge = form(&flat(self.cells)?, &self.matrices[0], &difference);
         let square = edge + interior;
-        // As in the scalar case; the defects of low modes are rounded from double-double, of others to 1e-12.
+        // As in the scalar case; the defects of low modes are rounded from double-double, of others to 1e-11.
         let shift = 2.0 * f64::EPSILON * self.norm;
         let work = Work { points: 2 * self.cells as u64, ..Work::default() };
-        Estimate::new(square.sqrt(), shift + 1e-12 * square.sqrt(), work)
+        Estimate::new(square.sqrt(), shift + 1e-11 * square.sqrt(), work)
     }
 }
 

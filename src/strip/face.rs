@@ -4,7 +4,8 @@
 //! cone holds w_i + w_{i+1} = 0, which leaves one amplitude c, w_i = ±c. The orthogonal projector Π onto the face
 //! keeps the gaps, and replaces a run by zero or by its alternating mean. Cost O(n).
 
-use super::edge::{EdgeOperator, Sides};
+use super::edge::EdgeOperator;
+use super::sides::Sides;
 use crate::contact::Cone;
 
 /// Consecutive nodes start, ..., start + len − 1, modulo the number of nodes.

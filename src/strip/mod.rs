@@ -10,8 +10,10 @@
 //! | n, m, h = 1/n, H = m/n | cells along the edge, layers, mesh size, height |
 //! | A, S(θ) | [`EdgeOperator`] and its symbol |
 //! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
+//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels |
 //! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
 
+mod chain;
 mod contact_sets;
 mod defect;
 mod edge;
@@ -21,21 +23,26 @@ mod exact;
 mod exact_elastic;
 mod face;
 mod inner;
+mod listing;
 mod precondition;
+mod pressure;
 mod projection;
 mod scalar;
 mod scene;
+mod sides;
 mod slab;
 mod solve;
 mod source;
 mod study;
 
-pub use edge::{EdgeOperator, Sides};
+pub use edge::EdgeOperator;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
 pub use exact_elastic::ExactElastic;
+pub use listing::{level_table, mean_order};
 pub use scalar::{EdgeLoad, ScalarStrip};
 pub use scene::{EdgeScene, SceneKind};
+pub use sides::Sides;
 pub use solve::{EdgeSolution, Settings, solve_contact};
 pub use source::SceneSource;
 pub use study::{Level, Levels, StripKind, StripProblem, mean_errors, study};

@@ -7,8 +7,9 @@
 //! by ‖A‖. L + 1 is raised to the next number with prime factors up to 13, so that no transform has a large prime length.
 //! Cost O(n log n).
 
-use super::edge::{EdgeOperator, Sides, Workspace};
+use super::edge::{EdgeOperator, Workspace};
 use super::face::{Block, Face};
+use super::sides::Sides;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::collections::HashMap;

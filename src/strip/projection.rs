@@ -110,7 +110,9 @@ pub(crate) fn project_ring(z: &[f64], cut: usize) -> (Vec<f64>, Vec<bool>) {
         let (x, active) = project_chain(&turned);
         let back = |i: usize| (i + n - (cut + 1) % n) % n;
         if x[n - 1] + x[0] <= 0.0 {
-            let flags = (0..n).map(|s| s != cut && active[back(s)]).collect();
+            // A closed ring determines its multipliers up to ±c, and the chain shows those with a zero at the cut.
+            let closed = (0..n).all(|i| x[i] + x[(i + 1) % n] == 0.0);
+            let flags = (0..n).map(|s| closed || (s != cut && active[back(s)])).collect();
             return ((0..n).map(|i| x[back(i)]).collect(), flags);
         }
         let slack = |s: usize| x[back(s)] + x[back((s + 1) % n)];

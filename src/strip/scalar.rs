@@ -11,7 +11,8 @@
 //! an edge load b and a constant c = −½ Σ_j y_j²/d_j, so that min J = min over the edge of ½ g'A g − b'g + c.
 //! Cost: O(n) for the symbol, O(n m log n) for a volume load.
 
-use super::edge::{EdgeOperator, Sides, check_cells, check_finite, check_length};
+use super::edge::EdgeOperator;
+use super::sides::{Sides, check_cells, check_finite, check_length};
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;

@@ -13,7 +13,8 @@
 //! "Of regularity τ" means the supremum of admissible orders, as always with powers.
 
 use super::contact_sets::{Gap, cantor, fat_cantor, many_gaps};
-use super::edge::{Sides, check_cells, check_finite, check_length};
+use super::pressure::contact_forces;
+use super::sides::{Sides, check_cells, check_finite, check_length};
 use crate::error::{Error, Result};
 use std::fmt;
 
@@ -98,7 +99,7 @@ impl EdgeScene {
     pub fn build(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<Self> {
         check_cells(cells, sides)?;
         Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
-        let (gaps, dimension) = gaps_of(kind, tau, cells, sides)?;
+        let ContactSetShape { gaps, dimension, advance } = gaps_of(kind, tau, cells, sides)?;
         let exponent = tau - 1.0 + 0.5 * dimension;
         let fractal = matches!(kind, SceneKind::Cantor { .. } | SceneKind::FatCantor { .. });
         let pressure = if fractal { 0.0 } else { tau - 2.0 };
@@ -109,7 +110,7 @@ impl EdgeScene {
             for i in gap.left + 1..gap.right.min(gap.left + nodes) {
                 let node = if sides == Sides::Periodic { i % cells } else { i };
                 if node < nodes {
-                    values[node] = -(h * depth_in(*gap, i, cells, sides)).powf(exponent);
+                    values[node] = -(h * depth_in(*gap, advance, i, cells, sides)).powf(exponent);
                 }
             }
         }
@@ -199,31 +200,39 @@ impl EdgeScene {
     }
 }
 
-/// The gaps of a scene and their boundary dimension d.
-fn gaps_of(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<(Vec<Gap>, f64)> {
+/// The gaps of a scene, their boundary dimension d, and how far beyond its left node a single gap begins (in cells, below 1).
+struct ContactSetShape {
+    gaps: Vec<Gap>,
+    dimension: f64,
+    advance: f64,
+}
+
+fn gaps_of(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<ContactSetShape> {
+    let shape = |gaps, dimension| ContactSetShape { gaps, dimension, advance: 0.0 };
     match kind {
         SceneKind::Transition { position } => {
             Error::require("position", position, "(0, 1)", position > 0.0 && position < 1.0)?;
-            let left = (position * cells as f64).round() as usize;
+            let place = position * cells as f64;
+            let left = place as usize;
             let right = match sides {
                 // Beyond the side: the gap never closes.
                 Sides::Natural => usize::MAX,
                 Sides::Periodic => left + cells / 2,
             };
-            Ok((vec![Gap { left, right }], 0.0))
+            Ok(ContactSetShape { gaps: vec![Gap { left, right }], dimension: 0.0, advance: place.fract() })
         }
-        SceneKind::Transitions { gaps } => Ok((many_gaps(cells, gaps, 0.5)?, 0.0)),
+        SceneKind::Transitions { gaps } => Ok(shape(many_gaps(cells, gaps)?, 0.0)),
         SceneKind::Cantor { ratio, depth } => {
             Error::require("ratio", ratio, "(0, 1/2)", ratio > 0.0 && ratio < 0.5)?;
             check_depth(depth)?;
             let dimension = std::f64::consts::LN_2 / -ratio.ln();
-            Ok((cantor(cells, ratio, depth), dimension))
+            Ok(shape(cantor(cells, ratio, depth), dimension))
         }
         SceneKind::FatCantor { depth } => {
             Error::require("tau", tau, "(3/2, 2) for a fat Cantor set", tau < 2.0)?;
             check_depth(depth)?;
             let dimension = 4.0 - 2.0 * tau;
-            Ok((fat_cantor(cells, dimension, 0.5, depth), dimension))
+            Ok(shape(fat_cantor(cells, dimension, 0.5, depth), dimension))
         }
     }
 }
@@ -236,79 +245,12 @@ fn check_depth(depth: usize) -> Result<()> {
     }
 }
 
-/// δ/h at node i of a gap: (i − a)(b − i)/(b − a), or i − a when the gap ends beyond the side.
-fn depth_in(gap: Gap, i: usize, cells: usize, sides: Sides) -> f64 {
-    let left = (i - gap.left) as f64;
+/// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a when the gap ends beyond the side.
+fn depth_in(gap: Gap, advance: f64, i: usize, cells: usize, sides: Sides) -> f64 {
+    let left = (i - gap.left) as f64 - advance;
     if sides == Sides::Natural && gap.right > cells {
         left
     } else {
-        left * (gap.right - i) as f64 / (gap.right - gap.left) as f64
+        left * (gap.right - i) as f64 / ((gap.right - gap.left) as f64 - advance)
     }
-}
-
-/// Nodal forces of the density dist^q on the contact cells (both ends in contact), dist to the nearest gap; half of each
-/// cell's integral goes to either end.
-fn contact_forces(values: &[f64], cells: usize, sides: Sides, q: f64) -> Vec<f64> {
-    let nodes = values.len();
-    let distance = distance_to_gap(values, cells, sides);
-    let h = 1.0 / cells as f64;
-    let mut forces = vec![0.0; nodes];
-    // ∫_a^b t^q dt
-    let integral = |a: f64, b: f64| (b.powf(q + 1.0) - a.powf(q + 1.0)) / (q + 1.0);
-    for cell in 0..cells {
-        let right = (cell + 1) % nodes;
-        if values[cell] != 0.0 || values[right] != 0.0 {
-            continue;
-        }
-        let (a, b) = (distance[cell], distance[right]);
-        let force = if q == 0.0 || !a.is_finite() {
-            h
-        } else if a == b {
-            // The middle of a contact piece lies inside this cell.
-            2.0 * integral(a * h, (a + 0.5) * h)
-        } else {
-            integral(a.min(b) * h, a.max(b) * h)
-        };
-        forces[cell] += 0.5 * force;
-        forces[right] += 0.5 * force;
-    }
-    forces
-}
-
-/// Distance of every node to the nearest free node's contact neighbour, in cells; infinite without gaps.
-fn distance_to_gap(values: &[f64], cells: usize, sides: Sides) -> Vec<f64> {
-    let nodes = values.len();
-    let turns = if sides == Sides::Periodic { 2 } else { 1 };
-    let mut distance = vec![f64::INFINITY; nodes];
-    let mut sweep = |order: &mut dyn Iterator<Item = usize>| {
-        let mut since = f64::INFINITY;
-        for i in order {
-            since = if values[i] != 0.0 { -1.0 } else { since + 1.0 };
-            distance[i] = distance[i].min(since.max(0.0));
-        }
-    };
-    sweep(&mut (0..turns * nodes).map(|i| i % nodes));
-    sweep(&mut (0..turns * nodes).rev().map(|i| i % nodes));
-    debug_assert_eq!(sides.nodes(cells), nodes);
-    distance
-}
-
-/// P'b: the load on the half as fine edge.
-pub(crate) fn restrict(fine: &[f64], sides: Sides) -> Vec<f64> {
-    let cells = match sides {
-        Sides::Natural => (fine.len() - 1) / 2,
-        Sides::Periodic => fine.len() / 2,
-    };
-    let last = fine.len() - 1;
-    (0..sides.nodes(cells))
-        .map(|i| {
-            let left = match (i, sides) {
-                (0, Sides::Natural) => 0.0,
-                (0, Sides::Periodic) => fine[last],
-                _ => fine[2 * i - 1],
-            };
-            let right = fine.get(2 * i + 1).copied().unwrap_or(0.0);
-            fine[2 * i] + 0.5 * (left + right)
-        })
-        .collect()
 }

@@ -1,7 +1,7 @@
 //! Scenes by name, as given on a command line.
 
-use super::edge::Sides;
 use super::scene::{EdgeScene, SceneKind};
+use super::sides::Sides;
 use crate::error::{Error, Result};
 use std::fmt;
 use std::path::PathBuf;

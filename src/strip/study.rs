@@ -4,11 +4,12 @@
 //! errors. For a transition it alternates with the position of the transition in its cell; over positions one averages
 //! |u − u_h|², which has no such phase.
 
-use super::edge::{EdgeOperator, Sides};
+use super::edge::EdgeOperator;
 use super::exact::{ExactEdge, Reference};
 use super::exact_elastic::ExactElastic;
 use super::scalar::{EdgeLoad, ScalarStrip};
 use super::scene::EdgeScene;
+use super::sides::Sides;
 use super::solve::{EdgeSolution, Settings, solve_contact};
 use crate::contact::{Cone, Status};
 use crate::error::{Error, Result};
@@ -132,13 +133,20 @@ pub enum StripProblem {
 }
 
 impl StripProblem {
-    /// Height 1, compared with the discrete solution on the grid of the scene; elastic: λ = μ = 1.
+    /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the scene only.
     ///
     /// # Errors
-    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`].
-    pub fn new(kind: StripKind, scene: &EdgeScene, coarsest: usize) -> Result<Self> {
+    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::UnknownName`] for a continuous elastic reference.
+    pub fn new(kind: StripKind, scene: &EdgeScene, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(match kind {
-            StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), Reference::Nested)?),
+            StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
+            StripKind::Elastic if reference != Reference::Nested => {
+                return Err(Error::UnknownName {
+                    what: "reference",
+                    given: reference.to_string(),
+                    expected: "nested for the elastic strip",
+                });
+            }
             StripKind::Elastic => {
                 Self::Elastic(ExactElastic::new(scene, (1, 1), Lame::new(1.0, 1.0)?, coarsest)?)
             }
@@ -266,7 +274,7 @@ pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
         return Err(Error::CountOutOfRange { name: "studies", value: 0, range: "[1, inf)" });
     };
     for study in studies {
-        super::edge::check_length("study", study.len(), first.len())?;
+        super::sides::check_length("study", study.len(), first.len())?;
     }
     let count = studies.len() as f64;
     (0..first.len())

@@ -6,6 +6,7 @@
 //! | `{{measured: example}}`, `verdict`, `claim`, `label` | that line of the example's headline |
 //! | `{{table: example}}` | the example's table, with what its columns mean |
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
+//! | `{{slider: parameter: frames: caption}}` | several figures and a slider between them, see [`crate::slider`] |
 //! | `{{code: example: function}}` | that function of the example |
 
 use crate::code;
@@ -13,6 +14,7 @@ use crate::data::{Data, Unknown};
 use crate::figure;
 use crate::markup::escape;
 use crate::number::{Format, Written};
+use crate::slider;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -66,8 +68,26 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             let (full, svg) = data.figure(key).map_err(|e| e.words("figure"))?;
             figure::inline(full, svg, caption).map(Meaning::Block)
         }
-        ("figure", _) => Err("figure without a caption".to_owned()),
+        ("slider", Some(rest)) => match rest.split_once(':').map(|(list, caption)| (list, caption.trim())) {
+            Some((list, caption)) if !caption.is_empty() => {
+                slider::inline(key, list, caption, data).map(Meaning::Block)
+            }
+            _ => Err("slider without a caption".to_owned()),
+        },
+        ("figure" | "slider", _) => Err(format!("{name} without a caption")),
         _ => Err("unknown directive".to_owned()),
+    }
+}
+
+/// Full names of the figures that a directive shows, as far as they are there.
+pub fn figures(text: &str, data: &Data) -> Vec<String> {
+    let parts: Vec<&str> = text.splitn(4, ':').map(str::trim).collect();
+    match parts.as_slice() {
+        ["figure", name, ..] => data.figure(name).map(|(full, _)| full.to_owned()).into_iter().collect(),
+        ["slider", _, list, ..] => {
+            slider::frames(list, data).unwrap_or_default().into_iter().map(|(_, name)| name).collect()
+        }
+        _ => Vec::new(),
     }
 }
 

@@ -39,7 +39,7 @@ fn build(repository: &Path) -> Result<Vec<PathBuf>> {
     let failed = |message: String| Error::Example { name: "(cargo build)".to_owned(), message };
     let output = Command::new(cargo)
         .current_dir(repository)
-        .args(["build", "--release", "--examples", "--package", "signorini", "--quiet"])
+        .args(["build", "--release", "--examples", "--package", "signorini"])
         .args(["--message-format", "json-render-diagnostics"])
         .stderr(Stdio::inherit())
         .output()

@@ -13,9 +13,18 @@ const PAPER: [&str; 4] = ["white", "#fff", "#ffffff", "rgb(255,255,255)"];
 ///
 /// # Errors
 /// In words, when the text is no self-contained SVG.
-pub fn inline(name: &str, svg: &str, caption: &str) -> Result<String, String> {
+pub fn inline(name: &str, text: &str, caption: &str) -> Result<String, String> {
+    let svg = svg(name, text, caption)?;
+    Ok(format!("<figure class=\"chart\">{svg}<figcaption>{}</figcaption></figure>", escape(caption)))
+}
+
+/// The SVG of the figure `name` alone, carrying a label.
+///
+/// # Errors
+/// In words, when the text is no self-contained SVG.
+pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
     well_formed(svg).map_err(|what| format!("figure is not well-formed ({what})"))?;
-    let mut html = String::from("<figure class=\"chart\">");
+    let mut html = String::new();
     let mut copied = 0;
     let mut is_root = true;
     for tag in tags(svg) {
@@ -31,36 +40,32 @@ pub fn inline(name: &str, svg: &str, caption: &str) -> Result<String, String> {
         if matches!(tag.name, "style" | "/style") {
             // colours for a figure opened by itself; here they are the page's
         } else if is_root {
-            push_root(&mut html, &tag, caption)?;
+            push_root(&mut html, &tag, label)?;
         } else {
             push_tag(&mut html, &tag, name);
         }
         copied = tag.end;
         is_root = false;
     }
-    if is_root {
-        return Err("figure is empty".to_owned());
-    }
-    let _ = write!(html, "<figcaption>{}</figcaption></figure>", escape(caption));
-    Ok(html)
+    if is_root { Err("figure is empty".to_owned()) } else { Ok(html) }
 }
 
 /// The root keeps its shape by its viewBox and takes the width of the page up to its own.
-fn push_root(html: &mut String, tag: &Tag<'_>, caption: &str) -> Result<(), String> {
+fn push_root(html: &mut String, tag: &Tag<'_>, label: &str) -> Result<(), String> {
     let length = |name| tag.attribute(name).map(|v| v.trim_end_matches("px"));
     let view = match (tag.attribute("viewBox"), length("width"), length("height")) {
         (Some(view), _, _) => view.to_owned(),
         (None, Some(width), Some(height)) => format!("0 0 {width} {height}"),
         _ => return Err("figure without viewBox and size".to_owned()),
     };
-    let _ = write!(html, r#"<svg viewBox="{view}" role="img" aria-label="{}""#, escape(caption));
+    let _ = write!(html, r#"<svg viewBox="{view}" role="img" aria-label="{}""#, escape(label));
     for (name, value) in tag.attributes() {
         let is_ours = matches!(name, "viewBox" | "width" | "height" | "role" | "aria-label");
         if !is_ours && !name.starts_with("xmlns") {
             push_attribute(html, name, value, "");
         }
     }
-    html.push('>');
+    html.push_str(if tag.closes_itself() { "/>" } else { ">" });
     Ok(())
 }
 

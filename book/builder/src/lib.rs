@@ -18,6 +18,7 @@ pub mod markup;
 pub mod number;
 pub mod page;
 pub mod scan;
+pub mod slider;
 pub mod stale;
 pub mod verify;
 
@@ -125,11 +126,8 @@ pub fn shown(layout: &Layout, mut data: Data) -> Result<Data> {
     let mut names = BTreeSet::new();
     for page in html::chapters(&layout.book, &layout.repository)? {
         for piece in scan::pieces(&page.text).unwrap_or_default() {
-            let figure = piece.text.trim_start().strip_prefix("figure:").map(|rest| rest.split(':').next());
-            if let (scan::Kind::Directive, Some(Some(name))) = (piece.kind, figure)
-                && let Ok((full, _)) = data.figure(name.trim())
-            {
-                names.insert(full.to_owned());
+            if piece.kind == scan::Kind::Directive {
+                names.extend(directive::figures(piece.text, &data));
             }
         }
     }

@@ -26,6 +26,8 @@ By $\\eqref{bound}$ and Lemma 5.2 the verdict is: {{verdict: ex}}.
 ```
 
 {{code: ex: walk}}
+
+{{slider: chart: one = ex/chart, two = ex/other: Two charts}}
 ";
 const CHART: &str = r##"<svg width="640" height="480" xmlns="http://www.w3.org/2000/svg"><path d="M100 200" stroke="#000000"/></svg>"##;
 
@@ -38,6 +40,7 @@ impl Fixture {
         let toml =
             std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../book.toml")).unwrap();
         fixture.write("book/book.toml", &toml);
+        fixture.write("book/style/slider.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
@@ -85,7 +88,11 @@ fn data(gamma: f64) -> Data {
         "columns": [{"key": "theta", "title": "theta", "meaning": "zone"}],
         "rows": [["1e-3"]],
     });
-    let figures = [("ex/chart".to_owned(), CHART.to_owned()), ("ex/unused".to_owned(), CHART.to_owned())];
+    let figures = [
+        ("ex/chart".to_owned(), CHART.to_owned()),
+        ("ex/other".to_owned(), CHART.to_owned()),
+        ("ex/unused".to_owned(), CHART.to_owned()),
+    ];
     Data { examples: [("ex".to_owned(), example)].into_iter().collect(), figures: figures.into() }
 }
 
@@ -133,6 +140,8 @@ fn faults_of_keys_fail() {
     Fixture::expect(first, "value: gamma:", "value: delta:", "book/src/first.md:9:", "`value: delta: s4`");
     Fixture::expect(first, "s4}}", "z4}}", "book/src/first.md:9:", "unknown format z4");
     Fixture::expect(first, "ex/chart", "ex/none", "book/src/first.md:3:", "unknown figure");
+    Fixture::expect(second, "ex/other", "ex/none", "book/src/second.md:11:", "unknown figure");
+    Fixture::expect(second, ": Two charts", "", "book/src/second.md:11:", "without a caption");
     Fixture::expect(second, "verdict: ex", "verdict: no", "book/src/second.md:3:", "unknown example");
     Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:6:", "no such anchor");
     Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:9:", "no such function");
@@ -175,7 +184,7 @@ fn stale_values_and_figures_fail() {
     let fixture = Fixture::new();
     let layout = fixture.layout();
     let committed = shown(&layout, Data::read(&layout.generated()).unwrap()).unwrap();
-    assert_eq!(committed.figures.keys().collect::<Vec<_>>(), ["ex/chart"]);
+    assert_eq!(committed.figures.keys().collect::<Vec<_>>(), ["ex/chart", "ex/other"]);
     check_fresh(&layout, &committed, &data(0.29156 * (1.0 + 1e-9))).unwrap();
 
     let message = check_fresh(&layout, &committed, &data(0.2917)).unwrap_err().to_string();

@@ -25,6 +25,25 @@ pub(crate) enum Grading {
     },
 }
 
+impl Grading {
+    fn mirrored(self) -> Self {
+        match self {
+            Grading::Uniform => Grading::Uniform,
+            Grading::FromLeft { inner, spread } => Grading::FromRight { inner, spread },
+            Grading::FromRight { inner, spread } => Grading::FromLeft { inner, spread },
+        }
+    }
+
+    /// Distance of the point ξ from the left end.
+    fn left_distance(self, length: f64, xi: f64) -> f64 {
+        match self {
+            Grading::Uniform => length * xi,
+            Grading::FromLeft { inner, spread } => inner * (xi * spread).exp_m1(),
+            Grading::FromRight { inner, spread } => -inner * spread.exp() * (-xi * spread).exp_m1(),
+        }
+    }
+}
+
 /// An interval with its parametrization and the degree of the slopes du/dξ on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell {
@@ -46,12 +65,21 @@ impl Cell {
 
     /// The reflection of the cell.
     pub(crate) fn mirrored(self) -> Self {
-        let grading = match self.grading {
-            Grading::Uniform => Grading::Uniform,
-            Grading::FromLeft { inner, spread } => Grading::FromRight { inner, spread },
-            Grading::FromRight { inner, spread } => Grading::FromLeft { inner, spread },
-        };
-        Self { grading, ..self }
+        Self { grading: self.grading.mirrored(), ..self }
+    }
+
+    /// Distance of the point ξ from the left end.
+    pub(crate) fn left_distance(&self, xi: f64) -> f64 {
+        self.grading.left_distance(self.length, xi)
+    }
+
+    /// ξ of the point at the given distance from the left end.
+    pub(crate) fn coordinate(&self, distance: f64) -> f64 {
+        match self.grading {
+            Grading::Uniform => distance / self.length,
+            Grading::FromLeft { inner, spread } => (distance / inner).ln_1p() / spread,
+            Grading::FromRight { inner, spread } => -(-distance / (inner * spread.exp())).ln_1p() / spread,
+        }
     }
 
     /// Cuts the cell at equal steps of ξ into panels of spread at most `largest`.
@@ -98,17 +126,13 @@ pub(crate) struct Panel {
 
 impl Panel {
     /// Distance of the point ξ from the left end.
-    pub(crate) fn from_left(&self, xi: f64) -> f64 {
-        match self.grading {
-            Grading::Uniform => self.length * xi,
-            Grading::FromLeft { inner, spread } => inner * (xi * spread).exp_m1(),
-            Grading::FromRight { inner, spread } => -inner * spread.exp() * (-xi * spread).exp_m1(),
-        }
+    pub(crate) fn left_distance(&self, xi: f64) -> f64 {
+        self.grading.left_distance(self.length, xi)
     }
 
     /// Distance of the point ξ = 1 − `eta` from the right end.
-    pub(crate) fn from_right(&self, eta: f64) -> f64 {
-        self.mirrored().from_left(eta)
+    pub(crate) fn right_distance(&self, eta: f64) -> f64 {
+        self.grading.mirrored().left_distance(self.length, eta)
     }
 
     /// Distance between the points ξ and ξ + `step` of the panel.
@@ -122,6 +146,18 @@ impl Panel {
         }
     }
 
+    /// How far outside the panel, in ξ, the point at distance `gap` from one of its ends lies; 1 at most.
+    pub(crate) fn outside(&self, gap: f64, on_the_left: bool) -> f64 {
+        let grading = if on_the_left { self.grading } else { self.grading.mirrored() };
+        let xi = match grading {
+            Grading::Uniform => gap / self.length,
+            Grading::FromLeft { inner, spread } if gap < inner => -(-gap / inner).ln_1p() / spread,
+            Grading::FromLeft { .. } => 1.0,
+            Grading::FromRight { inner, spread } => (gap / (inner * spread.exp())).ln_1p() / spread,
+        };
+        xi.min(1.0)
+    }
+
     /// dx/dξ at ξ.
     pub(crate) fn stretch(&self, xi: f64) -> f64 {
         match self.grading {
@@ -129,16 +165,6 @@ impl Panel {
             Grading::FromLeft { inner, spread } => inner * spread * (xi * spread).exp(),
             Grading::FromRight { inner, spread } => inner * spread * ((1.0 - xi) * spread).exp(),
         }
-    }
-
-    /// The panel seen from the other side. Only the geometry is reflected, not `start`.
-    fn mirrored(&self) -> Self {
-        let grading = match self.grading {
-            Grading::Uniform => Grading::Uniform,
-            Grading::FromLeft { inner, spread } => Grading::FromRight { inner, spread },
-            Grading::FromRight { inner, spread } => Grading::FromLeft { inner, spread },
-        };
-        Self { grading, ..*self }
     }
 
     /// The coordinate in the cell of the panel's point ξ.

@@ -23,6 +23,10 @@ use rayon::prelude::*;
 /// Interactions below this fraction of the self energies cannot change any digit of f64.
 const NEGLIGIBLE: f64 = 1e-22;
 
+/// Panels that touch, or are closer than this fraction of their own extent, get 3/2 as many points.
+const CLOSE: f64 = 0.7;
+const CLOSE_POINTS: (usize, usize) = (3, 2);
+
 /// Gram matrix of |u|_ν² with n-point rules, and the work it took.
 pub(crate) fn seminorm_gram(
     space: &SlopeSpace,
@@ -67,6 +71,9 @@ struct Assembly<'a> {
     rules: Rules,
     /// Basis at the points of the plain rule, times weight, per panel.
     weighted: Vec<Vec<Values>>,
+    /// Rules with more points, for panels that touch or nearly do; the basis at the plain ones.
+    close_rules: Rules,
+    close_weighted: Vec<Vec<Values>>,
     /// Self energy of a step across each panel, roughly.
     scale: Vec<f64>,
 }
@@ -75,20 +82,23 @@ impl<'a> Assembly<'a> {
     fn new(space: &'a SlopeSpace, order: FractionalOrder, n: usize) -> Result<Self> {
         let p = order.one_minus_twice();
         let rules = Rules::new(n, p)?;
-        let weighted = (0..space.panels.len())
-            .map(|i| {
-                let width = space.panels[i].width;
-                let at = |&(t, w): &(f64, f64)| space.slopes(i, t).map(|value| value * w * width);
-                rules.plain.iter().map(at).collect()
-            })
-            .collect();
+        let weighted_basis = |rule: &Pairs| -> Vec<Vec<Values>> {
+            let at = |i: usize, &(t, w): &(f64, f64)| {
+                let weight = w * space.panels[i].width;
+                space.slopes(i, t).map(|value| value * weight)
+            };
+            (0..space.panels.len()).map(|i| rule.iter().map(|point| at(i, point)).collect()).collect()
+        };
+        let weighted = weighted_basis(&rules.plain);
+        let close_rules = Rules::new(CLOSE_POINTS.0 * n / CLOSE_POINTS.1, p)?;
+        let close_weighted = weighted_basis(&close_rules.plain);
         let scale = (0..space.panels.len())
             .map(|i| {
                 let half = 0.5 * space.panels[i].length;
                 kernel(p, space.panel_left[i] + half, half, space.panel_right[i] + half)
             })
             .collect();
-        Ok(Self { space, p, rules, weighted, scale })
+        Ok(Self { space, p, rules, weighted, close_rules, close_weighted, scale })
     }
 
     /// Adds the pairs (i, j), j ≥ i, each once: the caller symmetrizes.
@@ -133,24 +143,29 @@ impl<'a> Assembly<'a> {
         if largest < NEGLIGIBLE * self.scale[i].sqrt() * self.scale[j].sqrt() {
             return None;
         }
-        let points = &self.rules.plain;
+        let is_close = s.outside(gap, false).min(t.outside(gap, true)) < CLOSE;
+        let (points, weighted) = if is_close {
+            (&self.close_rules.plain, &self.close_weighted)
+        } else {
+            (&self.rules.plain, &self.weighted)
+        };
         let far: Vec<(f64, f64)> =
-            points.iter().map(|&(x, _)| (t.from_left(x), right + t.from_right(1.0 - x))).collect();
+            points.iter().map(|&(x, _)| (t.left_distance(x), right + t.right_distance(1.0 - x))).collect();
         let mut block = [[0.0; MOST_FUNCTIONS]; MOST_FUNCTIONS];
         let (rows, columns) = (space.functions(i), space.functions(j));
         for (a, &(x, _)) in points.iter().enumerate() {
-            let alpha = left + s.from_left(x);
-            let to_gap = s.from_right(1.0 - x) + gap;
+            let alpha = left + s.left_distance(x);
+            let to_gap = s.right_distance(1.0 - x) + gap;
             let mut sums = [0.0; MOST_FUNCTIONS];
             for (b, &(in_t, beta)) in far.iter().enumerate() {
                 let value = kernel(self.p, alpha, to_gap + in_t, beta);
                 for l in 0..columns {
-                    sums[l] += value * self.weighted[j][b][l];
+                    sums[l] += value * weighted[j][b][l];
                 }
             }
             for k in 0..rows {
                 for l in 0..columns {
-                    block[k][l] += self.weighted[i][a][k] * sums[l];
+                    block[k][l] += weighted[i][a][k] * sums[l];
                 }
             }
         }
@@ -165,12 +180,14 @@ impl<'a> Assembly<'a> {
         let size = s.length + t.length;
         let unit = size.powf(self.p);
         let mut sum = Sum::new(space, i, i + 1);
-        for &(rho_rule, is_power) in &[(&self.rules.power[1], true), (&self.rules.logarithm[1], false)] {
+        for &(rho_rule, is_power) in
+            &[(&self.close_rules.power[1], true), (&self.close_rules.logarithm[1], false)]
+        {
             for &(rho, w) in rho_rule {
-                for &(sigma, v) in &self.rules.plain {
+                for &(sigma, v) in &self.close_rules.plain {
                     for (a, b) in [(rho, rho * sigma), (rho * sigma, rho)] {
                         let value = if is_power {
-                            let ratio = (s.from_right(a) + t.from_left(b)) / (rho * size);
+                            let ratio = (s.right_distance(a) + t.left_distance(b)) / (rho * size);
                             -exp_quotient(self.p, ratio.ln())
                         } else {
                             1.0
@@ -180,27 +197,30 @@ impl<'a> Assembly<'a> {
                 }
             }
         }
-        work.points += 4 * (self.rules.plain.len() * self.rules.plain.len()) as u64;
+        work.points += 4 * (self.close_rules.plain.len() * self.close_rules.plain.len()) as u64;
         // The remaining terms depend on one of the two points only.
         let near_left = space.panel_left[i] <= space.panel_right[i + 1];
         let (mut of_s, mut of_t) = ([0.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
         let (mut with_s, mut with_t) = ([0.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
-        for (q, &(x, _)) in self.rules.plain.iter().enumerate() {
-            let from_left = |panel: usize| space.panel_left[panel] + space.panels[panel].from_left(x);
-            let from_right =
-                |panel: usize| space.panel_right[panel] + space.panels[panel].from_right(1.0 - x);
+        for (q, &(x, _)) in self.close_rules.plain.iter().enumerate() {
+            let left_distance = |panel: usize| space.panel_left[panel] + space.panels[panel].left_distance(x);
+            let right_distance =
+                |panel: usize| space.panel_right[panel] + space.panels[panel].right_distance(1.0 - x);
             let (f, g) = if near_left {
-                (-self.outer(from_left(i), from_right(i)), self.inner(from_left(i + 1), size))
+                (-self.outer(left_distance(i), right_distance(i)), self.inner(left_distance(i + 1), size))
             } else {
-                (self.inner(from_right(i), size), -self.outer(from_right(i + 1), from_left(i + 1)))
+                (
+                    self.inner(right_distance(i), size),
+                    -self.outer(right_distance(i + 1), left_distance(i + 1)),
+                )
             };
             for k in 0..space.functions(i) {
-                of_s[k] += self.weighted[i][q][k];
-                with_s[k] += f * self.weighted[i][q][k];
+                of_s[k] += self.close_weighted[i][q][k];
+                with_s[k] += f * self.close_weighted[i][q][k];
             }
             for l in 0..space.functions(i + 1) {
-                of_t[l] += self.weighted[i + 1][q][l];
-                with_t[l] += g * self.weighted[i + 1][q][l];
+                of_t[l] += self.close_weighted[i + 1][q][l];
+                with_t[l] += g * self.close_weighted[i + 1][q][l];
             }
         }
         for k in 0..space.functions(i) {
@@ -239,8 +259,8 @@ impl<'a> Assembly<'a> {
             (space.panel_right[i], space.panel_left[i])
         };
         // Distances of the panel's points from the near end of the panel and from its far end.
-        let from_near = |z: f64| if near_left { panel.from_left(z) } else { panel.from_right(z) };
-        let from_far = |z: f64| if near_left { panel.from_right(z) } else { panel.from_left(z) };
+        let from_near = |z: f64| if near_left { panel.left_distance(z) } else { panel.right_distance(z) };
+        let from_far = |z: f64| if near_left { panel.right_distance(z) } else { panel.left_distance(z) };
         // z: near-end coordinate of the further point, z ζ that of the nearer one.
         let mut place = |z: f64, zeta: f64, value: f64| {
             let (nearer, further) = (z * zeta, z);

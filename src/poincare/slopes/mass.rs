@@ -57,6 +57,19 @@ impl Primitives {
         }
         Ok(Self { beside, integral, products })
     }
+
+    /// Mean of each basis function over the whole interval.
+    pub(crate) fn means(&self, space: &SlopeSpace) -> Vec<f64> {
+        let total: f64 = space.cells.iter().map(|cell| cell.length).sum();
+        let cell_of = |c: usize| (space.first[c]..space.first[c + 1]).map(move |i| (c, i));
+        (0..space.cells.len())
+            .flat_map(cell_of)
+            .map(|(c, i)| {
+                let (left, right) = self.beside[i];
+                (left * space.cell_left[c] + self.integral[i] + right * space.cell_right[c]) / total
+            })
+            .collect()
+    }
 }
 
 /// A quadrature point of a cell: ξ, 1 − ξ and the weight with respect to x.

@@ -1,0 +1,133 @@
+//! The constrained problem on one slope space.
+//!
+//! The interval is a sequence of parts; the condition holds on one of them, a part of length zero being a point. Lengths are
+//! divided by the root of the shortest one, so that all of them lie between 1e-150 and 1e150.
+//!
+//! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length 1/unit of the
+//! interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.
+
+use super::mesh::{MeshModel, PANEL_SPREAD};
+use super::slopes::gram::seminorm_gram;
+use super::slopes::mass::{Primitives, mass_gram};
+use super::slopes::pencil::Factored;
+use super::slopes::space::SlopeSpace;
+use super::zone::{Condition, Zone};
+use crate::error::Result;
+use crate::estimate::Work;
+use crate::sobolev::FractionalOrder;
+
+/// What is asked of u, and where.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Constraint {
+    /// Lengths of consecutive parts that make up (0,1). Every length is positive, except that of a single point.
+    pub(crate) parts: Vec<f64>,
+    /// The part on which the condition holds.
+    pub(crate) zone: usize,
+    pub(crate) condition: Condition,
+}
+
+impl Constraint {
+    pub(crate) fn on_zone(zone: &Zone, condition: Condition) -> Self {
+        let before = usize::from(zone.start() > 0.0);
+        let parts = [zone.start(), zone.length(), zone.rest()].into_iter().filter(|&l| l > 0.0).collect();
+        Self { parts, zone: before, condition }
+    }
+
+    /// u(a) = 0.
+    pub(crate) fn at_point(a: f64) -> Self {
+        let before = usize::from(a > 0.0);
+        let mut parts = vec![a, 0.0, 1.0 - a];
+        parts.retain(|&l| l > 0.0);
+        parts.insert(before, 0.0);
+        Self { parts, zone: before, condition: Condition::Vanishing }
+    }
+
+    /// Mean zero over the whole interval.
+    pub(crate) fn whole() -> Self {
+        Self { parts: vec![1.0], zone: 0, condition: Condition::MeanZero }
+    }
+}
+
+/// Space, matrices and factorization.
+pub(crate) struct Discrete {
+    pub(crate) space: SlopeSpace,
+    /// Basis functions that satisfy the condition.
+    pub(crate) primitives: Primitives,
+    /// Unit of length.
+    pub(crate) unit: f64,
+    /// Factor from quotients in the scaled problem to quotients on (0,1).
+    pub(crate) factor: f64,
+    pub(crate) factored: Factored,
+    points: usize,
+    pub(crate) work: Work,
+}
+
+/// The dual norm N of the mean value on the constrained space, and what sharpens the bound γ² ≤ γ₁² + N².
+///
+/// In the inner product of |·|_ν, let T be the operator of ‖u − mean u‖₀² and e the unit vector along the representer of the
+/// mean: γ² is the largest eigenvalue of T + N² e⊗e. All entries are in the units of the scaled problem.
+pub(crate) struct DualNorm {
+    /// N².
+    pub(crate) square: f64,
+    /// ⟨Te, e⟩.
+    pub(crate) rayleigh: f64,
+    /// ‖Te‖².
+    pub(crate) image: f64,
+}
+
+impl Discrete {
+    pub(crate) fn new(order: FractionalOrder, constraint: &Constraint, model: &MeshModel) -> Result<Self> {
+        let shortest = constraint.parts.iter().copied().filter(|&l| l > 0.0).fold(1.0, f64::min);
+        let unit = shortest.sqrt();
+        let parts: Vec<f64> = constraint.parts.iter().map(|l| l / unit).collect();
+        let frozen = (constraint.condition == Condition::Vanishing).then_some(constraint.zone);
+        let (cells, ranges) = model.cells(&parts, frozen);
+        let space = SlopeSpace::new(cells, PANEL_SPREAD);
+        let (gram, mut work) = seminorm_gram(&space, order, model.points())?;
+        let points = model.points() + 4;
+        let primitives = Primitives::new(&space, &ranges[constraint.zone], points)?;
+        let factored = Factored::new(&gram)?;
+        work.factorizations += 1;
+        let factor = unit.powf(order.offset());
+        Ok(Self { space, primitives, unit, factor, factored, points, work })
+    }
+
+    /// γ and the coefficients of the extremal function.
+    pub(crate) fn largest_quotient(&mut self) -> Result<(f64, Vec<f64>)> {
+        let mass = mass_gram(&self.space, &self.primitives);
+        let (square, vector) = self.factored.largest_eigenvalue(&mass)?;
+        self.work.factorizations += 1;
+        Ok((square.sqrt() * self.factor, vector))
+    }
+
+    /// The dual norm of u ↦ mean of u over the whole interval.
+    pub(crate) fn dual_norm(&self) -> Result<DualNorm> {
+        let mean = self.primitives.means(&self.space);
+        let representer = self.factored.solve(&mean);
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+        let square = dot(&mean, &representer);
+        if square <= 0.0 {
+            return Ok(DualNorm { square: 0.0, rayleigh: 0.0, image: 0.0 });
+        }
+        let centred = Primitives::new(&self.space, &(0..self.space.cells.len()), self.points)?;
+        let mass = mass_gram(&self.space, &centred);
+        let size = mean.len();
+        let unit: Vec<f64> = representer.iter().map(|x| x / square.sqrt()).collect();
+        let moved: Vec<f64> = (0..size).map(|i| (0..size).map(|j| mass[(i, j)] * unit[j]).sum()).collect();
+        let rayleigh = dot(&unit, &moved);
+        let image = dot(&moved, &self.factored.solve(&moved));
+        Ok(DualNorm { square, rayleigh, image })
+    }
+}
+
+impl DualNorm {
+    /// Upper bound of γ², given γ₁² in the same units: the smaller of γ₁² + N² and the largest eigenvalue of
+    /// (N² + ⟨Te,e⟩, σ; σ, γ₁²), σ² = ‖Te‖² − ⟨Te,e⟩², because T ≤ γ₁² on the complement of e.
+    pub(crate) fn upper_bound(&self, whole_square: f64) -> f64 {
+        let first = self.square + self.rayleigh;
+        let coupling = (self.image - self.rayleigh * self.rayleigh).max(0.0);
+        let half = 0.5 * (first - whole_square);
+        let centre = 0.5 * (first + whole_square);
+        (centre + (half * half + coupling).sqrt()).min(self.square + whole_square)
+    }
+}

@@ -1,0 +1,75 @@
+//! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
+//!
+//! With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + O(λ⁻²) (expand the resolvent
+//! of the rank-one perturbation, reading T ↦ ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
+//!
+//! N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  hence λ = s + d/λ,  s = A (θ^{−p} − 1)/p + c.
+//!
+//! A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the analytic continuation, here from two values
+//! of N. The remainders of N² and ‖r‖₀² are of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
+
+use super::constant::{DualMoments, dual_moments};
+use super::limits::END_SLOPE;
+use super::mellin::end_limit;
+use super::slopes::kernel::exp_quotient;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::sobolev::FractionalOrder;
+
+/// Zone lengths at which the constants are read off: remainders below 1e-12 relative, and N² still of order one.
+const SHORT: f64 = 1e-22;
+const SHORTER: f64 = 1e-44;
+
+/// γ² = λ with λ = s + d/λ, s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UniformLaw {
+    order: FractionalOrder,
+    /// A: the slope of γ² against ln(1/θ) at ν = 1/2.
+    pub slope: Estimate,
+    /// c.
+    pub constant: Estimate,
+    /// d.
+    pub correction: Estimate,
+}
+
+impl UniformLaw {
+    /// The law for 0.4 ≤ ν ≤ 0.6.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] when the dual norms cannot be had to the tolerance.
+    pub fn new(order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
+        Error::require("nu", order.value(), "[0.4, 0.6]", order.offset().abs() <= 0.1)?;
+        let p = order.one_minus_twice();
+        let growth = |theta: f64| exp_quotient(p, -theta.ln());
+        let near = dual_moments(order, SHORT, tolerance)?;
+        let slope = if order.offset() == 0.0 {
+            Estimate::new(END_SLOPE, 0.0, Work::default())?
+        } else if order.is_below_half() {
+            let limit = end_limit(order)?;
+            Estimate::new(p * limit.value * limit.value, 2.0 * p * limit.value * limit.error, limit.work)?
+        } else {
+            let far = dual_moments(order, SHORTER, tolerance)?;
+            let span = growth(SHORTER) - growth(SHORT);
+            let error = (near.square.error + far.square.error) / span;
+            Estimate::new((far.square.value - near.square.value) / span, error, far.square.work)?
+        };
+        let DualMoments { square, representer } = near;
+        let constant = Estimate::new(
+            square.value - slope.value * growth(SHORT),
+            square.error + slope.error * growth(SHORT),
+            square.work,
+        )?;
+        Ok(Self { order, slope, constant, correction: representer })
+    }
+
+    /// γ_θ by the law, up to O(s⁻²) in the square.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2.
+    pub fn gamma(&self, theta: f64) -> Result<f64> {
+        Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
+        let s =
+            self.slope.value * exp_quotient(self.order.one_minus_twice(), -theta.ln()) + self.constant.value;
+        Ok((0.5 * (s + (s * s + 4.0 * self.correction.value).sqrt())).sqrt())
+    }
+}

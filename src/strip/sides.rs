@@ -1,0 +1,54 @@
+//! What the sides of the strip do, and the checks that edge data pass.
+
+use crate::error::{Error, Result};
+
+/// What the sides x = 0 and x = 1 of the strip do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Sides {
+    /// No condition is imposed (homogeneous Neumann): n + 1 edge nodes.
+    Natural,
+    /// The sides are identified: n edge nodes.
+    Periodic,
+}
+
+impl Sides {
+    /// Number of nodes on an edge of `cells` cells.
+    pub fn nodes(self, cells: usize) -> usize {
+        match self {
+            Sides::Natural => cells + 1,
+            Sides::Periodic => cells,
+        }
+    }
+
+    /// Period of the (evenly extended) edge, in cells.
+    pub fn period(self, cells: usize) -> usize {
+        match self {
+            Sides::Natural => 2 * cells,
+            Sides::Periodic => cells,
+        }
+    }
+}
+
+/// At least two cells, an even number on a ring.
+pub(crate) fn check_cells(cells: usize, sides: Sides) -> Result<()> {
+    let (admissible, range) = match sides {
+        Sides::Natural => (cells >= 2, "[2, 2^26]"),
+        Sides::Periodic => (cells >= 2 && cells.is_multiple_of(2), "the even numbers in [2, 2^26]"),
+    };
+    if admissible && cells <= 1 << 26 {
+        Ok(())
+    } else {
+        Err(Error::CountOutOfRange { name: "cells", value: cells, range })
+    }
+}
+
+pub(crate) fn check_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
+    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
+}
+
+pub(crate) fn check_finite(name: &'static str, values: &[f64]) -> Result<()> {
+    match values.iter().position(|v| !v.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(Error::NotFinite { name, index, value: values[index] }),
+    }
+}

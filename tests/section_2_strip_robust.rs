@@ -1,0 +1,208 @@
+//! Section 2 on a strip: random loads against a dense solver, extreme data, bad input.
+
+use clap::Parser;
+use faer::Mat;
+use proptest::prelude::*;
+use signorini::contact::{Cone, ContactSet, EdgeProblem, solve_on_edge};
+use signorini::fem::Lame;
+use signorini::strip::{
+    EdgeLoad, EdgeOperator, EdgeScene, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, SceneKind,
+    SceneSource, Settings, Sides, solve_contact,
+};
+use signorini::{Error, Result};
+
+#[path = "../examples/section_2_strip.rs"]
+#[allow(dead_code)]
+mod example;
+
+/// KKT figures of a solution that counts as solved.
+const KKT: f64 = 1e-10;
+/// J by two roads: second order in the residual, so rounding times the condition of a few hundred unknowns.
+const ENERGY: f64 = 1e-10;
+
+fn dense(operator: &EdgeOperator) -> Mat<f64> {
+    let n = operator.nodes();
+    let columns: Vec<Vec<f64>> = (0..n)
+        .map(|j| {
+            let mut unit = vec![0.0; n];
+            unit[j] = 1.0;
+            operator.apply(&unit).unwrap()
+        })
+        .collect();
+    Mat::from_fn(n, n, |i, j| 0.5 * (columns[j][i] + columns[i][j]))
+}
+
+fn solve(operator: &EdgeOperator, force: Vec<f64>, cone: Cone) -> signorini::strip::EdgeSolution {
+    solve_contact(operator, &EdgeLoad::on_edge(force), cone, None, &Settings::default()).unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn random_loads_have_the_energy_of_the_dense_solver(
+        raw in prop::collection::vec(-1.0f64..1.0, 33), mean in -0.3f64..0.3, smooth in 0usize..8
+    ) {
+        let strip = ScalarStrip::new(32, 32).unwrap();
+        let force = smoothed(&raw, mean, smooth);
+        let matrix = dense(strip.operator());
+        for cone in Cone::ALL {
+            let solution = solve(strip.operator(), force.clone(), cone);
+            prop_assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
+            prop_assert!(solution.judgement.worst() < KKT, "{cone}: {:?}", solution.judgement);
+            let (bound, fixed) = (vec![0.0; cone.constraints(33)], vec![false; 33]);
+            let problem = EdgeProblem { stiffness: &matrix, load: &force, bound: &bound, fixed: &fixed, cone };
+            let outcome = solve_on_edge(&problem, ContactSet::empty(cone.constraints(33))).unwrap();
+            let energy = -0.5 * force.iter().zip(&outcome.state.displacement).map(|(b, w)| b * w).sum::<f64>();
+            prop_assert!((solution.energy - energy).abs() <= ENERGY * energy.abs(), "{} {energy}", solution.energy);
+        }
+    }
+
+    #[test]
+    fn random_loads_are_solved_on_the_ring(
+        raw in prop::collection::vec(-1.0f64..1.0, 256), mean in -0.3f64..0.3, smooth in 0usize..8
+    ) {
+        let strip = ElasticStrip::new(256, 256, Lame::new(1.0, 1.0).unwrap()).unwrap();
+        for cone in Cone::ALL {
+            let solution = solve(strip.operator(), smoothed(&raw, mean, smooth), cone);
+            prop_assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
+            prop_assert!(solution.judgement.worst() < KKT, "{cone}: {:?}", solution.judgement);
+        }
+    }
+}
+
+fn smoothed(raw: &[f64], mean: f64, times: usize) -> Vec<f64> {
+    let n = raw.len();
+    let mut force = raw.to_vec();
+    for _ in 0..times {
+        force =
+            (0..n).map(|i| 0.25 * (force[(i + n - 1) % n] + 2.0 * force[i] + force[(i + 1) % n])).collect();
+    }
+    force.iter().map(|f| f + mean).collect()
+}
+
+#[test]
+fn scaling_the_load_scales_the_answer() {
+    let strip = ScalarStrip::new(64, 64).unwrap();
+    let force: Vec<f64> = (0..65).map(|i| (0.2 * i as f64).cos() + 0.1).collect();
+    for cone in Cone::ALL {
+        let one = solve(strip.operator(), force.clone(), cone);
+        for scale in [1e-150, 1e150] {
+            let other = solve(strip.operator(), force.iter().map(|f| f * scale).collect(), cone);
+            assert_eq!(one.contact, other.contact);
+            let size = one.values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+            for (a, b) in one.values.iter().zip(&other.values) {
+                assert!((a - b / scale).abs() <= 1e-12 * size);
+            }
+        }
+        let huge = EdgeLoad::on_edge(force.iter().map(|f| f * 1e300).collect());
+        let refused = solve_contact(strip.operator(), &huge, cone, None, &Settings::default());
+        assert!(matches!(refused, Err(Error::NotFinite { name: "energy", .. })));
+    }
+}
+
+#[test]
+fn no_contact_and_full_contact() {
+    let scalar = ScalarStrip::new(16, 16).unwrap();
+    let elastic = ElasticStrip::new(16, 16, Lame::new(1.0, 1.0).unwrap()).unwrap();
+    for operator in [scalar.operator(), elastic.operator()] {
+        for cone in Cone::ALL {
+            let weights =
+                |sign: f64| (0..operator.nodes()).map(|i| sign * operator.weight(i)).collect::<Vec<_>>();
+            let free = solve(operator, weights(-1.0), cone);
+            assert!(free.status.is_converged() && free.contact.count() == 0);
+            let closed = solve(operator, weights(1.0), cone);
+            assert!(closed.status.is_converged(), "{cone} {}", closed.status);
+            assert_eq!(closed.contact.count(), closed.contact.constraints(), "{cone}");
+            assert!(closed.values.iter().all(|v| v.abs() < 1e-12) && closed.judgement.worst() < 1e-12);
+            let nothing = solve(operator, vec![0.0; operator.nodes()], cone);
+            assert!(nothing.status.is_converged() && nothing.energy == 0.0);
+        }
+    }
+    let smallest = ScalarStrip::new(2, 1).unwrap();
+    assert!(solve(smallest.operator(), vec![1.0, -1.0, 0.5], Cone::Midpoint).judgement.worst() < 1e-12);
+}
+
+fn refused<T: std::fmt::Debug>(outcome: Result<T>, words: &str) {
+    let text = outcome.unwrap_err().to_string();
+    assert!(text.contains(words), "'{text}' does not say '{words}'");
+}
+
+#[test]
+fn bad_scenes_are_named() {
+    let build = |kind, tau| EdgeScene::build(kind, tau, 64, Sides::Natural);
+    let transition = SceneKind::Transition { position: 0.4 };
+    for tau in [1.5, 2.5, f64::NAN, -1.0] {
+        refused(build(transition, tau), "tau");
+    }
+    refused(build(SceneKind::FatCantor { depth: 5 }, 2.0), "fat Cantor");
+    refused(build(SceneKind::FatCantor { depth: 0 }, 1.75), "depth");
+    refused(build(SceneKind::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");
+    refused(build(SceneKind::Transition { position: 1.0 }, 1.75), "position");
+    refused(build(SceneKind::Transitions { gaps: 64 }, 1.75), "gaps");
+    refused(EdgeScene::new(2, Sides::Natural, vec![-1.0; 3], vec![0.0; 3]), "empty");
+    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![0.0, 1.0, 0.0]), "both nonzero");
+    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, 1.0, 0.0], vec![0.0; 3]), "u_N");
+    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![-1.0, 0.0, 0.0]), "lambda");
+    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, f64::NAN, 0.0], vec![0.0; 3]), "not finite");
+    refused(EdgeScene::new(4, Sides::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
+    let odd = EdgeScene::new(6, Sides::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
+    refused(ExactEdge::scalar(&odd, (1, 1), Reference::Nested), "powers of two");
+    let ring = EdgeScene::new(8, Sides::Periodic, vec![0.0; 8], vec![0.0; 8]).unwrap();
+    refused(ExactEdge::scalar(&ring, (1, 1), Reference::Nested), "sides");
+    let flat = EdgeScene::new(8, Sides::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
+    refused(ExactEdge::scalar(&flat, (1, 3), Reference::Nested), "cells");
+    let exact = ExactEdge::scalar(&flat, (1, 1), Reference::Nested).unwrap();
+    refused(exact.load(16), "cells");
+    refused(exact.load(3), "cells");
+    refused(exact.error(4, &[0.0; 4]), "length");
+}
+
+#[test]
+fn samples_are_read_or_refused_by_line() {
+    let good = "# u_N lambda\n0 1\n0, 0.5\n-0.1 0\n-0.2 0 # open\n-0.1 0\n";
+    let scene = EdgeScene::from_samples(good, Sides::Natural).unwrap();
+    assert_eq!((scene.cells(), scene.gaps(), scene.regularity()), (4, 1, None));
+    assert_eq!(scene.forces(), [0.125, 0.125, 0.0, 0.0, 0.0]);
+    refused(EdgeScene::from_samples("0 1\n0\n0 0\n", Sides::Natural), "line 2");
+    refused(EdgeScene::from_samples("0 1\n0 0 0\n0 0\n", Sides::Natural), "line 2");
+    refused(EdgeScene::from_samples("0 1\n0 0\nx 0\n", Sides::Natural), "line 3");
+    refused(EdgeScene::from_samples("0 1\n0 0\n", Sides::Natural), "lines of samples");
+    refused(EdgeScene::from_samples("", Sides::Periodic), "lines of samples");
+    refused(EdgeScene::from_samples("0 1\n-1 1\n0 0\n", Sides::Natural), "both nonzero");
+    refused(EdgeScene::from_samples("0 inf\n0 0\n0 0\n", Sides::Natural), "not finite");
+}
+
+fn run(arguments: &[&str]) -> Result<signorini::report::Headline> {
+    let words = std::iter::once("section_2_strip").chain(arguments.iter().copied());
+    example::run(&example::Options::try_parse_from(words).unwrap())
+}
+
+#[test]
+fn example_runs_and_refuses() {
+    for arguments in [
+        vec!["--levels", "3-7"],
+        vec!["--levels", "3-6", "--kind", "elastic", "--cone", "midpoint"],
+        vec!["--levels", "3-6", "--scene", "cantor", "--positions", "2"],
+        vec!["--levels", "3-6", "--scene", "fat-cantor:6", "--kind", "elastic"],
+        vec!["--levels", "3-6", "--scene", "transitions:2", "--tau", "2"],
+        vec!["--levels", "3-5", "--scene", "transition:0.3", "--positions", "3"],
+        vec!["--levels", "3-9", "--reference", "harmonic"],
+    ] {
+        let headline = run(&arguments).unwrap();
+        assert!(headline.verdict.is_confirmed(), "{arguments:?}: {}", headline.verdict);
+        assert!(headline.table.number(1, "error").unwrap() > 0.0);
+    }
+    refused(run(&["--tau", "1.2"]), "tau");
+    refused(run(&["--positions", "0"]), "positions");
+    refused(run(&["--kind", "elastic", "--reference", "harmonic"]), "reference");
+    refused(run(&["--scene", "samples:/nowhere/at-all"]), "/nowhere/at-all");
+    for arguments in
+        [["--levels", "9-3"], ["--levels", "3-40"], ["--levels", "x"], ["--scene", "cliff"], ["--kind", "x"]]
+    {
+        let words = std::iter::once("section_2_strip").chain(arguments);
+        assert!(example::Options::try_parse_from(words).is_err(), "{arguments:?}");
+    }
+    assert!(Levels::new(0, 3).is_err());
+    assert!("samples:".parse::<SceneSource>().is_err());
+}
