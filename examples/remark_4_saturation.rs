@@ -58,7 +58,7 @@ pub fn run(options: &Options) -> Result<Headline> {
             "dual",
             "P0, dual",
             Format::Fixed(3),
-            "the same in the dual norm of H^(1/2); theory min(r, 1) + 1/2",
+            "the same in the dual norm of H^(1/2); theory min(r, 1) + 1/2, neared from above like 1/N",
         ),
         Column::new(
             "limit",
