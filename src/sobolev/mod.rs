@@ -14,6 +14,7 @@
 mod arm_integral;
 mod band;
 mod cells;
+mod circulant;
 pub mod closed_forms;
 mod cluster;
 mod dual;
@@ -31,6 +32,7 @@ mod piecewise;
 mod polynomial_pairs;
 mod power;
 mod seminorm;
+mod six_step;
 mod toeplitz;
 
 pub use dual::{DualOf, dual_norm_of_functional};
