@@ -17,6 +17,7 @@ mod cells;
 mod circulant;
 pub mod closed_forms;
 mod cluster;
+mod deep_tail;
 mod dual;
 mod function;
 mod function_norms;

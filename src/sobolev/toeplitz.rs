@@ -11,6 +11,9 @@ use super::partition::{Partition, RunningSum};
 use crate::error::Result;
 use rayon::prelude::*;
 
+/// Entries of an end row summed by one thread, plainly; the sums of the pieces are compensated.
+const PIECE: usize = 1 << 12;
+
 /// The part of a Gram matrix on a uniform mesh that lies off its band.
 pub(crate) struct Toeplitz {
     /// of the inner hats, or of all indicators
@@ -67,14 +70,28 @@ impl Toeplitz {
         }
         let last = x.len() - 1;
         self.circulant.add(&x[1..last], &mut y[1..last])?;
-        let (mut first, mut final_row) = (RunningSum::default(), RunningSum::default());
-        for j in 1..last {
-            y[j] += self.end_row[j] * x[0] + self.end_row[last - j] * x[last];
-            first.add(self.end_row[j] * x[j]);
-            final_row.add(self.end_row[last - j] * x[j]);
+        let sums: Vec<[f64; 2]> = y[1..last]
+            .par_chunks_mut(PIECE)
+            .enumerate()
+            .map(|(piece, y)| {
+                let from = 1 + piece * PIECE;
+                let (left, mirrored) = (&self.end_row[from..], &self.end_row[..=last - from]);
+                let (mut first, mut final_row) = (0.0, 0.0);
+                for (((y, x_j), a), b) in y.iter_mut().zip(&x[from..]).zip(left).zip(mirrored.iter().rev()) {
+                    *y += a * x[0] + b * x[last];
+                    first += a * x_j;
+                    final_row += b * x_j;
+                }
+                [first, final_row]
+            })
+            .collect();
+        let mut ends = [RunningSum::default(); 2];
+        for [first, final_row] in sums {
+            ends[0].add(first);
+            ends[1].add(final_row);
         }
-        y[0] += first.value() + self.end_row[last] * x[last];
-        y[last] += final_row.value() + self.end_row[last] * x[0];
+        y[0] += ends[0].value() + self.end_row[last] * x[last];
+        y[last] += ends[1].value() + self.end_row[last] * x[0];
         Ok(())
     }
 
