@@ -45,7 +45,8 @@ pub fn run(options: &Options) -> Result<Headline> {
     let study = RateStudy::nested(options.scene, Cone::Midpoint, options.n, options.levels)?;
     let (paper, optimal) = (Bound::Paper.exponent(study.tau)?, Bound::Optimal.exponent(study.tau)?);
     let space = if study.tau == 2.0 { "H^2".to_owned() } else { format!("H^tau, tau < {:.4}", study.tau) };
-    let bound = if study.tau == 2.0 { "C h |ln h|^(1/2)".to_owned() } else { format!("C h^{paper:.4}") };
+    let bound =
+        if study.tau == 2.0 { "C h |ln h|^(1/2)".to_owned() } else { format!("C h^p, p < {paper:.4}") };
     let claim =
         format!("{}, u in {space}: the H^1 error of the midpoint cone is at most {bound}", options.scene);
     let measured = format!("{}; optimal {optimal:.3}", study.measured());

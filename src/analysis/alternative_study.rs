@@ -1,6 +1,6 @@
 //! The cases of Figure 3.2 or 4.1 on the contact set of a fine solution, over a sequence of coarser meshes.
 
-use super::alternatives::printed_theta;
+use super::alternatives::{checked_theta, printed_theta};
 use super::classification::{Classification, Section};
 use super::edge_trace::EdgeTrace;
 use super::orders::observed_orders;
@@ -12,6 +12,8 @@ use crate::scenes::Scene;
 
 /// The fine solution has this many segments in each of the finest contact segments classified.
 const REFERENCE_FACTOR: usize = 8;
+/// Largest n: a reference with 2048 squares along each side.
+const LARGEST: usize = 256;
 /// u_N counts as zero below this, relative to its largest value: far above rounding, far below one cell's opening.
 const ZERO: f64 = 1e-12;
 
@@ -34,7 +36,7 @@ impl ThetaRule {
     fn theta(self, h: f64) -> Result<f64> {
         match self {
             ThetaRule::Printed { tau } => printed_theta(h, tau),
-            ThetaRule::Fixed(theta) => Ok(theta),
+            ThetaRule::Fixed(theta) => checked_theta(theta),
         }
     }
 }
@@ -63,13 +65,13 @@ impl AlternativeStudy {
     /// Solves the scene on 8n x 8n squares and classifies the contact segments of the meshes n/4, n/2 and n.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless n is a multiple of 4 of at least 8; [`Error::OutOfRange`] for τ or θ.
+    /// [`Error::CountOutOfRange`] unless n is a multiple of 4 from 8 to 256; [`Error::OutOfRange`] for τ or θ.
     pub fn new(section: Section, scene: Scene, n: usize, rule: ThetaRule) -> Result<Self> {
-        if n < 8 || !n.is_multiple_of(4) {
+        if !(8..=LARGEST).contains(&n) || !n.is_multiple_of(4) {
             return Err(Error::CountOutOfRange {
                 name: "n",
                 value: n,
-                range: "the multiples of 4 from 8 on",
+                range: "the multiples of 4 from 8 to 256",
             });
         }
         // A bad θ or τ is found before the work.

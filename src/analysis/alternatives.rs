@@ -46,7 +46,7 @@ pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
     Ok(if tau == 2.0 { h * h } else { h.powf(2.0 * tau - 3.0) })
 }
 
-fn checked_theta(theta: f64) -> Result<f64> {
+pub(super) fn checked_theta(theta: f64) -> Result<f64> {
     Error::require("theta", theta, "(0, 1)", theta > 0.0 && theta < 1.0)
 }
 

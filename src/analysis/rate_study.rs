@@ -15,6 +15,8 @@ use std::time::Instant;
 
 /// Refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 2;
+/// Squares along each side of the largest reference: 8.4 million unknowns for a vector, some 16 GiB.
+const LARGEST_REFERENCE: usize = 2048;
 
 /// One level of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,12 +52,18 @@ impl RateStudy {
     /// Studies `levels` meshes with n, 2n, 4n, ... squares along each side.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for fewer than two levels or n < 2; whatever the meshes and solvers return.
+    /// [`Error::CountOutOfRange`] for fewer than two levels, n < 2, or a reference that is too large; whatever the meshes and solvers return.
     pub fn nested(scene: Scene, cone: Cone, coarsest: usize, levels: usize) -> Result<Self> {
-        for (name, value) in [("levels", levels), ("coarsest n", coarsest)] {
-            if value < 2 {
-                return Err(Error::CountOutOfRange { name, value, range: "[2, inf)" });
-            }
+        if coarsest < 2 {
+            return Err(Error::CountOutOfRange { name: "coarsest n", value: coarsest, range: "[2, inf)" });
+        }
+        let finest = u32::try_from(levels.saturating_add(REFERENCE_DEPTH - 1))
+            .ok()
+            .and_then(|k| 1usize.checked_shl(k));
+        let reference = finest.and_then(|factor| coarsest.checked_mul(factor));
+        if levels < 2 || reference.is_none_or(|n| n > LARGEST_REFERENCE) {
+            let range = "[2, levels whose reference has at most 2048 squares along each side]";
+            return Err(Error::CountOutOfRange { name: "levels", value: levels, range });
         }
         let hierarchy = Hierarchy::refined(scene.mesh(coarsest)?, levels - 1 + REFERENCE_DEPTH)?;
         let finest = hierarchy.levels().len() - 1;

@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 
 /// λ of the clamped/free corner: opening ω in (0, π/2], Poisson's ratio in (0, 1/2), plane strain.
 ///
-/// Bisection to rounding; at ω below about π/3 no root lies in (0, 1) and the corner does not limit H²: λ = 1.
+/// Bisection to rounding. Where no root lies in (0, 1), for sin²ω < 1 − ν_P, the corner does not limit H²: λ = 1.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] outside these ranges.

@@ -23,6 +23,21 @@ impl Verdict {
     pub fn is_confirmed(&self) -> bool {
         !matches!(self, Verdict::NotConfirmed(_))
     }
+
+    /// Of two verdicts the one that says more against the printed statement; the first where they weigh the same.
+    #[must_use]
+    pub fn graver(self, other: Verdict) -> Verdict {
+        if other.weight() > self.weight() { other } else { self }
+    }
+
+    fn weight(&self) -> u8 {
+        match self {
+            Verdict::Holds => 0,
+            Verdict::HoldsLoose(_) => 1,
+            Verdict::PrintedFormFails(_) => 2,
+            Verdict::NotConfirmed(_) => 3,
+        }
+    }
 }
 
 impl fmt::Display for Verdict {
