@@ -30,6 +30,7 @@ chapters! {
     lemma_5_2_induction: "lemma_5_2_induction.md",
     remark_5: "remark_5.md",
     remark_6: "remark_6.md",
+    remark_7: "remark_7.md",
     lemma_6_1: "lemma_6_1.md",
     lemma_6_2: "lemma_6_2.md",
 }
