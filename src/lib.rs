@@ -14,6 +14,7 @@
 //! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
 //! | Appendix B, (4.6), (4.7), Remarks 2 and 4: interpolation, projection, embeddings | [`interpolation`] |
 //! | Section 2 on a strip, reduced to its contact edge | [`strip`] |
+//! | Sections 3 and 4: alternatives, consistency terms, rates | [`analysis`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
