@@ -124,28 +124,64 @@ pub fn two_sided(
     tolerance: Tolerance,
 ) -> Result<TwoSided> {
     let constraint = constraint(&zone, condition)?;
-    let gamma = gamma(order, zone, condition, tolerance)?;
     let whole = gamma_whole(order, tolerance)?;
-    let model = MeshModel::new(order, tolerance.relative());
-    let mut norms = Vec::new();
-    let mut uppers = Vec::new();
-    let mut work = Work::default();
-    for model in [model, model.varied()] {
-        let discrete = Discrete::new(order, &constraint, &model)?;
+    let mut target = tolerance.relative();
+    let mut reached = f64::INFINITY;
+    for _ in 0..=REFINEMENTS {
+        let model = MeshModel::new(order, target);
+        let fine = Sides::new(order, &constraint, &model, &whole)?;
+        let coarse = Sides::new(order, &constraint, &model.varied(), &whole)?;
+        let found = fine.join(&coarse, whole)?;
+        reached = found.gamma.relative_error();
+        if reached <= tolerance.relative() {
+            return Ok(found);
+        }
+        target *= 0.02;
+    }
+    Err(Error::ToleranceNotMet { what: "Poincare constant", asked: tolerance.relative(), reached })
+}
+
+/// γ, its upper bound and N on one space.
+struct Sides {
+    gamma: f64,
+    upper: f64,
+    norm: f64,
+    work: Work,
+}
+
+impl Sides {
+    fn new(
+        order: FractionalOrder,
+        constraint: &Constraint,
+        model: &MeshModel,
+        whole: &Estimate,
+    ) -> Result<Self> {
+        let mut discrete = Discrete::new(order, constraint, model)?;
+        let (gamma, _) = discrete.largest_quotient()?;
         let dual = discrete.dual_norm()?;
         let whole_here = (whole.value + whole.error) / discrete.factor;
-        norms.push(dual.square.sqrt() * discrete.factor);
-        uppers.push(dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor);
-        work += discrete.work;
+        Ok(Self {
+            gamma,
+            upper: dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor,
+            norm: dual.square.sqrt() * discrete.factor,
+            work: discrete.work,
+        })
     }
-    let spread = |values: &[f64]| (values[0] - values[1]).abs();
-    Ok(TwoSided {
-        gamma,
-        lower: gamma.value * (1.0 - ROUNDING),
-        upper: uppers[0].max(uppers[1]) * (1.0 + 2.0 * ROUNDING) + spread(&uppers) + spread(&norms),
-        whole,
-        dual_norm: Estimate::new(norms[0].max(norms[1]), spread(&norms) + ROUNDING * norms[0], work)?,
-    })
+
+    fn join(&self, coarse: &Self, whole: Estimate) -> Result<TwoSided> {
+        let work = self.work + coarse.work;
+        let estimate = |a: f64, b: f64| Estimate::new(a.max(b), (a - b).abs() + ROUNDING * a.max(b), work);
+        let gamma = estimate(self.gamma, coarse.gamma)?;
+        let dual_norm = estimate(self.norm, coarse.norm)?;
+        let upper = estimate(self.upper, coarse.upper)?;
+        Ok(TwoSided {
+            gamma,
+            lower: gamma.value * (1.0 - ROUNDING),
+            upper: upper.value + upper.error + dual_norm.error,
+            whole,
+            dual_norm,
+        })
+    }
 }
 
 /// γ with the function for which it is attained.

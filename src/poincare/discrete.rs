@@ -8,6 +8,7 @@
 
 use super::mesh::{MeshModel, PANEL_SPREAD};
 use super::slopes::gram::seminorm_gram;
+use super::slopes::local::Local;
 use super::slopes::mass::{Primitives, mass_gram};
 use super::slopes::pencil::Factored;
 use super::slopes::space::SlopeSpace;
@@ -15,6 +16,7 @@ use super::zone::{Condition, Zone};
 use crate::error::Result;
 use crate::estimate::Work;
 use crate::sobolev::FractionalOrder;
+use faer::Mat;
 
 /// What is asked of u, and where.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +53,8 @@ impl Constraint {
 /// Space, matrices and factorization.
 pub(crate) struct Discrete {
     pub(crate) space: SlopeSpace,
+    /// The group of cells with another basis, for a short zone inside.
+    local: Option<Local>,
     /// Basis functions that satisfy the condition.
     pub(crate) primitives: Primitives,
     /// Unit of length.
@@ -83,26 +87,43 @@ impl Discrete {
         let frozen = (constraint.condition == Condition::Vanishing).then_some(constraint.zone);
         let (cells, ranges) = model.cells(&parts, frozen);
         let space = SlopeSpace::new(cells, PANEL_SPREAD);
-        let (gram, mut work) = seminorm_gram(&space, order, model.points())?;
+        let local = Local::new(&space, &ranges[constraint.zone], order.one_minus_twice());
+        let (gram, mut work) = seminorm_gram(&space, local.as_ref(), order, model.points())?;
         let points = model.points() + 4;
         let primitives = Primitives::new(&space, &ranges[constraint.zone], points)?;
         let factored = Factored::new(&gram)?;
         work.factorizations += 1;
         let factor = unit.powf(order.offset());
-        Ok(Self { space, primitives, unit, factor, factored, points, work })
+        Ok(Self { space, local, primitives, unit, factor, factored, points, work })
     }
 
     /// γ and the coefficients of the extremal function.
     pub(crate) fn largest_quotient(&mut self) -> Result<(f64, Vec<f64>)> {
-        let mass = mass_gram(&self.space, &self.primitives);
+        let mass = self.mass(&self.primitives);
         let (square, vector) = self.factored.largest_eigenvalue(&mass)?;
         self.work.factorizations += 1;
+        let vector = match &self.local {
+            Some(local) => local.restored(&self.space, vector),
+            None => vector,
+        };
         Ok((square.sqrt() * self.factor, vector))
+    }
+
+    /// The mass matrix in the basis of the factorized matrix.
+    fn mass(&self, primitives: &Primitives) -> Mat<f64> {
+        let mass = mass_gram(&self.space, primitives);
+        match &self.local {
+            Some(local) => local.transformed(&self.space, mass),
+            None => mass,
+        }
     }
 
     /// The dual norm of u ↦ mean of u over the whole interval.
     pub(crate) fn dual_norm(&self) -> Result<DualNorm> {
-        let mean = self.primitives.means(&self.space);
+        let mut mean = self.primitives.means(&self.space);
+        if let Some(local) = &self.local {
+            mean = local.transformed_vector(&self.space, mean);
+        }
         let representer = self.factored.solve(&mean);
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
         let square = dot(&mean, &representer);
@@ -110,7 +131,7 @@ impl Discrete {
             return Ok(DualNorm { square: 0.0, rayleigh: 0.0, image: 0.0 });
         }
         let centred = Primitives::new(&self.space, &(0..self.space.cells.len()), self.points)?;
-        let mass = mass_gram(&self.space, &centred);
+        let mass = self.mass(&centred);
         let size = mean.len();
         let unit: Vec<f64> = representer.iter().map(|x| x / square.sqrt()).collect();
         let moved: Vec<f64> = (0..size).map(|i| (0..size).map(|j| mass[(i, j)] * unit[j]).sum()).collect();

@@ -19,6 +19,8 @@ pub(crate) struct MeshModel {
     growth: f64,
     /// Radius of the innermost cells relative to the nearest feature.
     innermost: f64,
+    /// The same next to a zone on which u vanishes.
+    innermost_at_zero: f64,
     /// The same next to a single point at which u vanishes.
     innermost_at_point: f64,
     /// Rate in ln r at which energy falls off away from the features that carry it: |1−2ν|.
@@ -27,9 +29,10 @@ pub(crate) struct MeshModel {
     functions: usize,
 }
 
-/// A cell across which the energy falls by e^−22 lies more than e^−30 away from the features: a coarse slope will do there,
-/// and high degrees would be linearly dependent in f64.
-const LARGEST_FALL: f64 = 22.0;
+/// Largest fall of the energy across a cell, as an exponent: beyond, slopes on it would be linearly dependent in f64.
+const LARGEST_FALL: f64 = 8.0;
+/// Where the energy has fallen by e^−28 a coarse slope will do.
+const NEGLIGIBLE_FALL: f64 = 28.0;
 
 /// Smallest ratio of two features that are told apart.
 const SEPARATION: f64 = 3.0;
@@ -41,14 +44,15 @@ impl MeshModel {
     /// A model for a relative error of about `error` in γ.
     ///
     /// Measured: `functions` = 4 ... 12 give worst errors 1e-5, 6e-7, 2e-7, 1e-8, 6e-11, 3e-12, ... over all orders and
-    /// zones. Cutting r^{2ν} off at r = δ costs the fraction δ^{1+2ν} of the energy; cutting off r^{2ν−1}, the behaviour at a
-    /// point where u vanishes, δ^{2ν−1}.
+    /// zones. Cutting r^{2ν} off at r = δ costs the fraction δ^{1+2ν} of the energy; cutting off r^ν, the behaviour beside a zone
+    /// on which u vanishes, δ; cutting off r^{2ν−1}, the behaviour at a single such point, δ^{2ν−1}.
     pub(crate) fn new(order: FractionalOrder, error: f64) -> Self {
         let digits = -error.log10();
         Self {
             finest: 1.5,
             growth: 1.6,
             innermost: (0.1 * error).powf(1.0 / (1.0 + 2.0 * order.value())),
+            innermost_at_zero: 0.1 * error,
             innermost_at_point: (0.1 * error).powf(1.0 / order.one_minus_twice().abs()).max(1e-290),
             decay: order.one_minus_twice().abs(),
             functions: (2.0 + 0.8 * digits).ceil().clamp(4.0, 14.0) as usize,
@@ -61,6 +65,7 @@ impl MeshModel {
             finest: 1.15 * self.finest,
             growth: 1.05 * self.growth,
             innermost: self.innermost.powf(0.9),
+            innermost_at_zero: self.innermost_at_zero.powf(0.9),
             innermost_at_point: self.innermost_at_point.powf(0.9),
             functions: self.functions - 2,
             ..self
@@ -83,7 +88,7 @@ impl MeshModel {
                 if frozen == Some(part) {
                     cells.push(Cell::uniform(length, 0));
                 } else {
-                    self.push_part(&mut cells, parts, part);
+                    self.push_part(&mut cells, parts, part, frozen);
                 }
             }
             ranges.push(start..cells.len());
@@ -91,7 +96,7 @@ impl MeshModel {
         (cells, ranges)
     }
 
-    fn push_part(&self, cells: &mut Vec<Cell>, parts: &[f64], part: usize) {
+    fn push_part(&self, cells: &mut Vec<Cell>, parts: &[f64], part: usize, frozen: Option<usize>) {
         // Distances from either end of the part to the singular points beyond it.
         let running = |sum: &mut f64, length: &f64| {
             *sum += length;
@@ -99,15 +104,19 @@ impl MeshModel {
         };
         let left: Vec<f64> = parts[..part].iter().rev().scan(0.0, running).collect();
         let right: Vec<f64> = parts[part + 1..].iter().scan(0.0, running).collect();
-        let at_point = |beyond: &[f64]| beyond.first() == Some(&0.0);
+        let innermost = |neighbour: Option<usize>| match neighbour.and_then(|part| parts.get(part)) {
+            Some(0.0) => self.innermost_at_point,
+            Some(_) if neighbour == frozen => self.innermost_at_zero,
+            _ => self.innermost,
+        };
         let length = parts[part];
-        // A zero length at the very end of the interval is no point condition but an empty part.
-        cells.extend(self.half(length, &left, at_point(&left)));
-        cells.extend(self.half(length, &right, at_point(&right)).into_iter().rev().map(Cell::mirrored));
+        cells.extend(self.half(length, &left, innermost(part.checked_sub(1))));
+        let mirrored = self.half(length, &right, innermost(Some(part + 1)));
+        cells.extend(mirrored.into_iter().rev().map(Cell::mirrored));
     }
 
-    /// Cells from a singular point up to half the length of its interval.
-    fn half(&self, length: f64, others: &[f64], at_point: bool) -> Vec<Cell> {
+    /// Cells from a singular point up to half the length of its interval; `innermost` is relative to the nearest feature.
+    fn half(&self, length: f64, others: &[f64], innermost: f64) -> Vec<Cell> {
         let top = 0.5 * length;
         let mut features: Vec<f64> = Vec::new();
         for &distance in others {
@@ -118,15 +127,14 @@ impl MeshModel {
             }
         }
         features.push(top);
-        let relative = if at_point { self.innermost_at_point } else { self.innermost };
-        let inner = relative * features[0];
+        let inner = innermost * features[0];
         let mut cells = vec![Cell::uniform(inner, self.functions.min(2))];
         let mut spreads = self.grow((features[0] / inner).ln());
         spreads.reverse();
         for pair in features.windows(2) {
             let span = (pair[1] / pair[0]).ln();
             if span < 2.0 * self.finest {
-                spreads.push(span);
+                spreads.push((span, self.functions));
             } else {
                 let half = self.grow(0.5 * span);
                 spreads.extend(half.iter());
@@ -134,8 +142,7 @@ impl MeshModel {
             }
         }
         let mut radius = inner;
-        for spread in spreads {
-            let functions = if spread * self.decay > LARGEST_FALL { 2 } else { self.functions };
+        for (spread, functions) in spreads {
             cells.push(Cell::from_left(radius, spread, functions));
             radius *= spread.exp();
         }
@@ -143,17 +150,18 @@ impl MeshModel {
         cells
     }
 
-    /// Extents that start near `finest`, grow by `growth` and fill `span`.
-    fn grow(&self, span: f64) -> Vec<f64> {
+    /// Extents that start near `finest` at a feature, grow by `growth` and fill `span`, with their numbers of functions.
+    fn grow(&self, span: f64) -> Vec<(f64, usize)> {
         let mut extents = Vec::new();
         let (mut sum, mut next) = (0.0, self.finest);
         // One more cell as long as the common factor that makes them fit stays closer to 1.
         while extents.is_empty() || sum * (sum + next) < span * span {
-            extents.push(next);
+            let is_carrying = sum * self.decay < NEGLIGIBLE_FALL;
+            extents.push((next, if is_carrying { self.functions } else { 2 }));
             sum += next;
-            next *= self.growth;
+            next = (self.growth * next).min(LARGEST_FALL / self.decay);
         }
-        extents.iter_mut().for_each(|extent| *extent *= span / sum);
+        extents.iter_mut().for_each(|(extent, _)| *extent *= span / sum);
         extents
     }
 }

@@ -12,6 +12,7 @@
 //! Cost: O(P² n²) kernel values for P panels, n points; O(P n²) once the skipped pairs dominate.
 
 use super::kernel::{exp_quotient, kernel, power_increment};
+use super::local::Local;
 use super::rules::{Pairs, Rules};
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values};
 use crate::error::Result;
@@ -27,13 +28,14 @@ const NEGLIGIBLE: f64 = 1e-22;
 const CLOSE: f64 = 0.7;
 const CLOSE_POINTS: (usize, usize) = (3, 2);
 
-/// Gram matrix of |u|_ν² with n-point rules, and the work it took.
+/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hats where there is a `local` group.
 pub(crate) fn seminorm_gram(
     space: &SlopeSpace,
+    local: Option<&Local>,
     order: FractionalOrder,
     n: usize,
 ) -> Result<(Mat<f64>, Work)> {
-    let assembly = Assembly::new(space, order, n)?;
+    let assembly = Assembly::new(space, local, order, n)?;
     let size = space.dimension();
     // One accumulator per thread; rows are dealt out in turn because they grow shorter.
     let threads = rayon::current_num_threads();
@@ -54,12 +56,16 @@ pub(crate) fn seminorm_gram(
     }
     for j in 0..size {
         for i in 0..=j {
-            let sum = (gram[(i, j)] + gram[(j, i)]) / order.value();
+            let sum = gram[(i, j)] + gram[(j, i)];
             gram[(i, j)] = sum;
             gram[(j, i)] = sum;
         }
     }
-    Ok((gram, work))
+    if let Some(local) = local {
+        gram = local.finish(space, gram, &assembly.rules.plain);
+    }
+    let nu = order.value();
+    Ok((Mat::from_fn(size, size, |i, j| gram[(i, j)] / nu), work))
 }
 
 /// ∬ over one pair of panels of L_k(s) L_l(t) times the kernel.
@@ -67,6 +73,7 @@ type Block = [[f64; MOST_FUNCTIONS]; MOST_FUNCTIONS];
 
 struct Assembly<'a> {
     space: &'a SlopeSpace,
+    local: Option<&'a Local>,
     p: f64,
     rules: Rules,
     /// Basis at the points of the plain rule, times weight, per panel.
@@ -74,12 +81,19 @@ struct Assembly<'a> {
     /// Rules with more points, for panels that touch or nearly do; the basis at the plain ones.
     close_rules: Rules,
     close_weighted: Vec<Vec<Values>>,
+    /// Per panel of the local group: integrals of the basis, without and with the shifted kernel from P.
+    from_origin: Vec<(Values, Values)>,
     /// Self energy of a step across each panel, roughly.
     scale: Vec<f64>,
 }
 
 impl<'a> Assembly<'a> {
-    fn new(space: &'a SlopeSpace, order: FractionalOrder, n: usize) -> Result<Self> {
+    fn new(
+        space: &'a SlopeSpace,
+        local: Option<&'a Local>,
+        order: FractionalOrder,
+        n: usize,
+    ) -> Result<Self> {
         let p = order.one_minus_twice();
         let rules = Rules::new(n, p)?;
         let weighted_basis = |rule: &Pairs| -> Vec<Vec<Values>> {
@@ -92,13 +106,28 @@ impl<'a> Assembly<'a> {
         let weighted = weighted_basis(&rules.plain);
         let close_rules = Rules::new(CLOSE_POINTS.0 * n / CLOSE_POINTS.1, p)?;
         let close_weighted = weighted_basis(&close_rules.plain);
+        let from_origin = local.map_or(Vec::new(), |local| {
+            let kernel = |i: usize, x: f64| local.origin_kernel(local.position(space, i, x));
+            let integrals = |i: usize| {
+                let mut sums = ([0.0; MOST_FUNCTIONS + 1], [0.0; MOST_FUNCTIONS + 1]);
+                for (values, &(x, _)) in weighted[i].iter().zip(&rules.plain) {
+                    let value = if local.contains(space.panels[i].cell) { kernel(i, x) } else { 0.0 };
+                    for k in 0..space.functions(i) {
+                        sums.0[k] += values[k];
+                        sums.1[k] += value * values[k];
+                    }
+                }
+                sums
+            };
+            (0..space.panels.len()).map(integrals).collect()
+        });
         let scale = (0..space.panels.len())
             .map(|i| {
                 let half = 0.5 * space.panels[i].length;
                 kernel(p, space.panel_left[i] + half, half, space.panel_right[i] + half)
             })
             .collect();
-        Ok(Self { space, p, rules, weighted, close_rules, close_weighted, scale })
+        Ok(Self { space, local, p, rules, weighted, close_rules, close_weighted, from_origin, scale })
     }
 
     /// Adds the pairs (i, j), j ≥ i, each once: the caller symmetrizes.
@@ -139,9 +168,21 @@ impl<'a> Assembly<'a> {
         let space = self.space;
         let (s, t) = (&space.panels[i], &space.panels[j]);
         let (left, right) = (space.panel_left[i], space.panel_right[j]);
-        let largest = kernel(self.p, left + s.length, gap, right + t.length);
-        if largest < NEGLIGIBLE * self.scale[i].sqrt() * self.scale[j].sqrt() {
+        let classes = self.classes(i, j);
+        let is_negligible = match (self.local, classes) {
+            (Some(local), (true, _) | (_, true)) => local.is_negligible(space, s.cell, t.cell),
+            _ => {
+                let largest = kernel(self.p, left + s.length, gap, right + t.length);
+                largest < NEGLIGIBLE * self.scale[i].sqrt() * self.scale[j].sqrt()
+            }
+        };
+        if is_negligible {
             return None;
+        }
+        if let (Some(local), (true, true)) = (self.local, classes)
+            && let Some(first_is_nearer) = local.is_nearer(space, i, j)
+        {
+            return Some(self.seen_from_origin(i, j, first_is_nearer));
         }
         let is_close = s.outside(gap, false).min(t.outside(gap, true)) < CLOSE;
         let (points, weighted) = if is_close {
@@ -151,14 +192,26 @@ impl<'a> Assembly<'a> {
         };
         let far: Vec<(f64, f64)> =
             points.iter().map(|&(x, _)| (t.left_distance(x), right + t.right_distance(1.0 - x))).collect();
+        let place = |panel: usize, x: f64| self.local.map_or(0.0, |local| local.position(space, panel, x));
+        let at_t: Vec<f64> = points.iter().map(|&(x, _)| place(j, x)).collect();
+        let alone_t: Vec<f64> =
+            at_t.iter().map(|&t| self.local.map_or(0.0, |local| local.of_further(t))).collect();
         let mut block = [[0.0; MOST_FUNCTIONS]; MOST_FUNCTIONS];
         let (rows, columns) = (space.functions(i), space.functions(j));
         for (a, &(x, _)) in points.iter().enumerate() {
+            let at_s = place(i, x);
+            let alone_s = self.local.map_or(0.0, |local| local.of_nearer(at_s));
             let alpha = left + s.left_distance(x);
             let to_gap = s.right_distance(1.0 - x) + gap;
             let mut sums = [0.0; MOST_FUNCTIONS];
             for (b, &(in_t, beta)) in far.iter().enumerate() {
-                let value = kernel(self.p, alpha, to_gap + in_t, beta);
+                let distance = to_gap + in_t;
+                let value = match (self.local, classes) {
+                    (Some(local), (true, true)) => alone_s + alone_t[b] + local.inside(distance),
+                    (Some(local), (true, false)) => alone_s + local.leaving(at_s, at_t[b], distance),
+                    (Some(local), (false, true)) => alone_t[b] + local.entering(at_s, at_t[b], distance),
+                    _ => kernel(self.p, alpha, distance, beta),
+                };
                 for l in 0..columns {
                     sums[l] += value * weighted[j][b][l];
                 }
@@ -171,6 +224,22 @@ impl<'a> Assembly<'a> {
         }
         work.points += (points.len() * points.len()) as u64;
         Some(block)
+    }
+
+    /// Panels of the local group of which one is so much nearer to P that the kernel is that of P: a product of two integrals.
+    fn seen_from_origin(&self, i: usize, j: usize, first_is_nearer: bool) -> Block {
+        let (of_i, of_j) = if first_is_nearer {
+            (&self.from_origin[i].0, &self.from_origin[j].1)
+        } else {
+            (&self.from_origin[i].1, &self.from_origin[j].0)
+        };
+        let mut block = [[0.0; MOST_FUNCTIONS]; MOST_FUNCTIONS];
+        for k in 0..self.space.functions(i) {
+            for l in 0..self.space.functions(j) {
+                block[k][l] = of_i[k] * of_j[l];
+            }
+        }
+        block
     }
 
     /// Panels i and i + 1. Corner coordinates: distances ρ, ρσ (in ξ) from the common point, both orders.
@@ -199,21 +268,10 @@ impl<'a> Assembly<'a> {
         }
         work.points += 4 * (self.close_rules.plain.len() * self.close_rules.plain.len()) as u64;
         // The remaining terms depend on one of the two points only.
-        let near_left = space.panel_left[i] <= space.panel_right[i + 1];
         let (mut of_s, mut of_t) = ([0.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
         let (mut with_s, mut with_t) = ([0.0; MOST_FUNCTIONS], [0.0; MOST_FUNCTIONS]);
         for (q, &(x, _)) in self.close_rules.plain.iter().enumerate() {
-            let left_distance = |panel: usize| space.panel_left[panel] + space.panels[panel].left_distance(x);
-            let right_distance =
-                |panel: usize| space.panel_right[panel] + space.panels[panel].right_distance(1.0 - x);
-            let (f, g) = if near_left {
-                (-self.outer(left_distance(i), right_distance(i)), self.inner(left_distance(i + 1), size))
-            } else {
-                (
-                    self.inner(right_distance(i), size),
-                    -self.outer(right_distance(i + 1), left_distance(i + 1)),
-                )
-            };
+            let (f, g) = (self.of_nearer(i, i + 1, size, x), self.of_further(i, i + 1, size, x));
             for k in 0..space.functions(i) {
                 of_s[k] += self.close_weighted[i][q][k];
                 with_s[k] += f * self.close_weighted[i][q][k];
@@ -252,43 +310,66 @@ impl<'a> Assembly<'a> {
             }
         }
         work.points += 2 * (self.rules.plain.len() * self.rules.plain.len()) as u64;
+        // The further point t at z, the nearer one at z ζ; on a panel that starts at the end, x = h z and (1 − z^p)/p is a weight.
         let near_left = space.panel_left[i] <= space.panel_right[i];
-        let (near, far) = if near_left {
-            (space.panel_left[i], space.panel_right[i])
-        } else {
-            (space.panel_right[i], space.panel_left[i])
-        };
-        // Distances of the panel's points from the near end of the panel and from its far end.
-        let from_near = |z: f64| if near_left { panel.left_distance(z) } else { panel.right_distance(z) };
-        let from_far = |z: f64| if near_left { panel.right_distance(z) } else { panel.left_distance(z) };
-        // z: near-end coordinate of the further point, z ζ that of the nearer one.
-        let mut place = |z: f64, zeta: f64, value: f64| {
-            let (nearer, further) = (z * zeta, z);
-            if near_left {
-                sum.add(nearer, further, value);
-            } else {
-                sum.add(1.0 - further, 1.0 - nearer, value);
-            }
-        };
-        if near == 0.0 {
-            // The panel starts at the end: x = h z, and (1 − z^p)/p is a weight.
-            each_pair(&self.rules.logarithm[1], &self.rules.plain, |z, zeta, w| place(z, zeta, -unit * w));
+        let is_first = near_left && space.panel_left[i] == 0.0;
+        let is_last = !near_left && space.panel_right[i] == 0.0;
+        if is_first {
+            each_pair(&self.rules.logarithm[1], &self.rules.plain, |z, zeta, w| {
+                sum.add(z * zeta, z, -unit * w)
+            });
         } else {
             each_pair(&self.rules.plain, &self.rules.plain, |z, zeta, w| {
-                place(z, zeta, w * z * self.inner(near + from_near(z), size));
+                sum.add(z * zeta, z, w * z * self.of_further(i, i, size, z));
             });
         }
-        // c: far-end coordinate of the nearer point, c ζ that of the further one.
-        each_pair(&self.rules.plain, &self.rules.plain, |c, zeta, w| {
-            let value = -w * c * self.outer(near + from_near(1.0 - c), far + from_far(c));
-            let (nearer, further) = (1.0 - c, 1.0 - c * zeta);
-            if near_left {
-                sum.add(nearer, further, value);
-            } else {
-                sum.add(1.0 - further, 1.0 - nearer, value);
-            }
-        });
+        // The nearer point s at 1 − c, the further one at 1 − c ζ.
+        if is_last {
+            each_pair(&self.rules.logarithm[1], &self.rules.plain, |c, zeta, w| {
+                sum.add(1.0 - c, 1.0 - c * zeta, -unit * w);
+            });
+        } else {
+            each_pair(&self.rules.plain, &self.rules.plain, |c, zeta, w| {
+                sum.add(1.0 - c, 1.0 - c * zeta, w * c * self.of_nearer(i, i, size, 1.0 - c));
+            });
+        }
         sum.block
+    }
+
+    /// Whether the cells of two panels belong to the local group.
+    fn classes(&self, i: usize, j: usize) -> (bool, bool) {
+        let inside =
+            |panel: usize| self.local.is_some_and(|local| local.contains(self.space.panels[panel].cell));
+        (inside(i), inside(j))
+    }
+
+    /// The part of ν K on panels i ≤ j of joint size h that depends on the nearer (left) point s only, at ξ of panel i.
+    fn of_nearer(&self, i: usize, j: usize, size: f64, xi: f64) -> f64 {
+        let space = self.space;
+        let left = space.panel_left[i] + space.panels[i].left_distance(xi);
+        let right = space.panel_right[i] + space.panels[i].right_distance(1.0 - xi);
+        match (self.local, self.classes(i, j)) {
+            (Some(local), (true, _)) => local.of_nearer(local.position(space, i, xi)),
+            (Some(local), (false, true)) => self.inner(-local.position(space, i, xi), size),
+            _ if space.panel_left[i] <= space.panel_right[j] => -self.outer(left, right),
+            _ => self.inner(right, size),
+        }
+    }
+
+    /// The part that depends on the further (right) point t only, at ξ of panel j.
+    fn of_further(&self, i: usize, j: usize, size: f64, xi: f64) -> f64 {
+        let space = self.space;
+        let left = space.panel_left[j] + space.panels[j].left_distance(xi);
+        let right = space.panel_right[j] + space.panels[j].right_distance(1.0 - xi);
+        match (self.local, self.classes(i, j)) {
+            (Some(local), (true, true)) => {
+                local.of_further(local.position(space, j, xi)) + self.inner(local.zone(), size)
+            }
+            (Some(local), (false, true)) => local.of_further(local.position(space, j, xi)),
+            (Some(local), (true, false)) => self.inner(local.position(space, j, xi), size),
+            _ if space.panel_left[i] <= space.panel_right[j] => self.inner(left, size),
+            _ => -self.outer(right, left),
+        }
     }
 
     /// h^p ((x/h)^p − 1)/p.

@@ -2,11 +2,12 @@
 //!
 //! Unknowns are the slopes of u, so that constants, the kernel of the seminorm, do not appear at all and no position is
 //! ever subtracted from another. See [`cell`] for the parametrizations, [`gram`] for |u|_ν², [`mass`] for ‖u‖₀² under a
-//! condition that fixes the constant, [`pencil`] for the extremal quotient.
+//! condition that fixes the constant, [`local`] for short zones inside, [`pencil`] for the extremal quotient.
 
 pub(crate) mod cell;
 pub(crate) mod gram;
 pub(crate) mod kernel;
+pub(crate) mod local;
 pub(crate) mod mass;
 pub(crate) mod pencil;
 mod rules;

@@ -1,0 +1,275 @@
+//! A short zone deep inside the interval, ν < 1/2: local coordinates for the kernel and for the basis.
+//!
+//! For p = 1 − 2ν > 0 a jump of u costs finite energy: near the zone K(s,t) is a constant κ plus a part of order r^p, r the
+//! distance from the zone. The extremal function jumps down and up again; in the step basis its energy θ^p would be a difference of
+//! numbers of order one. Within a group G of cells around the zone
+//!
+//! * neighbouring steps are replaced by their differences, continuous hats; the last step of G stays (the net increment),
+//! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and K(s,t) − K(P,t)
+//!   for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and do not see what is subtracted; the last step
+//!   gets it back.
+//!
+//! All entries then have the size of their own scale, whatever θ.
+
+use super::kernel::{exp_quotient, kernel, power_increment};
+use super::space::SlopeSpace;
+use faer::Mat;
+use std::ops::{Range, RangeInclusive};
+
+/// The group is used for zones shorter than this fraction of their distance from the ends ...
+const SHORT: f64 = 0.05;
+/// ... and reaches this far, in the same unit.
+const REACH: f64 = 0.3;
+/// Hats whose distances from P have a smaller ratio do not interact: the extremal function falls off like r^{−p}, which makes
+/// their share of the energy this ratio, while the entries they are differences of are larger and round accordingly.
+const NEGLIGIBLE: f64 = 1e-13;
+
+/// A point this much nearer to P than another is P itself, as seen from the other.
+const INDISTINCT: f64 = 1e-15;
+
+/// The group G and its point P.
+#[derive(Debug, Clone)]
+pub(crate) struct Local {
+    p: f64,
+    cells: Range<usize>,
+    /// First cell right of P.
+    origin: usize,
+    /// Distances of P from the two ends, and the length of the zone.
+    left: f64,
+    right: f64,
+    zone: f64,
+    zone_power: f64,
+    /// Distance from P to the nearer end of each panel and of each cell.
+    panel_offsets: Vec<f64>,
+    cell_offsets: Vec<f64>,
+}
+
+/// Distances from the boundary before entry `origin` to the nearer end of each entry.
+fn offsets(lengths: &[f64], origin: usize) -> Vec<f64> {
+    let mut distances = vec![0.0; lengths.len()];
+    for i in origin + 1..lengths.len() {
+        distances[i] = distances[i - 1] + lengths[i - 1];
+    }
+    for i in (0..origin.saturating_sub(1)).rev() {
+        distances[i] = distances[i + 1] + lengths[i + 1];
+    }
+    distances
+}
+
+impl Local {
+    /// The group around the cells of `zone`, if there is need for one.
+    pub(crate) fn new(space: &SlopeSpace, zone: &Range<usize>, p: f64) -> Option<Self> {
+        let lengths: Vec<f64> = space.cells.iter().map(|cell| cell.length).collect();
+        let length: f64 = lengths[zone.clone()].iter().sum();
+        let (left, rest) =
+            (*space.cell_left.get(zone.start)?, *space.cell_right.get(zone.end.checked_sub(1)?)?);
+        let nearest = left.min(rest);
+        if p <= 0.0 || length <= 0.0 || length > SHORT * nearest {
+            return None;
+        }
+        let origin = zone.start;
+        let cell_offsets = offsets(&lengths, origin);
+        let reached = |c: &usize| cell_offsets[*c] + lengths[*c] <= REACH * nearest;
+        let start = (0..origin).rev().take_while(reached).last().unwrap_or(origin);
+        let end = (origin..lengths.len()).take_while(reached).last().map_or(origin, |c| c + 1);
+        let first_panel = space.panels.iter().position(|panel| panel.cell >= origin)?;
+        let panel_lengths: Vec<f64> = space.panels.iter().map(|panel| panel.length).collect();
+        Some(Self {
+            p,
+            cells: start..end,
+            origin,
+            left,
+            right: length + rest,
+            zone: length,
+            zone_power: length.powf(p),
+            panel_offsets: offsets(&panel_lengths, first_panel),
+            cell_offsets,
+        })
+    }
+
+    pub(crate) fn contains(&self, cell: usize) -> bool {
+        self.cells.contains(&cell)
+    }
+
+    /// Length of the zone, the unit of the shifted kernel.
+    pub(crate) fn zone(&self) -> f64 {
+        self.zone
+    }
+
+    /// Signed distance from P of the point ξ of a panel.
+    pub(crate) fn position(&self, space: &SlopeSpace, panel: usize, xi: f64) -> f64 {
+        let (offset, shape) = (self.panel_offsets[panel], &space.panels[panel]);
+        if shape.cell >= self.origin {
+            offset + shape.left_distance(xi)
+        } else {
+            -(offset + shape.right_distance(1.0 - xi))
+        }
+    }
+
+    /// (x^p − a^p)/p for the distances x, a of t and P from the left end.
+    pub(crate) fn of_further(&self, t: f64) -> f64 {
+        self.left.powf(self.p) * exp_quotient(self.p, (t / self.left).ln_1p())
+    }
+
+    /// (y^p − b^p)/p for the distances y, b of s and P from the right end.
+    pub(crate) fn of_nearer(&self, s: f64) -> f64 {
+        self.right.powf(self.p) * exp_quotient(self.p, (-s / self.right).ln_1p())
+    }
+
+    /// ν (K(s,t) − κ) for s < t in G at distance d, without the terms of either point alone.
+    pub(crate) fn inside(&self, d: f64) -> f64 {
+        -self.zone_power * exp_quotient(self.p, (d / self.zone).ln())
+    }
+
+    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P.
+    pub(crate) fn origin_kernel(&self, position: f64) -> f64 {
+        let alone = if position > 0.0 { self.of_further(position) } else { self.of_nearer(position) };
+        alone + self.inside(position.abs())
+    }
+
+    /// Whether the first of two panels is nearer to P than f64 can tell from zero at the other (`Some(true)`), or the second.
+    pub(crate) fn is_nearer(&self, space: &SlopeSpace, i: usize, j: usize) -> Option<bool> {
+        let reach = |panel: usize| self.panel_offsets[panel] + space.panels[panel].length;
+        let is_nearer = |near: usize, far: usize| reach(near) < INDISTINCT * self.panel_offsets[far];
+        if is_nearer(i, j) { Some(true) } else { is_nearer(j, i).then_some(false) }
+    }
+
+    /// (D^p − d^p)/p for a point at distance D from P and d from the point at `shift` from P towards it.
+    fn approach(&self, far: f64, d: f64, shift: f64) -> f64 {
+        if shift > 0.0 { power_increment(self.p, d, shift) } else { -power_increment(self.p, far, -shift) }
+    }
+
+    /// ν (K(s,t) − K(P,t)) for s in G, t outside on the right at distance d, without the term of s alone.
+    pub(crate) fn leaving(&self, s: f64, t: f64, d: f64) -> f64 {
+        self.approach(t, d, s)
+    }
+
+    /// ν (K(s,t) − K(s,P)) for t in G, s outside on the left at distance d, without the term of t alone.
+    pub(crate) fn entering(&self, s: f64, t: f64, d: f64) -> f64 {
+        self.approach(-s, d, -t)
+    }
+
+    /// Largest and smallest distance from P over cells of G next to `cell`, `width` on either side.
+    fn range(&self, space: &SlopeSpace, cells: impl Iterator<Item = usize>) -> (f64, f64) {
+        cells.fold((f64::INFINITY, 0.0), |(low, high), c| {
+            let offset = self.cell_offsets[c];
+            (offset.min(low), (offset + space.cells[c].length).max(high))
+        })
+    }
+
+    /// Whether nothing that holds a step of cell c interacts with anything that holds a step of cell d. A hat joins a cell to the
+    /// next one that carries a step, at most two further on.
+    pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
+        let around = |cell: usize| {
+            let (low, high) = (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
+            if self.contains(cell) { low..=high } else { cell..=cell }
+        };
+        self.are_apart(self.range(space, around(c)), self.range(space, around(d)), (around(c), around(d)))
+    }
+
+    /// Whether the ranges of distances (low, high) are so far apart that hats do not interact. The last step of G has an increment
+    /// and interacts with everything that is larger, and so has a function outside G.
+    fn are_apart(
+        &self,
+        first: (f64, f64),
+        second: (f64, f64),
+        cells: (RangeInclusive<usize>, RangeInclusive<usize>),
+    ) -> bool {
+        let is_local = |cells: &RangeInclusive<usize>| {
+            // Near the end of G the last step itself may be among the neighbours: then nothing is skipped.
+            self.contains(*cells.start()) && *cells.end() < self.last()
+        };
+        (is_local(&cells.0) && first.1 < NEGLIGIBLE * second.0)
+            || (is_local(&cells.1) && second.1 < NEGLIGIBLE * first.0)
+    }
+
+    /// The cell whose step stays.
+    fn last(&self) -> usize {
+        self.cells.end - 1
+    }
+
+    /// Cells of G that carry a step, in order.
+    fn steps(&self, space: &SlopeSpace) -> Vec<usize> {
+        self.cells.clone().filter(|&c| space.cells[c].functions > 0).collect()
+    }
+
+    /// Tᵀ M T: the matrix of a form in the basis with hats.
+    pub(crate) fn transformed(&self, space: &SlopeSpace, mut matrix: Mat<f64>) -> Mat<f64> {
+        let size = matrix.nrows();
+        for pair in self.steps(space).windows(2) {
+            let (i, j) = (space.first[pair[0]], space.first[pair[1]]);
+            for k in 0..size {
+                matrix[(i, k)] -= matrix[(j, k)];
+            }
+        }
+        for pair in self.steps(space).windows(2) {
+            let (i, j) = (space.first[pair[0]], space.first[pair[1]]);
+            for k in 0..size {
+                matrix[(k, i)] -= matrix[(k, j)];
+            }
+        }
+        matrix
+    }
+
+    /// Tᵀ b.
+    pub(crate) fn transformed_vector(&self, space: &SlopeSpace, mut vector: Vec<f64>) -> Vec<f64> {
+        for pair in self.steps(space).windows(2) {
+            vector[space.first[pair[0]]] -= vector[space.first[pair[1]]];
+        }
+        vector
+    }
+
+    /// T y: coefficients of steps from coefficients of hats.
+    pub(crate) fn restored(&self, space: &SlopeSpace, mut vector: Vec<f64>) -> Vec<f64> {
+        for pair in self.steps(space).windows(2).rev() {
+            vector[space.first[pair[1]]] -= vector[space.first[pair[0]]];
+        }
+        vector
+    }
+
+    /// Finishes ν times the Gram matrix assembled with the shifted kernel: hats, negligible entries, and what the last step lost.
+    pub(crate) fn finish(&self, space: &SlopeSpace, gram: Mat<f64>, rule: &[(f64, f64)]) -> Mat<f64> {
+        let mut gram = self.transformed(space, gram);
+        let steps = self.steps(space);
+        let next = |c: usize| steps.iter().position(|&s| s == c).and_then(|k| steps.get(k + 1)).copied();
+        for c in self.cells.clone() {
+            for d in 0..space.cells.len() {
+                let (first, second) = (c..=next(c).unwrap_or(c), d..=next(d).unwrap_or(d));
+                let ranges = (self.range(space, first.clone()), self.range(space, second.clone()));
+                let small_first = c != self.last() && ranges.0.1 < NEGLIGIBLE * ranges.1.0;
+                let small_second =
+                    self.contains(d) && d != self.last() && ranges.1.1 < NEGLIGIBLE * ranges.0.0;
+                if small_first || small_second {
+                    for i in space.first[c]..space.first[c + 1] {
+                        for j in space.first[d]..space.first[d + 1] {
+                            gram[(i, j)] = 0.0;
+                            gram[(j, i)] = 0.0;
+                        }
+                    }
+                }
+            }
+        }
+        let kept = space.first[self.last()];
+        let (a, b, c) = (self.left, self.right, self.zone);
+        gram[(kept, kept)] += power_increment(self.p, c, a - c) - power_increment(self.p, b, a);
+        for (panel, shape) in space.panels.iter().enumerate().filter(|(_, shape)| !self.contains(shape.cell))
+        {
+            for &(xi, w) in rule {
+                let gap = self.position(space, panel, xi);
+                let (before, after) = if gap > 0.0 {
+                    (self.left, space.panel_right[panel] + shape.right_distance(1.0 - xi))
+                } else {
+                    (space.panel_left[panel] + shape.left_distance(xi), self.right)
+                };
+                let value = w * shape.width * kernel(self.p, before, gap.abs(), after);
+                let slopes = space.slopes(panel, xi);
+                for k in 0..space.functions(panel) {
+                    let i = space.first_of_panel(panel) + k;
+                    gram[(kept, i)] += value * slopes[k];
+                    gram[(i, kept)] += value * slopes[k];
+                }
+            }
+        }
+        gram
+    }
+}
