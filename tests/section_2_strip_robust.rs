@@ -188,13 +188,35 @@ fn example_runs_and_refuses() {
         vec!["--levels", "3-6", "--scene", "transitions:2", "--tau", "2"],
         vec!["--levels", "3-5", "--scene", "transition:0.3", "--positions", "3"],
         vec!["--levels", "3-9", "--reference", "harmonic"],
+        // h |ln h|^{1/2} itself has order 0.94 here: the bound is compared, not its exponent.
+        vec!["--tau", "2"],
+        vec!["--levels", "1-3", "--kind", "elastic"],
     ] {
         let headline = run(&arguments).unwrap();
         assert!(headline.verdict.is_confirmed(), "{arguments:?}: {}", headline.verdict);
         assert!(headline.table.number(1, "error").unwrap() > 0.0);
+        assert!(headline.claim.len() <= 100, "{}", headline.claim);
+        assert!(
+            headline.values.iter().all(|(_, value)| value.is_finite()) && !headline.measured.contains("NaN")
+        );
     }
     refused(run(&["--tau", "1.2"]), "tau");
-    refused(run(&["--positions", "0"]), "positions");
+    for positions in ["0", "1025", "18446744073709551615"] {
+        refused(run(&["--scene", "transition:0.5", "--positions", positions]), "positions");
+        refused(run(&["--scene", "cantor", "--positions", positions]), "positions");
+    }
+    for levels in ["5-5", "3-4"] {
+        refused(run(&["--levels", levels]), "number of levels");
+    }
+    for count in ["0", "100000000", "4611686018427387904", "18446744073709551615"] {
+        refused(run(&["--levels", "3-6", "--scene", &format!("transitions:{count}")]), "gaps");
+    }
+    for scene in ["cantor:0.3:65", "cantor:0.3:18446744073709551615", "fat-cantor:65", "fat-cantor:0"] {
+        refused(run(&["--levels", "3-6", "--scene", scene]), "depth");
+    }
+    // Sets whose gaps have no node on the grid: nothing to converge to, no order that is not a number.
+    refused(run(&["--levels", "3-6", "--scene", "cantor:0.499999999"]), "gaps");
+    refused(run(&["--levels", "3-6", "--scene", "fat-cantor", "--tau", "1.9999"]), "gaps");
     refused(run(&["--kind", "elastic", "--reference", "harmonic"]), "reference");
     refused(run(&["--scene", "samples:/nowhere/at-all"]), "/nowhere/at-all");
     for arguments in
@@ -205,4 +227,17 @@ fn example_runs_and_refuses() {
     }
     assert!(Levels::new(0, 3).is_err());
     assert!("samples:".parse::<SceneSource>().is_err());
+}
+
+#[test]
+fn growth_is_told_from_alternation() {
+    let study = |order: f64, alternation: f64| -> Vec<f64> {
+        let sign = |i: i32| if i % 2 == 0 { 1.0 } else { -1.0 };
+        (3..15).map(|i| 2f64.powf(-f64::from(i) * order) * (1.0 + alternation * sign(i))).collect()
+    };
+    for alternation in [0.0, 0.1] {
+        assert!(example::boundedness(&study(0.0, alternation)).is_confirmed());
+        assert!(example::boundedness(&study(0.0625, alternation)).to_string().contains("loose by h^0.06"));
+        assert!(!example::boundedness(&study(-0.05, alternation)).is_confirmed());
+    }
 }

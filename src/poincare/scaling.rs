@@ -26,7 +26,7 @@ impl ScalingCurve {
     pub fn growth(&self) -> Option<String> {
         let (nu, &(theta1, gamma1)) = (self.order, self.computed.last()?);
         let Some(&(theta0, gamma0)) = self.computed.iter().rev().find(|(theta, _)| *theta != theta1) else {
-            return Some(format!("nu = {nu}: {gamma1:.9} at theta = {theta1}"));
+            return Some(format!("nu = {nu}: {gamma1:.9} at theta = {theta1:e}"));
         };
         let logarithm = (theta0 / theta1).ln();
         Some(if nu.is_below_half() {
@@ -41,9 +41,14 @@ impl ScalingCurve {
         })
     }
 
-    /// The verdict on this order. With γ₁ the constant of the whole interval, A = 3/(2π²) and the limits of the laws,
-    /// the lemma is tested in the explicit form γ ≤ γ₁ + B θ^{ν−1/2}, γ₁ + (A ln(1/θ))^{1/2}, γ₀; functions that
-    /// vanish on the zone, ν ≤ 1/2, have no explicit form here and only (5.2) at θ > 1/2 is looked at.
+    /// The verdict on this order, from numbers only. With γ₁ the constant of the whole interval the lemma is tested with
+    /// explicit constants, found here and not proved:
+    ///
+    /// * ν < 1/2: γ ≤ (γ₁ + B) θ^{ν−1/2}, B the limit of γ θ^{1/2−ν};
+    /// * ν = 1/2: γ ≤ γ₁ + (A ln(1/θ))^{1/2}, A = 3/(2π²); by which factor (5.2) is loose, or where it fails;
+    /// * ν > 1/2: γ ≤ γ₀, the constant for functions that vanish at an end.
+    ///
+    /// Functions that vanish on the zone have no such constant here when ν ≤ 1/2.
     ///
     /// # Errors
     /// As [`gamma`](super::gamma).
@@ -59,15 +64,14 @@ impl ScalingCurve {
             Box::new(move |theta: f64| whole + (END_SLOPE * -theta.ln()).sqrt())
         } else {
             let limit = end_limit(nu)?.value;
-            Box::new(move |theta: f64| whole + limit * theta.powf(nu.offset()))
+            Box::new(move |theta: f64| (whole + limit) * theta.powf(nu.offset()))
         };
         for &(theta, gamma) in &self.computed {
             let allowed = explicit(theta);
-            // Both sides are known to the tolerance only, and near nu = 1 they agree to many digits.
+            // Both sides are known to the tolerance only, and near ν = 1 they agree to many digits.
             if gamma > allowed * (1.0 + 4.0 * tolerance.relative()) {
-                return Ok(Verdict::NotConfirmed(format!(
-                    "{gamma} > {allowed} at nu = {nu}, theta = {theta}"
-                )));
+                let words = format!("{gamma} > {allowed} at nu = {nu}, theta = {theta:e}");
+                return Ok(Verdict::NotConfirmed(words));
             }
         }
         if nu.offset() != 0.0 {

@@ -1,7 +1,7 @@
 //! A scene on one mesh or on nested ones, by one solver or by both: what the examples of Section 2 print.
 
 use super::{Scene, Setting};
-use crate::contact::{Cone, ContactProblem, ContactSolution, Solver};
+use crate::contact::{Cone, ContactProblem, ContactSolution, NOISE, Solver};
 use crate::error::{Error, Result};
 use crate::report::{Headline, Table, Verdict};
 
@@ -116,15 +116,15 @@ impl SceneStudy {
     }
 }
 
-/// The largest difference in J between solutions on the same mesh, relative to |J|, or to the rounding of J (force times
-/// displacement times ε) over the agreement asked for, where J itself is rounding (full contact). Not a number if J is not.
+/// The largest difference in J between solutions on the same mesh, relative to |J|, or to the rounding of J ([`NOISE`]
+/// times force times displacement) over the agreement asked for, where J itself is rounding (full contact). Not a number if J is not.
 fn disagreement(runs: &[SceneRun]) -> f64 {
     runs.windows(2)
         .filter(|pair| pair[0].n == pair[1].n)
         .map(|pair| {
             let [first, second] = [&pair[0].solution, &pair[1].solution];
             let largest = first.energy.abs().max(second.energy.abs());
-            let rounding = f64::EPSILON / AGREEMENT * first.force_scale * first.displacement_scale;
+            let rounding = NOISE / AGREEMENT * first.force_scale * first.displacement_scale;
             let difference = (first.energy - second.energy).abs();
             if difference == 0.0 { 0.0 } else { difference / largest.max(rounding) }
         })

@@ -2,8 +2,9 @@
 //!
 //! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink geometrically.
 //! The cells go on until what is left is small against the tolerance; where ℓ decays too slowly for that, wide cells down to the
-//! depth of the arm feed [`crate::quadrature::extrapolate`]. An integral that does not converge is recognised by its integrand.
+//! depth of the arm feed [`crate::quadrature::extrapolate`], or a [`DeepTail`] is added. An integral that does not converge is recognised by its integrand.
 
+use super::deep_tail::DeepTail;
 use crate::error::{Error, Result};
 use crate::quadrature::{Limit, Rule, extrapolate};
 use std::cell::Cell;
@@ -59,6 +60,9 @@ const START_RATIO: f64 = 0.15;
 const BLOCK: f64 = 42.0;
 const BLOCK_CELLS: usize = 3;
 
+/// Where a tail takes over: fewer digits of differences are lost before it than the tolerance needs.
+const TAIL_START: f64 = 450.0;
+
 impl ArmIntegral {
     /// `spread`: ln of the largest quotient of arm lengths; `order`: ν, for messages.
     pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64) -> Result<Self> {
@@ -74,15 +78,16 @@ impl ArmIntegral {
         })
     }
 
-    /// The integral; `scale` is what else the result will be added to.
+    /// The integral; `scale` is what else the result will be added to, `tail` the end of the arm where it is known.
     pub(crate) fn integrate(
         &self,
         depth: f64,
         scale: f64,
+        tail: Option<&DeepTail>,
         mut density: impl FnMut(f64) -> Result<Density>,
     ) -> Result<ArmValue> {
         let rounding = Cell::new(0.0);
-        let limit = self.limit(depth, scale, &rounding, |t, weight| {
+        let limit = self.limit(depth, scale, tail, &rounding, |t, weight| {
             let density = density(t)?;
             rounding.set((weight * density.rounding).hypot(rounding.get()));
             Ok(density.value)
@@ -96,6 +101,7 @@ impl ArmIntegral {
         &self,
         depth: f64,
         scale: f64,
+        tail: Option<&DeepTail>,
         rounding: &Cell<f64>,
         mut density: impl FnMut(f64, f64) -> Result<f64>,
     ) -> Result<Limit> {
@@ -129,6 +135,11 @@ impl ArmIntegral {
             }
         }
         let mut partials = Partials { ends, partial, densities };
+        if let Some(tail) = tail
+            && depth >= TAIL_START
+        {
+            return self.with_tail(tail, scale, rounding, &mut partials, &mut density);
+        }
         if depth >= self.structured + 5.0 * BLOCK
             && let Some(limit) = self.deep(depth, scale, &mut partials, &mut density)?
         {
@@ -162,6 +173,30 @@ impl ArmIntegral {
             sum += weight * density(from + width * t, weight)?;
         }
         Ok(sum)
+    }
+
+    /// Wide cells as far as the tail begins, and the tail.
+    fn with_tail(
+        &self,
+        tail: &DeepTail,
+        scale: f64,
+        rounding: &Cell<f64>,
+        found: &mut Partials,
+        density: &mut impl FnMut(f64, f64) -> Result<f64>,
+    ) -> Result<Limit> {
+        let rule = Rule::gauss_legendre(self.level.points + 4)?;
+        let width = BLOCK / BLOCK_CELLS as f64;
+        while found.end() + width <= TAIL_START && !found.grows() {
+            let (from, before) = (found.end(), found.sum());
+            let sum = before + self.cell(&rule, from, width, density)?;
+            found.push(from + width, sum, density(from + width, 0.0)?);
+        }
+        if found.diverges() || !tail.starts_at(found.end()) {
+            return self.decide(found);
+        }
+        let rest = tail.integrate(found.end(), self.tolerance, found.sum().abs() + scale)?;
+        rounding.set(rounding.get().hypot(rest.rounding));
+        Ok(Limit { value: found.sum() + rest.limit.value, error: rest.limit.error })
     }
 
     /// Wide blocks from where everything is smooth on the scale of t.

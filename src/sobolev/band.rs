@@ -5,6 +5,9 @@ use super::gram::{diagonal_constant, diagonal_linear, neighbours_linear};
 use super::partition::Partition;
 use rayon::prelude::*;
 
+/// Rows worth a thread of their own.
+const PARALLEL: usize = 1 << 14;
+
 /// A symmetric band matrix: diagonal and off-diagonals.
 pub(crate) struct Band {
     pub(crate) diagonal: Vec<f64>,
@@ -45,14 +48,23 @@ impl Band {
 
     /// Band × x.
     pub(crate) fn times(&self, x: &[f64]) -> Vec<f64> {
-        let mut y: Vec<f64> = self.diagonal.iter().zip(x).map(|(d, x)| d * x).collect();
-        for (k, off) in self.off_diagonals.iter().enumerate() {
-            for (i, a) in off.iter().enumerate() {
-                y[i] += a * x[i + k + 1];
-                y[i + k + 1] += a * x[i];
-            }
-        }
-        y
+        (0..x.len())
+            .into_par_iter()
+            .with_min_len(PARALLEL)
+            .map(|i| {
+                let mut y = self.diagonal[i] * x[i];
+                for (k, off) in self.off_diagonals.iter().enumerate() {
+                    let step = k + 1;
+                    if let (Some(a), Some(x)) = (off.get(i), x.get(i + step)) {
+                        y += a * x;
+                    }
+                    if i >= step {
+                        y += off[i - step] * x[i - step];
+                    }
+                }
+                y
+            })
+            .collect()
     }
 
     pub(crate) fn bytes(&self) -> usize {

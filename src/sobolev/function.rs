@@ -3,7 +3,7 @@
 //! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one break. A point
 //! of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of the distance to the break is a
 //! smooth function, and double integrals are taken over pairs (t, t′) ([`super::log_energy`]). A closure of x alone knows
-//! its distance to a break c ≠ 0 only to an ulp of c; one that takes a [`Position`] sees the distance itself, however small.
+//! its distance to a break c ≠ 0 only to an ulp of c; one that takes a [`Position`] sees the distance itself, or its logarithm.
 
 use super::piecewise::require_finite;
 use crate::error::{Error, Result};
@@ -14,6 +14,8 @@ pub struct Position {
     x: f64,
     anchor: usize,
     offset: f64,
+    /// ln of the distance where that is not a number of binary64
+    depth: Option<f64>,
 }
 
 impl Position {
@@ -27,9 +29,14 @@ impl Position {
         self.anchor
     }
 
-    /// x minus the coordinate of that break point, exact.
+    /// x minus the coordinate of that break point, exact; a zero with the right sign where it underflows.
     pub fn offset(&self) -> f64 {
         self.offset
+    }
+
+    /// ln |offset|, also where the offset underflows: as far as −10^{300}.
+    pub fn log_distance(&self) -> f64 {
+        self.depth.unwrap_or_else(|| self.offset.abs().ln())
     }
 }
 
@@ -37,7 +44,15 @@ impl Position {
 pub struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
-    sees_offsets: bool,
+    sight: Sight,
+}
+
+/// What the closure sees of a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sight {
+    Coordinate,
+    Offset,
+    LogDistance,
 }
 
 impl std::fmt::Debug for SingularFunction<'_> {
@@ -53,7 +68,7 @@ impl<'a> SingularFunction<'a> {
     /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::OutOfRange`] unless they increase strictly, are finite and
     /// lie at least 1e-290 and 1e-290 of the interval apart.
     pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
-        Self::build(breaks, Box::new(move |at: Position| f(at.x)), false)
+        Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
 
     /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
@@ -61,13 +76,24 @@ impl<'a> SingularFunction<'a> {
     /// # Errors
     /// As [`SingularFunction::new`].
     pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
-        Self::build(breaks, Box::new(f), true)
+        Self::build(breaks, Box::new(f), Sight::Offset)
+    }
+
+    /// As [`SingularFunction::from_positions`] for a function that is right also where offsets underflow, by
+    /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln x|^α at ν = 1/2.
+    ///
+    /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d| are.
+    ///
+    /// # Errors
+    /// As [`SingularFunction::new`].
+    pub fn from_log_distances(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(f), Sight::LogDistance)
     }
 
     fn build(
         breaks: &[f64],
         function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
-        sees_offsets: bool,
+        sight: Sight,
     ) -> Result<Self> {
         if breaks.len() < 2 {
             return Err(Error::CountOutOfRange {
@@ -87,7 +113,7 @@ impl<'a> SingularFunction<'a> {
                 admissible,
             )?;
         }
-        Ok(Self { breaks: breaks.to_vec(), function, sees_offsets })
+        Ok(Self { breaks: breaks.to_vec(), function, sight })
     }
 
     /// The break points.
@@ -115,7 +141,10 @@ impl<'a> SingularFunction<'a> {
         let start = self.breaks[anchor];
         let smallest = 1e-300f64.max(1e-300 * length);
         // Where x = c + δ is rounded, δ has no digits below an ulp of c and few above it.
-        let blurred = if self.sees_offsets { 0.0 } else { start.abs() * 4.0 * f64::EPSILON };
+        let blurred = match self.sight {
+            Sight::Coordinate => start.abs() * 4.0 * f64::EPSILON,
+            Sight::Offset | Sight::LogDistance => 0.0,
+        };
         let depth = (length / smallest.max(16.0 * blurred).min(0.5 * length)).ln();
         Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
     }
@@ -123,8 +152,24 @@ impl<'a> SingularFunction<'a> {
     /// The value at distance δ from the anchor of an arm.
     pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
         let offset = arm.sign * delta;
-        let value = (self.function)(Position { x: arm.start + offset, anchor: arm.anchor, offset });
-        require_finite("function value near break", arm.anchor, value)?;
+        self.value(Position { x: arm.start + offset, anchor: arm.anchor, offset, depth: None })
+    }
+
+    /// The value at δ = R e^{-t} for any t.
+    pub(crate) fn at_depth(&self, arm: &Arm, t: f64) -> Result<f64> {
+        let offset = arm.sign * arm.delta(t);
+        let depth = Some(arm.length.ln() - t);
+        self.value(Position { x: arm.start + offset, anchor: arm.anchor, offset, depth })
+    }
+
+    /// True when the function can be evaluated at any depth.
+    pub(crate) fn is_known_at_any_depth(&self) -> bool {
+        self.sight == Sight::LogDistance
+    }
+
+    fn value(&self, at: Position) -> Result<f64> {
+        let value = (self.function)(at);
+        require_finite("function value near break", at.anchor, value)?;
         Ok(value)
     }
 }

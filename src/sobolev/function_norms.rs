@@ -107,7 +107,7 @@ impl SingularFunction<'_> {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             for arm in &arms {
-                let found = integral.integrate(arm.depth, value, |t| {
+                let found = integral.integrate(arm.depth, value, None, |t| {
                     points += 1;
                     let delta = arm.delta(t);
                     let value = delta * f(self.at(arm, delta)?);

@@ -99,10 +99,12 @@ impl GalleryFunction {
                 1 => 1.0 - 2.0 * at.offset().abs(),
                 _ => 2.0 * at.offset().abs(),
             }),
-            Self::Log(alpha) => SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
-                0 => (-at.offset().ln()).powf(alpha),
-                _ => (-at.offset().ln_1p()).powf(alpha),
-            }),
+            Self::Log(alpha) => {
+                SingularFunction::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
+                    0 => (-at.log_distance()).powf(alpha),
+                    _ => (-at.offset().ln_1p()).powf(alpha),
+                })
+            }
             Self::Samples(_) => Err(unknown(&self.to_string())),
         }
     }

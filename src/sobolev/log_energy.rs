@@ -8,6 +8,7 @@
 //! Distances keep their digits: δ(e^s − 1) on one arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
 
 use super::arm_integral::{ArmIntegral, Density, Level};
+use super::deep_tail::DeepTail;
 use super::function::{Arm, SingularFunction};
 use super::order::FractionalOrder;
 use super::power::PowerKernel;
@@ -91,7 +92,8 @@ impl<'a> LogEnergy<'a> {
         let (mut value, mut tail, mut rounding) = (0.0, 0.0, 0.0);
         for arm in 0..self.arms.len() {
             let depth = self.arms[arm].depth;
-            let found = integral.integrate(depth, value, |t| self.density(arm, t))?;
+            let end = self.tail(arm)?;
+            let found = integral.integrate(depth, value, end.as_ref(), |t| self.density(arm, t))?;
             value += found.limit.value;
             tail += found.limit.error;
             rounding = found.rounding.hypot(rounding);
@@ -103,6 +105,17 @@ impl<'a> LogEnergy<'a> {
             rounding: factor * rounding,
             points: self.points,
         })
+    }
+
+    /// The end of an arm below 1e-300, for functions that are known there.
+    fn tail(&self, arm: usize) -> Result<Option<DeepTail<'a>>> {
+        if !self.function.is_known_at_any_depth() {
+            return Ok(None);
+        }
+        let anchor = self.arms[arm].anchor;
+        let other = (0..self.arms.len()).find(|&b| b != arm && self.arms[b].anchor == anchor);
+        let other = other.map(|other| self.arms[other]);
+        DeepTail::new(self.function, self.arms[arm], other, self.kernel, self.level, self.unit).map(Some)
     }
 
     /// ℓ_a(t) in units of S.

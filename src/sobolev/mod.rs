@@ -14,8 +14,10 @@
 mod arm_integral;
 mod band;
 mod cells;
+mod circulant;
 pub mod closed_forms;
 mod cluster;
+mod deep_tail;
 mod dual;
 mod function;
 mod function_norms;
@@ -31,6 +33,7 @@ mod piecewise;
 mod polynomial_pairs;
 mod power;
 mod seminorm;
+mod six_step;
 mod toeplitz;
 
 pub use dual::{DualOf, dual_norm_of_functional};

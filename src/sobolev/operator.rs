@@ -18,6 +18,10 @@ use super::power::PowerKernel;
 use super::toeplitz::Toeplitz;
 use crate::error::Result;
 use crate::estimate::Tolerance;
+use rayon::prelude::*;
+
+/// Entries of a vector treated by one thread.
+const PIECE: usize = 1 << 12;
 
 enum OffBand {
     Uniform(Toeplitz),
@@ -120,11 +124,17 @@ impl GramOperator {
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`] for an entry of x.
     pub fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
         require_length("vector", x.len(), self.dimension())?;
-        for (index, &value) in x.iter().enumerate() {
-            require_finite("vector", index, value)?;
+        let share = 1.0 / x.len() as f64;
+        // Pieces of fixed size: the sum does not depend on the number of threads.
+        let sums: Vec<f64> =
+            x.par_chunks(PIECE).map(|piece| piece.iter().map(|value| value * share).sum()).collect();
+        let mean = sums.iter().sum::<f64>();
+        if !mean.is_finite() {
+            for (index, &value) in x.iter().enumerate() {
+                require_finite("vector", index, value)?;
+            }
         }
-        let mean = x.iter().map(|value| value / x.len() as f64).sum::<f64>();
-        let x: Vec<f64> = x.iter().map(|value| value - mean).collect();
+        let x: Vec<f64> = x.par_iter().with_min_len(PIECE).map(|value| value - mean).collect();
         let mut y = self.band.times(&x);
         match &self.rest {
             OffBand::Uniform(toeplitz) => toeplitz.add(&x, &mut y)?,

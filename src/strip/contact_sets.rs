@@ -17,7 +17,7 @@ pub(crate) struct Gap {
 
 /// `count` equal gaps with contact of the same length between them; contact of half that length at either side.
 pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
-    if count == 0 || 4 * count > cells {
+    if count == 0 || count > cells / 4 {
         return Err(Error::CountOutOfRange { name: "gaps", value: count, range: "[1, cells / 4]" });
     }
     let node = |place: f64| (place * cells as f64 / count as f64).round() as usize;
@@ -103,6 +103,8 @@ mod tests {
         let gaps = many_gaps(64, 4).unwrap();
         assert_eq!(gaps[0], Gap { left: 4, right: 12 });
         assert_eq!(gaps.len(), 4);
-        assert!(many_gaps(64, 17).is_err() && many_gaps(64, 0).is_err());
+        for count in [0, 17, 1 << (usize::BITS - 2), usize::MAX] {
+            assert!(many_gaps(64, count).is_err(), "{count}");
+        }
     }
 }

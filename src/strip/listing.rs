@@ -4,14 +4,15 @@ use super::study::Level;
 use crate::estimate::Estimate;
 use crate::report::{Column, Format, Table};
 
-/// Least squares slope over the finer half of the levels; `None` for fewer than two.
+/// Least squares slope over the finer half of the levels; `None` for fewer than three levels or an error that vanishes.
 pub fn mean_order(levels: &[Level], errors: &[Estimate]) -> Option<f64> {
     let first = levels.len() / 2;
     let points = || (first..levels.len()).map(|i| ((levels[i].cells as f64).log2(), errors[i].value.log2()));
     let count = points().count() as f64;
     let (x, y) = points().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
     let (xy, xx) = points().fold((0.0, 0.0), |(a, b), (u, v)| (a + (u - x) * (v - y), b + (u - x).powi(2)));
-    (xx > 0.0).then(|| -xy / xx)
+    let order = -xy / xx;
+    order.is_finite().then_some(order)
 }
 
 /// One row per level: n, unknowns, error, order, contact runs, steps, inner iterations, KKT, seconds.
@@ -46,7 +47,8 @@ pub fn level_table(levels: &[Level], errors: &[Estimate]) -> Table {
         Column::hidden("error_seconds"),
     ]);
     for (i, level) in levels.iter().enumerate() {
-        let order = (i > 0).then(|| (errors[i - 1].value / errors[i].value).log2());
+        let order =
+            (i > 0).then(|| (errors[i - 1].value / errors[i].value).log2()).filter(|order| order.is_finite());
         table.push(vec![
             level.cells.into(),
             (1.0 / level.cells as f64).into(),

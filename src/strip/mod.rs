@@ -10,9 +10,10 @@
 //! | n, m, h = 1/n, H = m/n | cells along the edge, layers, mesh size, height |
 //! | A, S(θ) | [`EdgeOperator`] and its symbol |
 //! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
-//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels |
+//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels, [`StripCase`] over positions |
 //! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
 
+mod case;
 mod chain;
 mod contact_sets;
 mod defect;
@@ -31,10 +32,12 @@ mod scalar;
 mod scene;
 mod sides;
 mod slab;
+mod solution;
 mod solve;
 mod source;
 mod study;
 
+pub use case::{CaseStudy, StripCase, mean_errors};
 pub use edge::EdgeOperator;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
@@ -43,6 +46,7 @@ pub use listing::{level_table, mean_order};
 pub use scalar::{EdgeLoad, ScalarStrip};
 pub use scene::{EdgeScene, SceneKind};
 pub use sides::Sides;
-pub use solve::{EdgeSolution, Settings, solve_contact};
+pub use solution::{EdgeSolution, Settings};
+pub use solve::solve_contact;
 pub use source::SceneSource;
-pub use study::{Level, Levels, StripKind, StripProblem, mean_errors, study};
+pub use study::{Level, Levels, StripKind, StripProblem, study};

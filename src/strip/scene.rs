@@ -95,11 +95,14 @@ impl EdgeScene {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for τ, position or ratio outside their ranges (a fat Cantor set needs τ < 2),
-    /// [`Error::CountOutOfRange`] for counts, [`Error::EmptyContact`] when the transition leaves no contact node.
+    /// [`Error::CountOutOfRange`] for counts and where no gap has a free node on this grid, [`Error::EmptyContact`] when the transition leaves no contact node.
     pub fn build(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<Self> {
         check_cells(cells, sides)?;
         Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let ContactSetShape { gaps, dimension, advance } = gaps_of(kind, tau, cells, sides)?;
+        if gaps.is_empty() {
+            return Err(Error::CountOutOfRange { name: "gaps on this grid", value: 0, range: "[1, inf)" });
+        }
         let exponent = tau - 1.0 + 0.5 * dimension;
         let fractal = matches!(kind, SceneKind::Cantor { .. } | SceneKind::FatCantor { .. });
         let pressure = if fractal { 0.0 } else { tau - 2.0 };

@@ -67,16 +67,14 @@ impl FromStr for SceneSource {
             return Ok(SceneSource::Samples(PathBuf::from(rest)));
         }
         let mut words = rest.split(':').filter(|word| !word.is_empty());
-        let mut number =
-            |default: f64| words.next().map_or(Ok(default), |word| word.parse().map_err(|_| unknown()));
-        let count = |value: f64| {
-            if value >= 0.0 && value.fract() == 0.0 { Ok(value as usize) } else { Err(unknown()) }
-        };
         let kind = match name {
-            "transition" => SceneKind::Transition { position: number(POSITION)? },
-            "transitions" => SceneKind::Transitions { gaps: count(number(16.0)?)? },
-            "cantor" => SceneKind::Cantor { ratio: number(0.3)?, depth: count(number(20.0)?)? },
-            "fat-cantor" => SceneKind::FatCantor { depth: count(number(15.0)?)? },
+            "transition" => SceneKind::Transition { position: next(&mut words, POSITION, unknown)? },
+            "transitions" => SceneKind::Transitions { gaps: next(&mut words, 16, unknown)? },
+            "cantor" => SceneKind::Cantor {
+                ratio: next(&mut words, 0.3, unknown)?,
+                depth: next(&mut words, 20, unknown)?,
+            },
+            "fat-cantor" => SceneKind::FatCantor { depth: next(&mut words, 15, unknown)? },
             _ => return Err(unknown()),
         };
         if words.next().is_some() {
@@ -84,6 +82,15 @@ impl FromStr for SceneSource {
         }
         Ok(SceneSource::Built(kind))
     }
+}
+
+/// The next word as a number, or the default without one.
+fn next<'a, T: FromStr>(
+    words: &mut impl Iterator<Item = &'a str>,
+    default: T,
+    bad: impl Fn() -> Error,
+) -> Result<T> {
+    words.next().map_or(Ok(default), |word| word.parse().map_err(|_| bad()))
 }
 
 #[cfg(test)]
@@ -97,7 +104,16 @@ mod tests {
             assert_eq!(text.parse::<SceneSource>().unwrap().to_string(), text);
         }
         assert_eq!("transition".parse(), Ok(SceneSource::transition()));
-        for bad in ["", "cliff", "transition:x", "transitions:1.5", "fat-cantor:3:4", "samples:"] {
+        for bad in [
+            "",
+            "cliff",
+            "transition:x",
+            "transitions:1.5",
+            "transitions:1e300",
+            "transitions:-1",
+            "fat-cantor:3:4",
+            "samples:",
+        ] {
             assert!(bad.parse::<SceneSource>().is_err(), "{bad}");
         }
     }

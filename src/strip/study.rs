@@ -1,8 +1,7 @@
 //! Level after level: the discrete solutions of one scene and their exact errors.
 //!
 //! Each level starts from the contact set of the coarser one. The observed order between n/2 and n is log₂ of the ratio of
-//! errors. For a transition it alternates with the position of the transition in its cell; over positions one averages
-//! |u − u_h|², which has no such phase.
+//! errors. For a transition it alternates with the position of the transition in its cell.
 
 use super::edge::EdgeOperator;
 use super::exact::{ExactEdge, Reference};
@@ -10,10 +9,11 @@ use super::exact_elastic::ExactElastic;
 use super::scalar::{EdgeLoad, ScalarStrip};
 use super::scene::EdgeScene;
 use super::sides::Sides;
-use super::solve::{EdgeSolution, Settings, solve_contact};
+use super::solution::{EdgeSolution, Settings};
+use super::solve::solve_contact;
 use crate::contact::{Cone, Status};
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::estimate::Estimate;
 use crate::fem::Lame;
 use std::fmt;
 use std::str::FromStr;
@@ -50,6 +50,11 @@ impl Levels {
     /// The numbers of cells, coarsest first.
     pub fn cells(self) -> impl Iterator<Item = usize> {
         (self.coarsest..=self.finest).map(|level| 1 << level)
+    }
+
+    /// Cells of the coarsest level.
+    pub fn coarsest_cells(self) -> usize {
+        1 << self.coarsest
     }
 
     /// Cells of the grid the scene lives on: 64 times the finest level, but not above 2^20 unless four times the finest level is.
@@ -263,27 +268,4 @@ pub fn study(
         previous = Some(solution);
     }
     Ok(rows)
-}
-
-/// Root mean square of the errors of several studies over the same levels.
-///
-/// # Errors
-/// [`Error::LengthMismatch`] for studies of different lengths; [`Error::CountOutOfRange`] without any.
-pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
-    let Some(first) = studies.first() else {
-        return Err(Error::CountOutOfRange { name: "studies", value: 0, range: "[1, inf)" });
-    };
-    for study in studies {
-        super::sides::check_length("study", study.len(), first.len())?;
-    }
-    let count = studies.len() as f64;
-    (0..first.len())
-        .map(|i| {
-            let errors = || studies.iter().map(|study| study[i].error);
-            let mean = (errors().map(|e| e.value * e.value).sum::<f64>() / count).sqrt();
-            let bound = errors().map(|e| e.error).fold(0.0, f64::max);
-            let work = errors().fold(Work::default(), |w, e| w + e.work);
-            Estimate::new(mean, bound, work)
-        })
-        .collect()
 }

@@ -1,0 +1,119 @@
+//! A case of the strip: one scene, or one transition at several positions, on all levels.
+//!
+//! The observed order of a transition alternates with its position in the cell; the mean of |u − u_h|² over evenly spread
+//! positions has no such phase.
+
+use super::exact::Reference;
+use super::scene::{EdgeScene, SceneKind};
+use super::sides::check_length;
+use super::source::SceneSource;
+use super::study::{Level, Levels, StripKind, StripProblem, study};
+use crate::contact::Cone;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+
+/// Largest number of positions of a transition.
+const POSITIONS: usize = 1024;
+
+/// What is solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripCase {
+    /// Which strip.
+    pub kind: StripKind,
+    /// The levels.
+    pub levels: Levels,
+    /// The scene.
+    pub source: SceneSource,
+    /// τ of the scene; samples bring their own.
+    pub tau: f64,
+    /// The discrete cone.
+    pub cone: Cone,
+    /// What u is.
+    pub reference: Reference,
+    /// Over how many positions in the coarsest cell a single transition is moved, 1 ... 1024.
+    pub positions: usize,
+}
+
+/// The levels of a case at every position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseStudy {
+    /// One level study per position.
+    pub studies: Vec<Vec<Level>>,
+    /// Root mean square over the positions of |u − u_h|_a on each level.
+    pub errors: Vec<Estimate>,
+    /// τ, when it is known.
+    pub regularity: Option<f64>,
+    /// Gaps of the scene.
+    pub gaps: usize,
+}
+
+impl StripCase {
+    /// The scene, or the transition at several places of one coarsest cell. Doubling permutes the multiples of 1/count for
+    /// an odd count, so that the places are evenly spread over the cells of every level.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for no position or too many.
+    pub fn sources(&self) -> Result<Vec<SceneSource>> {
+        let count = self.positions;
+        if !(1..=POSITIONS).contains(&count) {
+            return Err(Error::CountOutOfRange { name: "positions", value: count, range: "[1, 1024]" });
+        }
+        let SceneSource::Built(SceneKind::Transition { position }) = self.source else {
+            return Ok(vec![self.source.clone()]);
+        };
+        let cell = 1.0 / self.levels.coarsest_cells() as f64;
+        let shifted = |i| SceneKind::Transition { position: position + i as f64 / count as f64 * cell };
+        Ok((0..count).map(|i| SceneSource::Built(shifted(i))).collect())
+    }
+
+    /// Solves all levels at all positions; `report` is called after each level.
+    ///
+    /// # Errors
+    /// As [`StripCase::sources`], [`SceneSource::scene`], [`StripProblem::new`] and [`study`].
+    pub fn solve(&self, mut report: impl FnMut(&Level)) -> Result<CaseStudy> {
+        let sources = self.sources()?;
+        let build =
+            |source: &SceneSource| source.scene(self.tau, self.levels.reference_cells(), self.kind.sides());
+        let first: EdgeScene = build(&sources[0])?;
+        let mut problem = StripProblem::new(self.kind, &first, self.reference, self.levels.coarsest_cells())?;
+        let mut studies = Vec::new();
+        for source in &sources {
+            if !studies.is_empty() {
+                problem.set_scene(&build(source)?)?;
+            }
+            studies.push(study(&problem, self.levels, self.cone, &mut report)?);
+        }
+        let errors = mean_errors(&studies)?;
+        Ok(CaseStudy { studies, errors, regularity: first.regularity(), gaps: first.gaps() })
+    }
+}
+
+impl CaseStudy {
+    /// All levels at all positions.
+    pub fn levels(&self) -> impl Iterator<Item = &Level> {
+        self.studies.iter().flatten()
+    }
+}
+
+/// Root mean square of the errors of several studies over the same levels.
+///
+/// # Errors
+/// [`Error::LengthMismatch`] for studies of different lengths; [`Error::CountOutOfRange`] without any.
+pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
+    let Some(first) = studies.first() else {
+        return Err(Error::CountOutOfRange { name: "studies", value: 0, range: "[1, inf)" });
+    };
+    for study in studies {
+        check_length("study", study.len(), first.len())?;
+    }
+    let count = studies.len() as f64;
+    (0..first.len())
+        .map(|i| {
+            let errors = || studies.iter().map(|study| study[i].error);
+            let mean = (errors().map(|e| e.value * e.value).sum::<f64>() / count).sqrt();
+            let bound = errors().map(|e| e.error).fold(0.0, f64::max);
+            let work = errors().fold(Work::default(), |w, e| w + e.work);
+            Estimate::new(mean, bound, work)
+        })
+        .collect()
+}
