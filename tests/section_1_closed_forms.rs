@@ -182,3 +182,39 @@ fn truncated_logarithms_as_closures_reach_the_tolerance_asked() {
         );
     }
 }
+
+#[test]
+fn very_slow_logarithms_agree_with_their_closed_form() {
+    // At α = 0.49 the integrand still counts at ln x = −1e300.
+    for (alpha, asked) in [(0.45, 1e-11), (0.49, 1e-8)] {
+        let u = SingularFunction::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        let exact = closed_forms::log_power(alpha).unwrap().value.sqrt();
+        let estimate = u.seminorm(FractionalOrder::HALF, Tolerance::new(asked).unwrap()).unwrap();
+        let error = (estimate.value / exact - 1.0).abs();
+        println!("|ln x|^{alpha}: {error:.1e}, estimated {:.1e}", estimate.relative_error());
+        assert!(error <= asked && error <= 10.0 * estimate.relative_error(), "alpha {alpha}: {error:e}");
+    }
+    for alpha in [0.5, 0.6] {
+        let u = SingularFunction::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        let outcome = u.seminorm(FractionalOrder::HALF, Tolerance::balanced());
+        assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "alpha {alpha}: {outcome:?}");
+    }
+}
+
+#[test]
+fn a_logarithm_on_both_sides_of_a_break_agrees_with_its_extrapolation() {
+    // |ln |x|/4|^0.25 on (−1, 2): arms of different length meet at 0; the second road extrapolates from 1e-300.
+    let value = |log: f64| (4f64.ln() - log).powf(0.25);
+    let breaks = [-1.0, 0.0, 2.0];
+    let log_of = |at: Position| (if at.anchor() == 1 { at.offset() } else { at.x() }).abs().ln();
+    let extrapolated = SingularFunction::from_positions(&breaks, |at| value(log_of(at))).unwrap();
+    let followed = SingularFunction::from_log_distances(&breaks, |at: Position| {
+        value(if at.anchor() == 1 { at.log_distance() } else { log_of(at) })
+    })
+    .unwrap();
+    let asked = 1e-5;
+    let [a, b] = [extrapolated, followed]
+        .map(|u| u.seminorm(FractionalOrder::HALF, Tolerance::new(asked).unwrap()).unwrap());
+    println!("both sides: {a}, {b}");
+    assert!((a.value - b.value).abs() <= 2.0 * asked * a.value, "{a} against {b}");
+}

@@ -10,7 +10,7 @@
 use super::arm_integral::{ArmValue, Level};
 use super::function::{Arm, SingularFunction};
 use super::power::PowerKernel;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::quadrature::{Limit, PowerWeightRule, Rule, extrapolate};
 use std::f64::consts::PI;
 
@@ -20,6 +20,8 @@ const CELL: f64 = 1.0;
 const LAST: f64 = 700.0;
 /// Beyond s = 50, e^{−s} is rounding.
 const REACH: f64 = 50.0;
+/// Cells after which t = e^46: corrections in 1/t to a power of t are below 1e-19.
+const SETTLED: usize = 40;
 /// The part (0, 2) of s next to the singularity; cells of width 3 beyond.
 const NEAR: f64 = 2.0;
 const FAR_CELL: f64 = 3.0;
@@ -111,6 +113,12 @@ impl<'a> DeepTail<'a> {
             densities.push(density);
             let ratio = cell / previous;
             previous = cell;
+            if ends.len() > SETTLED && ratio >= 1.0 - 1e-9 {
+                return Err(Error::InfiniteNorm {
+                    order: 0.5 * (1.0 - self.decay),
+                    why: "t l(t) does not decay in ln t",
+                });
+            }
             let rest = cell * ratio / (1.0 - ratio);
             let small = rest <= 0.002 * tolerance * (whole + sum) || cell <= 1e-17 * (whole + sum);
             if cell == 0.0 || (ends.len() > 3 && ratio < 0.99 && small) {
