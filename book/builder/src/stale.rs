@@ -50,11 +50,11 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     found
 }
 
-/// Keys, columns and figures that hold times or solver steps end in `seconds`, `ms`, `speedup`, `iterations`, `steps`
+/// Keys, columns and figures that hold times or solver steps have a word `seconds`, `ms`, `speedup`, `iterations`, `steps`
 /// (words joined by `.`, `_`, `-`).
 pub fn is_timed(key: &str) -> bool {
-    let last = key.rsplit(['.', '_', '-', '/', ' ']).next().unwrap_or(key);
-    matches!(last, "seconds" | "ms" | "speedup" | "iterations" | "steps")
+    key.split(['.', '_', '-', '/', ' '])
+        .any(|word| matches!(word, "seconds" | "ms" | "speedup" | "iterations" | "steps"))
 }
 
 fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, String)>) {
