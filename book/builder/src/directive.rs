@@ -8,6 +8,7 @@
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
 //! | `{{slider: parameter: frames: caption}}` | several figures and a slider between them, see [`crate::slider`] |
 //! | `{{code: example: function}}` | that function of the example |
+//! | `{{example: name}}`, `{{test: file}}`, `{{test: file::function}}` | a name that must exist, in code type |
 
 use crate::code;
 use crate::data::{Data, Unknown};
@@ -29,6 +30,8 @@ pub struct Sources<'a> {
     pub data: &'a Data,
     /// The directory of their programs.
     pub examples: &'a Path,
+    /// The directory of the tests.
+    pub tests: &'a Path,
     /// Decimals that may be typed by hand.
     pub allowed: &'a [String],
 }
@@ -40,6 +43,8 @@ pub enum Meaning {
     Number(Written),
     /// Words of a headline.
     Words(String),
+    /// A name in code type.
+    Name(String),
     /// HTML of its own paragraph.
     Block(String),
     /// Markdown of its own paragraph.
@@ -62,6 +67,12 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             .text(key, name)
             .map(|words| Meaning::Words(greek(words)))
             .ok_or_else(|| Unknown::Missing.words("example")),
+        ("example", None) => code::program(sources.examples, key).map(Meaning::Name),
+        ("test", None) => code::test(sources.tests, key, None).map(Meaning::Name),
+        ("test", Some(function)) => {
+            let function = function.trim_start_matches(':').trim();
+            code::test(sources.tests, key, Some(function)).map(Meaning::Name)
+        }
         ("code", Some(function)) => code::block(sources.examples, key, function).map(Meaning::Markdown),
         ("table", None) => table(key, data).map(Meaning::Block),
         ("figure", Some(caption)) if !caption.is_empty() => {
@@ -175,7 +186,7 @@ mod tests {
     #[test]
     fn numbers_words_tables_and_figures_are_found() {
         let data = data();
-        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
+        let sources = Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
         let number = |value, format| Ok(Meaning::Number(Written::new(value, format)));
         assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
         assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
@@ -191,7 +202,7 @@ mod tests {
     #[test]
     fn what_is_unknown_is_refused() {
         let data = data();
-        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
+        let sources = Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
         let bad = [
             "value:delta",
             "value:gamma:x9",
@@ -199,6 +210,9 @@ mod tests {
             "figure:g:c",
             "table:none",
             "claim:none",
+            "example:none",
+            "test:none",
+            "test:none::f",
             "what:x",
             "",
         ];

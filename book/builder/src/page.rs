@@ -118,6 +118,10 @@ impl Marker<'_> {
         match directive::resolve(piece.text, self.sources) {
             Ok(Meaning::Number(number)) => self.marked.push(text, Snippet::Inline(number.html())),
             Ok(Meaning::Words(words)) => self.marked.push(text, Snippet::Inline(escape(&words))),
+            Ok(Meaning::Name(name)) => {
+                let html = format!("<code>{}</code>", escape(&name));
+                self.marked.push(text, Snippet::Inline(html));
+            }
             Ok(Meaning::Block(html)) => self.marked.push(text, Snippet::Block(html)),
             Ok(Meaning::Markdown(block)) => text.push_str(&block),
             Err(what) => {
