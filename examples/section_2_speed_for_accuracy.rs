@@ -124,9 +124,7 @@ pub fn run(options: &Options) -> Result<Headline> {
             .fold(Chart::new("Known solution: seconds for accuracy", x, y), |chart, (name, points)| {
                 chart.with(Series::line_and_points(*name, points))
             });
-        headline
-            .figures
-            .push(chart.save(directory, &format!("section_2_seconds_{}", options.cone))?);
+        headline.figures.push(chart.save(directory, &format!("section_2_seconds_{}", options.cone))?);
     }
     Ok(headline)
 }

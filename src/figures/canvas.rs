@@ -155,7 +155,9 @@ fn finish(text: &str, width: f64, height: f64, title: &str) -> String {
 
 /// `u_N` in a text becomes u with a lowered N: the backend writes each text on a line of its own.
 fn subscripts(svg: &str) -> String {
-    svg.split_inclusive('\n').map(|line| if line.starts_with('<') { line.to_owned() } else { lowered(line) }).collect()
+    svg.split_inclusive('\n')
+        .map(|line| if line.starts_with('<') { line.to_owned() } else { lowered(line) })
+        .collect()
 }
 
 /// What follows a letter and `_` set lower and smaller, up to the end of the word; the rest returns to the line.

@@ -186,7 +186,8 @@ mod tests {
     #[test]
     fn numbers_words_tables_and_figures_are_found() {
         let data = data();
-        let sources = Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
+        let sources =
+            Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
         let number = |value, format| Ok(Meaning::Number(Written::new(value, format)));
         assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
         assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
@@ -202,7 +203,8 @@ mod tests {
     #[test]
     fn what_is_unknown_is_refused() {
         let data = data();
-        let sources = Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
+        let sources =
+            Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
         let bad = [
             "value:delta",
             "value:gamma:x9",

@@ -154,10 +154,22 @@ fn faults_of_keys_fail() {
 #[test]
 fn examples_tests_and_commands_that_do_not_exist_fail() {
     let second = "book/src/second.md";
-    Fixture::expect(second, "{{example: ex}}", "{{example: no}}", "book/src/second.md:13:", "unknown example");
+    Fixture::expect(
+        second,
+        "{{example: ex}}",
+        "{{example: no}}",
+        "book/src/second.md:13:",
+        "unknown example",
+    );
     Fixture::expect(second, "lemma::holds", "theorem::holds", "book/src/second.md:13:", "unknown test file");
     Fixture::expect(second, "lemma::holds", "lemma::fails", "book/src/second.md:13:", "no such test");
-    Fixture::expect(second, "--example ex", "--example no", "book/src/second.md:13:", "unknown example: `no`");
+    Fixture::expect(
+        second,
+        "--example ex",
+        "--example no",
+        "book/src/second.md:13:",
+        "unknown example: `no`",
+    );
     let fixture = Fixture::new();
     fixture.write("examples/alone.rs", "fn main() {}\n");
     let message = fixture.build().unwrap_err().to_string();
@@ -169,7 +181,13 @@ fn formulas_in_unmarked_places_fail() {
     let first = "book/src/first.md";
     Fixture::expect(first, "# First", "# First $x$", "book/src/first.md:1:", "formula in a heading");
     let twice = "$\\begin{equation} x \\label{bound} \\end{equation}$ by $\\eqref{bound}$";
-    Fixture::expect("book/src/second.md", "$\\eqref{bound}$", twice, "book/src/second.md:3:", "label given twice");
+    Fixture::expect(
+        "book/src/second.md",
+        "$\\eqref{bound}$",
+        twice,
+        "book/src/second.md:3:",
+        "label given twice",
+    );
 }
 
 #[test]
