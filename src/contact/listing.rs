@@ -47,7 +47,18 @@ impl ContactSolution {
                 Format::Scientific(1),
                 "least inactive gap over the largest displacement; 0 is weak contact",
             ),
-            Column::new("iterations", "steps", words, "iterations of the solver"),
+            Column::new(
+                "iterations",
+                "steps",
+                words,
+                "iterations, from the contact set of the mesh before if there is one",
+            ),
+            Column::new(
+                "iterations_cold",
+                "cold",
+                words,
+                "iterations from no contact, where the solution started from a coarser one",
+            ),
             Column::new("status", "status", words, ""),
             Column::new("seconds", "s", Format::Significant(2), "seconds, assembly included"),
             Column::hidden("seconds_assembly"),
@@ -67,8 +78,8 @@ impl ContactSolution {
         ]
     }
 
-    /// The row of this solution; `n` is whatever counts the mesh in the example.
-    pub fn row(&self, n: usize, problem: &ContactProblem) -> Vec<Cell> {
+    /// The row of this solution; `n` is whatever counts the mesh in the example, `cold_steps` what a start without contact took.
+    pub fn row(&self, n: usize, problem: &ContactProblem, cold_steps: Option<u64>) -> Vec<Cell> {
         let ends = self.contact_set.runs().into_iter().flat_map(|run| [run.start, run.end - 1]);
         let runs: Vec<f64> = ends.map(|i| self.positions[i]).collect();
         vec![
@@ -91,6 +102,7 @@ impl ContactSolution {
             self.margins.pressure.into(),
             self.margins.gap.into(),
             (self.work.iterations as usize).into(),
+            cold_steps.map(|steps| steps as usize).into(),
             self.status.to_string().into(),
             self.seconds.total().into(),
             self.seconds.assembly.into(),
