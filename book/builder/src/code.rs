@@ -31,7 +31,7 @@ pub fn test(tests: &Path, file: &str, function: Option<&str>) -> Result<String, 
     let source = std::fs::read_to_string(tests.join(file).with_extension("rs"));
     let source = source.map_err(|_| "unknown test file".to_owned())?;
     let Some(function) = function else { return Ok(file.to_owned()) };
-    let head = format!("fn {function}()");
+    let head = format!("fn {function}(");
     let mut lines = source.lines().map(str::trim);
     while lines.by_ref().any(|line| line.starts_with("#[test]")) {
         let heads = lines.by_ref().find(|line| line.starts_with("fn "));
