@@ -103,9 +103,9 @@ fn rows() -> Vec<Row> {
 pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(vec![
         Column::words("label", "label", 12),
-        Column::words("claim", "claim", 28),
-        Column::words("measured", "measured", 30),
-        Column::words("verdict", "verdict", 18),
+        Column::words("claim", "claim", 26),
+        Column::words("measured", "measured", 27),
+        Column::words("verdict", "verdict", 17),
         Column::new("seconds", "s", Format::Significant(2), ""),
     ]);
     let (mut figures, mut values, mut unconfirmed) = (Vec::new(), Vec::new(), Vec::new());

@@ -47,6 +47,13 @@ impl FromStr for Solver {
 impl ContactProblem {
     /// The discrete solution in the given cone by the given solver, judged. The active set starts without contact.
     ///
+    /// ```
+    /// use signorini::{contact::{Cone, Solver}, scenes::Scene};
+    /// let solution = Scene::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] when some part of the body is not held, [`Error::Edge`] for the midpoint cone on a closed
     /// edge. How the iteration ended is in the status.

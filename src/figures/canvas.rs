@@ -4,6 +4,7 @@
 //! box scales it back. Ink is drawn in a colour that nothing else uses and replaced by `currentColor` at the end.
 
 use super::Colour;
+use super::typeset::typeset;
 use crate::error::{Error, Result};
 use plotters::coord::Shift;
 use plotters::element::{Circle, EmptyElement, PathElement, Polygon, Text};
@@ -143,7 +144,7 @@ fn failure(error: impl std::fmt::Display) -> Error {
 fn finish(text: &str, width: f64, height: f64, title: &str) -> String {
     let head_end = text.find('>').map_or(0, |i| i + 1);
     let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    let body = subscripts(&text[head_end..].replace(INK_TEXT, "currentColor"));
+    let body = typeset(&text[head_end..].replace(INK_TEXT, "currentColor"));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{title}\" width=\"{width}\" \
          height=\"{height}\" viewBox=\"0 0 {} {}\">\n<style>svg:root{{color:#222;background:#fff}}\
@@ -151,38 +152,4 @@ fn finish(text: &str, width: f64, height: f64, title: &str) -> String {
         units(width),
         units(height),
     )
-}
-
-/// `u_N` in a text becomes u with a lowered N: the backend writes each text on a line of its own.
-fn subscripts(svg: &str) -> String {
-    svg.split_inclusive('\n')
-        .map(|line| if line.starts_with('<') { line.to_owned() } else { lowered(line) })
-        .collect()
-}
-
-/// What follows a letter and `_` set lower and smaller, up to the end of the word; the rest returns to the line.
-fn lowered(line: &str) -> String {
-    let Some((before, after)) = line.split_once('_').filter(|(b, _)| b.ends_with(char::is_alphabetic)) else {
-        return line.to_owned();
-    };
-    let end = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
-    let (index, rest) = after.split_at(end);
-    format!(
-        "{before}<tspan dy=\"0.3em\" font-size=\"75%\">{index}</tspan><tspan dy=\"-0.225em\">{}</tspan>\n",
-        lowered(rest.trim_end())
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_index_is_lowered_and_the_rest_returns() {
-        let svg = "<text a_b=\"1\">\nu_N, shown\n</text>\n";
-        let expected = "<text a_b=\"1\">\nu<tspan dy=\"0.3em\" font-size=\"75%\">N</tspan>\
-                        <tspan dy=\"-0.225em\">, shown</tspan>\n</text>\n";
-        assert_eq!(subscripts(svg), expected);
-        assert_eq!(lowered("no index\n"), "no index\n");
-    }
 }

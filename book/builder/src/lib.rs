@@ -21,6 +21,7 @@ pub mod page;
 pub mod scan;
 pub mod slider;
 pub mod stale;
+pub mod typography;
 pub mod verify;
 
 use data::Data;

@@ -114,7 +114,8 @@ fn a_sound_book_builds_and_is_complete() {
     assert!(
         second.contains("fn main() {}")
             && second.contains("fn walk() {}")
-            && second.contains("verdict is: holds."),
+            && second.contains("verdict is: holds.")
+            && second.contains("<code>lemma::<wbr>holds</code>"),
         "{second}"
     );
     assert!(fixture.0.path().join("book/html/fonts/NewCMMath-Regular.otf").is_file());
