@@ -10,15 +10,16 @@ mod classification;
 mod consistency;
 mod edge_trace;
 mod orders;
-mod rate_report;
-mod rate_study;
-mod regularity;
+mod rates;
 
 pub use alternative_study::{AlternativeRow, AlternativeStudy, ThetaRule};
 pub use alternatives::{Alternative, NearVertices, SetDiameter, printed_theta};
 pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
 pub use edge_trace::{EdgeTrace, Interval};
-pub use orders::{Bound, observed_orders};
-pub use rate_study::{RateRow, RateStudy};
-pub use regularity::clamped_free_exponent;
+pub use orders::observed_orders;
+pub use rates::{
+    Bound, FigureRates, Fit, Flag, LevelStore, MeshRates, Model, Quantity, RateLevel, RateStrip, RateStudy,
+    SceneFamily, StripGroup, TheoremPlan, clamped_free_exponent, edge_norm, figure_chart, figure_headline,
+    scene_regularity, theorem_headline,
+};
