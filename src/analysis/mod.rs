@@ -14,9 +14,7 @@ mod edge_trace;
 mod orders;
 mod pair;
 mod profile;
-mod rate_report;
-mod rate_study;
-mod regularity;
+mod rates;
 mod segment;
 mod segment_seminorm;
 
@@ -26,13 +24,16 @@ pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
 pub use contact_source::{Against, ContactSource};
 pub use edge_trace::{EdgeTrace, Interval};
-pub use orders::{Bound, observed_orders};
+pub use orders::observed_orders;
 pub use pair::{ContactPair, Segment, Traces};
 pub use profile::{
     Check, Exponent, InequalityProfile, LevelProfile, ProofCase, ProofConstants, ProofProfile, Rung,
     SegmentSetting, section_four_checks, section_three_checks,
 };
-pub use rate_study::{RateRow, RateStudy};
-pub use regularity::clamped_free_exponent;
+pub use rates::{
+    Bound, FigureRates, Fit, Flag, LevelStore, MeshRates, Model, Quantity, RateLevel, RateStrip, RateStudy,
+    SceneFamily, StripGroup, TheoremPlan, clamped_free_exponent, edge_norm, figure_chart, figure_headline,
+    scene_regularity, theorem_headline,
+};
 pub use segment::{SegmentNorms, TraceNorms};
 pub use segment_seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};
