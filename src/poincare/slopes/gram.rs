@@ -1,7 +1,7 @@
 //! The Gram matrix of the squared seminorm |u|_ν² in the slope basis.
 //!
 //! A = ∬ L_k(s) L_l(t) K(s,t), K of [`super::kernel`]. Pairs of panels fall into three classes. *Separated*: tensor Gauss rule;
-//! pairs whose kernel is below 1e-22 of the geometric mean of their self energies are skipped. *Touching* and *same*: the kernel is
+//! pairs whose kernel is below 1e-18 of the geometric mean of their self energies are skipped. *Touching* and *same*: the kernel is
 //!
 //! ν K = h^p [ ((x/h)^p − 1)/p + (1 − (d/h)^p)/p ] − ((y+e)^p − y^p)/p,
 //!
@@ -11,7 +11,7 @@
 //! [`super::rules`], which stay valid through ν = 1/2.
 //! Cost: O(P² n²) kernel values for P panels, n points; O(P n²) once the skipped pairs dominate.
 
-use super::kernel::{exp_quotient, kernel, power_increment};
+use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
 use super::local::Local;
 use super::rules::{Pairs, Rules};
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values};
@@ -21,8 +21,8 @@ use crate::sobolev::FractionalOrder;
 use faer::Mat;
 use rayon::prelude::*;
 
-/// Interactions below this fraction of the self energies cannot change any digit of f64.
-const NEGLIGIBLE: f64 = 1e-22;
+/// Interactions below this fraction of the self energies do not change any digit of the quotient.
+const NEGLIGIBLE: f64 = 1e-18;
 
 /// Panels that touch, or are closer than this fraction of their own extent, get 3/2 as many points.
 const CLOSE: f64 = 0.7;
@@ -363,7 +363,7 @@ impl<'a> Assembly<'a> {
         let right = space.panel_right[j] + space.panels[j].right_distance(1.0 - xi);
         match (self.local, self.classes(i, j)) {
             (Some(local), (true, true)) => {
-                local.of_further(local.position(space, j, xi)) + self.inner(local.zone(), size)
+                local.of_further(local.position(space, j, xi)) + self.inner(local.unit(), size)
             }
             (Some(local), (false, true)) => local.of_further(local.position(space, j, xi)),
             (Some(local), (true, false)) => self.inner(local.position(space, j, xi), size),
@@ -374,7 +374,7 @@ impl<'a> Assembly<'a> {
 
     /// h^p ((x/h)^p − 1)/p.
     fn inner(&self, x: f64, size: f64) -> f64 {
-        size.powf(self.p) * exp_quotient(self.p, (x / size).ln())
+        size.powf(self.p) * exp_quotient(self.p, ln_ratio(x, size))
     }
 
     /// ((y+e)^p − y^p)/p.

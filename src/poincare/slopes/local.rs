@@ -1,8 +1,9 @@
-//! A short zone deep inside the interval, ν < 1/2: local coordinates for the kernel and for the basis.
+//! A short zone deep inside the interval: local coordinates for the kernel and for the basis.
 //!
-//! For p = 1 − 2ν > 0 a jump of u costs finite energy: near the zone K(s,t) is a constant κ plus a part of order r^p, r the
-//! distance from the zone. The extremal function jumps down and up again; in the step basis its energy θ^p would be a difference of
-//! numbers of order one. Within a group G of cells around the zone
+//! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone. For p > 0 a jump of u costs
+//! finite energy, the extremal function jumps down and up again, and in the step basis its energy θ^p would be a difference of
+//! numbers of order one; for p near 0 or below steps at very different distances interact, hats do not. Within a group G of
+//! cells around the zone
 //!
 //! * neighbouring steps are replaced by their differences, continuous hats; the last step of G stays (the net increment),
 //! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and K(s,t) − K(P,t)
@@ -11,7 +12,7 @@
 //!
 //! All entries then have the size of their own scale, whatever θ.
 
-use super::kernel::{exp_quotient, kernel, power_increment};
+use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
 use super::space::SlopeSpace;
 use faer::Mat;
 use std::ops::{Range, RangeInclusive};
@@ -34,11 +35,11 @@ pub(crate) struct Local {
     cells: Range<usize>,
     /// First cell right of P.
     origin: usize,
-    /// Distances of P from the two ends, and the length of the zone.
+    /// Distances of P from the two ends, and the length at which d^p is subtracted.
     left: f64,
     right: f64,
-    zone: f64,
-    zone_power: f64,
+    unit: f64,
+    unit_power: f64,
     /// Distance from P to the nearer end of each panel and of each cell.
     panel_offsets: Vec<f64>,
     cell_offsets: Vec<f64>,
@@ -64,10 +65,12 @@ impl Local {
         let (left, rest) =
             (*space.cell_left.get(zone.start)?, *space.cell_right.get(zone.end.checked_sub(1)?)?);
         let nearest = left.min(rest);
-        if p <= 0.0 || length <= 0.0 || length > SHORT * nearest {
+        if length <= 0.0 || length > SHORT * nearest {
             return None;
         }
         let origin = zone.start;
+        // κ must not exceed what a net increment costs: θ^p is the smaller energy for p > 0, that of the whole for p ≤ 0
+        let unit = if p > 0.0 { length } else { nearest };
         let cell_offsets = offsets(&lengths, origin);
         let reached = |c: &usize| cell_offsets[*c] + lengths[*c] <= REACH * nearest;
         let start = (0..origin).rev().take_while(reached).last().unwrap_or(origin);
@@ -80,8 +83,8 @@ impl Local {
             origin,
             left,
             right: length + rest,
-            zone: length,
-            zone_power: length.powf(p),
+            unit,
+            unit_power: unit.powf(p),
             panel_offsets: offsets(&panel_lengths, first_panel),
             cell_offsets,
         })
@@ -91,9 +94,9 @@ impl Local {
         self.cells.contains(&cell)
     }
 
-    /// Length of the zone, the unit of the shifted kernel.
-    pub(crate) fn zone(&self) -> f64 {
-        self.zone
+    /// The distance at which the shifted kernel vanishes, up to terms of one point alone.
+    pub(crate) fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// Signed distance from P of the point ξ of a panel.
@@ -118,7 +121,7 @@ impl Local {
 
     /// ν (K(s,t) − κ) for s < t in G at distance d, without the terms of either point alone.
     pub(crate) fn inside(&self, d: f64) -> f64 {
-        -self.zone_power * exp_quotient(self.p, (d / self.zone).ln())
+        -self.unit_power * exp_quotient(self.p, ln_ratio(d, self.unit))
     }
 
     /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P.
@@ -250,7 +253,7 @@ impl Local {
             }
         }
         let kept = space.first[self.last()];
-        let (a, b, c) = (self.left, self.right, self.zone);
+        let (a, b, c) = (self.left, self.right, self.unit);
         gram[(kept, kept)] += power_increment(self.p, c, a - c) - power_increment(self.p, b, a);
         for (panel, shape) in space.panels.iter().enumerate().filter(|(_, shape)| !self.contains(shape.cell))
         {

@@ -8,6 +8,9 @@
 use crate::error::{Error, Result};
 use faer::{Mat, Side};
 
+/// Rows of the reduced matrix, relative to its norm, that do not matter to the largest eigenvalue.
+const INSIGNIFICANT: f64 = 1e-13;
+
 /// The factorized matrix.
 pub(crate) struct Factored {
     scale: Vec<f64>,
@@ -33,14 +36,23 @@ impl Factored {
         let size = self.scale.len();
         let scaled = Mat::from_fn(size, size, |i, j| b[(i, j)] / self.scale[i] / self.scale[j]);
         let norm = (0..size).map(|i| scaled[(i, i)].abs()).fold(0.0, f64::max);
-        let unit = Mat::from_fn(size, size, |i, j| scaled[(i, j)] / norm);
+        // Entries that cannot matter would only slow the arithmetic down as subnormal numbers.
+        let flushed = |value: f64| if value.abs() < 1e-30 { 0.0 } else { value };
+        let unit = Mat::from_fn(size, size, |i, j| flushed(scaled[(i, j)] / norm));
         let mut half = unit.clone();
         self.lower.solve_lower_triangular_in_place(half.as_mut());
         let mut reduced = half.transpose().to_owned();
         self.lower.solve_lower_triangular_in_place(reduced.as_mut());
-        let symmetric = Mat::from_fn(size, size, |i, j| 0.5 * (reduced[(i, j)] + reduced[(j, i)]));
-        let eigen = symmetric.self_adjoint_eigen(Side::Lower).map_err(|_| indefinite(size))?;
-        let mut vector = Mat::from_fn(size, 1, |i, _| eigen.U()[(i, size - 1)]);
+        let symmetric = |i: usize, j: usize| 0.5 * (reduced[(i, j)] + reduced[(j, i)]);
+        // Rows of size ε change λ by ε²; without them the matrix is smaller and holds no subnormal numbers.
+        let largest = |i: &usize| (0..size).map(|j| symmetric(*i, j).abs()).fold(0.0, f64::max);
+        let kept: Vec<usize> = (0..size).filter(|i| largest(i) > INSIGNIFICANT).collect();
+        let essential = Mat::from_fn(kept.len(), kept.len(), |i, j| symmetric(kept[i], kept[j]));
+        let eigen = essential.self_adjoint_eigen(Side::Lower).map_err(|_| indefinite(size))?;
+        let mut vector = Mat::<f64>::zeros(size, 1);
+        for (i, &row) in kept.iter().enumerate() {
+            vector[(row, 0)] = eigen.U()[(i, kept.len() - 1)];
+        }
         self.lower.transpose().solve_upper_triangular_in_place(vector.as_mut());
         let quadratic = |matrix: &Mat<f64>| (vector.transpose() * (matrix * &vector))[(0, 0)];
         let of_b = quadratic(&unit);
