@@ -111,7 +111,7 @@ fn gamma_grows_like_sqrt_log_at_one_half() {
 
 #[test]
 fn uniform_law_passes_smoothly_through_one_half() {
-    // The neglected term is of order s⁻³ in γ²: 1e-6 at s ≈ 14 (θ = 1e-40), where ν = 0.48 ... 0.52 still has s of order ten.
+    // The neglected term of γ² is f/γ⁶, f about d/300 (d/e and e/f are near γ₁² = 0.08): 1e-6 relative at γ² = 3.7 (ν = 0.52).
     for nu in ["0.48", "1/2-1e-9", "1/2", "1/2+1e-9", "0.52"] {
         let nu: FractionalOrder = nu.parse().unwrap();
         let law = UniformLaw::new(nu, Tolerance::balanced()).unwrap();

@@ -179,7 +179,9 @@ impl<'a> Assembly<'a> {
         if is_negligible {
             return None;
         }
-        if let (Some(local), (true, true)) = (self.local, classes)
+        if let Some(local) = self.local
+            && local.contains(s.cell)
+            && local.contains(t.cell)
             && let Some(first_is_nearer) = local.is_nearer(space, i, j)
         {
             return Some(self.seen_from_origin(i, j, first_is_nearer));
@@ -339,7 +341,7 @@ impl<'a> Assembly<'a> {
     /// Whether the cells of two panels belong to the local group.
     fn classes(&self, i: usize, j: usize) -> (bool, bool) {
         let inside =
-            |panel: usize| self.local.is_some_and(|local| local.contains(self.space.panels[panel].cell));
+            |panel: usize| self.local.is_some_and(|local| local.is_shifted(self.space.panels[panel].cell));
         (inside(i), inside(j))
     }
 

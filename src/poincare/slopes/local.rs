@@ -2,15 +2,15 @@
 //!
 //! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone. For p > 0 a jump of u costs
 //! finite energy, the extremal function jumps down and up again, and in the step basis its energy θ^p would be a difference of
-//! numbers of order one; for p near 0 or below steps at very different distances interact, hats do not. Within a group G of
-//! cells around the zone
+//! numbers of order one. Within a group G of cells around the zone
 //!
 //! * neighbouring steps are replaced by their differences, continuous hats; the last step of G stays (the net increment),
 //! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and K(s,t) − K(P,t)
 //!   for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and do not see what is subtracted; the last step
 //!   gets it back.
 //!
-//! All entries then have the size of their own scale, whatever θ.
+//! All entries then have the size of their own scale, whatever θ. For p well below 0 steps are the good basis (a wide plateau of many
+//! short hats would have next to no energy compared with theirs); there the group only serves to see near points from far as P.
 
 use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
 use super::space::SlopeSpace;
@@ -21,10 +21,13 @@ use std::ops::{Range, RangeInclusive};
 const SHORT: f64 = 0.05;
 /// ... and reaches this far, in the same unit.
 const REACH: f64 = 0.3;
-/// Hats whose distances from P have a smaller ratio do not interact: the extremal function falls off like r^{−p}, which makes
-/// their share of the energy this ratio, while the entries they are differences of are larger and round accordingly.
-const NEGLIGIBLE: f64 = 1e-13;
-
+/// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio times a logarithm.
+const NEGLIGIBLE: f64 = 1e-16;
+/// The same for p > 0.1, where the extremal function falls off as well and the entries of distant steps, of which those of hats
+/// are differences, round to more than that.
+const NEGLIGIBLE_FOR_JUMPS: f64 = 1e-13;
+/// Least energy of a plateau of hats, relative to theirs, for which f64 has digits to spare.
+const WELL_CONDITIONED: f64 = 1e-4;
 /// A point this much nearer to P than another is P itself, as seen from the other.
 const INDISTINCT: f64 = 1e-15;
 
@@ -33,6 +36,8 @@ const INDISTINCT: f64 = 1e-15;
 pub(crate) struct Local {
     p: f64,
     cells: Range<usize>,
+    /// Hats instead of steps.
+    has_hats: bool,
     /// First cell right of P.
     origin: usize,
     /// Distances of P from the two ends, and the length at which d^p is subtracted.
@@ -40,6 +45,7 @@ pub(crate) struct Local {
     right: f64,
     unit: f64,
     unit_power: f64,
+    negligible: f64,
     /// Distance from P to the nearer end of each panel and of each cell.
     panel_offsets: Vec<f64>,
     cell_offsets: Vec<f64>,
@@ -75,16 +81,20 @@ impl Local {
         let reached = |c: &usize| cell_offsets[*c] + lengths[*c] <= REACH * nearest;
         let start = (0..origin).rev().take_while(reached).last().unwrap_or(origin);
         let end = (origin..lengths.len()).take_while(reached).last().map_or(origin, |c| c + 1);
+        let shortest = lengths[start..end].iter().copied().fold(length, f64::min);
+        let has_hats = p >= 0.0 || (shortest / nearest).powf(-p) > WELL_CONDITIONED;
         let first_panel = space.panels.iter().position(|panel| panel.cell >= origin)?;
         let panel_lengths: Vec<f64> = space.panels.iter().map(|panel| panel.length).collect();
         Some(Self {
             p,
             cells: start..end,
+            has_hats,
             origin,
             left,
             right: length + rest,
             unit,
             unit_power: unit.powf(p),
+            negligible: if p > 0.1 { NEGLIGIBLE_FOR_JUMPS } else { NEGLIGIBLE },
             panel_offsets: offsets(&panel_lengths, first_panel),
             cell_offsets,
         })
@@ -92,6 +102,11 @@ impl Local {
 
     pub(crate) fn contains(&self, cell: usize) -> bool {
         self.cells.contains(&cell)
+    }
+
+    /// Whether the basis has hats and the kernel is shifted in this cell.
+    pub(crate) fn is_shifted(&self, cell: usize) -> bool {
+        self.has_hats && self.contains(cell)
     }
 
     /// The distance at which the shifted kernel vanishes, up to terms of one point alone.
@@ -124,8 +139,16 @@ impl Local {
         -self.unit_power * exp_quotient(self.p, ln_ratio(d, self.unit))
     }
 
-    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P.
+    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P; without κ if there are no hats.
     pub(crate) fn origin_kernel(&self, position: f64) -> f64 {
+        if !self.has_hats {
+            let (before, after) = if position > 0.0 {
+                (self.left, self.right - position)
+            } else {
+                (self.left + position, self.right)
+            };
+            return kernel(self.p, before, position.abs(), after);
+        }
         let alone = if position > 0.0 { self.of_further(position) } else { self.of_nearer(position) };
         alone + self.inside(position.abs())
     }
@@ -182,8 +205,8 @@ impl Local {
             // Near the end of G the last step itself may be among the neighbours: then nothing is skipped.
             self.contains(*cells.start()) && *cells.end() < self.last()
         };
-        (is_local(&cells.0) && first.1 < NEGLIGIBLE * second.0)
-            || (is_local(&cells.1) && second.1 < NEGLIGIBLE * first.0)
+        (is_local(&cells.0) && first.1 < self.negligible * second.0)
+            || (is_local(&cells.1) && second.1 < self.negligible * first.0)
     }
 
     /// The cell whose step stays.
@@ -191,9 +214,9 @@ impl Local {
         self.cells.end - 1
     }
 
-    /// Cells of G that carry a step, in order.
+    /// Cells of G whose steps are joined to hats, in order.
     fn steps(&self, space: &SlopeSpace) -> Vec<usize> {
-        self.cells.clone().filter(|&c| space.cells[c].functions > 0).collect()
+        self.cells.clone().filter(|&c| self.has_hats && space.cells[c].functions > 0).collect()
     }
 
     /// Tᵀ M T: the matrix of a form in the basis with hats.
@@ -232,6 +255,9 @@ impl Local {
 
     /// Finishes ν times the Gram matrix assembled with the shifted kernel: hats, negligible entries, and what the last step lost.
     pub(crate) fn finish(&self, space: &SlopeSpace, gram: Mat<f64>, rule: &[(f64, f64)]) -> Mat<f64> {
+        if !self.has_hats {
+            return gram;
+        }
         let mut gram = self.transformed(space, gram);
         let steps = self.steps(space);
         let next = |c: usize| steps.iter().position(|&s| s == c).and_then(|k| steps.get(k + 1)).copied();
@@ -239,9 +265,9 @@ impl Local {
             for d in 0..space.cells.len() {
                 let (first, second) = (c..=next(c).unwrap_or(c), d..=next(d).unwrap_or(d));
                 let ranges = (self.range(space, first.clone()), self.range(space, second.clone()));
-                let small_first = c != self.last() && ranges.0.1 < NEGLIGIBLE * ranges.1.0;
+                let small_first = c != self.last() && ranges.0.1 < self.negligible * ranges.1.0;
                 let small_second =
-                    self.contains(d) && d != self.last() && ranges.1.1 < NEGLIGIBLE * ranges.0.0;
+                    self.contains(d) && d != self.last() && ranges.1.1 < self.negligible * ranges.0.0;
                 if small_first || small_second {
                     for i in space.first[c]..space.first[c + 1] {
                         for j in space.first[d]..space.first[d + 1] {
