@@ -22,7 +22,7 @@ pub(crate) fn ln_ratio(a: f64, b: f64) -> f64 {
 }
 
 /// ln(1 + a/b), likewise.
-fn ln_one_plus_ratio(a: f64, b: f64) -> f64 {
+pub(crate) fn ln_one_plus_ratio(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if ratio.is_finite() { ratio.ln_1p() } else { a.ln() - b.ln() }
 }

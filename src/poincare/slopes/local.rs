@@ -160,21 +160,6 @@ impl Local {
         if is_nearer(i, j) { Some(true) } else { is_nearer(j, i).then_some(false) }
     }
 
-    /// (D^p − d^p)/p for a point at distance D from P and d from the point at `shift` from P towards it.
-    fn approach(&self, far: f64, d: f64, shift: f64) -> f64 {
-        if shift > 0.0 { power_increment(self.p, d, shift) } else { -power_increment(self.p, far, -shift) }
-    }
-
-    /// ν (K(s,t) − K(P,t)) for s in G, t outside on the right at distance d, without the term of s alone.
-    pub(crate) fn leaving(&self, s: f64, t: f64, d: f64) -> f64 {
-        self.approach(t, d, s)
-    }
-
-    /// ν (K(s,t) − K(s,P)) for t in G, s outside on the left at distance d, without the term of t alone.
-    pub(crate) fn entering(&self, s: f64, t: f64, d: f64) -> f64 {
-        self.approach(-s, d, -t)
-    }
-
     /// Largest and smallest distance from P over cells of G next to `cell`, `width` on either side.
     fn range(&self, space: &SlopeSpace, cells: impl Iterator<Item = usize>) -> (f64, f64) {
         cells.fold((f64::INFINITY, 0.0), |(low, high), c| {
