@@ -70,10 +70,8 @@ pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> R
 /// # Errors
 /// [`Error::ToleranceNotMet`] as for [`gamma`].
 pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-    {
-        let constraint = Constraint::whole();
-        refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
-    }
+    let constraint = Constraint::whole();
+    refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
 }
 
 /// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of 1_E/|E| − 1.
@@ -110,8 +108,8 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
         Ok(([square, square * dual.rayleigh * scale, square * dual.image * scale * scale], discrete.work))
     };
     let model = MeshModel::new(order, tolerance.relative());
-    let (fine, work) = moments(&model)?;
-    let (coarse, more) = moments(&model.varied())?;
+    let both = rayon::join(|| moments(&model), || moments(&model.varied()));
+    let ((fine, work), (coarse, more)) = (both.0?, both.1?);
     let estimate = |k: usize| {
         Estimate::new(fine[k], (fine[k] - coarse[k]).abs() + 2.0 * ROUNDING * fine[k], work + more)
     };
@@ -152,9 +150,9 @@ pub fn two_sided(
     let mut reached = f64::INFINITY;
     for _ in 0..=REFINEMENTS {
         let model = MeshModel::new(order, target);
-        let fine = Sides::new(order, &constraint, &model, &whole)?;
-        let coarse = Sides::new(order, &constraint, &model.varied(), &whole)?;
-        let found = fine.join(&coarse, whole)?;
+        let sides = |model: &MeshModel| Sides::new(order, &constraint, model, &whole);
+        let (fine, coarse) = rayon::join(|| sides(&model), || sides(&model.varied()));
+        let found = fine?.join(&coarse?, whole)?;
         reached = found.gamma.relative_error();
         if reached <= tolerance.relative() {
             return Ok(found);
@@ -248,15 +246,15 @@ pub(crate) fn refine_until(
     order: FractionalOrder,
     constraint: &Constraint,
     tolerance: Tolerance,
-    solve: impl Fn(&MeshModel) -> Result<(f64, Work)>,
+    solve: impl Fn(&MeshModel) -> Result<(f64, Work)> + Sync,
 ) -> Result<Estimate> {
     let mut work = Work::default();
     let mut target = tolerance.relative();
     let mut reached = f64::INFINITY;
     for _ in 0..=REFINEMENTS {
         let model = MeshModel::new(order, target);
-        let (fine, fine_work) = solve(&model)?;
-        let (coarse, coarse_work) = solve(&model.varied())?;
+        let both = rayon::join(|| solve(&model), || solve(&model.varied()));
+        let ((fine, fine_work), (coarse, coarse_work)) = (both.0?, both.1?);
         work += fine_work + coarse_work;
         let value = fine.max(coarse);
         let error = (fine - coarse).abs() + rounding(constraint) * value;

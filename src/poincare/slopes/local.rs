@@ -23,9 +23,11 @@ const SHORT: f64 = 0.05;
 const REACH: f64 = 0.3;
 /// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio times a logarithm.
 const NEGLIGIBLE: f64 = 1e-16;
-/// The same for p > 0.1, where the extremal function falls off as well and the entries of distant steps, of which those of hats
-/// are differences, round to more than that.
+/// The same for p > 0.1 at the zone. There the entries of distant steps, of which those of hats are differences, round to more than
+/// 1e-16; but the extremal function falls off as well, its energy at distance r like (θ/r)^p, and the share may grow accordingly ...
 const NEGLIGIBLE_FOR_JUMPS: f64 = 1e-13;
+/// ... up to this ratio.
+const LARGEST_NEGLIGIBLE: f64 = 1e-6;
 /// Least energy of a plateau of hats, relative to theirs, for which f64 has digits to spare.
 const WELL_CONDITIONED: f64 = 1e-4;
 /// A point this much nearer to P than another is P itself, as seen from the other.
@@ -45,7 +47,6 @@ pub(crate) struct Local {
     right: f64,
     unit: f64,
     unit_power: f64,
-    negligible: f64,
     /// Distance from P to the nearer end of each panel and of each cell.
     panel_offsets: Vec<f64>,
     cell_offsets: Vec<f64>,
@@ -94,7 +95,6 @@ impl Local {
             right: length + rest,
             unit,
             unit_power: unit.powf(p),
-            negligible: if p > 0.1 { NEGLIGIBLE_FOR_JUMPS } else { NEGLIGIBLE },
             panel_offsets: offsets(&panel_lengths, first_panel),
             cell_offsets,
         })
@@ -168,6 +168,17 @@ impl Local {
         })
     }
 
+    /// Whether hats up to the distance `near` from P do not interact with those beyond `far`.
+    fn is_apart(&self, near: f64, far: f64) -> bool {
+        let ratio = if self.p > 0.1 {
+            let fall = (near / self.unit).max(1.0).powf(self.p);
+            (NEGLIGIBLE_FOR_JUMPS * fall).min(LARGEST_NEGLIGIBLE)
+        } else {
+            NEGLIGIBLE
+        };
+        near < ratio * far
+    }
+
     /// Whether nothing that holds a step of cell c interacts with anything that holds a step of cell d. A hat joins a cell to the
     /// next one that carries a step, at most two further on.
     pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
@@ -190,8 +201,8 @@ impl Local {
             // Near the end of G the last step itself may be among the neighbours: then nothing is skipped.
             self.contains(*cells.start()) && *cells.end() < self.last()
         };
-        (is_local(&cells.0) && first.1 < self.negligible * second.0)
-            || (is_local(&cells.1) && second.1 < self.negligible * first.0)
+        (is_local(&cells.0) && self.is_apart(first.1, second.0))
+            || (is_local(&cells.1) && self.is_apart(second.1, first.0))
     }
 
     /// The cell whose step stays.
@@ -250,9 +261,9 @@ impl Local {
             for d in 0..space.cells.len() {
                 let (first, second) = (c..=next(c).unwrap_or(c), d..=next(d).unwrap_or(d));
                 let ranges = (self.range(space, first.clone()), self.range(space, second.clone()));
-                let small_first = c != self.last() && ranges.0.1 < self.negligible * ranges.1.0;
+                let small_first = c != self.last() && self.is_apart(ranges.0.1, ranges.1.0);
                 let small_second =
-                    self.contains(d) && d != self.last() && ranges.1.1 < self.negligible * ranges.0.0;
+                    self.contains(d) && d != self.last() && self.is_apart(ranges.1.1, ranges.0.0);
                 if small_first || small_second {
                     for i in space.first[c]..space.first[c + 1] {
                         for j in space.first[d]..space.first[d + 1] {
