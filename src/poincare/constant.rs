@@ -20,21 +20,29 @@ const ROUNDING: f64 = 2e-13;
 /// θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the logarithm.
 const ROUNDING_INSIDE: f64 = 5e-11;
 
-fn rounding(constraint: &Constraint) -> f64 {
+/// The same as ν → 0, times 1/ν: ν|u|_ν² is computed, a difference of terms of order one.
+const ROUNDING_OF_DIFFERENCES: f64 = 4e-16;
+
+fn rounding(order: FractionalOrder, constraint: &Constraint) -> f64 {
     let neighbour = |part: Option<usize>| part.and_then(|k| constraint.parts.get(k)).copied();
     let sides = [neighbour(constraint.zone.checked_sub(1)), neighbour(Some(constraint.zone + 1))];
     let theta = constraint.parts[constraint.zone];
-    match sides {
+    let inside = match sides {
         [Some(left), Some(right)] if theta > 0.0 => {
             let decades = (left.min(right) / theta).log10().max(0.0);
-            ROUNDING + ROUNDING_INSIDE * (decades / 300.0).powi(2)
+            ROUNDING_INSIDE * (decades / 300.0).powi(2)
         }
-        _ => ROUNDING,
-    }
+        _ => 0.0,
+    };
+    ROUNDING + ROUNDING_OF_DIFFERENCES / order.value() + inside
 }
 
 /// How often the space is refined when the two spaces still differ too much.
 const REFINEMENTS: usize = 3;
+
+/// Factors for the accuracy a mesh is made for: when it was not reached, and when it was too much for f64.
+const FINER: f64 = 0.02;
+const COARSER: f64 = 4.0;
 
 /// γ_θ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy `condition` on `zone`.
 ///
@@ -146,20 +154,14 @@ pub fn two_sided(
 ) -> Result<TwoSided> {
     let constraint = constraint(&zone, condition)?;
     let whole = gamma_whole(order, tolerance)?;
-    let mut target = tolerance.relative();
-    let mut reached = f64::INFINITY;
-    for _ in 0..=REFINEMENTS {
-        let model = MeshModel::new(order, target);
-        let sides = |model: &MeshModel| Sides::new(order, &constraint, model, &whole);
-        let (fine, coarse) = rayon::join(|| sides(&model), || sides(&model.varied()));
-        let found = fine?.join(&coarse?, whole)?;
-        reached = found.gamma.relative_error();
-        if reached <= tolerance.relative() {
-            return Ok(found);
-        }
-        target *= 0.02;
-    }
-    Err(Error::ToleranceNotMet { what: "Poincare constant", asked: tolerance.relative(), reached })
+    refine(
+        order,
+        rounding(order, &constraint),
+        tolerance,
+        |model| Sides::new(order, &constraint, model, &whole),
+        |fine, coarse| fine.join(&coarse, whole),
+        |found| found.gamma.relative_error(),
+    )
 }
 
 /// γ, its upper bound and N on one space.
@@ -186,7 +188,7 @@ impl Sides {
             gamma,
             upper: dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor,
             norm: dual.square.sqrt() * discrete.factor,
-            rounding: rounding(constraint),
+            rounding: rounding(order, constraint),
             work: discrete.work,
         })
     }
@@ -248,21 +250,47 @@ pub(crate) fn refine_until(
     tolerance: Tolerance,
     solve: impl Fn(&MeshModel) -> Result<(f64, Work)> + Sync,
 ) -> Result<Estimate> {
-    let mut work = Work::default();
-    let mut target = tolerance.relative();
-    let mut reached = f64::INFINITY;
+    let rounding = rounding(order, constraint);
+    let join = |fine: (f64, Work), coarse: (f64, Work)| {
+        let value = fine.0.max(coarse.0);
+        Estimate::new(value, (fine.0 - coarse.0).abs() + rounding * value, fine.1 + coarse.1)
+    };
+    refine(order, rounding, tolerance, solve, join, Estimate::relative_error)
+}
+
+/// Solves on two spaces and joins the results, until their relative error meets the tolerance.
+fn refine<T: Send, R>(
+    order: FractionalOrder,
+    rounding: f64,
+    tolerance: Tolerance,
+    solve: impl Fn(&MeshModel) -> Result<T> + Sync,
+    join: impl Fn(T, T) -> Result<R>,
+    relative_error: impl Fn(&R) -> f64,
+) -> Result<R> {
+    let asked = tolerance.relative();
+    let failure = |reached: f64| Error::ToleranceNotMet { what: "Poincare constant", asked, reached };
+    if rounding > asked {
+        return Err(failure(rounding));
+    }
+    let (mut target, mut reached) = (asked, f64::INFINITY);
     for _ in 0..=REFINEMENTS {
         let model = MeshModel::new(order, target);
-        let both = rayon::join(|| solve(&model), || solve(&model.varied()));
-        let ((fine, fine_work), (coarse, coarse_work)) = (both.0?, both.1?);
-        work += fine_work + coarse_work;
-        let value = fine.max(coarse);
-        let error = (fine - coarse).abs() + rounding(constraint) * value;
-        reached = error / value;
-        if reached <= tolerance.relative() {
-            return Estimate::new(value, error, work);
+        match rayon::join(|| solve(&model), || solve(&model.varied())) {
+            (Ok(fine), Ok(coarse)) => {
+                let found = join(fine, coarse)?;
+                let error = relative_error(&found);
+                if error <= asked {
+                    return Ok(found);
+                }
+                reached = reached.min(error);
+                target *= FINER;
+            }
+            // Rounding made the fine space degenerate: a coarser one may be good enough.
+            (Err(Error::NotPositiveDefinite { .. }), _) | (_, Err(Error::NotPositiveDefinite { .. })) => {
+                target *= COARSER;
+            }
+            (Err(error), _) | (_, Err(error)) => return Err(error),
         }
-        target *= 0.02;
     }
-    Err(Error::ToleranceNotMet { what: "Poincare constant", asked: tolerance.relative(), reached })
+    Err(failure(reached))
 }
