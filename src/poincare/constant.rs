@@ -5,9 +5,11 @@
 //! The error estimate compares two spaces of different shape; their difference is mostly the error of the coarser one.
 //! Cost: a few hundred unknowns, whatever θ.
 
+use super::continuation::{SMALL, continued};
 use super::discrete::{Constraint, Discrete};
 use super::extremal::ExtremalFunction;
 use super::mesh::MeshModel;
+use super::slopes::local::negligible_for_jumps;
 use super::zone::{Condition, Zone};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -30,7 +32,7 @@ fn rounding(order: FractionalOrder, constraint: &Constraint) -> f64 {
     let inside = match sides {
         [Some(left), Some(right)] if theta > 0.0 => {
             let decades = (left.min(right) / theta).log10().max(0.0);
-            ROUNDING_INSIDE * (decades / 300.0).powi(2)
+            ROUNDING_INSIDE * (decades / 300.0).powi(2) + negligible_for_jumps(order.one_minus_twice())
         }
         _ => 0.0,
     };
@@ -57,7 +59,16 @@ pub fn gamma(
     tolerance: Tolerance,
 ) -> Result<Estimate> {
     let constraint = constraint(&zone, condition)?;
-    refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
+    let direct = |order: FractionalOrder, tolerance: Tolerance| {
+        refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
+    };
+    match direct(order, tolerance) {
+        Err(Error::ToleranceNotMet { .. }) if order.value() < SMALL => {
+            let shortest = constraint.parts.iter().copied().fold(1.0, f64::min);
+            continued(order, shortest, tolerance, direct)
+        }
+        result => result,
+    }
 }
 
 /// γ₀(ν) = sup ‖u‖₀ / |u|_ν over the functions that vanish at the point `a` of \[0,1\], ν > 1/2 (Remark 6).
@@ -78,8 +89,7 @@ pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> R
 /// # Errors
 /// [`Error::ToleranceNotMet`] as for [`gamma`].
 pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-    let constraint = Constraint::whole();
-    refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
+    gamma(order, Zone::end(1.0)?, Condition::MeanZero, tolerance)
 }
 
 /// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of 1_E/|E| − 1.
@@ -221,7 +231,7 @@ pub fn extremal(
     tolerance: Tolerance,
 ) -> Result<(Estimate, ExtremalFunction)> {
     let constraint = constraint(&zone, condition)?;
-    let estimate = gamma(order, zone, condition, tolerance)?;
+    let estimate = refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))?;
     let model = MeshModel::new(order, tolerance.relative());
     let mut discrete = Discrete::new(order, &constraint, &model)?;
     let (_, coefficients) = discrete.largest_quotient()?;

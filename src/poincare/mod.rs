@@ -5,6 +5,7 @@
 //! (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
 
 mod constant;
+mod continuation;
 mod discrete;
 mod extremal;
 mod limits;

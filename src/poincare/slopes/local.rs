@@ -28,6 +28,13 @@ const NEGLIGIBLE: f64 = 1e-16;
 const NEGLIGIBLE_FOR_JUMPS: f64 = 1e-13;
 /// ... up to this ratio.
 const LARGEST_NEGLIGIBLE: f64 = 1e-6;
+/// Below this order the entries round to 1e-16/ν, and more has to be left out.
+const SMALL_ORDER: f64 = 0.2;
+
+/// The ratio for p > 0.1 at the zone: the share of the energy that is left out.
+pub(crate) fn negligible_for_jumps(p: f64) -> f64 {
+    NEGLIGIBLE_FOR_JUMPS * (2.0 * SMALL_ORDER / (1.0 - p)).max(1.0)
+}
 /// Least energy of a plateau of hats, relative to theirs, for which f64 has digits to spare.
 const WELL_CONDITIONED: f64 = 1e-4;
 /// A point this much nearer to P than another is P itself, as seen from the other.
@@ -172,7 +179,7 @@ impl Local {
     fn is_apart(&self, near: f64, far: f64) -> bool {
         let ratio = if self.p > 0.1 {
             let fall = (near / self.unit).max(1.0).powf(self.p);
-            (NEGLIGIBLE_FOR_JUMPS * fall).min(LARGEST_NEGLIGIBLE)
+            (negligible_for_jumps(self.p) * fall).min(LARGEST_NEGLIGIBLE)
         } else {
             NEGLIGIBLE
         };
