@@ -25,7 +25,7 @@ const ROUNDING_INSIDE: f64 = 5e-11;
 /// The same as ν → 0, times 1/ν: ν|u|_ν² is computed, a difference of terms of order one.
 const ROUNDING_OF_DIFFERENCES: f64 = 4e-16;
 
-fn rounding(order: FractionalOrder, constraint: &Constraint) -> f64 {
+pub(super) fn rounding(order: FractionalOrder, constraint: &Constraint) -> f64 {
     let neighbour = |part: Option<usize>| part.and_then(|k| constraint.parts.get(k)).copied();
     let sides = [neighbour(constraint.zone.checked_sub(1)), neighbour(Some(constraint.zone + 1))];
     let theta = constraint.parts[constraint.zone];
@@ -134,92 +134,6 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
     Ok(DualMoments { square: estimate(0)?, representer: estimate(1)?, image: estimate(2)? })
 }
 
-/// γ between two bounds that do not use the eigenvalue itself.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoSided {
-    /// γ with its error.
-    pub gamma: Estimate,
-    /// A conforming lower bound: the quotient of a function of the space, less its rounding.
-    pub lower: f64,
-    /// An upper bound from γ₁ and the dual norm N, sharpened; raised by the estimated errors of γ₁ and N.
-    pub upper: f64,
-    /// γ₁(ν), the constant of the whole interval.
-    pub whole: Estimate,
-    /// N, the dual norm of the mean value: max(γ₁, N)² ≤ γ² ≤ γ₁² + N² for the mean-zero condition.
-    pub dual_norm: Estimate,
-}
-
-/// γ with two-sided bounds (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u over (0,1)).
-///
-/// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when the representer of
-/// m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
-///
-/// # Errors
-/// As for [`gamma`].
-pub fn two_sided(
-    order: FractionalOrder,
-    zone: Zone,
-    condition: Condition,
-    tolerance: Tolerance,
-) -> Result<TwoSided> {
-    let constraint = constraint(&zone, condition)?;
-    let whole = gamma_whole(order, tolerance)?;
-    refine(
-        order,
-        rounding(order, &constraint),
-        tolerance,
-        |model| Sides::new(order, &constraint, model, &whole),
-        |fine, coarse| fine.join(&coarse, whole),
-        |found| found.gamma.relative_error(),
-    )
-}
-
-/// γ, its upper bound and N on one space.
-struct Sides {
-    gamma: f64,
-    upper: f64,
-    norm: f64,
-    rounding: f64,
-    work: Work,
-}
-
-impl Sides {
-    fn new(
-        order: FractionalOrder,
-        constraint: &Constraint,
-        model: &MeshModel,
-        whole: &Estimate,
-    ) -> Result<Self> {
-        let mut discrete = Discrete::new(order, constraint, model)?;
-        let (gamma, _) = discrete.largest_quotient()?;
-        let dual = discrete.dual_norm()?;
-        let whole_here = (whole.value + whole.error) / discrete.factor;
-        Ok(Self {
-            gamma,
-            upper: dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor,
-            norm: dual.square.sqrt() * discrete.factor,
-            rounding: rounding(order, constraint),
-            work: discrete.work,
-        })
-    }
-
-    fn join(&self, coarse: &Self, whole: Estimate) -> Result<TwoSided> {
-        let work = self.work + coarse.work;
-        let estimate =
-            |a: f64, b: f64| Estimate::new(a.max(b), (a - b).abs() + self.rounding * a.max(b), work);
-        let gamma = estimate(self.gamma, coarse.gamma)?;
-        let dual_norm = estimate(self.norm, coarse.norm)?;
-        let upper = estimate(self.upper, coarse.upper)?;
-        Ok(TwoSided {
-            gamma,
-            lower: gamma.value * (1.0 - self.rounding),
-            upper: upper.value + upper.error + dual_norm.error,
-            whole,
-            dual_norm,
-        })
-    }
-}
-
 /// γ with the function for which it is attained.
 ///
 /// # Errors
@@ -238,7 +152,7 @@ pub fn extremal(
     Ok((estimate, ExtremalFunction::new(&discrete, coefficients)))
 }
 
-fn constraint(zone: &Zone, condition: Condition) -> Result<Constraint> {
+pub(super) fn constraint(zone: &Zone, condition: Condition) -> Result<Constraint> {
     if condition == Condition::Vanishing {
         let theta = zone.length();
         let something_left = zone.start() + zone.rest() > 0.0;
@@ -269,7 +183,7 @@ pub(crate) fn refine_until(
 }
 
 /// Solves on two spaces and joins the results, until their relative error meets the tolerance.
-fn refine<T: Send, R>(
+pub(super) fn refine<T: Send, R>(
     order: FractionalOrder,
     rounding: f64,
     tolerance: Tolerance,

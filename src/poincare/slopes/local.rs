@@ -23,17 +23,15 @@ const SHORT: f64 = 0.05;
 const REACH: f64 = 0.3;
 /// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio times a logarithm.
 const NEGLIGIBLE: f64 = 1e-16;
-/// The same for p > 0.1 at the zone. There the entries of distant steps, of which those of hats are differences, round to more than
-/// 1e-16; but the extremal function falls off as well, its energy at distance r like (θ/r)^p, and the share may grow accordingly ...
-const NEGLIGIBLE_FOR_JUMPS: f64 = 1e-13;
-/// ... up to this ratio.
-const LARGEST_NEGLIGIBLE: f64 = 1e-6;
+/// The same for p > 0.1 at the zone, where the entries of distant steps, of which those of hats are differences, round to more; but
+/// the extremal function's energy falls off like (θ/r)^p, and the ratio may grow accordingly up to the second number.
+const NEGLIGIBLE_FOR_JUMPS: (f64, f64) = (1e-13, 1e-6);
 /// Below this order the entries round to 1e-16/ν, and more has to be left out.
 const SMALL_ORDER: f64 = 0.2;
 
 /// The ratio for p > 0.1 at the zone: the share of the energy that is left out.
 pub(crate) fn negligible_for_jumps(p: f64) -> f64 {
-    NEGLIGIBLE_FOR_JUMPS * (2.0 * SMALL_ORDER / (1.0 - p)).max(1.0)
+    NEGLIGIBLE_FOR_JUMPS.0 * (2.0 * SMALL_ORDER / (1.0 - p)).max(1.0)
 }
 /// Least energy of a plateau of hats, relative to theirs, for which f64 has digits to spare.
 const WELL_CONDITIONED: f64 = 1e-4;
@@ -179,15 +177,14 @@ impl Local {
     fn is_apart(&self, near: f64, far: f64) -> bool {
         let ratio = if self.p > 0.1 {
             let fall = (near / self.unit).max(1.0).powf(self.p);
-            (negligible_for_jumps(self.p) * fall).min(LARGEST_NEGLIGIBLE)
+            (negligible_for_jumps(self.p) * fall).min(NEGLIGIBLE_FOR_JUMPS.1)
         } else {
             NEGLIGIBLE
         };
         near < ratio * far
     }
 
-    /// Whether nothing that holds a step of cell c interacts with anything that holds a step of cell d. A hat joins a cell to the
-    /// next one that carries a step, at most two further on.
+    /// Whether nothing that holds a step of cell c interacts with anything that holds one of cell d; a hat joins at most three cells.
     pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
         let around = |cell: usize| {
             let (low, high) = (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
