@@ -8,7 +8,7 @@
 use super::continuation::{SMALL, continued};
 use super::discrete::{Constraint, Discrete};
 use super::extremal::ExtremalFunction;
-use super::mesh::MeshModel;
+use super::mesh::{MeshModel, SHORTEST_RADIUS};
 use super::slopes::local::negligible_for_jumps;
 use super::zone::{Condition, Zone};
 use crate::error::{Error, Result};
@@ -80,6 +80,14 @@ pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> R
     Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
     let inside = a == 0.0 || (1e-300..=1.0).contains(&a);
     let a = Error::require("point", a, "{0} or [1e-300, 1]", inside)?;
+    let reached = SHORTEST_RADIUS.powf(2.0 * order.offset());
+    if reached > tolerance.relative() {
+        return Err(Error::ToleranceNotMet {
+            what: "Poincare constant",
+            asked: tolerance.relative(),
+            reached,
+        });
+    }
     let constraint = Constraint::at_point(a);
     refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
 }
