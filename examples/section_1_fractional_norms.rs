@@ -59,7 +59,8 @@ fn columns() -> Vec<Column> {
 pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(columns());
     let (mut worst, mut compared, mut recognised, mut wrong) = (0.0f64, 0, 0, Vec::new());
-    let mut chart = Chart::new("Seminorms of order nu", Axis::linear("nu"), Axis::logarithmic("|u|_nu"));
+    let mut chart =
+        Chart::new("Seminorms of order nu", Axis::linear("nu, order"), Axis::logarithmic("|u|_nu, seminorm"));
     for function in &options.function {
         let mut curve = Vec::new();
         for &order in &options.nu {
