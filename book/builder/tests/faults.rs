@@ -43,6 +43,7 @@ impl Fixture {
             std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../book.toml")).unwrap();
         fixture.write("book/book.toml", &toml);
         fixture.write("book/style/slider.js", "");
+        fixture.write("book/style/fit.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
