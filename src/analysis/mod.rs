@@ -4,21 +4,36 @@
 //! Everything here looks at the trace on the straight contact edge only ([`EdgeTrace`]): the normal displacement at the
 //! nodes of a fine mesh and the contact forces there. Lengths are in units of the data.
 
+mod alternative_report;
 mod alternative_study;
 mod alternatives;
 mod classification;
 mod consistency;
+mod contact_source;
 mod edge_trace;
 mod orders;
-mod rate_report;
-mod rate_study;
-mod regularity;
+mod pair;
+mod profile;
+mod rates;
+mod segment;
+mod segment_seminorm;
 
-pub use alternative_study::{AlternativeRow, AlternativeStudy, ThetaRule};
+pub use alternative_study::{AlternativeCase, AlternativeRow, AlternativeStudy, ThetaRule};
 pub use alternatives::{Alternative, NearVertices, SetDiameter, printed_theta};
 pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
+pub use contact_source::{Against, ContactSource};
 pub use edge_trace::{EdgeTrace, Interval};
-pub use orders::{Bound, observed_orders};
-pub use rate_study::{RateRow, RateStudy};
-pub use regularity::clamped_free_exponent;
+pub use orders::observed_orders;
+pub use pair::{ContactPair, Segment, Traces};
+pub use profile::{
+    Check, Exponent, InequalityProfile, LevelProfile, ProofCase, ProofConstants, ProofProfile, Rung,
+    SegmentSetting, section_four_checks, section_three_checks,
+};
+pub use rates::{
+    Bound, FigureRates, Fit, Flag, LevelStore, MeshRates, Model, Quantity, RateLevel, RateStrip, RateStudy,
+    SceneFamily, StripGroup, TheoremPlan, clamped_free_exponent, edge_norm, figure_chart, figure_headline,
+    scene_regularity, theorem_headline,
+};
+pub use segment::{SegmentNorms, TraceNorms};
+pub use segment_seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};
