@@ -50,6 +50,11 @@ impl SeminormForm {
         Ok(Self { order, traces, cells, operator })
     }
 
+    /// K.
+    pub fn cells(&self) -> usize {
+        self.cells
+    }
+
     /// |v|²_{ν,T} of the trace with values `ends` at the ends of the cells of the segment.
     ///
     /// # Errors
