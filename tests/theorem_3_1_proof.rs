@@ -114,7 +114,7 @@ fn seminorms_on_a_segment_agree_by_two_roads() {
             for source in ["transition", "transitions:9", "cantor:0.3"] {
                 let scene = source.parse::<SceneSource>().unwrap().scene(tau, 512, Sides::Natural).unwrap();
                 let pair = ContactPair::of_scene(&scene, traces).unwrap();
-                for n in [16, 64] {
+                for n in [16, 32] {
                     let form = SeminormForm::new(traces, order, 512 / n).unwrap();
                     for segment in pair.segments(n).unwrap() {
                         let norms = SegmentNorms::new(&segment, 2.0, &form).unwrap();
