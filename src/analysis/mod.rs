@@ -11,6 +11,8 @@ mod classification;
 mod consistency;
 mod contact_source;
 mod edge_trace;
+mod falk;
+mod falk_report;
 mod orders;
 mod pair;
 mod profile;
@@ -24,11 +26,13 @@ pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
 pub use contact_source::{Against, ContactSource};
 pub use edge_trace::{EdgeTrace, Interval};
+pub use falk::{FalkRow, falk_terms};
+pub use falk_report::{falk_chart, falk_headline};
 pub use orders::observed_orders;
 pub use pair::{ContactPair, Segment, Traces};
 pub use profile::{
-    Check, Exponent, InequalityProfile, LevelProfile, ProofCase, ProofConstants, ProofProfile, Rung,
-    SegmentSetting, section_four_checks, section_three_checks,
+    Check, Exponent, InequalityProfile, LevelProfile, ProofCase, ProofConstants, ProofProfile, Resolution,
+    Rung, SegmentSetting, section_four_checks, section_three_checks,
 };
 pub use rates::{
     Bound, FigureRates, Fit, Flag, LevelStore, MeshRates, Model, Quantity, RateLevel, RateStrip, RateStudy,

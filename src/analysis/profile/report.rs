@@ -44,7 +44,7 @@ impl ProofProfile {
 
     fn quote(&self, headline: &mut Headline, key: &str, rungs: &[Rung]) {
         headline.quote(format!("{key}.printed"), self.printed_exponent());
-        let keys = ["term", "hoelder", "interpolation", "own", "theta", "law", "young", "edge"];
+        let keys = ["term", "hoelder", "interpolation", "own", "theta", "law", "edge"];
         for (rung, step) in rungs.iter().zip(keys) {
             headline.quote(format!("{key}.{step}.exponent"), rung.exponent.value);
             headline.quote(format!("{key}.{step}.corrected"), rung.corrected.value);
@@ -126,6 +126,7 @@ impl ProofProfile {
                 "exponent with the law of the Poincaré constant that holds: square root of the logarithm at tau = 2",
             ),
             Column::hidden("corrected_value"),
+            Column::hidden("exponent_uncertainty"),
         ]);
         for rung in rungs {
             table.push(vec![
@@ -137,6 +138,7 @@ impl ProofProfile {
                 rung.loss.map(|l| l.uncertainty).into(),
                 rung.corrected.value.into(),
                 rung.values[1].into(),
+                rung.exponent.uncertainty.into(),
             ]);
         }
         table
