@@ -172,6 +172,13 @@ fn examples_tests_and_commands_that_do_not_exist_fail() {
         "book/src/second.md:13:",
         "unknown example: `no`",
     );
+    Fixture::expect(
+        second,
+        "Backed by",
+        "Backed by `src/no.rs`,",
+        "book/src/second.md:13:",
+        "does not exist: `src/no.rs`",
+    );
     let fixture = Fixture::new();
     fixture.write("examples/alone.rs", "fn main() {}\n");
     let message = fixture.build().unwrap_err().to_string();
