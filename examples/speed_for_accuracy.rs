@@ -207,7 +207,7 @@ pub fn run(options: &Options) -> Result<Headline> {
         verdict,
     );
     if let Some(directory) = options.output.directory()? {
-        headline.figures.push(chart.save(directory, "speed_for_accuracy")?);
+        headline.figures.push(chart.save(directory, "speed_for_accuracy_seconds")?);
     }
     Ok(headline)
 }

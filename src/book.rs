@@ -33,4 +33,10 @@ chapters! {
     remark_7: "remark_7.md",
     lemma_6_1: "lemma_6_1.md",
     lemma_6_2: "lemma_6_2.md",
+    speed_for_accuracy: "speed_for_accuracy.md",
+    extremes: "extremes.md",
+    toolkit: "toolkit.md",
+    errata: "errata.md",
+    after_2012: "after_2012.md",
+    lemma_cards: "lemma_cards.md",
 }

@@ -132,9 +132,10 @@ fn refused<T: std::fmt::Debug>(outcome: Result<T>, words: &str) {
 fn bad_scenes_are_named() {
     let build = |kind, tau| EdgeScene::build(kind, tau, 64, Sides::Natural);
     let transition = SceneKind::Transition { position: 0.4 };
-    for tau in [1.5, 2.5, f64::NAN, -1.0] {
+    for tau in [1.5, 2.6, f64::NAN, -1.0] {
         refused(build(transition, tau), "tau");
     }
+    refused(build(SceneKind::Cantor { ratio: 0.3, depth: 3 }, 2.1), "tau");
     refused(build(SceneKind::FatCantor { depth: 5 }, 2.0), "fat Cantor");
     refused(build(SceneKind::FatCantor { depth: 0 }, 1.75), "depth");
     refused(build(SceneKind::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");

@@ -18,9 +18,7 @@ mod falk_report;
 mod orders;
 mod pair;
 mod profile;
-mod rate_report;
-mod rate_study;
-mod regularity;
+mod rates;
 mod segment;
 mod segment_seminorm;
 
@@ -34,13 +32,16 @@ pub use contact_source::{Against, ContactSource};
 pub use edge_trace::{EdgeTrace, Interval};
 pub use falk::{FalkRow, falk_terms};
 pub use falk_report::{falk_chart, falk_headline};
-pub use orders::{Bound, observed_orders};
+pub use orders::observed_orders;
 pub use pair::{ContactPair, Segment, Traces};
 pub use profile::{
     Check, Exponent, InequalityProfile, LevelProfile, ProofCase, ProofConstants, ProofProfile, Resolution,
     Rung, SegmentSetting, section_four_checks, section_three_checks,
 };
-pub use rate_study::{RateRow, RateStudy};
-pub use regularity::clamped_free_exponent;
+pub use rates::{
+    Bound, FigureRates, Fit, Flag, LevelStore, MeshRates, Model, Quantity, RateLevel, RateStrip, RateStudy,
+    SceneFamily, StripGroup, TheoremPlan, clamped_free_exponent, edge_norm, figure_chart, figure_headline,
+    scene_regularity, theorem_headline,
+};
 pub use segment::{SegmentNorms, TraceNorms};
 pub use segment_seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};

@@ -21,6 +21,14 @@ const REFINEMENTS: usize = 3;
 
 /// γ_θ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy `condition` on `zone`.
 ///
+/// ```
+/// use signorini::{Tolerance, poincare::{Condition, Zone, gamma}, sobolev::FractionalOrder};
+/// let whole = gamma(FractionalOrder::HALF, Zone::end(1.0)?, Condition::MeanZero, Tolerance::balanced())?;
+/// let small = gamma(FractionalOrder::HALF, Zone::end(1e-9)?, Condition::MeanZero, Tolerance::balanced())?;
+/// assert!((whole.value - 0.291_564_029).abs() < 1e-8 && small.value > 1.5);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] when the condition leaves only u = 0 (vanishing on the whole interval);
 /// [`Error::ToleranceNotMet`] when rounding (about 2e-13) forbids the tolerance.
@@ -35,6 +43,15 @@ pub fn gamma(
 }
 
 /// γ₀(ν) = sup ‖u‖₀ / |u|_ν over the functions that vanish at the point `a` of \[0,1\], ν > 1/2 (Remark 6).
+///
+/// ```
+/// use signorini::{Tolerance, poincare::gamma_at_point, sobolev::FractionalOrder};
+/// let order = FractionalOrder::new(0.75)?;
+/// let [end, middle] = [0.0, 0.5].map(|a| gamma_at_point(order, a, Tolerance::fast()));
+/// assert!(middle?.value < end?.value);
+/// assert!(gamma_at_point(FractionalOrder::HALF, 0.0, Tolerance::fast()).is_err());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≤ 1/2, where points have no trace, or a point outside; [`Error::ToleranceNotMet`] as for
@@ -114,6 +131,14 @@ pub struct TwoSided {
 ///
 /// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when the representer of
 /// m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Condition, Zone, two_sided}, sobolev::FractionalOrder};
+/// let zone = Zone::at(0.25, 1e-3)?;
+/// let found = two_sided(FractionalOrder::new(0.3)?, zone, Condition::MeanZero, Tolerance::fast())?;
+/// assert!(found.lower <= found.gamma.value && found.gamma.value <= found.upper);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As for [`gamma`].

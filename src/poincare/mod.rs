@@ -10,6 +10,7 @@ mod extremal;
 mod limits;
 mod mellin;
 mod mesh;
+mod pictures;
 mod scaling;
 pub(crate) mod slopes;
 mod uniform;
@@ -19,6 +20,7 @@ pub use constant::{TwoSided, dual_norm, extremal, gamma, gamma_at_point, gamma_w
 pub use extremal::ExtremalFunction;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use mellin::end_limit;
+pub use pictures::{extremal_chart, growth_chart};
 pub use scaling::ScalingCurve;
 pub use uniform::UniformLaw;
 pub use zone::{Condition, Place, Zone};

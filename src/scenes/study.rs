@@ -37,6 +37,8 @@ pub struct SceneRun {
     pub problem: ContactProblem,
     /// Its solution.
     pub solution: ContactSolution,
+    /// Steps of the active set from an empty contact set, when `solution` started from a coarser one.
+    pub cold_steps: Option<u64>,
 }
 
 impl SceneStudy {
@@ -55,15 +57,15 @@ impl SceneStudy {
             let n = self.n.saturating_mul(1 << level);
             let problem = self.scene.problem_with(n, &self.setting)?;
             let coarser = runs.iter().rev().find(|run| run.solution.solver == Solver::ActiveSet);
-            let guess = coarser.map(|run| run.solution.contact_set.clone());
+            let coarser = coarser.map(|run| run.solution.clone());
             for &solver in &solvers {
-                let solution = match (&guess, solver) {
-                    (Some(set), Solver::ActiveSet) if !problem.edge().is_closed() => {
-                        problem.solve_from(self.cone, self.cone.refined_set(set))?
+                let (solution, cold_steps) = match (&coarser, solver) {
+                    (Some(coarse), Solver::ActiveSet) if !problem.edge().is_closed() => {
+                        problem.solve_after_beside_cold(coarse)?
                     }
-                    _ => problem.solve(self.cone, solver)?,
+                    _ => (problem.solve(self.cone, solver)?, None),
                 };
-                runs.push(SceneRun { n, problem: problem.clone(), solution });
+                runs.push(SceneRun { n, problem: problem.clone(), solution, cold_steps });
             }
         }
         Ok(runs)
@@ -73,7 +75,7 @@ impl SceneStudy {
     pub fn headline(&self, runs: &[SceneRun]) -> Result<Headline> {
         let mut table = Table::new(ContactSolution::columns());
         for run in runs {
-            table.push(run.solution.row(run.n, &run.problem));
+            table.push(run.solution.row(run.n, &run.problem, run.cold_steps));
         }
         let finest = runs.iter().map(|run| run.n).max().unwrap_or(0);
         let Some(last) = runs.iter().find(|run| run.n == finest) else {

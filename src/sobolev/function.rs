@@ -73,6 +73,19 @@ impl<'a> SingularFunction<'a> {
 
     /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction, closed_forms}};
+    /// // |ln x|^(1/4): the distance from the break 0 is exact, the one from 1 enters by ln(1 - t)
+    /// let u = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.offset().ln()).powf(0.25),
+    ///     _ => (-at.offset().ln_1p()).powf(0.25),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.25)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`SingularFunction::new`].
     pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {

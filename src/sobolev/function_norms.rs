@@ -30,6 +30,14 @@ const LEVELS: [Level; 11] = [
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::balanced())?;
+    /// assert!((found.value - 1.0).abs() < 1e-8);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.

@@ -15,6 +15,7 @@
 
 mod case;
 mod chain;
+mod consistency;
 mod contact_sets;
 mod defect;
 mod edge;
@@ -38,6 +39,7 @@ mod source;
 mod study;
 
 pub use case::{CaseStudy, StripCase, mean_errors};
+pub use consistency::consistency_terms;
 pub use edge::EdgeOperator;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};

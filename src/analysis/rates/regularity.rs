@@ -11,6 +11,7 @@
 //! are not treated here.
 
 use crate::error::{Error, Result};
+use crate::scenes::{Scene, Setting};
 
 /// λ of the clamped/free corner: opening ω in (0, π/2], Poisson's ratio in (0, 1/2), plane strain.
 ///
@@ -38,6 +39,27 @@ pub fn clamped_free_exponent(opening: f64, poisson: f64) -> Result<f64> {
         if defect(middle) >= 0.0 { high = middle } else { low = middle }
     }
     Ok(0.5 * (low + high))
+}
+
+/// The supremum of the τ ≤ 2 for which the solution of a scene lies in H^τ.
+///
+/// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother. `corner`:
+/// 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is harmless.
+///
+/// # Errors
+/// As [`clamped_free_exponent`].
+pub fn scene_regularity(scene: Scene, setting: &Setting) -> Result<f64> {
+    match scene {
+        Scene::Incompressible => {
+            Ok(1.0 + clamped_free_exponent(std::f64::consts::FRAC_PI_2, setting.poisson)?)
+        }
+        // λ = μ = 1 is Poisson's ratio 1/4.
+        Scene::Block | Scene::Free | Scene::Closed => {
+            Ok(1.0 + clamped_free_exponent(std::f64::consts::FRAC_PI_2, 0.25)?)
+        }
+        Scene::Corner => Ok((1.0 + 90.0 / setting.angle).min(2.0)),
+        Scene::Membrane | Scene::MembraneReaction | Scene::Manufactured => Ok(2.0),
+    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,88 @@
+//! The bounds that measured errors are compared with: before the paper, the paper, its proof sharpened, and the optimal one.
+
+use crate::error::{Error, Result};
+
+/// The bounds for the H¹ error that stand side by side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// h^{τ/2 − 1/4} (E2), at τ = 2 h^{3/4} (E3).
+    Earlier,
+    /// h^{τ² − 5τ/2 + 2} (3.1), (4.2), at τ = 2 h |ln h|^{1/2} (3.2), (4.3).
+    Paper,
+    /// The same proof with the sharp constant of Lemma 5.2 at ν = 1/2: as [`Bound::Paper`], at τ = 2 h |ln h|^{1/4}.
+    Sharpened,
+    /// h^{τ − 1}, shown by Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.
+    Optimal,
+}
+
+impl Bound {
+    /// The value of the bound, without its constant, for 3/2 < τ ≤ 5/2 and 0 < h < 1.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] outside these ranges.
+    pub fn value(self, h: f64, tau: f64) -> Result<f64> {
+        Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
+        Ok(h.powf(self.exponent(tau)?) * h.ln().abs().powf(self.logarithm(tau)))
+    }
+
+    /// The exponent of h, 3/2 < τ ≤ 5/2. Beyond τ = 2 every bound is h: (E4), (4.4).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] outside this range.
+    pub fn exponent(self, tau: f64) -> Result<f64> {
+        Error::require("tau", tau, "(3/2, 5/2]", tau > 1.5 && tau <= 2.5)?;
+        if tau > 2.0 {
+            return Ok(1.0);
+        }
+        Ok(match self {
+            Bound::Earlier => 0.5 * tau - 0.25,
+            Bound::Paper | Bound::Sharpened => tau * tau - 2.5 * tau + 2.0,
+            Bound::Optimal => tau - 1.0,
+        })
+    }
+
+    /// "h^0.6875, the theorem".
+    ///
+    /// # Errors
+    /// As [`Bound::exponent`].
+    pub fn name(self, tau: f64) -> Result<String> {
+        let exponent = self.exponent(tau)?;
+        let power = if exponent == 1.0 { "h".to_owned() } else { format!("h^{exponent:.4}") };
+        let logarithm = match self.logarithm(tau) {
+            0.0 => String::new(),
+            power => format!(" |ln h|^{power}"),
+        };
+        let whose = match self {
+            Bound::Earlier => "before the paper",
+            Bound::Paper => "the theorem",
+            Bound::Sharpened => "the theorem, sharpened",
+            Bound::Optimal => "optimal",
+        };
+        Ok(format!("{power}{logarithm}, {whose}"))
+    }
+
+    /// The exponent of |ln h|: nonzero at τ = 2 only.
+    pub fn logarithm(self, tau: f64) -> f64 {
+        match self {
+            Bound::Paper if tau == 2.0 => 0.5,
+            Bound::Sharpened if tau == 2.0 => 0.25,
+            _ => 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_paper_is_furthest_from_optimal_at_seven_quarters() {
+        let gap = |tau: f64| Bound::Optimal.exponent(tau).unwrap() - Bound::Paper.exponent(tau).unwrap();
+        assert_eq!(gap(1.75), 1.0 / 16.0);
+        assert!(gap(1.74) < gap(1.75) && gap(1.76) < gap(1.75) && gap(2.0) == 0.0);
+        assert!(Bound::Paper.value(0.5, 1.5).is_err() && Bound::Paper.value(0.5, 2.6).is_err());
+        assert_eq!(Bound::Paper.value(0.125, 2.1), Ok(0.125));
+        let logarithm = 0.125 * 8f64.ln().powf(0.25);
+        assert!((Bound::Sharpened.value(0.125, 2.0).unwrap() / logarithm - 1.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,26 @@
+//! Theorems 3.1 and 4.1, Figure 3.1: how fast errors and consistency terms fall.
+
+mod bounds;
+mod figure;
+mod fit;
+mod level;
+mod listing;
+mod mesh;
+mod norms;
+mod regularity;
+mod store;
+mod strip;
+mod study;
+mod theorem;
+
+pub use bounds::Bound;
+pub use figure::{FigureRates, figure_chart, figure_headline};
+pub use fit::{Fit, Model};
+pub use level::{Flag, RateLevel};
+pub use mesh::MeshRates;
+pub use norms::edge_norm;
+pub use regularity::{clamped_free_exponent, scene_regularity};
+pub use store::LevelStore;
+pub use strip::{RateStrip, SceneFamily};
+pub use study::{Quantity, RateStudy};
+pub use theorem::{StripGroup, TheoremPlan, theorem_headline};

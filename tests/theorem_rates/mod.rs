@@ -1,0 +1,89 @@
+//! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
+
+use signorini::analysis::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
+use signorini::contact::Cone;
+use signorini::scenes::{Scene, Setting};
+use signorini::strip::{Levels, SceneKind, SceneSource, StripKind};
+
+/// The window of h is finite: orders of known scenes come out this close to τ − 1.
+const ORDER: f64 = 0.02;
+/// On meshes of up to 192 squares along a side, with three terms of a series for the error.
+const CORNER: f64 = 0.05;
+/// The term has one value per position of a transition; few of them are averaged.
+const TERM: f64 = 0.03;
+
+fn strip(
+    kind: StripKind,
+    source: &SceneSource,
+    levels: (u32, u32),
+    positions: usize,
+    cone: Cone,
+) -> Vec<RateStudy> {
+    let levels = Levels::new(levels.0, levels.1).unwrap();
+    let finest = levels.cells().max().unwrap();
+    let mut strip = RateStrip::new(kind, levels, 16 * finest).unwrap();
+    let mut store = LevelStore::in_memory();
+    [1.55, 1.65, 1.75, 1.85, 1.95]
+        .into_iter()
+        .map(|tau| {
+            let family = SceneFamily::named(source, tau, kind, levels.coarsest_cells(), positions).unwrap();
+            strip.study(&family, cone, &mut store, &mut || ()).unwrap()
+        })
+        .collect()
+}
+
+fn check(studies: &[RateStudy]) {
+    for study in studies {
+        let (fit, optimal) = (study.fit(Quantity::Error).unwrap(), study.tau - 1.0);
+        let name = format!("{} {} tau {}: {fit}", study.scene, study.cone, study.tau);
+        assert_eq!(study.left_out(), 0, "{name}");
+        assert!((fit.order - optimal).abs() < ORDER, "{name}");
+        for quantity in [Quantity::Error, Quantity::Consistency] {
+            assert!(study.is_bounded(quantity, Bound::Paper).unwrap(), "{name} {quantity:?}");
+        }
+        let term = study.fit(Quantity::Consistency).unwrap();
+        assert!((term.order - optimal).abs() < TERM, "{name} term {term}");
+    }
+}
+
+pub fn single_transitions(cone: Cone) {
+    for kind in [StripKind::Scalar, StripKind::Elastic] {
+        check(&strip(kind, &SceneSource::transition(), (3, 12), 5, cone));
+    }
+}
+
+pub fn many_transitions(cone: Cone) {
+    check(&strip(
+        StripKind::Scalar,
+        &SceneSource::Built(SceneKind::Transitions { gaps: 11 }),
+        (6, 14),
+        1,
+        cone,
+    ));
+}
+
+pub fn corners(cone: Cone) {
+    for angle in [100.0, 120.0, 135.0, 150.0] {
+        let setting = Setting { angle, ..Setting::default() };
+        let rates = MeshRates { scene: Scene::Corner, setting, constant_load: true, coarsest: 3, levels: 7 };
+        let study = rates.study(&[cone]).unwrap().remove(0);
+        let fit = study.fit(Quantity::Error).unwrap();
+        assert!((fit.order - 90.0 / angle).abs() < CORNER, "{}: {fit}", study.scene);
+        assert!(study.is_bounded(Quantity::Error, Bound::Paper).unwrap(), "{}: {fit}", study.scene);
+    }
+}
+
+/// A corner of 120 degrees (τ = 7/4) with a contact zone at its other end, one less digit in the order: the transition adds its own series.
+pub fn corner_with_contact(cone: Cone) {
+    let rates = MeshRates {
+        scene: Scene::Corner,
+        setting: Setting::default(),
+        constant_load: false,
+        coarsest: 3,
+        levels: 7,
+    };
+    let study = rates.study(&[cone]).unwrap().remove(0);
+    let fit = study.fit(Quantity::Error).unwrap();
+    assert!(study.levels.iter().all(|level| level.contact_runs == 1));
+    assert!((fit.order - 0.75).abs() < CORNER, "{fit}");
+}
