@@ -8,6 +8,14 @@ use crate::figures::{Axis, Chart, Series};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use std::path::Path;
 
+/// Lines whose slack is quoted, and under which name.
+const LOSING: [(&str, &str); 4] = [
+    ("(3.7) scaling of the norm", "scaling"),
+    ("(3.12) Poincaré", "poincare"),
+    ("(4.10) embedding", "embedding"),
+    ("(4.11) Poincaré of u_N'", "poincare"),
+];
+
 /// Lines drawn in the chart of slacks.
 const DRAWN: usize = 6;
 
@@ -54,6 +62,13 @@ impl ProofProfile {
             if let Some(loss) = rung.loss {
                 headline.quote(format!("{key}.{step}.loss"), loss.value);
                 headline.quote(format!("{key}.{step}.uncertainty"), loss.uncertainty);
+            }
+        }
+        for line in self.lines() {
+            let named = LOSING.into_iter().find(|(label, _)| *label == line.label);
+            if let (Some((_, name)), Some(exponent)) = (named, line.exponent) {
+                headline.quote(format!("{key}.slack.{name}"), exponent.value);
+                headline.quote(format!("{key}.slack.{name}.uncertainty"), exponent.uncertainty);
             }
         }
         headline.quote(format!("{key}.checks"), self.checks() as f64);
