@@ -7,6 +7,8 @@
 mod alternative_report;
 mod alternative_study;
 mod alternatives;
+mod balance;
+mod balance_report;
 mod classification;
 mod consistency;
 mod contact_source;
@@ -22,6 +24,8 @@ mod segment_seminorm;
 
 pub use alternative_study::{AlternativeCase, AlternativeRow, AlternativeStudy, ThetaRule};
 pub use alternatives::{Alternative, NearVertices, SetDiameter, printed_theta};
+pub use balance::{ElementBalance, WorstPair};
+pub use balance_report::BalanceRow;
 pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
 pub use contact_source::{Against, ContactSource};
