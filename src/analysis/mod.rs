@@ -19,7 +19,10 @@ pub use consistency::{midpoint_term, nodal_term};
 pub use edge_trace::{EdgeTrace, Interval};
 pub use orders::observed_orders;
 pub use rates::{
-    Bound, FigureRates, Fit, Flag, LevelStore, MeshRates, Model, Quantity, RateLevel, RateStrip, RateStudy,
-    SceneFamily, StripGroup, TheoremPlan, clamped_free_exponent, edge_norm, figure_chart, figure_headline,
-    scene_regularity, theorem_headline,
+    Bound, EdgeNorms, FigureRates, Fit, Flag, LevelStore, LogarithmFit, MeshRates, Model, Quantity,
+    RateLevel, RateStrip, RateStudy, SceneFamily, SearchRow, StripGroup, TheoremPlan, TransitionPowers,
+    clamped_free_exponent, edge_norm, edge_norms, figure_chart, figure_headline, introduction_chart,
+    introduction_headline, introduction_rows, introduction_studies, logarithm_chart, logarithm_headline,
+    logarithm_studies, scene_regularity, search_chart, search_headline, search_sets, search_size,
+    theorem_headline, worst_gaps, worst_ratio,
 };
