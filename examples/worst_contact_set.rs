@@ -16,7 +16,7 @@ pub struct Options {
     #[arg(long, default_value_t = 1.75)]
     pub tau: f64,
     /// The data live on 2 to this power cells
-    #[arg(long, default_value_t = 19)]
+    #[arg(long, default_value_t = 17)]
     pub depth: u32,
     /// Where the outcome goes
     #[command(flatten)]

@@ -25,9 +25,9 @@ use faer::Mat;
 use faer::Side;
 use faer::linalg::solvers::Solve;
 
-/// Cells of each part of the segment: 2 (layers + 1), ratio 0.3.
-const LAYERS: usize = 12;
-const RATIO: f64 = 0.3;
+/// Cells of each part of the segment: 2 (layers + 1), ratio 1/4.
+const LAYERS: usize = 9;
+const RATIO: f64 = 0.25;
 
 /// sup term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with gaps (0, left) and (1 − right, 1), contact between; `left` may be 0. At most ½.
 ///
