@@ -60,7 +60,8 @@ pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(columns());
     let (mut worst, mut compared, mut recognised, mut wrong) = (0.0f64, 0, 0, Vec::new());
     let mut repeated = 0.0f64;
-    let mut chart = Chart::new("Seminorms of order nu", Axis::linear("nu"), Axis::logarithmic("|u|_nu"));
+    let mut chart =
+        Chart::new("Seminorms of order nu", Axis::linear("nu, order"), Axis::logarithmic("|u|_nu, seminorm"));
     for function in &options.function {
         let mut curve = Vec::new();
         for &order in &options.nu {
