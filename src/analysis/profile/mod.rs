@@ -34,6 +34,7 @@ mod constants;
 mod inequality;
 mod ladder;
 mod report;
+mod resolution;
 mod section_four;
 mod section_three;
 mod study;
@@ -41,9 +42,10 @@ mod study;
 pub use constants::ProofConstants;
 pub use inequality::{Check, InequalityProfile};
 pub use ladder::{Exponent, Rung};
+pub use resolution::Resolution;
 pub use section_four::section_four_checks;
 pub use section_three::section_three_checks;
-pub use study::{LevelProfile, ProofCase, ProofProfile, Resolution};
+pub use study::{LevelProfile, ProofCase, ProofProfile};
 
 use super::segment::SegmentNorms;
 

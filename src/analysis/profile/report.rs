@@ -106,9 +106,10 @@ impl ProofProfile {
             .filter_map(|r| r.loss.map(|loss| (r.name, loss)))
             .max_by(|a, b| a.1.value.total_cmp(&b.1.value));
         let (name, loss) = largest.unwrap_or(("", first.exponent));
+        let missed = 2.0 * self.case.tau - 2.0 - self.printed_exponent();
         format!(
             "{} inequalities checked, {} fail; the term falls like h^{:.3}, the bound like h^{:.3} (printed {:.3}); most is \
-             lost at \"{name}\": {:.3} ± {:.3}",
+             lost at \"{name}\": {:.3} ± {:.3}; the printed exponent is {missed:.3} below the optimal one, {:.4} in the error",
             self.checks(),
             self.violations(),
             first.exponent.value,
@@ -116,6 +117,7 @@ impl ProofProfile {
             self.printed_exponent(),
             loss.value,
             loss.uncertainty,
+            0.5 * missed,
         )
     }
 
