@@ -39,9 +39,12 @@ pub use profile::{
     Rung, SegmentSetting, section_four_checks, section_three_checks,
 };
 pub use rates::{
-    Bound, FigureRates, Fit, Flag, LevelStore, MeshRates, Model, Quantity, RateLevel, RateStrip, RateStudy,
-    SceneFamily, StripGroup, TheoremPlan, clamped_free_exponent, edge_norm, figure_chart, figure_headline,
-    scene_regularity, theorem_headline,
+    Bound, EdgeNorms, FigureRates, Fit, Flag, LevelStore, LogarithmFit, MeshRates, Model, Quantity,
+    RateLevel, RateStrip, RateStudy, SceneFamily, SearchRow, StripGroup, TheoremPlan, TransitionPowers,
+    clamped_free_exponent, edge_norm, edge_norms, figure_chart, figure_headline, introduction_chart,
+    introduction_headline, introduction_rows, introduction_studies, logarithm_chart, logarithm_headline,
+    logarithm_studies, scene_regularity, search_chart, search_headline, search_sets, search_size,
+    theorem_headline, worst_gaps, worst_ratio,
 };
 pub use segment::{SegmentNorms, TraceNorms};
 pub use segment_seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};
