@@ -14,7 +14,9 @@
 //! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
 //! | Appendix B, (4.6), (4.7), Remarks 2 and 4: interpolation, projection, embeddings | [`interpolation`] |
 //! | Section 2 on a strip, reduced to its contact edge | [`strip`] |
-//! | Sections 3 and 4: alternatives, consistency terms, rates | [`analysis`] |
+//! | Sections 3 and 4: alternatives, consistency terms | [`analysis`] |
+//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1: rates old, new and measured | [`analysis::RateStudy`], [`analysis::TheoremPlan`] |
+//! | why no contact set is bad | [`analysis::worst_ratio`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
