@@ -90,7 +90,8 @@ mod tests {
             let terms = consistency_terms(&scene, cone);
             let at = |cells| terms.iter().find(|t| t.0 == cells).map(|t| t.1);
             assert_eq!(terms.len(), 9);
-            assert!(at(4).is_some_and(|t| t > 0.0));
+            // The nodes of 8 cells lie in the middle of gaps and contact pieces, transitions between them.
+            assert!(at(8).is_some_and(|t| t > 0.0));
             if cone == Cone::Nodal {
                 assert_eq!(at(16), Some(0.0));
             }

@@ -167,7 +167,7 @@ pub fn introduction_headline(studies: &[[RateStudy; 2]]) -> Result<Headline> {
     let claim = "(E1)-(E4) known before, (N1), (N2) new: the printed rates are reached by every scene";
     let measured = "in every row the error falls like h^min(tau-1, 1), whatever the contact set; at tau = 2 up to a logarithm";
     let verdict = if short >= 0.0 {
-        Verdict::HoldsLoose("the optimal order shows in every row".to_owned())
+        Verdict::HoldsLoose("up to h^(1/4): every row shows the optimal order".to_owned())
     } else {
         Verdict::NotConfirmed(format!("an order stays {:.3} below its printed rate", -short))
     };

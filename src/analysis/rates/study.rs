@@ -54,7 +54,11 @@ impl RateStudy {
 
     /// The order of a quantity with its uncertainty; `None` for too few levels or a quantity that vanishes.
     pub fn fit(&self, quantity: Quantity) -> Option<Fit> {
-        Fit::against(&self.points(quantity), self.reference.filter(|_| quantity == Quantity::Error))
+        match quantity {
+            Quantity::Error => Fit::against(&self.points(quantity), self.reference),
+            // The term has no smooth part: a power of h alone, once the pieces of the contact set are resolved.
+            Quantity::Consistency => Fit::power(&self.points(quantity)),
+        }
     }
 
     /// quantity / bound(h) on every level that counts.

@@ -200,7 +200,7 @@ pub fn theorem_headline(cone: Cone, studies: &[RateStudy]) -> Result<Headline> {
         "orders within {furthest:.3} of tau - 1 (fat Cantor sets apart), at least {least:.3} above the theorem's exponent"
     );
     let verdict = if unbounded.is_empty() {
-        Verdict::HoldsLoose("the optimal order tau - 1 is seen in every scene".to_owned())
+        Verdict::HoldsLoose(format!("h^{least:.2} and more: every scene has the optimal order"))
     } else {
         Verdict::NotConfirmed(format!("error/bound grows: {}", unbounded.join(", ")))
     };
