@@ -80,8 +80,8 @@ impl TheoremPlan {
         let rough = [many(&all), fat_cantor(&nine[..6])].concat();
         Ok(Self {
             strips: vec![
-                group(StripKind::Scalar, (3, 16), 20, &transition(&all, 9))?,
-                group(StripKind::Elastic, (3, 16), 20, &transition(&all, 9))?,
+                group(StripKind::Scalar, (3, 16), 20, &transition(&all, 5))?,
+                group(StripKind::Elastic, (3, 16), 20, &transition(&all, 5))?,
                 group(StripKind::Scalar, (6, 16), 20, &rough)?,
                 group(StripKind::Elastic, (6, 16), 20, &rough)?,
             ],
