@@ -29,7 +29,7 @@ pub struct TwoSided {
 /// m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
 ///
 /// # Errors
-/// As for [`gamma`].
+/// As for [`gamma`](super::gamma).
 pub fn two_sided(
     order: FractionalOrder,
     zone: Zone,
