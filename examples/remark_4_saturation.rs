@@ -93,7 +93,7 @@ pub fn run(options: &Options) -> Result<Headline> {
                 &Partition::uniform(n, 1.0)?,
                 order,
             )?
-            .l2
+            .l2()?
             .value)
         };
         let lagrange = smooth.then(|| rate(MESHES, p1)).transpose()?;

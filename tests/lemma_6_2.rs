@@ -112,9 +112,12 @@ fn samples_and_cells_agree() {
     let slope = signorini::sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &nodes).unwrap();
     let cells = InterpolationError::on_elements(&slope, &mesh, order(0.3), Tolerance::balanced()).unwrap();
     let closed = InterpolationError::of_sample(SampleSlope::Power(1.0), &elements, order(0.3)).unwrap();
-    for (a, b) in
-        [(cells.l2, closed.l2), (cells.derivative, closed.derivative), (cells.seminorm, closed.seminorm)]
-    {
+    for (a, b) in [
+        (cells.l2(), closed.l2()),
+        (cells.derivative(), closed.derivative()),
+        (cells.seminorm(), closed.seminorm()),
+    ] {
+        let (a, b) = (a.unwrap(), b.unwrap());
         assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
     }
     let cells = signorini::sobolev::PiecewisePolynomial::interpolate(mesh.cells().clone(), 8, |x| {
@@ -123,9 +126,12 @@ fn samples_and_cells_agree() {
     .unwrap();
     let cells = InterpolationError::on_elements(&cells, &mesh, order(0.7), Tolerance::balanced()).unwrap();
     let closed = InterpolationError::of_sample(SampleSlope::Cosine(3), &elements, order(0.7)).unwrap();
-    for (a, b) in
-        [(cells.l2, closed.l2), (cells.derivative, closed.derivative), (cells.seminorm, closed.seminorm)]
-    {
+    for (a, b) in [
+        (cells.l2(), closed.l2()),
+        (cells.derivative(), closed.derivative()),
+        (cells.seminorm(), closed.seminorm()),
+    ] {
+        let (a, b) = (a.unwrap(), b.unwrap());
         assert!((a.value / b.value - 1.0).abs() < 1e-7, "{a} {b}");
     }
 }
@@ -136,14 +142,11 @@ fn a_million_elements_and_a_constant_slope_are_answered() {
     // Smooth: ‖u − I u‖ = h² ‖u''‖/√120, ‖(u − I u)'‖ = h ‖u''‖/√12, u'' = −π sin(πx).
     let error = InterpolationError::of_sample(SampleSlope::Cosine(1), &mesh, order(0.5)).unwrap();
     let second = std::f64::consts::PI / 2f64.sqrt();
-    assert!((error.l2.value / (1e-12 * second / 120f64.sqrt()) - 1.0).abs() < 1e-9, "{}", error.l2);
-    assert!(
-        (error.derivative.value / (1e-6 * second / 12f64.sqrt()) - 1.0).abs() < 1e-9,
-        "{}",
-        error.derivative
-    );
+    let (l2, derivative) = (error.l2().unwrap(), error.derivative().unwrap());
+    assert!((l2.value / (1e-12 * second / 120f64.sqrt()) - 1.0).abs() < 1e-9, "{l2}");
+    assert!((derivative.value / (1e-6 * second / 12f64.sqrt()) - 1.0).abs() < 1e-9, "{derivative}");
     let affine = InterpolationError::of_sample(SampleSlope::Constant, &mesh, order(0.5)).unwrap();
-    assert_eq!(affine.l2.value, 0.0);
+    assert_eq!(affine.l2().unwrap().value, 0.0);
     assert!(matches!(affine.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));
     let step = InterpolationError::of_sample(SampleSlope::Step(0.3), &mesh, order(0.5));
     assert!(matches!(step, Err(Error::InfiniteNorm { .. })));
