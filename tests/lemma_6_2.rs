@@ -11,8 +11,8 @@ use signorini::interpolation::{
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Error, Tolerance};
 
-/// Share of the best constant on a mesh that 24 steps of the optimiser reach: its top eigenvalues lie close together.
-const OPTIMISER_SHARE: f64 = 0.98;
+/// Share of the best constant on a mesh that the optimiser has to reach.
+const OPTIMISER_SHARE: f64 = 0.999;
 /// Second order in the cells: 8 per element leave below (π/8)²/12 = 1.3 %.
 const CELL_TOLERANCE: f64 = 0.015;
 
@@ -90,16 +90,19 @@ fn constants_on_a_mesh_lie_below_that_of_an_element_and_stay_bounded_below() {
 
 #[test]
 fn an_optimiser_reaches_the_best_constant_on_a_mesh() {
-    let nu = order(0.4);
-    let mesh = ElementMesh::uniform(4, 8).unwrap();
-    for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
-        let best = mesh_constant(norm, nu, 4, 8).unwrap().value;
-        let start: Vec<f64> = (0..=32).map(|i| f64::from((7 * i) % 11)).collect();
-        let slope = ascend(norm, nu, &mesh, &start).unwrap();
-        let error = InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();
-        let found = if norm == ErrorNorm::L2 { error.l2_ratio() } else { error.derivative_ratio() };
-        let share = found.unwrap().value / best;
-        assert!((OPTIMISER_SHARE..=1.0 + 1e-9).contains(&share), "{norm:?}: {share}");
+    for (nu, elements) in [(0.1, 4), (0.4, 4), (0.4, 16), (0.5, 8), (0.8, 4), (0.8, 16)] {
+        let nu = order(nu);
+        let mesh = ElementMesh::uniform(elements, 8).unwrap();
+        for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
+            let best = mesh_constant(norm, nu, elements, 8).unwrap().value;
+            let start: Vec<f64> = (0..=8 * elements).map(|i| ((7 * i) % 11) as f64).collect();
+            let slope = ascend(norm, nu, &mesh, &start).unwrap();
+            let error = InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();
+            let found = if norm == ErrorNorm::L2 { error.l2_ratio() } else { error.derivative_ratio() };
+            let share = found.unwrap().value / best;
+            println!("{norm:?} nu {nu:?} N {elements}: {share:.6}");
+            assert!((OPTIMISER_SHARE..=1.0 + 1e-9).contains(&share), "{norm:?} N {elements}: {share}");
+        }
     }
 }
 
