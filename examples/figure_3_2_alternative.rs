@@ -1,7 +1,7 @@
 //! Figure 3.2, the alternative of Section 3 on a computed contact set: zeros of u_N near both vertices, or no pressure near one.
 //!
-//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --n 256 --meshes 8`
-//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --n 256 --over-theta`
+//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --meshes 8`
+//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --over-theta`
 
 use clap::Parser;
 use example_frame::{HasOutput, Output};

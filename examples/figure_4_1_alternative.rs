@@ -1,7 +1,7 @@
 //! Figure 4.1, the alternative of Section 4 on a computed contact set: the diameter of the contact set of a segment against h_e theta.
 //!
-//! `cargo run --release --example figure_4_1_alternative -- --scene fat-cantor --n 256 --meshes 8`
-//! `cargo run --release --example figure_4_1_alternative -- --scene fat-cantor --n 256 --over-theta`
+//! `cargo run --release --example figure_4_1_alternative -- --scene fat-cantor --tau 1.7 --n 256 --meshes 8`
+//! `cargo run --release --example figure_4_1_alternative -- --scene fat-cantor --tau 1.7 --n 256 --over-theta`
 
 use clap::Parser;
 use example_frame::{HasOutput, Output};

@@ -60,6 +60,7 @@ type Law = Box<dyn Fn(f64) -> Option<f64>>;
 fn true_law(nu: FractionalOrder, options: &Options) -> Result<Law> {
     let power = |limit: f64| -> Law { Box::new(move |theta: f64| Some(limit * theta.powf(nu.offset()))) };
     let constant = |limit: f64| -> Law { Box::new(move |_| Some(limit)) };
+    let uniform = |law: UniformLaw| -> Law { Box::new(move |theta| law.gamma(theta).ok()) };
     Ok(match (options.zone, options.condition) {
         (place, _) if nu.offset() > 0.0 => {
             let point = match place {
@@ -67,13 +68,15 @@ fn true_law(nu: FractionalOrder, options: &Options) -> Result<Law> {
                 Place::Centre => 0.5,
                 Place::At(a) => a,
             };
-            constant(gamma_at_point(nu, point, options.tolerance)?.value)
+            match gamma_at_point(nu, point, options.tolerance) {
+                Ok(limit) => constant(limit.value),
+                // so close to 1/2 that the point is out of reach of f64: the law through 1/2
+                Err(_) if place == Place::End => uniform(UniformLaw::new(nu, options.tolerance)?),
+                Err(_) => Box::new(|_| None),
+            }
         }
         (Place::End, Condition::MeanZero) if nu.is_below_half() => power(end_limit(nu)?.value),
-        (Place::End, Condition::MeanZero) => {
-            let law = UniformLaw::new(nu, options.tolerance)?;
-            Box::new(move |theta| law.gamma(theta).ok())
-        }
+        (Place::End, Condition::MeanZero) => uniform(UniformLaw::new(nu, options.tolerance)?),
         (_, Condition::MeanZero) if nu.is_below_half() => power(interior_limit(nu)?),
         _ => Box::new(|_| None),
     })

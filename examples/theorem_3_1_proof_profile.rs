@@ -5,7 +5,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::{ProofCase, ProofConstants, Section, ThetaRule};
+use signorini::analysis::{ProofCase, ProofConstants, Resolution, Section, ThetaRule};
 use signorini::report::Headline;
 use signorini::strip::{Levels, SceneSource};
 use std::process::ExitCode;
@@ -28,14 +28,14 @@ pub struct Options {
     /// Mesh sizes h = 2^-COARSEST ... 2^-FINEST
     #[arg(long, default_value = "3-11")]
     pub levels: Levels,
-    /// The fine edge has 2^GRID cells
-    #[arg(long, default_value_t = 18)]
-    pub grid: u32,
+    /// segment:K, 2^K fine cells per segment on every mesh, or edge:K, one grid of 2^K cells for all
+    #[arg(long, default_value_t = Resolution::Segment(7))]
+    pub resolution: Resolution,
     /// A fixed theta in (0, 1) instead of h^(2 tau - 3), h^2 at tau = 2
     #[arg(long)]
     pub theta: Option<f64>,
     /// Over how many positions in its cell a single transition is moved (odd)
-    #[arg(long, default_value_t = 5)]
+    #[arg(long, default_value_t = 9)]
     pub positions: usize,
     /// Print the inequalities instead of the ladder
     #[arg(long)]
@@ -66,7 +66,7 @@ pub fn run(options: &Options) -> Result<Headline> {
         tau: options.tau,
         scene_tau: options.scene_tau.unwrap_or(options.tau),
         levels: options.levels,
-        grid: options.grid,
+        resolution: options.resolution,
         rule: options.theta.map_or(ThetaRule::Printed { tau: options.tau }, ThetaRule::Fixed),
         positions: options.positions,
     };

@@ -17,6 +17,10 @@
 //! | the same on a strip, reduced to its contact edge | [`strip`] |
 //! | **3. Error analysis** | [`analysis`] |
 //! | Theorem 3.1, Figures 3.1 and 3.2, (3.3)-(3.15) | [`analysis`] |
+//! | Figures 3.2 and 4.1, first and second case | [`analysis::AlternativeCase`], [`analysis::Classification`] |
+//! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`analysis::ProofCase`], [`analysis::ProofConstants`], [`analysis::ContactPair`] |
+//! | "Globally", the choice of theta | [`analysis::ElementBalance`] |
+//! | Falk's lemma, (4.5), (4.8), term by term | [`analysis::falk_terms`] |
 //! | Remark 2, no better bound in the dual norm | [`interpolation::DualNorm`] |
 //! | (3.6), (3.10), embedding constants C(q) | [`interpolation::embedding_upper_bound`], [`interpolation::EmbeddingSpace`] |
 //! | **4. Another contact condition** | |

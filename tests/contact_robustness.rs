@@ -3,11 +3,13 @@
 use signorini::contact::{Cone, ContactProblem, ContactSet, ContactSolution, Solver};
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{BoundaryEdge, ContactEdge, Hierarchy, Part, Point, Sides, Triangulation, mapped_grid};
-use signorini::scenes::Scene;
+use signorini::scenes::{Scene, Setting};
 use std::f64::{EPSILON, consts::PI};
 
 /// Scaled KKT figures of a solution that calls itself converged.
 const KKT: f64 = 1e-10;
+/// Printed balance and KKT figures of block and membrane up to n = 512.
+const FIGURES: f64 = 1e-11;
 /// Both solvers, relative to the size of the terms in J.
 const SOLVERS: f64 = 1e-8;
 /// Change of the scaled answer under translation, rotation, scaling: condition number (up to 1e6) times rounding.
@@ -236,7 +238,7 @@ fn answers_do_not_depend_on_place_size_or_units() {
         (1.0, 0.0, [0.0; 2], 1e-150),
         (1.0, 0.0, [0.0; 2], 1e150),
     ];
-    for seed in 300..320 {
+    for seed in 0..300 {
         let draft = Draft::random(seed);
         for cone in Cone::ALL {
             let still = draft.problem(1.0, 0.0, [0.0; 2], 1.0).solve(cone, Solver::ActiveSet).unwrap();
@@ -278,12 +280,17 @@ fn midpoint_cone_leaves_every_cycle_in_two_hundred_rough_loads() {
 #[test]
 fn nested_starts_need_at_most_four_steps() {
     for scene in [Scene::Block, Scene::Membrane] {
-        let mut coarse = scene.problem(8).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
-        for n in [16, 32, 64, 128, 256] {
-            let problem = scene.problem(n).unwrap();
-            coarse = problem.solve_after(&coarse).unwrap();
-            assert!(coarse.work.iterations <= 4, "{scene} n = {n}: {} steps", coarse.work.iterations);
-            assert!(coarse.judgement.worst() <= KKT && coarse.balance <= 1e-11, "{scene} n = {n}");
+        for cone in Cone::ALL {
+            let mut coarse = scene.problem(8).unwrap().solve(cone, Solver::ActiveSet).unwrap();
+            for n in [16, 32, 64, 128, 256, 512] {
+                let (fine, cold) = scene.problem(n).unwrap().solve_after_beside_cold(&coarse).unwrap();
+                let steps = fine.work.iterations;
+                println!("{scene} {cone} n = {n}: {steps} steps, {cold:?} from no contact");
+                assert!(steps <= 4, "{scene} {cone} n = {n}: {steps} steps");
+                let figures = [fine.judgement.worst(), fine.balance];
+                assert!(figures.iter().all(|&f| f <= FIGURES), "{scene} {cone} n = {n}: {figures:?}");
+                coarse = fine;
+            }
         }
     }
 }
@@ -298,6 +305,24 @@ fn every_first_guess_leads_to_the_same_contact_set() {
             let guess = (0..cone.constraints(17)).map(|_| random.below(2) == 0).collect();
             let warm = problem.solve_from(cone, ContactSet::new(guess)).unwrap();
             assert_eq!(warm.contact_set, cold.contact_set, "{cone}, guess {seed}");
+        }
+    }
+}
+
+#[test]
+fn an_energy_that_is_no_number_is_an_error() {
+    for load_scale in [1e160, 1e200, 1e300] {
+        let setting = Setting { load_scale, ..Setting::default() };
+        for (scene, cone) in [(Scene::Block, Cone::Nodal), (Scene::Membrane, Cone::Midpoint)] {
+            let problem = scene.problem_with(8, &setting).unwrap();
+            for solver in [Solver::ActiveSet, Solver::InteriorPoint] {
+                let outcome = problem.solve(cone, solver);
+                assert!(
+                    outcome.is_err(),
+                    "{scene} {solver}, load {load_scale:e}: {:?}",
+                    outcome.map(|s| s.energy)
+                );
+            }
         }
     }
 }

@@ -45,7 +45,8 @@ fn errors_of_contact_solutions_fall_whatever_the_road() {
     let options = contact_speed::Options { levels: 4, ..Default::default() };
     let headline = contact_speed::run(&options).unwrap();
     assert_eq!(headline.verdict, Verdict::Holds, "{headline}");
-    let errors = (0..headline.table.rows().len()).map(|row| headline.table.number(row, "error").unwrap());
-    assert!(errors.clone().all(|error| error > 0.0));
-    assert!(errors.clone().next() > errors.last());
+    let rows = headline.table.rows().len();
+    let errors: Vec<f64> = (0..rows).map(|row| headline.table.number(row, "error").unwrap()).collect();
+    assert!(errors.iter().all(|&error| error > 0.0));
+    assert!(errors[0] > errors[rows - 1]);
 }

@@ -137,11 +137,14 @@ fn trace(contact: &[(f64, f64)]) -> EdgeTrace {
     EdgeTrace::new(nodes, displacement, force, 0.0).unwrap()
 }
 
+/// A name, the contact set of the edge, the expected cases.
+type Case<'a> = (&'a str, &'a [(f64, f64)], &'a str);
+
 #[test]
 fn degenerate_segments_have_the_expected_class() {
     // the segment [1/4, 3/4], theta = 1/4: pieces of length 1/8 at the vertices
     let segment = Interval { start: 0.25, end: 0.75 };
-    let cases: [(&str, &[(f64, f64)], &str); 10] = [
+    let cases: [Case; 10] = [
         ("full contact", &[(0.0, 1.0)], "first"),
         ("no contact", &[], "second"),
         ("contact elsewhere only", &[(0.0, 0.1875), (0.8125, 1.0)], "second"),

@@ -71,12 +71,15 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
     }
 }
 
+/// A name, the contact set of the edge, the expected cases.
+type Case<'a> = (&'a str, &'a [(f64, f64)], &'a str);
+
 #[test]
 fn degenerate_segments_have_the_expected_class() {
     let nodes: Vec<f64> = (0..=64).map(|i| f64::from(i) / 64.0).collect();
     // the segment [1/4, 3/4], theta = 1/4: h_e theta = 1/8
     let segment = Interval { start: 0.25, end: 0.75 };
-    let cases: [(&str, &[(f64, f64)], &str); 9] = [
+    let cases: [Case; 9] = [
         ("full contact", &[(0.0, 1.0)], "second"),
         ("no contact", &[], "first"),
         ("one contact point", &[(0.5, 0.5)], "first"),

@@ -37,6 +37,8 @@ pub struct SegmentNorms {
     pub interpolation_error: f64,
     /// ‖u_N − π^h u_N‖₀ and ‖u_N − π^h u_N‖_{L^∞}.
     pub projection_error: [f64; 2],
+    /// max |u_N|.
+    pub depth: f64,
     /// u_N at both vertices.
     pub vertices: [f64; 2],
     /// Distance from each vertex to the nearest zero of u_N in the segment.
@@ -66,7 +68,7 @@ impl TraceNorms {
         let mut sums = [0.0; 3];
         for &[a, b] in ends.iter().filter(|e| **e != [0.0; 2]) {
             sums[0] += (a * a + a * b + b * b) / 3.0;
-            sums[1] += linear_power(a, b, q);
+            sums[1] += if q == 2.0 { (a * a + a * b + b * b) / 3.0 } else { linear_power(a, b, q) };
             sums[2] += 0.5 * (a + b);
         }
         let mean = sums[2] / ends.len() as f64;
@@ -121,6 +123,7 @@ impl SegmentNorms {
             interpolant: integrals.interpolant.sqrt(),
             interpolation_error: integrals.interpolation_error.sqrt(),
             projection_error: [integrals.projection_error.sqrt(), integrals.largest_deviation],
+            depth: segment.values.iter().fold(0.0, |m: f64, u| m.max(u.abs())),
             vertices: [left, right],
             zero_distance: zeros.map(|cells| cells.map(|k| k as f64 * segment.cell)),
             increments: zeros.map_or([0.0; 2], |cells| increments(segment, cells)),
@@ -131,6 +134,11 @@ impl SegmentNorms {
     /// ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν.
     pub fn displacement_norm_squared(&self) -> f64 {
         self.displacement.powi(2) + self.slope.norm_squared()
+    }
+
+    /// Rounding of u_N at a point: cell by cell its values come from sums of that size.
+    pub(super) fn rounding(&self) -> f64 {
+        64.0 * f64::EPSILON * self.depth
     }
 
     /// diam C_T, `None` without contact.

@@ -55,8 +55,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when some part of the body is not held, [`Error::Edge`] for the midpoint cone on a closed
-    /// edge. How the iteration ended is in the status.
+    /// [`Error::NotPositiveDefinite`] when some part of the body is not held, [`Error::CountOutOfRange`] for the midpoint
+    /// cone on a closed edge. How the iteration ended is in the status.
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
         match solver {
             Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),
@@ -102,13 +102,11 @@ impl ContactProblem {
         ContactSet::empty(cone.constraints(self.edge().nodes().len()))
     }
 
-    /// A closed edge has as many segments as nodes; the means over them are the midpoint cone of an edge with two ends only.
+    /// On a closed edge with as many segments as nodes the means may be dependent, and multipliers are not unique.
     fn check_ends(&self, cone: Cone) -> Result<()> {
         if cone == Cone::Midpoint && self.edge().is_closed() {
-            return Err(Error::Edge {
-                nodes: [self.edge().nodes()[0], self.edge().nodes()[0]],
-                reason: "closes the contact edge: the midpoint cone needs an edge with two ends",
-            });
+            let range = "2 for the midpoint cone: a closed contact edge has as many segments as nodes";
+            return Err(Error::CountOutOfRange { name: "ends of the contact edge", value: 0, range });
         }
         Ok(())
     }

@@ -1,5 +1,5 @@
 //! Examples and pages belong together: every example shows its outcome on a page, every page leads to an example, and
-//! no command on a page names an example that is not there.
+//! no command on a page names an example, no code type a file, that is not there.
 
 use crate::data::names;
 use crate::error::{Fault, Result};
@@ -13,11 +13,15 @@ const SHOWN: [&str; 5] = ["table", "measured", "figure", "slider", "value"];
 /// How a command names an example.
 const COMMAND: &str = "--example ";
 
-/// Faults of the pages against the programs in `examples`.
+/// Directories whose files pages name.
+const DIRECTORIES: [&str; 4] = ["src/", "tests/", "examples/", "book/"];
+
+/// Faults of the pages against the programs and files of a repository.
 ///
 /// # Errors
-/// When the directory cannot be read.
-pub fn faults(pages: &[Page], examples: &Path) -> Result<Vec<Fault>> {
+/// When the directory of examples cannot be read.
+pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
+    let examples = &repository.join("examples");
     let programs: Vec<String> =
         names(examples)?.into_iter().filter_map(|n| n.strip_suffix(".rs").map(str::to_owned)).collect();
     let mut found = Vec::new();
@@ -29,6 +33,12 @@ pub fn faults(pages: &[Page], examples: &Path) -> Result<Vec<Fault>> {
             if !programs.iter().any(|p| p == name) {
                 let line = line_at(&page.text, at);
                 found.push(Fault::new(&page.file, line, "command names an unknown example", name));
+            }
+        }
+        for (at, name) in files(&page.text) {
+            if !repository.join(name).exists() {
+                let line = line_at(&page.text, at);
+                found.push(Fault::new(&page.file, line, "file does not exist", name));
             }
         }
         if on_page.is_empty() && commands.is_empty() {
@@ -66,6 +76,17 @@ fn commands(text: &str) -> Vec<(usize, &str)> {
         .collect()
 }
 
+/// Files of the repository that stand between single backticks, with their place.
+fn files(text: &str) -> Vec<(usize, &str)> {
+    let is_file =
+        |name: &str| DIRECTORIES.iter().any(|d| name.starts_with(d)) && !name.contains(char::is_whitespace);
+    let starts = text.match_indices('`').map(|(at, _)| at + 1);
+    starts
+        .filter_map(|at| Some((at, text[at..].split_once('`')?.0)))
+        .filter(|(_, name)| is_file(name))
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,7 +95,9 @@ mod tests {
     fn examples_without_page_pages_without_example_and_dead_commands_are_named() {
         let directory = tempfile::tempdir().unwrap();
         for name in ["one.rs", "two.rs", "three.rs"] {
-            std::fs::write(directory.path().join(name), "").unwrap();
+            let path = directory.path().join("examples").join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, "").unwrap();
         }
         let page = |name: &str, text: &str| Page {
             file: name.into(),
@@ -82,7 +105,7 @@ mod tests {
             text: text.to_owned(),
         };
         let pages = [
-            page("a.md", "{{table: one}}"),
+            page("a.md", "{{table: one}} of `examples/one.rs`, `src/none.rs` and `examples/`"),
             page("b.md", "`{{table: two}}` {{verdict: two}}"),
             page("c.md", "{{slider: t: a = three/x, b = three/y: c}}\n\ncargo run --example four -- --x"),
         ];
@@ -91,11 +114,11 @@ mod tests {
             .into_iter()
             .map(|f| (format!("{} {}", f.file.display(), f.text), f.line))
             .collect();
-        let expected = [("c.md four", 3), ("examples/two.rs two", 1)];
+        let expected = [("a.md src/none.rs", 1), ("c.md four", 3), ("examples/two.rs two", 1)];
         assert!(found.contains(&("b.md b.html".to_owned(), 1)), "{found:?}");
         for (text, line) in expected {
             assert!(found.contains(&(text.to_owned(), line)), "{found:?}");
         }
-        assert_eq!(found.len(), 3);
+        assert_eq!(found.len(), 4);
     }
 }

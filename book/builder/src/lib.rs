@@ -70,7 +70,7 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     }
     let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
     let allowed = decimal::allow_list(&allowed);
-    faults.extend(coverage::faults(&pages, &examples)?);
+    faults.extend(coverage::faults(&pages, &layout.repository)?);
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,

@@ -24,6 +24,7 @@ pub fn html(text: &str) -> String {
     while let Some(c) = text[at..].chars().next() {
         let rest = &text[at..];
         let (piece, length) = raised(rest, before)
+            .or_else(|| minus(rest, before))
             .or_else(|| power(rest, before))
             .unwrap_or_else(|| (escape(&rest[..c.len_utf8()]), c.len_utf8()));
         html.push_str(&piece);
@@ -35,17 +36,16 @@ pub fn html(text: &str) -> String {
 
 /// Greek letters and comparisons; a letter counts where its name is a whole word.
 fn greek(text: &str) -> String {
-    let is_letter = |c: char| c.is_alphanumeric();
     let mut result = String::new();
     let mut rest = text;
-    while let Some(start) = rest.find(is_letter) {
-        let length = rest[start..].find(|c| !is_letter(c)).unwrap_or(rest.len() - start);
+    while let Some(start) = rest.find(char::is_alphabetic) {
+        let length = rest[start..].find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len() - start);
         let word = &rest[start..start + length];
         result.push_str(&rest[..start]);
         result.push_str(LETTERS.iter().find(|(name, _)| *name == word).map_or(word, |(_, letter)| letter));
         rest = &rest[start + length..];
     }
-    (result + rest).replace("<=", "≤").replace(">=", "≥").replace("->", "→")
+    (result + rest).replace("<=", "≤").replace(">=", "≥").replace("->", "→").replace("sqrt(", "√(")
 }
 
 /// An exponent or an index at the start of `text`, as HTML, and its length.
@@ -86,6 +86,12 @@ fn word_end(text: &str) -> usize {
     if end > sign { end } else { 0 }
 }
 
+/// A minus sign in front of a number, as HTML, and its length.
+fn minus(text: &str, before: char) -> Option<(String, usize)> {
+    let is_sign = text.strip_prefix('-')?.starts_with(|c: char| c.is_ascii_digit());
+    (is_sign && matches!(before, ' ' | '(')).then(|| ("\u{2212}".to_owned(), 1))
+}
+
 /// A number with a power of ten at the start of `text`, as HTML, and its length.
 fn power(text: &str, before: char) -> Option<(String, usize)> {
     if before.is_alphanumeric() || before == '.' || !text.starts_with(|c: char| c.is_ascii_digit()) {
@@ -113,6 +119,7 @@ mod tests {
             ("h^0.20 on", "h<sup>0.20</sup> on"),
             ("u_N = 3.5e-7.", "u<sub>N</sub> = 3.5\u{202f}·\u{202f}10<sup>\u{2212}7</sup>."),
             ("a < b, 1 element, e-6, x1e-3", "a &lt; b, 1 element, e-6, x1e-3"),
+            ("J = -1.5, (2nu-1), sqrt(2), a-1", "J = \u{2212}1.5, (2ν-1), √(2), a-1"),
             ("^ a _ b", "^ a _ b"),
         ] {
             assert_eq!(html(text), expected, "{text}");

@@ -43,6 +43,7 @@ impl Fixture {
             std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../book.toml")).unwrap();
         fixture.write("book/book.toml", &toml);
         fixture.write("book/style/slider.js", "");
+        fixture.write("book/style/fit.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
@@ -170,6 +171,13 @@ fn examples_tests_and_commands_that_do_not_exist_fail() {
         "--example no",
         "book/src/second.md:13:",
         "unknown example: `no`",
+    );
+    Fixture::expect(
+        second,
+        "Backed by",
+        "Backed by `src/no.rs`,",
+        "book/src/second.md:13:",
+        "does not exist: `src/no.rs`",
     );
     let fixture = Fixture::new();
     fixture.write("examples/alone.rs", "fn main() {}\n");

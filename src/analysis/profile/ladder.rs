@@ -5,7 +5,7 @@ use crate::analysis::Section;
 use crate::error::{Error, Result};
 
 /// Rungs of a ladder, the consistency term and the final bound included.
-pub(super) const RUNGS: usize = 8;
+pub(super) const RUNGS: usize = 7;
 
 /// An exponent of h by least squares, with its uncertainty.
 ///
@@ -79,8 +79,7 @@ const NAMES: [&str; RUNGS] = [
     "embedding, Poincaré on its own zone",
     "as if every zone were h_e theta",
     "law of the Poincaré constant",
-    "Young's inequality",
-    "norms of the whole edge",
+    "Young, norms of the whole edge",
 ];
 
 const LINES_THREE: [&str; RUNGS] = [
@@ -90,8 +89,7 @@ const LINES_THREE: [&str; RUNGS] = [
     "(3.8), (3.12)",
     "(3.9), (3.12)",
     "(5.1), (5.2)",
-    "(3.9), (3.14)",
-    "Globally",
+    "(3.9), (3.14), sum",
 ];
 
 const LINES_FOUR: [&str; RUNGS] = [
@@ -101,7 +99,6 @@ const LINES_FOUR: [&str; RUNGS] = [
     "(4.10), (4.11)",
     "(4.10), (4.11)",
     "(5.1), (5.2)",
-    "Young",
     "Globally",
 ];
 
@@ -112,31 +109,26 @@ impl ProofProfile {
     /// [`Error::CountOutOfRange`] with fewer than three meshes on which every rung is positive.
     pub fn ladder(&self) -> Result<Vec<Rung>> {
         let lines = if self.case.section == Section::Three { LINES_THREE } else { LINES_FOUR };
-        let points = |rung: usize, column: usize| -> Vec<(f64, f64)> {
-            self.levels.iter().map(|l| (l.h(), l.rungs[rung][column])).collect()
+        // Exponents and losses from the same meshes, so that the losses add up.
+        let levels: Vec<_> =
+            self.levels.iter().filter(|l| l.rungs.iter().all(|values| values[0] > 0.0)).collect();
+        let Some(finest) = levels.last().filter(|_| levels.len() > 2) else {
+            let (name, value) = ("meshes with a positive consistency term", levels.len());
+            return Err(Error::CountOutOfRange { name, value, range: "[3, inf)" });
         };
-        let finest = self.levels.len() - 1;
+        let fit = |value: &dyn Fn(&super::study::LevelProfile) -> f64| {
+            Exponent::fit(&levels.iter().map(|l| (l.h(), value(l))).collect::<Vec<_>>())
+        };
         (0..RUNGS)
             .map(|rung| {
-                let loss = match rung.checked_sub(1) {
-                    None => None,
-                    Some(before) => {
-                        let quotients: Vec<(f64, f64)> = self
-                            .levels
-                            .iter()
-                            .filter(|l| l.rungs[rung][0] > 0.0)
-                            .map(|l| (l.h(), l.rungs[before][0] / l.rungs[rung][0]))
-                            .collect();
-                        Some(Exponent::fit(&quotients)?)
-                    }
-                };
+                let before = rung.checked_sub(1);
                 Ok(Rung {
                     name: NAMES[rung],
                     lines: lines[rung],
-                    values: self.levels[finest].rungs[rung],
-                    exponent: Exponent::fit(&points(rung, 0))?,
-                    loss,
-                    corrected: Exponent::fit(&points(rung, 1))?,
+                    values: finest.rungs[rung],
+                    exponent: fit(&|l| l.rungs[rung][0])?,
+                    loss: before.map(|b| fit(&|l| l.rungs[b][0] / l.rungs[rung][0])).transpose()?,
+                    corrected: fit(&|l| l.rungs[rung][1])?,
                 })
             })
             .collect()

@@ -26,7 +26,7 @@
 //!
 //! The *ladder* of one mesh is the sum over its segments of successive bounds of the consistency term ([`Rung`]), each segment in its
 //! own case (the first where both hold). Its steps: Hölder's inequality; interpolation and the distance to a zero; embedding and
-//! Poincaré for the zone the segment *has*; the same as if every zone were as short as h_e θ; the printed law of γ_θ; Young;
+//! Poincaré for the zone the segment *has*; the same as if every zone were as short as h_e θ; the printed law of γ_θ; Young and
 //! norms of the whole edge. Exponents are slopes of least squares over the meshes; each loss is the slope of a quotient of
 //! two rungs, so the losses add up to what lies between the first and the last.
 
@@ -34,6 +34,7 @@ mod constants;
 mod inequality;
 mod ladder;
 mod report;
+mod resolution;
 mod section_four;
 mod section_three;
 mod study;
@@ -41,6 +42,7 @@ mod study;
 pub use constants::ProofConstants;
 pub use inequality::{Check, InequalityProfile};
 pub use ladder::{Exponent, Rung};
+pub use resolution::Resolution;
 pub use section_four::section_four_checks;
 pub use section_three::section_three_checks;
 pub use study::{LevelProfile, ProofCase, ProofProfile};

@@ -8,6 +8,17 @@ use crate::figures::{Axis, Chart, Series};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use std::path::Path;
 
+/// Lines whose slack is quoted, and under which name.
+const LOSING: [(&str, &str); 4] = [
+    ("(3.7) scaling of the norm", "scaling"),
+    ("(3.12) Poincaré", "poincare"),
+    ("(4.10) embedding", "embedding"),
+    ("(4.11) Poincaré of u_N'", "poincare"),
+];
+
+/// Lines drawn in the chart of slacks.
+const DRAWN: usize = 6;
+
 /// An inequality over all meshes.
 #[derive(Debug, Clone, PartialEq)]
 struct Line {
@@ -44,13 +55,20 @@ impl ProofProfile {
 
     fn quote(&self, headline: &mut Headline, key: &str, rungs: &[Rung]) {
         headline.quote(format!("{key}.printed"), self.printed_exponent());
-        let keys = ["term", "hoelder", "interpolation", "own", "theta", "law", "young", "edge"];
+        let keys = ["term", "hoelder", "interpolation", "own", "theta", "law", "edge"];
         for (rung, step) in rungs.iter().zip(keys) {
             headline.quote(format!("{key}.{step}.exponent"), rung.exponent.value);
             headline.quote(format!("{key}.{step}.corrected"), rung.corrected.value);
             if let Some(loss) = rung.loss {
                 headline.quote(format!("{key}.{step}.loss"), loss.value);
                 headline.quote(format!("{key}.{step}.uncertainty"), loss.uncertainty);
+            }
+        }
+        for line in self.lines() {
+            let named = LOSING.into_iter().find(|(label, _)| *label == line.label);
+            if let (Some((_, name)), Some(exponent)) = (named, line.exponent) {
+                headline.quote(format!("{key}.slack.{name}"), exponent.value);
+                headline.quote(format!("{key}.slack.{name}.uncertainty"), exponent.uncertainty);
             }
         }
         headline.quote(format!("{key}.checks"), self.checks() as f64);
@@ -88,9 +106,10 @@ impl ProofProfile {
             .filter_map(|r| r.loss.map(|loss| (r.name, loss)))
             .max_by(|a, b| a.1.value.total_cmp(&b.1.value));
         let (name, loss) = largest.unwrap_or(("", first.exponent));
+        let missed = 2.0 * self.case.tau - 2.0 - self.printed_exponent();
         format!(
             "{} inequalities checked, {} fail; the term falls like h^{:.3}, the bound like h^{:.3} (printed {:.3}); most is \
-             lost at \"{name}\": {:.3} ± {:.3}",
+             lost at \"{name}\": {:.3} ± {:.3}; the printed exponent is {missed:.3} below the optimal one, {:.4} in the error",
             self.checks(),
             self.violations(),
             first.exponent.value,
@@ -98,6 +117,7 @@ impl ProofProfile {
             self.printed_exponent(),
             loss.value,
             loss.uncertainty,
+            0.5 * missed,
         )
     }
 
@@ -126,6 +146,7 @@ impl ProofProfile {
                 "exponent with the law of the Poincaré constant that holds: square root of the logarithm at tau = 2",
             ),
             Column::hidden("corrected_value"),
+            Column::hidden("exponent_uncertainty"),
         ]);
         for rung in rungs {
             table.push(vec![
@@ -137,6 +158,7 @@ impl ProofProfile {
                 rung.loss.map(|l| l.uncertainty).into(),
                 rung.corrected.value.into(),
                 rung.values[1].into(),
+                rung.exponent.uncertainty.into(),
             ]);
         }
         table
@@ -233,17 +255,21 @@ impl ProofProfile {
         chart
     }
 
-    /// right/left of every line over h.
+    /// right/left over h of the lines that lose most order.
     pub fn slack_chart(&self) -> Chart {
-        let title = format!("Slack of the lines of the proof, τ = {}", self.case.tau);
+        let title = format!("The lines of the proof that lose most, τ = {}", self.case.tau);
         let y = Axis::logarithmic("right side / left side, sums over the segments");
         let mut chart = Chart::new(title, Axis::logarithmic("h (edge = 1)"), y);
-        for line in self.lines() {
+        let mut lines: Vec<(f64, Line)> =
+            self.lines().into_iter().filter_map(|line| line.exponent.map(|e| (e.value, line))).collect();
+        lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (exponent, line) in lines.into_iter().take(DRAWN) {
             let points = self.levels.iter().filter_map(|l| {
                 let found = l.inequalities.iter().find(|i| i.label == line.label)?;
                 Some((l.h(), found.slack()?))
             });
-            chart = chart.with(Series::line(line.label, points.collect()));
+            let name = format!("{}: h^{exponent:.2}", line.label);
+            chart = chart.with(Series::line_and_points(name, points.collect()));
         }
         chart
     }

@@ -28,7 +28,7 @@ fn first_case(norms: &SegmentNorms, constants: &ProofConstants, theta: f64, chec
     let highest = norms.projection_error[1];
     checks.push(Check::at_most("(4.10) L¹ and L^∞", norms.midpoint_term, norms.force * highest, 0.0));
     let pointwise = constants.pointwise * h.sqrt() * norms.slope.l2;
-    checks.push(Check::at_most("(4.10) by (6.2)", highest, pointwise, 0.0));
+    checks.push(Check::at_most("(4.10) by (6.2)", highest, pointwise, 0.0).plus(norms.rounding()));
     let hoelder = (h * theta).powf(power) * norms.stress.lq;
     checks.push(Check::at_most("(4.10) Hölder on S", norms.force, hoelder, 0.0));
     let (full, error) = (norms.stress.norm_squared().sqrt(), norms.stress.seminorm_error());
@@ -52,7 +52,9 @@ fn second_case(
     let (uncertain_sigma, uncertain_slope) = (norms.stress.seminorm_error(), norms.slope.seminorm_error());
     let projection = constants.projection * h.powf(nu) * sigma;
     checks.push(Check::at_most("(4.11) (4.6) of σ_N", deviation, projection, uncertain_sigma));
-    checks.push(Check::at_most("(4.11) (4.6) of u_N", error, constants.wirtinger * h * norms.slope.l2, 0.0));
+    let wirtinger = constants.wirtinger * h * norms.slope.l2;
+    let rounding = norms.rounding() * h.sqrt();
+    checks.push(Check::at_most("(4.11) (4.6) of u_N", error, wirtinger, 0.0).plus(rounding));
     let poincare = setting.gamma * h.powf(nu) * slope;
     checks.push(Check::at_most("(4.11) Poincaré of u_N'", norms.slope.l2, poincare, uncertain_slope));
     let label = match constants.tau() {
@@ -74,11 +76,6 @@ pub(super) fn second_factor(h: f64, constants: &ProofConstants, gamma: f64) -> f
     gamma * constants.projection * constants.wirtinger * h.powf(1.0 + 2.0 * constants.order().value())
 }
 
-/// (‖σ_N‖²_ν + ‖u_N‖²_{τ−1/2})/2.
-fn squares(norms: &SegmentNorms) -> f64 {
-    0.5 * (norms.stress.norm_squared() + norms.displacement_norm_squared())
-}
-
 /// Successive bounds of ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) on one segment, the last rung apart; second column with the corrected law.
 pub(super) fn chain(
     norms: &SegmentNorms,
@@ -89,10 +86,7 @@ pub(super) fn chain(
     let mut rungs = [0.0; RUNGS - 1];
     rungs[0] = norms.midpoint_term;
     let Some(diameter) = norms.contact_diameter() else {
-        // No contact: the term is zero and nothing is estimated; the first case counts it from Young's inequality on.
-        if constants.tau() <= 2.0 {
-            rungs[6] = first_factor(h, theta, constants) * squares(norms);
-        }
+        // No contact: the term is zero and nothing is estimated.
         return rungs.map(|r| [r; 2]);
     };
     if constants.tau() <= 2.0 && first_case_four(norms, theta) {
@@ -104,7 +98,6 @@ pub(super) fn chain(
         rungs[3] = own * constants.embedding * h.powf(1.0 / q - 0.5) * full;
         rungs[4] = first_factor(h, theta, constants) * full * slope;
         rungs[5] = rungs[4];
-        rungs[6] = first_factor(h, theta, constants) * squares(norms);
         return rungs.map(|r| [r; 2]);
     }
     let (sigma, slope) = (norms.stress.seminorm(), norms.slope.seminorm());
@@ -115,7 +108,6 @@ pub(super) fn chain(
     let mut pairs = rungs.map(|r| [r; 2]);
     for (column, law) in [setting.law, setting.corrected_law].into_iter().enumerate() {
         pairs[5][column] = second_factor(h, constants, law) * sigma * slope;
-        pairs[6][column] = second_factor(h, constants, law) * squares(norms);
     }
     pairs
 }

@@ -30,7 +30,8 @@ fn first_case(norms: &SegmentNorms, constants: &ProofConstants, theta: f64, chec
     checks.push(Check::at_most("(3.3) value at a vertex", cauchy, stress * h.sqrt() * highest, 0.0));
     for (value, increment) in norms.vertices.iter().zip(norms.increments) {
         checks.push(Check::equal("(3.4) from a vertex to a zero", value.abs(), increment, highest));
-        checks.push(Check::at_most("(3.5) Hölder", increment, (h * theta).powf(power) * slope, 0.0));
+        let right = (h * theta).powf(power) * slope;
+        checks.push(Check::at_most("(3.5) Hölder", increment, right, 0.0).plus(norms.rounding()));
     }
     let error = norms.slope.seminorm_error();
     let nu = constants.order().value();
@@ -61,13 +62,16 @@ fn second_case(
     let size = norms.force * (norms.vertices[0].abs() + norms.vertices[1].abs());
     let identity = Check::equal("(3.11) σ u = 0", norms.nodal_term, norms.interpolation_term, size);
     checks.push(identity);
-    checks.push(Check::at_most("(3.11) Cauchy-Schwarz", norms.nodal_term, stress * error, 0.0));
+    let rounding = norms.rounding() * norms.force;
+    checks
+        .push(Check::at_most("(3.11) Cauchy-Schwarz", norms.nodal_term, stress * error, 0.0).plus(rounding));
     let (sigma, slope) = (norms.stress.seminorm(), norms.slope.seminorm());
     let (uncertain_sigma, uncertain_slope) = (norms.stress.seminorm_error(), norms.slope.seminorm_error());
     let poincare = setting.gamma * h.powf(nu) * sigma;
     checks.push(Check::at_most("(3.12) Poincaré", stress, poincare, uncertain_sigma));
     let interpolation = constants.interpolation * h.powf(1.0 + nu) * slope;
-    checks.push(Check::at_most("(3.13) interpolation", error, interpolation, uncertain_slope));
+    let rounding = norms.rounding() * h.sqrt();
+    checks.push(Check::at_most("(3.13) interpolation", error, interpolation, uncertain_slope).plus(rounding));
     let uncertain = uncertain_sigma + uncertain_slope;
     let factor = second_factor(h, constants, setting.gamma);
     let (label, young) = if constants.tau() == 2.0 {
@@ -119,7 +123,6 @@ pub(super) fn chain(
         rungs[3] = stress * h.sqrt() * own * full;
         rungs[4] = first_factor(h, theta, constants) * stress * norms.slope.norm_squared().sqrt();
         rungs[5] = rungs[4];
-        rungs[6] = first_factor(h, theta, constants) * squares(norms);
         return rungs.map(|r| [r; 2]);
     }
     let (sigma, slope) = (norms.stress.seminorm(), norms.slope.seminorm());
@@ -130,7 +133,6 @@ pub(super) fn chain(
     let mut pairs = rungs.map(|r| [r; 2]);
     for (column, law) in [setting.law, setting.corrected_law].into_iter().enumerate() {
         pairs[5][column] = second_factor(h, constants, law) * sigma * slope;
-        pairs[6][column] = second_factor(h, constants, law) * squares(norms);
     }
     pairs
 }

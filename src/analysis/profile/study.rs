@@ -3,6 +3,7 @@
 use super::constants::ProofConstants;
 use super::inequality::{InequalityProfile, tally};
 use super::ladder::RUNGS;
+use super::resolution::Resolution;
 use super::{
     SegmentSetting, first_case_four, first_case_three, second_case_four, second_case_three, section_four,
     section_three,
@@ -17,6 +18,8 @@ use rayon::prelude::*;
 
 /// Largest number of positions of a transition.
 const POSITIONS: usize = 64;
+/// Largest number of cells of the edge.
+const LARGEST: usize = 1 << 20;
 
 /// What is profiled.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,8 +34,8 @@ pub struct ProofCase {
     pub scene_tau: f64,
     /// Mesh sizes.
     pub levels: Levels,
-    /// N = 2^grid cells of the fine edge.
-    pub grid: u32,
+    /// How finely the pair is resolved.
+    pub resolution: Resolution,
     /// θ as a function of h; not used above τ = 2.
     pub rule: ThetaRule,
     /// Over how many positions in the coarsest cell a single transition is moved; an odd number.
@@ -71,7 +74,7 @@ pub struct ProofProfile {
 }
 
 impl ProofCase {
-    /// τ = 7/4, one transition at nine positions, h = 1/8 ... 1/2048 against 2^18 cells, θ = h^{2τ−3}.
+    /// τ = 7/4, one transition at nine positions, h = 1/8 ... 1/2048 with 128 cells per segment, θ = h^{2τ−3}.
     ///
     /// # Errors
     /// None: the levels are valid.
@@ -82,9 +85,9 @@ impl ProofCase {
             tau: 1.75,
             scene_tau: 1.75,
             levels: Levels::new(3, 11)?,
-            grid: 18,
+            resolution: Resolution::Segment(7),
             rule: ThetaRule::Printed { tau: 1.75 },
-            positions: 5,
+            positions: 9,
         })
     }
 
@@ -92,14 +95,14 @@ impl ProofCase {
     /// on the way are kept there.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ, θ or constants of another τ; [`Error::CountOutOfRange`] for positions or a grid
-    /// coarser than the finest mesh; those of the scenes.
+    /// [`Error::OutOfRange`] for τ, θ or constants of another τ; [`Error::CountOutOfRange`] for positions or a resolution
+    /// out of range; those of the scenes.
     pub fn profile(&self, constants: &mut ProofConstants) -> Result<ProofProfile> {
         self.check(constants)?;
         let traces = Traces::for_regularity(self.tau);
-        let cells = 1usize << self.grid;
-        let pairs = self.pairs(cells, traces)?;
-        let whole = SeminormForm::new(traces, constants.order(), cells)?;
+        let finest = self.levels.cells().last().unwrap_or(1);
+        let pairs = self.pairs(self.resolution.cells(finest), traces)?;
+        let whole = SeminormForm::new(traces, constants.order(), pairs[0].cells())?;
         let squares = pairs
             .iter()
             .map(|pair| {
@@ -107,8 +110,22 @@ impl ProofCase {
                 Ok(0.5 * (edge.stress.norm_squared() + edge.displacement_norm_squared()))
             })
             .collect::<Result<Vec<f64>>>()?;
-        let levels = self.levels.cells().map(|n| self.level(n, &pairs, &squares, constants));
-        Ok(ProofProfile { case: self.clone(), levels: levels.collect::<Result<_>>()? })
+        let mut form: Option<SeminormForm> = None;
+        let mut levels = Vec::new();
+        for n in self.levels.cells() {
+            let own = match self.resolution {
+                Resolution::Segment(_) if n != finest => Some(self.pairs(self.resolution.cells(n), traces)?),
+                _ => None,
+            };
+            let pairs = own.as_ref().unwrap_or(&pairs);
+            let cells = pairs[0].cells() / n;
+            let form = match form.take().filter(|form| form.cells() == cells) {
+                Some(known) => form.insert(known),
+                None => form.insert(SeminormForm::new(traces, constants.order(), cells)?),
+            };
+            levels.push(self.level(n, pairs, &squares, form, constants)?);
+        }
+        Ok(ProofProfile { case: self.clone(), levels })
     }
 
     fn check(&self, constants: &ProofConstants) -> Result<()> {
@@ -117,10 +134,11 @@ impl ProofCase {
         Error::require("tau", self.tau, "(3/2, 2], in Section 4 (3/2, 5/2)", admissible)?;
         let same = constants.tau() == self.tau;
         Error::require("tau of the constants", constants.tau(), "the regularity of the case", same)?;
-        let enough = self.grid <= 20 && self.levels.cells().all(|n| n < 1 << self.grid);
-        if !enough {
-            let range = "at most 20 and above the finest level";
-            return Err(Error::CountOutOfRange { name: "grid", value: self.grid as usize, range });
+        let finest = self.levels.cells().last().unwrap_or(1);
+        let cells = self.resolution.cells(finest);
+        if cells > LARGEST || cells < 2 * finest {
+            let range = "[2 per segment, 2^20]";
+            return Err(Error::CountOutOfRange { name: "cells of the finest edge", value: cells, range });
         }
         if !(1..=POSITIONS).contains(&self.positions) {
             return Err(Error::CountOutOfRange {
@@ -157,12 +175,12 @@ impl ProofCase {
         n: usize,
         pairs: &[ContactPair],
         squares: &[f64],
+        form: &SeminormForm,
         constants: &mut ProofConstants,
     ) -> Result<LevelProfile> {
         let h = 1.0 / n as f64;
         let theta = if self.tau > 2.0 { 0.5 } else { self.rule.theta(h)? };
         let gamma = constants.gamma(theta)?;
-        let form = SeminormForm::new(pairs[0].traces(), constants.order(), pairs[0].cells() / n)?;
         let (mut inequalities, mut rungs, mut cases) = (Vec::new(), [[0.0; 2]; RUNGS], [0; 3]);
         let share = 1.0 / pairs.len() as f64;
         for (pair, square) in pairs.iter().zip(squares) {
@@ -170,7 +188,7 @@ impl ProofCase {
             let q = constants.q();
             let norms: Vec<SegmentNorms> = segments
                 .par_iter()
-                .map(|segment| SegmentNorms::new(segment, q, &form))
+                .map(|segment| SegmentNorms::new(segment, q, form))
                 .collect::<Result<_>>()?;
             for segment in &norms {
                 let setting = self.setting(segment, theta, gamma, constants)?;
@@ -212,7 +230,8 @@ impl ProofCase {
         let own_gamma = match zone {
             // Without stress there is no Poincaré inequality to apply.
             Some(zone) if zone < norms.length || self.section == Section::Four => {
-                constants.gamma_below(zone / norms.length)?
+                // Rounded down the zone may be shorter than h_e θ, which is known to lie in it.
+                constants.gamma_below(zone / norms.length)?.min(gamma)
             }
             _ => gamma,
         };

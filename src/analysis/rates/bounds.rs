@@ -16,7 +16,7 @@ pub enum Bound {
 }
 
 impl Bound {
-    /// The value of the bound, without its constant, for 3/2 < τ ≤ 5/2 and 0 < h < 1.
+    /// The value of the bound, without its constant, for 1 < τ ≤ 5/2 and 0 < h < 1.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside these ranges.
@@ -25,14 +25,17 @@ impl Bound {
         Ok(h.powf(self.exponent(tau)?) * h.ln().abs().powf(self.logarithm(tau)))
     }
 
-    /// The exponent of h, 3/2 < τ ≤ 5/2. Beyond τ = 2 every bound is h: (E4), (4.4).
+    /// The exponent of h, 1 < τ ≤ 5/2. Beyond τ = 2 every bound is h: (E4), (4.4); up to τ = 3/2 every bound is h^{τ−1}: (E1).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside this range.
     pub fn exponent(self, tau: f64) -> Result<f64> {
-        Error::require("tau", tau, "(3/2, 5/2]", tau > 1.5 && tau <= 2.5)?;
+        Error::require("tau", tau, "(1, 5/2]", tau > 1.0 && tau <= 2.5)?;
         if tau > 2.0 {
             return Ok(1.0);
+        }
+        if tau <= 1.5 {
+            return Ok(tau - 1.0);
         }
         Ok(match self {
             Bound::Earlier => 0.5 * tau - 0.25,
@@ -80,7 +83,7 @@ mod tests {
         let gap = |tau: f64| Bound::Optimal.exponent(tau).unwrap() - Bound::Paper.exponent(tau).unwrap();
         assert_eq!(gap(1.75), 1.0 / 16.0);
         assert!(gap(1.74) < gap(1.75) && gap(1.76) < gap(1.75) && gap(2.0) == 0.0);
-        assert!(Bound::Paper.value(0.5, 1.5).is_err() && Bound::Paper.value(0.5, 2.6).is_err());
+        assert!(Bound::Paper.value(0.5, 1.0).is_err() && Bound::Paper.value(0.5, 2.6).is_err());
         assert_eq!(Bound::Paper.value(0.125, 2.1), Ok(0.125));
         let logarithm = 0.125 * 8f64.ln().powf(0.25);
         assert!((Bound::Sharpened.value(0.125, 2.0).unwrap() / logarithm - 1.0).abs() < 1e-15);

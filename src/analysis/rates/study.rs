@@ -17,7 +17,7 @@ pub struct RateStudy {
     pub cone: Cone,
     /// (‖u_N‖²_{τ−1/2} + ‖σ_N‖²_{τ−3/2})^{1/2} on the contact edge, where it is finite and known.
     pub norm: Option<f64>,
-    /// Mesh size of the reference where it is a discrete solution on the same family of meshes: fits account for it.
+    /// Mesh size of the reference, a discrete solution or data that are smooth below it: fits account for it.
     pub reference: Option<f64>,
     /// The levels.
     pub levels: Vec<RateLevel>,

@@ -1,0 +1,130 @@
+//! Why no contact set is bad: the consistency term on one segment, over all contact sets.
+//!
+//! T = (0, 1) after scaling, ν = τ − 3/2, E = {u_N = 0}, N its complement; σ_N = 0 on N, u_N' = 0 almost everywhere on E. The seminorm alone
+//! controls functions that vanish on a set: restricting the double integral to pairs with one point in the set, and |x − y| ≤ 1,
+//!
+//! 2|N| ‖σ_N‖² ≤ |σ_N|²_ν,  2|E| ‖u_N'‖² ≤ |u_N'|²_ν.
+//!
+//! Hence ‖σ_N‖_{L¹} ≤ (|E|/2|N|)^{1/2} |σ_N|_ν and, as u_N vanishes somewhere, max|u_N| ≤ ‖u_N'‖_{L¹} ≤ (|N|/2|E|)^{1/2} |u_N'|_ν. In the product the
+//! measures cancel:
+//!
+//! ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_{τ−3/2,T} |u_N'|_{τ−3/2,T},
+//!
+//! and the same for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, whatever E is and for 3/2 < τ ≤ 2: the optimal rate with no case, no θ and no
+//! logarithm. (The idea of using both measures is that of Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds
+//! each factor by itself, and pays θ^{τ−2} for the first.
+//!
+//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u, and closing the others enlarges the
+//! space of σ_N: the worst set is the complement of (0, a) and (1 − b, 1). For given a, b the best σ_N and u_N come from two linear solves with Gram
+//! matrices of piecewise constants, graded to all ends; the value is a lower bound of the supremum. Cost: O(cells³) per set.
+
+use crate::contact::Cone;
+use crate::error::{Error, Result};
+use crate::sobolev::{FractionalOrder, Partition, gram_constants};
+use faer::Mat;
+use faer::Side;
+use faer::linalg::solvers::Solve;
+
+/// Cells of each part of the segment: 2 (layers + 1), ratio 1/4.
+const LAYERS: usize = 9;
+const RATIO: f64 = 0.25;
+
+/// sup term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with gaps (0, left) and (1 − right, 1), contact between; `left` may be 0. At most ½.
+///
+/// # Errors
+/// [`Error::OutOfRange`] for gaps that leave no contact or τ outside (3/2, 2).
+pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64) -> Result<f64> {
+    Error::require("left gap", left, "[0, 1)", (0.0..1.0).contains(&left))?;
+    Error::require("right gap", right, "(0, 1 - left)", right > 0.0 && right < 1.0 - left)?;
+    let order = FractionalOrder::new(Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)? - 1.5)?;
+    let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
+    let partition = Partition::graded_to_points(&points, LAYERS, RATIO)?;
+    let per_part = partition.len() / (points.len() - 1);
+    let gram = gram_constants(&partition, order)?;
+    let first = if left > 0.0 { per_part } else { 0 };
+    let contact: Vec<usize> = (first..first + per_part).collect();
+    let open: Vec<usize> = (0..first).chain(first + per_part..partition.len()).collect();
+    let length = |k: usize| partition.lengths()[k];
+    let middle = |k: usize| partition.from_left()[k] + 0.5 * length(k);
+    let is_left = |k: usize| k < first;
+    match cone {
+        Cone::Nodal => {
+            // σ against 1 − x and x; u(0) = −∫ over the left gap, u(1) = ∫ over the right one: a singular value of 2 × 2 matrices.
+            let weights = [
+                contact.iter().map(|&k| length(k) * (1.0 - middle(k))).collect::<Vec<_>>(),
+                contact.iter().map(|&k| length(k) * middle(k)).collect(),
+            ];
+            let ends = [true, false].map(|side| {
+                open.iter().map(|&k| if is_left(k) == side { length(k) } else { 0.0 }).collect::<Vec<_>>()
+            });
+            let s = inverse_form(&gram, &contact, &weights)?;
+            let m = inverse_form(&gram, &open, &ends)?;
+            // Signs: both displacements are negative, so the mixed term of the slopes changes its sign.
+            let product = [
+                [m[0][0] * s[0][0] - m[0][1] * s[1][0], m[0][0] * s[0][1] - m[0][1] * s[1][1]],
+                [-m[1][0] * s[0][0] + m[1][1] * s[1][0], -m[1][0] * s[0][1] + m[1][1] * s[1][1]],
+            ];
+            let (trace, determinant) = (
+                product[0][0] + product[1][1],
+                product[0][0] * product[1][1] - product[0][1] * product[1][0],
+            );
+            Ok((0.5 * trace + (0.25 * trace * trace - determinant).max(0.0).sqrt()).sqrt())
+        }
+        Cone::Midpoint => {
+            let total: Vec<f64> = contact.iter().map(|&k| length(k)).collect();
+            let area: Vec<f64> = open
+                .iter()
+                .map(|&k| length(k) * if is_left(k) { -middle(k) } else { 1.0 - middle(k) })
+                .collect();
+            let s = inverse_form(&gram, &contact, &[total.clone(), total])?[0][0];
+            let m = inverse_form(&gram, &open, &[area.clone(), area])?[0][0];
+            Ok((s * m).sqrt())
+        }
+    }
+}
+
+/// b_i' G⁻¹ b_j, G the rows and columns `cells` of the Gram matrix.
+fn inverse_form(gram: &Mat<f64>, cells: &[usize], b: &[Vec<f64>; 2]) -> Result<[[f64; 2]; 2]> {
+    // Scaled to a unit diagonal: lengths range over many decades.
+    let scale: Vec<f64> = cells.iter().map(|&k| gram[(k, k)].sqrt()).collect();
+    let matrix =
+        Mat::from_fn(cells.len(), cells.len(), |i, j| gram[(cells[i], cells[j])] / (scale[i] * scale[j]));
+    let factor = matrix.llt(Side::Lower).map_err(|_| Error::NotPositiveDefinite {
+        what: "Gram matrix of a part of the segment",
+        pivot: cells.len(),
+    })?;
+    let right = Mat::from_fn(cells.len(), 2, |i, j| b[j][i] / scale[i]);
+    let solution = factor.solve(&right);
+    let form = |i: usize, j: usize| (0..cells.len()).map(|k| right[(k, i)] * solution[(k, j)]).sum::<f64>();
+    Ok([[form(0, 0), form(0, 1)], [form(1, 0), form(1, 1)]])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_contact_set_passes_one_half() {
+        for cone in [Cone::Nodal, Cone::Midpoint] {
+            for tau in [1.51, 1.75, 1.99] {
+                for right in [1e-6, 0.1, 0.5, 0.9] {
+                    for left in [0.0, 1e-6, 0.05] {
+                        let ratio = worst_ratio(cone, tau, left, right).unwrap();
+                        assert!(ratio > 0.0 && ratio <= 0.5, "{cone} {tau} {left} {right}: {ratio}");
+                    }
+                }
+            }
+        }
+        assert!(worst_ratio(Cone::Nodal, 1.75, 0.5, 0.5).is_err());
+        assert!(worst_ratio(Cone::Nodal, 2.0, 0.0, 0.5).is_err());
+    }
+
+    #[test]
+    fn mirrored_gaps_give_the_same_ratio() {
+        for cone in [Cone::Nodal, Cone::Midpoint] {
+            let a = worst_ratio(cone, 1.75, 0.1, 0.3).unwrap();
+            let b = worst_ratio(cone, 1.75, 0.3, 0.1).unwrap();
+            assert!((a / b - 1.0).abs() < 1e-10, "{a} {b}");
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Figure 3.1: measured orders lie on the optimal line, above the theorem's curve, for both cones.
+
+#[allow(dead_code)]
+#[path = "../examples/figure_3_1.rs"]
+mod example;
+
+use signorini::strip::StripKind;
+
+/// Orders against τ − 1 on levels 2^3 ... 2^11, five positions.
+const ORDER: f64 = 0.02;
+
+#[test]
+fn errors_of_both_cones_lie_on_the_optimal_line() {
+    for kind in [StripKind::Scalar, StripKind::Elastic] {
+        let tau = vec![1.55, 1.75, 1.95];
+        let options =
+            example::Options { tau, kind, levels: "3-11".parse().unwrap(), ..example::Options::default() };
+        let headline = example::run(&options).unwrap();
+        assert!(headline.verdict.is_confirmed(), "{headline}");
+        for row in 0..3 {
+            let number = |key: &str| headline.table.number(row, key).unwrap();
+            for cone in ["nodal_error", "midpoint_error"] {
+                let order = number(cone);
+                assert!((order - number("optimal")).abs() < ORDER, "{kind} {cone}: {headline}");
+            }
+            assert_eq!(number("left_out"), 0.0, "{headline}");
+        }
+    }
+}
+
+#[test]
+fn the_printed_curves_meet_at_the_ends_and_part_by_a_sixteenth() {
+    use signorini::analysis::Bound;
+    let exponent = |bound: Bound, tau: f64| bound.exponent(tau).unwrap();
+    assert_eq!(exponent(Bound::Paper, 1.75), 11.0 / 16.0);
+    assert_eq!(exponent(Bound::Optimal, 1.75) - exponent(Bound::Paper, 1.75), 1.0 / 16.0);
+    assert_eq!(exponent(Bound::Earlier, 2.0), 0.75);
+    assert_eq!(exponent(Bound::Paper, 2.0), exponent(Bound::Optimal, 2.0));
+}

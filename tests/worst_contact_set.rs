@@ -1,0 +1,33 @@
+//! Theorems 3.1, 4.1: no contact set brings the consistency term to the theorem's exponent.
+
+#[allow(dead_code)]
+#[path = "../examples/worst_contact_set.rs"]
+mod example;
+
+use signorini::analysis::worst_ratio;
+use signorini::contact::Cone;
+
+#[test]
+fn no_set_is_bad() {
+    let options = example::Options { depth: 15, ..example::Options::default() };
+    let headline = example::run(&options).unwrap();
+    assert!(headline.verdict.is_confirmed(), "{headline}");
+    for row in 0..headline.table.rows().len() {
+        for key in ["nodal_share", "midpoint_share"] {
+            let share = headline.table.number(row, key).unwrap();
+            assert!((0.0..1.0).contains(&share), "{headline}");
+        }
+    }
+}
+
+#[test]
+fn a_short_gap_makes_the_term_small_where_the_second_case_lets_it_grow() {
+    for tau in [1.6, 1.75, 1.9] {
+        let ratios: Vec<f64> =
+            [1e-1, 1e-2, 1e-3].iter().map(|&t| worst_ratio(Cone::Nodal, tau, 0.0, t).unwrap()).collect();
+        assert!(ratios.windows(2).all(|pair| pair[1] < pair[0]), "{tau}: {ratios:?}");
+        // |σ_N|_ν and |u_N'|_ν on sets of length 1 and θ: the term falls like θ^{1/2 + ν} = θ^{τ−1}.
+        let order = (ratios[1] / ratios[2]).log10();
+        assert!((order - (tau - 1.0)).abs() < 0.1, "{tau}: {order}");
+    }
+}
