@@ -27,10 +27,10 @@ const BESIDE: f64 = 1e-3;
 /// Local interpolation estimate: ratios of rough functions and the best constants
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
-    /// Orders nu in (0, 1)
+    /// Orders nu in (0, 1), comma separated
     #[arg(long, value_delimiter = ',', default_values = ["0.01", "0.1", "0.25", "0.5", "0.75", "0.9", "0.99"])]
     pub nu: Vec<FractionalOrder>,
-    /// Random functions per family and order
+    /// Random functions per family and order; with 0 only powers are tried
     #[arg(long, default_value_t = 60)]
     pub functions: usize,
     /// Seed of the random functions
@@ -120,16 +120,20 @@ impl Found {
     }
 }
 
-fn columns() -> Vec<Column> {
+fn columns(options: &Options) -> Vec<Column> {
+    let tried = match options.functions {
+        0 => "the powers".to_owned(),
+        count => format!("the powers and {count} random functions of each family"),
+    };
     let number = |key, title: &str, format, meaning: &str| Column::new(key, title, format, meaning);
-    let found_l2 = "largest |u - Iu|_0 / (h^(1+nu) |u'|_nu) among the functions";
+    let found_l2 = format!("largest |u - Iu|_0 / (h^(1+nu) |u'|_nu) among {tried}");
     let longest =
         "the second line, with the full H1 norm, holds with constant 1 for h <= h* and fails for h > h*";
     vec![
         number("nu", "nu", Format::Plain, ""),
-        number("worst_l2", "found L2", Format::Fixed(4), found_l2),
+        number("worst_l2", "found L2", Format::Fixed(4), &found_l2),
         number("best_l2", "best L2", Format::Fixed(10), "best constant in place of 1"),
-        number("error_l2", "error", Format::Scientific(0), ""),
+        number("error_l2", "+- L2", Format::Scientific(0), "error of the best constant in L2"),
         number(
             "worst_derivative",
             "found deriv.",
@@ -137,7 +141,12 @@ fn columns() -> Vec<Column> {
             "largest |(u - Iu)'|_0 / (h^nu |u'|_nu)",
         ),
         number("best_derivative", "best deriv.", Format::Fixed(10), "best constant, gamma_1(nu)"),
-        number("error_derivative", "error", Format::Scientific(0), ""),
+        number(
+            "error_derivative",
+            "+- deriv.",
+            Format::Scientific(0),
+            "error of the best constant for the derivative",
+        ),
         number("longest", "h*", Format::Fixed(3), longest),
     ]
 }
@@ -150,7 +159,11 @@ fn verdict(rows: &[Found], [l2, derivative, shortest]: [f64; 3]) -> Verdict {
     if !rows.iter().all(Found::printed_holds) {
         return Verdict::PrintedFormFails("a best constant is above 1 where none is expected to be".into());
     }
-    let loose = format!("{:.2} in L2 and {:.2} in the derivative for every nu", 1.0 / l2, 1.0 / derivative);
+    let loose = format!(
+        "factors of at least {:.2} in L2 and {:.2} in the derivative for every nu",
+        1.0 / l2,
+        1.0 / derivative
+    );
     if rows.iter().all(|row| row.beside[1] > 1.0) {
         Verdict::PrintedFormFails(format!(
             "second line, full H1 norm, for h > h*(nu), where h* > {shortest:.2}, its limit for nu -> 0; it holds for h <= h*, \
@@ -165,7 +178,7 @@ fn verdict(rows: &[Found], [l2, derivative, shortest]: [f64; 3]) -> Verdict {
 pub fn run(options: &Options) -> Result<Headline> {
     let bar = progress(options.nu.len() as u64);
     let mut rows = Vec::new();
-    let mut table = Table::new(columns());
+    let mut table = Table::new(columns(options));
     for &order in &options.nu {
         let row = Found::new(options, order)?;
         table.push(row.cells().map(Into::into).to_vec());

@@ -18,13 +18,13 @@ const LARGEST_MESH: usize = 32;
 /// Global interpolation estimate: ratios of one function and the best constants on a mesh
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
-    /// Orders nu in (0, 1)
+    /// Orders nu in (0, 1), comma separated
     #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
     pub nu: Vec<FractionalOrder>,
     /// Slope u' on (0,1): power:A, step:S, cosine:K or constant
     #[arg(long, default_value = "power:0.3")]
     pub function: SampleSlope,
-    /// Numbers of elements
+    /// Numbers of elements, comma separated
     #[arg(long, value_delimiter = ',', default_values = ["1", "2", "4", "8", "16", "1024", "65536"])]
     pub elements: Vec<usize>,
     /// Where the outcome goes
@@ -104,7 +104,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let verdict = if exceeded {
         Verdict::NotConfirmed("a ratio exceeds the best constant of one element".into())
     } else {
-        Verdict::HoldsLoose(format!("{:.2} for this function", 1.0 / largest))
+        Verdict::HoldsLoose(format!("a factor of at least {:.2} for this function", 1.0 / largest))
     };
     let claim = "|u - I^h u|_0 <= h^(1+nu) |u|_(1+nu), |u - I^h u|_1 <= h^nu |u|_(1+nu) on a mesh";
     let mut headline = Headline::new("Lemma 6.2", claim, table, measured, verdict);

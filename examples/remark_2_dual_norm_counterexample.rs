@@ -73,11 +73,16 @@ pub fn run(options: &Options) -> Result<Headline> {
             Format::Scientific(4),
             "|u - Iu|_(1/2,*) / |u|_(3/2), u = cos(2 pi x/h) - 1",
         ),
-        Column::new("wave_rate", "rate", Format::Fixed(4), "its observed exponent"),
+        Column::new("wave_rate", "wave rate", Format::Fixed(4), "observed exponent of the wave, theory 3/2"),
         Column::new("falk", "Falk", Format::Fixed(4), "half of it: the rate left for |u - u^h|_1"),
         Column::new("bound", "bound", Format::Scientific(4), "C_L2(1/2) h^(3/2), which no u can exceed"),
         Column::new("smooth", "smooth", Format::Scientific(4), "|u - Iu|_(1/2,*), u = -exp(x)"),
-        Column::new("smooth_rate", "rate", Format::Fixed(4), "its observed exponent"),
+        Column::new(
+            "smooth_rate",
+            "smooth rate",
+            Format::Fixed(4),
+            "observed exponent of the smooth u, theory 2",
+        ),
     ]);
     let best = element_constant(ErrorNorm::L2, FractionalOrder::HALF, Tolerance::balanced())?.value;
     let mut points: Vec<[f64; 4]> = Vec::new();

@@ -24,7 +24,7 @@ const DUAL_MESHES: [usize; 2] = [128, 256];
 /// The rate of the P0 projection against the smoothness of the function
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
-    /// Orders r > 0
+    /// Orders r > 0, comma separated
     #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75", "1.25", "1.5", "2", "2.5", "4"])]
     pub r: Vec<f64>,
     /// Where the outcome goes
@@ -93,7 +93,7 @@ pub fn run(options: &Options) -> Result<Headline> {
                 &Partition::uniform(n, 1.0)?,
                 order,
             )?
-            .l2
+            .l2()?
             .value)
         };
         let lagrange = smooth.then(|| rate(MESHES, p1)).transpose()?;

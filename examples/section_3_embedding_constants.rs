@@ -19,10 +19,10 @@ const RATIO: f64 = 0.6;
 /// Embedding constants: C(q) at nu = 1/2 and at critical exponents, C(alpha)
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
-    /// Exponents q for nu = 1/2; alpha = 1 - 1/q beside them
+    /// Exponents q for nu = 1/2, comma separated; alpha = 1 - 1/q beside them
     #[arg(long, value_delimiter = ',', default_values = ["2", "3", "4", "6", "8", "12", "16", "24", "36", "50", "75", "100", "150", "200"])]
     pub q: Vec<f64>,
-    /// Orders nu < 1/2, taken at the critical exponent q = 2/(1 - 2 nu)
+    /// Orders nu < 1/2, comma separated, taken at the critical exponent q = 2/(1 - 2 nu)
     #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"])]
     pub nu: Vec<FractionalOrder>,
     /// Where the outcome goes
@@ -56,8 +56,8 @@ pub fn run(options: &Options) -> Result<Headline> {
         Column::new("q", "q", Format::Significant(5), "for nu < 1/2 the critical exponent 2/(1-2 nu)"),
         Column::new("lower", "C(q) >=", Format::Fixed(6), "quotient of a function"),
         Column::new("upper", "C(q) <=", Format::Fixed(6), "for all functions"),
-        Column::new("growth", "/sqrt(q)", Format::Fixed(4), "lower bound over the square root"),
-        Column::new("upper_growth", "/sqrt(q)", Format::Fixed(4), "upper bound over the square root"),
+        Column::new("growth", ">= /sqrt(q)", Format::Fixed(4), "the lower bound over sqrt(q)"),
+        Column::new("upper_growth", "<= /sqrt(q)", Format::Fixed(4), "the upper bound over sqrt(q)"),
         Column::new("alpha", "alpha", Format::Significant(5), "1 - 1/q"),
         Column::new(
             "hoelder",
@@ -65,7 +65,12 @@ pub fn run(options: &Options) -> Result<Headline> {
             Format::Fixed(5),
             "from H^(3/2), pairs (0, theta); C(alpha) <= C(q)",
         ),
-        Column::new("hoelder_growth", "*(1-alpha)^(1/2)", Format::Fixed(4), ""),
+        Column::new(
+            "hoelder_growth",
+            "*(1-alpha)^(1/2)",
+            Format::Fixed(4),
+            "C(alpha) times (1-alpha)^(1/2) = q^(-1/2)",
+        ),
     ]);
     let bar = progress((options.q.len() + options.nu.len()) as u64);
     let half = EmbeddingSpace::new(FractionalOrder::HALF, layers(largest), RATIO)?;

@@ -11,8 +11,8 @@ use signorini::interpolation::{
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Error, Tolerance};
 
-/// Share of the best constant on a mesh that 24 steps of the optimiser reach: its top eigenvalues lie close together.
-const OPTIMISER_SHARE: f64 = 0.98;
+/// Share of the best constant on a mesh that the optimiser has to reach.
+const OPTIMISER_SHARE: f64 = 0.999;
 /// Second order in the cells: 8 per element leave below (π/8)²/12 = 1.3 %.
 const CELL_TOLERANCE: f64 = 0.015;
 
@@ -90,16 +90,19 @@ fn constants_on_a_mesh_lie_below_that_of_an_element_and_stay_bounded_below() {
 
 #[test]
 fn an_optimiser_reaches_the_best_constant_on_a_mesh() {
-    let nu = order(0.4);
-    let mesh = ElementMesh::uniform(4, 8).unwrap();
-    for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
-        let best = mesh_constant(norm, nu, 4, 8).unwrap().value;
-        let start: Vec<f64> = (0..=32).map(|i| f64::from((7 * i) % 11)).collect();
-        let slope = ascend(norm, nu, &mesh, &start).unwrap();
-        let error = InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();
-        let found = if norm == ErrorNorm::L2 { error.l2_ratio() } else { error.derivative_ratio() };
-        let share = found.unwrap().value / best;
-        assert!((OPTIMISER_SHARE..=1.0 + 1e-9).contains(&share), "{norm:?}: {share}");
+    for (nu, elements) in [(0.1, 4), (0.4, 4), (0.4, 16), (0.5, 8), (0.8, 4), (0.8, 16)] {
+        let nu = order(nu);
+        let mesh = ElementMesh::uniform(elements, 8).unwrap();
+        for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
+            let best = mesh_constant(norm, nu, elements, 8).unwrap().value;
+            let start: Vec<f64> = (0..=8 * elements).map(|i| ((7 * i) % 11) as f64).collect();
+            let slope = ascend(norm, nu, &mesh, &start).unwrap();
+            let error = InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();
+            let found = if norm == ErrorNorm::L2 { error.l2_ratio() } else { error.derivative_ratio() };
+            let share = found.unwrap().value / best;
+            println!("{norm:?} nu {nu:?} N {elements}: {share:.6}");
+            assert!((OPTIMISER_SHARE..=1.0 + 1e-9).contains(&share), "{norm:?} N {elements}: {share}");
+        }
     }
 }
 
@@ -112,9 +115,12 @@ fn samples_and_cells_agree() {
     let slope = signorini::sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &nodes).unwrap();
     let cells = InterpolationError::on_elements(&slope, &mesh, order(0.3), Tolerance::balanced()).unwrap();
     let closed = InterpolationError::of_sample(SampleSlope::Power(1.0), &elements, order(0.3)).unwrap();
-    for (a, b) in
-        [(cells.l2, closed.l2), (cells.derivative, closed.derivative), (cells.seminorm, closed.seminorm)]
-    {
+    for (a, b) in [
+        (cells.l2(), closed.l2()),
+        (cells.derivative(), closed.derivative()),
+        (cells.seminorm(), closed.seminorm()),
+    ] {
+        let (a, b) = (a.unwrap(), b.unwrap());
         assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
     }
     let cells = signorini::sobolev::PiecewisePolynomial::interpolate(mesh.cells().clone(), 8, |x| {
@@ -123,9 +129,12 @@ fn samples_and_cells_agree() {
     .unwrap();
     let cells = InterpolationError::on_elements(&cells, &mesh, order(0.7), Tolerance::balanced()).unwrap();
     let closed = InterpolationError::of_sample(SampleSlope::Cosine(3), &elements, order(0.7)).unwrap();
-    for (a, b) in
-        [(cells.l2, closed.l2), (cells.derivative, closed.derivative), (cells.seminorm, closed.seminorm)]
-    {
+    for (a, b) in [
+        (cells.l2(), closed.l2()),
+        (cells.derivative(), closed.derivative()),
+        (cells.seminorm(), closed.seminorm()),
+    ] {
+        let (a, b) = (a.unwrap(), b.unwrap());
         assert!((a.value / b.value - 1.0).abs() < 1e-7, "{a} {b}");
     }
 }
@@ -136,14 +145,11 @@ fn a_million_elements_and_a_constant_slope_are_answered() {
     // Smooth: ‖u − I u‖ = h² ‖u''‖/√120, ‖(u − I u)'‖ = h ‖u''‖/√12, u'' = −π sin(πx).
     let error = InterpolationError::of_sample(SampleSlope::Cosine(1), &mesh, order(0.5)).unwrap();
     let second = std::f64::consts::PI / 2f64.sqrt();
-    assert!((error.l2.value / (1e-12 * second / 120f64.sqrt()) - 1.0).abs() < 1e-9, "{}", error.l2);
-    assert!(
-        (error.derivative.value / (1e-6 * second / 12f64.sqrt()) - 1.0).abs() < 1e-9,
-        "{}",
-        error.derivative
-    );
+    let (l2, derivative) = (error.l2().unwrap(), error.derivative().unwrap());
+    assert!((l2.value / (1e-12 * second / 120f64.sqrt()) - 1.0).abs() < 1e-9, "{l2}");
+    assert!((derivative.value / (1e-6 * second / 12f64.sqrt()) - 1.0).abs() < 1e-9, "{derivative}");
     let affine = InterpolationError::of_sample(SampleSlope::Constant, &mesh, order(0.5)).unwrap();
-    assert_eq!(affine.l2.value, 0.0);
+    assert_eq!(affine.l2().unwrap().value, 0.0);
     assert!(matches!(affine.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));
     let step = InterpolationError::of_sample(SampleSlope::Step(0.3), &mesh, order(0.5));
     assert!(matches!(step, Err(Error::InfiniteNorm { .. })));

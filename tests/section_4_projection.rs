@@ -9,7 +9,7 @@ mod saturation;
 
 use signorini::interpolation::{
     DualNorm, ElementMesh, ProjectionNorm, SampleSlope, dual_projection_constant, projection_constant,
-    projection_norm_on_mesh, sample_projection_dual_error, sample_projection_error,
+    projection_norm_on_mesh, sample_projection_dual_error, sample_projection_error, wave_constant,
 };
 use signorini::poincare::{Condition, Zone, gamma};
 use signorini::sobolev::{FractionalOrder, Partition};
@@ -150,10 +150,55 @@ fn inadmissible_orders_are_errors() {
 }
 
 #[test]
-fn the_example_measures_the_rates() {
-    let options = example::Options { r: vec![0.1, 0.5, 0.9, 1.0], ..example::Options::default() };
-    let headline = example::run(&options).unwrap();
+fn the_example_measures_the_rates_on_both_roads_in_both_norms() {
+    let headline = example::run(&example::Options::default()).unwrap();
     assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    assert_eq!(headline.table.rows().len(), 10);
+    for row in 0..10 {
+        let number = |key| headline.table.number(row, key).unwrap();
+        let r = number("r");
+        for (key, theory) in
+            [("function_l2", r), ("supremum_l2", r), ("function_dual", r + 0.5), ("supremum_dual", r + 0.5)]
+        {
+            assert!((number(key) - theory).abs() < RATE_TOLERANCE, "{key} {r}: {}", number(key));
+        }
+        // the uncertainty of the fit is honest and says something
+        for (rate, error, theory) in
+            [("supremum_l2", "error_l2", r), ("supremum_dual", "error_dual", r + 0.5)]
+        {
+            assert!((number(rate) - theory).abs() <= number(error) + 1e-6, "{rate} {r}: {}", number(rate));
+            assert!(number(error) < RATE_TOLERANCE, "{error} {r}");
+        }
+    }
+}
+
+#[test]
+fn an_order_below_all_defaults_is_measured_or_said_not_to_be() {
+    for r in [0.0, 0.05] {
+        let headline = example::run(&example::Options { r: vec![r], ..Default::default() }).unwrap();
+        let worst =
+            headline.values.iter().find(|(key, _)| key == "section_4_projection.worst_rate").unwrap().1;
+        assert_eq!(headline.verdict.is_confirmed(), worst <= RATE_TOLERANCE, "{r}: {}", headline.verdict);
+    }
+}
+
+#[test]
+fn the_supremum_lies_between_its_bounds_on_every_mesh() {
+    for r in [0.1, 0.4, 0.5, 0.8, 1.0] {
+        for norm in [ProjectionNorm::L2, ProjectionNorm::Dual] {
+            let best = match norm {
+                ProjectionNorm::L2 => constant(r),
+                ProjectionNorm::Dual => dual_projection_constant(r, Tolerance::balanced()).unwrap().value,
+            };
+            for elements in [1, 2, 4, 8, 16] {
+                let supremum = projection_norm_on_mesh(norm, r, elements, 8).unwrap();
+                let power = (elements as f64).powf(norm.rate(r));
+                let wave = wave_constant(norm, r, elements).unwrap().value;
+                assert!(wave <= power * (supremum.value + supremum.error), "{norm:?} {r} {elements}");
+                assert!(power * supremum.value <= best * (1.0 + 1e-8), "{norm:?} {r} {elements}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -5,6 +5,7 @@
 //! is missing of the square; the difference from the cells twice as long is the error estimate. Cost O(N³).
 
 use super::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
+use super::local::power_of_two;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::quadrature::Rule;
@@ -60,18 +61,27 @@ impl DualNorm {
     /// ‖f‖_{1/2,*} for f smooth on each cell; f is called with a cell and the local coordinate in (0, 1).
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a value of f.
+    /// [`Error::NotFinite`] for a value of f or a norm beyond the range of binary64.
     pub fn of(&self, f: impl Fn(usize, f64) -> f64) -> Result<Estimate> {
         let rule = Rule::gauss_legendre(POINTS)?;
-        let mut load = vec![0.0; self.cells.len() + 1];
-        for (i, &h) in self.cells.lengths().iter().enumerate() {
-            for (t, w) in rule.iter() {
-                let value = f(i, t);
-                load[i] += h * w * value * (1.0 - t);
-                load[i + 1] += h * w * value * t;
+        let count = self.cells.len();
+        let values: Vec<f64> =
+            (0..count).flat_map(|i| rule.iter().map(move |(t, _)| (i, t))).map(|(i, t)| f(i, t)).collect();
+        if let Some(index) = values.iter().position(|v| !v.is_finite()) {
+            return Err(Error::NotFinite { name: "function", index, value: values[index] });
+        }
+        // In units of the largest value: products with the lengths of the cells must not underflow.
+        let unit = unit_of(&values);
+        let mut load = vec![0.0; count + 1];
+        for (i, (&h, values)) in
+            self.cells.lengths().iter().zip(values.chunks(rule.points().len())).enumerate()
+        {
+            for ((t, w), value) in rule.iter().zip(values) {
+                load[i] += h * w * (value / unit) * (1.0 - t);
+                load[i + 1] += h * w * (value / unit) * t;
             }
         }
-        self.of_load(&load)
+        times(self.of_load(&load)?, unit)
     }
 
     /// ‖f‖_{1/2,*} from the integrals b_i = ∫ f ψ_i of f against the hats of all nodes.
@@ -86,12 +96,17 @@ impl DualNorm {
         if let Some(index) = load.iter().position(|b| !b.is_finite()) {
             return Err(Error::NotFinite { name: "load", index, value: load[index] });
         }
-        let fine = self.fine.squared(load);
-        let coarse = self.coarse.squared(&self.load_on_pairs(load));
+        let unit = unit_of(load);
+        let load: Vec<f64> = load.iter().map(|b| b / unit).collect();
+        let fine = self.fine.squared(&load);
+        let coarse = self.coarse.squared(&self.load_on_pairs(&load));
         let value = fine.sqrt();
         let missing = (fine - coarse).max(0.0);
+        // The mean is rounded; on a short interval it weighs far more than what is left of f.
+        let absolute: f64 = load.iter().map(|b| b.abs()).sum();
+        let rounding = ROUNDING * value + 4.0 * f64::EPSILON * absolute / self.cells.total().sqrt();
         let work = Work { points: (POINTS * count) as u64, factorizations: 2, ..Work::default() };
-        Estimate::new(value, (fine + missing).sqrt() - value + ROUNDING * value, work)
+        times(Estimate::new(value, (fine + missing).sqrt() - value + rounding, work)?, unit)
     }
 
     /// A hat on joined cells is a hat plus parts of its two neighbours.
@@ -104,6 +119,18 @@ impl DualNorm {
         }
         joined
     }
+}
+
+/// A power of two near the largest value; 1 for zeros.
+fn unit_of(values: &[f64]) -> f64 {
+    let largest = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    if largest > 0.0 { power_of_two(largest) } else { 1.0 }
+}
+
+/// The norm in a unit, restored; what falls below the range of binary64 is 0 with an error above 0.
+fn times(norm: Estimate, unit: f64) -> Result<Estimate> {
+    let smallest = if norm.value > 0.0 { f64::MIN_POSITIVE } else { 0.0 };
+    Estimate::new(unit * norm.value, unit * norm.error + smallest, norm.work)
 }
 
 impl Solver {

@@ -16,17 +16,24 @@ use crate::sobolev::{RunningSum, root_of_squares};
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The norms in Lemma 6.1 for one function on an interval, or in Lemma 6.2 on a mesh.
+///
+/// Kept in units of the function: lengths and values divided by powers of two near the length of the interval and near
+/// the largest value. The ratios do not depend on either, and neither squares of tiny values nor short elements underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InterpolationError {
-    /// Length of the interval, or of the longest element.
-    pub h: f64,
-    /// ‖u − I u‖₀.
-    pub l2: Estimate,
-    /// ‖(u − I u)'‖₀.
-    pub derivative: Estimate,
-    /// |u|_{1+ν} = |v|_ν.
-    pub seminorm: Estimate,
+    l2: Estimate,
+    derivative: Estimate,
+    seminorm: Estimate,
+    h: f64,
+    units: Units,
     order: FractionalOrder,
+}
+
+/// Powers of two: what one unit of length and one of the slope stand for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Units {
+    length: f64,
+    slope: f64,
 }
 
 impl InterpolationError {
@@ -39,9 +46,10 @@ impl InterpolationError {
         order: FractionalOrder,
         tolerance: Tolerance,
     ) -> Result<Self> {
+        let (slope, units) = in_units(slope)?;
         let seminorm = slope.seminorm(0, order, tolerance)?;
-        let (l2, derivative) = error_norms(slope)?;
-        Ok(Self { h: slope.partition().total(), l2, derivative, seminorm, order })
+        let (l2, derivative) = error_norms(&slope)?;
+        Ok(Self { h: slope.partition().total(), l2, derivative, seminorm, units, order })
     }
 
     /// On a mesh: Lemma 6.2 for the slope v of u, and (4.6) for φ = v.
@@ -55,6 +63,7 @@ impl InterpolationError {
         tolerance: Tolerance,
     ) -> Result<Self> {
         mesh.require_cells(slope)?;
+        let (slope, units) = in_units(slope)?;
         let seminorm = slope.seminorm(0, order, tolerance)?;
         let (mut l2, mut derivative) = (Vec::new(), Vec::new());
         for range in mesh.elements() {
@@ -63,7 +72,7 @@ impl InterpolationError {
             derivative.push(error_slope);
         }
         let (l2, derivative) = (root_of_squares(&l2)?, root_of_squares(&derivative)?);
-        Ok(Self { h: mesh.h(), l2, derivative, seminorm, order })
+        Ok(Self { h: mesh.h() / units.length, l2, derivative, seminorm, units, order })
     }
 
     /// On a mesh of (0, 1), for a slope in closed form; any number of elements, cost O(N).
@@ -74,7 +83,36 @@ impl InterpolationError {
         let seminorm = slope.seminorm(order)?;
         let (l2, derivative) = sample_norms(slope, mesh)?;
         let h = mesh.lengths().iter().copied().fold(0.0, f64::max);
-        Ok(Self { h, l2, derivative, seminorm, order })
+        Ok(Self { h, l2, derivative, seminorm, units: Units::ONE, order })
+    }
+
+    /// Length of the interval, or of the longest element.
+    pub fn h(&self) -> f64 {
+        self.h * self.units.length
+    }
+
+    /// ‖u − I u‖₀.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when it exceeds the range of binary64 (the ratios never do); below the range it is 0 ± 1e-307.
+    pub fn l2(&self) -> Result<Estimate> {
+        self.units.restore(self.l2, 1.5)
+    }
+
+    /// ‖(u − I u)'‖₀.
+    ///
+    /// # Errors
+    /// As [`InterpolationError::l2`].
+    pub fn derivative(&self) -> Result<Estimate> {
+        self.units.restore(self.derivative, 0.5)
+    }
+
+    /// |u|_{1+ν} = |v|_ν.
+    ///
+    /// # Errors
+    /// As [`InterpolationError::l2`].
+    pub fn seminorm(&self) -> Result<Estimate> {
+        self.units.restore(self.seminorm, -self.order.offset())
     }
 
     /// ‖u − I u‖₀ / (h^{1+ν} |u|_{1+ν}): at most 1 by the lemma, at most C_L2(ν) in truth.
@@ -97,20 +135,56 @@ impl InterpolationError {
     /// ‖u − I u‖₁ / (h^ν |u|_{1+ν}) with the full norm: at most C_1(ν, h).
     ///
     /// # Errors
-    /// As [`InterpolationError::l2_ratio`].
+    /// As [`InterpolationError::l2_ratio`]; [`Error::NotFinite`] when the length exceeds the range of binary64.
     pub fn h1_ratio(&self) -> Result<Estimate> {
         let (l2, derivative) = (self.quotient(self.l2)?, self.quotient(self.derivative)?);
-        let value = l2.value.hypot(derivative.value);
-        Estimate::new(value, l2.error + derivative.error, l2.work)
+        // The one ratio that depends on the length: ‖e‖₀ carries one unit of it more than ‖e'‖₀.
+        let unit = self.units.length;
+        let value = (unit * l2.value).hypot(derivative.value);
+        Estimate::new(value, unit * l2.error + derivative.error, l2.work)
     }
 
     fn quotient(&self, part: Estimate) -> Result<Estimate> {
         let seminorm = self.seminorm.value;
         Error::require("|u'|_nu", seminorm, "(0, inf): the ratio of an affine u is 0/0", seminorm > 0.0)?;
-        let value = part.value / seminorm / self.h.powf(self.order.value());
-        let relative = part.relative_error() + self.seminorm.relative_error() + 4.0 * f64::EPSILON;
-        Estimate::new(value, value * relative, part.work + self.seminorm.work)
+        let power = self.h.powf(self.order.value());
+        let value = part.value / seminorm / power;
+        let relative = self.seminorm.relative_error() + 4.0 * f64::EPSILON;
+        let error = part.error / seminorm / power + value * relative;
+        Estimate::new(value, error, part.work + self.seminorm.work)
     }
+}
+
+impl Units {
+    const ONE: Self = Self { length: 1.0, slope: 1.0 };
+
+    /// A norm of the slope that scales like length^exponent.
+    fn restore(self, norm: Estimate, exponent: f64) -> Result<Estimate> {
+        // Two factors: their product may leave the range of binary64 where the norm itself does not.
+        let half = self.length.powf(0.5 * exponent);
+        let restored = |x: f64| x * half * self.slope * half;
+        let rounding =
+            if self == Self::ONE { 0.0 } else { ROUNDING * restored(norm.value) + f64::MIN_POSITIVE };
+        Estimate::new(restored(norm.value), restored(norm.error) + rounding, norm.work)
+    }
+}
+
+/// The largest power of two up to x > 0, within [2^-1000, 2^1023]: its reciprocal is finite.
+pub(super) fn power_of_two(x: f64) -> f64 {
+    libm::ldexp(1.0, libm::ilogb(x).max(-1000))
+}
+
+/// The slope with lengths and values in units near their own size: exact, since the units are powers of two.
+fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)> {
+    let largest = slope.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
+    let (lengths, total) = (slope.partition().lengths(), slope.partition().total());
+    let units =
+        Units { length: power_of_two(total), slope: if largest > 0.0 { power_of_two(largest) } else { 1.0 } };
+    let partition = Partition::from_lengths(lengths.iter().map(|h| h / units.length).collect())?;
+    let pieces = slope.pieces().iter();
+    let ends: Vec<[f64; 2]> = pieces.clone().map(|p| [p.left / units.slope, p.right / units.slope]).collect();
+    let bubbles = pieces.map(|p| p.bubbles.iter().map(|c| c / units.slope).collect()).collect();
+    Ok((PiecewisePolynomial::with_bubbles(partition, &ends, bubbles)?, units))
 }
 
 /// (‖e‖₀, ‖e'‖₀).
@@ -118,8 +192,11 @@ pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Esti
     let partition = slope.partition();
     let mean = slope.mean()?.value;
     let rule = Rule::gauss_legendre(slope.degree() + 2)?;
+    let total = partition.total();
     let (mut squares, mut error_squares, mut error, mut largest) = (0.0, 0.0, 0.0, 0.0f64);
-    for (index, &h) in partition.lengths().iter().enumerate() {
+    for (index, length) in partition.lengths().iter().enumerate() {
+        // In units of this element: its third power must not underflow.
+        let h = length / total;
         let deviation = |t: f64| slope.value(index, t).map(|v| v - mean);
         for (t, w) in rule.iter() {
             let d = deviation(t)?;
@@ -138,16 +215,14 @@ pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Esti
         largest = largest.max(error.abs());
     }
     let work = Work { points: (partition.len() * rule.points().len().pow(2)) as u64, ..Work::default() };
-    let total = partition.total();
     // The running value of e carries the rounding of the mean.
-    let absolute = ROUNDING * (mean.abs() * total + largest) * total.sqrt();
-    let l2 = error_squares.sqrt();
-    let derivative = squares.sqrt();
-    let mean_rounding = ROUNDING * mean.abs() * total.sqrt();
-    Ok((
-        Estimate::new(l2, ROUNDING * l2 + absolute, work)?,
-        Estimate::new(derivative, ROUNDING * derivative + mean_rounding, work)?,
-    ))
+    let absolute = ROUNDING * (mean.abs() + largest);
+    let (l2, derivative) = (error_squares.sqrt(), squares.sqrt());
+    let root = total.sqrt();
+    let estimate = |value: f64, rounding: f64, unit: f64| {
+        Estimate::new(value * unit, (ROUNDING * value + rounding) * unit, work)
+    };
+    Ok((estimate(l2, absolute, root * total)?, estimate(derivative, ROUNDING * mean.abs(), root)?))
 }
 
 /// (‖e‖₀, ‖e'‖₀) on a mesh of (0, 1) for a slope in closed form.
@@ -197,7 +272,8 @@ pub fn power_slope(a: f64, order: FractionalOrder) -> Result<InterpolationError>
     // 2a + 1 is exact to the rounding of a, which weighs where it is small.
     let relative = ROUNDING + f64::EPSILON * (a / (2.0 * a + 1.0)).abs();
     let estimate = |value: f64| Estimate::new(value, relative * value, Work::default());
-    Ok(InterpolationError { h: 1.0, l2: estimate(l2)?, derivative: estimate(derivative)?, seminorm, order })
+    let (l2, derivative) = (estimate(l2)?, estimate(derivative)?);
+    Ok(InterpolationError { h: 1.0, l2, derivative, seminorm, units: Units::ONE, order })
 }
 
 #[cfg(test)]
@@ -214,9 +290,9 @@ mod tests {
             let cells = InterpolationError::of_slope(&slope, order, Tolerance::reference()).unwrap();
             let closed = power_slope(1.0, order).unwrap();
             for (a, b) in [
-                (cells.l2, closed.l2),
-                (cells.derivative, closed.derivative),
-                (cells.seminorm, closed.seminorm),
+                (cells.l2().unwrap(), closed.l2().unwrap()),
+                (cells.derivative().unwrap(), closed.derivative().unwrap()),
+                (cells.seminorm().unwrap(), closed.seminorm().unwrap()),
                 (cells.h1_ratio().unwrap(), closed.h1_ratio().unwrap()),
             ] {
                 assert!((a.value - b.value).abs() <= a.error + b.error, "{nu}: {a} {b}");

@@ -11,6 +11,7 @@
 //! | functions to try, and an optimiser | [`RoughSlopes`], [`ascend`] |
 //! | π^h v, mean on each element; π^h(u') = (I^h u)' | [`ElementMesh`]; (4.6) is the derivative part of Lemma 6.2 for φ = u' |
 //! | (4.6), (4.7): best constants, norms on a mesh | [`projection_constant`], [`dual_projection_constant`], [`projection_norm_on_mesh`] |
+//! | (4.6), (4.7): their rates for all of H^r, from both sides | [`supremum_rate`], [`wave_constant`] |
 //! | Remark 2 | [`AliasedWave`], [`all_waves_mean`] |
 //! | ‖·‖_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
 //! | C(q), C(α) in (3.6), (3.10), (4.12), (E3) | [`embedding_upper_bound`], [`EmbeddingSpace`], [`EndIncrements`] |
@@ -33,6 +34,7 @@ mod local;
 mod projection;
 mod rough;
 mod samples;
+mod supremum;
 
 pub use aliasing::{AliasedWave, all_waves_mean};
 pub use ascent::ascend;
@@ -49,3 +51,4 @@ pub use projection::{
 };
 pub use rough::{RoughFamily, RoughSlopes};
 pub use samples::SampleSlope;
+pub use supremum::{SupremumRate, supremum_rate, wave_constant};

@@ -19,6 +19,7 @@ pub mod closed_forms;
 mod cluster;
 mod deep_tail;
 mod dual;
+mod dual_modes;
 mod function;
 mod function_norms;
 mod gallery;

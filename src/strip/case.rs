@@ -43,8 +43,12 @@ pub struct CaseStudy {
     pub errors: Vec<Estimate>,
     /// τ, when it is known.
     pub regularity: Option<f64>,
-    /// Gaps of the scene.
+    /// Gaps of the scene on its grid.
     pub gaps: usize,
+    /// Gaps of its construction, `None` for samples.
+    pub planned_gaps: Option<u64>,
+    /// Cells of the grid of the scene.
+    pub scene_cells: usize,
 }
 
 impl StripCase {
@@ -75,6 +79,14 @@ impl StripCase {
         let build =
             |source: &SceneSource| source.scene(self.tau, self.levels.reference_cells(), self.kind.sides());
         let first: EdgeScene = build(&sources[0])?;
+        let finest = self.levels.finest_cells();
+        if first.cells() < finest {
+            return Err(Error::LengthMismatch {
+                name: "cells of the scene (lower the finest of --levels, or give finer samples): the edge",
+                given: first.cells(),
+                expected: finest,
+            });
+        }
         let mut problem = StripProblem::new(self.kind, &first, self.reference, self.levels.coarsest_cells())?;
         let mut studies = Vec::new();
         for source in &sources {
@@ -84,11 +96,34 @@ impl StripCase {
             studies.push(study(&problem, self.levels, self.cone, &mut report)?);
         }
         let errors = mean_errors(&studies)?;
-        Ok(CaseStudy { studies, errors, regularity: first.regularity(), gaps: first.gaps() })
+        let planned_gaps = match self.source {
+            SceneSource::Built(kind) => Some(kind.gaps()),
+            SceneSource::Samples(_) => None,
+        };
+        let (regularity, gaps, scene_cells) = (first.regularity(), first.gaps(), first.cells());
+        Ok(CaseStudy { studies, errors, regularity, gaps, planned_gaps, scene_cells })
     }
 }
 
 impl CaseStudy {
+    /// The gaps in words: `1 gap`, or `15 of 255 gaps` where the grid holds fewer than the construction has.
+    pub fn gaps_text(&self) -> String {
+        let plural = |count: u64| if count == 1 { "gap" } else { "gaps" };
+        match self.planned_gaps {
+            Some(planned) if planned != self.gaps as u64 => {
+                format!("{} of {planned} {}", self.gaps, plural(planned))
+            }
+            _ => format!("{} {}", self.gaps, plural(self.gaps as u64)),
+        }
+    }
+
+    /// Why gaps of the construction are missing, if some are.
+    pub fn missing_gaps(&self) -> Option<String> {
+        let missing = self.planned_gaps?.checked_sub(self.gaps as u64).filter(|&count| count > 0)?;
+        let cells = self.scene_cells;
+        Some(format!("{missing} gaps left out: under 2 cells wide or apart on the grid of {cells} cells"))
+    }
+
     /// All levels at all positions.
     pub fn levels(&self) -> impl Iterator<Item = &Level> {
         self.studies.iter().flatten()

@@ -100,26 +100,28 @@ mod tests {
 
     #[test]
     fn normal_symbol_keeps_thirteen_digits_at_every_mode() {
-        /// What the issue asks for.
+        for material in [(1.0, 1.0), (100.0, 1.0), (-0.5, 1.0)] {
+            normal_symbol(material);
+        }
+    }
+
+    fn normal_symbol((lambda, mu): (f64, f64)) {
+        /// Required at every mode.
         const DIGITS: f64 = 1e-13;
         let n = 1 << 18;
-        for (lambda, mu) in [(1.0, 1.0), (100.0, 1.0), (-0.5, 1.0)] {
-            let lame = Lame::new(lambda, mu).unwrap();
-            let matrices = edge_matrices(n, n, lame);
-            // All low modes, which need the most doublings, and one in 61 of the others.
-            let modes: Vec<usize> = (0..=n / 2).filter(|k| *k < 9000 || k % 61 == 0 || *k == n / 2).collect();
-            let worst = modes
-                .par_iter()
-                .map(|&k| {
-                    let mode = Mode::long(k, n);
-                    let long = edge_matrix(mode, lame, n.ilog2()).0;
-                    let normal =
-                        long[3].re - (long[1].re * long[1].re + long[1].im * long[1].im) / long[0].re;
-                    (matrices[k].normal() / normal.0 - 1.0).abs()
-                })
-                .reduce(|| 0.0, f64::max);
-            println!("lambda {lambda}, mu {mu}: worst of {} modes {worst:.1e}", modes.len());
-            assert!(worst < DIGITS, "{lambda} {mu}: {worst:e}");
-        }
+        let lame = Lame::new(lambda, mu).unwrap();
+        let matrices = edge_matrices(n, n, lame);
+        let modes: Vec<usize> = (0..=n / 2).collect();
+        let worst = modes
+            .par_iter()
+            .map(|&k| {
+                let mode = Mode::long(k, n);
+                let long = edge_matrix(mode, lame, n.ilog2()).0;
+                let normal = long[3].re - (long[1].re * long[1].re + long[1].im * long[1].im) / long[0].re;
+                (matrices[k].normal() / normal.0 - 1.0).abs()
+            })
+            .reduce(|| 0.0, f64::max);
+        println!("lambda {lambda}, mu {mu}: worst of {} modes {worst:.1e}", modes.len());
+        assert!(worst < DIGITS, "{lambda} {mu}: {worst:e}");
     }
 }

@@ -34,7 +34,12 @@ pub fn level_table(levels: &[Level], errors: &[Estimate]) -> Table {
             Format::Fixed(3),
             "log2 of the ratio; it alternates with the place of a transition in its cell",
         ),
-        Column::new("contact_runs", "runs", Format::Significant(6), ""),
+        Column::new(
+            "contact_runs",
+            "runs",
+            Format::Significant(6),
+            "stretches of consecutive active constraints",
+        ),
         Column::new(
             "steps",
             "steps",
@@ -42,7 +47,12 @@ pub fn level_table(levels: &[Level], errors: &[Estimate]) -> Table {
             "linear problems; start from the coarser level",
         ),
         Column::new("inner", "inner", Format::Significant(3), "most inner iterations in a step"),
-        Column::new("kkt", "KKT", Format::Scientific(0), ""),
+        Column::new(
+            "kkt",
+            "KKT",
+            Format::Scientific(0),
+            "worst scaled violation of balance, sign, gap and complementarity; 0 is exact",
+        ),
         Column::new("seconds", "seconds", Format::Significant(2), "operator, load, contact"),
         Column::hidden("error_seconds"),
     ]);

@@ -45,6 +45,20 @@ pub enum SceneKind {
     },
 }
 
+impl SceneKind {
+    /// How many gaps the construction has; on a grid those without a free node, or without contact beside them, are left out
+    /// with all that would follow them.
+    pub fn gaps(self) -> u64 {
+        match self {
+            SceneKind::Transition { .. } => 1,
+            SceneKind::Transitions { gaps } => gaps as u64,
+            SceneKind::Cantor { depth, .. } | SceneKind::FatCantor { depth } => {
+                1u64.checked_shl(depth.try_into().unwrap_or(u32::MAX)).unwrap_or(0).wrapping_sub(1)
+            }
+        }
+    }
+}
+
 impl fmt::Display for SceneKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
