@@ -1,30 +1,40 @@
 //! Figure 3.2, the alternative of Section 3 on a computed contact set: zeros of u_N near both vertices, or no pressure near one.
 //!
-//! `cargo run --release --example figure_3_2_alternative -- --n 64 --theta 0.1`
+//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --meshes 8`
+//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --over-theta`
 
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::{AlternativeStudy, Section, ThetaRule};
+use signorini::analysis::{Against, AlternativeCase, ContactSource, Section, ThetaRule};
 use signorini::report::Headline;
 use signorini::scenes::Scene;
 use std::process::ExitCode;
 
-/// Classify every contact segment of meshes n/4, n/2, n on the contact set of the solution on 8n x 8n squares
+/// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
-    /// block or membrane
-    #[arg(long, default_value_t = Scene::Block)]
-    pub scene: Scene,
-    /// Contact segments of the finest mesh classified, a multiple of 4
+    /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3, fat-cantor, ...)
+    #[arg(long, default_value_t = ContactSource::Mesh(Scene::Block))]
+    pub scene: ContactSource,
+    /// Contact segments of the finest mesh classified
     #[arg(long, default_value_t = 32)]
     pub n: usize,
-    /// Sobolev regularity in theta = h^(2 tau - 3), h^2 at tau = 2
+    /// How many meshes, each with half the segments of the next
+    #[arg(long, default_value_t = 3)]
+    pub meshes: usize,
+    /// Sobolev regularity of a strip scene, and in theta = h^(2 tau - 3), h^2 at tau = 2
     #[arg(long, default_value_t = 1.75)]
     pub tau: f64,
     /// A fixed theta in (0, 1) instead
     #[arg(long)]
     pub theta: Option<f64>,
+    /// On whose contact set: reference (the fine solution) or itself (the discrete solution of each mesh)
+    #[arg(long, default_value_t = Against::Reference)]
+    pub against: Against,
+    /// The finest mesh for theta = 1/2, 1/4, ... instead of several meshes
+    #[arg(long)]
+    pub over_theta: bool,
     /// Where the outcome goes
     #[command(flatten)]
     pub output: Output,
@@ -32,7 +42,16 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { scene: Scene::Block, n: 32, tau: 1.75, theta: None, output: Output::default() }
+        Self {
+            scene: ContactSource::Mesh(Scene::Block),
+            n: 32,
+            meshes: 3,
+            tau: 1.75,
+            theta: None,
+            against: Against::Reference,
+            over_theta: false,
+            output: Output::default(),
+        }
     }
 }
 
@@ -44,21 +63,17 @@ impl HasOutput for Options {
 
 /// Classifies the segments and adds up the consistency term int sigma_N (I^h u)_N by case.
 pub fn run(options: &Options) -> Result<Headline> {
-    let rule = options.theta.map_or(ThetaRule::Printed { tau: options.tau }, ThetaRule::Fixed);
-    let study = AlternativeStudy::new(Section::Three, options.scene, options.n, rule)?;
-    let claim = "on every contact segment u_N has a zero near both vertices or sigma_N = 0 near one";
-    let mut headline = Headline::new("Figure 3.2", claim, study.table()?, study.measured(), study.verdict());
-    if let Some(finest) = study.rows().last() {
-        for case in ["first", "second", "both"] {
-            headline.quote(format!("figure.3.2.{case}.count"), finest.classification.count(case) as f64);
-            headline.quote(format!("figure.3.2.{case}.term"), finest.classification.term(case));
-        }
-        headline.quote("figure.3.2.theta", finest.theta);
-    }
-    if let (Some(directory), Some(chart)) = (options.output.directory()?, study.chart()) {
-        headline.figures.push(chart.save(directory, "figure_3_2_alternative")?);
-    }
-    Ok(headline)
+    let case = AlternativeCase {
+        section: Section::Three,
+        source: options.scene.clone(),
+        n: options.n,
+        meshes: if options.over_theta { 1 } else { options.meshes },
+        rule: options.theta.map_or(ThetaRule::Printed { tau: options.tau }, ThetaRule::Fixed),
+        tau: options.tau,
+        against: options.against,
+    };
+    let study = if options.over_theta { case.over_theta()? } else { case.over_size()? };
+    study.headline(options.output.directory()?, "figure_3_2_alternative")
 }
 
 fn main() -> ExitCode {

@@ -60,7 +60,11 @@ pub fn run(options: &Options) -> Result<Headline> {
             "of the extremal function, interpolated, by another road",
         ),
     ]);
-    let mut chart = Chart::new("Peetre-Tartar constants", Axis::logarithmic("θ"), Axis::logarithmic("α"));
+    let mut chart = Chart::new(
+        "Peetre-Tartar constants",
+        Axis::logarithmic("θ, length of the zone (interval = 1)"),
+        Axis::logarithmic("α, constant of the lemma"),
+    );
     let (mut smallest, mut apart) = (1.0_f64, 0.0_f64);
     for &nu in &options.nu {
         let mut curve = Vec::new();

@@ -86,8 +86,11 @@ fn restricted(nu: FractionalOrder, theta: f64, gamma: f64, u: &ExtremalFunction)
 /// Squares θ step by step.
 pub fn run(options: &Options) -> Result<Headline> {
     let mut table = Table::new(columns());
-    let mut chart =
-        Chart::new("γ over the bound (5.9)", Axis::logarithmic("θ"), Axis::logarithmic("γ / (γ_θ₀ product)"));
+    let mut chart = Chart::new(
+        "γ over the bound (5.9)",
+        Axis::logarithmic("θ, length of the zone (interval = 1)"),
+        Axis::logarithmic("constant over its bound"),
+    );
     let mut worst = 0.0_f64;
     for &nu in &options.nu {
         let solve = |theta: f64| extremal(nu, Zone::end(theta)?, Condition::MeanZero, options.tolerance);

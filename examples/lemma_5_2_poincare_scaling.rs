@@ -9,12 +9,13 @@ use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::figures::{Axis, Chart, PALETTE, Series};
 use signorini::poincare::{
-    Condition, END_SLOPE, Place, ScalingCurve, UniformLaw, end_limit, gamma_at_point, interior_limit,
-    printed_growth, two_sided,
+    Condition, END_SLOPE, Place, ScalingCurve, UniformLaw, end_limit, extremal_chart, gamma_at_point,
+    growth_chart, interior_limit, printed_growth, two_sided,
 };
 use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::FractionalOrder;
 use signorini::{Result, Tolerance};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -59,6 +60,7 @@ type Law = Box<dyn Fn(f64) -> Option<f64>>;
 fn true_law(nu: FractionalOrder, options: &Options) -> Result<Law> {
     let power = |limit: f64| -> Law { Box::new(move |theta: f64| Some(limit * theta.powf(nu.offset()))) };
     let constant = |limit: f64| -> Law { Box::new(move |_| Some(limit)) };
+    let uniform = |law: UniformLaw| -> Law { Box::new(move |theta| law.gamma(theta).ok()) };
     Ok(match (options.zone, options.condition) {
         (place, _) if nu.offset() > 0.0 => {
             let point = match place {
@@ -66,13 +68,15 @@ fn true_law(nu: FractionalOrder, options: &Options) -> Result<Law> {
                 Place::Centre => 0.5,
                 Place::At(a) => a,
             };
-            constant(gamma_at_point(nu, point, options.tolerance)?.value)
+            match gamma_at_point(nu, point, options.tolerance) {
+                Ok(limit) => constant(limit.value),
+                // so close to 1/2 that the point is out of reach of f64: the law through 1/2
+                Err(_) if place == Place::End => uniform(UniformLaw::new(nu, options.tolerance)?),
+                Err(_) => Box::new(|_| None),
+            }
         }
         (Place::End, Condition::MeanZero) if nu.is_below_half() => power(end_limit(nu)?.value),
-        (Place::End, Condition::MeanZero) => {
-            let law = UniformLaw::new(nu, options.tolerance)?;
-            Box::new(move |theta| law.gamma(theta).ok())
-        }
+        (Place::End, Condition::MeanZero) => uniform(UniformLaw::new(nu, options.tolerance)?),
         (_, Condition::MeanZero) if nu.is_below_half() => power(interior_limit(nu)?),
         _ => Box::new(|_| None),
     })
@@ -148,8 +152,28 @@ pub fn run(options: &Options) -> Result<Headline> {
         let name: String = options.nu.iter().map(|nu| format!("_{nu}").replace(['/', '.'], "_")).collect();
         let name = if options.nu.len() == 1 { name } else { String::new() };
         headline.figures.push(chart(curves).save(directory, &format!("lemma_5_2_gamma{name}"))?);
+        if options.nu.len() > 1 {
+            headline.figures.extend(frames(options, directory)?);
+        }
     }
     Ok(headline)
+}
+
+/// Orders of the frames of the growth: both regimes and the border between them.
+const FRAMES: [f64; 9] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+
+/// Extremal functions, one frame per θ; growth of the constant of a zone at an end, one frame per ν.
+fn frames(options: &Options, directory: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for &theta in options.theta.iter().filter(|&&theta| theta < 1.0) {
+        let chart = extremal_chart(&options.nu, theta, Tolerance::fast())?;
+        files.push(chart.save(directory, &format!("lemma_5_2_extremal_{theta:e}"))?);
+    }
+    for nu in FRAMES {
+        let chart = growth_chart(FractionalOrder::new(nu)?, &options.theta, Tolerance::fast())?;
+        files.push(chart.save(directory, &format!("lemma_5_2_growth_{nu}"))?);
+    }
+    Ok(files)
 }
 
 /// γ_θ(ν) against θ: points computed, dashed the law that holds as θ → 0.

@@ -199,7 +199,7 @@ pub fn run(options: &Options) -> Result<Headline> {
 fn chart(rows: &[Found]) -> Chart {
     let points = |k: usize| rows.iter().map(|row| (row.nu, row.cells()[k])).collect::<Vec<_>>();
     let title = "Lemma 6.1: the constant 1 and the best ones";
-    Chart::new(title, Axis::linear("nu"), Axis::linear("ratio"))
+    Chart::new(title, Axis::linear("nu, order"), Axis::linear("error over its bound with constant 1"))
         .with(Series::dashed("printed: 1", rows.iter().map(|row| (row.nu, 1.0)).collect()))
         .with(Series::line("best, derivative", points(5)))
         .with(Series::points("rough functions, derivative", points(4)))

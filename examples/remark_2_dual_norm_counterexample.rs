@@ -125,10 +125,14 @@ pub fn run(options: &Options) -> Result<Headline> {
     if let Some(directory) = options.output.directory()? {
         let series = |k: usize| points.iter().map(|row| (row[0], row[k])).collect::<Vec<_>>();
         let y = Axis::logarithmic("|u - Iu| in the dual norm of H^(1/2)");
-        let chart = Chart::new("Remark 2: aliasing in a dual norm", Axis::logarithmic("h"), y)
-            .with(Series::dashed("bound C h^(3/2)", series(3)))
-            .with(Series::line_and_points("one wave per element, over |u|_(3/2)", series(1)))
-            .with(Series::line_and_points("u = -exp(x)", series(2)));
+        let chart = Chart::new(
+            "Remark 2: aliasing in a dual norm",
+            Axis::logarithmic("h, length of an element (interval = 1)"),
+            y,
+        )
+        .with(Series::dashed("bound C h^(3/2)", series(3)))
+        .with(Series::line_and_points("one wave per element, over |u|_(3/2)", series(1)))
+        .with(Series::line_and_points("u = -exp(x)", series(2)));
         headline.figures.push(chart.save(directory, "remark_2_dual_norm_counterexample")?);
     }
     Ok(headline)

@@ -118,11 +118,14 @@ pub fn run(options: &Options) -> Result<Headline> {
     if let Some(directory) = options.output.directory()? {
         let series =
             |k: usize| rows.iter().filter_map(|(r, rates)| Some((*r, rates[k]?))).collect::<Vec<_>>();
-        let chart =
-            Chart::new("Remark 4: saturation of the P0 projection", Axis::linear("r"), Axis::linear("rate"))
-                .with(Series::line_and_points("P0, L2", series(0)))
-                .with(Series::line_and_points("P0, dual norm", series(1)))
-                .with(Series::line_and_points("P1, L2", series(2)));
+        let chart = Chart::new(
+            "Remark 4: saturation of the P0 projection",
+            Axis::linear("r, smoothness of the function"),
+            Axis::linear("rate, exponent of h"),
+        )
+        .with(Series::line_and_points("P0, L2", series(0)))
+        .with(Series::line_and_points("P0, dual norm", series(1)))
+        .with(Series::line_and_points("P1, L2", series(2)));
         headline.figures.push(chart.save(directory, "remark_4_saturation")?);
     }
     Ok(headline)

@@ -81,8 +81,8 @@ pub fn run(options: &Options) -> Result<Headline> {
     ]);
     let mut chart = Chart::new(
         "Remark 5: quotients of truncated logarithms",
-        Axis::logarithmic("L = ln(1/θ)"),
-        Axis::logarithmic("‖w‖ / |w|"),
+        Axis::logarithmic("L = ln(1/θ), logarithm of the zone"),
+        Axis::logarithmic("‖w‖ / |w|, quotient of the function"),
     );
     let nu = FractionalOrder::HALF;
     let (mut holds, mut unbounded) = (true, true);

@@ -87,9 +87,13 @@ pub fn run(options: &Options) -> Result<Headline> {
     for &(nu, value) in &ends {
         headline.quote(format!("remark.6.gamma.{nu}"), value);
     }
-    let chart = Chart::new("Functions vanishing at a point", Axis::linear("ν"), Axis::logarithmic("γ₀"))
-        .with(Series::line_and_points("point at the end", ends))
-        .with(Series::line_and_points(format!("point at {}", options.point), insides));
+    let chart = Chart::new(
+        "Functions vanishing at a point",
+        Axis::linear("ν, order"),
+        Axis::logarithmic("γ_0, Poincaré constant"),
+    )
+    .with(Series::line_and_points("point at the end", ends))
+    .with(Series::line_and_points(format!("point at {}", options.point), insides));
     if let Some(directory) = options.output.directory()? {
         headline.figures.push(chart.save(directory, "remark_6_point_condition")?);
     }

@@ -67,7 +67,11 @@ pub fn run(options: &Options) -> Result<Headline> {
             "||u|| / (gamma |I_1|^nu |u|) on (0,1/2) for the odd function; the proof needs at most 1",
         ),
     ]);
-    let mut chart = Chart::new("Where the zone lies", Axis::linear("a"), Axis::linear("γ at a / γ at 0"));
+    let mut chart = Chart::new(
+        "Where the zone lies",
+        Axis::linear("a, start of the zone (interval = 1)"),
+        Axis::linear("constant over that at the end"),
+    );
     let (mut holds, mut least_step) = (true, f64::INFINITY);
     for &nu in &options.nu {
         let end = gamma(nu, Zone::end(options.theta)?, Condition::MeanZero, options.tolerance)?;

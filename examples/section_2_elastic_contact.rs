@@ -8,6 +8,7 @@ use signorini::contact::{Cone, Solver};
 use signorini::report::Headline;
 use signorini::scenes::{Scene, SceneStudy, Setting};
 use signorini::{Error, Result};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Solve an elastic scene in one of the paper's two cones, on one mesh or on nested ones
@@ -84,8 +85,22 @@ pub fn run(options: &Options) -> Result<Headline> {
         headline.figures.push(last.solution.save_edge(&last.problem, &title, directory, &name("edge"))?);
         let history = last.solution.save_history(&last.problem, &title, directory, &name("history"))?;
         headline.figures.extend(history);
+        headline.figures.extend(coarser(&study, &title, directory)?);
     }
     Ok(headline)
+}
+
+/// The body on meshes two, four and eight times coarser, for a picture that moves with h.
+fn coarser(study: &SceneStudy, title: &str, directory: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for n in [study.n / 8, study.n / 4, study.n / 2].into_iter().filter(|&n| n >= 2) {
+        let runs = SceneStudy { n, levels: 1, solver: Some(Solver::ActiveSet), ..*study }.run()?;
+        for run in &runs {
+            let name = format!("section_2_{}_body_{}_{n}", study.scene, study.cone);
+            files.push(run.solution.save_body(&run.problem, title, directory, &name)?);
+        }
+    }
+    Ok(files)
 }
 
 fn main() -> ExitCode {

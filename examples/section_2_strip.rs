@@ -141,8 +141,8 @@ pub fn boundedness(ratios: &[f64]) -> Verdict {
 fn figure(options: &Options, points: &[(f64, f64)], tau: Option<f64>) -> Result<Chart> {
     let mut chart = Chart::new(
         format!("{} strip, {} cone, {}", options.kind, options.cone, options.scene),
-        Axis::logarithmic("h (nondimensional)"),
-        Axis::logarithmic("energy error (nondimensional)"),
+        Axis::logarithmic("h, length of a contact segment (period = 1)"),
+        Axis::logarithmic("error in the energy norm"),
     )
     .with(Series::line_and_points("error", points.to_vec()));
     if let Some(tau) = tau {

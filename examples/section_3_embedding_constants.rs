@@ -115,15 +115,15 @@ pub fn run(options: &Options) -> Result<Headline> {
     if let Some(directory) = options.output.directory()? {
         let series = |k: usize| rows.iter().map(|row| (row[1], row[k])).collect::<Vec<_>>();
         let limit = (3.0 / (4.0 * std::f64::consts::PI.powi(2) * 1f64.exp())).sqrt();
-        let chart =
-            Chart::new("C(q) of H^(1/2)(0,1) in L^q(0,1)", Axis::logarithmic("q"), Axis::logarithmic("C(q)"))
-                .with(Series::line_and_points("upper bound", series(3)))
-                .with(Series::line_and_points("lower bound", series(2)))
-                .with(Series::line_and_points("C(alpha), alpha = 1 - 1/q, lower bound", series(7)))
-                .with(Series::dashed(
-                    "0.1672 sqrt(q)",
-                    rows.iter().map(|r| (r[1], limit * r[1].sqrt())).collect(),
-                ));
+        let chart = Chart::new(
+            "C(q) of H^(1/2)(0,1) in L^q(0,1)",
+            Axis::logarithmic("q, exponent"),
+            Axis::logarithmic("C(q), embedding constant"),
+        )
+        .with(Series::line_and_points("upper bound", series(3)))
+        .with(Series::line_and_points("lower bound", series(2)))
+        .with(Series::line_and_points("C(alpha), alpha = 1 - 1/q, lower bound", series(7)))
+        .with(Series::dashed("0.1672 sqrt(q)", rows.iter().map(|r| (r[1], limit * r[1].sqrt())).collect()));
         headline.figures.push(chart.save(directory, "section_3_embedding_constants")?);
     }
     Ok(headline)

@@ -125,14 +125,17 @@ pub fn run(options: &Options) -> Result<Headline> {
     if let Some(directory) = options.output.directory()? {
         let series = |k: usize| rows.iter().map(|row| (row[0], row[k])).collect::<Vec<_>>();
         let theory = |shift: f64| rows.iter().map(|row| (row[0], row[0] + shift)).collect::<Vec<_>>();
-        let chart =
-            Chart::new("(4.6), (4.7): rates of the P0 projection", Axis::linear("r"), Axis::linear("rate"))
-                .with(Series::dashed("r", theory(0.0)))
-                .with(Series::points("L2, one function", series(2)))
-                .with(Series::points("L2, supremum", series(3)))
-                .with(Series::dashed("r + 1/2", theory(0.5)))
-                .with(Series::points("dual norm, one function", series(6)))
-                .with(Series::points("dual norm, supremum", series(7)));
+        let chart = Chart::new(
+            "(4.6), (4.7): rates of the P0 projection",
+            Axis::linear("r, smoothness of the function"),
+            Axis::linear("rate, exponent of h"),
+        )
+        .with(Series::dashed("r", theory(0.0)))
+        .with(Series::points("L2, one function", series(2)))
+        .with(Series::points("L2, supremum", series(3)))
+        .with(Series::dashed("r + 1/2", theory(0.5)))
+        .with(Series::points("dual norm, one function", series(6)))
+        .with(Series::points("dual norm, supremum", series(7)));
         headline.figures.push(chart.save(directory, "section_4_p0_projection")?);
     }
     Ok(headline)

@@ -7,6 +7,7 @@ use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
 use signorini::figures::{Axis, Chart, Series};
 use signorini::interpolation::{ErrorNorm, dual_projection_constant, element_constant};
+use signorini::poincare::{Condition, Zone, gamma};
 use signorini::report::{Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::{
     DualOf, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, closed_forms,
@@ -56,7 +57,7 @@ pub struct Row {
 pub type Case = (&'static str, fn(u32) -> Result<Vec<Row>>);
 
 /// Everything that is measured.
-pub const CASES: [Case; 10] = [
+pub const CASES: [Case; 14] = [
     ("closure x^0.6, nu 0.25", |repeat| power(0.6, 0.25, repeat)),
     ("closure x^0.001, nu 1/2", |repeat| power(0.001, 0.5, repeat)),
     ("closure x^0.51, nu 0.99", |repeat| power(0.51, 0.99, repeat)),
@@ -71,6 +72,14 @@ pub const CASES: [Case; 10] = [
         interpolation(ErrorNorm::Derivative, 0.99, 0.032_024_593_023_715_79, repeat)
     }),
     ("projection C*, r 1/2", dual_projection),
+    ("gamma, nu 0.25, theta 0.01", |repeat| poincare(0.25, Zone::end(1e-2)?, 1.656_712_117_564_16, repeat)),
+    ("gamma, nu 0.49, theta 1e-300", |repeat| {
+        poincare(0.49, Zone::end(1e-300)?, 2_758.865_095_337_738_5, repeat)
+    }),
+    ("gamma, nu 1/2, theta 1e-40", |repeat| poincare(0.5, Zone::end(1e-40)?, 3.738_285_316_256_439, repeat)),
+    ("gamma, nu 0.99, theta 1e-4", |repeat| {
+        poincare(0.99, Zone::end(1e-4)?, 0.064_321_434_320_780_88, repeat)
+    }),
 ];
 
 const TOLERANCES: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
@@ -157,8 +166,14 @@ fn interpolation(norm: ErrorNorm, nu: f64, exact: f64, repeat: u32) -> Result<Ve
 
 /// (4.7) at r = 1/2, where the best constant is γ₁(1/2)².
 fn dual_projection(repeat: u32) -> Result<Vec<Row>> {
-    let gamma: f64 = 0.291_564_029_207_657_16;
-    rows(repeat, gamma * gamma, |tolerance| Ok(dual_projection_constant(0.5, tolerance)?.value))
+    let whole: f64 = 0.291_564_029_207_657_16;
+    rows(repeat, whole * whole, |tolerance| Ok(dual_projection_constant(0.5, tolerance)?.value))
+}
+
+/// Lemma 5.2: γ_θ(ν) against values of Galerkin methods in ball arithmetic.
+fn poincare(nu: f64, zone: Zone, exact: f64, repeat: u32) -> Result<Vec<Row>> {
+    let order = FractionalOrder::new(nu)?;
+    rows(repeat, exact, |tolerance| Ok(gamma(order, zone, Condition::MeanZero, tolerance)?.value))
 }
 
 /// Measures every case.
@@ -207,7 +222,7 @@ pub fn run(options: &Options) -> Result<Headline> {
         verdict,
     );
     if let Some(directory) = options.output.directory()? {
-        headline.figures.push(chart.save(directory, "speed_for_accuracy")?);
+        headline.figures.push(chart.save(directory, "speed_for_accuracy_seconds")?);
     }
     Ok(headline)
 }

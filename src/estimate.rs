@@ -14,6 +14,13 @@ pub struct Tolerance(f64);
 
 impl Tolerance {
     /// A number between 1e-15 and 0.1.
+    ///
+    /// ```
+    /// use signorini::Tolerance;
+    /// assert!(Tolerance::new(1e-6)? < Tolerance::fast());
+    /// assert!("reference".parse::<Tolerance>()? == Tolerance::reference());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn new(relative: f64) -> Result<Self> {
         let admissible = (1e-15..=0.1).contains(&relative);
         Error::require("tolerance", relative, "[1e-15, 0.1]", admissible).map(Self)

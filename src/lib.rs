@@ -2,22 +2,52 @@
 //!
 //! The paper is P. Hild and Y. Renard, *An improved a priori error analysis for finite element approximations of
 //! Signorini's problem*, SIAM J. Numer. Anal. 50 (2012) 2400-2419. It holds no computation; every number here is new.
-//! The modules follow its table of contents.
 //!
-//! | paper | room |
+//! # The paper's table of contents
+//!
+//! | paper | here |
 //! | --- | --- |
-//! | every number | [`estimate`] (the speed-accuracy knob), [`error`], [`quadrature`] |
-//! | Section 1, (1.1): norms of fractional order on intervals | [`sobolev`] |
-//! | Section 2: domains and forms | [`mesh`], [`fem`] |
-//! | Section 2, (4.1): the discrete problem, its cones and solvers | [`contact`] |
-//! | Section 2: examples of problems | [`scenes`] |
-//! | Appendix A, Lemma 5.2: Poincaré constants | [`poincare`] |
-//! | Appendix B, (4.6), (4.7), Remarks 2 and 4: interpolation, projection, embeddings | [`interpolation`] |
-//! | Section 2 on a strip, reduced to its contact edge | [`strip`] |
-//! | Sections 3 and 4: alternatives, consistency terms | [`analysis`] |
-//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1: rates old, new and measured | [`analysis::RateStudy`], [`analysis::TheoremPlan`] |
+//! | **1. Introduction and notation** | [`sobolev`] |
+//! | (1.1), norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`], [`sobolev::closed_forms`] |
+//! | dual norms | [`sobolev::dual_norm_of_functional`], [`interpolation::DualNorm`] |
+//! | **2. Signorini's problem** | [`contact`] |
+//! | (2.1)-(2.7), body, conditions, weak form; Figure 2.1 | [`mesh`], [`fem`], [`contact::ContactProblem`], [`scenes::Scene`] |
+//! | Remark 1, the scalar problem | [`fem::Form::Scalar`] |
+//! | (2.8), (2.9), linear elements and the cone K^h | [`contact::Cone::Nodal`], [`contact::Solver`], [`contact::Judgement`] |
+//! | the same on a strip, reduced to its contact edge | [`strip`] |
+//! | **3. Error analysis** | [`analysis`] |
+//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`analysis::RateStudy`], [`analysis::TheoremPlan`] |
 //! | why no contact set is bad | [`analysis::worst_ratio`] |
+//! | Figures 3.2 and 4.1, first and second case | [`analysis::AlternativeCase`], [`analysis::Classification`] |
+//! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`analysis::ProofCase`], [`analysis::ProofConstants`], [`analysis::ContactPair`] |
+//! | "Globally", the choice of theta | [`analysis::ElementBalance`] |
+//! | Falk's lemma, (4.5), (4.8), term by term | [`analysis::falk_terms`] |
+//! | Remark 2, no better bound in the dual norm | [`interpolation::DualNorm`] |
+//! | (3.6), (3.10), embedding constants C(q) | [`interpolation::embedding_upper_bound`], [`interpolation::EmbeddingSpace`] |
+//! | **4. Another contact condition** | |
+//! | (4.1), the midpoint cone | [`contact::Cone::Midpoint`] |
+//! | Theorem 4.1, Figure 4.1, (4.5), (4.8)-(4.14) | [`analysis`] |
+//! | (4.6), (4.7), Remark 4, projection on constants | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
+//! | **5. Appendix A, Poincaré constants** | [`poincare`] |
+//! | Lemma 5.1, (5.4), the constant exists | [`poincare::gamma`], [`poincare::extremal`] |
+//! | Lemma 5.2, (5.1)-(5.3), its growth as the zone shrinks | [`poincare::ScalingCurve`], [`poincare::UniformLaw`], [`poincare::end_limit`], [`poincare::two_sided`] |
+//! | (5.5)-(5.9), Remark 5 | [`poincare::printed_growth`], [`sobolev::closed_forms::log_power`] |
+//! | Remark 6, one point; Remark 7, a zone anywhere | [`poincare::gamma_at_point`], [`poincare::Zone::at`] |
+//! | **6. Appendix B, interpolation** | [`interpolation`] |
+//! | Lemma 6.1, (6.1), one interval | [`interpolation::element_constant`], [`interpolation::longest_element`], [`interpolation::InterpolationError`] |
+//! | Lemma 6.2, a mesh | [`interpolation::mesh_constant`] |
+//! | **Every number** | [`Tolerance`], [`Estimate`], [`Error`], [`quadrature`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
+//!
+//! ```
+//! use signorini::poincare::{Condition, Zone, gamma};
+//! use signorini::{Tolerance, sobolev::FractionalOrder};
+//!
+//! // Lemma 5.2 at ν = 1/2: the best constant for functions with mean zero on a zone of length 1e-6
+//! let constant = gamma(FractionalOrder::HALF, Zone::end(1e-6)?, Condition::MeanZero, Tolerance::balanced())?;
+//! assert!((constant.value - 1.444_490_180).abs() < 1e-8);
+//! # Ok::<(), signorini::Error>(())
+//! ```
 //!
 //! All quantities are nondimensional unless said otherwise. Arrows between rooms point downwards only.
 #![warn(unreachable_pub)]

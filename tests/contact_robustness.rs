@@ -2,11 +2,14 @@
 
 use signorini::contact::{Cone, ContactProblem, ContactSet, ContactSolution, Solver};
 use signorini::fem::{Form, Lame};
-use signorini::mesh::{Part, Point, Sides, Triangulation, mapped_grid};
-use signorini::scenes::Scene;
+use signorini::mesh::{BoundaryEdge, ContactEdge, Hierarchy, Part, Point, Sides, Triangulation, mapped_grid};
+use signorini::scenes::{Scene, Setting};
+use std::f64::consts::PI;
 
 /// Scaled KKT figures of a solution that calls itself converged.
 const KKT: f64 = 1e-10;
+/// Printed balance and KKT figures of block and membrane up to n = 512.
+const FIGURES: f64 = 1e-11;
 /// Both solvers, relative to the size of the terms in J.
 const SOLVERS: f64 = 1e-8;
 /// Change of the scaled answer under translation, rotation, scaling: condition number (up to 1e6) times rounding.
@@ -51,30 +54,11 @@ struct Draft {
 }
 
 impl Draft {
-    /// Quadrilateral with random corners above a straight bottom, graded and distorted grid, random labels at the sides,
-    /// materials over six decades, loads rough or smooth.
+    /// A quadrilateral on a distorted grid or a polygon cut from a point inside, refined toward one of its contact points
+    /// or not; random labels at the sides, materials over six decades, loads rough or smooth.
     fn random(seed: u64) -> Self {
         let mut random = Random::new(seed);
-        let (nx, ny) = (1 + random.below(24), 1 + random.below(16));
-        let side = |random: &mut Random| if random.below(3) == 0 { Part::Dirichlet } else { Part::Neumann };
-        let sides = Sides {
-            bottom: Part::Contact,
-            right: side(&mut random),
-            top: Part::Dirichlet,
-            left: side(&mut random),
-        };
-        let [a, b] = [random.between(-0.2, 0.2), random.between(-0.2, 0.2)];
-        let [p, q] = [random.between(0.7, 2.0), random.between(0.7, 2.0)];
-        let grading = random.between(0.6, 2.0);
-        let wave = random.between(0.0, 0.1);
-        let mesh = mapped_grid(nx, ny, sides, |[x, y]| {
-            let x = x.powf(grading);
-            let height = p + (q - p) * x;
-            let shift = wave * (7.0 * x).sin() * y * (1.0 - y);
-            // Multiples of 2^-20, so that a translation by 1e6 is exact.
-            [x + y * (a + (b - a) * x), height * (y + shift)].map(|c| (c * GRID).round() / GRID)
-        })
-        .unwrap();
+        let mesh = if random.below(2) == 0 { quadrilateral(&mut random) } else { polygon(&mut random) };
         let form = if random.below(2) == 0 {
             Form::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) } }
         } else {
@@ -89,7 +73,8 @@ impl Draft {
             })
             .collect();
         let size = if random.below(3) == 0 { 0.05 } else { 0.0 };
-        let gap = (0..=nx).map(|_| size * random.unit()).collect();
+        let nodes = ContactEdge::of(&mesh).unwrap().nodes().len();
+        let gap = (0..nodes).map(|_| size * random.unit()).collect();
         Self { mesh, form, load, gap }
     }
 
@@ -127,6 +112,82 @@ impl Draft {
     }
 }
 
+/// Coordinates that a translation by 1e6 leaves exact.
+fn rounded(point: Point) -> Point {
+    point.map(|c| (c * GRID).round() / GRID)
+}
+
+fn side(random: &mut Random) -> Part {
+    if random.below(3) == 0 { Part::Dirichlet } else { Part::Neumann }
+}
+
+/// Random corners above a straight bottom in contact, graded and distorted grid, clamped top.
+fn quadrilateral(random: &mut Random) -> Triangulation {
+    let (nx, ny) = (1 + random.below(24), 1 + random.below(16));
+    let sides =
+        Sides { bottom: Part::Contact, right: side(random), top: Part::Dirichlet, left: side(random) };
+    let [a, b] = [random.between(-0.2, 0.2), random.between(-0.2, 0.2)];
+    let [p, q] = [random.between(0.7, 2.0), random.between(0.7, 2.0)];
+    let grading = random.between(0.6, 2.0);
+    let wave = random.between(0.0, 0.1);
+    mapped_grid(nx, ny, sides, |[x, y]| {
+        let x = x.powf(grading);
+        let height = p + (q - p) * x;
+        let shift = wave * (7.0 * x).sin() * y * (1.0 - y);
+        rounded([x + y * (a + (b - a) * x), height * (y + shift)])
+    })
+    .unwrap()
+}
+
+/// Three to eight corners on a stretched circle with an edge at the bottom in contact, cut from the mean of its corners,
+/// refined one to three times and up to three times more toward a point of the contact edge; at least one side is clamped.
+fn polygon(random: &mut Random) -> Triangulation {
+    let corners = 3 + random.below(6);
+    let (wide, high) = (random.between(0.5, 1.5), random.between(0.5, 1.5));
+    let mut angles: Vec<f64> = (0..corners - 2)
+        .map(|k| {
+            // The bottom edge spans the angles -2.2 to -0.9, the other corners share the rest.
+            let step = (2.0 * PI - 1.3) / (corners - 1) as f64;
+            -0.9 + step * (k as f64 + 1.0 + random.between(-0.3, 0.3))
+        })
+        .collect();
+    angles.push(-2.2);
+    angles.insert(0, -0.9);
+    let bottom = high * (-0.9_f64).sin();
+    let mut nodes: Vec<Point> =
+        angles.iter().map(|&angle| rounded([wide * angle.cos(), high * angle.sin()])).collect();
+    for corner in [0, corners - 1] {
+        nodes[corner][1] = rounded([0.0, bottom])[1];
+    }
+    let mean = |axis: usize| nodes.iter().map(|node| node[axis]).sum::<f64>() / corners as f64;
+    nodes.push(rounded([mean(0), mean(1)]));
+    let next = |k: usize| (k + 1) % corners;
+    let triangles = (0..corners).map(|k| [k, next(k), corners]).collect();
+    let clamped = random.below(corners - 1);
+    let boundary = (0..corners)
+        .map(|k| {
+            let part = match k {
+                k if k == corners - 1 => Part::Contact,
+                k if k == clamped => Part::Dirichlet,
+                _ => side(random),
+            };
+            BoundaryEdge { nodes: [k, next(k)], part }
+        })
+        .collect();
+    let coarse = Triangulation::new(nodes, triangles, boundary).unwrap();
+    let mut hierarchy = Hierarchy::refined(coarse, 1 + random.below(3)).unwrap();
+    let contact = ContactEdge::of(hierarchy.finest()).unwrap();
+    let point = contact.points()[random.below(contact.points().len())];
+    hierarchy.refine_toward_point(point, random.below(4)).unwrap();
+    hierarchy.finest().clone()
+}
+
+/// |J|; contact may prevent every displacement, then J = 0 has no scale of its own.
+fn energy_scale(solution: &ContactSolution) -> f64 {
+    let rounding = f64::EPSILON * solution.force_scale * solution.displacement_scale;
+    if solution.energy.abs() <= rounding { rounding / f64::EPSILON } else { solution.energy.abs() }
+}
+
 fn judged(solution: &ContactSolution, case: &str) {
     assert!(
         !solution.status.is_converged() || solution.judgement.worst() <= KKT,
@@ -147,12 +208,7 @@ fn three_hundred_random_scenes_are_solved_and_judged() {
             judged(&direct, &case);
             unresolved += usize::from(!direct.status.is_converged());
             let interior = problem.solve(cone, Solver::InteriorPoint).unwrap();
-            // Contact may prevent every displacement: then J = 0 has no scale of its own.
-            let scale = if direct.energy == 0.0 {
-                direct.force_scale * direct.displacement_scale
-            } else {
-                direct.energy.abs()
-            };
+            let scale = energy_scale(&direct);
             let apart = if scale == 0.0 {
                 interior.energy.abs()
             } else {
@@ -182,7 +238,7 @@ fn answers_do_not_depend_on_place_size_or_units() {
         (1.0, 0.0, [0.0; 2], 1e-150),
         (1.0, 0.0, [0.0; 2], 1e150),
     ];
-    for seed in 300..320 {
+    for seed in 0..300 {
         let draft = Draft::random(seed);
         for cone in Cone::ALL {
             let still = draft.problem(1.0, 0.0, [0.0; 2], 1.0).solve(cone, Solver::ActiveSet).unwrap();
@@ -192,11 +248,11 @@ fn answers_do_not_depend_on_place_size_or_units() {
                 let moved = problem.solve(cone, Solver::ActiveSet).unwrap();
                 let case = format!("scene {seed}, {cone}, moved by {:?}", (scale, angle, shift, units));
                 judged(&moved, &case);
-                let energy = (moved.energy / units / units / still.energy - 1.0).abs();
+                let energy = (moved.energy / units / units - still.energy).abs() / energy_scale(&still);
                 assert!(energy <= INVARIANCE, "{case}: J off by {energy:e}");
                 for (a, b) in moved.normal_displacement.iter().zip(&still.normal_displacement) {
-                    let off = (a / units - b).abs() / largest;
-                    assert!(off <= INVARIANCE, "{case}: u_N off by {off:e}");
+                    let off = (a / units - b).abs();
+                    assert!(off <= INVARIANCE * largest, "{case}: u_N off by {off:e}, largest {largest:e}");
                 }
             }
         }
@@ -224,12 +280,17 @@ fn midpoint_cone_leaves_every_cycle_in_two_hundred_rough_loads() {
 #[test]
 fn nested_starts_need_at_most_four_steps() {
     for scene in [Scene::Block, Scene::Membrane] {
-        let mut coarse = scene.problem(8).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
-        for n in [16, 32, 64, 128, 256] {
-            let problem = scene.problem(n).unwrap();
-            coarse = problem.solve_after(&coarse).unwrap();
-            assert!(coarse.work.iterations <= 4, "{scene} n = {n}: {} steps", coarse.work.iterations);
-            assert!(coarse.judgement.worst() <= KKT && coarse.balance <= 1e-11, "{scene} n = {n}");
+        for cone in Cone::ALL {
+            let mut coarse = scene.problem(8).unwrap().solve(cone, Solver::ActiveSet).unwrap();
+            for n in [16, 32, 64, 128, 256, 512] {
+                let (fine, cold) = scene.problem(n).unwrap().solve_after_beside_cold(&coarse).unwrap();
+                let steps = fine.work.iterations;
+                println!("{scene} {cone} n = {n}: {steps} steps, {cold:?} from no contact");
+                assert!(steps <= 4, "{scene} {cone} n = {n}: {steps} steps");
+                let figures = [fine.judgement.worst(), fine.balance];
+                assert!(figures.iter().all(|&f| f <= FIGURES), "{scene} {cone} n = {n}: {figures:?}");
+                coarse = fine;
+            }
         }
     }
 }
@@ -244,6 +305,24 @@ fn every_first_guess_leads_to_the_same_contact_set() {
             let guess = (0..cone.constraints(17)).map(|_| random.below(2) == 0).collect();
             let warm = problem.solve_from(cone, ContactSet::new(guess)).unwrap();
             assert_eq!(warm.contact_set, cold.contact_set, "{cone}, guess {seed}");
+        }
+    }
+}
+
+#[test]
+fn an_energy_that_is_no_number_is_an_error() {
+    for load_scale in [1e160, 1e200, 1e300] {
+        let setting = Setting { load_scale, ..Setting::default() };
+        for (scene, cone) in [(Scene::Block, Cone::Nodal), (Scene::Membrane, Cone::Midpoint)] {
+            let problem = scene.problem_with(8, &setting).unwrap();
+            for solver in [Solver::ActiveSet, Solver::InteriorPoint] {
+                let outcome = problem.solve(cone, solver);
+                assert!(
+                    outcome.is_err(),
+                    "{scene} {solver}, load {load_scale:e}: {:?}",
+                    outcome.map(|s| s.energy)
+                );
+            }
         }
     }
 }

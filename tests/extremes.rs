@@ -137,3 +137,38 @@ fn infinite_norms_of_closures_are_recognised() {
         assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "nu {nu}: {outcome:?}");
     }
 }
+
+#[test]
+fn closures_of_any_size_scale_out() {
+    let tolerance = Tolerance::balanced();
+    for order in [0.25, 0.5, 0.9].map(|nu| FractionalOrder::new(nu).unwrap()) {
+        let seminorm = closed_forms::power(1.0, order).unwrap().value.sqrt();
+        let norm = (1.0 / 3.0_f64).sqrt().hypot(seminorm);
+        for size in [1e-300, 1e-160, 1e-150, 1e150, 1e160, 1e300] {
+            let u = SingularFunction::new(&[0.0, 1.0], |x: f64| size * x).unwrap();
+            for (what, found, exact) in [
+                ("seminorm", u.seminorm(order, tolerance), seminorm),
+                ("norm", u.norm(order, tolerance), norm),
+                ("mean", u.mean(tolerance), 0.5),
+                ("L^7 norm", u.lq_norm(7.0, tolerance), 8.0_f64.powf(-1.0 / 7.0)),
+                ("L^200 norm", u.lq_norm(200.0, tolerance), 201.0_f64.powf(-1.0 / 200.0)),
+            ] {
+                let found = found.unwrap();
+                let error = (found.value / size / exact - 1.0).abs();
+                assert!(error <= tolerance.relative(), "{what} of {size:e} x at {order}: {found}");
+            }
+        }
+    }
+    let u = SingularFunction::new(&[0.0, 1.0], |x: f64| 1e-2 * x).unwrap();
+    let found = u.lq_norm(200.0, tolerance).unwrap().value;
+    assert!((found / 9.738_319_515_772_5e-3 - 1.0).abs() <= tolerance.relative(), "{found}");
+}
+
+#[test]
+fn a_jump_that_is_not_declared_is_not_overlooked() {
+    for at in [0.3, 0.37, 0.62] {
+        let u = SingularFunction::new(&[0.0, 1.0], |x: f64| if x < at { 0.0 } else { 1.0 }).unwrap();
+        let found = u.seminorm(FractionalOrder::new(0.25).unwrap(), Tolerance::new(1e-6).unwrap());
+        assert!(matches!(found, Err(Error::ToleranceNotMet { .. })), "jump at {at}: {found:?}");
+    }
+}

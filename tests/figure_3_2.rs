@@ -1,6 +1,8 @@
 //! Figure 3.2: every contact segment of a computed solution is in the first or the second case.
 
-use signorini::analysis::{AlternativeStudy, EdgeTrace, Interval, NearVertices, Section, ThetaRule};
+use signorini::analysis::{
+    Against, AlternativeCase, ContactSource, EdgeTrace, Interval, NearVertices, Section, ThetaRule,
+};
 use signorini::scenes::Scene;
 
 #[allow(dead_code)]
@@ -12,7 +14,8 @@ fn every_segment_of_the_block_is_in_a_case() {
     for (scene, tau) in
         [(Scene::Block, 1.75), (Scene::Block, 2.0), (Scene::Membrane, 1.6), (Scene::Membrane, 2.0)]
     {
-        let study = AlternativeStudy::new(Section::Three, scene, 16, ThetaRule::Printed { tau }).unwrap();
+        let study =
+            AlternativeCase::new(Section::Three, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
         for row in study.rows() {
             let found = &row.classification;
             assert_eq!(found.count("none"), 0, "{scene} tau {tau} n {}", row.n);
@@ -72,4 +75,103 @@ fn classification_agrees_with_the_definition_point_by_point() {
         assert_eq!(found.first, near(false) && near(true), "case {case}, theta {theta}");
         assert!(found.first || found.second, "case {case}, theta {theta}");
     }
+}
+
+#[test]
+fn every_segment_of_a_strip_scene_is_in_a_case() {
+    for (scene, tau) in
+        [("transition", 1.75), ("transitions:9", 1.6), ("cantor:0.3", 1.9), ("fat-cantor", 1.75)]
+    {
+        for against in [Against::Reference, Against::Itself] {
+            let source: ContactSource = scene.parse().unwrap();
+            let rule = ThetaRule::Printed { tau };
+            let case = AlternativeCase {
+                meshes: 6,
+                tau,
+                against,
+                ..AlternativeCase::new(Section::Three, source, 256, rule)
+            };
+            for row in case.over_size().unwrap().rows().iter().chain(case.over_theta().unwrap().rows()) {
+                let found = &row.classification;
+                assert_eq!(found.count("none"), 0, "{scene} {against} n {} theta {}", row.n, row.theta);
+                assert_eq!(found.segments().len(), row.n);
+                // The nodal solution has no consistency term of its own: lambda_i u_i = 0 at every node.
+                if against == Against::Itself {
+                    assert_eq!(found.total(), 0.0, "{scene} n {}", row.n);
+                } else {
+                    assert!(found.segments().iter().all(|s| s.term >= 0.0));
+                    // on coarse meshes every vertex in a gap may have no contact beside it
+                    assert!(row.n < 256 || found.total() > 0.0, "{scene} n {}", row.n);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
+    let case = AlternativeCase {
+        meshes: 1,
+        ..AlternativeCase::new(
+            Section::Three,
+            "fat-cantor".parse::<ContactSource>().unwrap(),
+            128,
+            ThetaRule::Fixed(0.5),
+        )
+    };
+    let study = case.over_theta().unwrap();
+    let first = |c: &signorini::analysis::Classification| c.count("first") + c.count("both");
+    let second = |c: &signorini::analysis::Classification| c.count("second") + c.count("both");
+    for pair in study.rows().windows(2) {
+        assert!(first(&pair[0].classification) >= first(&pair[1].classification));
+        assert!(second(&pair[0].classification) <= second(&pair[1].classification));
+    }
+}
+
+/// u_N = 0 and sigma_N = -1 on the given intervals of [0, 1], with a node at every multiple of 1/64.
+fn trace(contact: &[(f64, f64)]) -> EdgeTrace {
+    let nodes: Vec<f64> = (0..=64).map(|i| f64::from(i) / 64.0).collect();
+    let touching = |x: f64| contact.iter().any(|&(a, b)| x >= a && x <= b);
+    let displacement = nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
+    let force = nodes.iter().map(|&x| if touching(x) { 1.0 } else { 0.0 }).collect();
+    EdgeTrace::new(nodes, displacement, force, 0.0).unwrap()
+}
+
+/// A name, the contact set of the edge, the expected cases.
+type Case<'a> = (&'a str, &'a [(f64, f64)], &'a str);
+
+#[test]
+fn degenerate_segments_have_the_expected_class() {
+    // the segment [1/4, 3/4], theta = 1/4: pieces of length 1/8 at the vertices
+    let segment = Interval { start: 0.25, end: 0.75 };
+    let cases: [Case; 10] = [
+        ("full contact", &[(0.0, 1.0)], "first"),
+        ("no contact", &[], "second"),
+        ("contact elsewhere only", &[(0.0, 0.1875), (0.8125, 1.0)], "second"),
+        ("contact up to the left vertex, transition at a node", &[(0.0, 0.25)], "second"),
+        ("contact from the right vertex on", &[(0.75, 1.0)], "second"),
+        ("transition at either vertex", &[(0.0, 0.25), (0.75, 1.0)], "both"),
+        ("one contact point in the middle", &[(0.5, 0.5)], "second"),
+        ("two contact points, one near each vertex", &[(0.3125, 0.3125), (0.6875, 0.6875)], "first"),
+        ("contact begins exactly at distance h theta", &[(0.375, 0.75)], "second"),
+        ("contact begins one cell before that", &[(0.359375, 0.75)], "first"),
+    ];
+    let rule = NearVertices::new(0.25).unwrap();
+    for (name, contact, expected) in cases {
+        assert_eq!(rule.classify(&trace(contact), segment).name(), expected, "{name}");
+    }
+}
+
+#[test]
+fn bad_studies_are_refused() {
+    let rule = ThetaRule::Printed { tau: 1.75 };
+    let strip = |n, meshes| AlternativeCase {
+        meshes,
+        ..AlternativeCase::new(Section::Three, "transition".parse::<ContactSource>().unwrap(), n, rule)
+    };
+    for case in [strip(0, 1), strip(48, 2), strip(8, 5), strip(1 << 15, 3), strip(8, 0)] {
+        assert!(case.over_size().is_err() && case.over_theta().is_err());
+    }
+    assert!(AlternativeCase::new(Section::Three, Scene::Block, 512, rule).over_size().is_err());
+    assert!("cliff".parse::<ContactSource>().is_err() && "both".parse::<Against>().is_err());
 }

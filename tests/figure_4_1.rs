@@ -1,6 +1,8 @@
 //! Figure 4.1: the contact set of every segment of a computed solution has a diameter below or above h_e θ.
 
-use signorini::analysis::{AlternativeStudy, Section, ThetaRule};
+use signorini::analysis::{
+    Against, AlternativeCase, ContactSource, EdgeTrace, Interval, Section, SetDiameter, ThetaRule,
+};
 use signorini::scenes::Scene;
 
 #[allow(dead_code)]
@@ -11,7 +13,8 @@ mod figure_4_1_alternative;
 fn first_cases_carry_no_pressure_far_from_the_contact_set() {
     // In the first case the term is at most the whole force of a set of diameter h_e θ; in an open segment it is 0.
     for (scene, tau) in [(Scene::Block, 1.75), (Scene::Membrane, 2.0)] {
-        let study = AlternativeStudy::new(Section::Four, scene, 16, ThetaRule::Printed { tau }).unwrap();
+        let study =
+            AlternativeCase::new(Section::Four, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
         for row in study.rows() {
             let found = &row.classification;
             assert_eq!(found.count("none"), 0, "{scene} tau {tau} n {}", row.n);
@@ -27,7 +30,8 @@ fn first_cases_carry_no_pressure_far_from_the_contact_set() {
 #[test]
 fn theta_moves_segments_from_the_second_to_the_first_case() {
     let count = |theta: f64| {
-        let study = AlternativeStudy::new(Section::Four, Scene::Block, 16, ThetaRule::Fixed(theta)).unwrap();
+        let rule = ThetaRule::Fixed(theta);
+        let study = AlternativeCase::new(Section::Four, Scene::Block, 16, rule).over_size().unwrap();
         study.rows()[2].classification.count("first")
     };
     let counts = [0.01, 0.2, 0.6, 0.95].map(count);
@@ -42,4 +46,60 @@ fn the_example_confirms_the_figure() {
     // block touches on [0, 0.33]: ten segments inside and the one that holds the transition are second cases
     assert_eq!(headline.table.number(2, "second"), Some(11.0));
     assert_eq!(headline.table.number(2, "first"), Some(21.0));
+}
+
+#[test]
+fn every_segment_of_a_strip_scene_is_in_a_case() {
+    for (scene, tau) in
+        [("transition", 1.75), ("transitions:9", 1.6), ("cantor:0.3", 1.9), ("fat-cantor", 1.75)]
+    {
+        for against in [Against::Reference, Against::Itself] {
+            let source: ContactSource = scene.parse().unwrap();
+            let rule = ThetaRule::Printed { tau };
+            let case = AlternativeCase {
+                meshes: 6,
+                tau,
+                against,
+                ..AlternativeCase::new(Section::Four, source, 256, rule)
+            };
+            for row in case.over_size().unwrap().rows().iter().chain(case.over_theta().unwrap().rows()) {
+                let found = &row.classification;
+                assert_eq!(found.count("none"), 0, "{scene} {against} n {} theta {}", row.n, row.theta);
+                assert!(found.segments().iter().all(|s| s.term >= 0.0), "{scene} {against} n {}", row.n);
+            }
+        }
+    }
+}
+
+/// A name, the contact set of the edge, the expected cases.
+type Case<'a> = (&'a str, &'a [(f64, f64)], &'a str);
+
+#[test]
+fn degenerate_segments_have_the_expected_class() {
+    let nodes: Vec<f64> = (0..=64).map(|i| f64::from(i) / 64.0).collect();
+    // the segment [1/4, 3/4], theta = 1/4: h_e theta = 1/8
+    let segment = Interval { start: 0.25, end: 0.75 };
+    let cases: [Case; 9] = [
+        ("full contact", &[(0.0, 1.0)], "second"),
+        ("no contact", &[], "first"),
+        ("one contact point", &[(0.5, 0.5)], "first"),
+        (
+            "the contact set of the edge is that point and another elsewhere",
+            &[(0.5, 0.5), (0.9, 1.0)],
+            "first",
+        ),
+        ("contact ends exactly at a vertex: one point", &[(0.0, 0.25)], "first"),
+        ("a point at either vertex", &[(0.0, 0.25), (0.75, 1.0)], "second"),
+        ("transition exactly at a node, diameter equal to h theta", &[(0.0, 0.375)], "both"),
+        ("one cell less", &[(0.0, 0.359375)], "first"),
+        ("two pieces further apart", &[(0.25, 0.25), (0.5, 0.5)], "second"),
+    ];
+    let rule = SetDiameter::new(0.25).unwrap();
+    for (name, contact, expected) in cases {
+        let touching = |x: f64| contact.iter().any(|&(a, b)| x >= a && x <= b);
+        let displacement = nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
+        let force = nodes.iter().map(|&x| if touching(x) { 1.0 } else { 0.0 }).collect();
+        let trace = EdgeTrace::new(nodes.clone(), displacement, force, 0.0).unwrap();
+        assert_eq!(rule.classify(&trace, segment).name(), expected, "{name}");
+    }
 }

@@ -105,6 +105,8 @@ fn nearly_incompressible_blocks_lock_and_both_solvers_say_the_same() {
             .map(|solver| problem.solve(Cone::Nodal, solver).unwrap());
         assert!((a.energy / b.energy - 1.0).abs() < 1e-8, "{poisson}: {:e} {:e}", a.energy, b.energy);
         assert!(a.judgement.worst() < 1e-13, "{poisson}");
+        let (apart, rounding) = ((a.energy - b.energy).abs(), a.energy_rounding + b.energy_rounding);
+        assert!(apart <= 5.0 * rounding, "{poisson}: apart by {apart:e}, rounding {rounding:e}");
         a.energy.abs()
     };
     let energies = [0.25, 0.49, 0.4999, 0.4999999].map(largest);

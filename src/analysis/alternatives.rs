@@ -66,9 +66,8 @@ impl NearVertices {
     /// The cases that hold on `segment`.
     pub fn classify(&self, trace: &EdgeTrace, segment: Interval) -> Alternative {
         let reach = segment.length() * self.theta;
-        let zeros: Vec<Interval> = trace.contact().iter().filter_map(|c| c.intersection(&segment)).collect();
-        let near_start = zeros.first().is_some_and(|c| c.start - segment.start < reach);
-        let near_end = zeros.last().is_some_and(|c| segment.end - c.end < reach);
+        let near_start = trace.contact_in(segment).next().is_some_and(|c| c.start - segment.start < reach);
+        let near_end = trace.contact_in(segment).next_back().is_some_and(|c| segment.end - c.end < reach);
         let start_piece = Interval { start: segment.start, end: segment.start + reach };
         let end_piece = Interval { start: segment.end - reach, end: segment.end };
         Alternative {
@@ -81,9 +80,7 @@ impl NearVertices {
 /// σ_N = 0 almost everywhere on the piece, and no single node inside it carries a force.
 fn is_unpressed(trace: &EdgeTrace, piece: Interval) -> bool {
     trace
-        .pressed()
-        .iter()
-        .filter_map(|p| p.intersection(&piece))
+        .pressed_in(piece)
         .all(|common| common.length() == 0.0 && (common.start <= piece.start || common.end >= piece.end))
 }
 
@@ -102,7 +99,7 @@ impl SetDiameter {
 
     /// diam C_T; zero when C_T is empty or one point.
     pub fn diameter(trace: &EdgeTrace, segment: Interval) -> f64 {
-        let mut zeros = trace.contact().iter().filter_map(|c| c.intersection(&segment));
+        let mut zeros = trace.contact_in(segment);
         let Some(first) = zeros.next() else { return 0.0 };
         zeros.next_back().unwrap_or(first).end - first.start
     }

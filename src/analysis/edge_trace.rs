@@ -113,6 +113,16 @@ impl EdgeTrace {
         &self.pressed
     }
 
+    /// The parts of the contact set in a segment, in order; touching a vertex counts. Cost: logarithmic, and those parts.
+    pub fn contact_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
+        parts_in(&self.contact, segment)
+    }
+
+    /// The parts of the support of σ_N in a segment.
+    pub fn pressed_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
+        parts_in(&self.pressed, segment)
+    }
+
     /// u_N at any point of the edge (linear between nodes, constant beyond the ends).
     pub fn displacement_at(&self, x: f64) -> f64 {
         let right = self.nodes.partition_point(|&node| node < x);
@@ -126,6 +136,13 @@ impl EdgeTrace {
         let s = (x - a) / (b - a);
         (1.0 - s) * self.displacement[right - 1] + s * self.displacement[right]
     }
+}
+
+/// What sorted disjoint intervals have in common with a segment.
+fn parts_in(intervals: &[Interval], segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
+    let from = intervals.partition_point(|i| i.end < segment.start);
+    let to = intervals.partition_point(|i| i.start <= segment.end);
+    intervals[from..to.max(from)].iter().filter_map(move |i| i.intersection(&segment))
 }
 
 /// Maximal runs of nodes with a property, as closed intervals.

@@ -10,7 +10,7 @@ use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
 use super::solution::{Candidate, ContactSolution, Seconds, conclude, gap_of};
 use super::solver::Solver;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::estimate::Work;
 use crate::fem::{Condensation, Reduced};
 use std::time::Instant;
@@ -26,34 +26,23 @@ struct Condensed<'a> {
     multiplier: Vec<f64>,
 }
 
-pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
-    if cone == Cone::Midpoint && problem.edge.is_closed() {
-        return Err(Error::Edge {
-            nodes: [problem.edge.nodes()[0], problem.edge.nodes()[0]],
-            reason: "closes the contact edge: the midpoint cone needs an edge with two ends",
-        });
-    }
+/// The solution from the guess, and the number of steps from `other` instead, where it is given.
+pub(super) fn solve(
+    problem: &ContactProblem,
+    cone: Cone,
+    guess: ContactSet,
+    other: Option<ContactSet>,
+) -> Result<(ContactSolution, Option<u64>)> {
     let start = Instant::now();
-    let normals = problem.normal_unknowns();
-    let mut iterate = Condensed {
-        condensation: Condensation::new(
-            &problem.matrix,
-            problem.mesh.nodes(),
-            &problem.prescribed,
-            &normals,
-        )?,
-        fixed: normals.iter().map(|&unknown| problem.prescribed[unknown]).collect(),
-        unknowns: problem.values.clone(),
-        multiplier: vec![0.0; cone.constraints(normals.len())],
-        problem,
-        cone,
-        normals,
-    };
+    let mut iterate = Condensed::new(problem, cone)?;
     let factorization = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let (reduced, bound) = iterate.remainder()?;
-    let outcome = solve_on_edge(&iterate.edge_problem(&reduced, &bound), guess)?;
+    let edge = iterate.edge_problem(&reduced, &bound);
+    let outcome = solve_on_edge(&edge, guess)?;
     let contact = start.elapsed().as_secs_f64();
+    let steps_from = |guess| solve_on_edge(&edge, guess).map(|outcome| outcome.history.len() as u64);
+    let steps_from_other = other.map(steps_from).transpose()?;
     let start = Instant::now();
     iterate.add(&reduced, &outcome.state.displacement, &outcome.state.multiplier);
     let (reduced, bound) = iterate.remainder()?;
@@ -80,10 +69,29 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> 
         contact,
         recovery: start.elapsed().as_secs_f64(),
     };
-    Ok(solution)
+    Ok((solution, steps_from_other))
 }
 
-impl Condensed<'_> {
+impl<'a> Condensed<'a> {
+    /// The problem condensed to its edge, before the first step.
+    fn new(problem: &'a ContactProblem, cone: Cone) -> Result<Self> {
+        let normals = problem.normal_unknowns();
+        Ok(Self {
+            condensation: Condensation::new(
+                &problem.matrix,
+                problem.mesh.nodes(),
+                &problem.prescribed,
+                &normals,
+            )?,
+            fixed: normals.iter().map(|&unknown| problem.prescribed[unknown]).collect(),
+            unknowns: problem.values.clone(),
+            multiplier: vec![0.0; cone.constraints(normals.len())],
+            problem,
+            cone,
+            normals,
+        })
+    }
+
     /// What the iterate leaves: F − K u − B'λ condensed to the edge, and the bounds on a correction of B u.
     fn remainder(&self) -> Result<(Reduced, Vec<f64>)> {
         let mut residual = self.problem.matrix.multiply(&self.unknowns);

@@ -8,7 +8,7 @@
 use super::cone::Cone;
 use super::contact_set::ContactSet;
 use super::judge::{Evidence, Judgement, Margins};
-use super::problem::ContactProblem;
+use super::problem::{ContactProblem, check_values};
 use super::solver::Solver;
 use super::status::Status;
 use crate::error::Result;
@@ -76,6 +76,8 @@ pub struct ContactSolution {
     pub margins: Margins,
     /// J.
     pub energy: f64,
+    /// What the rounding of K and F leaves uncertain in J, in the mean: ε (Σ_i u_i² (|K||u| + |F|)_i²)^{1/2}.
+    pub energy_rounding: f64,
     /// Sum of the multipliers.
     pub contact_force: f64,
     /// Total reaction of the Dirichlet part (scalar: second entry 0).
@@ -102,7 +104,8 @@ pub(super) struct Candidate {
     pub(super) seconds: Seconds,
 }
 
-/// Judges a candidate and computes what is reported of it; the same for every solver.
+/// Judges a candidate and computes what is reported of it; the same for every solver. A displacement so large that its energy
+/// is not a number of binary64 is an error.
 pub(super) fn conclude(
     problem: &ContactProblem,
     cone: Cone,
@@ -120,7 +123,12 @@ pub(super) fn conclude(
     let gap = gap_of(problem, cone, &normal_displacement);
     let free: Vec<f64> =
         (0..residual.len()).filter(|&i| !problem.prescribed[i]).map(|i| residual[i]).collect();
-    let (force_scale, displacement_scale) = (force_scale(problem, u), displacement_scale(problem, u));
+    let sizes = sizes(problem, u);
+    let force_scale = largest_free(problem, &sizes);
+    let displacement_scale = displacement_scale(problem, u);
+    let energy = 0.5 * dot(u, &stress_force) - dot(u, &problem.load);
+    let energy_rounding = f64::EPSILON * u.iter().zip(&sizes).map(|(u, size)| u * size).fold(0.0, f64::hypot);
+    check_values("energy J", &[energy, energy_rounding], 2)?;
     let evidence = Evidence {
         residual: &free,
         multiplier: &candidate.multiplier,
@@ -152,7 +160,8 @@ pub(super) fn conclude(
         force_scale,
         displacement_scale,
         margins,
-        energy: 0.5 * dot(u, &stress_force) - dot(u, &problem.load),
+        energy,
+        energy_rounding,
         reaction,
         balance,
         history: candidate.history,
@@ -196,13 +205,19 @@ pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: 
     means.iter().zip(bound).map(|(mean, g)| mean - g).collect()
 }
 
+/// (|K||u| + |F|)_i.
+fn sizes(problem: &ContactProblem, u: &[f64]) -> Vec<f64> {
+    let stress_force = problem.matrix.multiply_absolute(u);
+    stress_force.iter().zip(&problem.load).map(|(size, force)| size + force.abs()).collect()
+}
+
 /// max_i (|K||u| + |F|)_i over the free unknowns.
 pub(super) fn force_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
-    let sizes = problem.matrix.multiply_absolute(u);
-    (0..sizes.len())
-        .filter(|&i| !problem.prescribed[i])
-        .map(|i| sizes[i] + problem.load[i].abs())
-        .fold(0.0, f64::max)
+    largest_free(problem, &sizes(problem, u))
+}
+
+fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
+    (0..sizes.len()).filter(|&i| !problem.prescribed[i]).map(|i| sizes[i]).fold(0.0, f64::max)
 }
 
 /// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents everything.

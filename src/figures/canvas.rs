@@ -4,6 +4,7 @@
 //! box scales it back. Ink is drawn in a colour that nothing else uses and replaced by `currentColor` at the end.
 
 use super::Colour;
+use super::typeset::typeset;
 use crate::error::{Error, Result};
 use plotters::coord::Shift;
 use plotters::element::{Circle, EmptyElement, PathElement, Polygon, Text};
@@ -143,7 +144,7 @@ fn failure(error: impl std::fmt::Display) -> Error {
 fn finish(text: &str, width: f64, height: f64, title: &str) -> String {
     let head_end = text.find('>').map_or(0, |i| i + 1);
     let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    let body = text[head_end..].replace(INK_TEXT, "currentColor");
+    let body = typeset(&text[head_end..].replace(INK_TEXT, "currentColor"));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{title}\" width=\"{width}\" \
          height=\"{height}\" viewBox=\"0 0 {} {}\">\n<style>svg:root{{color:#222;background:#fff}}\

@@ -9,6 +9,7 @@ mod chart;
 mod picture;
 mod scale;
 mod series;
+mod typeset;
 
 pub use chart::Chart;
 pub use picture::BodyPicture;

@@ -83,6 +83,13 @@ impl ElementExtremal {
 
 /// The best constant of Lemma 6.1 in the given norm of the error: C_L2(ν), C_H1(ν) = γ₁(ν) or C_1(ν, h).
 ///
+/// ```
+/// use signorini::{Tolerance, interpolation::{ErrorNorm, element_constant}, sobolev::FractionalOrder};
+/// let slope = element_constant(ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::balanced())?;
+/// assert!((slope.value - 0.291_564_029).abs() < 1e-8); // the paper's constant is 1
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::ToleranceNotMet`] when the tolerance cannot be reached; [`Error::OutOfRange`] for a bad length h.
 pub fn element_constant(norm: ErrorNorm, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {

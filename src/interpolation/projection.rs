@@ -45,6 +45,13 @@ impl ProjectionNorm {
 
 /// Best C(r) of (4.6) on one element, 0 ≤ r ≤ 1.
 ///
+/// ```
+/// use signorini::{Tolerance, interpolation::projection_constant};
+/// let best = projection_constant(1.0, Tolerance::balanced())?;
+/// assert!((best.value - std::f64::consts::FRAC_1_PI).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] for r outside [0, 1]; [`Error::ToleranceNotMet`].
 pub fn projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {

@@ -72,12 +72,11 @@ impl Hierarchy {
     /// the distance, down to 2^-times of the first.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] when the point is not a node of the coarsest level.
+    /// [`Error::OutOfRange`] when the point is not a node of the finest level so far.
     pub fn refine_toward_point(&mut self, point: Point, times: usize) -> Result<()> {
-        let coarsest = &self.levels[0];
-        let nearest =
-            coarsest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
-        if nearest > 1e-12 * coarsest.mesh_size() {
+        let finest = self.finest();
+        let nearest = finest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
+        if nearest > 1e-12 * finest.mesh_size() {
             return Err(Error::OutOfRange {
                 name: "distance of the point from the nodes",
                 value: nearest,

@@ -56,6 +56,13 @@ pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
 
 /// The unit square in n x n squares.
 ///
+/// ```
+/// use signorini::mesh::{Sides, unit_square};
+/// let mesh = unit_square(4, Sides::HANGING)?;
+/// assert_eq!((mesh.nodes().len(), mesh.triangles().len()), (25, 32));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As for [`rectangles`].
 pub fn unit_square(n: usize, sides: Sides) -> Result<Triangulation> {

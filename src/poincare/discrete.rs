@@ -43,11 +43,6 @@ impl Constraint {
         parts.insert(before, 0.0);
         Self { parts, zone: before, condition: Condition::Vanishing }
     }
-
-    /// Mean zero over the whole interval.
-    pub(crate) fn whole() -> Self {
-        Self { parts: vec![1.0], zone: 0, condition: Condition::MeanZero }
-    }
 }
 
 /// Space, matrices and factorization.

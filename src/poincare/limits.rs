@@ -29,6 +29,13 @@ pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
 
 /// lim θ^{1/2−ν} γ_θ for a zone inside (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).
 ///
+/// ```
+/// use signorini::{poincare::interior_limit, sobolev::FractionalOrder};
+/// let limit = interior_limit(FractionalOrder::new(0.25)?)?;
+/// assert!((limit - (1.0 / (3.0 * std::f64::consts::PI)).sqrt()).abs() < 1e-14);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2.
 pub fn interior_limit(order: FractionalOrder) -> Result<f64> {

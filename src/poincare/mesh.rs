@@ -34,6 +34,9 @@ const LARGEST_FALL: f64 = 8.0;
 /// Where the energy has fallen by e^−28 a coarse slope will do.
 const NEGLIGIBLE_FALL: f64 = 28.0;
 
+/// Innermost cells are not shorter than this, relative to the nearest feature.
+pub(crate) const SHORTEST_RADIUS: f64 = 1e-290;
+
 /// Smallest ratio of two features that are told apart.
 const SEPARATION: f64 = 3.0;
 
@@ -53,7 +56,7 @@ impl MeshModel {
             growth: 1.6,
             innermost: (0.1 * error).powf(1.0 / (1.0 + 2.0 * order.value())),
             innermost_at_zero: 0.1 * error,
-            innermost_at_point: (0.1 * error).powf(1.0 / order.one_minus_twice().abs()).max(1e-290),
+            innermost_at_point: (0.1 * error).powf(1.0 / order.one_minus_twice().abs()).max(SHORTEST_RADIUS),
             decay: order.one_minus_twice().abs(),
             functions: (2.0 + 0.8 * digits).ceil().clamp(4.0, 14.0) as usize,
         }

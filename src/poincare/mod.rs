@@ -5,20 +5,25 @@
 //! (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
 
 mod constant;
+mod continuation;
 mod discrete;
 mod extremal;
 mod limits;
 mod mellin;
 mod mesh;
+mod pictures;
 mod scaling;
 pub(crate) mod slopes;
+mod two_sided;
 mod uniform;
 mod zone;
 
-pub use constant::{TwoSided, dual_norm, extremal, gamma, gamma_at_point, gamma_whole, two_sided};
+pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use mellin::end_limit;
+pub use pictures::{extremal_chart, growth_chart};
 pub use scaling::ScalingCurve;
+pub use two_sided::{TwoSided, two_sided};
 pub use uniform::UniformLaw;
 pub use zone::{Condition, Place, Zone};

@@ -56,8 +56,14 @@ impl ScalingCurve {
         let nu = self.order;
         let whole = gamma_whole(nu, tolerance)?.value;
         let explicit: Box<dyn Fn(f64) -> f64> = if nu.offset() > 0.0 {
-            let at_end = gamma_at_point(nu, 0.0, tolerance)?.value;
-            Box::new(move |_| at_end)
+            match gamma_at_point(nu, 0.0, tolerance) {
+                Ok(at_end) => Box::new(move |_| at_end.value),
+                // out of reach just above 1/2; |u|_ν grows with ν, so that the bound at 1/2 holds
+                Err(_) => {
+                    let half = gamma_whole(FractionalOrder::HALF, tolerance)?.value;
+                    Box::new(move |theta: f64| half + (END_SLOPE * -theta.ln()).sqrt())
+                }
+            }
         } else if condition == Condition::Vanishing {
             Box::new(|_| f64::INFINITY)
         } else if nu.offset() == 0.0 {

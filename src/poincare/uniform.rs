@@ -1,9 +1,9 @@
 //! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
 //!
-//! With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + O(λ⁻²) (expand the resolvent
-//! of the rank-one perturbation, reading T ↦ ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
+//! With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (expand the
+//! resolvent of the rank-one perturbation; T is the operator of ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
 //!
-//! N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  hence λ = s + d/λ,  s = A (θ^{−p} − 1)/p + c.
+//! N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
 //!
 //! A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the analytic continuation, here from two values
 //! of N. The remainders of N² and ‖r‖₀² are of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
@@ -20,7 +20,7 @@ use crate::sobolev::FractionalOrder;
 const SHORT: f64 = 1e-22;
 const SHORTER: f64 = 1e-44;
 
-/// γ² = λ with λ = s + d/λ, s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
+/// γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UniformLaw {
     order: FractionalOrder,
@@ -30,6 +30,8 @@ pub struct UniformLaw {
     pub constant: Estimate,
     /// d.
     pub correction: Estimate,
+    /// e.
+    pub second_correction: Estimate,
 }
 
 impl UniformLaw {
@@ -53,16 +55,16 @@ impl UniformLaw {
             let error = (near.square.error + far.square.error) / span;
             Estimate::new((far.square.value - near.square.value) / span, error, far.square.work)?
         };
-        let DualMoments { square, representer } = near;
+        let DualMoments { square, representer, image } = near;
         let constant = Estimate::new(
             square.value - slope.value * growth(SHORT),
             square.error + slope.error * growth(SHORT),
             square.work,
         )?;
-        Ok(Self { order, slope, constant, correction: representer })
+        Ok(Self { order, slope, constant, correction: representer, second_correction: image })
     }
 
-    /// γ_θ by the law, up to O(s⁻²) in the square.
+    /// γ_θ by the law, up to O(s⁻³) in the square.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2.
@@ -70,6 +72,14 @@ impl UniformLaw {
         Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
         let s =
             self.slope.value * exp_quotient(self.order.one_minus_twice(), -theta.ln()) + self.constant.value;
-        Ok((0.5 * (s + (s * s + 4.0 * self.correction.value).sqrt())).sqrt())
+        let (d, e) = (self.correction.value, self.second_correction.value);
+        // Newton's method from λ = s + d/s: the corrections are a few hundredths
+        let mut lambda = s + d / s;
+        for _ in 0..20 {
+            let residual = lambda - s - d / lambda - e / (lambda * lambda);
+            lambda -= residual / (1.0 + d / (lambda * lambda) + 2.0 * e / lambda.powi(3));
+        }
+        Error::require("theta", theta, "short enough for the law to be positive", lambda > 0.0 && s > 0.0)?;
+        Ok(lambda.sqrt())
     }
 }

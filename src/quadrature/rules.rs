@@ -20,6 +20,14 @@ pub struct Rule {
 impl Rule {
     /// n-point Gauss-Legendre rule for ∫₀¹ f(t) dt.
     ///
+    /// ```
+    /// use signorini::quadrature::Rule;
+    /// let rule = Rule::gauss_legendre(3)?;
+    /// let fifth: f64 = rule.points().iter().zip(rule.weights()).map(|(x, w)| w * x.powi(5)).sum();
+    /// assert!((fifth - 1.0 / 6.0).abs() < 1e-15);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for n = 0.
     pub fn gauss_legendre(n: usize) -> Result<Self> {

@@ -37,6 +37,8 @@ pub struct SceneRun {
     pub problem: ContactProblem,
     /// Its solution.
     pub solution: ContactSolution,
+    /// Steps of the active set from an empty contact set, when `solution` started from a coarser one.
+    pub cold_steps: Option<u64>,
 }
 
 impl SceneStudy {
@@ -55,15 +57,15 @@ impl SceneStudy {
             let n = self.n.saturating_mul(1 << level);
             let problem = self.scene.problem_with(n, &self.setting)?;
             let coarser = runs.iter().rev().find(|run| run.solution.solver == Solver::ActiveSet);
-            let guess = coarser.map(|run| run.solution.contact_set.clone());
+            let coarser = coarser.map(|run| run.solution.clone());
             for &solver in &solvers {
-                let solution = match (&guess, solver) {
-                    (Some(set), Solver::ActiveSet) if !problem.edge().is_closed() => {
-                        problem.solve_from(self.cone, self.cone.refined_set(set))?
+                let (solution, cold_steps) = match (&coarser, solver) {
+                    (Some(coarse), Solver::ActiveSet) if !problem.edge().is_closed() => {
+                        problem.solve_after_beside_cold(coarse)?
                     }
-                    _ => problem.solve(self.cone, solver)?,
+                    _ => (problem.solve(self.cone, solver)?, None),
                 };
-                runs.push(SceneRun { n, problem: problem.clone(), solution });
+                runs.push(SceneRun { n, problem: problem.clone(), solution, cold_steps });
             }
         }
         Ok(runs)
@@ -73,7 +75,7 @@ impl SceneStudy {
     pub fn headline(&self, runs: &[SceneRun]) -> Result<Headline> {
         let mut table = Table::new(ContactSolution::columns());
         for run in runs {
-            table.push(run.solution.row(run.n, &run.problem));
+            table.push(run.solution.row(run.n, &run.problem, run.cold_steps));
         }
         let finest = runs.iter().map(|run| run.n).max().unwrap_or(0);
         let Some(last) = runs.iter().find(|run| run.n == finest) else {
@@ -83,22 +85,34 @@ impl SceneStudy {
         let apart = disagreement(runs);
         let solution = &last.solution;
         let measured = format!(
-            "J = {:.12e}, {} of {} constraints active, contact force {:.8e}, KKT {worst:.0e}",
+            "J = {:.12e} ± {:.0e}, {} of {} constraints active, contact force {:.8e}, KKT {worst:.0e}",
             solution.energy,
+            solution.energy_rounding,
             solution.contact_set.count(),
             solution.contact_set.constraints(),
             solution.contact_force,
         );
         let converged = runs.iter().all(|run| run.solution.status.is_converged());
-        let verdict = if converged && worst <= JUDGED && apart <= AGREEMENT {
-            Verdict::Holds
-        } else {
+        let balance = runs.iter().fold(0.0, |w: f64, run| w.max(run.solution.balance));
+        let verdict = if !converged || worst > JUDGED || apart > AGREEMENT || apart.is_nan() {
             Verdict::NotConfirmed(format!("KKT {worst:.1e}, energies apart by {apart:.1e}"))
+        } else if balance > AGREEMENT {
+            Verdict::NotConfirmed(format!("too few digits: forces balance to {balance:.0e} only"))
+        } else {
+            Verdict::Holds
         };
         let kind = if self.scene.is_elastic() { "elastic" } else { "scalar" };
-        let found =
-            if self.solver.is_some() { "one solver finds it" } else { "two unrelated solvers find it" };
-        let claim = format!("the {kind} problem in the {} cone has one solution; {found}", self.cone);
+        let claim = if self.solver.is_some() {
+            format!(
+                "a solution of the {kind} problem in the {} cone meets every discrete condition",
+                self.cone
+            )
+        } else {
+            format!(
+                "the {kind} problem in the {} cone has one solution; two unrelated solvers find it",
+                self.cone
+            )
+        };
         let label = match self.cone {
             Cone::Nodal => format!("Section 2, (2.9), {kind}"),
             Cone::Midpoint => format!("Section 4, (4.1), {kind}"),
@@ -116,17 +130,23 @@ impl SceneStudy {
     }
 }
 
-/// The largest difference in J between solutions on the same mesh, relative to |J|, or to the rounding of J ([`NOISE`]
-/// times force times displacement) over the agreement asked for, where J itself is rounding (full contact). Not a number if J is not.
+/// The largest difference in J between solutions on the same mesh, relative. Not a number if J is not.
 fn disagreement(runs: &[SceneRun]) -> f64 {
     runs.windows(2)
         .filter(|pair| pair[0].n == pair[1].n)
         .map(|pair| {
-            let [first, second] = [&pair[0].solution, &pair[1].solution];
-            let largest = first.energy.abs().max(second.energy.abs());
-            let rounding = NOISE / AGREEMENT * first.force_scale * first.displacement_scale;
-            let difference = (first.energy - second.energy).abs();
-            if difference == 0.0 { 0.0 } else { difference / largest.max(rounding) }
+            let difference = (pair[0].solution.energy - pair[1].solution.energy).abs();
+            if difference == 0.0 { 0.0 } else { difference / energy_scale(&pair[0].solution) }
         })
         .fold(0.0, |worst: f64, apart| if apart.is_nan() { apart } else { worst.max(apart) })
+}
+
+/// |J|; where contact prevents every displacement J is rounding, and force times displacement is its scale.
+fn energy_scale(solution: &ContactSolution) -> f64 {
+    let largest = solution.displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+    if largest <= NOISE * solution.displacement_scale {
+        solution.force_scale * solution.displacement_scale
+    } else {
+        solution.energy.abs()
+    }
 }

@@ -56,6 +56,8 @@ pub(crate) struct ArmIntegral {
 const ROUNDING_SAFETY: f64 = 1.5;
 /// Cells that shrink towards t = 0.
 const START_RATIO: f64 = 0.15;
+/// Depth before which no tail is believed: e^{-6} of the arm.
+const SETTLED: f64 = 6.0;
 /// Width of a wide block, beyond all structure, and the cells in it.
 const BLOCK: f64 = 42.0;
 const BLOCK_CELLS: usize = 3;
@@ -118,7 +120,8 @@ impl ArmIntegral {
             partial.push(sum);
             densities.push(density(from + h, 0.0)?);
             let whole = sum.abs() + scale;
-            if cell.abs() <= 1e-17 * whole {
+            // Nothing here may be nothing yet: a function may be constant over most of its arm.
+            if from > SETTLED && cell.abs() <= 1e-17 * whole {
                 return Ok(Limit { value: sum, error: 1e-17 * whole });
             }
             let ratio = (cell / previous).abs();
@@ -130,7 +133,7 @@ impl ArmIntegral {
                 break;
             }
             let rest = cell.abs() * ratio / (1.0 - ratio);
-            if from > 6.0 && ratio < 0.95 && rest <= 0.02 * self.tolerance * whole {
+            if from > SETTLED && ratio < 0.95 && rest <= 0.02 * self.tolerance * whole {
                 return Ok(Limit { value: sum, error: rest });
             }
         }

@@ -27,6 +27,13 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 ///
 /// Neither cancels at ν = 1/2, a = 0 or ν = 1. Cost about 100 terms, 40 (1 + a) for large a.
 ///
+/// ```
+/// use signorini::sobolev::{FractionalOrder, closed_forms};
+/// let squared = closed_forms::power(1.0, FractionalOrder::HALF)?; // |x - y|^2 / |x - y|^2 over the unit square
+/// assert!((squared.value - 1.0).abs() < 1e-14);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] for a not finite or above 1e4.
 pub fn power(a: f64, order: FractionalOrder) -> Result<Estimate> {

@@ -73,6 +73,14 @@ pub fn dual_norm_of_functional(
 impl PiecewisePolynomial {
     /// The dual norm of the function as a functional v ↦ ∫ u v.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{DualOf, FractionalOrder, Partition, PiecewisePolynomial}};
+    /// let one = PiecewisePolynomial::constants(Partition::uniform(4, 1.0)?, &[1.0; 4])?;
+    /// let found = one.dual_norm(DualOf::Slobodeckij, FractionalOrder::HALF, Tolerance::balanced())?;
+    /// assert!((found.value - 1.0).abs() < 1e-8); // attained by the constant itself
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] when meshes of 40 000 elements or 32 768 coefficients do not suffice.
     pub fn dual_norm(&self, of: DualOf, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {

@@ -8,6 +8,9 @@
 use super::piecewise::require_finite;
 use crate::error::{Error, Result};
 
+/// Points of an arm at which the size of a function is looked at.
+const SAMPLES: usize = 16;
+
 /// A point of the interval, known by its distance to the nearest break point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Position {
@@ -73,6 +76,19 @@ impl<'a> SingularFunction<'a> {
 
     /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction, closed_forms}};
+    /// // |ln x|^(1/4): the distance from the break 0 is exact, the one from 1 enters by ln(1 - t)
+    /// let u = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.offset().ln()).powf(0.25),
+    ///     _ => (-at.offset().ln_1p()).powf(0.25),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.25)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`SingularFunction::new`].
     pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
@@ -124,6 +140,24 @@ impl<'a> SingularFunction<'a> {
     /// Length of the interval.
     pub fn length(&self) -> f64 {
         self.breaks[self.breaks.len() - 1] - self.breaks[0]
+    }
+
+    /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and powers of u/S
+    /// neither over- nor underflow; S = 1 where all of them vanish.
+    pub(crate) fn of_moderate_size(&self) -> Result<(f64, SingularFunction<'_>)> {
+        let mut largest = 0.0_f64;
+        for arm in self.arms() {
+            for k in 0..SAMPLES {
+                let t = (arm.depth * (k as f64 + 0.5) / SAMPLES as f64).min(0.1 + 0.3 * k as f64);
+                largest = largest.max(self.at(&arm, arm.delta(t))?.abs());
+            }
+        }
+        let scale = if largest == 0.0 { 1.0 } else { libm::ldexp(1.0, libm::ilogb(largest)) };
+        let unit = move |at: Position| (self.function)(at) / scale;
+        Ok((
+            scale,
+            SingularFunction { breaks: self.breaks.clone(), function: Box::new(unit), sight: self.sight },
+        ))
     }
 
     /// The arms, from left to right.

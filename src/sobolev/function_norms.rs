@@ -27,17 +27,34 @@ const LEVELS: [Level; 11] = [
     Level { points: 26, width: 0.06 },
 ];
 
+/// Below this the square of the seminorm of a function of size 1 is rounding: (64 ε)².
+const ZERO: f64 = 2e-28;
+
+/// The estimate times a power of two.
+fn scaled(scale: f64, estimate: Estimate) -> Result<Estimate> {
+    Estimate::new(scale * estimate.value, scale * estimate.error, estimate.work)
+}
+
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::balanced())?;
+    /// assert!((found.value - 1.0).abs() < 1e-8);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        let squared = refine("seminorm", 2.0 * tolerance.relative(), |level, tolerance| {
-            LogEnergy::new(self, order, level)?.compute(tolerance)
+        let (scale, unit) = self.of_moderate_size()?;
+        let squared = refine("seminorm", tolerance, 2.0, |level, tolerance| {
+            LogEnergy::new(&unit, order, level)?.compute(tolerance)
         })?;
-        squared.sqrt()
+        scaled(scale, squared.sqrt()?)
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
@@ -74,14 +91,15 @@ impl SingularFunction<'_> {
     /// [`Error::OutOfRange`] for q outside [1, ∞), else as [`SingularFunction::seminorm`]. Zeros of u should be breaks.
     pub fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf)", q >= 1.0 && q.is_finite())?;
-        let power = self.integral_of("L^q norm", q * tolerance.relative(), |u| u.abs().powf(q))?;
+        let (scale, unit) = self.of_moderate_size()?;
+        let power = unit.integral_of("L^q norm", tolerance, q, |u| u.abs().powf(q))?;
         let value = power.value.max(0.0).powf(1.0 / q);
         let error = if power.value > power.error {
             value * power.error / (q * power.value)
         } else {
             power.error.powf(1.0 / q)
         };
-        Estimate::new(value, error, power.work)
+        scaled(scale, Estimate::new(value, error, power.work)?)
     }
 
     /// (1/|I|) ∫ u; the tolerance is relative to the mean of |u|.
@@ -95,15 +113,21 @@ impl SingularFunction<'_> {
         }
         // u/size + 2 is safely positive in the mean, so that a relative tolerance means something.
         let shift = 2.0 / self.length();
-        let shifted = self.integral_of("mean", 0.3 * tolerance.relative(), |u| u / size + shift)?;
+        let shifted = self.integral_of("mean", tolerance, 0.3, |u| u / size + shift)?;
         let length = self.length();
         Estimate::new((shifted.value - 2.0) * size / length, shifted.error * size / length, shifted.work)
     }
 
-    /// ∫ f(u(x)) dx.
-    fn integral_of(&self, what: &'static str, tolerance: f64, f: impl Fn(f64) -> f64) -> Result<Estimate> {
+    /// ∫ f(u(x)) dx, to `factor` times the tolerance.
+    fn integral_of(
+        &self,
+        what: &'static str,
+        tolerance: Tolerance,
+        factor: f64,
+        f: impl Fn(f64) -> f64,
+    ) -> Result<Estimate> {
         let arms = self.arms();
-        refine(what, tolerance, |level, tolerance| {
+        refine(what, tolerance, factor, |level, tolerance| {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             for arm in &arms {
@@ -122,12 +146,15 @@ impl SingularFunction<'_> {
     }
 }
 
-/// Levels of growing accuracy until two agree to the tolerance.
+/// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so that the number made
+/// of it meets the tolerance.
 fn refine(
     what: &'static str,
-    tolerance: f64,
+    asked: Tolerance,
+    factor: f64,
     compute: impl Fn(Level, f64) -> Result<LevelValue>,
 ) -> Result<Estimate> {
+    let tolerance = factor * asked.relative();
     let digits = -tolerance.log10();
     // The first level to try leaves the second one likely to succeed.
     let first = ((digits - 2.0) / 3.0).floor().clamp(0.0, 3.0) as usize;
@@ -144,7 +171,8 @@ fn refine(
                 + 64.0 * f64::EPSILON * current.value.abs();
             let work = Work { points, ..Work::default() };
             let estimate = Estimate::new(current.value, error, work)?;
-            if estimate.value == 0.0 || estimate.relative_error() <= tolerance {
+            // The function is of size 1: an integral within a few ulps of zero is that of a function without variation.
+            if estimate.error.max(estimate.value.abs()) <= ZERO || estimate.relative_error() <= tolerance {
                 return Ok(estimate);
             }
             if best.is_none_or(|best| estimate.error < best.error) {
@@ -160,7 +188,7 @@ fn refine(
     }
     Err(Error::ToleranceNotMet {
         what,
-        asked: tolerance,
-        reached: best.map_or(f64::MAX, |best| best.relative_error()),
+        asked: asked.relative(),
+        reached: best.map_or(f64::MAX, |best| best.relative_error() / factor),
     })
 }

@@ -81,7 +81,7 @@ impl PiecewisePolynomial {
 }
 
 /// ∫₀¹ |a(1−t) + bt|^q dt for |a|, |b| ≤ 1.
-fn linear_power(a: f64, b: f64, q: f64) -> f64 {
+pub(crate) fn linear_power(a: f64, b: f64, q: f64) -> f64 {
     if a * b <= 0.0 {
         let (a, b) = (a.abs(), b.abs());
         if a + b == 0.0 {

@@ -40,6 +40,7 @@ pub use dual::{DualOf, dual_norm_of_functional};
 pub use function::{Position, SingularFunction};
 pub use gallery::GalleryFunction;
 pub use gram::{gram_constants, gram_linears, mass_constants, mass_linears};
+pub(crate) use lebesgue::linear_power;
 pub use operator::GramOperator;
 pub use order::FractionalOrder;
 pub use partition::Partition;

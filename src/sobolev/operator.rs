@@ -120,6 +120,16 @@ impl GramOperator {
 
     /// A x.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, GramOperator, Partition}};
+    /// let mesh = Partition::uniform(1000, 1.0)?;
+    /// let form = GramOperator::linears(&mesh, FractionalOrder::HALF, Tolerance::balanced())?;
+    /// let x = mesh.nodes(); // the identity, whose seminorm is one
+    /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
+    /// assert!((squared - 1.0).abs() < 1e-7);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`] for an entry of x.
     pub fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {

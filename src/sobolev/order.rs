@@ -20,6 +20,13 @@ impl FractionalOrder {
 
     /// The order ν itself.
     ///
+    /// ```
+    /// use signorini::sobolev::FractionalOrder;
+    /// assert_eq!(FractionalOrder::new(0.5)?, FractionalOrder::HALF);
+    /// assert!(FractionalOrder::new(1.0).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 < ν < 1.
     pub fn new(nu: f64) -> Result<Self> {

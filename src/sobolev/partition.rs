@@ -52,6 +52,13 @@ impl Partition {
 
     /// Nodes 0, L σ^{m}, ..., L σ, L: lengths shrink by σ towards the left end, where the first element has length L σ^m.
     ///
+    /// ```
+    /// use signorini::sobolev::Partition;
+    /// let mesh = Partition::geometric(3, 0.5, 1.0)?;
+    /// assert_eq!(mesh.nodes(), [0.0, 0.125, 0.25, 0.5, 1.0]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Partition::from_lengths`]; [`Error::OutOfRange`] unless 0 < σ < 1.
     pub fn geometric(layers: usize, ratio: f64, length: f64) -> Result<Self> {

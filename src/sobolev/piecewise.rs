@@ -43,6 +43,14 @@ impl PiecewisePolynomial {
 
     /// Continuous piecewise linear, one value per node.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
+    /// let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
+    /// let found = u.seminorm(0, FractionalOrder::HALF, Tolerance::reference())?;
+    /// assert!((found.value - 1.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub fn linears(partition: Partition, values: &[f64]) -> Result<Self> {

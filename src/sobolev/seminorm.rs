@@ -6,7 +6,8 @@
 //! uses that constants have seminorm zero and so keeps its digits when u is nearly constant; other degrees are integrated
 //! pair by pair ([`super::polynomial_pairs`]). Everything is exact to rounding; the [`Tolerance`] is what the rounding is
 //! held against. Cost O(N²) kernel values, without a stored matrix; beyond 3000 elements constants and linears take the fast
-//! product xᵀAx, whose rounding is relative to Σ a_ii x_i².
+//! product xᵀAx, whose rounding is relative to Σ a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds)
+//! where that rounding exceeds the tolerance.
 
 use super::cells::CellPairs;
 use super::gram::{FarRow, constants_on, neighbours_linear};
@@ -24,6 +25,8 @@ const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Elements up to which all pairs are summed directly.
 const DIRECT: usize = 3000;
+/// Elements up to which they are when the fast product is not accurate enough.
+const PATIENT: usize = 16_000;
 /// Asked of the fast product.
 const FAST_FORM: Tolerance = Tolerance::reference();
 /// Error of the fast product, entry by entry, relative to |A| |x|; measured below 1e-14.
@@ -36,7 +39,7 @@ impl PiecewisePolynomial {
     /// [`Error::InfiniteNorm`] when u^{(m)} jumps and ν ≥ 1/2, or u jumps and m = 1; [`Error::CountOutOfRange`] for m > 1;
     /// [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
     pub fn seminorm(&self, m: usize, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, squared) = self.scaled_seminorm_squared(m, order)?;
+        let (scale, squared) = self.scaled_seminorm_squared(m, order, tolerance)?;
         accept("seminorm", scaled_root(scale, squared)?, tolerance)
     }
 
@@ -45,7 +48,7 @@ impl PiecewisePolynomial {
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
     pub fn norm(&self, m: usize, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        let (top_scale, top) = self.scaled_seminorm_squared(m, order)?;
+        let (top_scale, top) = self.scaled_seminorm_squared(m, order, tolerance)?;
         let mut parts = vec![scaled_root(top_scale, top)?, self.l2_norm()?];
         if m == 1 {
             parts.push(self.derivative()?.l2_norm()?);
@@ -81,18 +84,23 @@ impl PiecewisePolynomial {
     }
 
     /// (S, |u^{(m)}/S|²_ν).
-    fn scaled_seminorm_squared(&self, m: usize, order: FractionalOrder) -> Result<(f64, Estimate)> {
+    fn scaled_seminorm_squared(
+        &self,
+        m: usize,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<(f64, Estimate)> {
         match m {
             0 => {
                 self.require_finite_seminorm(order)?;
                 let scale = self.scale();
-                Ok((scale, self.scaled_by(1.0 / scale).seminorm_squared_of_moderate(order)?))
+                Ok((scale, self.scaled_by(1.0 / scale).seminorm_squared_of_moderate(order, tolerance)?))
             }
             1 if !self.is_continuous() => Err(Error::InfiniteNorm {
                 order: 1.0 + order.value(),
                 why: "a function that jumps has no derivative in L^2",
             }),
-            1 => self.derivative()?.scaled_seminorm_squared(0, order),
+            1 => self.derivative()?.scaled_seminorm_squared(0, order, tolerance),
             _ => Err(Error::CountOutOfRange { name: "derivatives m", value: m, range: "0 or 1" }),
         }
     }
@@ -104,11 +112,11 @@ impl PiecewisePolynomial {
         Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
     }
 
-    fn seminorm_squared_of_moderate(&self, order: FractionalOrder) -> Result<Estimate> {
+    fn seminorm_squared_of_moderate(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         if self.is_exactly(|piece| piece.left == piece.right) {
-            self.constants_squared(order)
+            self.constants_squared(order, tolerance)
         } else if self.is_exactly(|_| true) && self.is_continuous() {
-            self.linears_squared(order)
+            self.linears_squared(order, tolerance)
         } else {
             self.pairs_squared(order)
         }
@@ -118,7 +126,7 @@ impl PiecewisePolynomial {
         self.pieces().iter().all(|piece| piece.bubbles.is_empty() && shape(piece))
     }
 
-    fn constants_squared(&self, order: FractionalOrder) -> Result<Estimate> {
+    fn constants_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let (partition, pieces) = (self.partition(), self.pieces());
         if pieces.iter().all(|piece| piece.left == pieces[0].left) {
             return Estimate::new(0.0, 0.0, Work::default());
@@ -126,7 +134,10 @@ impl PiecewisePolynomial {
         let n = pieces.len();
         if n > DIRECT {
             let values: Vec<f64> = pieces.iter().map(|piece| piece.left).collect();
-            return fast_form(&GramOperator::constants(partition, order, FAST_FORM)?, &values);
+            let fast = fast_form(&GramOperator::constants(partition, order, FAST_FORM)?, &values)?;
+            if is_enough(&fast, n, tolerance) {
+                return Ok(fast);
+            }
         }
         let cells = CellPairs::new(order);
         let value: f64 = (0..n)
@@ -146,14 +157,17 @@ impl PiecewisePolynomial {
         Estimate::new(value, ENTRY_ROUNDING * value, pair_work(n))
     }
 
-    fn linears_squared(&self, order: FractionalOrder) -> Result<Estimate> {
+    fn linears_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let partition = self.partition();
         let cells = CellPairs::new(order);
         let n = partition.len();
         let mut nodal: Vec<f64> = self.pieces().iter().map(|piece| piece.left).collect();
         nodal.push(self.pieces()[n - 1].right);
         if n > DIRECT {
-            return fast_form(&GramOperator::linears(partition, order, FAST_FORM)?, &nodal);
+            let fast = fast_form(&GramOperator::linears(partition, order, FAST_FORM)?, &nodal)?;
+            if is_enough(&fast, n, tolerance) {
+                return Ok(fast);
+            }
         }
         let square = |i: usize, j: usize| (nodal[i] - nodal[j]) * (nodal[i] - nodal[j]);
         let (value, absolute) = (0..n)
@@ -209,6 +223,11 @@ fn fast_form(operator: &GramOperator, x: &[f64]) -> Result<Estimate> {
         absolute += 2.0 * a * v * v;
     }
     Estimate::new(sum.value(), FAST_ROUNDING * absolute, Work { points: x.len() as u64, ..Work::default() })
+}
+
+/// True when the square of the seminorm is known to twice the tolerance, or the pairs are too many to do better.
+fn is_enough(squared: &Estimate, n: usize, tolerance: Tolerance) -> bool {
+    n > PATIENT || squared.relative_error() <= 2.0 * tolerance.relative()
 }
 
 impl PairSum {

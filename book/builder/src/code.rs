@@ -1,4 +1,5 @@
-//! Code of an example shown on a page: one function of the file, with the comment above it.
+//! Code that a page shows or names: one function of an example with the comment above it; the name of an example or of
+//! a test, which must exist.
 
 use std::path::Path;
 
@@ -11,6 +12,34 @@ pub fn block(examples: &Path, example: &str, name: &str) -> Result<String, Strin
     let source = std::fs::read_to_string(file).map_err(|_| "unknown example".to_owned())?;
     let code = function(&source, name).ok_or("the example has no such function")?;
     Ok(format!("```rust,ignore\n{code}\n```"))
+}
+
+/// The name of an example.
+///
+/// # Errors
+/// In words, when there is none of that name.
+pub fn program(examples: &Path, name: &str) -> Result<String, String> {
+    let file = examples.join(name).with_extension("rs");
+    if file.is_file() { Ok(name.to_owned()) } else { Err("unknown example".to_owned()) }
+}
+
+/// The name of a test file, or of a test in it.
+///
+/// # Errors
+/// In words, when there is no such file, or no test of that name in it.
+pub fn test(tests: &Path, file: &str, function: Option<&str>) -> Result<String, String> {
+    let source = std::fs::read_to_string(tests.join(file).with_extension("rs"));
+    let source = source.map_err(|_| "unknown test file".to_owned())?;
+    let Some(function) = function else { return Ok(file.to_owned()) };
+    let head = format!("fn {function}(");
+    let mut lines = source.lines().map(str::trim);
+    while lines.by_ref().any(|line| line.starts_with("#[test]")) {
+        let heads = lines.by_ref().find(|line| line.starts_with("fn "));
+        if heads.is_some_and(|line| line.starts_with(&head)) {
+            return Ok(format!("{file}::{function}"));
+        }
+    }
+    Err("the test file has no such test".to_owned())
 }
 
 /// A function at the outermost level of formatted code, with the comments and attributes above it.
@@ -44,5 +73,21 @@ mod tests {
         assert_eq!(function(SOURCE, "one").unwrap(), "fn one() -> u8 { 1 }");
         assert_eq!(function(SOURCE, "two"), None);
         assert!(block(Path::new("/nowhere"), "x", "run").is_err());
+    }
+
+    #[test]
+    fn examples_and_tests_are_named_only_when_they_exist() {
+        let directory = tempfile::tempdir().unwrap();
+        let text = "#[test]\nfn first() {}\n\nfn helper() {}\n\n#[test]\n#[ignore]\nfn second() {\n}\n";
+        std::fs::write(directory.path().join("lemma.rs"), text).unwrap();
+        let named = |file, function| test(directory.path(), file, function).ok();
+        assert_eq!(named("lemma", None).unwrap(), "lemma");
+        assert_eq!(named("lemma", Some("first")).unwrap(), "lemma::first");
+        assert_eq!(named("lemma", Some("second")).unwrap(), "lemma::second");
+        assert_eq!(named("lemma", Some("helper")), None);
+        assert_eq!(named("lemma", Some("third")), None);
+        assert_eq!(named("theorem", None), None);
+        assert_eq!(program(directory.path(), "lemma").unwrap(), "lemma");
+        assert!(program(directory.path(), "theorem").is_err());
     }
 }

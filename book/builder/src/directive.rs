@@ -8,13 +8,14 @@
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
 //! | `{{slider: parameter: frames: caption}}` | several figures and a slider between them, see [`crate::slider`] |
 //! | `{{code: example: function}}` | that function of the example |
+//! | `{{example: name}}`, `{{test: file}}`, `{{test: file::function}}` | a name that must exist, in code type |
 
 use crate::code;
 use crate::data::{Data, Unknown};
 use crate::figure;
-use crate::markup::escape;
 use crate::number::{Format, Written};
 use crate::slider;
+use crate::typography;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -29,6 +30,8 @@ pub struct Sources<'a> {
     pub data: &'a Data,
     /// The directory of their programs.
     pub examples: &'a Path,
+    /// The directory of the tests.
+    pub tests: &'a Path,
     /// Decimals that may be typed by hand.
     pub allowed: &'a [String],
 }
@@ -38,8 +41,10 @@ pub struct Sources<'a> {
 pub enum Meaning {
     /// A number.
     Number(Written),
-    /// Words of a headline.
+    /// Words of a headline, as HTML.
     Words(String),
+    /// A name in code type.
+    Name(String),
     /// HTML of its own paragraph.
     Block(String),
     /// Markdown of its own paragraph.
@@ -60,8 +65,14 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
         ("value", format) => value(key, format.unwrap_or("s4"), data).map(Meaning::Number),
         ("label" | "claim" | "measured" | "verdict", None) => data
             .text(key, name)
-            .map(|words| Meaning::Words(greek(words)))
+            .map(|words| Meaning::Words(typography::html(words)))
             .ok_or_else(|| Unknown::Missing.words("example")),
+        ("example", None) => code::program(sources.examples, key).map(Meaning::Name),
+        ("test", None) => code::test(sources.tests, key, None).map(Meaning::Name),
+        ("test", Some(function)) => {
+            let function = function.trim_start_matches(':').trim();
+            code::test(sources.tests, key, Some(function)).map(Meaning::Name)
+        }
         ("code", Some(function)) => code::block(sources.examples, key, function).map(Meaning::Markdown),
         ("table", None) => table(key, data).map(Meaning::Block),
         ("figure", Some(caption)) if !caption.is_empty() => {
@@ -97,31 +108,6 @@ fn value(key: &str, format: &str, data: &Data) -> Result<Written, String> {
     Ok(Written::new(value, digits))
 }
 
-/// Words of a terminal, where Greek letters are spelled out, as words of a page.
-fn greek(text: &str) -> String {
-    const LETTERS: [(&str, &str); 7] = [
-        ("theta", "θ"),
-        ("nu", "ν"),
-        ("gamma", "γ"),
-        ("tau", "τ"),
-        ("sigma", "σ"),
-        ("lambda", "λ"),
-        ("pi", "π"),
-    ];
-    let is_letter = |c: char| c.is_alphanumeric();
-    let mut result = String::new();
-    let mut rest = text;
-    while let Some(start) = rest.find(is_letter) {
-        let length = rest[start..].find(|c| !is_letter(c)).unwrap_or(rest.len() - start);
-        let word = &rest[start..start + length];
-        let letter = LETTERS.iter().find(|(name, _)| *name == word).map_or(word, |(_, letter)| letter);
-        result.push_str(&rest[..start]);
-        result.push_str(letter);
-        rest = &rest[start + length..];
-    }
-    (result + rest).replace("<=", "≤").replace(">=", "≥")
-}
-
 /// Strings of a JSON array.
 fn strings(array: &Value) -> impl Iterator<Item = &str> {
     array.as_array().into_iter().flatten().map(|cell| cell.as_str().unwrap_or(""))
@@ -133,14 +119,16 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
     let width = if columns.len() > NARROW { " wide" } else { "" };
     let mut html = format!("<div class=\"table-wrapper{width}\"><table><thead><tr>");
     for column in columns {
-        let _ = write!(html, "<th>{}</th>", escape(&greek(column["title"].as_str().unwrap_or(""))));
+        let _ = write!(html, "<th>{}</th>", typography::html(column["title"].as_str().unwrap_or("")));
     }
     html.push_str("</tr></thead><tbody>");
     for row in headline["rows"].as_array().into_iter().flatten() {
         html.push_str("<tr>");
         for cell in strings(row) {
-            let class = if cell.parse::<f64>().is_ok() { " class=\"number\"" } else { "" };
-            let _ = write!(html, "<td{class}>{}</td>", Written::from_text(&escape(&greek(cell))).html());
+            let _ = match cell.parse::<f64>() {
+                Ok(_) => write!(html, "<td class=\"number\">{}</td>", Written::from_text(cell).html()),
+                Err(_) => write!(html, "<td>{}</td>", typography::html(cell)),
+            };
         }
         html.push_str("</tr>");
     }
@@ -149,7 +137,7 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
         .iter()
         .map(|c| (c["title"].as_str().unwrap_or(""), c["meaning"].as_str().unwrap_or("")))
         .filter(|(_, meaning)| !meaning.is_empty())
-        .map(|(title, meaning)| format!("<b>{}</b> {}", escape(&greek(title)), escape(&greek(meaning))))
+        .map(|(title, meaning)| format!("<b>{}</b> {}", typography::html(title), typography::html(meaning)))
         .collect();
     if !meanings.is_empty() {
         let _ = write!(html, "<p class=\"table-key\">{}</p>", meanings.join("; "));
@@ -175,7 +163,8 @@ mod tests {
     #[test]
     fn numbers_words_tables_and_figures_are_found() {
         let data = data();
-        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
+        let sources =
+            Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
         let number = |value, format| Ok(Meaning::Number(Written::new(value, format)));
         assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
         assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
@@ -184,14 +173,14 @@ mod tests {
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");
         assert!(html.contains("10<sup>\u{2212}3</sup>"), "{html}");
         assert!(html.contains("<b>ν</b> order"), "{html}");
-        assert_eq!(greek("gamma/ln(1/theta) <= pi^h, number"), "γ/ln(1/θ) ≤ π^h, number");
         assert!(matches!(resolve("figure:f:a: b", &sources), Ok(Meaning::Block(h)) if h.contains("a: b")));
     }
 
     #[test]
     fn what_is_unknown_is_refused() {
         let data = data();
-        let sources = Sources { data: &data, examples: Path::new("none"), allowed: &[] };
+        let sources =
+            Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
         let bad = [
             "value:delta",
             "value:gamma:x9",
@@ -199,6 +188,9 @@ mod tests {
             "figure:g:c",
             "table:none",
             "claim:none",
+            "example:none",
+            "test:none",
+            "test:none::f",
             "what:x",
             "",
         ];

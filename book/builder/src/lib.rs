@@ -5,6 +5,7 @@
 //! hand. Every fault names file, line and the offending text.
 
 pub mod code;
+pub mod coverage;
 pub mod data;
 pub mod decimal;
 pub mod directive;
@@ -20,6 +21,7 @@ pub mod page;
 pub mod scan;
 pub mod slider;
 pub mod stale;
+pub mod typography;
 pub mod verify;
 
 use data::Data;
@@ -66,8 +68,11 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     for page in &pages {
         faults.extend(include::faults(page, &layout.book.join("src")));
     }
-    let (examples, allowed) = (layout.repository.join("examples"), decimal::allow_list(&allowed));
-    let marked = match page::mark(&pages, &Sources { data, examples: &examples, allowed: &allowed }) {
+    let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
+    let allowed = decimal::allow_list(&allowed);
+    faults.extend(coverage::faults(&pages, &layout.repository)?);
+    let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
+    let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,
         Err(more) => {
             faults.extend(more);

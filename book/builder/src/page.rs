@@ -117,7 +117,13 @@ impl Marker<'_> {
     fn directive(&mut self, page: &Page, piece: &Piece<'_>, text: &mut String) {
         match directive::resolve(piece.text, self.sources) {
             Ok(Meaning::Number(number)) => self.marked.push(text, Snippet::Inline(number.html())),
-            Ok(Meaning::Words(words)) => self.marked.push(text, Snippet::Inline(escape(&words))),
+            Ok(Meaning::Words(words)) => self.marked.push(text, Snippet::Inline(words)),
+            Ok(Meaning::Name(name)) => {
+                // Long names may break between their words.
+                let name = escape(&name).replace("::", "::<wbr>").replace('_', "_<wbr>");
+                let html = format!("<code>{name}</code>");
+                self.marked.push(text, Snippet::Inline(html));
+            }
             Ok(Meaning::Block(html)) => self.marked.push(text, Snippet::Block(html)),
             Ok(Meaning::Markdown(block)) => text.push_str(&block),
             Err(what) => {

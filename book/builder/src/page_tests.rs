@@ -12,7 +12,10 @@ fn data() -> Data {
 }
 
 fn marked(pages: &[Page]) -> Result<Marked, Vec<Fault>> {
-    mark(pages, &Sources { data: &data(), examples: Path::new("none"), allowed: &[] })
+    mark(
+        pages,
+        &Sources { data: &data(), examples: Path::new("none"), tests: Path::new("none"), allowed: &[] },
+    )
 }
 
 fn faults(text: &str) -> Vec<(usize, String)> {

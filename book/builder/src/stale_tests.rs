@@ -48,6 +48,13 @@ fn figures_are_compared() {
         assert_eq!(found.len(), 1, "{svg}");
         assert_eq!(found[0].file, "figures/ex/f.svg");
     }
+    let timed =
+        |svg: &str| Data { figures: [("ex/f_seconds".to_owned(), svg.to_owned())].into(), ..Data::default() };
+    assert_eq!(
+        compare(&timed("<path d='M100 1'/>"), &timed("<path d='M900 1'/>")),
+        [],
+        "a figure of seconds"
+    );
     let mut gone = old.clone();
     gone.figures.clear();
     assert_eq!(compare(&old, &gone).len(), 1);

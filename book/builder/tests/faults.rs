@@ -28,6 +28,8 @@ By $\\eqref{bound}$ and Lemma 5.2 the verdict is: {{verdict: ex}}.
 {{code: ex: walk}}
 
 {{slider: chart: one = ex/chart, two = ex/other: Two charts}}
+
+Backed by {{example: ex}} and {{test: lemma::holds}}: `cargo run --example ex`.
 ";
 const CHART: &str = r##"<svg width="640" height="480" xmlns="http://www.w3.org/2000/svg"><path d="M100 200" stroke="#000000"/></svg>"##;
 
@@ -41,12 +43,14 @@ impl Fixture {
             std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../book.toml")).unwrap();
         fixture.write("book/book.toml", &toml);
         fixture.write("book/style/slider.js", "");
+        fixture.write("book/style/fit.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
         fixture.write("book/src/second.md", SECOND);
         fixture.write("src/book.rs", "first: \"first.md\", second: \"second.md\",");
         fixture.write("examples/ex.rs", "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n\nfn walk() {}\n");
+        fixture.write("tests/lemma.rs", "#[test]\nfn holds() {}\n");
         data(0.29156).write(&fixture.layout().generated()).unwrap();
         fixture
     }
@@ -111,7 +115,8 @@ fn a_sound_book_builds_and_is_complete() {
     assert!(
         second.contains("fn main() {}")
             && second.contains("fn walk() {}")
-            && second.contains("verdict is: holds."),
+            && second.contains("verdict is: holds.")
+            && second.contains("<code>lemma::<wbr>holds</code>"),
         "{second}"
     );
     assert!(fixture.0.path().join("book/html/fonts/NewCMMath-Regular.otf").is_file());
@@ -146,6 +151,52 @@ fn faults_of_keys_fail() {
     Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:6:", "no such anchor");
     Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:9:", "no such function");
     Fixture::expect("src/book.rs", "second.md", "", "book/src/second.md:1:", "not listed");
+}
+
+#[test]
+fn examples_tests_and_commands_that_do_not_exist_fail() {
+    let second = "book/src/second.md";
+    Fixture::expect(
+        second,
+        "{{example: ex}}",
+        "{{example: no}}",
+        "book/src/second.md:13:",
+        "unknown example",
+    );
+    Fixture::expect(second, "lemma::holds", "theorem::holds", "book/src/second.md:13:", "unknown test file");
+    Fixture::expect(second, "lemma::holds", "lemma::fails", "book/src/second.md:13:", "no such test");
+    Fixture::expect(
+        second,
+        "--example ex",
+        "--example no",
+        "book/src/second.md:13:",
+        "unknown example: `no`",
+    );
+    Fixture::expect(
+        second,
+        "Backed by",
+        "Backed by `src/no.rs`,",
+        "book/src/second.md:13:",
+        "does not exist: `src/no.rs`",
+    );
+    let fixture = Fixture::new();
+    fixture.write("examples/alone.rs", "fn main() {}\n");
+    let message = fixture.build().unwrap_err().to_string();
+    assert!(message.starts_with("examples/alone.rs:1: no page shows what"), "{message}");
+}
+
+#[test]
+fn formulas_in_unmarked_places_fail() {
+    let first = "book/src/first.md";
+    Fixture::expect(first, "# First", "# First $x$", "book/src/first.md:1:", "formula in a heading");
+    let twice = "$\\begin{equation} x \\label{bound} \\end{equation}$ by $\\eqref{bound}$";
+    Fixture::expect(
+        "book/src/second.md",
+        "$\\eqref{bound}$",
+        twice,
+        "book/src/second.md:3:",
+        "label given twice",
+    );
 }
 
 #[test]

@@ -46,6 +46,16 @@ impl Output {
         Ok(Some(directory))
     }
 
+    /// Finds places that cannot be written before the work, not after it.
+    fn check(&self) -> Result<()> {
+        self.directory()?;
+        let Some(file) = self.values.as_deref() else {
+            return Ok(());
+        };
+        let opened = std::fs::OpenOptions::new().create(true).append(true).open(file);
+        opened.map(drop).map_err(|e| Error::file(file, e))
+    }
+
     /// Writes the whole outcome where `--values` asks for it.
     fn record(&self, headline: &Headline) -> Result<()> {
         let Some(file) = self.values.as_deref() else {
@@ -63,13 +73,12 @@ pub trait HasOutput {
 
 /// Parses the command line, runs the example and prints its headline.
 pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> ExitCode {
-    let options = match O::try_parse() {
+    let options = match parse::<O>() {
         Ok(options) => options,
         Err(error) => return report_usage(&error),
     };
     let json = options.output().json;
-    // A directory that cannot be written is found before the work, not after it.
-    let outcome = options.output().directory().map(|_| ()).and_then(|()| run(&options));
+    let outcome = options.output().check().and_then(|()| run(&options));
     match outcome.and_then(|headline| options.output().record(&headline).map(|()| headline)) {
         Ok(headline) => {
             let text = if json { headline.table.json_rows().join("\n") + "\n" } else { headline.to_string() };
@@ -82,6 +91,15 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
             ExitCode::from(2)
         }
     }
+}
+
+/// The options of the command line; a value may be a negative number, so that `--nu -0.1` is answered by what it means.
+fn parse<O: Parser>() -> std::result::Result<O, clap::Error> {
+    let command = O::command().mut_args(|argument| {
+        let takes_value = argument.get_action().takes_values();
+        argument.allow_negative_numbers(takes_value)
+    });
+    O::from_arg_matches(&command.try_get_matches()?)
 }
 
 /// `--help` and `--version` go to stdout; anything else is one line on stderr.

@@ -39,7 +39,7 @@ impl FromStr for RateScene {
 /// Errors and consistency terms against h for many regularities; with --scene one scene level by level
 #[derive(Debug, Clone, Parser)]
 pub struct RateOptions {
-    /// One scene, level by level: transition[:POSITION], transitions:COUNT, cantor, fat-cantor, corner, block or membrane
+    /// One scene, level by level: transition or transition:POSITION, transitions:COUNT, cantor, fat-cantor, corner, block or membrane
     #[arg(long)]
     pub scene: Option<RateScene>,
     /// Regularities (default: 1.55 to 1.95, 2, 2.1)

@@ -111,6 +111,11 @@ impl Cell {
     }
 }
 
+/// Singularities further off than this, in lengths of the panel, are as good as absent.
+const FAR: f64 = 20.0;
+/// A point this near to the one to which the panel is graded, relative to the distance of the panel, is that point.
+const AT_ORIGIN: f64 = 1e-9;
+
 /// A piece of a cell, short enough for Gauss rules. Its own coordinate ξ runs over (0,1) from left to right.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Panel {
@@ -146,16 +151,18 @@ impl Panel {
         }
     }
 
-    /// How far outside the panel, in ξ, the point at distance `gap` from one of its ends lies; 1 at most.
+    /// How far outside the panel, in ξ, the point at distance `gap` from one of its ends lies; [`FAR`] at most. Beyond the point to which
+    /// the panel is graded the preimage is complex, at least π/spread off: as far as 1 for a spread up to 2.
     pub(crate) fn outside(&self, gap: f64, on_the_left: bool) -> f64 {
         let grading = if on_the_left { self.grading } else { self.grading.mirrored() };
         let xi = match grading {
             Grading::Uniform => gap / self.length,
+            Grading::FromLeft { inner, .. } if (gap - inner).abs() < AT_ORIGIN * inner => FAR,
             Grading::FromLeft { inner, spread } if gap < inner => -(-gap / inner).ln_1p() / spread,
             Grading::FromLeft { .. } => 1.0,
             Grading::FromRight { inner, spread } => (gap / (inner * spread.exp())).ln_1p() / spread,
         };
-        xi.min(1.0)
+        xi.min(FAR)
     }
 
     /// dx/dξ at ξ.

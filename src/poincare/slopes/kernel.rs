@@ -15,9 +15,21 @@ pub(crate) fn exp_quotient(p: f64, x: f64) -> f64 {
     if p == 0.0 { x } else { (p * x).exp_m1() / p }
 }
 
+/// ln(a/b), also where the quotient leaves the range of f64.
+pub(crate) fn ln_ratio(a: f64, b: f64) -> f64 {
+    let ratio = a / b;
+    if ratio.is_normal() { ratio.ln() } else { a.ln() - b.ln() }
+}
+
+/// ln(1 + a/b), likewise.
+pub(crate) fn ln_one_plus_ratio(a: f64, b: f64) -> f64 {
+    let ratio = a / b;
+    if ratio.is_finite() { ratio.ln_1p() } else { a.ln() - b.ln() }
+}
+
 /// ((a+b)^p − a^p)/p for a > 0, b ≥ 0; ln(1 + b/a) at p = 0.
 pub(crate) fn power_increment(p: f64, a: f64, b: f64) -> f64 {
-    a.powf(p) * exp_quotient(p, (b / a).ln_1p())
+    a.powf(p) * exp_quotient(p, ln_one_plus_ratio(b, a))
 }
 
 /// ν K for the lengths α, γ, β, γ > 0.

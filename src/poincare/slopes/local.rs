@@ -1,7 +1,7 @@
-//! A short zone deep inside the interval, ν < 1/2: local coordinates for the kernel and for the basis.
+//! A short zone deep inside the interval: local coordinates for the kernel and for the basis.
 //!
-//! For p = 1 − 2ν > 0 a jump of u costs finite energy: near the zone K(s,t) is a constant κ plus a part of order r^p, r the
-//! distance from the zone. The extremal function jumps down and up again; in the step basis its energy θ^p would be a difference of
+//! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone. For p > 0 a jump of u costs
+//! finite energy, the extremal function jumps down and up again, and in the step basis its energy θ^p would be a difference of
 //! numbers of order one. Within a group G of cells around the zone
 //!
 //! * neighbouring steps are replaced by their differences, continuous hats; the last step of G stays (the net increment),
@@ -9,9 +9,10 @@
 //!   for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and do not see what is subtracted; the last step
 //!   gets it back.
 //!
-//! All entries then have the size of their own scale, whatever θ.
+//! All entries then have the size of their own scale, whatever θ. For p well below 0 steps are the good basis (a wide plateau of many
+//! short hats would have next to no energy compared with theirs); there the group only serves to see near points from far as P.
 
-use super::kernel::{exp_quotient, kernel, power_increment};
+use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
 use super::space::SlopeSpace;
 use faer::Mat;
 use std::ops::{Range, RangeInclusive};
@@ -20,10 +21,20 @@ use std::ops::{Range, RangeInclusive};
 const SHORT: f64 = 0.05;
 /// ... and reaches this far, in the same unit.
 const REACH: f64 = 0.3;
-/// Hats whose distances from P have a smaller ratio do not interact: the extremal function falls off like r^{−p}, which makes
-/// their share of the energy this ratio, while the entries they are differences of are larger and round accordingly.
-const NEGLIGIBLE: f64 = 1e-13;
+/// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio times a logarithm.
+const NEGLIGIBLE: f64 = 1e-16;
+/// The same for p > 0.1 at the zone, where the entries of distant steps, of which those of hats are differences, round to more; but
+/// the extremal function's energy falls off like (θ/r)^p, and the ratio may grow accordingly up to the second number.
+const NEGLIGIBLE_FOR_JUMPS: (f64, f64) = (1e-13, 1e-6);
+/// Below this order the entries round to 1e-16/ν, and more has to be left out.
+const SMALL_ORDER: f64 = 0.2;
 
+/// The ratio for p > 0.1 at the zone: the share of the energy that is left out.
+pub(crate) fn negligible_for_jumps(p: f64) -> f64 {
+    NEGLIGIBLE_FOR_JUMPS.0 * (2.0 * SMALL_ORDER / (1.0 - p)).max(1.0)
+}
+/// Least energy of a plateau of hats, relative to theirs, for which f64 has digits to spare.
+const WELL_CONDITIONED: f64 = 1e-4;
 /// A point this much nearer to P than another is P itself, as seen from the other.
 const INDISTINCT: f64 = 1e-15;
 
@@ -32,13 +43,15 @@ const INDISTINCT: f64 = 1e-15;
 pub(crate) struct Local {
     p: f64,
     cells: Range<usize>,
+    /// Hats instead of steps.
+    has_hats: bool,
     /// First cell right of P.
     origin: usize,
-    /// Distances of P from the two ends, and the length of the zone.
+    /// Distances of P from the two ends, and the length at which d^p is subtracted.
     left: f64,
     right: f64,
-    zone: f64,
-    zone_power: f64,
+    unit: f64,
+    unit_power: f64,
     /// Distance from P to the nearer end of each panel and of each cell.
     panel_offsets: Vec<f64>,
     cell_offsets: Vec<f64>,
@@ -64,24 +77,29 @@ impl Local {
         let (left, rest) =
             (*space.cell_left.get(zone.start)?, *space.cell_right.get(zone.end.checked_sub(1)?)?);
         let nearest = left.min(rest);
-        if p <= 0.0 || length <= 0.0 || length > SHORT * nearest {
+        if length <= 0.0 || length > SHORT * nearest {
             return None;
         }
         let origin = zone.start;
+        // κ must not exceed what a net increment costs: θ^p is the smaller energy for p > 0, that of the whole for p ≤ 0
+        let unit = if p > 0.0 { length } else { nearest };
         let cell_offsets = offsets(&lengths, origin);
         let reached = |c: &usize| cell_offsets[*c] + lengths[*c] <= REACH * nearest;
         let start = (0..origin).rev().take_while(reached).last().unwrap_or(origin);
         let end = (origin..lengths.len()).take_while(reached).last().map_or(origin, |c| c + 1);
+        let shortest = lengths[start..end].iter().copied().fold(length, f64::min);
+        let has_hats = p >= 0.0 || (shortest / nearest).powf(-p) > WELL_CONDITIONED;
         let first_panel = space.panels.iter().position(|panel| panel.cell >= origin)?;
         let panel_lengths: Vec<f64> = space.panels.iter().map(|panel| panel.length).collect();
         Some(Self {
             p,
             cells: start..end,
+            has_hats,
             origin,
             left,
             right: length + rest,
-            zone: length,
-            zone_power: length.powf(p),
+            unit,
+            unit_power: unit.powf(p),
             panel_offsets: offsets(&panel_lengths, first_panel),
             cell_offsets,
         })
@@ -91,9 +109,14 @@ impl Local {
         self.cells.contains(&cell)
     }
 
-    /// Length of the zone, the unit of the shifted kernel.
-    pub(crate) fn zone(&self) -> f64 {
-        self.zone
+    /// Whether the basis has hats and the kernel is shifted in this cell.
+    pub(crate) fn is_shifted(&self, cell: usize) -> bool {
+        self.has_hats && self.contains(cell)
+    }
+
+    /// The distance at which the shifted kernel vanishes, up to terms of one point alone.
+    pub(crate) fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// Signed distance from P of the point ξ of a panel.
@@ -118,11 +141,19 @@ impl Local {
 
     /// ν (K(s,t) − κ) for s < t in G at distance d, without the terms of either point alone.
     pub(crate) fn inside(&self, d: f64) -> f64 {
-        -self.zone_power * exp_quotient(self.p, (d / self.zone).ln())
+        -self.unit_power * exp_quotient(self.p, ln_ratio(d, self.unit))
     }
 
-    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P.
+    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P; without κ if there are no hats.
     pub(crate) fn origin_kernel(&self, position: f64) -> f64 {
+        if !self.has_hats {
+            let (before, after) = if position > 0.0 {
+                (self.left, self.right - position)
+            } else {
+                (self.left + position, self.right)
+            };
+            return kernel(self.p, before, position.abs(), after);
+        }
         let alone = if position > 0.0 { self.of_further(position) } else { self.of_nearer(position) };
         alone + self.inside(position.abs())
     }
@@ -134,21 +165,6 @@ impl Local {
         if is_nearer(i, j) { Some(true) } else { is_nearer(j, i).then_some(false) }
     }
 
-    /// (D^p − d^p)/p for a point at distance D from P and d from the point at `shift` from P towards it.
-    fn approach(&self, far: f64, d: f64, shift: f64) -> f64 {
-        if shift > 0.0 { power_increment(self.p, d, shift) } else { -power_increment(self.p, far, -shift) }
-    }
-
-    /// ν (K(s,t) − K(P,t)) for s in G, t outside on the right at distance d, without the term of s alone.
-    pub(crate) fn leaving(&self, s: f64, t: f64, d: f64) -> f64 {
-        self.approach(t, d, s)
-    }
-
-    /// ν (K(s,t) − K(s,P)) for t in G, s outside on the left at distance d, without the term of t alone.
-    pub(crate) fn entering(&self, s: f64, t: f64, d: f64) -> f64 {
-        self.approach(-s, d, -t)
-    }
-
     /// Largest and smallest distance from P over cells of G next to `cell`, `width` on either side.
     fn range(&self, space: &SlopeSpace, cells: impl Iterator<Item = usize>) -> (f64, f64) {
         cells.fold((f64::INFINITY, 0.0), |(low, high), c| {
@@ -157,8 +173,18 @@ impl Local {
         })
     }
 
-    /// Whether nothing that holds a step of cell c interacts with anything that holds a step of cell d. A hat joins a cell to the
-    /// next one that carries a step, at most two further on.
+    /// Whether hats up to the distance `near` from P do not interact with those beyond `far`.
+    fn is_apart(&self, near: f64, far: f64) -> bool {
+        let ratio = if self.p > 0.1 {
+            let fall = (near / self.unit).max(1.0).powf(self.p);
+            (negligible_for_jumps(self.p) * fall).min(NEGLIGIBLE_FOR_JUMPS.1)
+        } else {
+            NEGLIGIBLE
+        };
+        near < ratio * far
+    }
+
+    /// Whether nothing that holds a step of cell c interacts with anything that holds one of cell d; a hat joins at most three cells.
     pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
         let around = |cell: usize| {
             let (low, high) = (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
@@ -179,8 +205,8 @@ impl Local {
             // Near the end of G the last step itself may be among the neighbours: then nothing is skipped.
             self.contains(*cells.start()) && *cells.end() < self.last()
         };
-        (is_local(&cells.0) && first.1 < NEGLIGIBLE * second.0)
-            || (is_local(&cells.1) && second.1 < NEGLIGIBLE * first.0)
+        (is_local(&cells.0) && self.is_apart(first.1, second.0))
+            || (is_local(&cells.1) && self.is_apart(second.1, first.0))
     }
 
     /// The cell whose step stays.
@@ -188,9 +214,9 @@ impl Local {
         self.cells.end - 1
     }
 
-    /// Cells of G that carry a step, in order.
+    /// Cells of G whose steps are joined to hats, in order.
     fn steps(&self, space: &SlopeSpace) -> Vec<usize> {
-        self.cells.clone().filter(|&c| space.cells[c].functions > 0).collect()
+        self.cells.clone().filter(|&c| self.has_hats && space.cells[c].functions > 0).collect()
     }
 
     /// Tᵀ M T: the matrix of a form in the basis with hats.
@@ -229,6 +255,9 @@ impl Local {
 
     /// Finishes ν times the Gram matrix assembled with the shifted kernel: hats, negligible entries, and what the last step lost.
     pub(crate) fn finish(&self, space: &SlopeSpace, gram: Mat<f64>, rule: &[(f64, f64)]) -> Mat<f64> {
+        if !self.has_hats {
+            return gram;
+        }
         let mut gram = self.transformed(space, gram);
         let steps = self.steps(space);
         let next = |c: usize| steps.iter().position(|&s| s == c).and_then(|k| steps.get(k + 1)).copied();
@@ -236,9 +265,9 @@ impl Local {
             for d in 0..space.cells.len() {
                 let (first, second) = (c..=next(c).unwrap_or(c), d..=next(d).unwrap_or(d));
                 let ranges = (self.range(space, first.clone()), self.range(space, second.clone()));
-                let small_first = c != self.last() && ranges.0.1 < NEGLIGIBLE * ranges.1.0;
+                let small_first = c != self.last() && self.is_apart(ranges.0.1, ranges.1.0);
                 let small_second =
-                    self.contains(d) && d != self.last() && ranges.1.1 < NEGLIGIBLE * ranges.0.0;
+                    self.contains(d) && d != self.last() && self.is_apart(ranges.1.1, ranges.0.0);
                 if small_first || small_second {
                     for i in space.first[c]..space.first[c + 1] {
                         for j in space.first[d]..space.first[d + 1] {
@@ -250,7 +279,7 @@ impl Local {
             }
         }
         let kept = space.first[self.last()];
-        let (a, b, c) = (self.left, self.right, self.zone);
+        let (a, b, c) = (self.left, self.right, self.unit);
         gram[(kept, kept)] += power_increment(self.p, c, a - c) - power_increment(self.p, b, a);
         for (panel, shape) in space.panels.iter().enumerate().filter(|(_, shape)| !self.contains(shape.cell))
         {

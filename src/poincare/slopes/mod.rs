@@ -4,11 +4,14 @@
 //! ever subtracted from another. See [`cell`] for the parametrizations, [`gram`] for |u|_ν², [`mass`] for ‖u‖₀² under a
 //! condition that fixes the constant, [`local`] for short zones inside, [`pencil`] for the extremal quotient.
 
+mod adjacent;
 pub(crate) mod cell;
 pub(crate) mod gram;
 pub(crate) mod kernel;
 pub(crate) mod local;
 pub(crate) mod mass;
+mod nodes;
 pub(crate) mod pencil;
 mod rules;
+mod separated;
 pub(crate) mod space;

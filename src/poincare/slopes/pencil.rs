@@ -6,7 +6,18 @@
 //! rounding of A and B.
 
 use crate::error::{Error, Result};
-use faer::{Mat, Side};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{LltRegularization, cholesky_in_place, cholesky_in_place_scratch};
+use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch};
+use faer::linalg::matmul::matmul;
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::{Accum, Mat, Par};
+
+/// One thread: on a few hundred rows threads would spend their time waiting for each other. Callers solve several problems at once.
+const PAR: Par = Par::Seq;
+
+/// Rows of the reduced matrix, relative to its norm, that do not matter to the largest eigenvalue.
+const INSIGNIFICANT: f64 = 1e-13;
 
 /// The factorized matrix.
 pub(crate) struct Factored {
@@ -23,8 +34,7 @@ impl Factored {
             return Err(indefinite(pivot));
         }
         let scaled = Mat::from_fn(size, size, |i, j| a[(i, j)] / scale[i] / scale[j]);
-        let factor = scaled.llt(Side::Lower).map_err(|_| indefinite(size))?;
-        let lower = factor.L().to_owned();
+        let lower = cholesky(scaled.clone()).ok_or(indefinite(size))?;
         Ok(Self { scale, scaled, lower })
     }
 
@@ -33,16 +43,29 @@ impl Factored {
         let size = self.scale.len();
         let scaled = Mat::from_fn(size, size, |i, j| b[(i, j)] / self.scale[i] / self.scale[j]);
         let norm = (0..size).map(|i| scaled[(i, i)].abs()).fold(0.0, f64::max);
-        let unit = Mat::from_fn(size, size, |i, j| scaled[(i, j)] / norm);
+        // Entries that cannot matter would only slow the arithmetic down as subnormal numbers.
+        let flushed = |value: f64| if value.abs() < 1e-30 { 0.0 } else { value };
+        let unit = Mat::from_fn(size, size, |i, j| flushed(scaled[(i, j)] / norm));
         let mut half = unit.clone();
-        self.lower.solve_lower_triangular_in_place(half.as_mut());
+        solve_lower_triangular_in_place(self.lower.as_ref(), half.as_mut(), PAR);
         let mut reduced = half.transpose().to_owned();
-        self.lower.solve_lower_triangular_in_place(reduced.as_mut());
-        let symmetric = Mat::from_fn(size, size, |i, j| 0.5 * (reduced[(i, j)] + reduced[(j, i)]));
-        let eigen = symmetric.self_adjoint_eigen(Side::Lower).map_err(|_| indefinite(size))?;
-        let mut vector = Mat::from_fn(size, 1, |i, _| eigen.U()[(i, size - 1)]);
-        self.lower.transpose().solve_upper_triangular_in_place(vector.as_mut());
-        let quadratic = |matrix: &Mat<f64>| (vector.transpose() * (matrix * &vector))[(0, 0)];
+        solve_lower_triangular_in_place(self.lower.as_ref(), reduced.as_mut(), PAR);
+        let symmetric = |i: usize, j: usize| 0.5 * (reduced[(i, j)] + reduced[(j, i)]);
+        // Rows of size ε change λ by ε²; without them the matrix is smaller and holds no subnormal numbers.
+        let largest = |i: &usize| (0..size).map(|j| symmetric(*i, j).abs()).fold(0.0, f64::max);
+        let kept: Vec<usize> = (0..size).filter(|i| largest(i) > INSIGNIFICANT).collect();
+        let essential = Mat::from_fn(kept.len(), kept.len(), |i, j| symmetric(kept[i], kept[j]));
+        let first = dominant(&essential).ok_or(indefinite(size))?;
+        let mut vector = Mat::<f64>::zeros(size, 1);
+        for (i, &row) in kept.iter().enumerate() {
+            vector[(row, 0)] = first[i];
+        }
+        solve_upper_triangular_in_place(self.lower.transpose(), vector.as_mut(), PAR);
+        let quadratic = |matrix: &Mat<f64>| {
+            let mut image = Mat::<f64>::zeros(size, 1);
+            matmul(image.as_mut(), Accum::Replace, matrix.as_ref(), vector.as_ref(), 1.0, PAR);
+            (0..size).map(|i| vector[(i, 0)] * image[(i, 0)]).sum::<f64>()
+        };
         let of_b = quadratic(&unit);
         let length = of_b.sqrt() * norm.sqrt();
         let vector = (0..size).map(|i| vector[(i, 0)] / length / self.scale[i]).collect();
@@ -53,10 +76,37 @@ impl Factored {
     pub(crate) fn solve(&self, b: &[f64]) -> Vec<f64> {
         let size = self.scale.len();
         let mut x = Mat::from_fn(size, 1, |i, _| b[i] / self.scale[i]);
-        self.lower.solve_lower_triangular_in_place(x.as_mut());
-        self.lower.transpose().solve_upper_triangular_in_place(x.as_mut());
+        solve_lower_triangular_in_place(self.lower.as_ref(), x.as_mut(), PAR);
+        solve_upper_triangular_in_place(self.lower.transpose(), x.as_mut(), PAR);
         (0..size).map(|i| x[(i, 0)] / self.scale[i]).collect()
     }
+}
+
+/// L with A = L Lᵀ.
+fn cholesky(mut a: Mat<f64>) -> Option<Mat<f64>> {
+    let size = a.nrows();
+    let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(size, PAR, Default::default()));
+    let stack = MemStack::new(&mut memory);
+    cholesky_in_place(a.as_mut(), LltRegularization::default(), PAR, stack, Default::default()).ok()?;
+    for j in 0..size {
+        for i in 0..j {
+            a[(i, j)] = 0.0;
+        }
+    }
+    Some(a)
+}
+
+/// The unit eigenvector of the largest eigenvalue.
+fn dominant(a: &Mat<f64>) -> Option<Vec<f64>> {
+    let size = a.nrows();
+    let (mut values, mut vectors) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, size));
+    let wanted = ComputeEigenvectors::Yes;
+    let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(size, wanted, PAR, Default::default()));
+    let stack = MemStack::new(&mut memory);
+    let diagonal = values.as_mut().col_mut(0).as_diagonal_mut();
+    self_adjoint_evd(a.as_ref(), diagonal, Some(vectors.as_mut()), PAR, stack, Default::default()).ok()?;
+    let last = size.checked_sub(1)?;
+    Some((0..size).map(|i| vectors[(i, last)]).collect())
 }
 
 fn indefinite(pivot: usize) -> Error {

@@ -7,7 +7,7 @@
 use super::cell::{Cell, Panel};
 
 /// Largest number of slope functions on one cell.
-pub(crate) const MOST_FUNCTIONS: usize = 24;
+pub(crate) const MOST_FUNCTIONS: usize = 16;
 
 /// Values of the basis at a point.
 pub(crate) type Values = [f64; MOST_FUNCTIONS + 1];

@@ -1,0 +1,124 @@
+//! Examples and pages belong together: every example shows its outcome on a page, every page leads to an example, and
+//! no command on a page names an example, no code type a file, that is not there.
+
+use crate::data::names;
+use crate::error::{Fault, Result};
+use crate::page::Page;
+use crate::scan::{Kind, line_at, pieces};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Directives that show the outcome of an example; a bare name or verdict does not.
+const SHOWN: [&str; 5] = ["table", "measured", "figure", "slider", "value"];
+/// How a command names an example.
+const COMMAND: &str = "--example ";
+
+/// Directories whose files pages name.
+const DIRECTORIES: [&str; 4] = ["src/", "tests/", "examples/", "book/"];
+
+/// Faults of the pages against the programs and files of a repository.
+///
+/// # Errors
+/// When the directory of examples cannot be read.
+pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
+    let examples = &repository.join("examples");
+    let programs: Vec<String> =
+        names(examples)?.into_iter().filter_map(|n| n.strip_suffix(".rs").map(str::to_owned)).collect();
+    let mut found = Vec::new();
+    let mut shown = BTreeSet::new();
+    for page in pages {
+        let on_page = outcomes(page, &programs);
+        let commands = commands(&page.text);
+        for &(at, name) in &commands {
+            if !programs.iter().any(|p| p == name) {
+                let line = line_at(&page.text, at);
+                found.push(Fault::new(&page.file, line, "command names an unknown example", name));
+            }
+        }
+        for (at, name) in files(&page.text) {
+            if !repository.join(name).exists() {
+                let line = line_at(&page.text, at);
+                found.push(Fault::new(&page.file, line, "file does not exist", name));
+            }
+        }
+        if on_page.is_empty() && commands.is_empty() {
+            found.push(Fault::new(&page.file, 1, "page without an example", page.html.as_str()));
+        }
+        shown.extend(on_page);
+    }
+    let missing = programs.iter().filter(|name| !shown.contains(*name));
+    found.extend(missing.map(|name| {
+        let file = Path::new("examples").join(name).with_extension("rs");
+        Fault::new(&file, 1, "no page shows what this example computes", name)
+    }));
+    Ok(found)
+}
+
+/// Examples whose outcome a page shows.
+fn outcomes(page: &Page, programs: &[String]) -> BTreeSet<String> {
+    let found = pieces(&page.text).unwrap_or_default();
+    let directives = found.iter().filter(|piece| piece.kind == Kind::Directive).filter(|piece| {
+        let name = piece.text.split(':').next().unwrap_or("").trim();
+        SHOWN.contains(&name)
+    });
+    let words = directives.flat_map(|piece| piece.text.split(|c: char| !c.is_alphanumeric() && c != '_'));
+    words.filter(|word| programs.iter().any(|p| p == word)).map(str::to_owned).collect()
+}
+
+/// Examples named by the commands of a page, with their place.
+fn commands(text: &str) -> Vec<(usize, &str)> {
+    text.match_indices(COMMAND)
+        .filter_map(|(at, _)| {
+            let rest = &text[at + COMMAND.len()..];
+            let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+            (end > 0).then_some((at, &rest[..end]))
+        })
+        .collect()
+}
+
+/// Files of the repository that stand between single backticks, with their place.
+fn files(text: &str) -> Vec<(usize, &str)> {
+    let is_file =
+        |name: &str| DIRECTORIES.iter().any(|d| name.starts_with(d)) && !name.contains(char::is_whitespace);
+    let starts = text.match_indices('`').map(|(at, _)| at + 1);
+    starts
+        .filter_map(|at| Some((at, text[at..].split_once('`')?.0)))
+        .filter(|(_, name)| is_file(name))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn examples_without_page_pages_without_example_and_dead_commands_are_named() {
+        let directory = tempfile::tempdir().unwrap();
+        for name in ["one.rs", "two.rs", "three.rs"] {
+            let path = directory.path().join("examples").join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, "").unwrap();
+        }
+        let page = |name: &str, text: &str| Page {
+            file: name.into(),
+            html: name.replace(".md", ".html"),
+            text: text.to_owned(),
+        };
+        let pages = [
+            page("a.md", "{{table: one}} of `examples/one.rs`, `src/none.rs` and `examples/`"),
+            page("b.md", "`{{table: two}}` {{verdict: two}}"),
+            page("c.md", "{{slider: t: a = three/x, b = three/y: c}}\n\ncargo run --example four -- --x"),
+        ];
+        let found: Vec<(String, usize)> = faults(&pages, directory.path())
+            .unwrap()
+            .into_iter()
+            .map(|f| (format!("{} {}", f.file.display(), f.text), f.line))
+            .collect();
+        let expected = [("a.md src/none.rs", 1), ("c.md four", 3), ("examples/two.rs two", 1)];
+        assert!(found.contains(&("b.md b.html".to_owned(), 1)), "{found:?}");
+        for (text, line) in expected {
+            assert!(found.contains(&(text.to_owned(), line)), "{found:?}");
+        }
+        assert_eq!(found.len(), 4);
+    }
+}

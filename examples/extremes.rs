@@ -1,0 +1,220 @@
+//! Extremes: the hardest admissible input gets digits, the inadmissible an error that names what was wrong.
+//!
+//! [`ADMISSIBLE`] and [`INADMISSIBLE`] are the two lists. Each admissible case is computed and compared with a value found
+//! another way: a closed form, a law of scaling, the other solver.
+//!
+//! `cargo run --release --example extremes`
+
+use clap::Parser;
+use example_frame::{HasOutput, Output};
+use signorini::contact::{Cone, Solver};
+use signorini::figures::{Axis, Chart, Series};
+use signorini::mesh::{Part, Sides, unit_square};
+use signorini::poincare::{Condition, UniformLaw, Zone, gamma, gamma_at_point};
+use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
+use signorini::scenes::{Scene, Setting};
+use signorini::sobolev::{
+    FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, closed_forms,
+};
+use signorini::{Result, Tolerance};
+use std::process::ExitCode;
+
+/// What is planted, what is answered
+#[derive(Debug, Clone, Parser, Default)]
+pub struct Options {
+    /// Where the outcome goes
+    #[command(flatten)]
+    pub output: Output,
+}
+
+impl HasOutput for Options {
+    fn output(&self) -> &Output {
+        &self.output
+    }
+}
+
+/// A value and the same value found another way.
+type Pair = (f64, f64);
+/// Planted, what is computed and against what, and the computation.
+type Case<T> = (&'static str, &'static str, fn() -> Result<T>);
+
+/// A relative error above this is no digits: sums of a million terms of one sign, condition numbers up to 1e5.
+pub const DIGITS: f64 = 1e-9;
+
+/// Input that is hard and admissible.
+pub const ADMISSIBLE: [Case<Pair>; 14] = [
+    ("order 1e-300", "seminorm of x, closed form", || ramp(FractionalOrder::new(1e-300)?, 1.0, 1.0)),
+    ("order 1 - 2^-52", "seminorm of x, closed form", || {
+        ramp(FractionalOrder::new(1.0 - f64::EPSILON)?, 1.0, 1.0)
+    }),
+    ("interval of length 1e-300", "seminorm of a ramp, scaling", || {
+        ramp(FractionalOrder::new(0.3)?, 1e-300, 1.0)
+    }),
+    ("interval of length 1e300", "seminorm of a ramp, scaling", || {
+        ramp(FractionalOrder::new(0.9)?, 1e300, 1.0)
+    }),
+    ("values of size 1e150", "seminorm of a ramp, scaling", || ramp(FractionalOrder::new(0.7)?, 1.0, 1e150)),
+    ("cells of length 1e-300 beside 1", "seminorm of a hat, same over 1e-20", || {
+        Ok((hat(1e-300)?, hat(1e-20)?))
+    }),
+    ("a million cells", "seminorm of a step, closed form", million_cells),
+    ("zone of length 1e-300, order 1/2", "gamma, uniform law", short_zone),
+    ("zone 1e-300, order 3/4", "gamma, one point", || {
+        let order = FractionalOrder::new(0.75)?;
+        let zone = gamma(order, Zone::end(1e-300)?, Condition::MeanZero, Tolerance::balanced())?;
+        Ok((zone.value, gamma_at_point(order, 0.0, Tolerance::balanced())?.value))
+    }),
+    ("load of size 1e-150", "contact force, scaling", || scaled_load(1e-150)),
+    ("load of size 1e150", "contact force, scaling", || scaled_load(1e150)),
+    ("Poisson's ratio 1/2 - 1e-6", "energy, other solver", || {
+        energies(Scene::Incompressible, Setting { poisson: 0.5 - 1e-6, ..Setting::default() })
+    }),
+    ("contact nowhere", "energy, other solver", || energies(Scene::Free, Setting::default())),
+    ("contact everywhere", "contact force, other solver", || {
+        let solution = Scene::Closed.problem(16)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+        let other = Scene::Closed.problem(16)?.solve(Cone::Nodal, Solver::InteriorPoint)?;
+        Ok((solution.contact_force, other.contact_force))
+    }),
+];
+
+/// Input that has no answer.
+pub const INADMISSIBLE: [Case<f64>; 8] = [
+    ("order NaN", "any norm", || FractionalOrder::new(f64::NAN).map(FractionalOrder::value)),
+    ("a step, order 1/2", "seminorm", || {
+        let step = SingularFunction::new(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 })?;
+        Ok(step.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
+    }),
+    ("|ln x|^0.6, order 1/2", "seminorm", || {
+        let slow = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+            0 => (-at.offset().ln()).powf(0.6),
+            _ => (-at.offset().ln_1p()).powf(0.6),
+        })?;
+        Ok(slow.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
+    }),
+    ("a function with value NaN", "seminorm", || {
+        let torn = SingularFunction::new(&[0.0, 1.0], |x: f64| if x > 0.5 { f64::NAN } else { x })?;
+        Ok(torn.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
+    }),
+    ("a node given twice", "any norm", || {
+        Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(|mesh| mesh.nodes()[0])
+    }),
+    ("a zone of length 0, order 1/2", "gamma", || {
+        Ok(gamma(FractionalOrder::HALF, Zone::end(0.0)?, Condition::MeanZero, Tolerance::fast())?.value)
+    }),
+    ("16 digits asked", "gamma", || Ok(Tolerance::new(1e-16)?.relative())),
+    ("a body that nothing holds", "displacement", || {
+        let sides =
+            Sides { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Neumann };
+        Ok(Scene::Block.on(unit_square(4, sides)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
+    }),
+];
+
+/// |x|_ν on (0, L), height H: H L^{1/2 − ν} / √((1−ν)(3−2ν)).
+fn ramp(order: FractionalOrder, length: f64, height: f64) -> Result<Pair> {
+    let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|v| v * height);
+    let u = PiecewisePolynomial::linears(Partition::uniform(4, length)?, &values)?;
+    let unit = (order.complement() * (1.0 + 2.0 * order.complement())).sqrt().recip();
+    let exact = height * unit * length.powf(-order.offset());
+    Ok((u.seminorm(0, order, Tolerance::reference())?.value, exact))
+}
+
+/// At ν = 1/2 the seminorm does not see scale.
+fn hat(width: f64) -> Result<f64> {
+    let mesh = Partition::from_lengths(vec![1.0, width, width, 1.0])?;
+    let u = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
+    Ok(u.seminorm(0, FractionalOrder::HALF, Tolerance::reference())?.value)
+}
+
+fn million_cells() -> Result<Pair> {
+    let (n, order) = (1_000_000, FractionalOrder::new(0.25)?);
+    let operator = GramOperator::constants(&Partition::uniform(n, 1.0)?, order, Tolerance::reference())?;
+    let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
+    let form: f64 = step.iter().zip(operator.apply(&step)?).map(|(x, y)| x * y).sum();
+    Ok((form, closed_forms::jump(0.5, 0.5, order)?.value))
+}
+
+fn short_zone() -> Result<Pair> {
+    let (order, tolerance) = (FractionalOrder::HALF, Tolerance::new(1e-10)?);
+    let found = gamma(order, Zone::end(1e-300)?, Condition::MeanZero, tolerance)?;
+    Ok((found.value, UniformLaw::new(order, tolerance)?.gamma(1e-300)?))
+}
+
+fn scaled_load(load_scale: f64) -> Result<Pair> {
+    let force = |load_scale| -> Result<f64> {
+        let problem = Scene::Block.problem_with(16, &Setting { load_scale, ..Setting::default() })?;
+        Ok(problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force)
+    };
+    Ok((force(load_scale)?, load_scale * force(1.0)?))
+}
+
+fn energies(scene: Scene, setting: Setting) -> Result<Pair> {
+    let problem = scene.problem_with(16, &setting)?;
+    let energy = |solver| problem.solve(Cone::Nodal, solver).map(|solution| solution.energy);
+    Ok((energy(Solver::ActiveSet)?, energy(Solver::InteriorPoint)?))
+}
+
+/// Plants every case.
+pub fn run(options: &Options) -> Result<Headline> {
+    let mut table = Table::new(vec![
+        Column::words("planted", "planted", 32),
+        Column::words("asked", "asked", 20),
+        Column::words("answer", "answer", 30),
+        Column::new("error", "error", Format::Scientific(0), "relative, against the value found another way"),
+    ]);
+    let (mut worst, mut wrong): (f64, Vec<&str>) = (0.0, Vec::new());
+    for (planted, asked, compute) in ADMISSIBLE {
+        let (found, expected) = compute()?;
+        let error = (found / expected - 1.0).abs();
+        worst = worst.max(error);
+        if error.is_nan() || error > DIGITS {
+            wrong.push(planted);
+        }
+        table.push(vec![planted.into(), asked.into(), format!("{found:.9e}").into(), error.into()]);
+    }
+    for (planted, asked, compute) in INADMISSIBLE {
+        let answer = match compute() {
+            Err(error) => format!("refused: {error}"),
+            Ok(value) => {
+                wrong.push(planted);
+                format!("{value}")
+            }
+        };
+        table.push(vec![planted.into(), asked.into(), answer.into(), Cell::Missing]);
+    }
+    let (hard, bad) = (ADMISSIBLE.len(), INADMISSIBLE.len());
+    let verdict = if wrong.is_empty() { Verdict::Holds } else { Verdict::NotConfirmed(wrong.join(", ")) };
+    let measured = format!(
+        "{hard} hard inputs, worst relative error {worst:.0e}; {bad} bad ones; {} answered wrongly",
+        wrong.len()
+    );
+    let claim = "the hardest admissible input gets digits, the inadmissible an error that names it";
+    let mut headline = Headline::new("Extremes", claim, table, measured, verdict);
+    headline.quote("extremes.worst.error", worst);
+    headline.quote("extremes.hard.count", hard as f64);
+    headline.quote("extremes.refused.count", bad as f64);
+    if let Some(directory) = options.output.directory()? {
+        headline.figures.push(three_hundred_decades()?.save(directory, "extremes_zone")?);
+    }
+    Ok(headline)
+}
+
+/// γ_θ(1/2) for zones down to the shortest admitted, beside the law that holds as θ → 0.
+fn three_hundred_decades() -> Result<Chart> {
+    let (order, tolerance) = (FractionalOrder::HALF, Tolerance::fast());
+    let law = UniformLaw::new(order, tolerance)?;
+    let (mut computed, mut expected) = (Vec::new(), Vec::new());
+    for decade in (20..=290).step_by(45) {
+        let theta = 10f64.powi(-decade);
+        let found = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        computed.push((theta, found.value));
+        expected.push((theta, law.gamma(theta)?));
+    }
+    let x = Axis::logarithmic("θ, length of the zone (interval = 1)");
+    Ok(Chart::new("Poincaré constant of order 1/2 over 300 decades", x, Axis::linear("γ, Poincaré constant"))
+        .with(Series::points("computed", computed))
+        .with(Series::dashed("law as θ → 0", expected)))
+}
+
+fn main() -> ExitCode {
+    example_frame::main(run)
+}

@@ -1,0 +1,103 @@
+//! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
+
+use super::constant::{constraint, gamma_whole, refine, rounding};
+use super::discrete::{Constraint, Discrete};
+use super::mesh::MeshModel;
+use super::zone::{Condition, Zone};
+use crate::error::Result;
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::sobolev::FractionalOrder;
+
+/// γ between two bounds that do not use the eigenvalue itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoSided {
+    /// γ with its error.
+    pub gamma: Estimate,
+    /// A conforming lower bound: the quotient of a function of the space, less its rounding.
+    pub lower: f64,
+    /// An upper bound from γ₁ and the dual norm N, sharpened; raised by the estimated errors of γ₁ and N.
+    pub upper: f64,
+    /// γ₁(ν), the constant of the whole interval.
+    pub whole: Estimate,
+    /// N, the dual norm of the mean value: max(γ₁, N)² ≤ γ² ≤ γ₁² + N² for the mean-zero condition.
+    pub dual_norm: Estimate,
+}
+
+/// γ with two-sided bounds (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u over (0,1)).
+///
+/// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when the representer of
+/// m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Condition, Zone, two_sided}, sobolev::FractionalOrder};
+/// let zone = Zone::at(0.25, 1e-3)?;
+/// let found = two_sided(FractionalOrder::new(0.3)?, zone, Condition::MeanZero, Tolerance::fast())?;
+/// assert!(found.lower <= found.gamma.value && found.gamma.value <= found.upper);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// As for [`super::gamma`].
+pub fn two_sided(
+    order: FractionalOrder,
+    zone: Zone,
+    condition: Condition,
+    tolerance: Tolerance,
+) -> Result<TwoSided> {
+    let constraint = constraint(&zone, condition)?;
+    let whole = gamma_whole(order, tolerance)?;
+    refine(
+        order,
+        rounding(order, &constraint),
+        tolerance,
+        |model| Sides::new(order, &constraint, model, &whole),
+        |fine, coarse| fine.join(&coarse, whole),
+        |found| found.gamma.relative_error(),
+    )
+}
+
+/// γ, its upper bound and N on one space.
+struct Sides {
+    gamma: f64,
+    upper: f64,
+    norm: f64,
+    rounding: f64,
+    work: Work,
+}
+
+impl Sides {
+    fn new(
+        order: FractionalOrder,
+        constraint: &Constraint,
+        model: &MeshModel,
+        whole: &Estimate,
+    ) -> Result<Self> {
+        let mut discrete = Discrete::new(order, constraint, model)?;
+        let (gamma, _) = discrete.largest_quotient()?;
+        let dual = discrete.dual_norm()?;
+        let whole_here = (whole.value + whole.error) / discrete.factor;
+        Ok(Self {
+            gamma,
+            upper: dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor,
+            norm: dual.square.sqrt() * discrete.factor,
+            rounding: rounding(order, constraint),
+            work: discrete.work,
+        })
+    }
+
+    fn join(&self, coarse: &Self, whole: Estimate) -> Result<TwoSided> {
+        let work = self.work + coarse.work;
+        let estimate =
+            |a: f64, b: f64| Estimate::new(a.max(b), (a - b).abs() + self.rounding * a.max(b), work);
+        let gamma = estimate(self.gamma, coarse.gamma)?;
+        let dual_norm = estimate(self.norm, coarse.norm)?;
+        let upper = estimate(self.upper, coarse.upper)?;
+        Ok(TwoSided {
+            gamma,
+            lower: gamma.value * (1.0 - self.rounding),
+            upper: upper.value + upper.error + dual_norm.error,
+            whole,
+            dual_norm,
+        })
+    }
+}

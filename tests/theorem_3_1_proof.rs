@@ -1,0 +1,309 @@
+//! Theorem 3.1, its proof: (3.3)-(3.15) on computed pairs, each side by itself, and the ladder of bounds.
+
+use signorini::Tolerance;
+use signorini::analysis::{
+    ContactPair, EdgeTrace, Interval, NearVertices, ProofCase, ProofConstants, Resolution, Section,
+    SegmentNorms, SegmentTrace, SeminormForm, ThetaRule, Traces, seminorm_by_quadrature,
+};
+use signorini::sobolev::FractionalOrder;
+use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides};
+
+#[allow(dead_code)]
+#[path = "../examples/theorem_3_1_proof_profile.rs"]
+mod theorem_3_1_proof_profile;
+
+const SECTION: Section = Section::Three;
+/// Rungs that coincide agree to the rounding of their sums and to the error of the constants, about 1e-9.
+const RUNG: f64 = 1e-8;
+/// The two roads to a seminorm: what is asked of the quadrature, with a factor for the cancellation in nearly constant traces.
+const ROADS: f64 = 1e-8;
+
+/// A linear congruential generator with a fixed seed.
+struct Random(u64);
+
+impl Random {
+    /// In (0, 1).
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((self.0 >> 33) as f64 + 0.5) / (1u64 << 31) as f64
+    }
+}
+
+fn scenes(tau: f64, random: &mut Random) -> Vec<SceneKind> {
+    let rough = if tau < 2.0 {
+        SceneKind::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
+    } else {
+        SceneKind::Cantor { ratio: 0.4, depth: 8 }
+    };
+    vec![
+        SceneKind::Transition { position: 0.05 + 0.9 * random.next() },
+        SceneKind::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
+        SceneKind::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
+        rough,
+    ]
+}
+
+/// Every inequality on scenes x h x theta x tau; returns (cases, inequalities).
+fn all_cases(taus: &[f64]) -> (usize, usize) {
+    let mut random = Random(2012);
+    let (mut cases, mut checks) = (0, 0);
+    for &tau in taus {
+        let mut constants = ProofConstants::new(tau, 2.0).unwrap();
+        for level in [2, 4, 6] {
+            for kind in scenes(tau, &mut random) {
+                for rule in [
+                    ThetaRule::Printed { tau },
+                    ThetaRule::Fixed(0.5),
+                    ThetaRule::Fixed(0.1),
+                    ThetaRule::Fixed(0.01),
+                ] {
+                    let case = ProofCase {
+                        section: SECTION,
+                        source: SceneSource::Built(kind),
+                        tau,
+                        scene_tau: tau,
+                        levels: Levels::new(level, level).unwrap(),
+                        resolution: Resolution::Segment(6),
+                        rule,
+                        positions: 1,
+                    };
+                    let profile = case.profile(&mut constants).unwrap();
+                    let level = &profile.levels[0];
+                    for inequality in &level.inequalities {
+                        assert_eq!(
+                            inequality.violations, 0,
+                            "{} fails: {kind}, tau {tau}, n {}, theta {}, left/right {}",
+                            inequality.label, level.n, level.theta, inequality.sharpest
+                        );
+                        checks += inequality.count;
+                    }
+                    assert_eq!(
+                        level.cases[2], 0,
+                        "a segment in neither case: {kind}, tau {tau}, n {}",
+                        level.n
+                    );
+                    let rungs = level.rungs.map(|values| values[0]);
+                    assert!(
+                        rungs.windows(2).all(|pair| pair[0] <= pair[1] * (1.0 + RUNG)),
+                        "a rung is below the one it bounds: {kind}, tau {tau}, n {}, {rungs:?}",
+                        level.n
+                    );
+                    cases += 1;
+                }
+            }
+        }
+    }
+    (cases, checks)
+}
+
+#[test]
+fn every_inequality_holds_on_more_than_two_hundred_cases() {
+    let (cases, checks) = all_cases(&[1.55, 1.65, 1.75, 1.9, 2.0]);
+    println!("{cases} cases, {checks} inequalities");
+    assert!(cases >= 200 && checks > 10_000, "{cases} cases, {checks} inequalities");
+}
+
+#[test]
+fn seminorms_on_a_segment_agree_by_two_roads() {
+    let mut worst = 0.0f64;
+    let mut compared = 0;
+    for (tau, nus) in [(1.6, [0.05, 0.1, 0.25]), (1.75, [0.25, 0.35, 0.45]), (2.0, [0.5, 0.6, 0.75])] {
+        for nu in nus {
+            let order = FractionalOrder::new(nu).unwrap();
+            let traces = if nu < 0.5 { Traces::Constants } else { Traces::Linears };
+            for source in ["transition", "transitions:9", "cantor:0.3"] {
+                let scene = source.parse::<SceneSource>().unwrap().scene(tau, 512, Sides::Natural).unwrap();
+                let pair = ContactPair::of_scene(&scene, traces).unwrap();
+                for n in [16, 32] {
+                    let form = SeminormForm::new(traces, order, 512 / n).unwrap();
+                    for segment in pair.segments(n).unwrap() {
+                        let norms = SegmentNorms::new(&segment, 2.0, &form).unwrap();
+                        for (which, closed) in [
+                            (SegmentTrace::Stress, norms.stress.seminorm_squared),
+                            (SegmentTrace::Slope, norms.slope.seminorm_squared),
+                        ] {
+                            let asked = Tolerance::new(1e-10).unwrap();
+                            let adaptive = seminorm_by_quadrature(&segment, which, order, asked).unwrap();
+                            let difference = (adaptive.value - closed.value).abs();
+                            // Below: nearly constant traces, whose seminorm is known absolutely.
+                            let scale = closed.value.max(1e-6 * (norms.slope.l2 + norms.stress.l2).powi(2));
+                            if scale > 0.0 {
+                                worst = worst.max(difference / scale);
+                                compared += 1;
+                                assert!(
+                                    difference <= ROADS * scale,
+                                    "{source} nu {nu} n {n} {which:?}: {} and {}",
+                                    closed.value,
+                                    adaptive.value
+                                );
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    println!("{compared} seminorms, worst relative difference {worst:.1e}");
+    assert!(compared > 1000);
+}
+
+#[test]
+fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
+    let mut constants = ProofConstants::new(1.75, 2.0).unwrap();
+    let case = ProofCase::standard(SECTION).unwrap();
+    assert!(case.levels.cells().count() >= 8);
+    let profile = case.profile(&mut constants).unwrap();
+    let ladder = profile.ladder().unwrap();
+    let losses: f64 = ladder.iter().filter_map(|rung| rung.loss).map(|loss| loss.value).sum();
+    let uncertainty: f64 = ladder.iter().filter_map(|rung| rung.loss).map(|loss| loss.uncertainty).sum();
+    let distance = ladder[0].exponent.value - profile.printed_exponent();
+    println!("losses {losses:.4}, distance {distance:.4}, uncertainties together {uncertainty:.4}");
+    assert!((losses - distance).abs() <= uncertainty.min(1e-6), "{losses} and {distance}");
+    // One transition: the term falls like h^(2 tau - 2), within the scatter of its position in the cell.
+    assert!((ladder[0].exponent.value - 1.5).abs() < 0.05, "{:?}", ladder[0].exponent);
+    // The eighth lost in the square is lost where the zone is taken as short as h_e theta: (2 tau - 3)(2 - tau).
+    let zone = ladder[4].loss.unwrap();
+    let law = ladder[5].loss.unwrap();
+    let together = zone.uncertainty + law.uncertainty;
+    assert!((zone.value + law.value - 0.125).abs() <= together, "{zone:?} {law:?}");
+}
+
+#[test]
+fn the_corrected_law_gives_the_square_root_of_the_logarithm() {
+    let mut constants = ProofConstants::new(2.0, 2.0).unwrap();
+    let case = ProofCase {
+        tau: 2.0,
+        scene_tau: 2.0,
+        rule: ThetaRule::Printed { tau: 2.0 },
+        levels: Levels::new(3, 10).unwrap(),
+        positions: 1,
+        ..ProofCase::standard(SECTION).unwrap()
+    };
+    let profile = case.profile(&mut constants).unwrap();
+    // Before the sum over the edge: the second case with its law over h^2 ln(1/h), over h^2 sqrt(ln(1/h)).
+    let quotients: Vec<[f64; 2]> = profile
+        .levels
+        .iter()
+        .map(|l| {
+            let log = -l.h().ln();
+            [l.rungs[5][0] / l.rungs[4][0] / log.sqrt(), l.rungs[5][1] / l.rungs[4][0]]
+        })
+        .collect();
+    // gamma_theta ~ sqrt(ln(1/theta)): both quotients stay within a factor of their first value.
+    for quotient in &quotients {
+        for column in 0..2 {
+            let ratio = quotient[column] / quotients[0][column];
+            assert!((0.5..2.0).contains(&ratio), "{quotients:?}");
+        }
+        assert!(quotient[1] >= 1.0 - RUNG);
+    }
+}
+
+#[test]
+fn cases_of_pairs_are_those_of_traces() {
+    for (source, tau) in
+        [("transition:0.3", 1.75), ("transitions:7", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 1.9)]
+    {
+        let scene = source.parse::<SceneSource>().unwrap().scene(tau, 1 << 12, Sides::Natural).unwrap();
+        let trace = EdgeTrace::of_scene(&scene).unwrap();
+        let pair = ContactPair::of_scene(&scene, Traces::Constants).unwrap();
+        let n = 64;
+        let form =
+            SeminormForm::new(Traces::Constants, FractionalOrder::new(0.2).unwrap(), (1 << 12) / n).unwrap();
+        for theta in [0.4, 0.11, 0.03] {
+            let rule = NearVertices::new(theta).unwrap();
+            for (i, segment) in pair.segments(n).unwrap().enumerate() {
+                let norms = SegmentNorms::new(&segment, 2.0, &form).unwrap();
+                let reach = norms.length * theta;
+                let first = norms.zero_distance.is_some_and(|d| d.iter().all(|&d| d < reach));
+                let interval = Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
+                let found = rule.classify(&trace, interval);
+                assert_eq!(found.first, first, "{source} theta {theta} segment {i}");
+                assert!(first || norms.free_length >= reach, "{source} theta {theta} segment {i}");
+                assert!(norms.nodal_term >= 0.0 && norms.midpoint_term >= -1e-12 * norms.force * norms.depth);
+            }
+        }
+    }
+}
+
+#[test]
+fn degenerate_pairs_have_finite_norms_and_no_violation() {
+    let cells = 64;
+    let touching: [(&str, &dyn Fn(usize) -> bool); 5] = [
+        ("full contact", &|_| true),
+        ("one contact point", &|i| i == 21),
+        ("contact up to a vertex", &|i| i <= 32),
+        ("contact on one segment", &|i| (16..=32).contains(&i)),
+        ("contact at both ends", &|i| i <= 2 || i >= 62),
+    ];
+    let known = [1.75, 2.0].map(|tau| {
+        let mut constants = ProofConstants::new(tau, 2.0).unwrap();
+        let gamma = constants.gamma(0.25).unwrap();
+        (constants, gamma)
+    });
+    for (name, touches) in touching {
+        let values = (0..=cells).map(|i| if touches(i) { 0.0 } else { -1.0 }).collect();
+        // A force needs a contact cell beside its node.
+        let carried = |i: usize| touches(i) && ((i > 0 && touches(i - 1)) || (i < cells && touches(i + 1)));
+        let forces = (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
+        let scene = EdgeScene::new(cells, Sides::Natural, values, forces).unwrap();
+        for tau in [1.75, 2.0] {
+            let (constants, gamma) = &known[usize::from(tau == 2.0)];
+            let traces = Traces::for_regularity(tau);
+            let pair = ContactPair::of_scene(&scene, traces).unwrap();
+            let form = SeminormForm::new(traces, constants.order(), 16).unwrap();
+            for segment in pair.segments(4).unwrap() {
+                let norms = SegmentNorms::new(&segment, constants.q(), &form).unwrap();
+                assert!(
+                    norms.displacement_norm_squared().is_finite() && norms.stress.norm_squared().is_finite()
+                );
+                let setting = signorini::analysis::SegmentSetting {
+                    theta: 0.25,
+                    gamma: *gamma,
+                    own_gamma: 0.0,
+                    law: constants.law(0.25),
+                    corrected_law: constants.corrected_law(0.25),
+                };
+                for check in signorini::analysis::section_three_checks(&norms, constants, &setting) {
+                    assert!(check.holds(), "{name} tau {tau}: {check:?}");
+                }
+                for check in signorini::analysis::section_four_checks(&norms, constants, &setting) {
+                    assert!(check.holds(), "{name} tau {tau}: {check:?}");
+                }
+            }
+        }
+    }
+    // A force on an isolated contact point is no density.
+    let values = (0..=8).map(|i| if i == 4 { 0.0 } else { -1.0 }).collect();
+    let forces = (0..=8).map(|i| if i == 4 { 1.0 } else { 0.0 }).collect();
+    let scene = EdgeScene::new(8, Sides::Natural, values, forces).unwrap();
+    assert!(ContactPair::of_scene(&scene, Traces::Constants).is_err());
+}
+
+#[test]
+fn bad_profiles_are_refused() {
+    let standard = || ProofCase::standard(SECTION).unwrap();
+    let mut constants = ProofConstants::new(1.75, 2.0).unwrap();
+    for case in [
+        ProofCase { tau: 1.8, ..standard() },
+        ProofCase { tau: 2.2, ..standard() },
+        ProofCase { positions: 0, ..standard() },
+        ProofCase { resolution: Resolution::Edge(11), ..standard() },
+        ProofCase { resolution: Resolution::Segment(16), ..standard() },
+        ProofCase { rule: ThetaRule::Fixed(1.5), ..standard() },
+    ] {
+        assert!(case.profile(&mut constants).is_err(), "{case:?}");
+    }
+    assert!(ProofConstants::new(1.5, 2.0).is_err() && ProofConstants::new(2.0, 1.0).is_err());
+    assert!("edge".parse::<Resolution>().is_err() && "segment:0".parse::<Resolution>().is_err());
+}
+
+#[test]
+fn the_example_finds_no_violation() {
+    let headline = theorem_3_1_proof_profile::run(&theorem_3_1_proof_profile::Options::default()).unwrap();
+    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    let value = |key: &str| headline.values.iter().find(|(k, _)| k == key).unwrap().1;
+    assert_eq!(value("theorem.3.1.proof.violations"), 0.0);
+    assert_eq!(value("theorem.3.1.proof.printed"), 1.375);
+    assert!((value("theorem.3.1.proof.edge.exponent") - 1.375).abs() < 1e-9);
+}
