@@ -56,7 +56,7 @@ fn printed() -> Vec<Printed> {
         shape,
     };
     vec![
-        row("(E1)", 1.25, "", "h^(tau-1)", 0.25, one(1.25)),
+        row("(E1)", 1.4, "", "h^(tau-1)", 0.4, one(1.4)),
         row("(E1)", 1.5, "", "h^(tau-1)", 0.5, one(1.5)),
         row("(E2)", 1.75, "", "h^(tau/2-1/4)", 0.625, Shape::FatCantor),
         row("(E2)", 1.75, "finite", "h^(tau-1)", 0.75, one(1.75)),
