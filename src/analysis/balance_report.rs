@@ -148,11 +148,11 @@ fn table(rows: &[BalanceRow]) -> Table {
     let mut table = Table::new(vec![
         Column::new("n", "1/h", Format::Plain, "length of the element"),
         Column::new("theta", "theta", number, "printed choice"),
-        Column::new("bound", "bound", number, "larger of both printed bounds there"),
+        Column::new("bound", "B", number, "larger of both printed bounds there"),
         Column::new("crossing", "crossing", number, "theta at which the printed bounds agree"),
-        Column::new("crossing_bound", "bound", number, "there"),
+        Column::new("crossing_bound", "B cross", number, "both bounds there"),
         Column::new("sharp_crossing", "sharp", number, "theta at which the sharpened bounds agree"),
-        Column::new("sharp_bound", "bound", number, "there"),
+        Column::new("sharp_bound", "B sharp", number, "both bounds there"),
         Column::new(
             "first",
             "W first",

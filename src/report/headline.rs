@@ -1,6 +1,6 @@
 //! The outcome of an example: claim, table, verdict, and where its figures are.
 
-use super::table::Table;
+use super::table::{Table, wrapped};
 use serde_json::{Map, Value, json};
 use std::fmt;
 use std::path::PathBuf;
@@ -50,6 +50,11 @@ impl fmt::Display for Verdict {
         }
     }
 }
+
+/// Lines of words are broken at this width.
+const WIDTH: usize = 100;
+/// Where the words after "measured:" and "verdict:" begin.
+const INDENT: usize = 10;
 
 /// Everything an example has to say, as data: printed, written as JSON, tested, and quoted by the book.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,10 +122,12 @@ impl Headline {
 
 impl fmt::Display for Headline {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}: {}\n", self.label, self.claim)?;
+        writeln!(f, "{}\n", wrapped(&format!("{}: {}", self.label, self.claim), WIDTH).join("\n"))?;
         writeln!(f, "{}", self.table.text())?;
-        writeln!(f, "measured: {}", self.measured)?;
-        writeln!(f, "verdict:  {}", self.verdict)?;
+        for (name, words) in [("measured:", &self.measured), ("verdict: ", &self.verdict.to_string())] {
+            let hanging = format!("\n{:INDENT$}", "");
+            writeln!(f, "{name} {}", wrapped(words, WIDTH - INDENT).join(&hanging))?;
+        }
         for figure in &self.figures {
             writeln!(f, "figure:   {}", figure.display())?;
         }

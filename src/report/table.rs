@@ -179,7 +179,7 @@ fn push_line(text: &mut String, cells: &[String], layout: &[(usize, bool)]) {
 }
 
 /// Greedy line breaking at spaces; a longer word stands alone on its line.
-fn wrapped(words: &str, width: usize) -> Vec<String> {
+pub(super) fn wrapped(words: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in words.split_whitespace() {
         let Some(line) = lines.last_mut() else { break };
