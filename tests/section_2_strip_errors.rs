@@ -347,14 +347,14 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
 
 #[test]
 fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
-    /// Required of the mean order, and of the order with the smooth part of order one taken out.
-    const ORDER: f64 = 0.01;
-    const FITTED: f64 = 0.005;
-    const POSITIONS: usize = 9;
+    /// Half of what is required. The smooth part, of order one, is taken out by the fit: at tau = 1.9 it lies so near that the
+    /// order between 2^11 and 2^16 cells as it stands is 0.888.
+    const ORDER: f64 = 0.005;
+    const POSITIONS: usize = 33;
     for tau in [1.6, 1.75, 1.9] {
         let case = StripCase {
             kind: StripKind::Scalar,
-            levels: Levels::new(9, 16).unwrap(),
+            levels: Levels::new(7, 16).unwrap(),
             source: SceneSource::transition(),
             tau,
             cone: Cone::Nodal,
@@ -366,11 +366,8 @@ fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
             case.levels.cells().zip(&study.errors).map(|(n, error)| (1.0 / n as f64, error.value)).collect();
         // e² is that of h less that of the grid the scene lives on.
         let fit = Fit::against(&points, Some(1.0 / study.scene_cells as f64)).unwrap();
-        let finer = &points[3..];
-        let mean = (finer[0].1 / finer[finer.len() - 1].1).log2() / (finer.len() - 1) as f64;
-        println!("tau {tau}: mean order {mean:.4}, fitted {fit}");
-        assert!((mean - (tau - 1.0)).abs() < ORDER, "{tau}: {mean}");
-        assert!((fit.order - (tau - 1.0)).abs() < FITTED, "{tau}: {fit}");
-        assert!((fit.order - (tau - 1.0)).abs() <= fit.half_width, "{tau}: {fit}");
+        println!("tau {tau}: {fit}");
+        assert!((fit.order - (tau - 1.0)).abs() < ORDER, "{tau}: {fit}");
+        assert!(fit.half_width < ORDER, "{tau}: {fit}");
     }
 }
