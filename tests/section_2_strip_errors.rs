@@ -354,7 +354,7 @@ fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
     for tau in [1.6, 1.75, 1.9] {
         let case = StripCase {
             kind: StripKind::Scalar,
-            levels: Levels::new(7, 16).unwrap(),
+            levels: Levels::new(5, 12).unwrap(),
             source: SceneSource::transition(),
             tau,
             cone: Cone::Nodal,
