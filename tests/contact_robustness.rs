@@ -4,7 +4,7 @@ use signorini::contact::{Cone, ContactProblem, ContactSet, ContactSolution, Solv
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{BoundaryEdge, ContactEdge, Hierarchy, Part, Point, Sides, Triangulation, mapped_grid};
 use signorini::scenes::{Scene, Setting};
-use std::f64::{EPSILON, consts::PI};
+use std::f64::consts::PI;
 
 /// Scaled KKT figures of a solution that calls itself converged.
 const KKT: f64 = 1e-10;
@@ -184,8 +184,8 @@ fn polygon(random: &mut Random) -> Triangulation {
 
 /// |J|; contact may prevent every displacement, then J = 0 has no scale of its own.
 fn energy_scale(solution: &ContactSolution) -> f64 {
-    let rounding = EPSILON * solution.force_scale * solution.displacement_scale;
-    if solution.energy.abs() <= rounding { rounding / EPSILON } else { solution.energy.abs() }
+    let rounding = f64::EPSILON * solution.force_scale * solution.displacement_scale;
+    if solution.energy.abs() <= rounding { rounding / f64::EPSILON } else { solution.energy.abs() }
 }
 
 fn judged(solution: &ContactSolution, case: &str) {

@@ -161,7 +161,7 @@ fn closures_of_any_size_scale_out() {
     }
     let u = SingularFunction::new(&[0.0, 1.0], |x: f64| 1e-2 * x).unwrap();
     let found = u.lq_norm(200.0, tolerance).unwrap().value;
-    assert!((found / 9.738319515772521e-3 - 1.0).abs() <= tolerance.relative(), "{found}");
+    assert!((found / 9.738_319_515_772_5e-3 - 1.0).abs() <= tolerance.relative(), "{found}");
 }
 
 #[test]

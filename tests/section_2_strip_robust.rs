@@ -136,6 +136,7 @@ fn bad_scenes_are_named() {
         refused(build(transition, tau), "tau");
     }
     refused(build(SceneKind::Cantor { ratio: 0.3, depth: 3 }, 2.1), "tau");
+    refused(build(transition, 2.1), "tau");
     refused(build(SceneKind::FatCantor { depth: 5 }, 2.0), "fat Cantor");
     refused(build(SceneKind::FatCantor { depth: 0 }, 1.75), "depth");
     refused(build(SceneKind::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");

@@ -28,6 +28,11 @@ fn a_corner_beside_a_contact_zone_has_the_order_of_its_opening() {
 }
 
 #[test]
+fn the_consistency_term_by_two_roads() {
+    theorem_rates::terms_by_two_roads(Cone::Nodal);
+}
+
+#[test]
 fn the_example_confirms_the_theorem() {
     let options = example::Options { tau: vec![1.75, 2.0, 2.1], ..example::Options::default() };
     let headline = example::run(&options).unwrap();

@@ -37,7 +37,7 @@ pub struct TwoSided {
 /// ```
 ///
 /// # Errors
-/// As for [`gamma`].
+/// As for [`super::gamma`].
 pub fn two_sided(
     order: FractionalOrder,
     zone: Zone,

@@ -65,17 +65,16 @@ mod tests {
 
     #[test]
     fn one_kink_against_the_integrals() {
-        // λ = 1 left of a, u_N = −(x − a)(2 − a − x)/ℓ right of it, ℓ = 2 − 2a, a = 3/8 + t/8 in the cell (3/8, 1/2) of length
-        // h = 1/8; s = (1−t) h is what the cell holds of the gap: nodal ½ t² h · s (1 − s/ℓ), midpoint t · s² (1/2 − s/(3ℓ)).
+        // λ = 1 left of a, u_N = −(x − a) right of it, a = 3/8 + t/8 in the cell (3/8, 1/2) of length h = 1/8:
+        // nodal ½ t²(1−t) h², midpoint t · ½(1−t)² h².
         let (cells, h, t) = (1 << 16, 0.125, 0.3);
         let kind = SceneKind::Transition { position: 0.375 + t * h };
         let scene = EdgeScene::build(kind, 2.0, cells, Sides::Natural).unwrap();
         // The force at the last contact node is missing: one fine cell in t h.
         let rounding = 4.0 / (t * h * cells as f64);
-        let (s, gap) = ((1.0 - t) * h, 2.0 - 2.0 * (0.375 + t * h));
         for (cone, exact) in [
-            (Cone::Nodal, 0.5 * t * t * h * s * (1.0 - s / gap)),
-            (Cone::Midpoint, t * s * s * (0.5 - s / (3.0 * gap))),
+            (Cone::Nodal, 0.5 * t * t * (1.0 - t) * h * h),
+            (Cone::Midpoint, 0.5 * t * (1.0 - t).powi(2) * h * h),
         ] {
             let terms = consistency_terms(&scene, cone);
             let (_, term) = terms[terms.iter().position(|&(n, _)| n == 8).unwrap()];
@@ -91,7 +90,7 @@ mod tests {
             let terms = consistency_terms(&scene, cone);
             let at = |cells| terms.iter().find(|t| t.0 == cells).map(|t| t.1);
             assert_eq!(terms.len(), 9);
-            // Four cells have their nodes in the middle of the contact pieces, eight also in the middle of the gaps.
+            // The nodes of 8 cells lie in the middle of gaps and contact pieces, transitions between them.
             assert!(at(8).is_some_and(|t| t > 0.0));
             if cone == Cone::Nodal {
                 assert_eq!(at(16), Some(0.0));

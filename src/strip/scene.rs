@@ -21,7 +21,7 @@ use std::fmt;
 /// Which contact set a scene has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SceneKind {
-    /// Contact for x < position, none beyond, mirrored at the side; on periodic sides the gap ends half a period later.
+    /// Contact for x < position, none beyond; on periodic sides the gap ends half a period later.
     Transition {
         /// Place of the transition, in (0, 1).
         position: f64,
@@ -105,21 +105,27 @@ impl EdgeScene {
         Ok(Self { cells, sides, values, forces, regularity: None })
     }
 
-    /// A scene of the given kind with u of regularity `tau` ∈ (3/2, 5/2], on an edge of `cells` cells.
+    /// A scene of the given kind with u of regularity `tau` ∈ (3/2, 5/2], on an edge of `cells` cells. Beyond 2 only transitions inside
+    /// the edge: the gap of a single one on natural sides meets the side at a slope, where u leaves H² whatever τ is.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ, position or ratio outside their ranges (a Cantor set needs τ ≤ 2, a fat one τ < 2),
+    /// [`Error::OutOfRange`] for τ, position or ratio outside their ranges (a fat Cantor set needs τ < 2),
     /// [`Error::CountOutOfRange`] for counts and where no gap has a free node on this grid, [`Error::EmptyContact`] when the transition leaves no contact node.
     pub fn build(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<Self> {
         check_cells(cells, sides)?;
         Error::require("tau", tau, "(3/2, 5/2]", tau > 1.5 && tau <= 2.5)?;
+        let is_smooth = match kind {
+            SceneKind::Transitions { .. } => true,
+            SceneKind::Transition { .. } => sides == Sides::Periodic,
+            SceneKind::Cantor { .. } | SceneKind::FatCantor { .. } => false,
+        };
+        Error::require("tau", tau, "(3/2, 2] for this scene", tau <= 2.0 || is_smooth)?;
         let ContactSetShape { gaps, dimension, advance } = gaps_of(kind, tau, cells, sides)?;
         if gaps.is_empty() {
             return Err(Error::CountOutOfRange { name: "gaps on this grid", value: 0, range: "[1, inf)" });
         }
         let exponent = tau - 1.0 + 0.5 * dimension;
         let fractal = matches!(kind, SceneKind::Cantor { .. } | SceneKind::FatCantor { .. });
-        Error::require("tau", tau, "(3/2, 2] for a Cantor set", tau <= 2.0 || !fractal)?;
         let pressure = if fractal { 0.0 } else { tau - 2.0 };
         let h = 1.0 / cells as f64;
         let nodes = sides.nodes(cells);
@@ -233,8 +239,8 @@ fn gaps_of(kind: SceneKind, tau: f64, cells: usize, sides: Sides) -> Result<Cont
             let place = position * cells as f64;
             let left = place as usize;
             let right = match sides {
-                // The mirror image: the even continuation has no kink at the side, where u would leave H² whatever τ is.
-                Sides::Natural => 2 * cells - left,
+                // Beyond the side: the gap never closes.
+                Sides::Natural => usize::MAX,
                 Sides::Periodic => left + cells / 2,
             };
             Ok(ContactSetShape { gaps: vec![Gap { left, right }], dimension: 0.0, advance: place.fract() })
@@ -263,10 +269,12 @@ fn check_depth(depth: usize) -> Result<()> {
     }
 }
 
-/// δ/h at node i of a gap from a = left + advance to b: (i − a)(b − i)/(b − a), b = right, or 2N − a when it lies beyond the side.
+/// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a when the gap ends beyond the side.
 fn depth_in(gap: Gap, advance: f64, i: usize, cells: usize, sides: Sides) -> f64 {
-    let mirrored = if sides == Sides::Natural && gap.right > cells { advance } else { 0.0 };
     let left = (i - gap.left) as f64 - advance;
-    let right = (gap.right - i) as f64 - mirrored;
-    left * right / (left + right)
+    if sides == Sides::Natural && gap.right > cells {
+        left
+    } else {
+        left * (gap.right - i) as f64 / ((gap.right - gap.left) as f64 - advance)
+    }
 }

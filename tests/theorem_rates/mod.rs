@@ -1,9 +1,12 @@
 //! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
 
-use signorini::analysis::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
+use signorini::analysis::{
+    Bound, EdgeTrace, Interval, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily,
+    midpoint_term, nodal_term,
+};
 use signorini::contact::Cone;
 use signorini::scenes::{Scene, Setting};
-use signorini::strip::{Levels, SceneKind, SceneSource, StripKind};
+use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides, StripKind, consistency_terms};
 
 /// The window of h is finite: orders of known scenes come out this close to τ − 1.
 const ORDER: f64 = 0.02;
@@ -48,7 +51,7 @@ fn check(studies: &[RateStudy]) {
 
 pub fn single_transitions(cone: Cone) {
     for kind in [StripKind::Scalar, StripKind::Elastic] {
-        check(&strip(kind, &SceneSource::transition(), (3, 12), 5, cone));
+        check(&strip(kind, &SceneSource::transition(), (3, 12), 7, cone));
     }
 }
 
@@ -86,4 +89,25 @@ pub fn corner_with_contact(cone: Cone) {
     let fit = study.fit(Quantity::Error).unwrap();
     assert!(study.levels.iter().all(|level| level.contact_runs == 1));
     assert!((fit.order - 0.75).abs() < CORNER, "{fit}");
+}
+
+/// The term summed over segments of the trace and the one by halving grids: sums of a thousand positive numbers.
+const SUM: f64 = 1e-12;
+
+pub fn terms_by_two_roads(cone: Cone) {
+    let cells = 1 << 10;
+    let scene = EdgeScene::build(SceneKind::Transitions { gaps: 3 }, 1.75, cells, Sides::Natural).unwrap();
+    let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
+    let trace = EdgeTrace::new(nodes, scene.values().to_vec(), scene.forces().to_vec(), 0.0).unwrap();
+    for (segments, term) in consistency_terms(&scene, cone) {
+        let h = 1.0 / segments as f64;
+        let sum: f64 = (0..segments)
+            .map(|k| Interval { start: k as f64 * h, end: (k + 1) as f64 * h })
+            .map(|segment| match cone {
+                Cone::Nodal => nodal_term(&trace, segment),
+                Cone::Midpoint => midpoint_term(&trace, segment),
+            })
+            .sum();
+        assert!((sum - term).abs() <= SUM * sum, "{cone}, {segments} segments: {sum} {term}");
+    }
 }

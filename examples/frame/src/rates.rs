@@ -39,7 +39,7 @@ impl FromStr for RateScene {
 /// Errors and consistency terms against h for many regularities; with --scene one scene level by level
 #[derive(Debug, Clone, Parser)]
 pub struct RateOptions {
-    /// One scene, level by level: transition[:POSITION], transitions:COUNT, cantor, fat-cantor, corner, block or membrane
+    /// One scene, level by level: transition or transition:POSITION, transitions:COUNT, cantor, fat-cantor, corner, block or membrane
     #[arg(long)]
     pub scene: Option<RateScene>,
     /// Regularities (default: 1.55 to 1.95, 2, 2.1)
@@ -117,11 +117,22 @@ pub fn rates(cone: Cone, options: &RateOptions) -> Result<Headline> {
     if let Some(directory) = directory {
         write_studies(&studies, directory, name)?;
         if let Some(study) = studies.iter().find(|study| study.tau == 1.75 && study.norm.is_some()) {
-            let title = format!("{}, tau = 7/4: {} cone", headline.label, cone);
-            headline.figures.push(study.chart(&[], title)?.save(directory, &format!("{name}_errors"))?);
+            let other = other_cone(cone, &plan, &mut store)?;
+            let chart = study.chart(&[&other], format!("{}, tau = 7/4, both cones", headline.label))?;
+            headline.figures.push(chart.save(directory, &format!("{name}_errors"))?);
         }
     }
     Ok(headline)
+}
+
+/// The first case of the plan at τ = 7/4 in the other cone, to stand in the same figure.
+fn other_cone(cone: Cone, plan: &TheoremPlan, store: &mut LevelStore) -> Result<RateStudy> {
+    let mut first = plan.clone().with_taus(&[1.75]);
+    first.strips.truncate(1);
+    first.strips.iter_mut().for_each(|group| group.cases.truncate(1));
+    first.corners.clear();
+    let other = if cone == Cone::Nodal { Cone::Midpoint } else { Cone::Nodal };
+    Ok(first.run(other, store, &mut || ())?.remove(0))
 }
 
 /// One scene level by level.

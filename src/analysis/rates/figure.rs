@@ -87,7 +87,7 @@ pub fn figure_headline(studies: &[[RateStudy; 2]]) -> Result<Headline> {
     let claim = "the exponent tau^2-5tau/2+2 lies above tau/2-1/4 and below tau-1, furthest from it (1/16) at tau = 7/4";
     let measured = format!("all measured orders of the error within {distance:.3} of tau - 1, both cones");
     let verdict = if below >= 0.0 {
-        Verdict::HoldsLoose("every measured order lies on the optimal line".to_owned())
+        Verdict::HoldsLoose("up to h^(1/16): every measured order lies on the optimal line".to_owned())
     } else {
         Verdict::NotConfirmed(format!("an order lies {:.3} below the exponent of the theorem", -below))
     };

@@ -56,7 +56,7 @@ fn printed() -> Vec<Printed> {
         shape,
     };
     vec![
-        row("(E1)", 1.25, "", "h^(tau-1)", 0.25, one(1.25)),
+        row("(E1)", 1.4, "", "h^(tau-1)", 0.4, one(1.4)),
         row("(E1)", 1.5, "", "h^(tau-1)", 0.5, one(1.5)),
         row("(E2)", 1.75, "", "h^(tau/2-1/4)", 0.625, Shape::FatCantor),
         row("(E2)", 1.75, "finite", "h^(tau-1)", 0.75, one(1.75)),
@@ -167,7 +167,7 @@ pub fn introduction_headline(studies: &[[RateStudy; 2]]) -> Result<Headline> {
     let claim = "(E1)-(E4) known before, (N1), (N2) new: the printed rates are reached by every scene";
     let measured = "in every row the error falls like h^min(tau-1, 1), whatever the contact set; at tau = 2 up to a logarithm";
     let verdict = if short >= 0.0 {
-        Verdict::HoldsLoose("the optimal order shows in every row".to_owned())
+        Verdict::HoldsLoose("up to h^(1/4): every row shows the optimal order".to_owned())
     } else {
         Verdict::NotConfirmed(format!("an order stays {:.3} below its printed rate", -short))
     };

@@ -72,9 +72,9 @@ impl RateLevel {
     pub(super) fn judged(mut self, converged: bool, reference_cells: usize, nearest: usize) -> Self {
         self.flag = if !converged {
             Some(Flag::NotConverged)
-        } else if !(self.kkt <= KKT) {
+        } else if self.kkt.is_nan() || self.kkt > KKT {
             Some(Flag::Unbalanced)
-        } else if !(self.error_bound <= DIGITS * self.error) {
+        } else if self.error.is_nan() || self.error_bound > DIGITS * self.error {
             Some(Flag::LostDigits)
         } else if nearest.saturating_mul(self.cells) > reference_cells {
             Some(Flag::NearReference)

@@ -60,8 +60,8 @@ pub fn edge_norms(scene: &EdgeScene, tau: f64) -> Result<EdgeNorms> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::TransitionPowers;
     use crate::sobolev::SingularFunction;
-    use crate::strip::SceneKind;
 
     #[test]
     fn the_grid_gives_the_norm_of_the_powers() {
@@ -93,13 +93,13 @@ mod tests {
         let exact = u_norm.hypot(pressure);
         // What the grid does not resolve falls like N^{−2(1.9 − 1.75)} in the squares: extrapolated, the next terms are left.
         let square = |cells: usize| {
-            let kind = SceneKind::Transition { position: a };
-            edge_norm(&EdgeScene::build(kind, tau, cells, Sides::Natural).unwrap(), at).unwrap().powi(2)
+            let scene = TransitionPowers::of_regularity(tau).scene(a, cells).unwrap();
+            edge_norm(&scene, at).unwrap().powi(2)
         };
         let (coarse, fine, ratio) = (square(1 << 14), square(1 << 16), 4f64.powf(-0.3));
         let limit = ((fine - ratio * coarse) / (1.0 - ratio)).sqrt();
         assert!((limit / exact - 1.0).abs() < 5e-3, "{limit} {exact}");
-        let scene = EdgeScene::build(SceneKind::Transition { position: a }, tau, 64, Sides::Natural).unwrap();
+        let scene = TransitionPowers::of_regularity(tau).scene(a, 64).unwrap();
         assert!(edge_norm(&scene, 2.0).is_err() && edge_norm(&scene, 1.5).is_err());
     }
 }

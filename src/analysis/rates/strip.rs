@@ -8,11 +8,12 @@ use super::level::RateLevel;
 use super::norms::edge_norm;
 use super::store::LevelStore;
 use super::study::RateStudy;
+use super::transitions::TransitionPowers;
 use crate::contact::Cone;
 use crate::error::{Error, Result};
 use crate::strip::{
-    EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, StripKind,
-    StripProblem, consistency_terms, solve_contact,
+    EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, Sides,
+    StripKind, StripProblem, consistency_terms, solve_contact,
 };
 use std::time::Instant;
 
@@ -42,7 +43,7 @@ pub struct SceneFamily<'a> {
 }
 
 impl SceneFamily<'_> {
-    /// A named scene; one transition is moved over `positions` places of a cell, spread over the cells of every level when odd.
+    /// A named scene. One transition has a gap that is mirrored at natural sides ([`TransitionPowers`]) and is moved over `positions` places of a cell, spread over the cells of every level when odd.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for no position.
@@ -65,8 +66,13 @@ impl SceneFamily<'_> {
                 tau,
                 count: positions,
                 member: Box::new(move |i, cells| {
-                    let shift = i as f64 / positions as f64 / coarsest as f64;
-                    EdgeScene::build(SceneKind::Transition { position: position + shift }, tau, cells, sides)
+                    let position = position + i as f64 / positions as f64 / coarsest as f64;
+                    match sides {
+                        Sides::Natural => TransitionPowers::of_regularity(tau).scene(position, cells),
+                        Sides::Periodic => {
+                            EdgeScene::build(SceneKind::Transition { position }, tau, cells, sides)
+                        }
+                    }
                 }),
             },
             _ => Self {

@@ -54,7 +54,20 @@ impl RateStudy {
 
     /// The order of a quantity with its uncertainty; `None` for too few levels or a quantity that vanishes.
     pub fn fit(&self, quantity: Quantity) -> Option<Fit> {
-        Fit::against(&self.points(quantity), self.reference.filter(|_| quantity == Quantity::Error))
+        match quantity {
+            Quantity::Error => {
+                let points = self.points(quantity);
+                let mut fit = Fit::against(&points, self.reference)?;
+                if self.tau <= 1.5 {
+                    // Here the account of the reference is a model itself: half of what it changes is uncertain.
+                    let without = Fit::of(&points).map_or(fit.order, |without| without.order);
+                    fit.half_width = fit.half_width.max(0.5 * (without - fit.order).abs());
+                }
+                Some(fit)
+            }
+            // The term has no smooth part: a power of h alone, once the pieces of the contact set are resolved.
+            Quantity::Consistency => Fit::power(&self.points(quantity)),
+        }
     }
 
     /// quantity / bound(h) on every level that counts.

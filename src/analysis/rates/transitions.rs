@@ -51,13 +51,20 @@ impl TransitionPowers {
             })
             .collect();
         let mut forces = vec![0.0; cells + 1];
-        for i in (0..cells).take_while(|&i| (i + 1) as f64 * h <= position) {
-            let (near, far) = (position - (i + 1) as f64 * h, position - i as f64 * h);
+        let integral = |near: f64, far: f64| {
             let power = (far.powf(pressure + 1.0) - near.powf(pressure + 1.0)) / (pressure + 1.0);
-            let force = power * weight(0.5 * (near + far));
+            power * weight(0.5 * (near + far))
+        };
+        let mut last = 0;
+        for i in (0..cells).take_while(|&i| (i + 1) as f64 * h <= position) {
+            let force = integral(position - (i + 1) as f64 * h, position - i as f64 * h);
             forces[i] += 0.5 * force;
             forces[i + 1] += 0.5 * force;
+            last = i + 1;
         }
+        // What lies between the last contact node and a: no force is lost.
+        let rest = position - last as f64 * h;
+        forces[last] += if rest > 0.0 { integral(0.0, rest) } else { 0.0 };
         EdgeScene::new(cells, Sides::Natural, values, forces)
     }
 }
@@ -65,19 +72,22 @@ impl TransitionPowers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strip::SceneKind;
 
     #[test]
-    fn without_logarithm_it_is_the_transition_of_the_strip() {
-        let own = TransitionPowers::of_regularity(1.75).scene(0.4, 64).unwrap();
-        let built =
-            EdgeScene::build(SceneKind::Transition { position: 0.4 }, 1.75, 64, Sides::Natural).unwrap();
-        for (a, b) in own.values().iter().zip(built.values()) {
-            assert!((a - b).abs() < 1e-14, "{a} {b}");
-        }
-        // There the distance to the gap is rounded to nodes: the same total force but for one cell.
-        let total = |scene: &EdgeScene| scene.forces().iter().sum::<f64>();
-        assert!((total(&own) - total(&built)).abs() < 64f64.powf(-0.75));
+    fn powers_are_those_asked_for() {
+        let (position, cells) = (0.4, 1 << 12);
+        let scene = TransitionPowers::of_regularity(1.75).scene(position, cells).unwrap();
+        // Half way to the mirror axis δ = d (c − d)/c, c = 1.2, d = 0.3.
+        let value = scene.values()[(0.7 * cells as f64).round() as usize];
+        let depth = 0.3 * 0.9 / 1.2;
+        assert!((value + f64::powf(depth, 0.75)).abs() < 1.0 / cells as f64, "{value}");
+        // No slope at the side.
+        let last = scene.values()[cells] - scene.values()[cells - 1];
+        assert!(last.abs() < (cells as f64).powi(-2), "{last}");
+        // ∫ (a − x)^{−1/4} = a^{3/4}/(3/4), a sum of 1600 terms.
+        let total: f64 = scene.forces().iter().sum();
+        let missing = 0.4f64.powf(0.75) / 0.75 - total;
+        assert!(missing.abs() < 1e-12, "{missing}");
         let bad = TransitionPowers { pressure: -1.0, ..TransitionPowers::of_regularity(1.75) };
         assert!(bad.scene(0.4, 64).is_err() && TransitionPowers::of_regularity(1.75).scene(1.0, 64).is_err());
     }

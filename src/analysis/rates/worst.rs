@@ -189,7 +189,9 @@ pub fn search_headline(tau: f64, rows: &[SearchRow]) -> Result<Headline> {
         "tau = {tau}: the consistency term is at most C h^(2 x {paper:.4}); is any contact set near that?"
     );
     let verdict = if worst <= 0.5 && largest_share <= 1.0 {
-        Verdict::HoldsLoose("no set is bad: h^(2tau-2)/2 times the seminorms bounds every term".to_owned())
+        Verdict::HoldsLoose(
+            "h^(2(tau-3/2)(2-tau)): no set is bad, half the seminorms times h^(2tau-2) bounds all".to_owned(),
+        )
     } else {
         Verdict::NotConfirmed(format!("ratio {worst:.3} against 1/2, share {largest_share:.3} against 1"))
     };

@@ -18,6 +18,9 @@ use crate::estimate::Work;
 /// Interactions below this fraction of the self energies do not change any digit of the quotient.
 const NEGLIGIBLE: f64 = 1e-18;
 
+/// Beyond, e^{−pL} leaves the range of f64 (p near −1, the shortest distances).
+const LARGEST_EXPONENT: f64 = 600.0;
+
 /// Digits to spare where steps are differenced to hats.
 const SPARE_DIGITS: f64 = 2.0;
 
@@ -98,14 +101,13 @@ impl Assembly<'_> {
 
     /// ν K of two points at distance d.
     fn between(&self, s: &Node, t: &Node, d: f64) -> f64 {
-        if s.x.max(t.y) <= d {
+        let is_left = s.x <= t.y;
+        let logarithm = ln_one_plus_ratio(if is_left { s.x } else { t.y }, d);
+        if s.x.max(t.y) <= d || -self.p * logarithm > LARGEST_EXPONENT {
             return kernel(self.p, s.x, d, t.y);
         }
-        if s.x <= t.y {
-            t.x_power * exp_quotient(-self.p, ln_one_plus_ratio(s.x, d)) - s.beyond_y
-        } else {
-            s.y_power * exp_quotient(-self.p, ln_one_plus_ratio(t.y, d)) - t.beyond_x
-        }
+        let increment = exp_quotient(-self.p, logarithm);
+        if is_left { t.x_power * increment - s.beyond_y } else { s.y_power * increment - t.beyond_x }
     }
 
     /// Panels of the local group of which one is so much nearer to P that the kernel is that of P: a product of two integrals.
