@@ -77,7 +77,12 @@ pub fn run(options: &Options) -> Result<Headline> {
         _ if !converged || kkt > JUDGED => {
             Verdict::NotConfirmed(format!("KKT {kkt:.1e}, converged: {converged}"))
         }
-        Some(tau) => boundedness(&ratios(&points, tau)?),
+        Some(tau) => match boundedness(&ratios(&points, tau)?) {
+            Verdict::NotConfirmed(growth) if study.studies.len() == 1 && study.gaps == 1 => {
+                Verdict::NotConfirmed(format!("{growth}, at one place of the transition: see --positions 5"))
+            }
+            verdict => verdict,
+        },
         None => Verdict::Holds,
     };
     let statement = match study.regularity {

@@ -21,7 +21,7 @@ const RATE_TOLERANCE: f64 = 0.02;
 const EDGE: f64 = 0.005;
 /// Elements of the coarser mesh, and halvings to the finer one (one in the dual norm)
 const FUNCTION: (usize, u32) = (1 << 12, 4);
-const FUNCTION_DUAL: usize = 256;
+const FUNCTION_DUAL: usize = 192;
 /// Elements of the finest mesh for the supremum
 const SUPREMUM: usize = 64;
 /// Cells per element

@@ -183,7 +183,7 @@ fn run(arguments: &[&str]) -> Result<signorini::report::Headline> {
 #[test]
 fn example_runs_and_refuses() {
     for arguments in [
-        vec!["--levels", "3-7"],
+        vec!["--levels", "3-7", "--positions", "5"],
         vec!["--levels", "3-7", "--kind", "elastic", "--cone", "midpoint"],
         vec!["--levels", "3-7", "--scene", "cantor", "--positions", "2"],
         vec!["--levels", "3-10", "--scene", "fat-cantor:6", "--kind", "elastic"],
@@ -202,6 +202,10 @@ fn example_runs_and_refuses() {
             headline.values.iter().all(|(_, value)| value.is_finite()) && !headline.measured.contains("NaN")
         );
     }
+    // Three orders at one place of the transition may all be on the low side of the alternation: not confirmed, and why.
+    let one_place = run(&["--levels", "3-7"]).unwrap().verdict;
+    assert!(one_place.is_confirmed() || one_place.to_string().contains("--positions"), "{one_place}");
+    nothing_is_hidden();
     refused(run(&["--tau", "1.2"]), "tau");
     for positions in ["0", "1025", "18446744073709551615"] {
         refused(run(&["--scene", "transition:0.5", "--positions", positions]), "positions");
@@ -229,6 +233,26 @@ fn example_runs_and_refuses() {
     }
     assert!(Levels::new(0, 3).is_err());
     assert!("samples:".parse::<SceneSource>().is_err());
+}
+
+/// Gaps that the grid cannot hold are counted, exact solutions and samples coarser than the levels are named.
+fn nothing_is_hidden() {
+    let fat = run(&["--levels", "3-9", "--scene", "fat-cantor:8"]).unwrap();
+    assert!(fat.claim.contains("(127 of 255 gaps)"), "{}", fat.claim);
+    assert!(
+        fat.measured.contains("128 gaps left out") && fat.measured.contains("32768 cells"),
+        "{}",
+        fat.measured
+    );
+    assert!(run(&["--levels", "3-7"]).unwrap().claim.contains("(1 gap)"));
+    let path = std::env::temp_dir().join(format!("signorini-samples-{}", std::process::id()));
+    std::fs::write(&path, "0 0\n".repeat(257)).unwrap();
+    let scene = format!("samples:{}", path.display());
+    let closed = run(&["--levels", "3-8", "--scene", &scene]).unwrap();
+    assert!(closed.measured.contains("error 0 on every level"), "{}", closed.measured);
+    assert!(closed.claim.contains("no rate is claimed"), "{}", closed.claim);
+    refused(run(&["--levels", "3-9", "--scene", &scene]), "lower the finest of --levels");
+    std::fs::remove_file(&path).unwrap();
 }
 
 #[test]

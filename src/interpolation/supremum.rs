@@ -9,7 +9,7 @@
 //!
 //! **Measured.** On a mesh the double integral lacks the pairs of points outside (0, 1), which takes from |φ|²_r of a function of
 //! scale h a part that does not depend on h. So S(N)^{-2} = A N^{2r} − B + ..., in the dual norm N S(N)^{-2} = ... from the second factor
-//! |ψ|²_{1/2} ~ N: the observed exponent between N and 2N is off by O(N^{-2r}), 0.03 at r = 0.1 and N = 64. Three meshes N, 2N, 4N
+//! |ψ|²_{1/2} ~ N: the observed exponent between N and 2N is off by O(N^{-2r}), by 0.04 at r = 0.1 between 32 and 64 elements. Three meshes N, 2N, 4N
 //! give A, B and the exponent itself, which is not put in; the same from N/2 gives its uncertainty.
 
 use super::projection::{ProjectionNorm, projection_norm_on_mesh};

@@ -121,7 +121,7 @@ impl CaseStudy {
     pub fn missing_gaps(&self) -> Option<String> {
         let missing = self.planned_gaps?.checked_sub(self.gaps as u64).filter(|&count| count > 0)?;
         let cells = self.scene_cells;
-        Some(format!("{missing} gaps left out: under 2 cells wide or apart on the grid of {cells} cells"))
+        Some(format!("{missing} gaps left out, under 2 cells wide or too near on the grid of {cells} cells"))
     }
 
     /// All levels at all positions.
