@@ -165,6 +165,13 @@ fn orders_without_digits_of_their_own_are_continued() {
             [2e-9, 1e-10].map(|tolerance| constant(1e-6, Zone::end(theta).unwrap(), tolerance));
         assert!((direct / continued - 1.0).abs() < 2e-9, "theta {theta:e}: {direct} and {continued}");
     }
+    for (nu, theta) in [(1e-300, 1.0), (1e-6, 0.3), (1e-9, 1e-3)] {
+        let zone = Zone::end(theta).unwrap();
+        let found = two_sided(order(nu), zone, Condition::MeanZero, Tolerance::new(1e-9).unwrap()).unwrap();
+        assert!(found.lower <= found.gamma.value && found.gamma.value <= found.upper, "nu {nu:e}: {found:?}");
+        let simple = found.whole.value.hypot(found.dual_norm.value);
+        assert!(found.upper <= simple * (1.0 + 1e-8), "nu {nu:e}: {found:?}");
+    }
     // A zone inside leaves fewer digits: a refusal that says how many.
     let inside = Zone::centred(1e-300).unwrap();
     let refused = gamma(order(1e-300), inside, Condition::MeanZero, Tolerance::new(1e-10).unwrap());

@@ -72,8 +72,7 @@ pub fn gamma(
     };
     match direct(order, tolerance) {
         Err(Error::ToleranceNotMet { .. }) if order.value() < SMALL => {
-            let shortest = constraint.parts.iter().copied().fold(1.0, f64::min);
-            continued(order, shortest, tolerance, direct)
+            continued(order, constraint.shortest(), tolerance, direct)
         }
         result => result,
     }

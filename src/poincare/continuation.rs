@@ -2,7 +2,7 @@
 //!
 //! γ_θ(ν) is the largest eigenvalue of a form that is analytic in ν through ν = 0 (where 1/|x−y| takes the place of the kernel), so
 //! ln γ is interpolated by a polynomial in Chebyshev points ν_k ∈ [h/40, h] and evaluated at ν < h/40. On that interval ln γ varies
-//! like e^{−2ν ln(1/θ)} at most: h = 0.04, less for short lengths. Ten points leave an error near 1e-11.
+//! like e^{−2ν ln(1/θ)} at most: h = 0.04, or 0.9 / ln(1/θ) for short lengths, where truncation and rounding weigh alike.
 //! The error estimate adds those of the points, each times the modulus of its Lagrange polynomial, to the change when a point is left out.
 
 use crate::error::{Error, Result};
@@ -23,7 +23,7 @@ pub(crate) fn continued(
     tolerance: Tolerance,
     value: impl Fn(FractionalOrder, Tolerance) -> Result<Estimate> + Sync,
 ) -> Result<Estimate> {
-    let high = LARGEST.min(-1.0 / shortest.min(0.5).ln());
+    let high = LARGEST.min(-0.9 / shortest.min(0.5).ln());
     let low = LEAST_SHARE * high;
     let asked = tolerance.relative();
     let count = (4.0 - 0.6 * asked.log10()).ceil().clamp(5.0, 12.0) as usize;

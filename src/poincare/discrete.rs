@@ -29,6 +29,11 @@ pub(crate) struct Constraint {
 }
 
 impl Constraint {
+    /// The shortest positive length.
+    pub(crate) fn shortest(&self) -> f64 {
+        self.parts.iter().copied().filter(|&l| l > 0.0).fold(1.0, f64::min)
+    }
+
     pub(crate) fn on_zone(zone: &Zone, condition: Condition) -> Self {
         let before = usize::from(zone.start() > 0.0);
         let parts = [zone.start(), zone.length(), zone.rest()].into_iter().filter(|&l| l > 0.0).collect();
@@ -76,7 +81,7 @@ pub(crate) struct DualNorm {
 
 impl Discrete {
     pub(crate) fn new(order: FractionalOrder, constraint: &Constraint, model: &MeshModel) -> Result<Self> {
-        let shortest = constraint.parts.iter().copied().filter(|&l| l > 0.0).fold(1.0, f64::min);
+        let shortest = constraint.shortest();
         let unit = shortest.sqrt();
         let parts: Vec<f64> = constraint.parts.iter().map(|l| l / unit).collect();
         let frozen = (constraint.condition == Condition::Vanishing).then_some(constraint.zone);

@@ -1,10 +1,11 @@
 //! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
 
-use super::constant::{constraint, gamma_whole, refine, rounding};
+use super::constant::{constraint, dual_norm, gamma, gamma_whole, refine, rounding};
+use super::continuation::{SMALL, continued};
 use super::discrete::{Constraint, Discrete};
 use super::mesh::MeshModel;
 use super::zone::{Condition, Zone};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
@@ -13,7 +14,8 @@ use crate::sobolev::FractionalOrder;
 pub struct TwoSided {
     /// γ with its error.
     pub gamma: Estimate,
-    /// A conforming lower bound: the quotient of a function of the space, less its rounding.
+    /// A conforming lower bound: the quotient of a function of the space, less its rounding. For orders so small that γ is
+    /// continued from larger ones, γ less its error.
     pub lower: f64,
     /// An upper bound from γ₁ and the dual norm N, sharpened; raised by the estimated errors of γ₁ and N.
     pub upper: f64,
@@ -44,16 +46,40 @@ pub fn two_sided(
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<TwoSided> {
-    let constraint = constraint(&zone, condition)?;
+    let parts = constraint(&zone, condition)?;
     let whole = gamma_whole(order, tolerance)?;
-    refine(
+    let direct = refine(
         order,
-        rounding(order, &constraint),
+        rounding(order, &parts),
         tolerance,
-        |model| Sides::new(order, &constraint, model, &whole),
+        |model| Sides::new(order, &parts, model, &whole),
         |fine, coarse| fine.join(&coarse, whole),
         |found| found.gamma.relative_error(),
-    )
+    );
+    match direct {
+        Err(Error::ToleranceNotMet { .. }) if order.value() < SMALL => {
+            let gamma = gamma(order, zone, condition, tolerance)?;
+            // The mean over the whole interval vanishes: N = 0.
+            let dual_norm = if parts.parts.len() == 1 {
+                Estimate::new(0.0, 0.0, Work::default())?
+            } else {
+                continued(order, parts.shortest(), tolerance, |order, tolerance| {
+                    dual_norm(order, zone, condition, tolerance)
+                })?
+            };
+            Ok(TwoSided::of_estimates(gamma, whole, dual_norm))
+        }
+        result => result,
+    }
+}
+
+impl TwoSided {
+    /// Where no function of the space has digits of its own: γ less its error, and √(γ₁² + N²) with their errors.
+    fn of_estimates(gamma: Estimate, whole: Estimate, dual_norm: Estimate) -> Self {
+        let upper = (whole.value + whole.error).hypot(dual_norm.value + dual_norm.error);
+        let upper = upper.max(gamma.value + gamma.error);
+        Self { gamma, lower: gamma.value - gamma.error, upper, whole, dual_norm }
+    }
 }
 
 /// γ, its upper bound and N on one space.

@@ -91,6 +91,8 @@ impl fmt::Display for FractionalOrder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.offset != self.value - 0.5 && self.value >= 0.25 {
             write!(f, "1/2{:+e}", self.offset)
+        } else if self.value < 1e-4 {
+            write!(f, "{:e}", self.value)
         } else {
             write!(f, "{}", self.value)
         }
