@@ -11,7 +11,7 @@ use signorini::figures::{Axis, Chart, Series};
 use signorini::poincare::{Condition, ExtremalFunction, Zone, extremal};
 use signorini::report::{Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::FractionalOrder;
-use signorini::{Result, Tolerance};
+use signorini::{Error, Result, Tolerance};
 use std::process::ExitCode;
 
 /// Every step of the induction (5.5)-(5.9) beside its bound
@@ -92,6 +92,8 @@ pub fn run(options: &Options) -> Result<Headline> {
         Axis::logarithmic("constant over its bound"),
     );
     let mut worst = 0.0_f64;
+    Error::require("steps", f64::from(options.steps), "[1, 9]", (1..=9).contains(&options.steps))?;
+    Error::require("theta", options.theta, "(0, 1), its powers above 1e-300", admissible(options))?;
     for &nu in &options.nu {
         let solve = |theta: f64| extremal(nu, Zone::end(theta)?, Condition::MeanZero, options.tolerance);
         let mut theta = options.theta;
@@ -128,6 +130,12 @@ pub fn run(options: &Options) -> Result<Headline> {
         headline.figures.push(chart.save(directory, "lemma_5_2_induction")?);
     }
     Ok(headline)
+}
+
+/// θ^(2^steps) is the shortest zone; on the whole interval no function is restricted.
+fn admissible(options: &Options) -> bool {
+    let last = options.theta.powf(2f64.powi(options.steps as i32));
+    options.theta < 1.0 && last >= 1e-300
 }
 
 fn main() -> ExitCode {

@@ -57,6 +57,9 @@ impl HasOutput for Options {
 /// A law in θ → 0, where one is known.
 type Law = Box<dyn Fn(f64) -> Option<f64>>;
 
+/// So near 1/2 the power law needs lengths out of reach, and the law through 1/2 is used.
+const NEAR_HALF: f64 = 0.01;
+
 fn true_law(nu: FractionalOrder, options: &Options) -> Result<Law> {
     let power = |limit: f64| -> Law { Box::new(move |theta: f64| Some(limit * theta.powf(nu.offset()))) };
     let constant = |limit: f64| -> Law { Box::new(move |_| Some(limit)) };
@@ -75,7 +78,7 @@ fn true_law(nu: FractionalOrder, options: &Options) -> Result<Law> {
                 Err(_) => Box::new(|_| None),
             }
         }
-        (Place::End, Condition::MeanZero) if nu.is_below_half() => power(end_limit(nu)?.value),
+        (Place::End, Condition::MeanZero) if nu.offset() < -NEAR_HALF => power(end_limit(nu)?.value),
         (Place::End, Condition::MeanZero) => uniform(UniformLaw::new(nu, options.tolerance)?),
         (_, Condition::MeanZero) if nu.is_below_half() => power(interior_limit(nu)?),
         _ => Box::new(|_| None),

@@ -208,7 +208,9 @@ pub fn run(options: &Options) -> Result<Headline> {
         chart = chart.with(Series::line_and_points(*name, points));
         bar.inc(1);
     }
-    let verdict = if met == count {
+    let verdict = if count == 0 {
+        Verdict::NotConfirmed("no case has a name like that".into())
+    } else if met == count {
         Verdict::Holds
     } else {
         Verdict::NotConfirmed(format!("{} of {count} rows miss their tolerance", count - met))

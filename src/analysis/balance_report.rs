@@ -120,7 +120,7 @@ impl ElementBalance {
                 }
             }
         }
-        Verdict::HoldsLoose(format!("h^{lost:.3} against the worst pair of an element"))
+        Verdict::HoldsLoose(format!("h^{:.3} against the worst pair of an element", lost.abs()))
     }
 
     /// Bounds and worst cases over θ for one h.

@@ -34,7 +34,10 @@ impl ScalingCurve {
             format!("nu = {nu}: theta^{power:.4}, law theta^{:.4}", nu.offset())
         } else if nu.offset() == 0.0 {
             let slope = (gamma1 * gamma1 - gamma0 * gamma0) / logarithm;
-            format!("nu = 1/2: gamma^2 gains {slope:.6} per ln(1/theta), law at an end {END_SLOPE:.6}")
+            let inside = END_SLOPE / 3.0;
+            format!(
+                "nu = 1/2: gamma^2 gains {slope:.6} per ln(1/theta); law {END_SLOPE:.6} at an end, {inside:.6} inside"
+            )
         } else {
             let limit = self.law.last().map_or(String::new(), |(_, law)| format!(", limit {law:.6}"));
             format!("nu = {nu}: {gamma1:.6}{limit}")

@@ -66,12 +66,19 @@ fn raised(text: &str, before: char) -> Option<(String, usize)> {
 
 /// The bracket that closes the one `text` begins with.
 fn closing(text: &str) -> Option<usize> {
-    let close = match text.chars().next()? {
-        '(' => ')',
-        '{' => '}',
+    let (open, close) = match text.chars().next()? {
+        '(' => ('(', ')'),
+        '{' => ('{', '}'),
         _ => return None,
     };
-    text.find(close)
+    let mut depth = 0;
+    for (at, c) in text.char_indices() {
+        depth += i32::from(c == open) - i32::from(c == close);
+        if depth == 0 {
+            return Some(at);
+        }
+    }
+    None
 }
 
 /// Letters and digits, with a sign in front, a star behind, and a point or slash between two of them.
@@ -117,6 +124,7 @@ mod tests {
             ("theta^-0.25, H^{1/2}", "θ<sup>\u{2212}0.25</sup>, H<sup>1/2</sup>"),
             ("theta = 1e-6 (C)", "θ = 10<sup>\u{2212}6</sup> (C)"),
             ("h^0.20 on", "h<sup>0.20</sup> on"),
+            ("h^(2(tau-1)(2-tau)) all", "h<sup>2(τ\u{2212}1)(2\u{2212}τ)</sup> all"),
             ("u_N = 3.5e-7.", "u<sub>N</sub> = 3.5\u{202f}·\u{202f}10<sup>\u{2212}7</sup>."),
             ("a < b, 1 element, e-6, x1e-3", "a &lt; b, 1 element, e-6, x1e-3"),
             ("J = -1.5, (2nu-1), sqrt(2), a-1", "J = \u{2212}1.5, (2ν-1), √(2), a-1"),

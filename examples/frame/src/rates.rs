@@ -174,8 +174,10 @@ fn one_scene(cone: Cone, name: &str, scene: &RateScene, options: &RateOptions) -
     headline.claim = format!("{}, {}", study.scene, headline.claim);
     headline.measured = format!("order {fit}; {} levels left out", study.left_out());
     if headline.verdict.is_confirmed() {
-        headline.verdict =
-            Verdict::HoldsLoose(format!("the order is {:.3} +- {:.3}", fit.order, fit.half_width));
+        headline.verdict = Verdict::HoldsLoose(format!(
+            "what lies between the bound and the order {:.3} +- {:.3}",
+            fit.order, fit.half_width
+        ));
     }
     if let Some(directory) = options.output.directory()? {
         write_studies(std::slice::from_ref(&study), directory, name)?;

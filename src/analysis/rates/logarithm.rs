@@ -136,7 +136,7 @@ pub fn logarithm_headline(studies: &[RateStudy]) -> Result<Headline> {
         ),
         Column::new("cone", "cone", Format::Plain, ""),
         Column::new("expected", "1-2a", Format::Plain, "q expected for slopes like |ln r|^-a"),
-        Column::new("power", "q", three, "e^2/h^2 = B + A(l^q - 1)/q, l = 2 + |ln h|"),
+        Column::new("power", "q", three, "(e/h)^2 = B + A(l^q - 1)/q, l = 2 + |ln h|"),
         Column::new("half_width", "+-", three, "what q may be off by"),
         Column::new("exponent", "needed", three, "power of |ln h| in the error: q/2, none for q <= 0"),
     ];

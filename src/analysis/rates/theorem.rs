@@ -197,10 +197,10 @@ pub fn theorem_headline(cone: Cone, studies: &[RateStudy]) -> Result<Headline> {
         "u in H^tau, 3/2 < tau < 2: the error of the {cone} cone is at most C h^(tau^2-5tau/2+2); tau = 2: C h |ln h|^(1/2)"
     );
     let measured = format!(
-        "orders within {furthest:.3} of tau - 1 (fat Cantor sets apart), at least {least:.3} above the theorem's exponent"
+        "3/2 < tau < 2: orders within {furthest:.3} of tau - 1 (fat Cantor sets apart), at least {least:.3} above the theorem's exponent"
     );
     let verdict = if unbounded.is_empty() {
-        Verdict::HoldsLoose(format!("h^{least:.2} and more: every scene has the optimal order"))
+        Verdict::HoldsLoose(format!("h^{least:.2} and more: every scene with tau < 2 has the optimal order"))
     } else {
         Verdict::NotConfirmed(format!("error/bound grows: {}", unbounded.join(", ")))
     };

@@ -182,7 +182,7 @@ pub fn search_headline(tau: f64, rows: &[SearchRow]) -> Result<Headline> {
     let [nodal, midpoint] = [worst_gaps(Cone::Nodal, tau)?, worst_gaps(Cone::Midpoint, tau)?];
     let worst = nodal.0.max(midpoint.0);
     let measured = format!(
-        "no resolved set comes nearer than {nearest:.3} to the exponent {paper:.4}; worst of all sets on one segment: {:.4} nodal, {:.4} midpoint, below 1/2",
+        "no set with a steady order (+- below {STEADY}) on meshes that resolve it comes nearer than {nearest:.3} to the exponent {paper:.4}; worst of all sets on one segment: {:.4} nodal, {:.4} midpoint, below 1/2",
         nodal.0, midpoint.0,
     );
     let claim = format!(
