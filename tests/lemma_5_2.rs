@@ -114,7 +114,7 @@ fn uniform_law_passes_smoothly_through_one_half() {
     // λ = N² + d/λ + e/λ² + f/λ³ + ...; the moments fall at least by ‖T‖ = γ₁², so that what the law neglects is at most
     // e γ₁²/λ³ / (1 − γ₁²/λ), and γ is off relatively by half of that over λ. Five numbers are known to 1e-8.
     const KNOWN: f64 = 5e-8;
-    for nu in ["0.48", "1/2-1e-9", "1/2", "1/2+1e-9", "0.52"] {
+    for nu in ["0.48", "1/2-1e-9", "1/2-1e-12", "1/2", "1/2+1e-9", "0.52"] {
         let nu: FractionalOrder = nu.parse().unwrap();
         let law = UniformLaw::new(nu, Tolerance::balanced()).unwrap();
         let zone = Zone::end(1e-40).unwrap();

@@ -5,8 +5,8 @@
 //!
 //! N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
 //!
-//! A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the analytic continuation, here from two values
-//! of N. The remainders of N² and ‖r‖₀² are of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
+//! A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the analytic continuation, here (and just
+//! below 1/2) from two values of N. The remainders of N² and ‖r‖₀² are of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
 
 use super::constant::{DualMoments, dual_moments};
 use super::limits::END_SLOPE;
@@ -19,6 +19,9 @@ use crate::sobolev::FractionalOrder;
 /// Zone lengths at which the constants are read off: remainders below 1e-12 relative, and N² still of order one.
 const SHORT: f64 = 1e-22;
 const SHORTER: f64 = 1e-44;
+
+/// 1 − 2ν from which the limit B(ν) has more digits than the quotient of two values of N².
+const NEAR_HALF: f64 = 1e-6;
 
 /// γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +49,7 @@ impl UniformLaw {
         let near = dual_moments(order, SHORT, tolerance)?;
         let slope = if order.offset() == 0.0 {
             Estimate::new(END_SLOPE, 0.0, Work::default())?
-        } else if order.is_below_half() {
+        } else if p > NEAR_HALF {
             let limit = end_limit(order)?;
             Estimate::new(p * limit.value * limit.value, 2.0 * p * limit.value * limit.error, limit.work)?
         } else {
