@@ -56,6 +56,7 @@
 pub mod analysis;
 #[cfg(doctest)]
 mod book;
+pub mod cone;
 pub mod contact;
 pub mod error;
 pub mod estimate;
