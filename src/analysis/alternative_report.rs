@@ -1,7 +1,7 @@
 //! What is printed and drawn of a study of the alternatives.
 
 use super::contact_source::Against;
-use super::orders::observed_orders;
+use crate::convergence::observed_orders;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::proof::{AlternativeStudy, Classification, Section};

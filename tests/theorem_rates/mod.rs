@@ -1,7 +1,7 @@
 //! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
 
-use signorini::analysis::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::contact::Cone;
+use signorini::convergence::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
 use signorini::scenes::{Scene, Setting};
 use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides, StripKind};

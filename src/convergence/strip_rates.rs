@@ -7,10 +7,10 @@
 use super::level::RateLevel;
 use super::store::LevelStore;
 use super::study::RateStudy;
-use super::transitions::TransitionPowers;
 use crate::contact::Cone;
 use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
+use crate::scenes::TransitionPowers;
 use crate::strip::{
     EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, Sides,
     StripKind, StripProblem, solve_contact,
