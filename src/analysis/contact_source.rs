@@ -8,8 +8,8 @@
 //! u_h is the nodal solution for Section 3, the midpoint solution for Section 4. The midpoint cone lets u_h,N be positive: there,
 //! and on segments whose constraint is active, the gap counts as closed.
 
-use super::edge_trace::EdgeTrace;
 use crate::contact::{Cone, ContactSet, Solver};
+use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
 use crate::scenes::Scene;
 use crate::strip::{

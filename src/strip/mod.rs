@@ -14,7 +14,6 @@
 //! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`solve_contact`] |
 
 mod case;
-mod consistency;
 mod contact_sets;
 mod defect;
 mod edge;
@@ -37,7 +36,6 @@ mod study;
 mod transfer;
 
 pub use case::{CaseStudy, StripCase, mean_errors};
-pub use consistency::consistency_terms;
 pub use edge::EdgeOperator;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
@@ -50,3 +48,4 @@ pub use solution::{EdgeSolution, Settings};
 pub use solve::solve_contact;
 pub use source::SceneSource;
 pub use study::{Level, Levels, StripKind, StripProblem, study};
+pub(crate) use transfer::restrict;
