@@ -1,10 +1,11 @@
-//! Families of rough slopes with a fixed seed, to try an inequality on functions nobody has chosen to please it.
+//! Families of rough slopes with a fixed seed, to try an inequality on functions nobody has chosen to please
+//! it.
 //!
 //! | family | slope v | domain |
 //! | --- | --- | --- |
-//! | [`RoughFamily::Linears`] | continuous piecewise linear on a mesh geometric to both ends or to an inner point, random values | 0 < ν < 1 |
+//! | [`RoughFamily::Linears`] | random piecewise linear on a mesh geometric to ends or an inner point | 0 < ν < 1 |
 //! | [`RoughFamily::Steps`] | piecewise constant on such a mesh | ν < 1/2 |
-//! | [`RoughFamily::Weierstrass`] | Σ b^{-sk} cos(b^k π x + φ_k), s just above ν, sampled at 49 nodes | 0 < ν < 1 |
+//! | [`RoughFamily::Weierstrass`] | Σ b^{-sk} cos(b^k π x + φ_k), s just above ν, at 49 nodes | 0 < ν < 1 |
 //!
 //! The numbers come from SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): the same on every machine.
 
@@ -85,7 +86,8 @@ impl RoughSlopes {
         }
     }
 
-    /// Random numbers times |x − x₀|^a, a between ν − 1/2 and 1: from noise to a smooth trend, some with a trend added.
+    /// Random numbers times |x − x₀|^a, a between ν − 1/2 and 1: from noise to a smooth trend, some with a
+    /// trend added.
     fn values(&mut self, points: &[f64], singular: f64) -> Vec<f64> {
         let exponent = self.order.offset() + (1.0 - self.order.offset()) * self.uniform();
         let shortest = points.windows(2).map(|pair| pair[1] - pair[0]).fold(1.0, f64::min);
