@@ -116,9 +116,7 @@ impl SampleSlope {
             }
         }
     }
-}
 
-impl SampleSlope {
     /// (1/h) ∫ v (1−t) and (1/h) ∫ v t over the cell (left, left + h), t = (x − left)/h.
     pub(in crate::interpolation) fn cell_moments(self, left: f64, h: f64, rules: &PanelRules) -> [f64; 2] {
         match self {
@@ -131,25 +129,25 @@ impl SampleSlope {
                 let q = 1.0 - p;
                 [0.5 * q * q, 0.5 * q * (1.0 + p)]
             }
-            _ => {
-                let mut moments = [0.0; 2];
-                let mut start = 0.0;
-                let longest = |done: f64| match self {
-                    SampleSlope::Cosine(k) => 0.5 / k as f64,
-                    _ => left + done,
-                };
-                for length in panels(h, longest) {
-                    for (t, w) in rules.long.iter() {
-                        let d = start + length * t;
-                        let value = length * w * self.value(left + d) / h;
-                        moments[0] += value * (1.0 - d / h);
-                        moments[1] += value * d / h;
-                    }
-                    start += length;
-                }
-                moments
-            }
+            SampleSlope::Constant => [0.5; 2],
+            SampleSlope::Power(_) => self.panel_moments(&panels(h, |done| left + done), left, rules),
+            SampleSlope::Cosine(k) => self.panel_moments(&panels(h, |_| 0.5 / k as f64), left, rules),
         }
+    }
+
+    fn panel_moments(self, panels: &[f64], left: f64, rules: &PanelRules) -> [f64; 2] {
+        let h: f64 = panels.iter().sum();
+        let (mut moments, mut start) = ([0.0; 2], 0.0);
+        for &length in panels {
+            for (t, w) in rules.long.iter() {
+                let d = start + length * t;
+                let value = length * w * self.value(left + d) / h;
+                moments[0] += value * (1.0 - d / h);
+                moments[1] += value * d / h;
+            }
+            start += length;
+        }
+        moments
     }
 }
 
