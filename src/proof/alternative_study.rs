@@ -3,15 +3,26 @@
 use super::classification::Classification;
 use super::section::Section;
 use super::theta::ThetaRule;
-use crate::analysis::{Against, ContactSource};
+use crate::analysis::ContactSource;
 use crate::contact::Cone;
 use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
+use std::fmt;
+use std::str::FromStr;
 
 /// Most meshes of a study.
 const MESHES: usize = 16;
 /// θ of a sweep: 2^{−1}, ..., 2^{−12}.
 const SWEEP: i32 = 12;
+
+/// On whose contact set the cases are decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Against {
+    /// The fine reference: the paper's u.
+    Reference,
+    /// The discrete solution of each mesh.
+    Itself,
+}
 
 /// What is classified.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,8 +88,8 @@ impl AlternativeCase {
     fn classify(&self, cases: Vec<(usize, f64)>) -> Result<AlternativeStudy> {
         let cone = if self.section == Section::Three { Cone::Nodal } else { Cone::Midpoint };
         let trace_of = |n| match self.against {
-            Against::Reference => self.source.reference(self.n, self.tau),
-            Against::Itself => self.source.discrete(n, self.tau, cone),
+            Against::Reference => EdgeTrace::reference(&self.source, self.n, self.tau),
+            Against::Itself => EdgeTrace::discrete(&self.source, n, self.tau, cone),
         };
         let mut trace = trace_of(cases[0].0)?;
         let mut traced = cases[0].0;
@@ -119,5 +130,30 @@ impl AlternativeStudy {
     /// The rows: coarsest mesh first, or largest θ first.
     pub fn rows(&self) -> &[AlternativeRow] {
         &self.rows
+    }
+}
+
+impl fmt::Display for Against {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Against::Reference => "reference",
+            Against::Itself => "itself",
+        })
+    }
+}
+
+impl FromStr for Against {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "reference" => Ok(Against::Reference),
+            "itself" => Ok(Against::Itself),
+            _ => Err(Error::UnknownName {
+                what: "solution to classify on",
+                given: text.to_owned(),
+                expected: "reference or itself",
+            }),
+        }
     }
 }
