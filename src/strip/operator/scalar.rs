@@ -12,7 +12,7 @@
 //! Cost: O(n) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use crate::strip::sides::{Sides, check_cells, check_finite, check_length};
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;

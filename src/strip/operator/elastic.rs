@@ -9,7 +9,7 @@
 
 use super::edge::EdgeOperator;
 use super::scalar::{EdgeLoad, check_layers, mass_row};
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use crate::strip::sides::{Sides, check_cells, check_finite, check_length};
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result};
 use crate::fem::Lame;

@@ -7,14 +7,14 @@
 //!
 //! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode.
 
-use super::edge::EdgeOperator;
-use super::elastic::{EdgeMatrix, edge_matrices};
-use super::elastic_defect::{aliased, halvings};
-use super::exact::{layers_on, level_of, power_of_two, pyramid};
-use super::scalar::EdgeLoad;
-use super::scene::EdgeScene;
-use super::sides::{Sides, check_length};
-use super::transfer::prolong;
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
+use crate::strip::operator::elastic_defect::{aliased, halvings};
+use super::grids::{layers_on, level_of, power_of_two, pyramid};
+use crate::strip::operator::scalar::EdgeLoad;
+use crate::strip::scene::EdgeScene;
+use crate::strip::sides::{Sides, check_length};
+use crate::strip::transfer::prolong;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Lame;

@@ -3,14 +3,14 @@
 //! Each level starts from the contact set of the coarser one. The observed order between n/2 and n is log₂ of the ratio of
 //! errors. For a transition it alternates with the position of the transition in its cell.
 
-use super::edge::EdgeOperator;
+use crate::strip::operator::edge::EdgeOperator;
 use super::exact::{ExactEdge, Reference};
 use super::exact_elastic::ExactElastic;
-use super::scalar::{EdgeLoad, ScalarStrip};
-use super::scene::EdgeScene;
-use super::sides::Sides;
-use super::solution::{EdgeSolution, Settings};
-use super::solve::solve_contact;
+use crate::strip::operator::scalar::{EdgeLoad, ScalarStrip};
+use crate::strip::scene::EdgeScene;
+use crate::strip::sides::Sides;
+use crate::strip::solver::solution::{EdgeSolution, Settings};
+use crate::strip::solver::solve::solve_contact;
 use crate::cone::{Cone, Status};
 use crate::error::{Error, Result};
 use crate::estimate::Estimate;

@@ -10,12 +10,12 @@
 //! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion along each run.
 //! Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
-use super::edge::EdgeOperator;
+use crate::strip::operator::edge::EdgeOperator;
 use super::inner::{FaceSolver, dot};
-use super::scalar::EdgeLoad;
-use super::sides::check_finite;
+use crate::strip::operator::scalar::EdgeLoad;
+use crate::strip::sides::check_finite;
 use super::solution::{EdgeSolution, Settings};
-use super::transfer::prolong;
+use crate::strip::transfer::prolong;
 use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
 use crate::error::{Error, Result};
 use std::collections::HashSet;

@@ -3,7 +3,7 @@
 //! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the energy norm of
 //! the error with constants near 1. Iterations needed for a given reduction do not depend on n or on the gaps.
 
-use super::edge::{EdgeOperator, Workspace};
+use crate::strip::operator::edge::{EdgeOperator, Workspace};
 use super::precondition::Preconditioner;
 use crate::cone::Face;
 

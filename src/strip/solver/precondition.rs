@@ -7,8 +7,8 @@
 //! by ‖A‖. L + 1 is raised to the next number with prime factors up to 13, so that no transform has a large prime length.
 //! Cost O(n log n).
 
-use super::edge::{EdgeOperator, Workspace};
-use super::sides::Sides;
+use crate::strip::operator::edge::{EdgeOperator, Workspace};
+use crate::strip::sides::Sides;
 use crate::cone::{Block, Face};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
@@ -165,7 +165,7 @@ fn smooth_at_least(n: usize) -> usize {
 mod tests {
     use super::*;
     use crate::cone::Cone;
-    use crate::strip::ScalarStrip;
+    use crate::strip::operator::scalar::ScalarStrip;
 
     #[test]
     fn smooth_numbers() {

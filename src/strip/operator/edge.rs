@@ -8,7 +8,7 @@
 //!
 //! S > 0, so A is positive definite. A product or a solve costs one real FFT of length P and one back: O(n log n).
 
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use crate::strip::sides::{Sides, check_cells, check_finite, check_length};
 use crate::cone::{Cone, EdgeCone};
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;
