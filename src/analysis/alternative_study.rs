@@ -2,10 +2,11 @@
 
 use super::alternatives::{checked_theta, printed_theta};
 use super::classification::{Classification, Section};
-use super::contact_source::{Against, ContactSource};
+use super::contact_source::{Against, largest_classified, reference_trace, solution_trace};
 use super::edge_trace::EdgeTrace;
 use crate::contact::Cone;
 use crate::error::{Error, Result};
+use crate::scenes::Scene;
 
 /// Most meshes of a study.
 const MESHES: usize = 16;
@@ -43,7 +44,7 @@ pub struct AlternativeCase {
     /// Which alternative.
     pub section: Section,
     /// The scene.
-    pub source: ContactSource,
+    pub source: Scene,
     /// Contact segments of the finest mesh.
     pub n: usize,
     /// How many meshes, each with half the segments of the next.
@@ -58,7 +59,7 @@ pub struct AlternativeCase {
 
 impl AlternativeCase {
     /// Three meshes of a scene at τ = 7/4 on its fine reference.
-    pub fn new(section: Section, source: impl Into<ContactSource>, n: usize, rule: ThetaRule) -> Self {
+    pub fn new(section: Section, source: impl Into<Scene>, n: usize, rule: ThetaRule) -> Self {
         Self { section, source: source.into(), n, meshes: 3, rule, tau: 1.75, against: Against::Reference }
     }
 
@@ -90,8 +91,12 @@ impl AlternativeCase {
             return Err(count("meshes", self.meshes, "[1, 16]"));
         }
         let parts = 1 << (self.meshes - 1);
-        let powers = matches!(self.source, ContactSource::Mesh(_)) || self.n.is_power_of_two();
-        if self.n < 2 * parts || !self.n.is_multiple_of(parts) || self.n > self.source.largest() || !powers {
+        let powers = matches!(self.source, Scene::Mesh(_)) || self.n.is_power_of_two();
+        if self.n < 2 * parts
+            || !self.n.is_multiple_of(parts)
+            || self.n > largest_classified(&self.source)
+            || !powers
+        {
             let range = "the multiples of 2^(meshes - 1), at least 2^meshes, at most 256 on a mesh; powers of two up to 16384 on a strip";
             return Err(count("n", self.n, range));
         }
@@ -101,8 +106,8 @@ impl AlternativeCase {
     fn classify(&self, cases: Vec<(usize, f64)>) -> Result<AlternativeStudy> {
         let cone = if self.section == Section::Three { Cone::Nodal } else { Cone::Midpoint };
         let trace_of = |n| match self.against {
-            Against::Reference => self.source.reference(self.n, self.tau),
-            Against::Itself => self.source.discrete(n, self.tau, cone),
+            Against::Reference => reference_trace(&self.source, self.n, self.tau),
+            Against::Itself => solution_trace(&self.source, n, self.tau, cone),
         };
         let mut trace = trace_of(cases[0].0)?;
         let mut traced = cases[0].0;

@@ -11,10 +11,9 @@
 use super::edge_trace::EdgeTrace;
 use crate::contact::{Cone, ContactSet, Solver};
 use crate::error::{Error, Result};
-use crate::scenes::Scene;
+use crate::scenes::{MeshScene, Scene, StripScene};
 use crate::strip::{
-    EdgeOperator, EdgeScene, ExactEdge, Reference, SceneSource, Settings, Sides, StripKind, StripProblem,
-    solve_contact,
+    EdgeData, EdgeOperator, ExactEdge, Reference, Settings, Sides, StripKind, StripProblem, solve_contact,
 };
 use std::fmt;
 use std::str::FromStr;
@@ -30,15 +29,6 @@ const STRIP_LARGEST: usize = 1 << 14;
 /// u_N counts as zero below this, relative to its largest value: far above rounding, far below one cell's opening.
 const ZERO: f64 = 1e-12;
 
-/// A scene of either solver.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ContactSource {
-    /// Two-dimensional, by the mesh solver.
-    Mesh(Scene),
-    /// Manufactured on the edge of the strip.
-    Strip(SceneSource),
-}
-
 /// On whose contact set the cases are decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Against {
@@ -48,51 +38,49 @@ pub enum Against {
     Itself,
 }
 
-impl ContactSource {
-    /// The largest n that can be asked for.
-    pub fn largest(&self) -> usize {
-        match self {
-            ContactSource::Mesh(_) => MESH_LARGEST,
-            ContactSource::Strip(_) => STRIP_LARGEST,
-        }
+/// The largest n that can be asked for.
+pub(crate) fn largest_classified(scene: &Scene) -> usize {
+    match scene {
+        Scene::Mesh(_) => MESH_LARGEST,
+        Scene::Strip(_) => STRIP_LARGEST,
     }
+}
 
-    /// The fine trace that stands for u on meshes of up to n segments; `tau` is the regularity of a strip scene.
-    ///
-    /// # Errors
-    /// Those of the scenes.
-    pub fn reference(&self, n: usize, tau: f64) -> Result<EdgeTrace> {
-        match self {
-            ContactSource::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
-            ContactSource::Strip(source) => EdgeTrace::of_scene(&strip_scene(source, n, tau)?),
-        }
+/// The fine trace that stands for u on meshes of up to n segments; `tau` is the regularity of a strip scene.
+///
+/// # Errors
+/// Those of the scenes.
+pub(crate) fn reference_trace(scene: &Scene, n: usize, tau: f64) -> Result<EdgeTrace> {
+    match scene {
+        Scene::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
+        Scene::Strip(scene) => EdgeTrace::of_scene(&strip_data(scene, n, tau)?),
     }
+}
 
-    /// The trace of the discrete solution on n segments.
-    ///
-    /// # Errors
-    /// Those of the scenes and solvers.
-    pub fn discrete(&self, n: usize, tau: f64, cone: Cone) -> Result<EdgeTrace> {
-        match self {
-            ContactSource::Mesh(scene) => mesh_trace(*scene, n, cone),
-            ContactSource::Strip(source) => {
-                let scene = strip_scene(source, n, tau)?;
-                let exact = StripProblem::Scalar(ExactEdge::scalar(&scene, (1, 1), Reference::Nested)?);
-                let (operator, _): (EdgeOperator, f64) = exact.operator(n)?;
-                let solution = solve_contact(&operator, &exact.load(n)?, cone, None, &Settings::default())?;
-                let nodes = (0..=n).map(|i| i as f64 / n as f64).collect();
-                discrete_trace(nodes, solution.values, &solution.multiplier, &solution.contact, cone)
-            }
+/// The trace of the discrete solution on n segments.
+///
+/// # Errors
+/// Those of the scenes and solvers.
+pub(crate) fn solution_trace(scene: &Scene, n: usize, tau: f64, cone: Cone) -> Result<EdgeTrace> {
+    match scene {
+        Scene::Mesh(scene) => mesh_trace(*scene, n, cone),
+        Scene::Strip(scene) => {
+            let data = strip_data(scene, n, tau)?;
+            let exact = StripProblem::Scalar(ExactEdge::scalar(&data, (1, 1), Reference::Nested)?);
+            let (operator, _): (EdgeOperator, f64) = exact.operator(n)?;
+            let solution = solve_contact(&operator, &exact.load(n)?, cone, None, &Settings::default())?;
+            let nodes = (0..=n).map(|i| i as f64 / n as f64).collect();
+            discrete_trace(nodes, solution.values, &solution.multiplier, &solution.contact, cone)
         }
     }
 }
 
 /// The scene on a grid whose cells divide every segment.
-fn strip_scene(source: &SceneSource, n: usize, tau: f64) -> Result<EdgeScene> {
-    source.scene(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
+fn strip_data(scene: &StripScene, n: usize, tau: f64) -> Result<EdgeData> {
+    scene.data(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
 }
 
-fn mesh_trace(scene: Scene, squares: usize, cone: Cone) -> Result<EdgeTrace> {
+fn mesh_trace(scene: MeshScene, squares: usize, cone: Cone) -> Result<EdgeTrace> {
     let problem = scene.problem(squares)?;
     let solution = problem.solve(cone, Solver::ActiveSet)?;
     let arc = problem.edge().arc().to_vec();
@@ -128,7 +116,7 @@ impl EdgeTrace {
     ///
     /// # Errors
     /// As [`EdgeTrace::new`].
-    pub fn of_scene(scene: &EdgeScene) -> Result<Self> {
+    pub fn of_scene(scene: &EdgeData) -> Result<Self> {
         let cells = scene.cells();
         let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
         if scene.sides() == Sides::Periodic {
@@ -138,44 +126,6 @@ impl EdgeTrace {
         }
         let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
         EdgeTrace::new(nodes, values, forces, 0.0)
-    }
-}
-
-impl From<Scene> for ContactSource {
-    fn from(scene: Scene) -> Self {
-        ContactSource::Mesh(scene)
-    }
-}
-
-impl From<SceneSource> for ContactSource {
-    fn from(source: SceneSource) -> Self {
-        ContactSource::Strip(source)
-    }
-}
-
-impl fmt::Display for ContactSource {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ContactSource::Mesh(scene) => scene.fmt(f),
-            ContactSource::Strip(source) => source.fmt(f),
-        }
-    }
-}
-
-impl FromStr for ContactSource {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        let unknown = |_| Error::UnknownName {
-            what: "scene",
-            given: text.to_owned(),
-            expected: "a mesh scene (block, membrane, free, closed, ...) or a strip scene (transition[:POSITION], \
-                       transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE)",
-        };
-        text.parse::<Scene>()
-            .map(ContactSource::Mesh)
-            .or_else(|_| text.parse().map(ContactSource::Strip))
-            .map_err(unknown)
     }
 }
 

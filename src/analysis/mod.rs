@@ -28,7 +28,7 @@ pub use balance::{ElementBalance, WorstPair};
 pub use balance_report::BalanceRow;
 pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
-pub use contact_source::{Against, ContactSource};
+pub use contact_source::Against;
 pub use edge_trace::{EdgeTrace, Interval};
 pub use falk::{FalkRow, falk_terms};
 pub use falk_report::{falk_chart, falk_headline};
@@ -40,11 +40,10 @@ pub use profile::{
 };
 pub use rates::{
     Bound, EdgeNorms, FigureRates, Fit, Flag, LevelStore, LogarithmFit, MeshRates, Model, Quantity,
-    RateLevel, RateStrip, RateStudy, SceneFamily, SearchRow, StripGroup, TheoremPlan, TransitionPowers,
-    clamped_free_exponent, edge_norm, edge_norms, figure_chart, figure_headline, introduction_chart,
-    introduction_headline, introduction_rows, introduction_studies, logarithm_chart, logarithm_headline,
-    logarithm_studies, scene_regularity, search_chart, search_headline, search_sets, search_size,
-    theorem_headline, worst_gaps, worst_ratio,
+    RateLevel, RateStrip, RateStudy, SceneFamily, SearchRow, StripGroup, TheoremPlan, edge_norm, edge_norms,
+    figure_chart, figure_headline, introduction_chart, introduction_headline, introduction_rows,
+    introduction_studies, logarithm_chart, logarithm_headline, logarithm_studies, search_chart,
+    search_headline, search_sets, search_size, theorem_headline, worst_gaps, worst_ratio,
 };
 pub use segment::{SegmentNorms, TraceNorms};
 pub use segment_seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};

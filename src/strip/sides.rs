@@ -20,6 +20,14 @@ impl Sides {
         }
     }
 
+    /// At least two cells, an even number on a ring, at most 2^26.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] otherwise.
+    pub fn check_cells(self, cells: usize) -> Result<()> {
+        check_cells(cells, self)
+    }
+
     /// Period of the (evenly extended) edge, in cells.
     pub fn period(self, cells: usize) -> usize {
         match self {

@@ -13,11 +13,11 @@ use super::bounds::Bound;
 use super::store::LevelStore;
 use super::strip::{RateStrip, SceneFamily};
 use super::study::{Quantity, RateStudy};
-use super::transitions::TransitionPowers;
 use crate::contact::Cone;
 use crate::error::{Error, Result};
 use crate::figures::{Axis, Chart, Series};
 use crate::report::{Column, Format, Headline, Table, Verdict};
+use crate::scenes::TransitionPowers;
 use crate::strip::{Levels, StripKind};
 
 /// q of e²/h² = B + A (ℓ^q − 1)/q with its half-width, ℓ = 2 + |ln h|.
@@ -112,7 +112,7 @@ pub fn logarithm_studies(
             name: if alpha == 0.0 { "kink".to_owned() } else { format!("|ln r|^-{alpha}") },
             tau: 2.0,
             count: 2,
-            member: Box::new(move |i, cells| powers.scene(start + (i + 1) as f64 / 3.0 * cell, cells)),
+            member: Box::new(move |i, cells| powers.data(start + (i + 1) as f64 / 3.0 * cell, cells)),
         };
         for cone in [Cone::Nodal, Cone::Midpoint] {
             studies.push(strip.study(&family, cone, &mut LevelStore::in_memory(), report)?);
