@@ -6,7 +6,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::contact::Cone;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
-use signorini::strip::{EdgeData, ElasticStrip, Reference, Settings, StripKind, StripProblem, solve_contact};
+use signorini::strip::{ElasticStrip, Reference, Settings, StripKind, StripProblem, solve_contact};
 use std::hint::black_box;
 
 const REFERENCE: usize = 1 << 18;
@@ -42,7 +42,7 @@ fn contact(c: &mut Criterion) {
         ("fat Cantor", StripScene::FatCantor { depth: 12 }, 1.55),
     ];
     for kind in [StripKind::Scalar, StripKind::Elastic] {
-        for (name, scene, tau) in scenes {
+        for (name, scene, tau) in scenes.clone() {
             let problem = problem(kind, scene, tau);
             for cone in Cone::ALL {
                 let n = 1 << 14;

@@ -6,7 +6,8 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::{Against, AlternativeCase, Section, ThetaRule};
+use signorini::analysis::Against;
+use signorini::proof::{AlternativeCase, Section, ThetaRule};
 use signorini::report::Headline;
 use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;

@@ -1,6 +1,8 @@
 //! Figure 4.1: the contact set of every segment of a computed solution has a diameter below or above h_e θ.
 
-use signorini::analysis::{Against, AlternativeCase, EdgeTrace, Interval, Section, SetDiameter, ThetaRule};
+use signorini::analysis::Against;
+use signorini::edge::{EdgeTrace, Interval};
+use signorini::proof::{AlternativeCase, Section, SetDiameter, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]

@@ -8,8 +8,8 @@
 //! u_h is the nodal solution for Section 3, the midpoint solution for Section 4. The midpoint cone lets u_h,N be positive: there,
 //! and on segments whose constraint is active, the gap counts as closed.
 
-use super::edge_trace::EdgeTrace;
 use crate::contact::{Cone, ContactSet, Solver};
+use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
 use crate::scenes::{MeshScene, Scene, StripScene};
 use crate::strip::{
@@ -39,7 +39,7 @@ pub enum Against {
 }
 
 /// The largest n that can be asked for.
-pub(crate) fn largest_classified(scene: &Scene) -> usize {
+pub fn largest_classified(scene: &Scene) -> usize {
     match scene {
         Scene::Mesh(_) => MESH_LARGEST,
         Scene::Strip(_) => STRIP_LARGEST,
@@ -50,7 +50,7 @@ pub(crate) fn largest_classified(scene: &Scene) -> usize {
 ///
 /// # Errors
 /// Those of the scenes.
-pub(crate) fn reference_trace(scene: &Scene, n: usize, tau: f64) -> Result<EdgeTrace> {
+pub fn reference_trace(scene: &Scene, n: usize, tau: f64) -> Result<EdgeTrace> {
     match scene {
         Scene::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
         Scene::Strip(scene) => EdgeTrace::of_scene(&strip_data(scene, n, tau)?),
@@ -61,7 +61,7 @@ pub(crate) fn reference_trace(scene: &Scene, n: usize, tau: f64) -> Result<EdgeT
 ///
 /// # Errors
 /// Those of the scenes and solvers.
-pub(crate) fn solution_trace(scene: &Scene, n: usize, tau: f64, cone: Cone) -> Result<EdgeTrace> {
+pub fn solution_trace(scene: &Scene, n: usize, tau: f64, cone: Cone) -> Result<EdgeTrace> {
     match scene {
         Scene::Mesh(scene) => mesh_trace(*scene, n, cone),
         Scene::Strip(scene) => {

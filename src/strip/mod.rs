@@ -14,7 +14,6 @@
 //! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
 
 mod chain;
-mod consistency;
 mod defect;
 mod edge;
 mod edge_data;
@@ -35,13 +34,13 @@ mod solution;
 mod solve;
 mod study;
 
-pub use consistency::consistency_terms;
 pub use edge::EdgeOperator;
 pub use edge_data::EdgeData;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
 pub use exact_elastic::ExactElastic;
 pub use listing::{level_table, mean_order};
+pub(crate) use pressure::restrict;
 pub use scalar::{EdgeLoad, ScalarStrip};
 pub use sides::Sides;
 pub use solution::{EdgeSolution, Settings};

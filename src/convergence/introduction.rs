@@ -15,7 +15,7 @@
 
 use super::fit::Fit;
 use super::store::LevelStore;
-use super::strip::{RateStrip, SceneFamily};
+use super::strip_rates::{RateStrip, SceneFamily};
 use super::study::{Quantity, RateStudy};
 use crate::contact::Cone;
 use crate::error::Result;

@@ -1,10 +1,11 @@
 //! The cases of Figure 3.2 or 4.1, over mesh sizes or over θ, on the contact set of a fine reference or of u_h itself.
 
-use super::alternatives::{checked_theta, printed_theta};
-use super::classification::{Classification, Section};
-use super::contact_source::{Against, largest_classified, reference_trace, solution_trace};
-use super::edge_trace::EdgeTrace;
+use super::classification::Classification;
+use super::section::Section;
+use super::theta::ThetaRule;
+use crate::analysis::{Against, largest_classified, reference_trace, solution_trace};
 use crate::contact::Cone;
+use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
 use crate::scenes::Scene;
 
@@ -12,31 +13,6 @@ use crate::scenes::Scene;
 const MESHES: usize = 16;
 /// θ of a sweep: 2^{−1}, ..., 2^{−12}.
 const SWEEP: i32 = 12;
-
-/// How θ follows from h = 1/n.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ThetaRule {
-    /// θ = h^{2τ−3}, at τ = 2 θ = h²: the paper's choice.
-    Printed {
-        /// Sobolev regularity, 3/2 < τ ≤ 2.
-        tau: f64,
-    },
-    /// The same θ on every mesh.
-    Fixed(f64),
-}
-
-impl ThetaRule {
-    /// θ on a mesh of size h.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] for τ, θ or h outside their ranges.
-    pub fn theta(self, h: f64) -> Result<f64> {
-        match self {
-            ThetaRule::Printed { tau } => printed_theta(h, tau),
-            ThetaRule::Fixed(theta) => checked_theta(theta),
-        }
-    }
-}
 
 /// What is classified.
 #[derive(Debug, Clone, PartialEq)]
@@ -138,10 +114,10 @@ pub struct AlternativeRow {
 /// Classified segments for several mesh sizes or several θ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlternativeStudy {
-    pub(super) case: AlternativeCase,
+    pub(crate) case: AlternativeCase,
     /// The trace of the last row.
-    pub(super) trace: EdgeTrace,
-    pub(super) rows: Vec<AlternativeRow>,
+    pub(crate) trace: EdgeTrace,
+    pub(crate) rows: Vec<AlternativeRow>,
 }
 
 impl AlternativeStudy {
