@@ -6,7 +6,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::Against;
+use signorini::proof::Against;
 use signorini::proof::{AlternativeCase, Section, ThetaRule};
 use signorini::report::Headline;
 use signorini::scenes::{MeshScene, Scene};

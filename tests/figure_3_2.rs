@@ -1,7 +1,7 @@
 //! Figure 3.2: every contact segment of a computed solution is in the first or the second case.
 
-use signorini::analysis::Against;
 use signorini::edge::{EdgeTrace, Interval};
+use signorini::proof::Against;
 use signorini::proof::{AlternativeCase, NearVertices, Section, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 

@@ -1,7 +1,7 @@
 //! Figure 4.1: the contact set of every segment of a computed solution has a diameter below or above h_e θ.
 
-use signorini::analysis::Against;
 use signorini::edge::{EdgeTrace, Interval};
+use signorini::proof::Against;
 use signorini::proof::{AlternativeCase, Section, SetDiameter, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 

@@ -1,10 +1,9 @@
 //! What is printed and drawn of a study of the alternatives.
 
-use super::contact_source::Against;
 use crate::convergence::observed_orders;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, PALETTE, Series};
-use crate::proof::{AlternativeStudy, Classification, Section};
+use crate::proof::{Against, AlternativeStudy, Classification, Section};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use std::path::Path;
 

@@ -15,6 +15,7 @@ mod consistency;
 mod consistency_levels;
 mod norms;
 mod pair;
+mod scene_trace;
 mod segment;
 mod seminorm;
 mod trace;

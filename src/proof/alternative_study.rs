@@ -3,16 +3,26 @@
 use super::classification::Classification;
 use super::section::Section;
 use super::theta::ThetaRule;
-use crate::analysis::{Against, largest_classified, reference_trace, solution_trace};
 use crate::contact::Cone;
 use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
 use crate::scenes::Scene;
+use std::fmt;
+use std::str::FromStr;
 
 /// Most meshes of a study.
 const MESHES: usize = 16;
 /// θ of a sweep: 2^{−1}, ..., 2^{−12}.
 const SWEEP: i32 = 12;
+
+/// On whose contact set the cases are decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Against {
+    /// The fine reference: the paper's u.
+    Reference,
+    /// The discrete solution of each mesh.
+    Itself,
+}
 
 /// What is classified.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +80,7 @@ impl AlternativeCase {
         let powers = matches!(self.source, Scene::Mesh(_)) || self.n.is_power_of_two();
         if self.n < 2 * parts
             || !self.n.is_multiple_of(parts)
-            || self.n > largest_classified(&self.source)
+            || self.n > EdgeTrace::largest_segments(&self.source)
             || !powers
         {
             let range = "the multiples of 2^(meshes - 1), at least 2^meshes, at most 256 on a mesh; powers of two up to 16384 on a strip";
@@ -82,8 +92,8 @@ impl AlternativeCase {
     fn classify(&self, cases: Vec<(usize, f64)>) -> Result<AlternativeStudy> {
         let cone = if self.section == Section::Three { Cone::Nodal } else { Cone::Midpoint };
         let trace_of = |n| match self.against {
-            Against::Reference => reference_trace(&self.source, self.n, self.tau),
-            Against::Itself => solution_trace(&self.source, n, self.tau, cone),
+            Against::Reference => EdgeTrace::reference(&self.source, self.n, self.tau),
+            Against::Itself => EdgeTrace::discrete(&self.source, n, self.tau, cone),
         };
         let mut trace = trace_of(cases[0].0)?;
         let mut traced = cases[0].0;
@@ -124,5 +134,30 @@ impl AlternativeStudy {
     /// The rows: coarsest mesh first, or largest θ first.
     pub fn rows(&self) -> &[AlternativeRow] {
         &self.rows
+    }
+}
+
+impl fmt::Display for Against {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Against::Reference => "reference",
+            Against::Itself => "itself",
+        })
+    }
+}
+
+impl FromStr for Against {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "reference" => Ok(Against::Reference),
+            "itself" => Ok(Against::Itself),
+            _ => Err(Error::UnknownName {
+                what: "solution to classify on",
+                given: text.to_owned(),
+                expected: "reference or itself",
+            }),
+        }
     }
 }

@@ -20,7 +20,7 @@ mod step;
 mod theta;
 mod worst_pair;
 
-pub use alternative_study::{AlternativeCase, AlternativeRow, AlternativeStudy};
+pub use alternative_study::{Against, AlternativeCase, AlternativeRow, AlternativeStudy};
 pub use alternatives::{Alternative, NearVertices, SetDiameter};
 pub use balance::{ElementBalance, WorstPair};
 pub use classification::{Classification, ClassifiedSegment};
