@@ -7,7 +7,7 @@
 //!
 //! Both are ≥ 0, sums of nonnegative terms. Cost: O(N) for all grids together.
 
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::strip::{EdgeData, Sides, restrict};
 
 /// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far as it halves.

@@ -4,7 +4,7 @@
 //! positions has no such phase.
 
 use super::strip::StripScene;
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::strip::{EdgeData, Level, Levels, Reference, StripKind, StripProblem, study};

@@ -11,9 +11,8 @@
 //! | A, S(θ) | [`EdgeOperator`] and its symbol |
 //! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
 //! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels |
-//! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
+//! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`solve_contact`] |
 
-mod chain;
 mod defect;
 mod edge;
 mod edge_data;
@@ -21,18 +20,16 @@ mod elastic;
 mod elastic_defect;
 mod exact;
 mod exact_elastic;
-mod face;
 mod inner;
 mod listing;
 mod precondition;
-mod pressure;
-mod projection;
 mod scalar;
 mod sides;
 mod slab;
 mod solution;
 mod solve;
 mod study;
+mod transfer;
 
 pub use edge::EdgeOperator;
 pub use edge_data::EdgeData;
@@ -40,9 +37,9 @@ pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
 pub use exact_elastic::ExactElastic;
 pub use listing::{level_table, mean_order};
-pub(crate) use pressure::restrict;
 pub use scalar::{EdgeLoad, ScalarStrip};
 pub use sides::Sides;
 pub use solution::{EdgeSolution, Settings};
 pub use solve::solve_contact;
 pub use study::{Level, Levels, StripKind, StripProblem, study};
+pub(crate) use transfer::restrict;

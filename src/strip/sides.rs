@@ -1,5 +1,6 @@
 //! What the sides of the strip do, and the checks that edge data pass.
 
+use crate::cone::Ends;
 use crate::error::{Error, Result};
 
 /// What the sides x = 0 and x = 1 of the strip do.
@@ -26,6 +27,14 @@ impl Sides {
     /// [`Error::CountOutOfRange`] otherwise.
     pub fn check_cells(self, cells: usize) -> Result<()> {
         check_cells(cells, self)
+    }
+
+    /// The edge as a contact cone sees it: open, or with joined ends.
+    pub(crate) fn ends(self) -> Ends {
+        match self {
+            Sides::Natural => Ends::Open,
+            Sides::Periodic => Ends::Joined,
+        }
     }
 
     /// Period of the (evenly extended) edge, in cells.

@@ -1,85 +1,25 @@
-//! C(q), the best constant of H^ν(0,1) ⊂ L^q(0,1), ν ≤ 1/2: ‖u‖_{L^q} ≤ C(q) ‖u‖_ν with the full norm (1.1); (3.6), (3.10), (4.12).
+//! C(q) from below: the quotient ‖u‖_{L^q}/‖u‖_ν of functions found by an ascent.
 //!
-//! Domain: 2 ≤ q < ∞ for ν = 1/2, 2 ≤ q ≤ 2/(1−2ν) for ν < 1/2. C(q) ≥ 1 by u = 1.
-//!
-//! **From above**, for all functions. The even reflection U of u on the circle (−1, 1) has ‖U‖_q = ‖u‖_q (normalised measure);
-//! let c_k be its Fourier coefficients, p = 1 + 2ν ≤ 2 and K(t) = |2 sin(πt/2)/π|^{-p}. Then
-//! ∫∫_{(−1,1)²} (U(x)−U(y))² K(x−y) = 2 ∫∫_{(0,1)²} (u(x)−u(y))² [K(x−y) + K(x+y)],
-//! K(x+y) ≤ K(x−y), because sin(π(x+y)/2) ≥ |sin(π(x−y)/2)|, and K(t) ≤ t^{-p} + b with b = (π/2)^p − 1 on (0, 1), because
-//! (s/sin s)^p has positive Taylor coefficients. The left side is Σ Ω_k |c_k|² in closed form. Together
-//!   ‖u‖²_ν ≥ Σ w_k |c_k|²,  w_0 = 1,  w_k = 1 − 2b + κ (R_k − R_0),  κ = π^p/(sin(πν) Γ(p)),  R_k = Γ(k+1/2+ν)/Γ(k+1/2−ν);
-//! at ν = 1/2 w_k = π² k + 3 − π²/2. Beckner's sharp inequality on the circle (Ann. of Math. 138 (1993) 213-242) is
-//!   ‖U‖²_q ≤ Σ m_k |c_k|²,  m_k = Γ(1/q) Γ(k+1−1/q) / (Γ(1−1/q) Γ(k+1/q)).
-//! Hence C(q)² ≤ max_k m_k/w_k. m_k/R_k falls with k, which bounds the tail. Where the maximum is 1, C(q) = 1 exactly.
-//!
-//! **From below**: the quotient of any function. Piecewise linears on a mesh geometric to 0, and the ascent
-//! u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_ν: the quotient rises, ‖·‖_q being convex. Cost O(N³) once, O(N²) a step.
+//! Piecewise linears on a mesh geometric to 0, and u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_ν: the
+//! quotient rises, ‖·‖_q being convex. Cost O(N³) once, O(N²) a step.
 
-use super::forms::mass_form;
+use super::upper::{check, critical_exponent};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::interpolation::forms::mass_form;
 use crate::quadrature::Rule;
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, gram_linears};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
-use std::f64::consts::PI;
 
-/// Terms of the maximum that are computed; beyond, the tail bound.
-const TERMS: usize = 100_000;
-
-/// Rounding of products of that many factors.
-const ROUNDING: f64 = 1e-10;
-
-/// Most steps of the ascent, and the relative rise below which it stops.
+/// Most steps of the ascent: some dozens do where the maximum is isolated.
 const STEPS: usize = 400;
+
+/// Relative rise in a step below which the ascent has arrived.
 const RISE: f64 = 1e-12;
 
-/// Checks ν ≤ 1/2 and 2 ≤ q ≤ 2/(1−2ν), q < ∞.
-fn check(order: FractionalOrder, q: f64) -> Result<()> {
-    let nu = order.value();
-    Error::require("nu", nu, "(0, 1/2] for the embedding in L^q", order.offset() <= 0.0)?;
-    // q = 2/(1−2ν) itself is rounded.
-    let admissible =
-        (2.0..=1e6).contains(&q) && q * order.one_minus_twice() <= 2.0 * (1.0 + 4.0 * f64::EPSILON);
-    Error::require("q", q, "[2, 2/(1-2 nu)] and at most 1e6", admissible).map(|_| ())
-}
-
-/// The critical exponent 2/(1−2ν), infinite at ν = 1/2.
-///
-/// # Errors
-/// [`Error::OutOfRange`] for ν > 1/2, where functions are continuous.
-pub fn critical_exponent(order: FractionalOrder) -> Result<f64> {
-    Error::require("nu", order.value(), "(0, 1/2]", order.offset() <= 0.0)?;
-    // + 0: 1 − 2ν may be −0.
-    Ok(2.0 / (order.one_minus_twice() + 0.0))
-}
-
-/// An upper bound of C(q), for every function of H^ν(0,1); rounded up.
-///
-/// # Errors
-/// [`Error::OutOfRange`] outside the domain.
-pub fn embedding_upper_bound(order: FractionalOrder, q: f64) -> Result<f64> {
-    check(order, q)?;
-    let (nu, below) = (order.value(), -order.offset());
-    let p = 1.0 + 2.0 * nu;
-    let kappa = PI.powf(p) / ((PI * nu).sin() * libm::tgamma(p));
-    // R_0 = Γ(1/2+ν)/Γ(1/2−ν), R_1 = R_0 (1/2+ν)/(1/2−ν) = Γ(3/2+ν)/Γ(3/2−ν): no pole at ν = 1/2.
-    let first = libm::tgamma(1.5 + nu) / libm::tgamma(1.0 + below);
-    let start = first * below / (0.5 + nu);
-    let shift = 1.0 - 2.0 * ((0.5 * PI).powf(p) - 1.0) - kappa * start;
-    let (mut r, mut m, mut largest) = (first, q - 1.0, 1.0f64);
-    for k in 1..TERMS {
-        largest = largest.max(m / (shift + kappa * r));
-        let j = k as f64;
-        r *= (j + 0.5 + nu) / (j + below);
-        m *= (j + 1.0 - 1.0 / q) / (j + 1.0 / q);
-    }
-    // R/(A + κR) rises to 1/κ, or falls from its value here.
-    let tail = (m / r) * (1.0 / kappa).max(r / (shift + kappa * r));
-    let bound = largest.max(tail);
-    // Where nothing exceeds the constant function the bound is attained by it.
-    Ok(if bound <= 1.0 { 1.0 } else { (bound * (1.0 + ROUNDING)).sqrt() })
-}
+/// Gauss points per cell in the ascent; the quotient that is returned is integrated anew, to its tolerance.
+const POINTS: usize = 12;
 
 /// A function and its quotient ‖u‖_{L^q}/‖u‖_ν: a lower bound of C(q).
 #[derive(Debug, Clone, PartialEq)]
@@ -100,7 +40,8 @@ pub struct EmbeddingSpace {
 }
 
 impl EmbeddingSpace {
-    /// Elements shrink by `ratio` from 1/4 to 1/4 ratio^layers at the end 0; equal ones on the rest of (0, 1).
+    /// Elements shrink by `ratio` from 1/4 to 1/4 ratio^layers at the end 0; equal ones on the rest of (0,
+    /// 1).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν > 1/2 or a ratio outside (0, 1), or elements too short.
@@ -118,7 +59,8 @@ impl EmbeddingSpace {
         Ok(Self { order, partition, norm, factor })
     }
 
-    /// The best quotient found by ascents from functions concentrated at 0 to several degrees, and from u = 1.
+    /// The best quotient found by ascents from functions concentrated at 0 to several degrees, and from u =
+    /// 1.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q outside the domain.
@@ -148,7 +90,7 @@ impl EmbeddingSpace {
     }
 
     fn ascend(&self, q: f64, start: Vec<f64>) -> Result<EmbeddingTrial> {
-        let rule = Rule::gauss_legendre(12)?;
+        let rule = Rule::gauss_legendre(POINTS)?;
         let mut values = start;
         let mut last = 0.0;
         for _ in 0..STEPS {

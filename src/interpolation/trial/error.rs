@@ -1,24 +1,22 @@
-//! Both sides of Lemmas 6.1 and 6.2 and of (4.6) for one function, given by its slope v = u' (in (4.6): by φ = v).
+//! Both sides of Lemmas 6.1 and 6.2 and of (4.6) for one function, given by its slope v = u' (in (4.6): by φ
+//! = v).
 //!
-//! e' = v − v̄ and e(x) = ∫₀^x (v − v̄). A slope on cells as short as 1e-300 is taken as it is; nothing is divided by a cell
-//! length. For v = x^a everything is closed:
+//! e' = v − v̄ and e(x) = ∫₀^x (v − v̄). A slope on cells as short as 1e-300 is taken as it is; nothing is
+//! divided by a cell length. For v = x^a everything is closed:
 //! ‖e'‖₀² = a²/((2a+1)(a+1)²),  ‖e‖₀² = 2a²/(3(2a+3)(a+3)(a+1)²).
 
-use super::elements::ElementMesh;
-use super::samples::{PanelRules, SampleSlope};
+use super::norms::{ROUNDING, error_norms, power_of_two, sample_norms};
+use super::sample::{SampleSlope, power_error_norms};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::quadrature::Rule;
-use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
-use crate::sobolev::{RunningSum, root_of_squares};
-
-/// Relative rounding of the sums below: positive terms, each from a few operations on (v − v̄).
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+use crate::interpolation::elements::ElementMesh;
+use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms, root_of_squares};
 
 /// The norms in Lemma 6.1 for one function on an interval, or in Lemma 6.2 on a mesh.
 ///
-/// Kept in units of the function: lengths and values divided by powers of two near the length of the interval and near
-/// the largest value. The ratios do not depend on either, and neither squares of tiny values nor short elements underflow.
+/// Kept in units of the function: lengths and values divided by powers of two near the length of the interval
+/// and near the largest value. The ratios do not depend on either, and neither squares of tiny values nor
+/// short elements underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InterpolationError {
     l2: Estimate,
@@ -55,7 +53,8 @@ impl InterpolationError {
     /// On a mesh: Lemma 6.2 for the slope v of u, and (4.6) for φ = v.
     ///
     /// # Errors
-    /// As [`InterpolationError::of_slope`]; [`Error::LengthMismatch`] unless v lives on the cells of the mesh.
+    /// As [`InterpolationError::of_slope`]; [`Error::LengthMismatch`] unless v lives on the cells of the
+    /// mesh.
     pub fn on_elements(
         slope: &PiecewisePolynomial,
         mesh: &ElementMesh,
@@ -78,7 +77,8 @@ impl InterpolationError {
     /// On a mesh of (0, 1), for a slope in closed form; any number of elements, cost O(N).
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] when the slope is not in H^ν; [`Error::OutOfRange`] unless the mesh is one of (0, 1).
+    /// [`Error::InfiniteNorm`] when the slope is not in H^ν; [`Error::OutOfRange`] unless the mesh is one of
+    /// (0, 1).
     pub fn of_sample(slope: SampleSlope, mesh: &Partition, order: FractionalOrder) -> Result<Self> {
         let seminorm = slope.seminorm(order)?;
         let (l2, derivative) = sample_norms(slope, mesh)?;
@@ -94,7 +94,8 @@ impl InterpolationError {
     /// ‖u − I u‖₀.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when it exceeds the range of binary64 (the ratios never do); below the range it is 0 ± 1e-307.
+    /// [`Error::NotFinite`] when it exceeds the range of binary64 (the ratios never do); below the range it
+    /// is 0 ± 1e-307.
     pub fn l2(&self) -> Result<Estimate> {
         self.units.restore(self.l2, 1.5)
     }
@@ -135,7 +136,8 @@ impl InterpolationError {
     /// ‖u − I u‖₁ / (h^ν |u|_{1+ν}) with the full norm: at most C_1(ν, h).
     ///
     /// # Errors
-    /// As [`InterpolationError::l2_ratio`]; [`Error::NotFinite`] when the length exceeds the range of binary64.
+    /// As [`InterpolationError::l2_ratio`]; [`Error::NotFinite`] when the length exceeds the range of
+    /// binary64.
     pub fn h1_ratio(&self) -> Result<Estimate> {
         let (l2, derivative) = (self.quotient(self.l2)?, self.quotient(self.derivative)?);
         // The one ratio that depends on the length: ‖e‖₀ carries one unit of it more than ‖e'‖₀.
@@ -169,11 +171,6 @@ impl Units {
     }
 }
 
-/// The largest power of two up to x > 0, within [2^-1000, 2^1023]: its reciprocal is finite.
-pub(super) fn power_of_two(x: f64) -> f64 {
-    libm::ldexp(1.0, libm::ilogb(x).max(-1000))
-}
-
 /// The slope with lengths and values in units near their own size: exact, since the units are powers of two.
 fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)> {
     let largest = slope.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
@@ -185,81 +182,6 @@ fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)>
     let ends: Vec<[f64; 2]> = pieces.clone().map(|p| [p.left / units.slope, p.right / units.slope]).collect();
     let bubbles = pieces.map(|p| p.bubbles.iter().map(|c| c / units.slope).collect()).collect();
     Ok((PiecewisePolynomial::with_bubbles(partition, &ends, bubbles)?, units))
-}
-
-/// (‖e‖₀, ‖e'‖₀).
-pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Estimate)> {
-    let partition = slope.partition();
-    let mean = slope.mean()?.value;
-    let rule = Rule::gauss_legendre(slope.degree() + 2)?;
-    let total = partition.total();
-    let (mut squares, mut error_squares, mut error, mut largest) = (0.0, 0.0, 0.0, 0.0f64);
-    for (index, length) in partition.lengths().iter().enumerate() {
-        // In units of this element: its third power must not underflow.
-        let h = length / total;
-        let deviation = |t: f64| slope.value(index, t).map(|v| v - mean);
-        for (t, w) in rule.iter() {
-            let d = deviation(t)?;
-            squares += h * w * d * d;
-            let mut inner = 0.0;
-            for (s, v) in rule.iter() {
-                inner += t * v * deviation(s * t)?;
-            }
-            error_squares += h * w * (error + h * inner).powi(2);
-        }
-        let mut rise = 0.0;
-        for (s, v) in rule.iter() {
-            rise += v * deviation(s)?;
-        }
-        error += h * rise;
-        largest = largest.max(error.abs());
-    }
-    let work = Work { points: (partition.len() * rule.points().len().pow(2)) as u64, ..Work::default() };
-    // The running value of e carries the rounding of the mean.
-    let absolute = ROUNDING * (mean.abs() + largest);
-    let (l2, derivative) = (error_squares.sqrt(), squares.sqrt());
-    let root = total.sqrt();
-    let estimate = |value: f64, rounding: f64, unit: f64| {
-        Estimate::new(value * unit, (ROUNDING * value + rounding) * unit, work)
-    };
-    Ok((estimate(l2, absolute, root * total)?, estimate(derivative, ROUNDING * mean.abs(), root)?))
-}
-
-/// (‖e‖₀, ‖e'‖₀) on a mesh of (0, 1) for a slope in closed form.
-///
-/// # Errors
-/// [`Error::OutOfRange`] unless the mesh is one of (0, 1).
-pub(super) fn sample_norms(slope: SampleSlope, mesh: &Partition) -> Result<(Estimate, Estimate)> {
-    slope.check()?;
-    require_unit(mesh)?;
-    let rules = PanelRules::new()?;
-    let (mut error, mut slopes, mut points) = (RunningSum::default(), RunningSum::default(), 0);
-    for (&left, &h) in mesh.from_left().iter().zip(mesh.lengths()) {
-        let squares = slope.element_squares(left, h, &rules);
-        error.add(squares.error);
-        slopes.add(squares.slope);
-        points += squares.points;
-    }
-    let estimate = |square: f64| {
-        let value = square.sqrt();
-        Estimate::new(value, ROUNDING * value, Work { points, ..Work::default() })
-    };
-    Ok((estimate(error.value())?, estimate(slopes.value())?))
-}
-
-/// The mesh is one of (0, 1).
-pub(super) fn require_unit(mesh: &Partition) -> Result<()> {
-    let total = mesh.total();
-    let fits = mesh.left() == 0.0 && (total - 1.0).abs() <= ROUNDING;
-    Error::require("length of the mesh", total, "{1}, from 0", fits).map(|_| ())
-}
-
-/// (‖e‖₀, ‖e'‖₀) on (0, 1) for u' = x^a.
-pub(super) fn power_error_norms(a: f64) -> (f64, f64) {
-    let next = a + 1.0;
-    let derivative = a.abs() / next / (2.0 * a + 1.0).sqrt();
-    let l2 = a.abs() / next * (2.0 / (3.0 * (2.0 * a + 3.0) * (a + 3.0))).sqrt();
-    (l2, derivative)
 }
 
 /// The norms of Lemma 6.1 on (0, 1) for u' = x^a, a > ν − 1/2, a > −1/2, by closed forms.

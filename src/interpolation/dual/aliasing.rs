@@ -1,19 +1,24 @@
-//! Remark 2: in the dual norm of H^{1/2} Lagrange interpolation of H^{3/2} functions gains nothing over h^{3/2}.
+//! Remark 2: in the dual norm of H^{1/2} Lagrange interpolation of H^{3/2} functions gains nothing over
+//! h^{3/2}.
 //!
-//! u_N(x) = −(1 − cos(2πNx)) ≤ 0 on (0, 1) vanishes at the nodes of N equal elements: I^h u_N = 0 and e = u_N. Since the
-//! representer of 1 in H^{1/2}(0,1) is 1, the mean and the wave are orthogonal in the dual norm:
+//! u_N(x) = −(1 − cos(2πNx)) ≤ 0 on (0, 1) vanishes at the nodes of N equal elements: I^h u_N = 0 and e =
+//! u_N. Since the representer of 1 in H^{1/2}(0,1) is 1, the mean and the wave are orthogonal in the dual
+//! norm:
 //!   ‖e‖²_{1/2,*} = 1 + ‖cos(2πN·)‖²_{1/2,*},  0 ≤ ‖cos‖_{1/2,*} ≤ γ₁(1/2) h^{1/2}/√2 by (4.7)'s duality,
 //!   ‖u_N‖²_{3/2} = 3/2 + ω²/2 + ω² |sin ω·|²_{1/2},  |sin ω·|²_{1/2} = 2ω Si(ω) − 2 Cin(2ω),  ω = 2πN.
-//! So ‖e‖_{1/2,*} ~ h^{3/2} ‖u‖_{3/2} / (√8 π²): the wave is aliased to a constant, which no dual norm makes small. The upper
-//! bound is Lemma 6.2: ‖e‖_{1/2,*} ≤ ‖e‖₀ ≤ C_L2(1/2) h^{3/2} |u|_{3/2}.
+//! So ‖e‖_{1/2,*} ~ h^{3/2} ‖u‖_{3/2} / (√8 π²): the wave is aliased to a constant, which no dual norm makes
+//! small. The upper bound is Lemma 6.2: ‖e‖_{1/2,*} ≤ ‖e‖₀ ≤ C_L2(1/2) h^{3/2} |u|_{3/2}.
 //!
-//! One function for all h: u = −Σ_j c_j 2^{-3j/2} (1 − cos(2π 2^j x)), c_j = (1+j)^{-p}, p > 1/2, is in H^{3/2}; on 2^k elements the
-//! waves j ≥ k are aliased and the others have mean-free errors, so ‖e‖_{1/2,*} ≥ |∫ e| = Σ_{j≥k} c_j 2^{-3j/2}.
-//! Reference: P. Hild, C. R. Acad. Sci. Paris 326 (1998) 1233-1236, for the phenomenon; these functions are chosen here.
+//! One function for all h: u = −Σ_j c_j 2^{-3j/2} (1 − cos(2π 2^j x)), c_j = (1+j)^{-p}, p > 1/2, is in
+//! H^{3/2}; on 2^k elements the waves j ≥ k are aliased and the others have mean-free errors, so
+//! ‖e‖_{1/2,*} ≥ |∫ e| = Σ_{j≥k} c_j 2^{-3j/2}.
+//!
+//! Reference: P. Hild, C. R. Acad. Sci. Paris 326 (1998) 1233-1236, for the phenomenon; these functions are
+//! chosen here.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::interpolation::{ErrorNorm, element_constant};
+use crate::interpolation::element::{ErrorNorm, element_constant};
 use crate::sobolev::FractionalOrder;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -89,10 +94,12 @@ impl AliasedWave {
     }
 }
 
-/// Σ_{j≥k} (1+j)^{-p} 2^{-3j/2}: a lower bound of ‖u − I^h u‖_{1/2,*} on 2^k elements for the one function of all waves.
+/// Σ_{j≥k} (1+j)^{-p} 2^{-3j/2}: a lower bound of ‖u − I^h u‖_{1/2,*} on 2^k elements for the one function of
+/// all waves.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless 1/2 < p ≤ 10 (else u is not in H^{3/2}); [`Error::CountOutOfRange`] for k > 600, where it underflows.
+/// [`Error::OutOfRange`] unless 1/2 < p ≤ 10 (else u is not in H^{3/2}); [`Error::CountOutOfRange`] for k >
+/// 600, where it underflows.
 pub fn all_waves_mean(k: usize, p: f64) -> Result<Estimate> {
     Error::require("p", p, "(1/2, 10]", p > 0.5 && p <= 10.0)?;
     if k > 600 {
@@ -137,7 +144,7 @@ fn exponential_integral(x: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interpolation::DualNorm;
+    use crate::interpolation::dual::norm::DualNorm;
     use crate::sobolev::{Partition, PiecewisePolynomial};
 
     #[test]

@@ -2,9 +2,9 @@
 //!
 //! φ_k(x) = √(2k+1) P_k(2x−1), orthonormal in L²(0,1). With x = y + r and y = (1−r)s,
 //! a(φ_j, φ_k) = 2 ∫₀¹ r^{1-2ν} (1−r) ∫₀¹ q_j q_k ds dr,  q_k = (φ_k(y+r) − φ_k(y))/r,
-//! and q_k is a polynomial: Gauss-Jacobi in r and Gauss-Legendre in s integrate exactly. The quotients come from the
-//! three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, without a difference.
-//! Domain 0 < ν < 1. Cost O(d²) points, O(d² K²) operations for K functions of degree at most d.
+//! and q_k is a polynomial: Gauss-Jacobi in r and Gauss-Legendre in s integrate exactly. The quotients come
+//! from the three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, without a
+//! difference. Domain 0 < ν < 1. Cost O(d²) points, O(d² K²) operations for K functions of degree at most d.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -14,7 +14,10 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 
 /// Gram matrix of |·|_ν on (0, 1) for the φ_k of the given degrees (increasing, none zero), and its cost.
-pub(crate) fn seminorm_gram(order: FractionalOrder, degrees: &[usize]) -> Result<(Mat<f64>, Work)> {
+pub(in crate::interpolation) fn seminorm_gram(
+    order: FractionalOrder,
+    degrees: &[usize],
+) -> Result<(Mat<f64>, Work)> {
     let top = degrees.last().copied().unwrap_or(1);
     let outer = Rule::gauss_jacobi(top, 1.0, order.one_minus_twice())?;
     let inner = Rule::gauss_legendre(top)?;
@@ -56,7 +59,7 @@ fn difference_quotients(top: usize, y: f64, r: f64) -> Vec<f64> {
 /// Gram matrix of L² for the primitives ∫₀^x φ_k: they vanish at both ends, since no degree is zero.
 ///
 /// ∫₀^x φ_k = [φ_{k+1}/√(2k+3) − φ_{k−1}/√(2k−1)] / (2√(2k+1)).
-pub(crate) fn primitive_gram(degrees: &[usize]) -> Mat<f64> {
+pub(super) fn primitive_gram(degrees: &[usize]) -> Mat<f64> {
     let part = |k: usize, m: usize| -> f64 {
         let size = 0.5 / ((2.0 * k as f64 + 1.0) * (2.0 * m as f64 + 1.0)).sqrt();
         if m == k + 1 {
@@ -74,7 +77,7 @@ pub(crate) fn primitive_gram(degrees: &[usize]) -> Mat<f64> {
 }
 
 /// Σ c_i φ_{k_i}(x) and its primitive from 0, x ∈ [0, 1].
-pub(crate) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64, f64) {
+pub(super) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64, f64) {
     let top = degrees.last().copied().unwrap_or(0);
     let t = 2.0 * x - 1.0;
     let mut legendre = vec![1.0, t];
@@ -89,7 +92,7 @@ pub(crate) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64,
 }
 
 /// Gram matrix of ‖v'‖₀² for degrees of one parity: 2 √((2j+1)(2k+1)) m(m+1), m = min(j, k).
-pub(crate) fn stiffness_gram(degrees: &[usize]) -> Mat<f64> {
+pub(in crate::interpolation) fn stiffness_gram(degrees: &[usize]) -> Mat<f64> {
     Mat::from_fn(degrees.len(), degrees.len(), |i, j| {
         let [k, l, m] = [degrees[i], degrees[j], degrees[i.min(j)]].map(|d| d as f64);
         2.0 * ((2.0 * k + 1.0) * (2.0 * l + 1.0)).sqrt() * m * (m + 1.0)
@@ -97,7 +100,7 @@ pub(crate) fn stiffness_gram(degrees: &[usize]) -> Mat<f64> {
 }
 
 /// The degrees 1, 3, ..., 2·count − 1.
-pub(crate) fn odd_degrees(count: usize) -> Vec<usize> {
+pub(in crate::interpolation) fn odd_degrees(count: usize) -> Vec<usize> {
     (0..count).map(|k| 2 * k + 1).collect()
 }
 
@@ -111,7 +114,7 @@ const GAIN_OF_DOUBLING: f64 = 24.0;
 const ROUNDING_PER_FUNCTION: f64 = 4.0 * f64::EPSILON;
 
 /// Raises the number of functions until the value, which rises with it, has the tolerance.
-pub(crate) fn converge(
+pub(in crate::interpolation) fn converge(
     what: &'static str,
     tolerance: Tolerance,
     mut value_of: impl FnMut(usize) -> Result<(f64, Work)>,

@@ -1,15 +1,17 @@
-//! C(α), the best constant of H^{3/2}(0,1) ⊂ C^{0,α}: |u(x) − u(y)| ≤ C(α) |x − y|^α ‖u‖_{3/2}, 0 < α < 1; (E3).
+//! C(α), the best constant of H^{3/2}(0,1) ⊂ C^{0,α}: |u(x) − u(y)| ≤ C(α) |x − y|^α ‖u‖_{3/2}, 0 < α < 1;
+//! (E3).
 //!
-//! For a fixed pair of points the best constant is the norm of the functional v ↦ ∫_y^x v on the slopes v = u', by one solve:
-//! N(x, y)² = ℓᵀ K⁻¹ ℓ with K the matrix of min_c ‖u + c‖₀² + ‖v‖₀² + |v|²_{1/2}. Over pairs (0, θ), θ the nodes of a mesh
-//! geometric to 0, and piecewise linear v this is a lower bound of C(α) = sup N(x, y)/|x − y|^α.
-//! Upper bound, Hölder: |∫ v| ≤ |x−y|^{1−1/q} ‖v‖_q, so C(α) ≤ C(q) with q = 1/(1−α), [`super::embedding_upper_bound`].
-//! Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) → 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)).
-//! Cost O(N³) once, then O(N) per α.
+//! For a fixed pair of points the best constant is the norm of the functional v ↦ ∫_y^x v on the slopes v =
+//! u', by one solve: N(x, y)² = ℓᵀ K⁻¹ ℓ with K the matrix of min_c ‖u + c‖₀² + ‖v‖₀² + |v|²_{1/2}. Over
+//! pairs (0, θ), θ the nodes of a mesh geometric to 0, and piecewise linear v this is a lower bound of C(α) =
+//! sup N(x, y)/|x − y|^α.
+//! Upper bound, Hölder: |∫ v| ≤ |x−y|^{1−1/q} ‖v‖_q, so C(α) ≤ C(q) with q = 1/(1−α).
+//! Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) →
+//! 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
 
-use super::forms::mass_form;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
+use crate::interpolation::forms::mass_form;
 use crate::quadrature::Rule;
 use crate::sobolev::{FractionalOrder, Partition, gram_linears};
 use faer::linalg::solvers::Solve;

@@ -1,13 +1,14 @@
 //! The dual norm of (4.7): ‖f‖_{1/2,*} = sup ∫ f ψ / ‖ψ‖_{1/2} over ψ ∈ H^{1/2}(I), with the full norm (1.1).
 //!
-//! Over the continuous piecewise linears ψ on given cells the supremum is (bᵀ (A + M)⁻¹ b)^{1/2}, b_i = ∫ f ψ_i: a lower
-//! bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving the cells at least halves what
-//! is missing of the square; the difference from the cells twice as long is the error estimate. Cost O(N³).
+//! Over the continuous piecewise linears ψ on given cells the supremum is (bᵀ (A + M)⁻¹ b)^{1/2}, b_i = ∫ f
+//! ψ_i: a lower bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving
+//! the cells at least halves what is missing of the square; the difference from the cells twice as long is
+//! the error estimate. Cost O(N³).
 
-use super::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
-use super::local::power_of_two;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
+use crate::interpolation::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
+use crate::interpolation::trial::power_of_two;
 use crate::quadrature::Rule;
 use crate::sobolev::Partition;
 use faer::linalg::solvers::{Llt, Solve};
@@ -30,8 +31,9 @@ pub struct DualNorm {
 
 /// A + M + m mᵀ/|I|², factorized, and m, the integrals of the hats.
 ///
-/// The representer of 1 is 1, so f splits into its mean f̄ and a rest whose representer has mean zero and does not see m mᵀ:
-/// ‖f‖² = |I| f̄² + ‖f − f̄‖². On an interval as short as 1e-100, A + M alone is singular to rounding.
+/// The representer of 1 is 1, so f splits into its mean f̄ and a rest whose representer has mean zero and
+/// does not see m mᵀ, ‖f‖² = |I| f̄² + ‖f − f̄‖². On an interval as short as 1e-100, A + M alone is singular
+/// to rounding.
 #[derive(Debug, Clone)]
 struct Solver {
     factor: Llt<f64>,

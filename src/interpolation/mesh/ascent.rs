@@ -1,25 +1,26 @@
 //! An optimiser: from any slope to better ones, in the continuous piecewise linears on the cells of a mesh.
 //!
-//! A step replaces v by A⁻¹ B v, A the Gram matrix of |·|_ν (constants taken out) and B that of the squared error norm: power
-//! iteration on the extremal quotient of Lemma 6.1 (one element) or 6.2 (a mesh), which rises with every step. A second
-//! road to the best constants, from below. Cost O(N³) once, O(N²) per step.
+//! A step replaces v by A⁻¹ B v, A the Gram matrix of |·|_ν (constants taken out) and B that of the squared
+//! error norm: power iteration on the extremal quotient of Lemma 6.1 (one element) or 6.2 (a mesh), which
+//! rises with every step. A second road to the best constants, from below. Cost O(N³) once, O(N²) per step.
 
-use super::element::ErrorNorm;
-use super::elements::ElementMesh;
-use super::forms::{lagrange_form, projection_form, without_constants};
 use crate::error::{Error, Result};
+use crate::interpolation::element::ErrorNorm;
+use crate::interpolation::elements::ElementMesh;
+use crate::interpolation::forms::{lagrange_form, projection_form, without_constants};
 use crate::sobolev::{FractionalOrder, PiecewisePolynomial, gram_linears};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
-/// Steps at most. On one element the second eigenvalue is at most about 0.4 of the first and two dozen steps do; on a mesh of N
-/// elements the largest ones lie within O(N^{-2}) of each other.
+/// Steps at most. On one element the second eigenvalue is at most about 0.4 of the first and two dozen steps
+/// do; on a mesh of N elements the largest ones lie within O(N^{-2}) of each other.
 const STEPS: usize = 2000;
 
 /// Relative rise of the quotient in a step below which it has arrived.
 const RISE: f64 = 1e-9;
 
-/// The slope, linear on each cell, that is reached from the given values at the cell nodes once the quotient rises no more.
+/// The slope, linear on each cell, that is reached from the given values at the cell nodes once the quotient
+/// rises no more.
 ///
 /// # Errors
 /// [`Error::LengthMismatch`] unless there is a value per node; [`Error::NotFinite`] for bad values;

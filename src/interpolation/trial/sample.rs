@@ -1,4 +1,5 @@
-//! Slopes with a closed-form or quadrature seminorm, and their interpolation errors on any element, without cancellation.
+//! Slopes with a closed-form or quadrature seminorm, and their interpolation errors on any element, without
+//! cancellation.
 //!
 //! | slope v = u' on (0, 1) | in H^ν(0,1) for |
 //! | --- | --- |
@@ -7,20 +8,17 @@
 //! | cos(kπx) | all ν |
 //! | 1 | all ν; its ratios are 0/0 |
 //!
-//! ‖v − v̄‖ and ‖∫(v − v̄)‖ on (a, b) are integrated in the difference v(x) − v(x₀), x₀ an end of the element: powers by expm1,
-//! waves by the product of sines. Panels grow away from the singular point; 12 Gauss points on each leave 1e-16.
+//! ‖v − v̄‖ and ‖∫(v − v̄)‖ on (a, b) are integrated in the difference v(x) − v(x₀), x₀ an end of the
+//! element: powers by expm1, waves by the product of sines. Panels grow away from the singular point; 12
+//! Gauss points on each leave 1e-16.
 
-use super::local::power_error_norms;
+use super::panels::{PanelRules, Squares, panel_squares, panels};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::quadrature::Rule;
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
 use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;
-
-/// Gauss points per panel: a function analytic up to one panel length away is integrated to 6^{-24}.
-const POINTS: usize = 12;
 
 /// Degree of the polynomials that stand for a wave: four pieces per half wave leave 1e-13 of its seminorm.
 const WAVE_DEGREE: usize = 9;
@@ -38,19 +36,12 @@ pub enum SampleSlope {
     Constant,
 }
 
-/// ‖u − I u‖² and ‖(u − I u)'‖² on one element.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Squares {
-    pub(super) error: f64,
-    pub(super) slope: f64,
-    pub(super) points: u64,
-}
-
 impl SampleSlope {
     /// |v|_ν on (0, 1).
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] outside the domain of the table above; [`Error::OutOfRange`] for parameters outside it.
+    /// [`Error::InfiniteNorm`] outside the domain of the table above; [`Error::OutOfRange`] for parameters
+    /// outside it.
     pub fn seminorm(self, order: FractionalOrder) -> Result<Estimate> {
         self.check()?;
         match self {
@@ -76,7 +67,7 @@ impl SampleSlope {
         }
     }
 
-    pub(super) fn check(self) -> Result<()> {
+    pub(in crate::interpolation) fn check(self) -> Result<()> {
         match self {
             SampleSlope::Power(a) => {
                 Error::require("exponent a", a, "(-1/2, 1e4]", a > -0.5 && a <= 1e4)?;
@@ -125,11 +116,9 @@ impl SampleSlope {
             }
         }
     }
-}
 
-impl SampleSlope {
     /// (1/h) ∫ v (1−t) and (1/h) ∫ v t over the cell (left, left + h), t = (x − left)/h.
-    pub(super) fn cell_moments(self, left: f64, h: f64, rules: &PanelRules) -> [f64; 2] {
+    pub(in crate::interpolation) fn cell_moments(self, left: f64, h: f64, rules: &PanelRules) -> [f64; 2] {
         match self {
             SampleSlope::Power(a) if left == 0.0 => {
                 let falling = h.powf(a) / ((a + 1.0) * (a + 2.0));
@@ -140,84 +129,34 @@ impl SampleSlope {
                 let q = 1.0 - p;
                 [0.5 * q * q, 0.5 * q * (1.0 + p)]
             }
-            _ => {
-                let mut moments = [0.0; 2];
-                let mut start = 0.0;
-                let longest = |done: f64| match self {
-                    SampleSlope::Cosine(k) => 0.5 / k as f64,
-                    _ => left + done,
-                };
-                for length in panels(h, longest) {
-                    for (t, w) in rules.long.iter() {
-                        let d = start + length * t;
-                        let value = length * w * self.value(left + d) / h;
-                        moments[0] += value * (1.0 - d / h);
-                        moments[1] += value * d / h;
-                    }
-                    start += length;
-                }
-                moments
+            SampleSlope::Constant => [0.5; 2],
+            SampleSlope::Power(_) => self.panel_moments(&panels(h, |done| left + done), left, rules),
+            SampleSlope::Cosine(k) => self.panel_moments(&panels(h, |_| 0.5 / k as f64), left, rules),
+        }
+    }
+
+    fn panel_moments(self, panels: &[f64], left: f64, rules: &PanelRules) -> [f64; 2] {
+        let h: f64 = panels.iter().sum();
+        let (mut moments, mut start) = ([0.0; 2], 0.0);
+        for &length in panels {
+            for (t, w) in rules.long.iter() {
+                let d = start + length * t;
+                let value = length * w * self.value(left + d) / h;
+                moments[0] += value * (1.0 - d / h);
+                moments[1] += value * d / h;
             }
+            start += length;
         }
+        moments
     }
 }
 
-/// Panels that fill (0, h), each as long as allowed where it starts.
-fn panels(h: f64, longest: impl Fn(f64) -> f64) -> Vec<f64> {
-    let mut panels = Vec::new();
-    let mut done = 0.0;
-    while done < h {
-        let rest = h - done;
-        let length = if rest <= 1.5 * longest(done) { rest } else { longest(done) };
-        panels.push(length);
-        done += length;
-    }
-    panels
-}
-
-/// Gauss rules for panels as long as their distance from a singular point, and for much shorter ones.
-#[derive(Debug, Clone)]
-pub(super) struct PanelRules {
-    long: Rule,
-    short: Rule,
-}
-
-impl PanelRules {
-    pub(super) fn new() -> Result<Self> {
-        Ok(Self { long: Rule::gauss_legendre(POINTS)?, short: Rule::gauss_legendre(POINTS / 2)? })
-    }
-
-    /// At an eighth of the distance the radius of analyticity is 34 half lengths: half the points do.
-    fn choose(&self, h: f64, distance: f64) -> &Rule {
-        if 8.0 * h <= distance { &self.short } else { &self.long }
-    }
-}
-
-/// The squares from v(left + d) − v(x₀) as a function of d, x₀ fixed.
-fn panel_squares(panels: &[f64], difference: impl Fn(f64) -> f64, rule: &Rule) -> Squares {
-    let h: f64 = panels.iter().sum();
-    let over = |start: f64, length: f64, shift: f64| {
-        length * rule.integrate(|t| difference(start + length * t) - shift)
-    };
-    let (mut start, mut integral) = (0.0, 0.0);
-    for &length in panels {
-        integral += over(start, length, 0.0);
-        start += length;
-    }
-    let mean = integral / h;
-    let mut squares = Squares::default();
-    let (mut start, mut error) = (0.0, 0.0);
-    for &length in panels {
-        for (t, w) in rule.iter() {
-            let deviation = difference(start + length * t) - mean;
-            squares.slope += length * w * deviation * deviation;
-            squares.error += length * w * (error + over(start, length * t, mean)).powi(2);
-        }
-        squares.points += (rule.points().len() * rule.points().len()) as u64;
-        error += over(start, length, mean);
-        start += length;
-    }
-    squares
+/// (‖e‖₀, ‖e'‖₀) on (0, 1) for u' = x^a.
+pub(super) fn power_error_norms(a: f64) -> (f64, f64) {
+    let next = a + 1.0;
+    let derivative = a.abs() / next / (2.0 * a + 1.0).sqrt();
+    let l2 = a.abs() / next * (2.0 / (3.0 * (2.0 * a + 3.0) * (a + 3.0))).sqrt();
+    (l2, derivative)
 }
 
 impl fmt::Display for SampleSlope {

@@ -1,6 +1,19 @@
-//! Loads on coarser grids.
+//! Between an edge and the half as fine edge: P, linear interpolation, and its adjoint P'.
 
 use super::sides::Sides;
+
+/// P g: linear interpolation from the half as fine edge to one of `nodes` nodes.
+pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
+    (0..nodes)
+        .map(|i| {
+            if i % 2 == 0 {
+                coarse[i / 2]
+            } else {
+                0.5 * (coarse[i / 2] + coarse[(i / 2 + 1) % coarse.len()])
+            }
+        })
+        .collect()
+}
 
 /// P'b: the load on the half as fine edge.
 pub(crate) fn restrict(fine: &[f64], sides: Sides) -> Vec<f64> {

@@ -1,12 +1,15 @@
 //! Limits of the constants of Lemma 6.1 and the constant of (6.2).
 //!
-//! - ν → 0: |v|²_ν → ∫∫ (v(x)−v(y))²/|x−y|, whose eigenfunctions are Legendre's polynomials with eigenvalues 4 H_k,
-//!   H_k = 1 + 1/2 + ... + 1/k. Hence C_H1(0) = 1/2, and C_L2(0) from the three-term matrix of the primitive.
-//! - ν → 1: (1−ν)|v|²_ν → ‖v'‖₀² (Bourgain, Brezis & Mironescu 2001). Hence C_H1 ~ √(1−ν)/π and C_L2 ~ √(1−ν)/π².
-//! - (6.2): |v(x) − v̄|² ≤ h κ(x/h)² ‖v'‖₀², best for each x with κ(t)² = (t³ + (1−t)³)/3: v(x) − v̄ = ∫ k v' with
-//!   k(s) = s/h for s < x, s/h − 1 for s > x. Worst at the ends, 1/√3; best in the centre, 1/(2√3). The paper has 1.
+//! - ν → 0: |v|²_ν → ∫∫ (v(x)−v(y))²/|x−y|, whose eigenfunctions are Legendre's polynomials with eigenvalues
+//!   4 H_k, H_k = 1 + 1/2 + ... + 1/k. Hence C_H1(0) = 1/2, and C_L2(0) from the three-term matrix of the
+//!   primitive.
+//! - ν → 1: (1−ν)|v|²_ν → ‖v'‖₀² (Bourgain, Brezis & Mironescu 2001). Hence C_H1 ~ √(1−ν)/π and C_L2 ~
+//!   √(1−ν)/π².
+//! - (6.2): |v(x) − v̄|² ≤ h κ(x/h)² ‖v'‖₀², best for each x with κ(t)² = (t³ + (1−t)³)/3: v(x) − v̄ = ∫ k v'
+//!   with k(s) = s/h for s < x, s/h − 1 for s > x. Worst at the ends, 1/√3; best in the centre, 1/(2√3). The
+//!   paper has 1.
 
-use super::element::ErrorNorm;
+use super::constant::ErrorNorm;
 use super::legendre::odd_degrees;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};

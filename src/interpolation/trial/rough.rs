@@ -1,11 +1,13 @@
-//! Families of rough slopes with a fixed seed, to try an inequality on functions nobody has chosen to please it.
+//! Families of rough slopes with a fixed seed, to try an inequality on functions nobody has chosen to please
+//! it.
 //!
 //! | family | slope v | domain |
 //! | --- | --- | --- |
-//! | [`RoughFamily::Linears`] | continuous piecewise linear on a mesh geometric to both ends or to an inner point, random values | 0 < ν < 1 |
+//! | [`RoughFamily::Linears`] | random piecewise linear on a graded mesh | 0 < ν < 1 |
 //! | [`RoughFamily::Steps`] | piecewise constant on such a mesh | ν < 1/2 |
-//! | [`RoughFamily::Weierstrass`] | Σ b^{-sk} cos(b^k π x + φ_k), s just above ν, sampled at 49 nodes | 0 < ν < 1 |
+//! | [`RoughFamily::Weierstrass`] | Σ b^{-sk} cos(b^k π x + φ_k), s just above ν, at 49 nodes | 0 < ν < 1 |
 //!
+//! Graded meshes are geometric to one end, to both, or to an inner point as well.
 //! The numbers come from SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): the same on every machine.
 
 use crate::error::Result;
@@ -34,6 +36,26 @@ impl RoughFamily {
             families.push(Self::Steps);
         }
         families
+    }
+}
+
+/// Where the mesh of a random slope is refined; each with one chance in three.
+enum Grading {
+    BothEnds,
+    InnerPoint,
+    LeftEnd,
+}
+
+impl Grading {
+    /// By a number uniform in [0, 1).
+    fn of(chance: f64) -> Self {
+        if chance < 1.0 / 3.0 {
+            Self::BothEnds
+        } else if chance < 2.0 / 3.0 {
+            Self::InnerPoint
+        } else {
+            Self::LeftEnd
+        }
     }
 }
 
@@ -78,14 +100,15 @@ impl RoughSlopes {
         let layers = 1 + (self.uniform() * 10.0) as usize;
         let ratio = 0.1 + 0.7 * self.uniform();
         let inner = 0.1 + 0.8 * self.uniform();
-        match (self.uniform() * 3.0) as usize {
-            0 => Ok((Partition::two_sided(layers, ratio, 1.0)?, 0.0)),
-            1 => Ok((Partition::graded_to_points(&[0.0, inner, 1.0], layers, ratio)?, inner)),
-            _ => Ok((Partition::geometric(2 * layers, ratio, 1.0)?, 0.0)),
-        }
+        Ok(match Grading::of(self.uniform()) {
+            Grading::BothEnds => (Partition::two_sided(layers, ratio, 1.0)?, 0.0),
+            Grading::InnerPoint => (Partition::graded_to_points(&[0.0, inner, 1.0], layers, ratio)?, inner),
+            Grading::LeftEnd => (Partition::geometric(2 * layers, ratio, 1.0)?, 0.0),
+        })
     }
 
-    /// Random numbers times |x − x₀|^a, a between ν − 1/2 and 1: from noise to a smooth trend, some with a trend added.
+    /// Random numbers times |x − x₀|^a, a between ν − 1/2 and 1: from noise to a smooth trend, some with a
+    /// trend added.
     fn values(&mut self, points: &[f64], singular: f64) -> Vec<f64> {
         let exponent = self.order.offset() + (1.0 - self.order.offset()) * self.uniform();
         let shortest = points.windows(2).map(|pair| pair[1] - pair[0]).fold(1.0, f64::min);
