@@ -3,9 +3,11 @@
 //! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the energy norm of
 //! the error with constants near 1. Iterations needed for a given reduction do not depend on n or on the gaps.
 
-use crate::strip::operator::edge::{EdgeOperator, Workspace};
 use super::precondition::Preconditioner;
 use crate::cone::Face;
+use crate::error::Result;
+use crate::strip::operator::edge::{EdgeOperator, pairwise_sum};
+use crate::strip::operator::fourier::Workspace;
 
 /// What one inner solve did.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,18 +51,18 @@ impl<'a> FaceSolver<'a> {
         goal: f64,
         reduction: f64,
         limit: usize,
-    ) -> Inner {
+    ) -> Result<Inner> {
         self.residual.copy_from_slice(b);
         face.project(&mut self.residual);
-        let scale = self.precondition(face).sqrt();
+        let scale = self.precondition(face)?.sqrt();
         face.project(x);
-        self.refresh(face, b, x);
-        let mut rho = self.precondition(face);
+        self.refresh(face, b, x)?;
+        let mut rho = self.precondition(face)?;
         let target = (goal * scale).max(reduction * rho.sqrt());
         self.direction.copy_from_slice(&self.corrected);
         let mut iterations = 0;
         while rho.sqrt() > target && iterations < limit {
-            self.operator.apply_into(&self.direction, &mut self.image, &mut self.work);
+            self.operator.apply_into(&self.direction, &mut self.image, &mut self.work)?;
             face.project(&mut self.image);
             let curvature = dot(&self.direction, &self.image);
             if curvature <= 0.0 {
@@ -71,7 +73,7 @@ impl<'a> FaceSolver<'a> {
                 x[i] += step * self.direction[i];
                 self.residual[i] -= step * self.image[i];
             }
-            let next = self.precondition(face);
+            let next = self.precondition(face)?;
             let turn = next / rho;
             for (d, c) in self.direction.iter_mut().zip(&self.corrected) {
                 *d = c + turn * *d;
@@ -80,30 +82,31 @@ impl<'a> FaceSolver<'a> {
             iterations += 1;
         }
         let residual = if scale > 0.0 { rho.sqrt() / scale } else { 0.0 };
-        Inner { iterations, residual }
+        Ok(Inner { iterations, residual })
     }
 
     /// A x.
-    pub(crate) fn product(&mut self, x: &[f64], out: &mut [f64]) {
-        self.operator.apply_into(x, out, &mut self.work);
+    pub(crate) fn product(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
+        self.operator.apply_into(x, out, &mut self.work)
     }
 
-    fn refresh(&mut self, face: &Face, b: &[f64], x: &[f64]) {
-        self.operator.apply_into(x, &mut self.image, &mut self.work);
+    fn refresh(&mut self, face: &Face, b: &[f64], x: &[f64]) -> Result<()> {
+        self.operator.apply_into(x, &mut self.image, &mut self.work)?;
         for i in 0..x.len() {
             self.residual[i] = b[i] - self.image[i];
         }
         face.project(&mut self.residual);
+        Ok(())
     }
 
     /// corrected ← B residual; returns residual'B residual.
-    fn precondition(&mut self, face: &Face) -> f64 {
-        self.preconditioner.apply(face, &self.residual, &mut self.corrected, &mut self.work);
+    fn precondition(&mut self, face: &Face) -> Result<f64> {
+        self.preconditioner.apply(face, &self.residual, &mut self.corrected, &mut self.work)?;
         face.project(&mut self.corrected);
-        dot(&self.residual, &self.corrected).max(0.0)
+        Ok(dot(&self.residual, &self.corrected).max(0.0))
     }
 }
 
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    super::edge::pairwise_sum(0, a.len(), |i| a[i] * b[i])
+    pairwise_sum(0, a.len(), |i| a[i] * b[i])
 }
