@@ -8,9 +8,8 @@ use super::cone::Cone;
 use super::contact_set::ContactSet;
 use super::judge::NOISE;
 use super::problem::ContactProblem;
-use super::solution::{
-    Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of, largest,
-};
+use super::solution::{Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of};
+use crate::numeric::scale::largest;
 use super::solver::Solver;
 use super::status::Status;
 use crate::error::{Error, Result};

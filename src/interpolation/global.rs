@@ -10,7 +10,7 @@ use super::elements::ElementMesh;
 use super::forms::{MAX_CELLS, without_constants};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
-use crate::poincare::slopes::pencil::Factored;
+use crate::numeric::pencil::Factored;
 use crate::sobolev::{FractionalOrder, gram_linears};
 use faer::Mat;
 

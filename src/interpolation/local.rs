@@ -8,9 +8,11 @@ use super::elements::ElementMesh;
 use super::samples::{PanelRules, SampleSlope};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::scale::power_of_two;
+use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
+use crate::sobolev::root_of_squares;
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
-use crate::sobolev::{RunningSum, root_of_squares};
 
 /// Relative rounding of the sums below: positive terms, each from a few operations on (v − v̄).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -169,17 +171,11 @@ impl Units {
     }
 }
 
-/// The largest power of two up to x > 0, within [2^-1000, 2^1023]: its reciprocal is finite.
-pub(super) fn power_of_two(x: f64) -> f64 {
-    libm::ldexp(1.0, libm::ilogb(x).max(-1000))
-}
-
 /// The slope with lengths and values in units near their own size: exact, since the units are powers of two.
 fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)> {
     let largest = slope.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
     let (lengths, total) = (slope.partition().lengths(), slope.partition().total());
-    let units =
-        Units { length: power_of_two(total), slope: if largest > 0.0 { power_of_two(largest) } else { 1.0 } };
+    let units = Units { length: power_of_two(total), slope: power_of_two(largest) };
     let partition = Partition::from_lengths(lengths.iter().map(|h| h / units.length).collect())?;
     let pieces = slope.pieces().iter();
     let ends: Vec<[f64; 2]> = pieces.clone().map(|p| [p.left / units.slope, p.right / units.slope]).collect();

@@ -18,7 +18,7 @@ use super::local::{require_unit, sample_norms};
 use super::samples::{PanelRules, SampleSlope};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::poincare::slopes::pencil::Factored;
+use crate::numeric::pencil::Factored;
 use crate::sobolev::{FractionalOrder, Partition};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};

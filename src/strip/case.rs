@@ -5,12 +5,12 @@
 
 use super::exact::Reference;
 use super::scene::{EdgeScene, SceneKind};
-use super::sides::check_length;
 use super::source::SceneSource;
 use super::study::{Level, Levels, StripKind, StripProblem, study};
 use crate::contact::Cone;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
+use crate::numeric::check::require_length;
 
 /// Largest number of positions of a transition.
 const POSITIONS: usize = 1024;
@@ -139,7 +139,7 @@ pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
         return Err(Error::CountOutOfRange { name: "studies", value: 0, range: "[1, inf)" });
     };
     for study in studies {
-        check_length("study", study.len(), first.len())?;
+        require_length("study", study.len(), first.len())?;
     }
     let count = studies.len() as f64;
     (0..first.len())

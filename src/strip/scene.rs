@@ -14,8 +14,9 @@
 
 use super::contact_sets::{Gap, cantor, fat_cantor, many_gaps};
 use super::pressure::contact_forces;
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use super::sides::{Sides, check_cells};
 use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite, require_length};
 use std::fmt;
 
 /// Which contact set a scene has.
@@ -89,8 +90,8 @@ impl EdgeScene {
     pub fn new(cells: usize, sides: Sides, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         for (name, field) in [("u_N", &values), ("lambda", &forces)] {
-            check_length(name, field.len(), sides.nodes(cells))?;
-            check_finite(name, field)?;
+            require_length(name, field.len(), sides.nodes(cells))?;
+            require_finite(name, field)?;
         }
         for (node, (&value, &force)) in values.iter().zip(&forces).enumerate() {
             Error::require("u_N", value, "(-inf, 0]", value <= 0.0)?;

@@ -14,6 +14,8 @@
 //! reported, and which one it was. Where e is the distance to a solution of mesh size h_r on the same family of meshes, e² is that of
 //! h less that of h_r, every h^q becomes h^q − h_r^q, and one power is fitted only where nothing else can be. Cost: O(levels) per value of p.
 
+use crate::numeric::line::Line;
+use crate::numeric::search::{golden_section, smallest_on_grid};
 use std::fmt;
 
 /// How the errors depend on h.
@@ -92,9 +94,11 @@ impl Fit {
             return None;
         }
         let half = &points[(points.len() / 2).min(points.len() - WINDOW)..];
-        let (order, error) = slope(half);
+        let Line { slope: order, error, .. } = Line::through_logarithms(half);
         let (first, second) = half.split_at(half.len() / 2);
-        let drift = (slope(&half[..=first.len()]).0 - slope(second).0).abs();
+        let drift = (Line::through_logarithms(&half[..=first.len()]).slope
+            - Line::through_logarithms(second).slope)
+            .abs();
         let half_width = (4.0 * drift).max(2.0 * error);
         Some(Self { order, half_width, model: Model::Power, regime: (half[0].0, half[half.len() - 1].0) })
     }
@@ -122,18 +126,6 @@ fn is_positive(points: &[(f64, f64)]) -> bool {
     points.iter().all(|&(h, e)| h > 0.0 && e > 0.0 && e.is_finite())
 }
 
-/// Slope of ln e against ln h and its standard error.
-fn slope(points: &[(f64, f64)]) -> (f64, f64) {
-    let count = points.len() as f64;
-    let logs = || points.iter().map(|&(h, e)| (h.ln(), e.ln()));
-    let (x, y) = logs().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
-    let (xy, xx) = logs().fold((0.0, 0.0), |(a, b), (u, v)| (a + (u - x) * (v - y), b + (u - x).powi(2)));
-    let order = xy / xx;
-    let residual: f64 = logs().map(|(u, v)| (v - y - order * (u - x)).powi(2)).sum();
-    let error = if count > 2.0 { (residual / (count - 2.0) / xx).sqrt() } else { 0.0 };
-    (order, error)
-}
-
 /// Orders tried for the power beside h.
 const POWERS: (f64, f64) = (0.05, 0.995);
 
@@ -149,18 +141,11 @@ impl Series<'_> {
     fn power(&self) -> Option<f64> {
         const STEPS: usize = 190;
         let (low, high) = POWERS;
-        let at = |k: usize| low + (high - low) * k as f64 / STEPS as f64;
-        let best = (0..=STEPS).min_by(|&a, &b| self.misfit(at(a)).0.total_cmp(&self.misfit(at(b)).0))?;
+        let (best, (a, b)) = smallest_on_grid(low, high, STEPS, |p| self.misfit(p).0);
         if best == 0 || best == STEPS {
             return None;
         }
-        let (mut a, mut b) = (at(best - 1), at(best + 1));
-        let ratio = 0.5 * (5f64.sqrt() - 1.0);
-        while b - a > 1e-7 {
-            let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
-            if self.misfit(c).0 < self.misfit(d).0 { b = d } else { a = c }
-        }
-        let order = 0.5 * (a + b);
+        let order = golden_section(a, b, 1e-7, |p| self.misfit(p).0);
         (self.misfit(order).1 > 0.0).then_some(order)
     }
 

@@ -17,6 +17,7 @@ use super::transitions::TransitionPowers;
 use crate::contact::Cone;
 use crate::error::{Error, Result};
 use crate::figures::{Axis, Chart, Series};
+use crate::numeric::search::{golden_section, smallest_on_grid};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use crate::strip::{Levels, StripKind};
 
@@ -54,16 +55,8 @@ const RANGE: (f64, f64) = (-4.0, 2.0);
 
 fn best_power(points: &[(f64, f64)]) -> f64 {
     const STEPS: usize = 120;
-    let at = |k: usize| RANGE.0 + (RANGE.1 - RANGE.0) * k as f64 / STEPS as f64;
-    let best =
-        (0..=STEPS).min_by(|&a, &b| misfit(points, at(a)).total_cmp(&misfit(points, at(b)))).unwrap_or(STEPS);
-    let (mut a, mut b) = (at(best.saturating_sub(1)), at((best + 1).min(STEPS)));
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    while b - a > 1e-6 {
-        let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
-        if misfit(points, c) < misfit(points, d) { b = d } else { a = c }
-    }
-    0.5 * (a + b)
+    let (_, (a, b)) = smallest_on_grid(RANGE.0, RANGE.1, STEPS, |q| misfit(points, q));
+    golden_section(a, b, 1e-6, |q| misfit(points, q))
 }
 
 /// Smallest Σ (model/e² − 1)² over B and A.
