@@ -16,7 +16,7 @@
 //! | (2.8), (2.9), linear elements and the cone K^h | [`contact::Cone::Nodal`], [`contact::Solver`], [`contact::Judgement`] |
 //! | the same on a strip, reduced to its contact edge | [`strip`] |
 //! | **3. Error analysis** | [`analysis`] |
-//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`analysis::RateStudy`], [`analysis::TheoremPlan`] |
+//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::TheoremPlan`] |
 //! | why no contact set is bad | [`analysis::worst_ratio`] |
 //! | Figures 3.2 and 4.1, first and second case | [`analysis::AlternativeCase`], [`analysis::Classification`] |
 //! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`analysis::ProofCase`], [`analysis::ProofConstants`], [`analysis::ContactPair`] |
@@ -57,6 +57,7 @@ pub mod analysis;
 #[cfg(doctest)]
 mod book;
 pub mod contact;
+pub mod convergence;
 pub mod error;
 pub mod estimate;
 pub mod fem;

@@ -3,7 +3,7 @@
 use super::alternative_study::AlternativeStudy;
 use super::classification::Section;
 use super::contact_source::Against;
-use super::orders::observed_orders;
+use crate::convergence::observed_orders;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::report::{Column, Format, Headline, Table, Verdict};

@@ -15,7 +15,6 @@ mod contact_source;
 mod edge_trace;
 mod falk;
 mod falk_report;
-mod orders;
 mod pair;
 mod profile;
 mod rates;
@@ -32,19 +31,14 @@ pub use contact_source::{Against, ContactSource};
 pub use edge_trace::{EdgeTrace, Interval};
 pub use falk::{FalkRow, falk_terms};
 pub use falk_report::{falk_chart, falk_headline};
-pub use orders::observed_orders;
 pub use pair::{ContactPair, Segment, Traces};
 pub use profile::{
     Check, Exponent, InequalityProfile, LevelProfile, ProofCase, ProofConstants, ProofProfile, Resolution,
     Rung, SegmentSetting, section_four_checks, section_three_checks,
 };
 pub use rates::{
-    Bound, EdgeNorms, FigureRates, Fit, Flag, LevelStore, LogarithmFit, MeshRates, Model, Quantity,
-    RateLevel, RateStrip, RateStudy, SceneFamily, SearchRow, StripGroup, TheoremPlan, TransitionPowers,
-    clamped_free_exponent, edge_norm, edge_norms, figure_chart, figure_headline, introduction_chart,
-    introduction_headline, introduction_rows, introduction_studies, logarithm_chart, logarithm_headline,
-    logarithm_studies, scene_regularity, search_chart, search_headline, search_sets, search_size,
-    theorem_headline, worst_gaps, worst_ratio,
+    EdgeNorms, SearchRow, edge_norm, edge_norms, search_chart, search_headline, search_sets, search_size,
+    worst_gaps, worst_ratio,
 };
 pub use segment::{SegmentNorms, TraceNorms};
 pub use segment_seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};

@@ -8,12 +8,14 @@ use super::cone::Cone;
 use super::contact_set::ContactSet;
 use super::judge::NOISE;
 use super::problem::ContactProblem;
-use super::solution::{Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of};
-use crate::numeric::scale::largest;
+use super::solution::{
+    Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of,
+};
 use super::solver::Solver;
 use super::status::Status;
 use crate::error::{Error, Result};
 use crate::estimate::Work;
+use crate::numeric::scale::largest;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT,

@@ -1,10 +1,8 @@
 //! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
 
-use signorini::analysis::{
-    Bound, EdgeTrace, Interval, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily,
-    midpoint_term, nodal_term,
-};
+use signorini::analysis::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use signorini::contact::Cone;
+use signorini::convergence::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::scenes::{Scene, Setting};
 use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides, StripKind, consistency_terms};
 

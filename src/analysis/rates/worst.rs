@@ -7,15 +7,15 @@
 //! A set shows its order only on levels finer than its smallest piece. On coarser ones a Cantor set with σ_N = −1 on short pieces looks
 //! like point forces, of order below the theorem's exponent; its norm |σ_N|_{τ−3/2} is as large, so that the share tells the truth there.
 
-use super::bounds::Bound;
 use super::element::worst_ratio;
-use super::fit::Fit;
 use super::norms::edge_norms;
-use super::transitions::TransitionPowers;
 use crate::contact::Cone;
+use crate::convergence::Bound;
+use crate::convergence::Fit;
 use crate::error::{Error, Result};
 use crate::figures::{Axis, Chart, Series};
 use crate::report::{Column, Format, Headline, Table, Verdict};
+use crate::scenes::TransitionPowers;
 use crate::strip::{EdgeScene, SceneKind, Sides, consistency_terms};
 
 /// A contact set with what the search finds for one cone.

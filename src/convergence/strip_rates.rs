@@ -5,12 +5,12 @@
 //! singularity of order p lacks a share (h_r/h)^{2p} of e²; fits account for it where it is large, τ ≤ 3/2.
 
 use super::level::RateLevel;
-use super::norms::edge_norm;
 use super::store::LevelStore;
 use super::study::RateStudy;
-use super::transitions::TransitionPowers;
+use crate::analysis::edge_norm;
 use crate::contact::Cone;
 use crate::error::{Error, Result};
+use crate::scenes::TransitionPowers;
 use crate::strip::{
     EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, Sides,
     StripKind, StripProblem, consistency_terms, solve_contact,
