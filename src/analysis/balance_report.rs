@@ -1,11 +1,9 @@
-//! The balance of θ: what is printed and drawn.
+//! The balance of θ over element lengths: the bounds at the printed θ and where they cross, beside the worst pairs there are.
 
 use super::alternatives::printed_theta;
 use super::balance::{ElementBalance, WorstPair};
 use super::profile::Exponent;
 use crate::error::Result;
-use crate::figures::{Axis, Chart, Series};
-use crate::report::{Column, Format, Headline, Table, Verdict};
 
 /// Bounds and worst cases of one element length.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,8 +24,8 @@ pub struct BalanceRow {
     pub pairs: Vec<WorstPair>,
 }
 
-/// Worst pair over the intervals with max(a, b) ≤ θ, and with max(a, b) ≥ θ; zero without any.
-fn worst_of_cases(pairs: &[WorstPair], theta: f64) -> [f64; 2] {
+/// W over the contact sets [a, 1 − b] of the first case, max(a, b) ≤ θ, and of the second, max(a, b) ≥ θ; zero without any.
+pub fn worst_of_cases(pairs: &[WorstPair], theta: f64) -> [f64; 2] {
     let worst = |keep: &dyn Fn(f64) -> bool| {
         let kept = pairs.iter().filter(|p| keep(p.ends[0].max(p.ends[1])));
         kept.fold(0.0, |m: f64, p| m.max(p.value))
@@ -63,120 +61,49 @@ impl ElementBalance {
         })
     }
 
-    /// Claim, table, verdict.
+    /// The largest W(E) over the bound of its own case at θ = max(a, b), the sharper one where two are known, over all contact
+    /// intervals of all rows: at most one unless a bound fails.
     ///
-    /// # Errors
-    /// [`crate::Error::CountOutOfRange`] with fewer than three lengths.
-    pub fn headline(&self, rows: &[BalanceRow]) -> Result<Headline> {
-        let fit = |value: &dyn Fn(&BalanceRow) -> f64| {
-            Exponent::fit(&rows.iter().map(|r| (r.h, value(r))).collect::<Vec<_>>())
+    /// The second case has a bound for θ ≤ 1/2 only.
+    pub fn largest_share(&self, rows: &[BalanceRow]) -> f64 {
+        let share = |h: f64, pair: &WorstPair| {
+            let theta = pair.ends[0].max(pair.ends[1]);
+            let second = self.second_bound(h, theta);
+            let second = if theta <= 0.5 { second[0].min(second[1]) } else { f64::INFINITY };
+            pair.value / self.sharpened_first_bound(h, theta).min(second)
         };
-        let exponents = [
-            ("printed", fit(&|r| r.printed[1])?),
-            ("crossing", fit(&|r| r.crossing[1])?),
-            ("sharpened", fit(&|r| r.sharpened[1])?),
-            ("worst", fit(&|r| r.worst.value)?),
-        ];
-        let [printed, _, sharpened, worst] = exponents.map(|(_, e)| e.value);
-        let measured = format!(
-            "exponents of h in the bound of one element: printed {printed:.3}, sharpened {sharpened:.3}, true worst case {worst:.3}"
-        );
-        let claim =
-            "theta = h^(2 tau - 3), h^2 at tau = 2, balances the bounds of the first and the second case";
-        let mut headline = Headline::new(
-            "Section 3, Globally",
-            claim,
-            table(rows),
-            measured,
-            self.verdict(rows, printed - worst),
-        );
-        for (key, exponent) in exponents {
-            headline.quote(format!("theta.balance.{key}"), exponent.value);
-            headline.quote(format!("theta.balance.{key}.uncertainty"), exponent.uncertainty);
-        }
-        if let Some(finest) = rows.last() {
-            headline.quote("theta.balance.loss", finest.printed[1] / finest.worst.value);
-            headline.quote("theta.balance.crossing.theta", finest.crossing[0]);
-            headline.quote("theta.balance.printed.theta", finest.printed[0]);
-            headline.quote("theta.balance.worst.place", finest.worst.ends[0]);
-        }
-        Ok(headline)
-    }
-
-    /// No worst case may exceed the bound of its case, for any contact interval taken as the limit of its case.
-    fn verdict(&self, rows: &[BalanceRow], lost: f64) -> Verdict {
-        for row in rows {
-            for pair in &row.pairs {
-                let theta = pair.ends[0].max(pair.ends[1]);
-                let first = self.sharpened_first_bound(row.h, theta);
-                let second = self.second_bound(row.h, theta);
-                let second = if theta <= 0.5 { second[0].min(second[1]) } else { f64::INFINITY };
-                if pair.value > first.min(second) {
-                    let [a, b] = pair.ends;
-                    return Verdict::NotConfirmed(format!(
-                        "h = {}, contact [{a}, 1 - {b}] exceeds a bound",
-                        row.h
-                    ));
-                }
-            }
-        }
-        Verdict::HoldsLoose(format!("h^{:.3} against the worst pair of an element", lost.abs()))
-    }
-
-    /// Bounds and worst cases over θ for one h.
-    pub fn chart(&self, row: &BalanceRow) -> Chart {
-        let h = row.h;
-        let thetas: Vec<f64> = (2..=40).map(|k| 0.5f64.powf(0.25 * f64::from(k))).collect();
-        let line =
-            |f: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> { thetas.iter().map(|&t| (t, f(t))).collect() };
-        let title = format!("One element, h = {h:.3e}, τ = {}", self.constants().tau());
-        let y = Axis::logarithmic("∫σ(I^h u) per norms of σ_N and u_N'");
-        let [low, high] = [row.worst.value, self.first_bound(h, 0.7).max(row.printed[1])];
-        Chart::new(title, Axis::logarithmic("θ"), y)
-            .with(Series::line("first case, printed (3.9)", line(&|t| self.first_bound(h, t))))
-            .with(Series::line("second case, printed (3.14)", line(&|t| self.second_bound(h, t)[0])))
-            .with(Series::dashed("first case, sharpened", line(&|t| self.sharpened_first_bound(h, t))))
-            .with(Series::dashed("second case, corrected law", line(&|t| self.second_bound(h, t)[1])))
-            .with(Series::points("true worst, first case", line(&|t| worst_of_cases(&row.pairs, t)[0])))
-            .with(Series::line("true worst, second case", line(&|t| worst_of_cases(&row.pairs, t)[1])))
-            .with(Series::dashed("printed θ", vec![(row.printed[0], 0.3 * low), (row.printed[0], high)]))
+        let shares = rows.iter().flat_map(|row| row.pairs.iter().map(move |pair| share(row.h, pair)));
+        shares.fold(0.0, f64::max)
     }
 }
 
-fn table(rows: &[BalanceRow]) -> Table {
-    let number = Format::Scientific(2);
-    let mut table = Table::new(vec![
-        Column::new("n", "1/h", Format::Plain, "length of the element"),
-        Column::new("theta", "theta", number, "printed choice"),
-        Column::new("bound", "B", number, "larger of both printed bounds there"),
-        Column::new("crossing", "crossing", number, "theta at which the printed bounds agree"),
-        Column::new("crossing_bound", "B cross", number, "both bounds there"),
-        Column::new("sharp_crossing", "sharp", number, "theta at which the sharpened bounds agree"),
-        Column::new("sharp_bound", "B sharp", number, "both bounds there"),
-        Column::new(
-            "first",
-            "W first",
-            number,
-            "true worst case over contact sets of the first case, printed theta",
-        ),
-        Column::new("second", "W second", number, "the same, second case"),
-        Column::new("worst", "W", number, "true worst case over all contact sets"),
-        Column::new("place", "a", Format::Plain, "the worst contact set begins at a h"),
-    ]);
-    for row in rows {
-        table.push(vec![
-            (1.0 / row.h).into(),
-            row.printed[0].into(),
-            row.printed[1].into(),
-            row.crossing[0].into(),
-            row.crossing[1].into(),
-            row.sharpened[0].into(),
-            row.sharpened[1].into(),
-            row.cases[0].into(),
-            row.cases[1].into(),
-            row.worst.value.into(),
-            row.worst.ends[0].into(),
-        ]);
+/// Exponents of h over the rows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BalanceExponents {
+    /// Of the larger bound at the printed θ.
+    pub printed: Exponent,
+    /// Of the bounds where they cross.
+    pub crossing: Exponent,
+    /// Of the sharpened bounds where they cross.
+    pub sharpened: Exponent,
+    /// Of the worst pair.
+    pub worst: Exponent,
+}
+
+impl BalanceExponents {
+    /// By least squares over at least three lengths.
+    ///
+    /// # Errors
+    /// [`crate::Error::CountOutOfRange`] with fewer than three lengths.
+    pub fn fit(rows: &[BalanceRow]) -> Result<Self> {
+        let fit = |value: &dyn Fn(&BalanceRow) -> f64| {
+            Exponent::fit(&rows.iter().map(|r| (r.h, value(r))).collect::<Vec<_>>())
+        };
+        Ok(Self {
+            printed: fit(&|r| r.printed[1])?,
+            crossing: fit(&|r| r.crossing[1])?,
+            sharpened: fit(&|r| r.sharpened[1])?,
+            worst: fit(&|r| r.worst.value)?,
+        })
     }
-    table
 }

@@ -25,7 +25,7 @@ mod segment_seminorm;
 pub use alternative_study::{AlternativeCase, AlternativeRow, AlternativeStudy, ThetaRule};
 pub use alternatives::{Alternative, NearVertices, SetDiameter, printed_theta};
 pub use balance::{ElementBalance, WorstPair};
-pub use balance_report::BalanceRow;
+pub use balance_report::{BalanceExponents, BalanceRow, worst_of_cases};
 pub use classification::{Classification, ClassifiedSegment, Section};
 pub use consistency::{midpoint_term, nodal_term};
 pub use contact_source::{Against, ContactSource};
