@@ -1,0 +1,134 @@
+//! Rate studies on nested meshes, against a finer solution.
+//!
+//! The reference lies on the next uniform refinement, h_r = h/2. It is no exact solution, and need not be: by orthogonality
+//! |u_ref − u_h|² ≈ |u − u_h|² − |u − u_ref|², and with the model e² = A h^{2p} + B h² for both the fit takes A (h^{2p} − h_r^{2p}) +
+//! B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each level, an O(h²) change of the data.
+
+use super::level::RateLevel;
+use super::study::RateStudy;
+use crate::contact::{Cone, ContactProblem, Solver};
+use crate::error::{Error, Result};
+use crate::fem::Form;
+use crate::mesh::{Hierarchy, Triangulation};
+use crate::scenes::scene_regularity;
+use crate::scenes::{Scene, Setting};
+use std::time::Instant;
+
+/// Uniform refinements between the finest level and the reference.
+const REFERENCE_DEPTH: usize = 1;
+/// Squares along each side of the largest reference: 8.4 million unknowns for a vector, some 16 GiB.
+const LARGEST_REFERENCE: usize = 2048;
+/// Rounding of the energy norm of a difference, relative to the norm of u.
+const ROUNDING: f64 = 1e-13;
+
+/// A scene on nested meshes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshRates {
+    /// The scene.
+    pub scene: Scene,
+    /// Its parameters.
+    pub setting: Setting,
+    /// f = −1 in place of the load of the scene. Where u = 0 is prescribed on the rest of the boundary or nothing, a constant f < 0 gives
+    /// u < 0 (maximum principle): the contact edge is free and the corner is all there is.
+    pub constant_load: bool,
+    /// Squares along each side of the coarsest mesh.
+    pub coarsest: usize,
+    /// Number of meshes n, 2n, 4n, ...
+    pub levels: usize,
+}
+
+impl MeshRates {
+    /// Studies the given cones; the reference is solved once, in the nodal cone. Errors are relative to the norm of u.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for fewer than two levels, n < 2, or a reference that is too large; whatever the meshes and solvers return.
+    pub fn study(&self, cones: &[Cone]) -> Result<Vec<RateStudy>> {
+        self.check()?;
+        let hierarchy = Hierarchy::refined(
+            self.scene.mesh_with(self.coarsest, &self.setting)?,
+            self.levels - 1 + REFERENCE_DEPTH,
+        )?;
+        let problem = self.problem(hierarchy.finest().clone())?;
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;
+        let norm = problem.energy_norm(&solution)?;
+        let reference = Reference { hierarchy, problem, solution, norm };
+        let tau = scene_regularity(self.scene, &self.setting)?;
+        let name = match self.scene {
+            Scene::Corner if self.constant_load => format!("corner {} f=-1", self.setting.angle),
+            Scene::Corner => format!("corner {}", self.setting.angle),
+            scene => scene.to_string(),
+        };
+        let h_r = 1.0 / (self.coarsest << (self.levels - 1 + REFERENCE_DEPTH)) as f64;
+        cones
+            .iter()
+            .map(|&cone| {
+                let levels = (0..self.levels).map(|k| self.level(&reference, cone, k));
+                let levels = levels.collect::<Result<_>>()?;
+                Ok(RateStudy { scene: name.clone(), tau, cone, norm: None, reference: Some(h_r), levels })
+            })
+            .collect()
+    }
+
+    fn problem(&self, mesh: Triangulation) -> Result<ContactProblem> {
+        if !self.constant_load {
+            return self.scene.on_with(mesh, &self.setting);
+        }
+        if self.scene != Scene::Corner {
+            return Err(Error::UnknownName {
+                what: "scene with a constant load",
+                given: self.scene.to_string(),
+                expected: "corner",
+            });
+        }
+        let load = vec![-1.0; mesh.nodes().len()];
+        ContactProblem::new(mesh, Form::LAPLACE, &load)
+    }
+
+    fn check(&self) -> Result<()> {
+        let (coarsest, levels) = (self.coarsest, self.levels);
+        if coarsest < 2 {
+            return Err(Error::CountOutOfRange { name: "coarsest n", value: coarsest, range: "[2, inf)" });
+        }
+        let finest = u32::try_from(levels.saturating_add(REFERENCE_DEPTH - 1))
+            .ok()
+            .and_then(|k| 1usize.checked_shl(k));
+        let reference = finest.and_then(|factor| coarsest.checked_mul(factor));
+        if levels < 2 || reference.is_none_or(|n| n > LARGEST_REFERENCE) {
+            let range = "[2, levels whose reference has at most 2048 squares along each side]";
+            return Err(Error::CountOutOfRange { name: "levels", value: levels, range });
+        }
+        Ok(())
+    }
+
+    fn level(&self, reference: &Reference, cone: Cone, k: usize) -> Result<RateLevel> {
+        let started = Instant::now();
+        let mesh = reference.hierarchy.levels()[k].clone();
+        let problem = self.problem(mesh)?;
+        let solution = problem.solve(cone, Solver::ActiveSet)?;
+        let seconds = started.elapsed().as_secs_f64();
+        let finest = reference.hierarchy.levels().len() - 1;
+        let (coarse, fine) = ((k, &solution.displacement[..]), (finest, &reference.solution[..]));
+        let error = reference.problem.nested_energy_error(&reference.hierarchy, coarse, fine)?;
+        let cells = self.coarsest << k;
+        let level = RateLevel {
+            cells,
+            unknowns: problem.free_unknowns() as f64,
+            error: error / reference.norm,
+            error_bound: ROUNDING,
+            consistency: None,
+            contact_runs: solution.contact_set.runs().len(),
+            kkt: solution.judgement.worst(),
+            seconds,
+            flag: None,
+        };
+        let resolution = self.coarsest << (self.levels - 1 + REFERENCE_DEPTH);
+        Ok(level.judged(solution.status.is_converged(), resolution, 1 << REFERENCE_DEPTH))
+    }
+}
+
+struct Reference {
+    hierarchy: Hierarchy,
+    problem: ContactProblem,
+    solution: Vec<f64>,
+    norm: f64,
+}
