@@ -2,7 +2,7 @@
 
 use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
 use signorini::proof::ElementBalance;
-use signorini::strip::{EdgeScene, Levels, Sides};
+use signorini::strip::{EdgeData, Levels, Sides};
 
 #[allow(dead_code)]
 #[path = "../examples/theta_balance.rs"]
@@ -52,7 +52,7 @@ fn no_random_pair_exceeds_the_worst_pair() {
             };
             let values = (0..=cells).map(value).collect();
             let forces = (0..=cells).map(force).collect();
-            let scene = EdgeScene::new(cells, Sides::Natural, values, forces).unwrap();
+            let scene = EdgeData::new(cells, Sides::Natural, values, forces).unwrap();
             let pair = ContactPair::of_scene(&scene, traces).unwrap();
             let norms = SegmentNorms::new(&pair.edge(), 2.0, &form).unwrap();
             let size = (norms.stress.norm_squared() * norms.slope.norm_squared()).sqrt();
