@@ -8,7 +8,8 @@ use crate::contact::Cone;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, Series};
 use crate::report::{Cell, Column, Format, Headline, Table, Verdict};
-use crate::strip::{Levels, SceneSource, StripKind};
+use crate::scenes::StripScene;
+use crate::strip::{Levels, StripKind};
 
 /// What Figure 3.1 is measured on.
 #[derive(Debug, Clone)]
@@ -18,7 +19,7 @@ pub struct FigureRates {
     /// Which strip.
     pub kind: StripKind,
     /// The scene.
-    pub source: SceneSource,
+    pub source: StripScene,
     /// The levels.
     pub levels: Levels,
     /// The reference grid has 2 to this power cells.

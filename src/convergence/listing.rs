@@ -75,7 +75,7 @@ impl RateStudy {
         Ok(table)
     }
 
-    /// Scene, fits and table as text.
+    /// MeshScene, fits and table as text.
     ///
     /// # Errors
     /// As [`RateStudy::table`].

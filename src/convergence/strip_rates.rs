@@ -7,13 +7,13 @@
 use super::level::RateLevel;
 use super::store::LevelStore;
 use super::study::RateStudy;
-use crate::analysis::edge_norm;
 use crate::contact::Cone;
+use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
-use crate::scenes::TransitionPowers;
+use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{
-    EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, Sides,
-    StripKind, StripProblem, consistency_terms, solve_contact,
+    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, Settings, Sides, StripKind, StripProblem,
+    solve_contact,
 };
 use std::time::Instant;
 
@@ -39,7 +39,7 @@ pub struct SceneFamily<'a> {
     /// How many members.
     pub count: usize,
     /// Member i on an edge of so many cells.
-    pub member: Box<dyn Fn(usize, usize) -> Result<EdgeScene> + 'a>,
+    pub member: Box<dyn Fn(usize, usize) -> Result<EdgeData> + 'a>,
 }
 
 impl SceneFamily<'_> {
@@ -48,7 +48,7 @@ impl SceneFamily<'_> {
     /// # Errors
     /// [`Error::CountOutOfRange`] for no position.
     pub fn named(
-        source: &SceneSource,
+        source: &StripScene,
         tau: f64,
         kind: StripKind,
         coarsest: usize,
@@ -61,26 +61,21 @@ impl SceneFamily<'_> {
         let name = source.to_string();
         let source = source.clone();
         Ok(match source {
-            SceneSource::Built(SceneKind::Transition { position }) => Self {
+            StripScene::Transition { position } => Self {
                 name,
                 tau,
                 count: positions,
                 member: Box::new(move |i, cells| {
                     let position = position + i as f64 / positions as f64 / coarsest as f64;
                     match sides {
-                        Sides::Natural => TransitionPowers::of_regularity(tau).scene(position, cells),
-                        Sides::Periodic => {
-                            EdgeScene::build(SceneKind::Transition { position }, tau, cells, sides)
-                        }
+                        Sides::Natural => TransitionPowers::of_regularity(tau).data(position, cells),
+                        Sides::Periodic => StripScene::Transition { position }.data(tau, cells, sides),
                     }
                 }),
             },
-            _ => Self {
-                name,
-                tau,
-                count: 1,
-                member: Box::new(move |_, cells| source.scene(tau, cells, sides)),
-            },
+            _ => {
+                Self { name, tau, count: 1, member: Box::new(move |_, cells| source.data(tau, cells, sides)) }
+            }
         })
     }
 }
@@ -151,7 +146,7 @@ impl RateStrip {
         &mut self,
         family: &SceneFamily<'_>,
         i: usize,
-        scene: &mut Option<EdgeScene>,
+        scene: &mut Option<EdgeData>,
         cone: Cone,
         store: &mut LevelStore,
         report: &mut dyn FnMut(),
@@ -190,7 +185,7 @@ impl RateStrip {
         Ok(levels)
     }
 
-    fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+    fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         if let Some(problem) = &mut self.problem {
             return problem.set_scene(scene);
         }
