@@ -7,13 +7,13 @@
 use super::level::RateLevel;
 use super::store::LevelStore;
 use super::study::RateStudy;
-use crate::analysis::edge_norm;
 use crate::contact::Cone;
+use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
 use crate::scenes::TransitionPowers;
 use crate::strip::{
     EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, Sides,
-    StripKind, StripProblem, consistency_terms, solve_contact,
+    StripKind, StripProblem, solve_contact,
 };
 use std::time::Instant;
 

@@ -8,7 +8,7 @@ use super::scene::{EdgeScene, SceneKind};
 use super::sides::check_length;
 use super::source::SceneSource;
 use super::study::{Level, Levels, StripKind, StripProblem, study};
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 

@@ -9,13 +9,12 @@
 //! `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference of energies loses
 //! six and more digits at n = 2^18. Cost: one transform of length N per error.
 
-use super::chain::prolong;
 use super::defect::{halving, harmonic_defect, harmonic_symbol};
 use super::edge::EdgeOperator;
-use super::pressure::restrict;
 use super::scalar::{EdgeLoad, check_layers, scalar_symbol};
 use super::scene::EdgeScene;
 use super::sides::{Sides, check_length};
+use super::transfer::{prolong, restrict};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;

@@ -7,7 +7,6 @@
 //!
 //! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode.
 
-use super::chain::prolong;
 use super::edge::EdgeOperator;
 use super::elastic::{EdgeMatrix, edge_matrices};
 use super::elastic_defect::{aliased, halvings};
@@ -15,6 +14,7 @@ use super::exact::{layers_on, level_of, power_of_two, pyramid};
 use super::scalar::EdgeLoad;
 use super::scene::EdgeScene;
 use super::sides::{Sides, check_length};
+use super::transfer::prolong;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Lame;

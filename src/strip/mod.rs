@@ -11,11 +11,9 @@
 //! | A, S(θ) | [`EdgeOperator`] and its symbol |
 //! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
 //! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels, [`StripCase`] over positions |
-//! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
+//! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`solve_contact`] |
 
 mod case;
-mod chain;
-mod consistency;
 mod contact_sets;
 mod defect;
 mod edge;
@@ -23,12 +21,10 @@ mod elastic;
 mod elastic_defect;
 mod exact;
 mod exact_elastic;
-mod face;
 mod inner;
 mod listing;
 mod precondition;
 mod pressure;
-mod projection;
 mod scalar;
 mod scene;
 mod sides;
@@ -37,9 +33,9 @@ mod solution;
 mod solve;
 mod source;
 mod study;
+mod transfer;
 
 pub use case::{CaseStudy, StripCase, mean_errors};
-pub use consistency::consistency_terms;
 pub use edge::EdgeOperator;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
@@ -52,3 +48,4 @@ pub use solution::{EdgeSolution, Settings};
 pub use solve::solve_contact;
 pub use source::SceneSource;
 pub use study::{Level, Levels, StripKind, StripProblem, study};
+pub(crate) use transfer::restrict;

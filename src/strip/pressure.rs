@@ -1,4 +1,4 @@
-//! Contact forces of a scene, and loads on coarser grids.
+//! Contact forces of a scene.
 
 use super::sides::Sides;
 
@@ -47,24 +47,4 @@ fn distance_to_gap(values: &[f64], cells: usize, sides: Sides) -> Vec<f64> {
     sweep(&mut (0..turns * nodes).rev().map(|i| i % nodes));
     debug_assert_eq!(sides.nodes(cells), nodes);
     distance
-}
-
-/// P'b: the load on the half as fine edge.
-pub(crate) fn restrict(fine: &[f64], sides: Sides) -> Vec<f64> {
-    let cells = match sides {
-        Sides::Natural => (fine.len() - 1) / 2,
-        Sides::Periodic => fine.len() / 2,
-    };
-    let last = fine.len() - 1;
-    (0..sides.nodes(cells))
-        .map(|i| {
-            let left = match (i, sides) {
-                (0, Sides::Natural) => 0.0,
-                (0, Sides::Periodic) => fine[last],
-                _ => fine[2 * i - 1],
-            };
-            let right = fine.get(2 * i + 1).copied().unwrap_or(0.0);
-            fine[2 * i] + 0.5 * (left + right)
-        })
-        .collect()
 }

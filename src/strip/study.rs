@@ -11,7 +11,7 @@ use super::scene::EdgeScene;
 use super::sides::Sides;
 use super::solution::{EdgeSolution, Settings};
 use super::solve::solve_contact;
-use crate::contact::{Cone, Status};
+use crate::cone::{Cone, Status};
 use crate::error::{Error, Result};
 use crate::estimate::Estimate;
 use crate::fem::Lame;

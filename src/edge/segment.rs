@@ -1,0 +1,234 @@
+//! Every norm of a pair (u_N, σ_N) on one contact segment that the proofs of Theorems 3.1 and 4.1 name.
+//!
+//! Traces are polynomials on cells, so all integrals of products are exact (three Gauss points per cell); L^q norms in closed
+//! form; seminorms by [`SeminormForm`]. Cost: O(K log K) for a segment of K cells.
+
+use super::pair::Segment;
+use super::seminorm::SeminormForm;
+use crate::error::Result;
+use crate::estimate::Estimate;
+use crate::quadrature::Rule;
+use crate::sobolev::linear_power;
+
+/// The norms of one segment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SegmentNorms {
+    /// h_e.
+    pub length: f64,
+    /// ∫ σ_N (I^h u)_N, ≥ 0.
+    pub nodal_term: f64,
+    /// ∫ σ_N ((I^h u)_N − u_N).
+    pub interpolation_term: f64,
+    /// −∫ (σ_N − π^h σ_N) u_N.
+    pub projection_term: f64,
+    /// ∫ (σ_N − π^h σ_N)(π^h u_N − u_N).
+    pub midpoint_term: f64,
+    /// ‖σ_N‖_{L¹} = −∫ σ_N.
+    pub force: f64,
+    /// Norms of σ_N.
+    pub stress: TraceNorms,
+    /// Norms of u_N'.
+    pub slope: TraceNorms,
+    /// ‖u_N‖₀.
+    pub displacement: f64,
+    /// ‖(I^h u)_N‖₀.
+    pub interpolant: f64,
+    /// ‖(I^h u)_N − u_N‖₀.
+    pub interpolation_error: f64,
+    /// ‖u_N − π^h u_N‖₀ and ‖u_N − π^h u_N‖_{L^∞}.
+    pub projection_error: [f64; 2],
+    /// max |u_N|.
+    pub depth: f64,
+    /// u_N at both vertices.
+    pub vertices: [f64; 2],
+    /// Distance from each vertex to the nearest zero of u_N in the segment.
+    pub zero_distance: Option<[f64; 2]>,
+    /// |∫ u_N'| from each vertex to that zero.
+    pub increments: [f64; 2],
+    /// Length of the longer of the two pieces at the vertices on which σ_N = 0.
+    pub free_length: f64,
+}
+
+/// Norms of a trace on a segment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceNorms {
+    /// ‖v‖₀.
+    pub l2: f64,
+    /// ‖v‖_{L^q}.
+    pub lq: f64,
+    /// ‖v − π^h v‖₀.
+    pub deviation: f64,
+    /// |v|²_ν.
+    pub seminorm_squared: Estimate,
+}
+
+impl TraceNorms {
+    fn new(segment: &Segment<'_>, ends: &[[f64; 2]], q: f64, form: &SeminormForm) -> Result<Self> {
+        let cell = segment.cell;
+        let mut sums = [0.0; 3];
+        for &[a, b] in ends.iter().filter(|e| **e != [0.0; 2]) {
+            sums[0] += (a * a + a * b + b * b) / 3.0;
+            sums[1] += if q == 2.0 { (a * a + a * b + b * b) / 3.0 } else { linear_power(a, b, q) };
+            sums[2] += 0.5 * (a + b);
+        }
+        let mean = sums[2] / ends.len() as f64;
+        let deviation: f64 =
+            ends.iter().map(|&[a, b]| [a - mean, b - mean]).map(|[a, b]| (a * a + a * b + b * b) / 3.0).sum();
+        Ok(Self {
+            l2: (cell * sums[0]).sqrt(),
+            lq: (cell * sums[1]).powf(1.0 / q),
+            deviation: (cell * deviation).sqrt(),
+            seminorm_squared: form.squared(segment, ends)?,
+        })
+    }
+
+    /// |v|_ν.
+    pub fn seminorm(&self) -> f64 {
+        self.seminorm_squared.value.sqrt()
+    }
+
+    /// ‖v‖²_ν = ‖v‖₀² + |v|²_ν.
+    pub fn norm_squared(&self) -> f64 {
+        self.l2 * self.l2 + self.seminorm_squared.value
+    }
+
+    /// Relative error of |v|_ν.
+    pub fn seminorm_error(&self) -> f64 {
+        let squared = self.seminorm_squared;
+        if squared.value > 0.0 { 0.5 * squared.error / squared.value } else { 0.0 }
+    }
+}
+
+impl SegmentNorms {
+    /// All norms of a segment, L^q with the given q.
+    ///
+    /// # Errors
+    /// As [`SeminormForm::squared`].
+    pub fn new(segment: &Segment<'_>, q: f64, form: &SeminormForm) -> Result<Self> {
+        let stress = TraceNorms::new(segment, segment.pressures, q, form)?;
+        let slope = TraceNorms::new(segment, segment.slopes, q, form)?;
+        let integrals = Integrals::new(segment)?;
+        let [left, right] = [segment.values[0], segment.values[segment.values.len() - 1]];
+        let zeros = zero_distances(segment);
+        Ok(Self {
+            length: segment.length(),
+            nodal_term: integrals.nodal,
+            interpolation_term: integrals.interpolation,
+            projection_term: integrals.projection,
+            midpoint_term: integrals.midpoint,
+            force: means(segment)[0] * segment.length(),
+            stress,
+            slope,
+            displacement: integrals.displacement.sqrt(),
+            interpolant: integrals.interpolant.sqrt(),
+            interpolation_error: integrals.interpolation_error.sqrt(),
+            projection_error: [integrals.projection_error.sqrt(), integrals.largest_deviation],
+            depth: segment.values.iter().fold(0.0, |m: f64, u| m.max(u.abs())),
+            vertices: [left, right],
+            zero_distance: zeros.map(|cells| cells.map(|k| k as f64 * segment.cell)),
+            increments: zeros.map_or([0.0; 2], |cells| increments(segment, cells)),
+            free_length: free_cells(segment) as f64 * segment.cell,
+        })
+    }
+
+    /// ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν.
+    pub fn displacement_norm_squared(&self) -> f64 {
+        self.displacement.powi(2) + self.slope.norm_squared()
+    }
+
+    /// Rounding of u_N at a point: cell by cell its values come from sums of that size.
+    pub(crate) fn rounding(&self) -> f64 {
+        64.0 * f64::EPSILON * self.depth
+    }
+
+    /// diam C_T, `None` without contact.
+    pub fn contact_diameter(&self) -> Option<f64> {
+        self.zero_distance.map(|[left, right]| (self.length - left - right).max(0.0))
+    }
+}
+
+/// Integrals of products of σ_N, u_N, I^h u and means; exact.
+#[derive(Default)]
+struct Integrals {
+    nodal: f64,
+    interpolation: f64,
+    projection: f64,
+    midpoint: f64,
+    displacement: f64,
+    interpolant: f64,
+    interpolation_error: f64,
+    projection_error: f64,
+    largest_deviation: f64,
+}
+
+impl Integrals {
+    fn new(segment: &Segment<'_>) -> Result<Self> {
+        let rule = Rule::gauss_legendre(3)?;
+        let (cells, cell) = (segment.slopes.len(), segment.cell);
+        let (left, right) = (segment.values[0], segment.values[cells]);
+        let means = means(segment);
+        let mut sums = Self::default();
+        for i in 0..cells {
+            let ([v, w], [p, r], u_left) = (segment.slopes[i], segment.pressures[i], segment.values[i]);
+            let u_at = |t: f64| u_left + cell * t * (v + 0.5 * t * (w - v));
+            for (t, weight) in rule.iter() {
+                let (s, u) = (p + t * (r - p), u_at(t));
+                let x = (i as f64 + t) / cells as f64;
+                let line = left * (1.0 - x) + right * x;
+                let weight = weight * cell;
+                // σ_N = −s
+                sums.nodal -= weight * s * line;
+                sums.interpolation -= weight * s * (line - u);
+                sums.projection += weight * (s - means[0]) * u;
+                sums.midpoint -= weight * (s - means[0]) * (means[1] - u);
+                sums.displacement += weight * u * u;
+                sums.interpolant += weight * line * line;
+                sums.interpolation_error += weight * (line - u) * (line - u);
+                sums.projection_error += weight * (u - means[1]) * (u - means[1]);
+            }
+            let inside = if v * w < 0.0 { u_at(v / (v - w)) } else { u_left };
+            let extremes = [u_left, inside, segment.values[i + 1]];
+            let largest = extremes.iter().fold(0.0, |m: f64, u| m.max((u - means[1]).abs()));
+            sums.largest_deviation = sums.largest_deviation.max(largest);
+        }
+        // An empty or full segment gives −0 or rounding.
+        sums.nodal = sums.nodal.max(0.0);
+        Ok(sums)
+    }
+}
+
+/// Means of −σ_N and of u_N.
+fn means(segment: &Segment<'_>) -> [f64; 2] {
+    let count = segment.slopes.len() as f64;
+    let pressure: f64 = segment.pressures.iter().map(|p| 0.5 * (p[0] + p[1])).sum();
+    let displacement: f64 = segment
+        .slopes
+        .iter()
+        .zip(segment.values)
+        .map(|(v, u)| u + segment.cell * (2.0 * v[0] + v[1]) / 6.0)
+        .sum();
+    [pressure / count, displacement / count]
+}
+
+/// Cells between each vertex and the nearest node with u_N = 0.
+fn zero_distances(segment: &Segment<'_>) -> Option<[usize; 2]> {
+    let left = segment.values.iter().position(|&u| u == 0.0)?;
+    let right = segment.values.iter().rev().position(|&u| u == 0.0)?;
+    Some([left, right])
+}
+
+/// |∫ u_N'| over that many cells at either vertex.
+fn increments(segment: &Segment<'_>, [left, right]: [usize; 2]) -> [f64; 2] {
+    let cells = segment.slopes.len();
+    let integral =
+        |slopes: &[[f64; 2]]| (segment.cell * slopes.iter().map(|v| 0.5 * (v[0] + v[1])).sum::<f64>()).abs();
+    [integral(&segment.slopes[..left]), integral(&segment.slopes[cells - right..])]
+}
+
+/// Cells of the longer piece without pressure at a vertex.
+fn free_cells(segment: &Segment<'_>) -> usize {
+    let is_free = |p: &&[f64; 2]| **p == [0.0; 2];
+    let left = segment.pressures.iter().take_while(is_free).count();
+    let right = segment.pressures.iter().rev().take_while(is_free).count();
+    left.max(right)
+}

@@ -1,0 +1,97 @@
+//! Every contact segment of a coarse mesh, its cases, and what it adds to the consistency term.
+
+use super::alternatives::{Alternative, NearVertices, SetDiameter};
+use super::section::Section;
+use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
+use crate::error::{Error, Result};
+
+/// One contact segment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClassifiedSegment {
+    /// T ∩ Γ_C.
+    pub segment: Interval,
+    /// The cases that hold.
+    pub alternative: Alternative,
+    /// Its part of the consistency term, ≥ 0.
+    pub term: f64,
+}
+
+/// The contact segments of a mesh, classified for one θ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Classification {
+    segments: Vec<ClassifiedSegment>,
+}
+
+impl Classification {
+    /// Classifies the segments between successive `vertices` of a coarse mesh on a fine trace.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < θ < 1 and the vertices increase.
+    pub fn new(section: Section, trace: &EdgeTrace, vertices: &[f64], theta: f64) -> Result<Self> {
+        let (near_vertices, set_diameter) = (NearVertices::new(theta)?, SetDiameter::new(theta)?);
+        let segments = vertices.windows(2).map(|pair| {
+            let segment = Interval { start: pair[0], end: pair[1] };
+            Error::require("vertex", pair[1], "increasing vertices", pair[0] < pair[1])?;
+            let (alternative, term) = match section {
+                Section::Three => (near_vertices.classify(trace, segment), nodal_term(trace, segment)),
+                Section::Four => (set_diameter.classify(trace, segment), midpoint_term(trace, segment)),
+            };
+            Ok(ClassifiedSegment { segment, alternative, term })
+        });
+        Ok(Self { segments: segments.collect::<Result<_>>()? })
+    }
+
+    /// The segments, in order along the edge.
+    pub fn segments(&self) -> &[ClassifiedSegment] {
+        &self.segments
+    }
+
+    /// Number of segments whose cases are exactly `name` ("first", "second", "both", "none").
+    pub fn count(&self, name: &str) -> usize {
+        self.in_case(name).count()
+    }
+
+    /// The consistency term summed over the segments whose cases are exactly `name`.
+    pub fn term(&self, name: &str) -> f64 {
+        sum(self.in_case(name).map(|s| s.term))
+    }
+
+    /// The whole consistency term.
+    pub fn total(&self) -> f64 {
+        sum(self.segments.iter().map(|s| s.term))
+    }
+
+    /// The segments whose cases are exactly `name`, as intervals.
+    pub fn intervals(&self, name: &str) -> Vec<(f64, f64)> {
+        self.in_case(name).map(|s| (s.segment.start, s.segment.end)).collect()
+    }
+
+    fn in_case<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a ClassifiedSegment> {
+        self.segments.iter().filter(move |s| s.alternative.name() == name)
+    }
+}
+
+/// From +0: the empty sum of the standard library is −0, which would be printed.
+fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    terms.fold(0.0, |sum, term| sum + term)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edge_that_opens_in_the_middle_of_a_segment() {
+        let nodes: Vec<f64> = (0..=8).map(|i| f64::from(i) / 8.0).collect();
+        let displacement = nodes.iter().map(|&x| if x <= 0.625 { 0.0 } else { -1.0 }).collect();
+        let force = nodes.iter().map(|&x| if x <= 0.625 { 1.0 } else { 0.0 }).collect();
+        let trace = EdgeTrace::new(nodes, displacement, force, 1e-12).unwrap();
+        let classified = Classification::new(Section::Three, &trace, &[0.0, 0.5, 1.0], 0.25).unwrap();
+        assert_eq!((classified.count("first"), classified.count("second")), (1, 1));
+        assert_eq!(classified.term("first"), 0.0);
+        assert_eq!(classified.intervals("second"), vec![(0.5, 1.0)]);
+        // one force in the open segment at a quarter of its length, half a force at the shared vertex (u = 0 there)
+        assert_eq!(classified.total(), 0.25);
+        assert!(Classification::new(Section::Four, &trace, &[0.5, 0.5], 0.25).is_err());
+    }
+}

@@ -1,0 +1,171 @@
+//! Falk's lemma for both cones, term by term, in the energy norm of the strip.
+//!
+//! With |·| the energy norm, σ_N the exact contact stress and v_h any function of the discrete cone,
+//!
+//! |u − u_h|² ≤ |u − v_h|² + 2 ∫ σ_N (v_h − u)_N                                        (K^h ⊂ K, Section 3),
+//! |u − ū_h|² ≤ |u − v_h|² + 2 ∫ σ_N (v_h − u)_N + 2 inf_{v ∈ K} ∫ σ_N (v − ū_h)_N      (4.5).
+//!
+//! Proof: |u−u_h|² = a(u−u_h, u−v_h) + a(u−u_h, v_h−u_h), the last is at most ∫σ_N(v_h−u_h)_N by both variational statements;
+//! Young with weights 1/2, 1/2. Hence the constant of the lemma is at most 2 when, as in the paper, the integrals have no factor 2.
+//!
+//! * v_h = I^h u: its values on the edge, continued with least energy, so |u − v_h| is at most that of the Lagrange interpolant.
+//! * *The first infimum is known*: ½|u−v|² + ∫σ_N(v−u)_N = J(v) − J(u), which u_h minimises over its cone. It equals
+//!   |u−u_h|² + 2∫σ_N u_{h,N}: with it (4.5) is an equality for K̄^h, and for K^h it exceeds |u−u_h|² by 2∫σ_N u_{h,N} ≥ 0.
+//! * *The second infimum is known*: ∫σ_N v_N ≥ 0 on K, so v = 0 attains it, −∫σ_N ū_{h,N}; negative where ū_h stays open under stress.
+//! * (4.8): −∫σ_N ū_h ≤ −∫(σ_N − π^hσ_N)(ū_h − u)_N − ∫(σ_N − π^hσ_N)u_N, since π^hσ_N ≤ 0 has ∫π^hσ_N ū_h ≥ 0.
+//!
+//! σ_N is given by nodal forces of the fine edge; a force at a vertex counts half in each of its segments. Cost: one contact
+//! problem and two transforms of the fine edge per mesh.
+
+use crate::contact::Cone;
+use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
+use crate::error::Result;
+use crate::strip::{EdgeSolution, Settings, StripCase, StripProblem, solve_contact};
+
+/// The terms on one mesh, mean over the positions of the scene; all squared, as in the lemma, integrals without the factor 2.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FalkRow {
+    /// Segments n; h = 1/n.
+    pub n: usize,
+    /// |u − u_h|².
+    pub error: f64,
+    /// |u − v_h|², v_h = I^h u on the edge.
+    pub approximation: f64,
+    /// ∫ σ_N (I^h u − u)_N = ∫ σ_N (I^h u)_N.
+    pub consistency: f64,
+    /// inf over K of ∫ σ_N (v − u_h)_N = −∫ σ_N u_{h,N}; in K^h it is ≤ 0 and does not enter.
+    pub second_infimum: f64,
+    /// −∫ (σ_N − π^h σ_N)(u_h − u)_N.
+    pub first_part: f64,
+    /// −∫ (σ_N − π^h σ_N) u_N.
+    pub second_part: f64,
+    /// The worst KKT figure of the discrete solutions.
+    pub kkt: f64,
+}
+
+impl FalkRow {
+    /// |u−v_h|² + ∫σ_N(v_h−u)_N, for the midpoint cone + inf_K ∫σ_N(v−ū_h)_N: what C multiplies.
+    pub fn bracket(&self, cone: Cone) -> f64 {
+        let second = if cone == Cone::Midpoint { self.second_infimum } else { 0.0 };
+        self.approximation + self.consistency + second
+    }
+
+    /// The same with the infimum replaced by the two parts of (4.8).
+    pub fn split_bracket(&self, cone: Cone) -> f64 {
+        let second = if cone == Cone::Midpoint { self.first_part + self.second_part } else { 0.0 };
+        self.approximation + self.consistency + second
+    }
+
+    /// |u−u_h|² over the bracket: the measured constant, at most 2.
+    pub fn constant(&self, cone: Cone) -> f64 {
+        self.error / self.bracket(cone)
+    }
+
+    /// inf over the discrete cone of |u−v_h|² + 2∫σ_N(v_h−u)_N = |u−u_h|² + 2∫σ_N u_{h,N}.
+    pub fn first_infimum(&self) -> f64 {
+        self.error - 2.0 * self.second_infimum
+    }
+
+    fn add(&mut self, other: &Self, share: f64) {
+        self.n = other.n;
+        self.error += share * other.error;
+        self.approximation += share * other.approximation;
+        self.consistency += share * other.consistency;
+        self.second_infimum += share * other.second_infimum;
+        self.first_part += share * other.first_part;
+        self.second_part += share * other.second_part;
+        self.kkt = self.kkt.max(other.kkt);
+    }
+}
+
+/// The terms of Falk's lemma for a case of the strip, coarsest mesh first; `report` is called after each mesh.
+///
+/// # Errors
+/// Those of the scenes and of the contact iteration.
+pub fn falk_terms(case: &StripCase, mut report: impl FnMut(usize)) -> Result<Vec<FalkRow>> {
+    let sources = case.sources()?;
+    let share = 1.0 / sources.len() as f64;
+    let mut rows: Vec<FalkRow> = case.levels.cells().map(|_| FalkRow::default()).collect();
+    let cells = case.levels.reference_cells();
+    let mut problem: Option<StripProblem> = None;
+    for source in &sources {
+        let scene = source.scene(case.tau, cells, case.kind.sides())?;
+        let trace = EdgeTrace::of_scene(&scene)?;
+        let problem = match problem.as_mut() {
+            Some(known) => {
+                known.set_scene(&scene)?;
+                known
+            }
+            None => {
+                let coarsest = case.levels.coarsest_cells();
+                problem.insert(StripProblem::new(case.kind, &scene, case.reference, coarsest)?)
+            }
+        };
+        let mut previous: Option<EdgeSolution> = None;
+        for (row, n) in rows.iter_mut().zip(case.levels.cells()) {
+            let (operator, _) = problem.operator(n)?;
+            let load = problem.load(n)?;
+            let solution =
+                solve_contact(&operator, &load, case.cone, previous.as_ref(), &Settings::default())?;
+            row.add(&terms(problem, &trace, n, &solution)?, share);
+            report(n);
+            previous = Some(solution);
+        }
+    }
+    Ok(rows)
+}
+
+fn terms(problem: &StripProblem, trace: &EdgeTrace, n: usize, solution: &EdgeSolution) -> Result<FalkRow> {
+    let vertices: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
+    let segments = || vertices.windows(2).map(|v| Interval { start: v[0], end: v[1] });
+    let step = (trace.nodes().len() - 1) / n;
+    // As many nodal values as the discrete solution has: a ring does not repeat its first one.
+    let interpolant: Vec<f64> = (0..solution.values.len()).map(|i| trace.displacement()[i * step]).collect();
+    let mut discrete = solution.values.clone();
+    if discrete.len() == n {
+        discrete.push(discrete[0]);
+    }
+    let on_edge = EdgeTrace::new(vertices.clone(), discrete, vec![0.0; n + 1], f64::INFINITY)?;
+    let squared = |values: &[f64]| problem.error(n, values).map(|e| e.value * e.value);
+    let mut row = FalkRow {
+        n,
+        error: squared(&solution.values)?,
+        approximation: squared(&interpolant)?,
+        kkt: solution.judgement.worst(),
+        ..FalkRow::default()
+    };
+    row.consistency = sum(segments().map(|s| nodal_term(trace, s)));
+    row.second_part = sum(segments().map(|s| midpoint_term(trace, s)));
+    // σ_N = −λ: −∫ σ_N w = Σ λ_i w(x_i).
+    let work: Vec<f64> = trace
+        .nodes()
+        .iter()
+        .zip(trace.force())
+        .map(|(&x, force)| force * on_edge.displacement_at(x))
+        .collect();
+    row.second_infimum = sum(work.iter().copied());
+    // −∫ π^h σ_N w = Σ_T F_T mean_T w; mean_T u_N enters through the second part.
+    let projected = sum(segments().enumerate().map(|(i, s)| {
+        let mean = 0.5 * (on_edge.displacement()[i] + on_edge.displacement()[i + 1]);
+        force_in(trace, s) * mean
+    }));
+    row.first_part = row.second_infimum - projected - row.second_part;
+    Ok(row)
+}
+
+/// −∫_T σ_N: forces at inner vertices count half.
+fn force_in(trace: &EdgeTrace, segment: Interval) -> f64 {
+    let nodes = trace.nodes();
+    let (from, to) =
+        (nodes.partition_point(|&x| x < segment.start), nodes.partition_point(|&x| x <= segment.end));
+    let last = nodes.len() - 1;
+    sum((from..to).map(|i| {
+        let is_vertex = nodes[i] == segment.start || nodes[i] == segment.end;
+        let share = if is_vertex && i > 0 && i < last { 0.5 } else { 1.0 };
+        share * trace.force()[i]
+    }))
+}
+
+fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    terms.fold(0.0, |sum, term| sum + term)
+}
