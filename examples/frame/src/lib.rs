@@ -5,7 +5,7 @@
 
 mod rates;
 
-pub use rates::{RateOptions, RateScene, rates};
+pub use rates::*;
 
 use clap::{Args, Parser};
 use indicatif::{ProgressBar, ProgressStyle};

@@ -4,17 +4,17 @@
 //! cell. Corners between a Dirichlet side and the contact edge, opened to ω, have u ~ r^{π/(2ω)} and τ = 1 + π/(2ω): 7/4 at 120
 //! degrees. Fat Cantor sets repeat themselves after a factor 2^{1/(4−2τ)} in h, so that only τ ≤ 1.8 shows several periods. At corners f = −1 is constant and u < 0 by the maximum principle: the contact edge is free, the corner is all there is.
 
-use super::bounds::Bound;
-use super::fit::Fit;
-use super::mesh_rates::MeshRates;
-use super::store::LevelStore;
-use super::strip_rates::{RateStrip, SceneFamily};
-use super::study::{Quantity, RateStudy};
-use crate::contact::Cone;
-use crate::error::Result;
-use crate::report::{Cell, Column, Format, Headline, Table, Verdict};
-use crate::scenes::{Scene, Setting};
-use crate::strip::{Levels, SceneKind, SceneSource, StripKind};
+use signorini::cone::Cone;
+use signorini::convergence::Bound;
+use signorini::convergence::Fit;
+use signorini::convergence::LevelMemory;
+use signorini::convergence::MeshRates;
+use signorini::convergence::{Quantity, RateStudy};
+use signorini::convergence::{RateStrip, SceneFamily};
+use signorini::error::Result;
+use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
+use signorini::scenes::{Scene, Setting};
+use signorini::strip::{Levels, SceneKind, SceneSource, StripKind};
 
 /// Scenes on one strip: its levels, its reference grid, and each scene with its τ.
 #[derive(Debug, Clone)]
@@ -117,7 +117,7 @@ impl TheoremPlan {
     pub fn run(
         &self,
         cone: Cone,
-        store: &mut LevelStore,
+        store: &mut dyn LevelMemory,
         report: &mut dyn FnMut(),
     ) -> Result<Vec<RateStudy>> {
         let mut studies = Vec::new();
