@@ -11,7 +11,7 @@
 //! | (1.1), norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`], [`sobolev::closed_forms`] |
 //! | dual norms | [`sobolev::dual_norm_of_functional`], [`interpolation::DualNorm`] |
 //! | **2. Signorini's problem** | [`contact`] |
-//! | (2.1)-(2.7), body, conditions, weak form; Figure 2.1 | [`mesh`], [`fem`], [`contact::ContactProblem`], [`scenes::Scene`] |
+//! | (2.1)-(2.7), body, conditions, weak form; Figure 2.1 | [`mesh`], [`fem`], [`contact::ContactProblem`], [`scenes::MeshScene`] |
 //! | Remark 1, the scalar problem | [`fem::Form::Scalar`] |
 //! | (2.8), (2.9), linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
 //! | the same on a strip, reduced to its contact edge | [`strip`] |

@@ -11,8 +11,8 @@ impl ContactProblem {
     /// The discrete solution in the given cone by the given solver, judged. The active set starts without contact.
     ///
     /// ```
-    /// use signorini::{contact::{Cone, Solver}, scenes::Scene};
-    /// let solution = Scene::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// use signorini::{contact::{Cone, Solver}, scenes::MeshScene};
+    /// let solution = MeshScene::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
     /// assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-12);
     /// # Ok::<(), signorini::Error>(())
     /// ```

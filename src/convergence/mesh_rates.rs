@@ -14,8 +14,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Form;
 use crate::mesh::{Hierarchy, Triangulation};
-use crate::scenes::scene_regularity;
-use crate::scenes::{Scene, Setting};
+use crate::scenes::{MeshScene, Setting};
 
 /// Uniform refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 1;
@@ -28,7 +27,7 @@ const ROUNDING: f64 = 1e-13;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshRates {
     /// The scene.
-    pub scene: Scene,
+    pub scene: MeshScene,
     /// Its parameters.
     pub setting: Setting,
     /// f = −1 in place of the load of the scene. Where u = 0 is prescribed on the rest of the boundary or nothing, a constant f < 0
@@ -56,10 +55,10 @@ impl MeshRates {
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;
         let norm = problem.energy_norm(&solution)?;
         let reference = Reference { rates: *self, hierarchy, problem, solution, norm };
-        let tau = scene_regularity(self.scene, &self.setting)?;
+        let tau = self.scene.regularity(&self.setting)?;
         let name = match self.scene {
-            Scene::Corner if self.constant_load => format!("corner {} f=-1", self.setting.angle),
-            Scene::Corner => format!("corner {}", self.setting.angle),
+            MeshScene::Corner if self.constant_load => format!("corner {} f=-1", self.setting.angle),
+            MeshScene::Corner => format!("corner {}", self.setting.angle),
             scene => scene.to_string(),
         };
         let h_r = 1.0 / (self.coarsest << (self.levels - 1 + REFERENCE_DEPTH)) as f64;
@@ -80,7 +79,7 @@ impl MeshRates {
         if !self.constant_load {
             return self.scene.on_with(mesh, &self.setting);
         }
-        if self.scene != Scene::Corner {
+        if self.scene != MeshScene::Corner {
             return Err(Error::UnknownName {
                 what: "scene with a constant load",
                 given: self.scene.to_string(),

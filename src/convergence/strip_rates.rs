@@ -8,14 +8,14 @@ use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::memory::{LevelKey, LevelMemory};
 use super::study::{RateReference, RateStudy};
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
 use crate::estimate::Estimate;
-use crate::scenes::TransitionPowers;
+use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{
-    EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, Sides,
-    StripKind, StripProblem, solve_contact,
+    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, Settings, Sides, StripKind, StripProblem,
+    solve_contact,
 };
 
 /// The reference grid is this much finer than the finest level that counts.
@@ -40,7 +40,7 @@ pub struct SceneFamily<'a> {
     /// How many members.
     pub count: usize,
     /// Member i on an edge of so many cells.
-    pub member: Box<dyn Fn(usize, usize) -> Result<EdgeScene> + 'a>,
+    pub member: Box<dyn Fn(usize, usize) -> Result<EdgeData> + 'a>,
 }
 
 impl SceneFamily<'_> {
@@ -50,7 +50,7 @@ impl SceneFamily<'_> {
     /// # Errors
     /// [`Error::CountOutOfRange`] for no position.
     pub fn named(
-        source: &SceneSource,
+        source: &StripScene,
         tau: f64,
         kind: StripKind,
         coarsest: usize,
@@ -63,26 +63,21 @@ impl SceneFamily<'_> {
         let name = source.to_string();
         let source = source.clone();
         Ok(match source {
-            SceneSource::Built(SceneKind::Transition { position }) => Self {
+            StripScene::Transition { position } => Self {
                 name,
                 tau,
                 count: positions,
                 member: Box::new(move |i, cells| {
                     let position = position + i as f64 / positions as f64 / coarsest as f64;
                     match sides {
-                        Sides::Natural => TransitionPowers::of_regularity(tau).scene(position, cells),
-                        Sides::Periodic => {
-                            EdgeScene::build(SceneKind::Transition { position }, tau, cells, sides)
-                        }
+                        Sides::Natural => TransitionPowers::of_regularity(tau).data(position, cells),
+                        Sides::Periodic => StripScene::Transition { position }.data(tau, cells, sides),
                     }
                 }),
             },
-            _ => Self {
-                name,
-                tau,
-                count: 1,
-                member: Box::new(move |_, cells| source.scene(tau, cells, sides)),
-            },
+            _ => {
+                Self { name, tau, count: 1, member: Box::new(move |_, cells| source.data(tau, cells, sides)) }
+            }
         })
     }
 }
@@ -154,7 +149,7 @@ impl RateStrip {
         &mut self,
         family: &SceneFamily<'_>,
         i: usize,
-        scene: &mut Option<EdgeScene>,
+        scene: &mut Option<EdgeData>,
         cone: Cone,
         memory: &mut dyn LevelMemory,
         report: &mut dyn FnMut(),
@@ -194,7 +189,7 @@ impl RateStrip {
         Ok(known.into_iter().flatten().collect())
     }
 
-    fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+    fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         if let Some(problem) = &mut self.problem {
             return problem.set_scene(scene);
         }

@@ -11,8 +11,8 @@
 
 use super::defect::{halving, harmonic_defect, harmonic_symbol};
 use super::edge::EdgeOperator;
+use super::edge_data::EdgeData;
 use super::scalar::{EdgeLoad, check_layers, scalar_symbol};
-use super::scene::EdgeScene;
 use super::sides::{Sides, check_length};
 use super::transfer::{prolong, restrict};
 use crate::error::{Error, Result};
@@ -77,7 +77,7 @@ impl ExactEdge {
     /// # Errors
     /// [`Error::UnknownName`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
     /// height gives a whole number of layers on it.
-    pub fn scalar(scene: &EdgeScene, height: (usize, usize), reference: Reference) -> Result<Self> {
+    pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
             return Err(Error::UnknownName {
                 what: "sides",
@@ -120,7 +120,7 @@ impl ExactEdge {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] when the grid is another one.
-    pub fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Natural);

@@ -21,6 +21,14 @@ impl Sides {
         }
     }
 
+    /// At least two cells, an even number on a ring, at most 2^26.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] otherwise.
+    pub fn check_cells(self, cells: usize) -> Result<()> {
+        check_cells(cells, self)
+    }
+
     /// The edge as a contact cone sees it: open, or with joined ends.
     pub(crate) fn ends(self) -> Ends {
         match self {

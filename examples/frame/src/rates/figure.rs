@@ -8,7 +8,8 @@ use signorini::convergence::{RateStrip, SceneFamily};
 use signorini::error::Result;
 use signorini::figures::{Axis, Chart, Series};
 use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
-use signorini::strip::{Levels, SceneSource, StripKind};
+use signorini::scenes::StripScene;
+use signorini::strip::{Levels, StripKind};
 
 /// What Figure 3.1 is measured on.
 #[derive(Debug, Clone)]
@@ -18,7 +19,7 @@ pub struct FigureRates {
     /// Which strip.
     pub kind: StripKind,
     /// The scene.
-    pub source: SceneSource,
+    pub source: StripScene,
     /// The levels.
     pub levels: Levels,
     /// The reference grid has 2 to this power cells.

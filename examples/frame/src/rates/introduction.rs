@@ -21,8 +21,9 @@ use signorini::convergence::{RateStrip, SceneFamily};
 use signorini::error::Result;
 use signorini::figures::{Axis, Chart, Series};
 use signorini::report::{Column, Format, Headline, Table, Verdict};
+use signorini::scenes::StripScene;
 use signorini::scenes::TransitionPowers;
-use signorini::strip::{Levels, SceneKind, SceneSource, StripKind};
+use signorini::strip::{Levels, StripKind};
 
 /// What a scene of a row is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,18 +104,18 @@ fn family(row: &Printed, levels: Levels) -> Result<SceneFamily<'static>> {
     let powers = match row.shape {
         Shape::Transition(powers) => powers,
         Shape::Many => {
-            let source = SceneSource::Built(SceneKind::Transitions { gaps: 11 });
+            let source = StripScene::Transitions { gaps: 11 };
             return SceneFamily::named(&source, tau, StripKind::Scalar, coarsest, 1);
         }
         Shape::FatCantor => {
-            let source = SceneSource::Built(SceneKind::FatCantor { depth: 30 });
+            let source = StripScene::FatCantor { depth: 30 };
             return SceneFamily::named(&source, tau, StripKind::Scalar, coarsest, 1);
         }
     };
     let cell = 1.0 / coarsest as f64;
     let start = (0.4 / cell).floor() * cell;
     // One and two thirds of a cell: doubling exchanges them.
-    let member = move |i: usize, cells| powers.scene(start + (i + 1) as f64 / 3.0 * cell, cells);
+    let member = move |i: usize, cells| powers.data(start + (i + 1) as f64 / 3.0 * cell, cells);
     let name = if powers.logarithm > 0.0 { "transition in H^2" } else { "transition" };
     Ok(SceneFamily { name: name.to_owned(), tau, count: 2, member: Box::new(member) })
 }

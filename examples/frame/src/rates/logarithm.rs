@@ -33,7 +33,7 @@ pub fn logarithm_studies(
             name: if alpha == 0.0 { "kink".to_owned() } else { format!("|ln r|^-{alpha}") },
             tau: 2.0,
             count: 2,
-            member: Box::new(move |i, cells| powers.scene(start + (i + 1) as f64 / 3.0 * cell, cells)),
+            member: Box::new(move |i, cells| powers.data(start + (i + 1) as f64 / 3.0 * cell, cells)),
         };
         for cone in [Cone::Nodal, Cone::Midpoint] {
             studies.push(strip.study(&family, cone, &mut NoMemory, report)?);

@@ -17,42 +17,18 @@ use signorini::contact::Cone;
 use signorini::convergence::{MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::report::{Headline, Verdict};
 use signorini::scenes::{Scene, Setting};
-use signorini::strip::{Levels, SceneSource, StripKind};
+use signorini::strip::{Levels, StripKind};
 use signorini::{Error, Result};
 use std::path::Path;
-use std::str::FromStr;
 pub use store::LevelStore;
 pub use theorem::{TheoremPlan, theorem_headline};
-
-/// A scene on a strip or on a mesh.
-#[derive(Debug, Clone, PartialEq)]
-pub enum RateScene {
-    /// On a strip.
-    Strip(SceneSource),
-    /// On a mesh.
-    Mesh(Scene),
-}
-
-impl FromStr for RateScene {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        let mesh = text.parse().map(RateScene::Mesh);
-        mesh.or_else(|_| text.parse().map(RateScene::Strip)).map_err(|_: Error| Error::UnknownName {
-            what: "scene",
-            given: text.to_owned(),
-            expected: "transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE, \
-                       corner, block or membrane",
-        })
-    }
-}
 
 /// Errors and consistency terms against h for many regularities; with --scene one scene level by level
 #[derive(Debug, Clone, Parser)]
 pub struct RateOptions {
-    /// One scene, level by level: transition or transition:POSITION, transitions:COUNT, cantor, fat-cantor, corner, block or membrane
-    #[arg(long)]
-    pub scene: Option<RateScene>,
+    /// One scene, level by level
+    #[arg(long, help = format!("One scene, level by level: {}", Scene::names()))]
+    pub scene: Option<Scene>,
     /// Regularities (default: 1.55 to 1.95, 2, 2.1)
     #[arg(long, value_delimiter = ',', value_parser = regularity)]
     pub tau: Vec<f64>,
@@ -147,11 +123,11 @@ fn other_cone(cone: Cone, plan: &TheoremPlan, store: &mut LevelStore) -> Result<
 }
 
 /// One scene level by level.
-fn one_scene(cone: Cone, name: &str, scene: &RateScene, options: &RateOptions) -> Result<Headline> {
+fn one_scene(cone: Cone, name: &str, scene: &Scene, options: &RateOptions) -> Result<Headline> {
     let tau = options.tau.first().copied().unwrap_or(1.75);
     let count = options.levels.cells().count();
     let study = match scene {
-        RateScene::Strip(source) => {
+        Scene::Strip(source) => {
             let finest = options.levels.cells().max().unwrap_or(2);
             let mut strip = RateStrip::new(options.kind, options.levels, (32 * finest).min(1 << 22))?;
             let coarsest = options.levels.coarsest_cells();
@@ -161,7 +137,7 @@ fn one_scene(cone: Cone, name: &str, scene: &RateScene, options: &RateOptions) -
             bar.finish_and_clear();
             study
         }
-        RateScene::Mesh(scene) => {
+        Scene::Mesh(scene) => {
             let coarsest = options.levels.coarsest_cells();
             let rates = MeshRates {
                 scene: *scene,

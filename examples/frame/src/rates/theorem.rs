@@ -13,8 +13,9 @@ use signorini::convergence::{Quantity, RateStudy};
 use signorini::convergence::{RateStrip, SceneFamily};
 use signorini::error::Result;
 use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
-use signorini::scenes::{Scene, Setting};
-use signorini::strip::{Levels, SceneKind, SceneSource, StripKind};
+use signorini::scenes::StripScene;
+use signorini::scenes::{MeshScene, Setting};
+use signorini::strip::{Levels, StripKind};
 
 /// Scenes on one strip: its levels, its reference grid, and each scene with its τ.
 #[derive(Debug, Clone)]
@@ -26,7 +27,7 @@ pub struct StripGroup {
     /// The reference grid has 2 to this power cells.
     pub reference: u32,
     /// Scene, τ, positions of a single transition.
-    pub cases: Vec<(SceneSource, f64, usize)>,
+    pub cases: Vec<(StripScene, f64, usize)>,
 }
 
 /// What to study.
@@ -132,7 +133,8 @@ impl TheoremPlan {
         for &angle in &self.corners {
             let (coarsest, levels) = self.meshes;
             let setting = Setting { angle, ..Setting::default() };
-            let corner = MeshRates { scene: Scene::Corner, setting, constant_load: true, coarsest, levels };
+            let corner =
+                MeshRates { scene: MeshScene::Corner, setting, constant_load: true, coarsest, levels };
             studies.extend(corner.study(&[cone])?);
             report();
         }
@@ -140,27 +142,27 @@ impl TheoremPlan {
     }
 }
 
-type Cases = Vec<(SceneSource, f64, usize)>;
+type Cases = Vec<(StripScene, f64, usize)>;
 
 fn group(
     kind: StripKind,
     (from, to): (u32, u32),
     reference: u32,
-    cases: &[(SceneSource, f64, usize)],
+    cases: &[(StripScene, f64, usize)],
 ) -> Result<StripGroup> {
     Ok(StripGroup { kind, levels: Levels::new(from, to)?, reference, cases: cases.to_vec() })
 }
 
 fn transition(taus: &[f64], positions: usize) -> Cases {
-    taus.iter().map(|&tau| (SceneSource::transition(), tau, positions)).collect()
+    taus.iter().map(|&tau| (StripScene::transition(), tau, positions)).collect()
 }
 
 fn many(taus: &[f64]) -> Cases {
-    taus.iter().map(|&tau| (SceneSource::Built(SceneKind::Transitions { gaps: GAPS }), tau, 1)).collect()
+    taus.iter().map(|&tau| (StripScene::Transitions { gaps: GAPS }, tau, 1)).collect()
 }
 
 fn fat_cantor(taus: &[f64]) -> Cases {
-    taus.iter().map(|&tau| (SceneSource::Built(SceneKind::FatCantor { depth: 30 }), tau, 1)).collect()
+    taus.iter().map(|&tau| (StripScene::FatCantor { depth: 30 }, tau, 1)).collect()
 }
 
 /// Table, verdict and quoted numbers of a set of studies in one cone.

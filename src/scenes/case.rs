@@ -3,14 +3,11 @@
 //! The observed order of a transition alternates with its position in the cell; the mean of |u − u_h|² over evenly spread
 //! positions has no such phase.
 
-use super::exact::Reference;
-use super::scene::{EdgeScene, SceneKind};
-use super::sides::check_length;
-use super::source::SceneSource;
-use super::study::{Level, Levels, StripKind, StripProblem, study};
+use super::strip::StripScene;
 use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
+use crate::strip::{EdgeData, Level, Levels, Reference, StripKind, StripProblem, study};
 
 /// Largest number of positions of a transition.
 const POSITIONS: usize = 1024;
@@ -23,7 +20,7 @@ pub struct StripCase {
     /// The levels.
     pub levels: Levels,
     /// The scene.
-    pub source: SceneSource,
+    pub source: StripScene,
     /// τ of the scene; samples bring their own.
     pub tau: f64,
     /// The discrete cone.
@@ -57,28 +54,29 @@ impl StripCase {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for no position or too many.
-    pub fn sources(&self) -> Result<Vec<SceneSource>> {
+    pub fn sources(&self) -> Result<Vec<StripScene>> {
         let count = self.positions;
         if !(1..=POSITIONS).contains(&count) {
             return Err(Error::CountOutOfRange { name: "positions", value: count, range: "[1, 1024]" });
         }
-        let SceneSource::Built(SceneKind::Transition { position }) = self.source else {
+        let StripScene::Transition { position } = self.source else {
             return Ok(vec![self.source.clone()]);
         };
         let cell = 1.0 / self.levels.coarsest_cells() as f64;
-        let shifted = |i| SceneKind::Transition { position: position + i as f64 / count as f64 * cell };
-        Ok((0..count).map(|i| SceneSource::Built(shifted(i))).collect())
+        let shifted =
+            |i: usize| StripScene::Transition { position: position + i as f64 / count as f64 * cell };
+        Ok((0..count).map(shifted).collect())
     }
 
     /// Solves all levels at all positions; `report` is called after each level.
     ///
     /// # Errors
-    /// As [`StripCase::sources`], [`SceneSource::scene`], [`StripProblem::new`] and [`study`].
+    /// As [`StripCase::sources`], [`StripScene::data`], [`StripProblem::new`] and [`study`].
     pub fn solve(&self, mut report: impl FnMut(&Level)) -> Result<CaseStudy> {
         let sources = self.sources()?;
         let build =
-            |source: &SceneSource| source.scene(self.tau, self.levels.reference_cells(), self.kind.sides());
-        let first: EdgeScene = build(&sources[0])?;
+            |source: &StripScene| source.data(self.tau, self.levels.reference_cells(), self.kind.sides());
+        let first: EdgeData = build(&sources[0])?;
         let finest = self.levels.finest_cells();
         if first.cells() < finest {
             return Err(Error::LengthMismatch {
@@ -96,10 +94,7 @@ impl StripCase {
             studies.push(study(&problem, self.levels, self.cone, &mut report)?);
         }
         let errors = mean_errors(&studies)?;
-        let planned_gaps = match self.source {
-            SceneSource::Built(kind) => Some(kind.gaps()),
-            SceneSource::Samples(_) => None,
-        };
+        let planned_gaps = self.source.gaps();
         let (regularity, gaps, scene_cells) = (first.regularity(), first.gaps(), first.cells());
         Ok(CaseStudy { studies, errors, regularity, gaps, planned_gaps, scene_cells })
     }
@@ -139,7 +134,10 @@ pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
         return Err(Error::CountOutOfRange { name: "studies", value: 0, range: "[1, inf)" });
     };
     for study in studies {
-        check_length("study", study.len(), first.len())?;
+        if study.len() != first.len() {
+            let (name, given, expected) = ("study", study.len(), first.len());
+            return Err(Error::LengthMismatch { name, given, expected });
+        }
     }
     let count = studies.len() as f64;
     (0..first.len())

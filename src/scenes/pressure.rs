@@ -1,6 +1,6 @@
-//! Contact forces of a scene.
+//! Contact forces of a scene: a density that is a power of the distance to the gap.
 
-use super::sides::Sides;
+use crate::strip::Sides;
 
 /// Nodal forces of the density dist^q on the contact cells (both ends in contact), dist to the nearest gap; half of each
 /// cell's integral goes to either end.
