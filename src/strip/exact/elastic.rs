@@ -11,12 +11,13 @@ use super::grids::{layers_on, level_of, power_of_two, pyramid};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Lame;
+use crate::numeric::check::require_length;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
 use crate::strip::operator::elastic_defect::{aliased, halvings};
 use crate::strip::operator::load::EdgeLoad;
-use crate::strip::sides::{Sides, check_length};
+use crate::strip::sides::Sides;
 use crate::strip::transfer::prolong;
 use realfft::num_complex::Complex;
 
@@ -144,7 +145,7 @@ impl ExactElastic {
     /// As [`ExactElastic::load`], `cells` not below the coarsest grid; [`Error::LengthMismatch`].
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
-        check_length("edge values", values.len(), cells)?;
+        require_length("edge values", values.len(), cells)?;
         let flat = |n: usize| EdgeOperator::new(n, Sides::Periodic, vec![1.0; n / 2 + 1]);
         let coarse = flat(cells)?;
         let discrete = displacement(&coarse, &self.matrices[level], values)?;

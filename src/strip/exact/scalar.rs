@@ -13,12 +13,13 @@ use super::grids::{layers_on, level_of, power_of_two, pyramid};
 use super::reference::Reference;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
+use crate::numeric::check::require_length;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::defect::{halving, harmonic_defect, harmonic_symbol};
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::load::EdgeLoad;
 use crate::strip::operator::scalar::scalar_symbol;
-use crate::strip::sides::{Sides, check_length};
+use crate::strip::sides::Sides;
 use crate::strip::transfer::prolong;
 use std::f64::consts::PI;
 
@@ -128,7 +129,7 @@ impl ExactEdge {
     /// As [`ExactEdge::load`]; [`Error::LengthMismatch`].
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
-        check_length("edge values", values.len(), cells + 1)?;
+        require_length("edge values", values.len(), cells + 1)?;
         let mut fine = values.to_vec();
         for step in (0..level).rev() {
             fine = prolong(&fine, (self.cells >> step) + 1);

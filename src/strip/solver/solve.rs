@@ -10,14 +10,16 @@
 //! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion along each run.
 //! Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
-use super::inner::{FaceSolver, dot};
+use super::inner::FaceSolver;
 use super::solution::EdgeSolution;
 use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
+use crate::numeric::check::require_finite;
+use crate::numeric::scale::largest;
+use crate::numeric::sum::pairwise_dot;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::load::EdgeLoad;
-use crate::strip::sides::check_finite;
 use crate::strip::transfer::prolong;
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -86,12 +88,8 @@ fn solve_scaled(
     let mut solution = iteration.finish(status)?;
     solution.values.iter_mut().chain(&mut solution.multiplier).for_each(|v| *v *= scale);
     solution.energy = solution.energy * scale * scale + load.constant;
-    check_finite("energy", &[solution.energy])?;
+    require_finite("energy", &[solution.energy])?;
     Ok(solution)
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
 struct Iteration<'a> {
@@ -256,7 +254,7 @@ impl<'a> Iteration<'a> {
             status => status,
         };
         let margins = evidence.margins(&self.active)?;
-        let energy = 0.5 * dot(&self.values, &product) - dot(self.b, &self.values);
+        let energy = 0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
         Ok(EdgeSolution {
             multiplier,
             contact: ContactSet::new(self.active),
