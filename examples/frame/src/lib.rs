@@ -3,6 +3,7 @@
 //! An example is one function `run(&Options) -> signorini::Result<Headline>` and a `main` of one line. Exit codes:
 //! 0 the statement is confirmed, 1 it is not, 2 bad input (one clear line on stderr).
 
+pub mod poincare;
 mod rates;
 
 pub use rates::{RateOptions, RateScene, rates};
