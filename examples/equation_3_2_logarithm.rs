@@ -5,7 +5,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
 use signorini::Result;
-use signorini::analysis::{logarithm_chart, logarithm_headline, logarithm_studies};
+use signorini::convergence::{logarithm_chart, logarithm_headline, logarithm_studies};
 use signorini::report::Headline;
 use signorini::strip::Levels;
 use std::process::ExitCode;

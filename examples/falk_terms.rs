@@ -5,8 +5,9 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::{falk_chart, falk_headline, falk_terms};
+use signorini::analysis::{falk_chart, falk_headline};
 use signorini::contact::Cone;
+use signorini::proof::falk_terms;
 use signorini::report::Headline;
 use signorini::strip::{Levels, Reference, SceneSource, StripCase, StripKind};
 use std::process::ExitCode;

@@ -4,7 +4,7 @@
 
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
-use signorini::analysis::{FigureRates, figure_chart, figure_headline};
+use signorini::convergence::{FigureRates, figure_chart, figure_headline};
 use signorini::report::Headline;
 use signorini::strip::{Levels, SceneSource, StripKind};
 use signorini::{Error, Result};

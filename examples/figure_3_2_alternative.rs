@@ -6,7 +6,9 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::{Against, AlternativeCase, ContactSource, Section, ThetaRule};
+use signorini::analysis::ContactSource;
+use signorini::proof::Against;
+use signorini::proof::{AlternativeCase, Section, ThetaRule};
 use signorini::report::Headline;
 use signorini::scenes::Scene;
 use std::process::ExitCode;

@@ -5,7 +5,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
 use signorini::Result;
-use signorini::analysis::{
+use signorini::convergence::{
     introduction_chart, introduction_headline, introduction_rows, introduction_studies,
 };
 use signorini::report::Headline;

@@ -4,8 +4,8 @@
 
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
-use signorini::analysis::Bound;
 use signorini::contact::Cone;
+use signorini::convergence::Bound;
 use signorini::figures::{Axis, Chart, Series};
 use signorini::report::{Headline, Verdict};
 use signorini::strip::{Levels, Reference, SceneSource, StripCase, StripKind, level_table, mean_order};

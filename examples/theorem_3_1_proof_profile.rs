@@ -5,7 +5,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::{ProofCase, ProofConstants, Resolution, Section, ThetaRule};
+use signorini::proof::{ProofCase, ProofConstants, Resolution, Section, ThetaRule};
 use signorini::report::Headline;
 use signorini::strip::{Levels, SceneSource};
 use std::process::ExitCode;

@@ -5,7 +5,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::ElementBalance;
+use signorini::proof::ElementBalance;
 use signorini::report::Headline;
 use signorini::strip::Levels;
 use std::process::ExitCode;

@@ -15,18 +15,18 @@
 //! | Remark 1, the scalar problem | [`fem::Form::Scalar`] |
 //! | (2.8), (2.9), linear elements and the cone K^h | [`contact::Cone::Nodal`], [`contact::Solver`], [`contact::Judgement`] |
 //! | the same on a strip, reduced to its contact edge | [`strip`] |
-//! | **3. Error analysis** | [`analysis`] |
-//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`analysis::RateStudy`], [`analysis::TheoremPlan`] |
-//! | why no contact set is bad | [`analysis::worst_ratio`] |
-//! | Figures 3.2 and 4.1, first and second case | [`analysis::AlternativeCase`], [`analysis::Classification`] |
-//! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`analysis::ProofCase`], [`analysis::ProofConstants`], [`analysis::ContactPair`] |
-//! | "Globally", the choice of theta | [`analysis::ElementBalance`] |
-//! | Falk's lemma, (4.5), (4.8), term by term | [`analysis::falk_terms`] |
+//! | **3. Error analysis** | [`edge`], [`proof`], [`convergence`] |
+//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::TheoremPlan`] |
+//! | why no contact set is bad | [`proof::worst_ratio`] |
+//! | Figures 3.2 and 4.1, first and second case | [`proof::AlternativeCase`], [`proof::Classification`] |
+//! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |
+//! | "Globally", the choice of theta | [`proof::ElementBalance`] |
+//! | Falk's lemma, (4.5), (4.8), term by term | [`proof::falk_terms`] |
 //! | Remark 2, no better bound in the dual norm | [`interpolation::DualNorm`] |
 //! | (3.6), (3.10), embedding constants C(q) | [`interpolation::embedding_upper_bound`], [`interpolation::EmbeddingSpace`] |
 //! | **4. Another contact condition** | |
 //! | (4.1), the midpoint cone | [`contact::Cone::Midpoint`] |
-//! | Theorem 4.1, Figure 4.1, (4.5), (4.8)-(4.14) | [`analysis`] |
+//! | Theorem 4.1, Figure 4.1, (4.5), (4.8)-(4.14) | [`proof`] |
 //! | (4.6), (4.7), Remark 4, projection on constants | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
 //! | **5. Appendix A, Poincaré constants** | [`poincare`] |
 //! | Lemma 5.1, (5.4), the constant exists | [`poincare::gamma`], [`poincare::extremal`] |
@@ -57,6 +57,8 @@ pub mod analysis;
 #[cfg(doctest)]
 mod book;
 pub mod contact;
+pub mod convergence;
+pub mod edge;
 pub mod error;
 pub mod estimate;
 pub mod fem;
@@ -64,6 +66,7 @@ pub mod figures;
 pub mod interpolation;
 pub mod mesh;
 pub mod poincare;
+pub mod proof;
 pub mod quadrature;
 pub mod report;
 pub mod scenes;

@@ -1,7 +1,7 @@
 //! Falk's lemma for both cones: its terms on computed solutions, their known infima, and (4.8).
 
-use signorini::analysis::falk_terms;
 use signorini::contact::Cone;
+use signorini::proof::falk_terms;
 use signorini::strip::{Levels, Reference, SceneSource, StripCase, StripKind};
 
 #[allow(dead_code)]

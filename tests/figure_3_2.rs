@@ -1,8 +1,9 @@
 //! Figure 3.2: every contact segment of a computed solution is in the first or the second case.
 
-use signorini::analysis::{
-    Against, AlternativeCase, ContactSource, EdgeTrace, Interval, NearVertices, Section, ThetaRule,
-};
+use signorini::analysis::ContactSource;
+use signorini::edge::{EdgeTrace, Interval};
+use signorini::proof::Against;
+use signorini::proof::{AlternativeCase, NearVertices, Section, ThetaRule};
 use signorini::scenes::Scene;
 
 #[allow(dead_code)]
@@ -120,8 +121,8 @@ fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
         )
     };
     let study = case.over_theta().unwrap();
-    let first = |c: &signorini::analysis::Classification| c.count("first") + c.count("both");
-    let second = |c: &signorini::analysis::Classification| c.count("second") + c.count("both");
+    let first = |c: &signorini::proof::Classification| c.count("first") + c.count("both");
+    let second = |c: &signorini::proof::Classification| c.count("second") + c.count("both");
     for pair in study.rows().windows(2) {
         assert!(first(&pair[0].classification) >= first(&pair[1].classification));
         assert!(second(&pair[0].classification) <= second(&pair[1].classification));

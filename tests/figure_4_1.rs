@@ -1,8 +1,9 @@
 //! Figure 4.1: the contact set of every segment of a computed solution has a diameter below or above h_e θ.
 
-use signorini::analysis::{
-    Against, AlternativeCase, ContactSource, EdgeTrace, Interval, Section, SetDiameter, ThetaRule,
-};
+use signorini::analysis::ContactSource;
+use signorini::edge::{EdgeTrace, Interval};
+use signorini::proof::Against;
+use signorini::proof::{AlternativeCase, Section, SetDiameter, ThetaRule};
 use signorini::scenes::Scene;
 
 #[allow(dead_code)]

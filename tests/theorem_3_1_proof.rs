@@ -1,10 +1,11 @@
 //! Theorem 3.1, its proof: (3.3)-(3.15) on computed pairs, each side by itself, and the ladder of bounds.
 
 use signorini::Tolerance;
-use signorini::analysis::{
-    ContactPair, EdgeTrace, Interval, NearVertices, ProofCase, ProofConstants, Resolution, Section,
-    SegmentNorms, SegmentTrace, SeminormForm, ThetaRule, Traces, seminorm_by_quadrature,
+use signorini::edge::{
+    ContactPair, EdgeTrace, Interval, SegmentNorms, SegmentTrace, SeminormForm, Traces,
+    seminorm_by_quadrature,
 };
+use signorini::proof::{NearVertices, ProofCase, ProofConstants, Resolution, Section, ThetaRule};
 use signorini::sobolev::FractionalOrder;
 use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides};
 
@@ -257,17 +258,17 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
                 assert!(
                     norms.displacement_norm_squared().is_finite() && norms.stress.norm_squared().is_finite()
                 );
-                let setting = signorini::analysis::SegmentSetting {
+                let setting = signorini::proof::SegmentSetting {
                     theta: 0.25,
                     gamma: *gamma,
                     own_gamma: 0.0,
                     law: constants.law(0.25),
                     corrected_law: constants.corrected_law(0.25),
                 };
-                for check in signorini::analysis::section_three_checks(&norms, constants, &setting) {
+                for check in signorini::proof::section_three_checks(&norms, constants, &setting) {
                     assert!(check.holds(), "{name} tau {tau}: {check:?}");
                 }
-                for check in signorini::analysis::section_four_checks(&norms, constants, &setting) {
+                for check in signorini::proof::section_four_checks(&norms, constants, &setting) {
                     assert!(check.holds(), "{name} tau {tau}: {check:?}");
                 }
             }

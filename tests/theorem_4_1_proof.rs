@@ -1,6 +1,6 @@
 //! Theorem 4.1, its proof: (4.9)-(4.14) on computed pairs, each side by itself, and the ladder of bounds.
 
-use signorini::analysis::{ProofCase, ProofConstants, Resolution, Section, ThetaRule};
+use signorini::proof::{ProofCase, ProofConstants, Resolution, Section, ThetaRule};
 use signorini::strip::{Levels, SceneKind, SceneSource};
 
 #[allow(dead_code)]

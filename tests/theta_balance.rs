@@ -1,6 +1,7 @@
 //! Section 3, "Globally": the bounds of both cases over θ against the worst complementary pair of one element.
 
-use signorini::analysis::{ContactPair, ElementBalance, SegmentNorms, SeminormForm, Traces};
+use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
+use signorini::proof::ElementBalance;
 use signorini::strip::{EdgeScene, Levels, Sides};
 
 #[allow(dead_code)]

@@ -4,8 +4,8 @@
 #[path = "../examples/worst_contact_set.rs"]
 mod example;
 
-use signorini::analysis::worst_ratio;
 use signorini::contact::Cone;
+use signorini::proof::worst_ratio;
 
 #[test]
 fn no_set_is_bad() {

@@ -1,11 +1,9 @@
 //! What is printed and drawn of a study of the alternatives.
 
-use super::alternative_study::AlternativeStudy;
-use super::classification::Section;
-use super::contact_source::Against;
-use super::orders::observed_orders;
+use crate::convergence::observed_orders;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, PALETTE, Series};
+use crate::proof::{Against, AlternativeStudy, Classification, Section};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use std::path::Path;
 
@@ -142,7 +140,7 @@ impl AlternativeStudy {
         let y = Axis::linear("share").range(-0.05, 1.05);
         let mut chart = Chart::new(title, Axis::logarithmic(label), y);
         for (name, colour) in CASES.into_iter().zip([PALETTE[4], PALETTE[5], PALETTE[2]]) {
-            let points = |share: &dyn Fn(&super::Classification) -> f64| -> Vec<(f64, f64)> {
+            let points = |share: &dyn Fn(&Classification) -> f64| -> Vec<(f64, f64)> {
                 self.rows
                     .iter()
                     .map(|r| (if over_theta { r.theta } else { 1.0 / r.n as f64 }, share(&r.classification)))

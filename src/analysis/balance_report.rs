@@ -1,10 +1,8 @@
 //! The balance of θ: what is printed and drawn.
 
-use super::alternatives::printed_theta;
-use super::balance::{ElementBalance, WorstPair};
-use super::profile::Exponent;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, Series};
+use crate::proof::{ElementBalance, Exponent, WorstPair, printed_theta};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 
 /// Bounds and worst cases of one element length.

@@ -1,10 +1,9 @@
 //! What is printed and drawn of the terms of Falk's lemma.
 
-use super::falk::FalkRow;
-use super::profile::Exponent;
 use crate::contact::Cone;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, Series};
+use crate::proof::{Exponent, FalkRow};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use crate::strip::StripCase;
 
@@ -23,7 +22,7 @@ const TERMS: [Term; 6] = [
     ("(4.8), second part", |r| r.second_part),
 ];
 
-/// Claim, table and verdict of [`super::falk_terms`].
+/// Claim, table and verdict of [`crate::proof::falk_terms`].
 ///
 /// # Errors
 /// [`crate::Error::CountOutOfRange`] with fewer than three meshes.

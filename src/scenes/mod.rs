@@ -16,9 +16,13 @@
 //! inside a straight edge, r^{3/2}.
 
 pub mod manufactured;
+mod regularity;
 mod study;
+mod transition_powers;
 
+pub use regularity::{clamped_free_exponent, scene_regularity};
 pub use study::{AGREEMENT, JUDGED, SceneRun, SceneStudy};
+pub use transition_powers::TransitionPowers;
 
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};

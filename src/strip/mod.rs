@@ -15,7 +15,6 @@
 
 mod case;
 mod chain;
-mod consistency;
 mod contact_sets;
 mod defect;
 mod edge;
@@ -39,12 +38,12 @@ mod source;
 mod study;
 
 pub use case::{CaseStudy, StripCase, mean_errors};
-pub use consistency::consistency_terms;
 pub use edge::EdgeOperator;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
 pub use exact_elastic::ExactElastic;
 pub use listing::{level_table, mean_order};
+pub(crate) use pressure::restrict;
 pub use scalar::{EdgeLoad, ScalarStrip};
 pub use scene::{EdgeScene, SceneKind};
 pub use sides::Sides;

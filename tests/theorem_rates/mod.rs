@@ -1,12 +1,10 @@
 //! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
 
-use signorini::analysis::{
-    Bound, EdgeTrace, Interval, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily,
-    midpoint_term, nodal_term,
-};
 use signorini::contact::Cone;
+use signorini::convergence::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
+use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
 use signorini::scenes::{Scene, Setting};
-use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides, StripKind, consistency_terms};
+use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides, StripKind};
 
 /// The window of h is finite: orders of known scenes come out this close to τ − 1.
 const ORDER: f64 = 0.02;

@@ -2,10 +2,10 @@
 
 use crate::{HasOutput, Output, progress};
 use clap::Parser;
-use signorini::analysis::{
+use signorini::contact::Cone;
+use signorini::convergence::{
     LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily, TheoremPlan, theorem_headline,
 };
-use signorini::contact::Cone;
 use signorini::report::{Headline, Verdict};
 use signorini::scenes::{Scene, Setting};
 use signorini::strip::{Levels, SceneSource, StripKind};

@@ -4,7 +4,7 @@
 //! form; seminorms by [`SeminormForm`]. Cost: O(K log K) for a segment of K cells.
 
 use super::pair::Segment;
-use super::segment_seminorm::SeminormForm;
+use super::seminorm::SeminormForm;
 use crate::error::Result;
 use crate::estimate::Estimate;
 use crate::quadrature::Rule;
@@ -137,7 +137,7 @@ impl SegmentNorms {
     }
 
     /// Rounding of u_N at a point: cell by cell its values come from sums of that size.
-    pub(super) fn rounding(&self) -> f64 {
+    pub(crate) fn rounding(&self) -> f64 {
         64.0 * f64::EPSILON * self.depth
     }
 

@@ -5,12 +5,12 @@
 //! B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each level, an O(h²) change of the data.
 
 use super::level::RateLevel;
-use super::regularity::scene_regularity;
 use super::study::RateStudy;
 use crate::contact::{Cone, ContactProblem, Solver};
 use crate::error::{Error, Result};
 use crate::fem::Form;
 use crate::mesh::{Hierarchy, Triangulation};
+use crate::scenes::scene_regularity;
 use crate::scenes::{Scene, Setting};
 use std::time::Instant;
 

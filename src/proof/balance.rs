@@ -28,8 +28,8 @@
 //! better than (3.8). At τ < 2 the balance moves to θ = h^{τ−3/2} and the bound to h^{2τ−2−(τ−3/2)(2−τ)}: half of what the
 //! printed proof loses is a matter of (3.7).
 
-use super::pair::Traces;
-use super::profile::ProofConstants;
+use super::constants::ProofConstants;
+use crate::edge::Traces;
 use crate::error::{Error, Result};
 use crate::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
 use faer::linalg::solvers::Solve;

@@ -5,15 +5,15 @@
 //! singularity of order p lacks a share (h_r/h)^{2p} of e²; fits account for it where it is large, τ ≤ 3/2.
 
 use super::level::RateLevel;
-use super::norms::edge_norm;
 use super::store::LevelStore;
 use super::study::RateStudy;
-use super::transitions::TransitionPowers;
 use crate::contact::Cone;
+use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
+use crate::scenes::TransitionPowers;
 use crate::strip::{
     EdgeOperator, EdgeScene, EdgeSolution, Levels, Reference, SceneKind, SceneSource, Settings, Sides,
-    StripKind, StripProblem, consistency_terms, solve_contact,
+    StripKind, StripProblem, solve_contact,
 };
 use std::time::Instant;
 

@@ -1,18 +1,9 @@
 //! Every contact segment of a coarse mesh, its cases, and what it adds to the consistency term.
 
 use super::alternatives::{Alternative, NearVertices, SetDiameter};
-use super::consistency::{midpoint_term, nodal_term};
-use super::edge_trace::{EdgeTrace, Interval};
+use super::section::Section;
+use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::{Error, Result};
-
-/// Which of the two alternatives, with the consistency term it serves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Section {
-    /// Section 3, Figure 3.2: zeros of u_N near both vertices; ∫ σ_N (I^h u)_N.
-    Three,
-    /// Section 4, Figure 4.1: diameter of C_T; ∫ (σ_N − π^h σ_N)(π^h u_N − u_N).
-    Four,
-}
 
 /// One contact segment.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -15,13 +15,13 @@
 
 use super::fit::Fit;
 use super::store::LevelStore;
-use super::strip::{RateStrip, SceneFamily};
+use super::strip_rates::{RateStrip, SceneFamily};
 use super::study::{Quantity, RateStudy};
-use super::transitions::TransitionPowers;
 use crate::contact::Cone;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, Series};
 use crate::report::{Column, Format, Headline, Table, Verdict};
+use crate::scenes::TransitionPowers;
 use crate::strip::{Levels, SceneKind, SceneSource, StripKind};
 
 /// What a scene of a row is.

@@ -1,9 +1,10 @@
 //! (3.3)-(3.15) on one segment.
 
+use super::constants::ProofConstants;
 use super::inequality::Check;
-use super::ladder::RUNGS;
-use super::{ProofConstants, SegmentSetting, first_case_three, second_case_three};
-use crate::analysis::segment::SegmentNorms;
+use super::setting::{SegmentSetting, first_case_three, second_case_three};
+use super::step::RUNGS;
+use crate::edge::SegmentNorms;
 
 /// Every inequality of the cases that hold on a segment (both, where both do).
 pub fn section_three_checks(

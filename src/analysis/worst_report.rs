@@ -2,21 +2,20 @@
 //!
 //! Two searches. Sets of every kind on the whole edge, their terms on levels 2^3 ... 2^15 from the exact data (no discrete problem is solved),
 //! with the order of the root of the term and its largest share of ½ h^{2τ−2} |σ_N| |u_N'|. And all contact sets on one segment, where the worst is known to
-//! be the complement of gaps at its ends ([`super::worst_ratio`]): a grid of gaps down to 10^{−5}.
+//! be the complement of gaps at its ends ([`worst_ratio`]): a grid of gaps down to 10^{−5}.
 //!
 //! A set shows its order only on levels finer than its smallest piece. On coarser ones a Cantor set with σ_N = −1 on short pieces looks
 //! like point forces, of order below the theorem's exponent; its norm |σ_N|_{τ−3/2} is as large, so that the share tells the truth there.
 
-use super::bounds::Bound;
-use super::element::worst_ratio;
-use super::fit::Fit;
-use super::norms::edge_norms;
-use super::transitions::TransitionPowers;
 use crate::contact::Cone;
+use crate::convergence::{Bound, Fit};
+use crate::edge::{consistency_terms, edge_norms};
 use crate::error::{Error, Result};
 use crate::figures::{Axis, Chart, Series};
+use crate::proof::worst_ratio;
 use crate::report::{Column, Format, Headline, Table, Verdict};
-use crate::strip::{EdgeScene, SceneKind, Sides, consistency_terms};
+use crate::scenes::TransitionPowers;
+use crate::strip::{EdgeScene, SceneKind, Sides};
 
 /// A contact set with what the search finds for one cone.
 #[derive(Debug, Clone)]

@@ -11,13 +11,13 @@
 
 use super::bounds::Bound;
 use super::store::LevelStore;
-use super::strip::{RateStrip, SceneFamily};
+use super::strip_rates::{RateStrip, SceneFamily};
 use super::study::{Quantity, RateStudy};
-use super::transitions::TransitionPowers;
 use crate::contact::Cone;
 use crate::error::{Error, Result};
 use crate::figures::{Axis, Chart, Series};
 use crate::report::{Column, Format, Headline, Table, Verdict};
+use crate::scenes::TransitionPowers;
 use crate::strip::{Levels, StripKind};
 
 /// q of e²/h² = B + A (ℓ^q − 1)/q with its half-width, ℓ = 2 + |ln h|.

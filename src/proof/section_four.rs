@@ -1,9 +1,10 @@
 //! (4.9)-(4.14) on one segment.
 
+use super::constants::ProofConstants;
 use super::inequality::Check;
-use super::ladder::RUNGS;
-use super::{ProofConstants, SegmentSetting, first_case_four, second_case_four};
-use crate::analysis::segment::SegmentNorms;
+use super::setting::{SegmentSetting, first_case_four, second_case_four};
+use super::step::RUNGS;
+use crate::edge::SegmentNorms;
 
 /// Every inequality of the cases that hold on a segment (both, where both do).
 pub fn section_four_checks(

@@ -4,7 +4,7 @@
 //! Section 4: ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ = (1/h_e) ∫_T σ_N dΓ ∫_T u_N dΓ, because σ_N u_N = 0 and
 //! π^h is the mean over the segment. Both are ≥ 0. A force at a vertex shared by two segments counts half in each.
 
-use super::edge_trace::{EdgeTrace, Interval};
+use super::trace::{EdgeTrace, Interval};
 
 /// ∫_T σ_N (I^h u)_N dΓ over one segment. Cost: the number of nodes of the trace in the segment.
 pub fn nodal_term(trace: &EdgeTrace, segment: Interval) -> f64 {

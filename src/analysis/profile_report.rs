@@ -1,10 +1,8 @@
 //! What is printed and drawn of a profile.
 
-use super::ladder::{Exponent, Rung};
-use super::study::ProofProfile;
-use crate::analysis::Section;
 use crate::error::Result;
 use crate::figures::{Axis, Chart, Series};
+use crate::proof::{Exponent, ProofProfile, Rung, Section};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use std::path::Path;
 

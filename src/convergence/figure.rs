@@ -2,7 +2,7 @@
 
 use super::bounds::Bound;
 use super::store::LevelStore;
-use super::strip::{RateStrip, SceneFamily};
+use super::strip_rates::{RateStrip, SceneFamily};
 use super::study::{Quantity, RateStudy};
 use crate::contact::Cone;
 use crate::error::Result;

@@ -10,8 +10,8 @@
 //! τ = 7/4 where the paper's rate is furthest from the optimal one. For larger openings the roots may be complex; they
 //! are not treated here.
 
+use super::{Scene, Setting};
 use crate::error::{Error, Result};
-use crate::scenes::{Scene, Setting};
 
 /// λ of the clamped/free corner: opening ω in (0, π/2], Poisson's ratio in (0, 1/2), plane strain.
 ///

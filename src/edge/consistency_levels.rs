@@ -7,10 +7,8 @@
 //!
 //! Both are ≥ 0, sums of nonnegative terms. Cost: O(N) for all grids together.
 
-use super::pressure::restrict;
-use super::scene::EdgeScene;
-use super::sides::Sides;
 use crate::contact::Cone;
+use crate::strip::{EdgeScene, Sides, restrict};
 
 /// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far as it halves.
 pub fn consistency_terms(scene: &EdgeScene, cone: Cone) -> Vec<(usize, f64)> {

@@ -1,40 +1,27 @@
 //! The cases of Figure 3.2 or 4.1, over mesh sizes or over θ, on the contact set of a fine reference or of u_h itself.
 
-use super::alternatives::{checked_theta, printed_theta};
-use super::classification::{Classification, Section};
-use super::contact_source::{Against, ContactSource};
-use super::edge_trace::EdgeTrace;
+use super::classification::Classification;
+use super::section::Section;
+use super::theta::ThetaRule;
+use crate::analysis::ContactSource;
 use crate::contact::Cone;
+use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
+use std::fmt;
+use std::str::FromStr;
 
 /// Most meshes of a study.
 const MESHES: usize = 16;
 /// θ of a sweep: 2^{−1}, ..., 2^{−12}.
 const SWEEP: i32 = 12;
 
-/// How θ follows from h = 1/n.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ThetaRule {
-    /// θ = h^{2τ−3}, at τ = 2 θ = h²: the paper's choice.
-    Printed {
-        /// Sobolev regularity, 3/2 < τ ≤ 2.
-        tau: f64,
-    },
-    /// The same θ on every mesh.
-    Fixed(f64),
-}
-
-impl ThetaRule {
-    /// θ on a mesh of size h.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] for τ, θ or h outside their ranges.
-    pub fn theta(self, h: f64) -> Result<f64> {
-        match self {
-            ThetaRule::Printed { tau } => printed_theta(h, tau),
-            ThetaRule::Fixed(theta) => checked_theta(theta),
-        }
-    }
+/// On whose contact set the cases are decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Against {
+    /// The fine reference: the paper's u.
+    Reference,
+    /// The discrete solution of each mesh.
+    Itself,
 }
 
 /// What is classified.
@@ -101,8 +88,8 @@ impl AlternativeCase {
     fn classify(&self, cases: Vec<(usize, f64)>) -> Result<AlternativeStudy> {
         let cone = if self.section == Section::Three { Cone::Nodal } else { Cone::Midpoint };
         let trace_of = |n| match self.against {
-            Against::Reference => self.source.reference(self.n, self.tau),
-            Against::Itself => self.source.discrete(n, self.tau, cone),
+            Against::Reference => EdgeTrace::reference(&self.source, self.n, self.tau),
+            Against::Itself => EdgeTrace::discrete(&self.source, n, self.tau, cone),
         };
         let mut trace = trace_of(cases[0].0)?;
         let mut traced = cases[0].0;
@@ -133,15 +120,40 @@ pub struct AlternativeRow {
 /// Classified segments for several mesh sizes or several θ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlternativeStudy {
-    pub(super) case: AlternativeCase,
+    pub(crate) case: AlternativeCase,
     /// The trace of the last row.
-    pub(super) trace: EdgeTrace,
-    pub(super) rows: Vec<AlternativeRow>,
+    pub(crate) trace: EdgeTrace,
+    pub(crate) rows: Vec<AlternativeRow>,
 }
 
 impl AlternativeStudy {
     /// The rows: coarsest mesh first, or largest θ first.
     pub fn rows(&self) -> &[AlternativeRow] {
         &self.rows
+    }
+}
+
+impl fmt::Display for Against {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Against::Reference => "reference",
+            Against::Itself => "itself",
+        })
+    }
+}
+
+impl FromStr for Against {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "reference" => Ok(Against::Reference),
+            "itself" => Ok(Against::Itself),
+            _ => Err(Error::UnknownName {
+                what: "solution to classify on",
+                given: text.to_owned(),
+                expected: "reference or itself",
+            }),
+        }
     }
 }

@@ -17,9 +17,8 @@
 //! σ_N is given by nodal forces of the fine edge; a force at a vertex counts half in each of its segments. Cost: one contact
 //! problem and two transforms of the fine edge per mesh.
 
-use super::consistency::{midpoint_term, nodal_term};
-use super::edge_trace::{EdgeTrace, Interval};
 use crate::contact::Cone;
+use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::Result;
 use crate::strip::{EdgeSolution, Settings, StripCase, StripProblem, solve_contact};
 

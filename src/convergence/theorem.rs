@@ -6,9 +6,9 @@
 
 use super::bounds::Bound;
 use super::fit::Fit;
-use super::mesh::MeshRates;
+use super::mesh_rates::MeshRates;
 use super::store::LevelStore;
-use super::strip::{RateStrip, SceneFamily};
+use super::strip_rates::{RateStrip, SceneFamily};
 use super::study::{Quantity, RateStudy};
 use crate::contact::Cone;
 use crate::error::Result;

@@ -60,7 +60,7 @@ pub fn edge_norms(scene: &EdgeScene, tau: f64) -> Result<EdgeNorms> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::TransitionPowers;
+    use crate::scenes::TransitionPowers;
     use crate::sobolev::SingularFunction;
 
     #[test]

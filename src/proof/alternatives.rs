@@ -12,8 +12,9 @@
 //!
 //! "Within" is strict and "on a piece" is up to single points, as measure zero does not matter for σ_N in L².
 
-use super::edge_trace::{EdgeTrace, Interval};
-use crate::error::{Error, Result};
+use super::theta::checked_theta;
+use crate::edge::{EdgeTrace, Interval};
+use crate::error::Result;
 
 /// Which cases hold on a segment; at least one does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,20 +35,6 @@ impl Alternative {
             (false, false) => "none",
         }
     }
-}
-
-/// θ = h^{2τ−3} for 3/2 < τ < 2 and θ = h² for τ = 2: the choice that balances both cases ("Globally", Section 3).
-///
-/// # Errors
-/// [`Error::OutOfRange`] unless 0 < h < 1 and 3/2 < τ ≤ 2.
-pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
-    Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
-    Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
-    Ok(if tau == 2.0 { h * h } else { h.powf(2.0 * tau - 3.0) })
-}
-
-pub(super) fn checked_theta(theta: f64) -> Result<f64> {
-    Error::require("theta", theta, "(0, 1)", theta > 0.0 && theta < 1.0)
 }
 
 /// The alternative of Section 3, by zeros near both vertices.
@@ -162,10 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn the_printed_theta_balances_both_cases() {
-        assert_eq!(printed_theta(0.25, 1.75), Ok(0.5));
-        assert_eq!(printed_theta(0.25, 2.0), Ok(0.0625));
-        assert!(printed_theta(0.25, 1.5).is_err() && printed_theta(1.0, 1.75).is_err());
+    fn theta_outside_zero_and_one_is_refused() {
         assert!(NearVertices::new(1.0).is_err() && SetDiameter::new(f64::NAN).is_err());
     }
 }

@@ -1,0 +1,29 @@
+//! The contact edge of a solution: its trace, the pair (u_N, σ_N) as functions, segments with every norm the proofs name,
+//! and the consistency terms of Sections 3 and 4.
+//!
+//! | paper | here |
+//! | --- | --- |
+//! | u_N and −σ_N dΓ of a computed solution | [`EdgeTrace`]: nodal values and point forces |
+//! | (u_N, σ_N) with finite norms of order ν = τ − 3/2 | [`ContactPair`], cut into [`Segment`]s T ∩ Γ_C |
+//! | norms (1.1) on a segment | [`SegmentNorms`], seminorms by [`SeminormForm`] or [`seminorm_by_quadrature`] |
+//! | ‖u_N‖_{τ−1/2}, ‖σ_N‖_{τ−3/2} on Γ_C | [`edge_norms`] |
+//! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`SegmentMoments`], [`consistency_terms`] |
+//!
+//! Lengths are in units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
+
+mod consistency;
+mod consistency_levels;
+mod norms;
+mod pair;
+mod scene_trace;
+mod segment;
+mod seminorm;
+mod trace;
+
+pub use consistency::{midpoint_term, nodal_term};
+pub use consistency_levels::consistency_terms;
+pub use norms::{EdgeNorms, edge_norm, edge_norms};
+pub use pair::{ContactPair, Segment, Traces};
+pub use segment::{SegmentNorms, TraceNorms};
+pub use seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};
+pub use trace::{EdgeTrace, Interval};

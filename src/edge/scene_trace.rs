@@ -1,0 +1,111 @@
+//! The trace of a scene on its contact edge, by the mesh solver or on the strip.
+//!
+//! | whose trace | mesh | strip |
+//! | --- | --- | --- |
+//! | the fine reference | nodal solution on 8n × 8n squares | (u_N, σ_N) as manufactured, at least 64 cells per segment |
+//! | u_h itself | the discrete solution on n × n squares | the discrete solution on n cells (scalar, height 1) |
+//!
+//! u_h is the nodal solution for Section 3, the midpoint solution for Section 4. The midpoint cone lets u_h,N be positive:
+//! there, and on segments whose constraint is active, the gap counts as closed. Cost: that of the solvers.
+
+use super::trace::EdgeTrace;
+use crate::analysis::ContactSource;
+use crate::contact::{Cone, ContactSet, Solver};
+use crate::error::Result;
+use crate::scenes::Scene;
+use crate::strip::{
+    EdgeOperator, EdgeScene, ExactEdge, Reference, SceneSource, Settings, Sides, StripKind, StripProblem,
+    solve_contact,
+};
+
+/// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a segment.
+const MESH_FACTOR: usize = 8;
+/// Fewest cells of the manufactured edge: studies of up to 1024 segments all see the same one.
+const STRIP_CELLS: usize = 1 << 16;
+/// Fewest of its cells per segment: lengths h_e θ are known to h_e/64.
+const STRIP_FACTOR: usize = 64;
+/// u_N counts as zero below this, relative to its largest value: far above rounding, far below one cell's opening.
+const ZERO: f64 = 1e-12;
+
+impl EdgeTrace {
+    /// The manufactured pair of a strip on its fine edge; a ring is opened at 0, where the force is halved.
+    ///
+    /// # Errors
+    /// As [`EdgeTrace::new`].
+    pub fn of_scene(scene: &EdgeScene) -> Result<Self> {
+        let cells = scene.cells();
+        let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
+        if scene.sides() == Sides::Periodic {
+            forces[0] *= 0.5;
+            values.push(values[0]);
+            forces.push(forces[0]);
+        }
+        let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
+        EdgeTrace::new(nodes, values, forces, 0.0)
+    }
+
+    /// The fine trace that stands for u on meshes of up to n segments; `tau` is the regularity of a strip scene.
+    ///
+    /// # Errors
+    /// Those of the scenes.
+    pub fn reference(source: &ContactSource, n: usize, tau: f64) -> Result<Self> {
+        match source {
+            ContactSource::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
+            ContactSource::Strip(source) => EdgeTrace::of_scene(&strip_scene(source, n, tau)?),
+        }
+    }
+
+    /// The trace of the discrete solution on n segments.
+    ///
+    /// # Errors
+    /// Those of the scenes and solvers.
+    pub fn discrete(source: &ContactSource, n: usize, tau: f64, cone: Cone) -> Result<Self> {
+        match source {
+            ContactSource::Mesh(scene) => mesh_trace(*scene, n, cone),
+            ContactSource::Strip(source) => {
+                let scene = strip_scene(source, n, tau)?;
+                let exact = StripProblem::Scalar(ExactEdge::scalar(&scene, (1, 1), Reference::Nested)?);
+                let (operator, _): (EdgeOperator, f64) = exact.operator(n)?;
+                let solution = solve_contact(&operator, &exact.load(n)?, cone, None, &Settings::default())?;
+                let nodes = (0..=n).map(|i| i as f64 / n as f64).collect();
+                discrete_trace(nodes, solution.values, &solution.multiplier, &solution.contact, cone)
+            }
+        }
+    }
+}
+
+/// The scene on a grid whose cells divide every segment.
+fn strip_scene(source: &SceneSource, n: usize, tau: f64) -> Result<EdgeScene> {
+    source.scene(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
+}
+
+fn mesh_trace(scene: Scene, squares: usize, cone: Cone) -> Result<EdgeTrace> {
+    let problem = scene.problem(squares)?;
+    let solution = problem.solve(cone, Solver::ActiveSet)?;
+    let arc = problem.edge().arc().to_vec();
+    let values = solution.normal_displacement;
+    discrete_trace(arc, values, &solution.multiplier, &solution.contact_set, cone)
+}
+
+/// Nodal values and multipliers of a discrete solution as a trace.
+fn discrete_trace(
+    nodes: Vec<f64>,
+    mut values: Vec<f64>,
+    multiplier: &[f64],
+    active: &ContactSet,
+    cone: Cone,
+) -> Result<EdgeTrace> {
+    let largest = values.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+    let mut force = multiplier.to_vec();
+    if cone == Cone::Midpoint {
+        force = vec![0.0; nodes.len()];
+        values.iter_mut().for_each(|v| *v = v.min(0.0));
+        for segment in active.indices() {
+            for end in [segment, segment + 1] {
+                values[end] = 0.0;
+                force[end] += 0.5 * multiplier[segment];
+            }
+        }
+    }
+    EdgeTrace::new(nodes, values, force, ZERO * largest)
+}

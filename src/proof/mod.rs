@@ -1,0 +1,39 @@
+//! The proofs of Theorems 3.1 and 4.1 in numbers: which case a contact segment falls into, both sides of every inequality, the
+//! ladder of bounds, the balance of θ, Falk's lemma, and the worst pairs and contact sets of one segment.
+
+mod alternative_study;
+mod alternatives;
+mod balance;
+mod classification;
+mod constants;
+mod exponent;
+mod falk;
+mod inequality;
+mod ladder;
+mod profile;
+mod resolution;
+mod section;
+mod section_four;
+mod section_three;
+mod setting;
+mod step;
+mod theta;
+mod worst_pair;
+
+pub use alternative_study::{Against, AlternativeCase, AlternativeRow, AlternativeStudy};
+pub use alternatives::{Alternative, NearVertices, SetDiameter};
+pub use balance::{ElementBalance, WorstPair};
+pub use classification::{Classification, ClassifiedSegment};
+pub use constants::ProofConstants;
+pub use exponent::Exponent;
+pub use falk::{FalkRow, falk_terms};
+pub use inequality::{Check, InequalityProfile};
+pub use ladder::Rung;
+pub use profile::{LevelProfile, ProofCase, ProofProfile};
+pub use resolution::Resolution;
+pub use section::Section;
+pub use section_four::section_four_checks;
+pub use section_three::section_three_checks;
+pub use setting::SegmentSetting;
+pub use theta::{ThetaRule, printed_theta};
+pub use worst_pair::worst_ratio;

@@ -1,0 +1,54 @@
+//! θ, the share of a segment that counts as near a vertex, or as a large contact set.
+
+use crate::error::{Error, Result};
+
+/// θ = h^{2τ−3} for 3/2 < τ < 2 and θ = h² for τ = 2: the choice that balances both cases ("Globally", Section 3).
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < h < 1 and 3/2 < τ ≤ 2.
+pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
+    Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
+    Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
+    Ok(if tau == 2.0 { h * h } else { h.powf(2.0 * tau - 3.0) })
+}
+
+pub(super) fn checked_theta(theta: f64) -> Result<f64> {
+    Error::require("theta", theta, "(0, 1)", theta > 0.0 && theta < 1.0)
+}
+
+/// How θ follows from h = 1/n.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ThetaRule {
+    /// θ = h^{2τ−3}, at τ = 2 θ = h²: the paper's choice.
+    Printed {
+        /// Sobolev regularity, 3/2 < τ ≤ 2.
+        tau: f64,
+    },
+    /// The same θ on every mesh.
+    Fixed(f64),
+}
+
+impl ThetaRule {
+    /// θ on a mesh of size h.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for τ, θ or h outside their ranges.
+    pub fn theta(self, h: f64) -> Result<f64> {
+        match self {
+            ThetaRule::Printed { tau } => printed_theta(h, tau),
+            ThetaRule::Fixed(theta) => checked_theta(theta),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_printed_theta_balances_both_cases() {
+        assert_eq!(printed_theta(0.25, 1.75), Ok(0.5));
+        assert_eq!(printed_theta(0.25, 2.0), Ok(0.0625));
+        assert!(printed_theta(0.25, 1.5).is_err() && printed_theta(1.0, 1.75).is_err());
+    }
+}
