@@ -6,8 +6,9 @@ use signorini::edge::{
     seminorm_by_quadrature,
 };
 use signorini::proof::{NearVertices, ProofCase, ProofConstants, Resolution, Section, ThetaRule};
+use signorini::scenes::StripScene;
 use signorini::sobolev::FractionalOrder;
-use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides};
+use signorini::strip::{EdgeData, Levels, Sides};
 
 #[allow(dead_code)]
 #[path = "../examples/theorem_3_1_proof_profile.rs"]
@@ -30,16 +31,16 @@ impl Random {
     }
 }
 
-fn scenes(tau: f64, random: &mut Random) -> Vec<SceneKind> {
+fn scenes(tau: f64, random: &mut Random) -> Vec<StripScene> {
     let rough = if tau < 2.0 {
-        SceneKind::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
+        StripScene::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
     } else {
-        SceneKind::Cantor { ratio: 0.4, depth: 8 }
+        StripScene::Cantor { ratio: 0.4, depth: 8 }
     };
     vec![
-        SceneKind::Transition { position: 0.05 + 0.9 * random.next() },
-        SceneKind::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
-        SceneKind::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
+        StripScene::Transition { position: 0.05 + 0.9 * random.next() },
+        StripScene::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
+        StripScene::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
         rough,
     ]
 }
@@ -60,7 +61,7 @@ fn all_cases(taus: &[f64]) -> (usize, usize) {
                 ] {
                     let case = ProofCase {
                         section: SECTION,
-                        source: SceneSource::Built(kind),
+                        source: kind.clone(),
                         tau,
                         scene_tau: tau,
                         levels: Levels::new(level, level).unwrap(),
@@ -113,7 +114,7 @@ fn seminorms_on_a_segment_agree_by_two_roads() {
             let order = FractionalOrder::new(nu).unwrap();
             let traces = if nu < 0.5 { Traces::Constants } else { Traces::Linears };
             for source in ["transition", "transitions:9", "cantor:0.3"] {
-                let scene = source.parse::<SceneSource>().unwrap().scene(tau, 512, Sides::Natural).unwrap();
+                let scene = source.parse::<StripScene>().unwrap().data(tau, 512, Sides::Natural).unwrap();
                 let pair = ContactPair::of_scene(&scene, traces).unwrap();
                 for n in [16, 32] {
                     let form = SeminormForm::new(traces, order, 512 / n).unwrap();
@@ -205,7 +206,7 @@ fn cases_of_pairs_are_those_of_traces() {
     for (source, tau) in
         [("transition:0.3", 1.75), ("transitions:7", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 1.9)]
     {
-        let scene = source.parse::<SceneSource>().unwrap().scene(tau, 1 << 12, Sides::Natural).unwrap();
+        let scene = source.parse::<StripScene>().unwrap().data(tau, 1 << 12, Sides::Natural).unwrap();
         let trace = EdgeTrace::of_scene(&scene).unwrap();
         let pair = ContactPair::of_scene(&scene, Traces::Constants).unwrap();
         let n = 64;
@@ -247,7 +248,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
         // A force needs a contact cell beside its node.
         let carried = |i: usize| touches(i) && ((i > 0 && touches(i - 1)) || (i < cells && touches(i + 1)));
         let forces = (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
-        let scene = EdgeScene::new(cells, Sides::Natural, values, forces).unwrap();
+        let scene = EdgeData::new(cells, Sides::Natural, values, forces).unwrap();
         for tau in [1.75, 2.0] {
             let (constants, gamma) = &known[usize::from(tau == 2.0)];
             let traces = Traces::for_regularity(tau);
@@ -277,7 +278,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
     // A force on an isolated contact point is no density.
     let values = (0..=8).map(|i| if i == 4 { 0.0 } else { -1.0 }).collect();
     let forces = (0..=8).map(|i| if i == 4 { 1.0 } else { 0.0 }).collect();
-    let scene = EdgeScene::new(8, Sides::Natural, values, forces).unwrap();
+    let scene = EdgeData::new(8, Sides::Natural, values, forces).unwrap();
     assert!(ContactPair::of_scene(&scene, Traces::Constants).is_err());
 }
 

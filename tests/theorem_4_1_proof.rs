@@ -1,7 +1,8 @@
 //! Theorem 4.1, its proof: (4.9)-(4.14) on computed pairs, each side by itself, and the ladder of bounds.
 
 use signorini::proof::{ProofCase, ProofConstants, Resolution, Section, ThetaRule};
-use signorini::strip::{Levels, SceneKind, SceneSource};
+use signorini::scenes::StripScene;
+use signorini::strip::Levels;
 
 #[allow(dead_code)]
 #[path = "../examples/theorem_4_1_proof_profile.rs"]
@@ -22,16 +23,16 @@ impl Random {
     }
 }
 
-fn scenes(tau: f64, random: &mut Random) -> Vec<SceneKind> {
+fn scenes(tau: f64, random: &mut Random) -> Vec<StripScene> {
     let rough = if tau < 2.0 {
-        SceneKind::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
+        StripScene::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
     } else {
-        SceneKind::Cantor { ratio: 0.4, depth: 8 }
+        StripScene::Cantor { ratio: 0.4, depth: 8 }
     };
     vec![
-        SceneKind::Transition { position: 0.05 + 0.9 * random.next() },
-        SceneKind::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
-        SceneKind::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
+        StripScene::Transition { position: 0.05 + 0.9 * random.next() },
+        StripScene::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
+        StripScene::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
         rough,
     ]
 }
@@ -52,7 +53,7 @@ fn all_cases(taus: &[f64]) -> (usize, usize) {
                 ] {
                     let case = ProofCase {
                         section: SECTION,
-                        source: SceneSource::Built(kind),
+                        source: kind.clone(),
                         tau,
                         scene_tau: tau,
                         levels: Levels::new(level, level).unwrap(),
@@ -113,8 +114,7 @@ fn above_two_every_segment_with_contact_obeys_4_14() {
         // h^(2 + 2 eps) is optimal on one transition.
         assert!((exponent.value - (2.0 * tau - 2.0)).abs() < 0.1, "tau {tau}: {exponent:?}");
         assert!((ladder[6].exponent.value - (2.0 * tau - 2.0)).abs() < 1e-9);
-        let rough =
-            ProofCase { source: SceneSource::Built(SceneKind::Cantor { ratio: 0.3, depth: 5 }), ..case };
+        let rough = ProofCase { source: StripScene::Cantor { ratio: 0.3, depth: 5 }, ..case };
         assert!(rough.profile(&mut constants).is_err(), "only a transition is that smooth");
     }
 }
@@ -124,7 +124,7 @@ fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
     let mut constants = ProofConstants::new(1.75, 2.0).unwrap();
     for source in ["transition", "fat-cantor"] {
         let case = ProofCase {
-            source: source.parse::<SceneSource>().unwrap(),
+            source: source.parse::<StripScene>().unwrap(),
             ..ProofCase::standard(SECTION).unwrap()
         };
         assert!(case.levels.cells().count() >= 8);
