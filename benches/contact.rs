@@ -2,7 +2,7 @@
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::contact::{Cone, Solver};
-use signorini::scenes::Scene;
+use signorini::scenes::MeshScene;
 use std::hint::black_box;
 
 fn both_solvers(criterion: &mut Criterion) {
@@ -13,7 +13,7 @@ fn both_solvers(criterion: &mut Criterion) {
             for solver in [Solver::ActiveSet, Solver::InteriorPoint] {
                 let name = BenchmarkId::new(format!("{cone} {solver}"), n);
                 group.bench_with_input(name, &n, |bencher, &n| {
-                    bencher.iter(|| black_box(Scene::Block.problem(n)?.solve(cone, solver)));
+                    bencher.iter(|| black_box(MeshScene::Block.problem(n)?.solve(cone, solver)));
                 });
             }
         }
@@ -25,11 +25,12 @@ fn cold_and_nested(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("start");
     group.sample_size(10);
     for cone in Cone::ALL {
-        let Ok(coarse) = Scene::Block.problem(64).and_then(|problem| problem.solve(cone, Solver::ActiveSet))
+        let Ok(coarse) =
+            MeshScene::Block.problem(64).and_then(|problem| problem.solve(cone, Solver::ActiveSet))
         else {
             continue;
         };
-        let Ok(fine) = Scene::Block.problem(128) else { continue };
+        let Ok(fine) = MeshScene::Block.problem(128) else { continue };
         group.bench_function(format!("{cone} cold"), |bencher| {
             bencher.iter(|| black_box(fine.solve(cone, Solver::ActiveSet)));
         });

@@ -5,22 +5,21 @@
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::contact::Cone;
 use signorini::fem::Lame;
-use signorini::strip::{
-    EdgeScene, ElasticStrip, Reference, SceneKind, Settings, StripKind, StripProblem, solve_contact,
-};
+use signorini::scenes::StripScene;
+use signorini::strip::{ElasticStrip, Reference, Settings, StripKind, StripProblem, solve_contact};
 use std::hint::black_box;
 
 const REFERENCE: usize = 1 << 18;
 
-fn problem(kind: StripKind, scene: SceneKind, tau: f64) -> StripProblem {
-    let scene = EdgeScene::build(scene, tau, REFERENCE, kind.sides()).expect("the scene exists");
+fn problem(kind: StripKind, scene: StripScene, tau: f64) -> StripProblem {
+    let scene = scene.data(tau, REFERENCE, kind.sides()).expect("the scene exists");
     StripProblem::new(kind, &scene, Reference::Nested, 1 << 12).expect("the reference grid is a power of two")
 }
 
 fn edge_operator(c: &mut Criterion) {
     let mut group = c.benchmark_group("edge operator");
     group.sample_size(20);
-    let scalar = problem(StripKind::Scalar, SceneKind::Transition { position: 0.381966 }, 1.75);
+    let scalar = problem(StripKind::Scalar, StripScene::Transition { position: 0.381966 }, 1.75);
     for level in [12, 14, 16] {
         let (operator, _) = scalar.operator(1 << level).expect("a level of the reference grid");
         let g: Vec<f64> = (0..operator.nodes()).map(|i| (i as f64).sin()).collect();
@@ -39,11 +38,11 @@ fn contact(c: &mut Criterion) {
     let mut group = c.benchmark_group("contact, cold start");
     group.sample_size(10);
     let scenes = [
-        ("transition", SceneKind::Transition { position: 0.381966 }, 1.75),
-        ("fat Cantor", SceneKind::FatCantor { depth: 12 }, 1.55),
+        ("transition", StripScene::Transition { position: 0.381966 }, 1.75),
+        ("fat Cantor", StripScene::FatCantor { depth: 12 }, 1.55),
     ];
     for kind in [StripKind::Scalar, StripKind::Elastic] {
-        for (name, scene, tau) in scenes {
+        for (name, scene, tau) in scenes.clone() {
             let problem = problem(kind, scene, tau);
             for cone in Cone::ALL {
                 let n = 1 << 14;

@@ -12,7 +12,7 @@ use signorini::figures::{Axis, Chart, Series};
 use signorini::mesh::{Part, Sides, unit_square};
 use signorini::poincare::{Condition, UniformLaw, Zone, gamma, gamma_at_point};
 use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
-use signorini::scenes::{Scene, Setting};
+use signorini::scenes::{MeshScene, Setting};
 use signorini::sobolev::{
     FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, closed_forms,
 };
@@ -67,12 +67,12 @@ pub const ADMISSIBLE: [Case<Pair>; 14] = [
     ("load of size 1e-150", "contact force, scaling", || scaled_load(1e-150)),
     ("load of size 1e150", "contact force, scaling", || scaled_load(1e150)),
     ("Poisson's ratio 1/2 - 1e-6", "energy, other solver", || {
-        energies(Scene::Incompressible, Setting { poisson: 0.5 - 1e-6, ..Setting::default() })
+        energies(MeshScene::Incompressible, Setting { poisson: 0.5 - 1e-6, ..Setting::default() })
     }),
-    ("contact nowhere", "energy, other solver", || energies(Scene::Free, Setting::default())),
+    ("contact nowhere", "energy, other solver", || energies(MeshScene::Free, Setting::default())),
     ("contact everywhere", "contact force, other solver", || {
-        let solution = Scene::Closed.problem(16)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-        let other = Scene::Closed.problem(16)?.solve(Cone::Nodal, Solver::InteriorPoint)?;
+        let solution = MeshScene::Closed.problem(16)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+        let other = MeshScene::Closed.problem(16)?.solve(Cone::Nodal, Solver::InteriorPoint)?;
         Ok((solution.contact_force, other.contact_force))
     }),
 ];
@@ -105,7 +105,7 @@ pub const INADMISSIBLE: [Case<f64>; 8] = [
     ("a body that nothing holds", "displacement", || {
         let sides =
             Sides { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Neumann };
-        Ok(Scene::Block.on(unit_square(4, sides)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
+        Ok(MeshScene::Block.on(unit_square(4, sides)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
     }),
 ];
 
@@ -141,13 +141,13 @@ fn short_zone() -> Result<Pair> {
 
 fn scaled_load(load_scale: f64) -> Result<Pair> {
     let force = |load_scale| -> Result<f64> {
-        let problem = Scene::Block.problem_with(16, &Setting { load_scale, ..Setting::default() })?;
+        let problem = MeshScene::Block.problem_with(16, &Setting { load_scale, ..Setting::default() })?;
         Ok(problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force)
     };
     Ok((force(load_scale)?, load_scale * force(1.0)?))
 }
 
-fn energies(scene: Scene, setting: Setting) -> Result<Pair> {
+fn energies(scene: MeshScene, setting: Setting) -> Result<Pair> {
     let problem = scene.problem_with(16, &setting)?;
     let energy = |solver| problem.solve(Cone::Nodal, solver).map(|solution| solution.energy);
     Ok((energy(Solver::ActiveSet)?, energy(Solver::InteriorPoint)?))

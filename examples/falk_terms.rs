@@ -9,7 +9,8 @@ use signorini::analysis::{falk_chart, falk_headline};
 use signorini::contact::Cone;
 use signorini::proof::falk_terms;
 use signorini::report::Headline;
-use signorini::strip::{Levels, Reference, SceneSource, StripCase, StripKind};
+use signorini::scenes::{StripCase, StripScene};
+use signorini::strip::{Levels, Reference, StripKind};
 use std::process::ExitCode;
 
 /// Terms of Falk's lemma for the nodal or the midpoint cone on a scene with known solution
@@ -19,8 +20,8 @@ pub struct Options {
     #[arg(long, default_value_t = StripKind::Scalar)]
     pub kind: StripKind,
     /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or samples:FILE
-    #[arg(long, default_value_t = SceneSource::transition())]
-    pub scene: SceneSource,
+    #[arg(long, default_value_t = StripScene::transition())]
+    pub scene: StripScene,
     /// Regularity of the scene, in (3/2, 2]
     #[arg(long, default_value_t = 1.75)]
     pub tau: f64,

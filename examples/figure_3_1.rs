@@ -3,10 +3,11 @@
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 
 use clap::Parser;
+use example_frame::{FigureRates, figure_chart, figure_headline};
 use example_frame::{HasOutput, Output, progress};
-use signorini::convergence::{FigureRates, figure_chart, figure_headline};
 use signorini::report::Headline;
-use signorini::strip::{Levels, SceneSource, StripKind};
+use signorini::scenes::StripScene;
+use signorini::strip::{Levels, StripKind};
 use signorini::{Error, Result};
 use std::process::ExitCode;
 
@@ -20,8 +21,8 @@ pub struct Options {
     #[arg(long, default_value_t = StripKind::Scalar)]
     pub kind: StripKind,
     /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]] or fat-cantor[:DEPTH]
-    #[arg(long, default_value_t = SceneSource::transition())]
-    pub scene: SceneSource,
+    #[arg(long, default_value_t = StripScene::transition())]
+    pub scene: StripScene,
     /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 32 times finer
     #[arg(long, default_value = "3-12")]
     pub levels: Levels,

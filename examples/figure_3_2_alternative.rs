@@ -6,19 +6,18 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::analysis::ContactSource;
 use signorini::proof::Against;
 use signorini::proof::{AlternativeCase, Section, ThetaRule};
 use signorini::report::Headline;
-use signorini::scenes::Scene;
+use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;
 
 /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
     /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3, fat-cantor, ...)
-    #[arg(long, default_value_t = ContactSource::Mesh(Scene::Block))]
-    pub scene: ContactSource,
+    #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block))]
+    pub scene: Scene,
     /// Contact segments of the finest mesh classified
     #[arg(long, default_value_t = 32)]
     pub n: usize,
@@ -45,7 +44,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
-            scene: ContactSource::Mesh(Scene::Block),
+            scene: Scene::Mesh(MeshScene::Block),
             n: 32,
             meshes: 3,
             tau: 1.75,

@@ -5,7 +5,9 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
 use signorini::figures::{Axis, Chart, Series};
-use signorini::interpolation::{ErrorNorm, InterpolationError, SampleSlope, element_constant, mesh_constant};
+use signorini::interpolation::{
+    ErrorNorm, InterpolationError, SampleSlope, element_constant, mesh_constant_on_cells,
+};
 use signorini::report::{Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Error, Result, Tolerance};
@@ -76,7 +78,9 @@ pub fn run(options: &Options) -> Result<Headline> {
             let (found_l2, found_h1) = (error.l2_ratio()?.value, error.derivative_ratio()?.value);
             let best = |norm| -> Result<Option<f64>> {
                 let small = elements <= LARGEST_MESH;
-                small.then(|| mesh_constant(norm, order, elements, CELLS).map(|c| c.value)).transpose()
+                small
+                    .then(|| mesh_constant_on_cells(norm, order, elements, CELLS).map(|c| c.value))
+                    .transpose()
             };
             let (mesh_l2, mesh_h1) = (best(ErrorNorm::L2)?, best(ErrorNorm::Derivative)?);
             largest = largest.max(found_l2).max(found_h1);

@@ -6,7 +6,7 @@ use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::contact::{Cone, Solver};
 use signorini::report::Headline;
-use signorini::scenes::{Scene, SceneStudy, Setting};
+use signorini::scenes::{MeshScene, SceneStudy, Setting};
 use signorini::{Error, Result};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -15,8 +15,8 @@ use std::process::ExitCode;
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
     /// block, incompressible, free or closed
-    #[arg(long, default_value_t = Scene::Block)]
-    pub scene: Scene,
+    #[arg(long, default_value_t = MeshScene::Block)]
+    pub scene: MeshScene,
     /// Cells along each side of the coarsest mesh
     #[arg(long, default_value_t = 32)]
     pub n: usize,
@@ -44,7 +44,7 @@ impl Default for Options {
     fn default() -> Self {
         let Setting { poisson, load_scale, .. } = Setting::default();
         let (cone, solver) = (Cone::Nodal, None);
-        let (scene, output) = (Scene::Block, Output::default());
+        let (scene, output) = (MeshScene::Block, Output::default());
         Self { scene, n: 32, levels: 1, cone, solver, poisson, load_scale, output }
     }
 }
@@ -79,7 +79,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     if let (Some(directory), Some(last)) =
         (options.output.directory()?, runs.iter().find(|run| Some(run.n) == finest))
     {
-        let title = format!("Scene {}", options.scene);
+        let title = format!("MeshScene {}", options.scene);
         let name = |what: &str| format!("section_2_{}_{what}_{}", options.scene, options.cone);
         headline.figures.push(last.solution.save_body(&last.problem, &title, directory, &name("body"))?);
         headline.figures.push(last.solution.save_edge(&last.problem, &title, directory, &name("edge"))?);

@@ -6,7 +6,7 @@ use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::contact::{Cone, Solver};
 use signorini::report::Headline;
-use signorini::scenes::{Scene, SceneStudy, Setting};
+use signorini::scenes::{MeshScene, SceneStudy, Setting};
 use signorini::{Error, Result};
 use std::process::ExitCode;
 
@@ -14,8 +14,8 @@ use std::process::ExitCode;
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
     /// membrane, membrane-reaction, corner or manufactured
-    #[arg(long, default_value_t = Scene::Membrane)]
-    pub scene: Scene,
+    #[arg(long, default_value_t = MeshScene::Membrane)]
+    pub scene: MeshScene,
     /// Cells along each side of the coarsest mesh
     #[arg(long, default_value_t = 32)]
     pub n: usize,
@@ -43,7 +43,7 @@ impl Default for Options {
     fn default() -> Self {
         let Setting { angle, load_scale, .. } = Setting::default();
         let (cone, solver) = (Cone::Nodal, None);
-        let (scene, output) = (Scene::Membrane, Output::default());
+        let (scene, output) = (MeshScene::Membrane, Output::default());
         Self { scene, n: 32, levels: 1, cone, solver, angle, load_scale, output }
     }
 }
@@ -78,7 +78,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     if let (Some(directory), Some(last)) =
         (options.output.directory()?, runs.iter().find(|run| Some(run.n) == finest))
     {
-        let title = format!("Scene {}", options.scene);
+        let title = format!("MeshScene {}", options.scene);
         let name = |what: &str| format!("section_2_{}_{what}_{}", options.scene, options.cone);
         headline.figures.push(last.solution.save_edge(&last.problem, &title, directory, &name("edge"))?);
         let history = last.solution.save_history(&last.problem, &title, directory, &name("history"))?;

@@ -8,7 +8,7 @@ use signorini::contact::{Cone, ContactSolution, Solver};
 use signorini::fem::{Cubature, Field, error_norms};
 use signorini::figures::{Axis, Chart, Series};
 use signorini::report::{Column, Format, Headline, Table, Verdict};
-use signorini::scenes::{JUDGED, Scene, manufactured};
+use signorini::scenes::{JUDGED, MeshScene, manufactured};
 use signorini::{Error, Result};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -73,7 +73,7 @@ pub fn run(options: &Options) -> Result<Headline> {
         let n = options.n.saturating_mul(1 << level);
         for (road, name) in ROADS.iter().enumerate() {
             let start = Instant::now();
-            let problem = Scene::Manufactured.problem(n)?;
+            let problem = MeshScene::Manufactured.problem(n)?;
             let solution = match (road, &coarse) {
                 (1, Some(coarse)) => problem.solve_after(coarse)?,
                 (2, _) => problem.solve(options.cone, Solver::InteriorPoint)?,

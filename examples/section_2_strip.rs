@@ -8,7 +8,8 @@ use signorini::contact::Cone;
 use signorini::convergence::Bound;
 use signorini::figures::{Axis, Chart, Series};
 use signorini::report::{Headline, Verdict};
-use signorini::strip::{Levels, Reference, SceneSource, StripCase, StripKind, level_table, mean_order};
+use signorini::scenes::{StripCase, StripScene};
+use signorini::strip::{Levels, Reference, StripKind, level_table, mean_order};
 use signorini::{Error, Result};
 use std::process::ExitCode;
 
@@ -22,8 +23,8 @@ pub struct Options {
     #[arg(long, default_value = "3-14")]
     pub levels: Levels,
     /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or samples:FILE
-    #[arg(long, default_value_t = SceneSource::transition())]
-    pub scene: SceneSource,
+    #[arg(long, default_value_t = StripScene::transition())]
+    pub scene: StripScene,
     /// Regularity of the solution, 3/2 < tau <= 2 (not used by samples)
     #[arg(long, default_value_t = 1.75)]
     pub tau: f64,

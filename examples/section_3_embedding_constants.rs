@@ -79,7 +79,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let mut rows = Vec::new();
     for &q in &options.q {
         let lower = half.climb(q)?.quotient.value;
-        let upper = embedding_upper_bound(FractionalOrder::HALF, q)?;
+        let upper = embedding_upper_bound(FractionalOrder::HALF, q)?.value;
         let alpha = 1.0 - 1.0 / q;
         let hoelder = increments.constant(alpha)?.0.value;
         bounded &= lower >= GROWTH[0] * q.sqrt() && upper <= GROWTH[1] * q.sqrt();
@@ -94,7 +94,7 @@ pub fn run(options: &Options) -> Result<Headline> {
         let q = critical_exponent(order)?;
         Error::require("nu", order.value(), "(0, 1/2) for the critical exponent", q.is_finite())?;
         let lower = EmbeddingSpace::new(order, layers((4.0 * q).min(800.0)), RATIO)?.climb(q)?.quotient.value;
-        let upper = embedding_upper_bound(order, q)?;
+        let upper = embedding_upper_bound(order, q)?.value;
         ordered &= lower <= upper * (1.0 + 1e-12);
         table.push(
             [order.value(), q, lower, upper, lower / q.sqrt(), upper / q.sqrt()].map(Cell::from).to_vec(),

@@ -125,13 +125,20 @@ pub fn run(options: &Options) -> Result<Headline> {
         bracketed &= inside && inside_dual;
         for (k, theory) in [r, r + 0.5].into_iter().enumerate() {
             let measured = [l2, star][k];
-            let found = [functions[k], measured.rate.value, measured.observed];
+            let found = [functions[k], measured.rate.value, measured.observed.value];
             (0..3).for_each(|road| worst[road] = worst[road].max((found[road] - theory).abs()));
         }
         let (l2_rate, dual_rate) = (l2.rate, star.rate);
         let row = [
             [r, constant, functions[0], l2_rate.value, l2_rate.error, dual],
-            [constant * half, functions[1], dual_rate.value, dual_rate.error, l2.observed, star.observed],
+            [
+                constant * half,
+                functions[1],
+                dual_rate.value,
+                dual_rate.error,
+                l2.observed.value,
+                star.observed.value,
+            ],
         ];
         table.push(row.concat().into_iter().map(Into::into).collect());
         rows.push(row.concat());

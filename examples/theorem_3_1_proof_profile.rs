@@ -7,15 +7,16 @@ use example_frame::{HasOutput, Output};
 use signorini::Result;
 use signorini::proof::{ProofCase, Resolution, Section, ThetaRule};
 use signorini::report::Headline;
-use signorini::strip::{Levels, SceneSource};
+use signorini::scenes::StripScene;
+use signorini::strip::Levels;
 use std::process::ExitCode;
 
 /// Compute both sides of every inequality of the proof on a manufactured pair (u_N, sigma_N)
 #[derive(Debug, Clone, Parser)]
 pub struct Options {
     /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or samples:FILE
-    #[arg(long, default_value_t = SceneSource::transition())]
-    pub scene: SceneSource,
+    #[arg(long, default_value_t = StripScene::transition())]
+    pub scene: StripScene,
     /// Regularity the proof assumes, in (3/2, 2]
     #[arg(long, default_value_t = 1.75)]
     pub tau: f64,

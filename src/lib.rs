@@ -11,12 +11,12 @@
 //! | (1.1), norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`], [`sobolev::closed_forms`] |
 //! | dual norms | [`sobolev::dual_norm_of_functional`], [`interpolation::DualNorm`] |
 //! | **2. Signorini's problem** | [`contact`] |
-//! | (2.1)-(2.7), body, conditions, weak form; Figure 2.1 | [`mesh`], [`fem`], [`contact::ContactProblem`], [`scenes::Scene`] |
+//! | (2.1)-(2.7), body, conditions, weak form; Figure 2.1 | [`mesh`], [`fem`], [`contact::ContactProblem`], [`scenes::MeshScene`] |
 //! | Remark 1, the scalar problem | [`fem::Form::Scalar`] |
-//! | (2.8), (2.9), linear elements and the cone K^h | [`contact::Cone::Nodal`], [`contact::Solver`], [`contact::Judgement`] |
+//! | (2.8), (2.9), linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
 //! | the same on a strip, reduced to its contact edge | [`strip`] |
 //! | **3. Error analysis** | [`edge`], [`proof`], [`convergence`] |
-//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::TheoremPlan`] |
+//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::Fit`] |
 //! | why no contact set is bad | [`proof::worst_ratio`] |
 //! | Figures 3.2 and 4.1, first and second case | [`proof::AlternativeCase`], [`proof::Classification`] |
 //! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |
@@ -25,7 +25,7 @@
 //! | Remark 2, no better bound in the dual norm | [`interpolation::DualNorm`] |
 //! | (3.6), (3.10), embedding constants C(q) | [`interpolation::embedding_upper_bound`], [`interpolation::EmbeddingSpace`] |
 //! | **4. Another contact condition** | |
-//! | (4.1), the midpoint cone | [`contact::Cone::Midpoint`] |
+//! | (4.1), the midpoint cone | [`cone::Cone::Midpoint`] |
 //! | Theorem 4.1, Figure 4.1, (4.5), (4.8)-(4.14) | [`proof`] |
 //! | (4.6), (4.7), Remark 4, projection on constants | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
 //! | **5. Appendix A, Poincaré constants** | [`poincare`] |
@@ -56,6 +56,7 @@
 pub mod analysis;
 #[cfg(doctest)]
 mod book;
+pub mod cone;
 pub mod contact;
 pub mod convergence;
 pub mod edge;

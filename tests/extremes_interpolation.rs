@@ -2,8 +2,8 @@
 
 use signorini::interpolation::{
     DualNorm, ElementMesh, EmbeddingSpace, ErrorNorm, InterpolationError, SampleSlope, ascend,
-    dual_projection_constant, element_constant, embedding_upper_bound, longest_element, mesh_constant,
-    power_slope, projection_constant, sample_projection_error,
+    dual_projection_constant, element_constant, embedding_upper_bound, longest_element,
+    mesh_constant_on_cells, power_slope, projection_constant, sample_projection_error,
 };
 use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial};
 use signorini::{Error, Tolerance};
@@ -26,7 +26,7 @@ fn constants_at_orders_near_zero_and_one_join_their_neighbours() {
         let longest = longest_element(order(nu), Tolerance::fast()).unwrap();
         assert!(longest.value > 5.0, "{nu}: {longest}");
         for elements in [1, 3] {
-            let mesh = mesh_constant(ErrorNorm::Derivative, order(nu), elements, 8).unwrap();
+            let mesh = mesh_constant_on_cells(ErrorNorm::Derivative, order(nu), elements, 8).unwrap();
             let one = element_constant(ErrorNorm::Derivative, order(nu), Tolerance::balanced()).unwrap();
             assert!(
                 mesh.value > 0.5 * one.value && mesh.value <= one.value * (1.0 + 1e-9),
@@ -193,7 +193,7 @@ fn dual_norms_and_embeddings_refuse_what_they_cannot_hold() {
     assert!((norm.value / 1e-50 - 1.0).abs() < 1e-10, "{norm}");
     assert!(dual.of(|_, _| f64::INFINITY).is_err());
     for nu in [1e-6, 0.49999] {
-        let bound = embedding_upper_bound(order(nu), 2.0).unwrap();
+        let bound = embedding_upper_bound(order(nu), 2.0).unwrap().value;
         assert_eq!(bound, 1.0, "{nu}");
     }
     let space = EmbeddingSpace::new(order(1e-6), 5, 0.5).unwrap();

@@ -2,7 +2,8 @@
 
 use signorini::contact::Cone;
 use signorini::proof::falk_terms;
-use signorini::strip::{Levels, Reference, SceneSource, StripCase, StripKind};
+use signorini::scenes::{StripCase, StripScene};
+use signorini::strip::{Levels, Reference, StripKind};
 
 #[allow(dead_code)]
 #[path = "../examples/falk_terms.rs"]
@@ -15,7 +16,7 @@ fn case(kind: StripKind, scene: &str, tau: f64, cone: Cone) -> StripCase {
     StripCase {
         kind,
         levels: Levels::new(2, 7).unwrap(),
-        source: scene.parse::<SceneSource>().unwrap(),
+        source: scene.parse::<StripScene>().unwrap(),
         tau,
         cone,
         reference: Reference::Nested,

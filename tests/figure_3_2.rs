@@ -1,10 +1,9 @@
 //! Figure 3.2: every contact segment of a computed solution is in the first or the second case.
 
-use signorini::analysis::ContactSource;
 use signorini::edge::{EdgeTrace, Interval};
 use signorini::proof::Against;
 use signorini::proof::{AlternativeCase, NearVertices, Section, ThetaRule};
-use signorini::scenes::Scene;
+use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]
 #[path = "../examples/figure_3_2_alternative.rs"]
@@ -12,9 +11,12 @@ mod figure_3_2_alternative;
 
 #[test]
 fn every_segment_of_the_block_is_in_a_case() {
-    for (scene, tau) in
-        [(Scene::Block, 1.75), (Scene::Block, 2.0), (Scene::Membrane, 1.6), (Scene::Membrane, 2.0)]
-    {
+    for (scene, tau) in [
+        (MeshScene::Block, 1.75),
+        (MeshScene::Block, 2.0),
+        (MeshScene::Membrane, 1.6),
+        (MeshScene::Membrane, 2.0),
+    ] {
         let study =
             AlternativeCase::new(Section::Three, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
         for row in study.rows() {
@@ -84,7 +86,7 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
         [("transition", 1.75), ("transitions:9", 1.6), ("cantor:0.3", 1.9), ("fat-cantor", 1.75)]
     {
         for against in [Against::Reference, Against::Itself] {
-            let source: ContactSource = scene.parse().unwrap();
+            let source: Scene = scene.parse().unwrap();
             let rule = ThetaRule::Printed { tau };
             let case = AlternativeCase {
                 meshes: 6,
@@ -115,7 +117,7 @@ fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
         meshes: 1,
         ..AlternativeCase::new(
             Section::Three,
-            "fat-cantor".parse::<ContactSource>().unwrap(),
+            "fat-cantor".parse::<Scene>().unwrap(),
             128,
             ThetaRule::Fixed(0.5),
         )
@@ -168,11 +170,11 @@ fn bad_studies_are_refused() {
     let rule = ThetaRule::Printed { tau: 1.75 };
     let strip = |n, meshes| AlternativeCase {
         meshes,
-        ..AlternativeCase::new(Section::Three, "transition".parse::<ContactSource>().unwrap(), n, rule)
+        ..AlternativeCase::new(Section::Three, "transition".parse::<Scene>().unwrap(), n, rule)
     };
     for case in [strip(0, 1), strip(48, 2), strip(8, 5), strip(1 << 15, 3), strip(8, 0)] {
         assert!(case.over_size().is_err() && case.over_theta().is_err());
     }
-    assert!(AlternativeCase::new(Section::Three, Scene::Block, 512, rule).over_size().is_err());
-    assert!("cliff".parse::<ContactSource>().is_err() && "both".parse::<Against>().is_err());
+    assert!(AlternativeCase::new(Section::Three, MeshScene::Block, 512, rule).over_size().is_err());
+    assert!("cliff".parse::<Scene>().is_err() && "both".parse::<Against>().is_err());
 }

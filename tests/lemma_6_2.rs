@@ -6,7 +6,7 @@ mod example;
 
 use signorini::interpolation::{
     ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, SampleSlope, ascend,
-    element_constant, mesh_constant,
+    element_constant, mesh_constant_on_cells,
 };
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Error, Tolerance};
@@ -60,7 +60,8 @@ fn no_rough_function_exceeds_the_constants_of_one_element() {
 fn one_element_is_the_local_lemma() {
     for nu in [0.2, 0.5, 0.8] {
         for norm in [ErrorNorm::L2, ErrorNorm::Derivative, ErrorNorm::H1 { h: 1.0 }] {
-            let (mesh, element) = (mesh_constant(norm, order(nu), 1, 16).unwrap(), best(norm, order(nu)));
+            let (mesh, element) =
+                (mesh_constant_on_cells(norm, order(nu), 1, 16).unwrap(), best(norm, order(nu)));
             assert!(
                 mesh.value <= element && element <= mesh.value + mesh.error,
                 "{norm:?} {nu}: {mesh} {element}"
@@ -76,7 +77,7 @@ fn constants_on_a_mesh_lie_below_that_of_an_element_and_stay_bounded_below() {
             let element = best(norm, order(nu));
             let mut last = element;
             for elements in [2, 4, 8, 16] {
-                let mesh = mesh_constant(norm, order(nu), elements, 8).unwrap().value;
+                let mesh = mesh_constant_on_cells(norm, order(nu), elements, 8).unwrap().value;
                 assert!(
                     mesh < last * (1.0 + CELL_TOLERANCE),
                     "{norm:?} nu {nu} N {elements}: {mesh} after {last}"
@@ -94,7 +95,7 @@ fn an_optimiser_reaches_the_best_constant_on_a_mesh() {
         let nu = order(nu);
         let mesh = ElementMesh::uniform(elements, 8).unwrap();
         for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
-            let best = mesh_constant(norm, nu, elements, 8).unwrap().value;
+            let best = mesh_constant_on_cells(norm, nu, elements, 8).unwrap().value;
             let start: Vec<f64> = (0..=8 * elements).map(|i| ((7 * i) % 11) as f64).collect();
             let slope = ascend(norm, nu, &mesh, &start).unwrap();
             let error = InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();

@@ -16,21 +16,21 @@ use reference_squares::{check_against_reference, solvers_agree};
 use signorini::contact::{Cone, ContactProblem, Solver};
 use signorini::fem::{Condensation, Form, Lame, stiffness};
 use signorini::mesh::{Hierarchy, Sides, unit_square};
-use signorini::scenes::Scene;
+use signorini::scenes::MeshScene;
 
 #[test]
 fn block_nodal_matches_five_packages() {
-    check_against_reference("E1", Scene::Block, Cone::Nodal);
+    check_against_reference("E1", MeshScene::Block, Cone::Nodal);
 }
 
 #[test]
 fn membrane_nodal_matches_five_packages() {
-    check_against_reference("S1", Scene::Membrane, Cone::Nodal);
+    check_against_reference("S1", MeshScene::Membrane, Cone::Nodal);
 }
 
 #[test]
 fn active_set_and_interior_point_agree() {
-    for scene in [Scene::Block, Scene::Membrane] {
+    for scene in [MeshScene::Block, MeshScene::Membrane] {
         solvers_agree(scene, Cone::Nodal);
     }
 }
@@ -39,11 +39,11 @@ fn active_set_and_interior_point_agree() {
 fn refined_mesh_gives_the_same_solution_as_the_structured_one() {
     // Same triangles, other numbering, other elimination order: equal up to rounding of 10^4 operations per sum.
     const NUMBERING: f64 = 1e-13;
-    let mut hierarchy = Hierarchy::new(Scene::Block.mesh(8).unwrap());
+    let mut hierarchy = Hierarchy::new(MeshScene::Block.mesh(8).unwrap());
     hierarchy.refine().unwrap();
-    let nested = Scene::Block.on(hierarchy.finest().clone()).unwrap();
+    let nested = MeshScene::Block.on(hierarchy.finest().clone()).unwrap();
     let nested = nested.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
-    let direct = Scene::Block.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    let direct = MeshScene::Block.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
     assert!((nested.energy / direct.energy - 1.0).abs() < NUMBERING);
     for (a, b) in nested.normal_displacement.iter().zip(&direct.normal_displacement) {
         assert!((a - b).abs() < NUMBERING, "{a} {b}");
@@ -82,9 +82,9 @@ fn condensation_is_the_schur_complement() {
 #[test]
 fn nested_energy_errors_decrease() {
     // Only the decrease, and that a function has no distance to itself.
-    let hierarchy = Hierarchy::refined(Scene::Membrane.mesh(8).unwrap(), 2).unwrap();
+    let hierarchy = Hierarchy::refined(MeshScene::Membrane.mesh(8).unwrap(), 2).unwrap();
     let solve = |level: usize| {
-        let problem = Scene::Membrane.on(hierarchy.levels()[level].clone()).unwrap();
+        let problem = MeshScene::Membrane.on(hierarchy.levels()[level].clone()).unwrap();
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
         (problem, solution.displacement)
     };
@@ -100,7 +100,7 @@ fn nested_energy_errors_decrease() {
 
 #[test]
 fn bad_input_is_an_error() {
-    assert!(Scene::Block.problem(0).is_err());
+    assert!(MeshScene::Block.problem(0).is_err());
     assert!("planar".parse::<Cone>().is_err() && "newton".parse::<Solver>().is_err());
     let mesh = || unit_square(4, Sides::HANGING).unwrap();
     let elastic = || Form::elastic(Lame::new(1.0, 1.0).unwrap());

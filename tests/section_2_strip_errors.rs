@@ -5,9 +5,10 @@ use faer::{Mat, Side};
 use qd::Quad;
 use signorini::contact::Cone;
 use signorini::fem::Lame;
+use signorini::scenes::{StripScene, mean_errors};
 use signorini::strip::{
-    EdgeScene, EdgeSolution, ExactEdge, ExactElastic, Levels, Reference, SceneKind, SceneSource, Settings,
-    Sides, StripKind, StripProblem, mean_errors, solve_contact, study,
+    EdgeData, EdgeSolution, ExactEdge, ExactElastic, Levels, Reference, Settings, Sides, StripKind,
+    StripProblem, solve_contact, study,
 };
 
 /// The accuracy promised for every printed error, relative.
@@ -15,8 +16,8 @@ const PROMISED: f64 = 1e-8;
 /// Fields are differences of values known to 1e-13 or so; errors are 1e-2 of them.
 const FIELD: f64 = 1e-10;
 
-fn scene(cells: usize, sides: Sides) -> EdgeScene {
-    EdgeScene::build(SceneKind::Transition { position: 0.37 }, 1.75, cells, sides).unwrap()
+fn scene(cells: usize, sides: Sides) -> EdgeData {
+    StripScene::Transition { position: 0.37 }.data(1.75, cells, sides).unwrap()
 }
 
 /// One layer of triangles over (bottom row, top row), `c` components per node; a(u, v) of the Laplacian (c = 1) or of
@@ -330,7 +331,7 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
             .collect();
         values = fine;
         let forces = vec![0.0; values.len()];
-        let scene = EdgeScene::new(64 << level, Sides::Natural, values.clone(), forces).unwrap();
+        let scene = EdgeData::new(64 << level, Sides::Natural, values.clone(), forces).unwrap();
         let nested = ExactEdge::scalar(&scene, (1, 1), Reference::Nested).unwrap();
         errors.push(nested.error(16, &shape).unwrap().value.powi(2));
     }
@@ -355,8 +356,8 @@ fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
         let mut studies = Vec::new();
         for i in 0..POSITIONS {
             let position = 0.381966 + i as f64 / POSITIONS as f64 / 2048.0;
-            let source = SceneSource::Built(SceneKind::Transition { position });
-            let scene = source.scene(tau, levels.reference_cells(), Sides::Natural).unwrap();
+            let source = StripScene::Transition { position };
+            let scene = source.data(tau, levels.reference_cells(), Sides::Natural).unwrap();
             match &mut problem {
                 Some(problem) => problem.set_scene(&scene).unwrap(),
                 None => {

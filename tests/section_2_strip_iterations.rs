@@ -1,9 +1,8 @@
 //! Section 2 on a strip: inner iterations of every step stay bounded over levels, numbers of gaps, cones and kinds.
 
 use signorini::contact::Cone;
-use signorini::strip::{
-    EdgeScene, Level, Levels, Reference, SceneKind, Sides, StripCase, StripKind, StripProblem, study,
-};
+use signorini::scenes::{StripCase, StripScene};
+use signorini::strip::{Level, Levels, Reference, Sides, StripKind, StripProblem, study};
 
 /// Required of every step on every level.
 const BOUND: usize = 30;
@@ -54,7 +53,7 @@ fn inner_iterations_are_bounded_over_levels_gap_counts_cones_and_kinds() {
 #[test]
 fn a_fat_cantor_set_of_over_thirty_thousand_gaps_needs_no_more() {
     // The set lives on 2^22 cells; levels to 2^16 resolve the gaps of two of their cells or more.
-    let scene = EdgeScene::build(SceneKind::FatCantor { depth: 15 }, 1.55, 1 << 22, Sides::Natural).unwrap();
+    let scene = StripScene::FatCantor { depth: 15 }.data(1.55, 1 << 22, Sides::Natural).unwrap();
     assert!(scene.gaps() > 30_000, "{}", scene.gaps());
     let problem = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 8).unwrap();
     for cone in Cone::ALL {

@@ -7,7 +7,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use signorini::contact::{Cone, ContactSet, EdgeProblem, Solver, solve_on_edge};
 use signorini::fem::Lame;
-use signorini::scenes::Scene;
+use signorini::scenes::MeshScene;
 use signorini::strip::{ElasticStrip, ScalarStrip, Settings, solve_contact};
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ const ENERGY: f64 = 1e-11;
 #[test]
 fn scalar_strip_and_mesh_agree() {
     for n in [8, 16, 32, 64, 128] {
-        let problem = Scene::Membrane.problem(n).unwrap();
+        let problem = MeshScene::Membrane.problem(n).unwrap();
         let strip = ScalarStrip::new(n, n).unwrap();
         let load = strip.condense(|x, _| (2.0 * PI * x).cos() + 0.3).unwrap();
         let points = problem.edge().points();

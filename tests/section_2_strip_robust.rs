@@ -5,9 +5,10 @@ use faer::Mat;
 use proptest::prelude::*;
 use signorini::contact::{Cone, ContactSet, EdgeProblem, solve_on_edge};
 use signorini::fem::Lame;
+use signorini::scenes::StripScene;
 use signorini::strip::{
-    EdgeLoad, EdgeOperator, EdgeScene, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, SceneKind,
-    SceneSource, Settings, Sides, solve_contact,
+    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, Settings,
+    Sides, solve_contact,
 };
 use signorini::{Error, Result};
 
@@ -130,29 +131,29 @@ fn refused<T: std::fmt::Debug>(outcome: Result<T>, words: &str) {
 
 #[test]
 fn bad_scenes_are_named() {
-    let build = |kind, tau| EdgeScene::build(kind, tau, 64, Sides::Natural);
-    let transition = SceneKind::Transition { position: 0.4 };
+    let build = |kind: StripScene, tau| kind.data(tau, 64, Sides::Natural);
+    let transition = StripScene::Transition { position: 0.4 };
     for tau in [1.5, 2.6, f64::NAN, -1.0] {
-        refused(build(transition, tau), "tau");
+        refused(build(transition.clone(), tau), "tau");
     }
-    refused(build(SceneKind::Cantor { ratio: 0.3, depth: 3 }, 2.1), "tau");
-    refused(build(transition, 2.1), "tau");
-    refused(build(SceneKind::FatCantor { depth: 5 }, 2.0), "fat Cantor");
-    refused(build(SceneKind::FatCantor { depth: 0 }, 1.75), "depth");
-    refused(build(SceneKind::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");
-    refused(build(SceneKind::Transition { position: 1.0 }, 1.75), "position");
-    refused(build(SceneKind::Transitions { gaps: 64 }, 1.75), "gaps");
-    refused(EdgeScene::new(2, Sides::Natural, vec![-1.0; 3], vec![0.0; 3]), "empty");
-    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![0.0, 1.0, 0.0]), "both nonzero");
-    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, 1.0, 0.0], vec![0.0; 3]), "u_N");
-    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![-1.0, 0.0, 0.0]), "lambda");
-    refused(EdgeScene::new(2, Sides::Natural, vec![0.0, f64::NAN, 0.0], vec![0.0; 3]), "not finite");
-    refused(EdgeScene::new(4, Sides::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
-    let odd = EdgeScene::new(6, Sides::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
+    refused(build(StripScene::Cantor { ratio: 0.3, depth: 3 }, 2.1), "tau");
+    refused(build(transition.clone(), 2.1), "tau");
+    refused(build(StripScene::FatCantor { depth: 5 }, 2.0), "fat Cantor");
+    refused(build(StripScene::FatCantor { depth: 0 }, 1.75), "depth");
+    refused(build(StripScene::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");
+    refused(build(StripScene::Transition { position: 1.0 }, 1.75), "position");
+    refused(build(StripScene::Transitions { gaps: 64 }, 1.75), "gaps");
+    refused(EdgeData::new(2, Sides::Natural, vec![-1.0; 3], vec![0.0; 3]), "empty");
+    refused(EdgeData::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![0.0, 1.0, 0.0]), "both nonzero");
+    refused(EdgeData::new(2, Sides::Natural, vec![0.0, 1.0, 0.0], vec![0.0; 3]), "u_N");
+    refused(EdgeData::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![-1.0, 0.0, 0.0]), "lambda");
+    refused(EdgeData::new(2, Sides::Natural, vec![0.0, f64::NAN, 0.0], vec![0.0; 3]), "not finite");
+    refused(EdgeData::new(4, Sides::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
+    let odd = EdgeData::new(6, Sides::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
     refused(ExactEdge::scalar(&odd, (1, 1), Reference::Nested), "powers of two");
-    let ring = EdgeScene::new(8, Sides::Periodic, vec![0.0; 8], vec![0.0; 8]).unwrap();
+    let ring = EdgeData::new(8, Sides::Periodic, vec![0.0; 8], vec![0.0; 8]).unwrap();
     refused(ExactEdge::scalar(&ring, (1, 1), Reference::Nested), "sides");
-    let flat = EdgeScene::new(8, Sides::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
+    let flat = EdgeData::new(8, Sides::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
     refused(ExactEdge::scalar(&flat, (1, 3), Reference::Nested), "cells");
     let exact = ExactEdge::scalar(&flat, (1, 1), Reference::Nested).unwrap();
     refused(exact.load(16), "cells");
@@ -163,16 +164,16 @@ fn bad_scenes_are_named() {
 #[test]
 fn samples_are_read_or_refused_by_line() {
     let good = "# u_N lambda\n0 1\n0, 0.5\n-0.1 0\n-0.2 0 # open\n-0.1 0\n";
-    let scene = EdgeScene::from_samples(good, Sides::Natural).unwrap();
+    let scene = EdgeData::from_samples(good, Sides::Natural).unwrap();
     assert_eq!((scene.cells(), scene.gaps(), scene.regularity()), (4, 1, None));
     assert_eq!(scene.forces(), [0.125, 0.125, 0.0, 0.0, 0.0]);
-    refused(EdgeScene::from_samples("0 1\n0\n0 0\n", Sides::Natural), "line 2");
-    refused(EdgeScene::from_samples("0 1\n0 0 0\n0 0\n", Sides::Natural), "line 2");
-    refused(EdgeScene::from_samples("0 1\n0 0\nx 0\n", Sides::Natural), "line 3");
-    refused(EdgeScene::from_samples("0 1\n0 0\n", Sides::Natural), "lines of samples");
-    refused(EdgeScene::from_samples("", Sides::Periodic), "lines of samples");
-    refused(EdgeScene::from_samples("0 1\n-1 1\n0 0\n", Sides::Natural), "both nonzero");
-    refused(EdgeScene::from_samples("0 inf\n0 0\n0 0\n", Sides::Natural), "not finite");
+    refused(EdgeData::from_samples("0 1\n0\n0 0\n", Sides::Natural), "line 2");
+    refused(EdgeData::from_samples("0 1\n0 0 0\n0 0\n", Sides::Natural), "line 2");
+    refused(EdgeData::from_samples("0 1\n0 0\nx 0\n", Sides::Natural), "line 3");
+    refused(EdgeData::from_samples("0 1\n0 0\n", Sides::Natural), "lines of samples");
+    refused(EdgeData::from_samples("", Sides::Periodic), "lines of samples");
+    refused(EdgeData::from_samples("0 1\n-1 1\n0 0\n", Sides::Natural), "both nonzero");
+    refused(EdgeData::from_samples("0 inf\n0 0\n0 0\n", Sides::Natural), "not finite");
 }
 
 fn run(arguments: &[&str]) -> Result<signorini::report::Headline> {
@@ -232,7 +233,7 @@ fn example_runs_and_refuses() {
         assert!(example::Options::try_parse_from(words).is_err(), "{arguments:?}");
     }
     assert!(Levels::new(0, 3).is_err());
-    assert!("samples:".parse::<SceneSource>().is_err());
+    assert!("samples:".parse::<StripScene>().is_err());
 }
 
 /// Gaps that the grid cannot hold are counted, exact solutions and samples coarser than the levels are named.

@@ -30,7 +30,7 @@ fn no_rough_function_exceeds_the_upper_bound() {
                 for q in [2.0, 3.0, 20.0, 200.0_f64] {
                     let q = q.min(critical_exponent(nu).unwrap());
                     let quotient = u.lq_norm(q, Tolerance::balanced()).unwrap().value / norm;
-                    let bound = embedding_upper_bound(nu, q).unwrap();
+                    let bound = embedding_upper_bound(nu, q).unwrap().value;
                     assert!(quotient <= bound, "{family:?} {index} nu {nu} q {q}: {quotient} above {bound}");
                 }
             }
@@ -56,7 +56,7 @@ fn the_circle_s_weights_bound_the_seminorm_of_waves() {
 #[test]
 fn constants_are_one_where_the_upper_bound_says_so() {
     for (nu, q) in [(0.5, 2.0), (0.5, 8.0), (0.3, 5.0), (0.1, 2.5), (1e-6, 2.0)] {
-        assert_eq!(embedding_upper_bound(order(nu), q).unwrap(), 1.0, "{nu} {q}");
+        assert_eq!(embedding_upper_bound(order(nu), q).unwrap().value, 1.0, "{nu} {q}");
     }
     // the constant function loses its place when 2 + 1/γ₁² = 13.76 is passed, here by a global competitor
     let space = EmbeddingSpace::new(FractionalOrder::HALF, 40, 0.6).unwrap();
@@ -70,7 +70,7 @@ fn growth_is_that_of_a_square_root_between_two_constants() {
     let mut last = f64::INFINITY;
     for q in [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0_f64] {
         let lower = space.climb(q).unwrap().quotient.value / q.sqrt();
-        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap() / q.sqrt();
+        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap().value / q.sqrt();
         assert!(GROWTH[0] <= lower && lower <= upper && upper <= GROWTH[1], "{q}: {lower} {upper}");
         // towards (3/(4π²e))^{1/2} = 0.16721 from above
         assert!(lower < last, "{q}: {lower} after {last}");
@@ -94,7 +94,7 @@ fn hoelder_constants_grow_like_the_root_of_one_over_one_minus_alpha() {
     let increments = EndIncrements::new(&Partition::geometric(250, 0.6, 1.0).unwrap()).unwrap();
     for q in [2.0, 10.0, 50.0, 200.0_f64] {
         let (lower, place) = increments.constant(1.0 - 1.0 / q).unwrap();
-        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap();
+        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap().value;
         assert!(lower.value <= upper, "{q}: {lower} {upper}");
         assert!(lower.value / q.sqrt() > 0.167, "{q}: {lower}");
         if q >= 50.0 {
@@ -121,8 +121,8 @@ fn exponents_outside_the_embedding_are_errors() {
     }
     assert!(critical_exponent(order(0.6)).is_err());
     let near = FractionalOrder::from_offset(-1e-9).unwrap();
-    let at_half = embedding_upper_bound(order(0.5), 100.0).unwrap();
-    assert!((embedding_upper_bound(near, 100.0).unwrap() / at_half - 1.0).abs() < 1e-6);
+    let at_half = embedding_upper_bound(order(0.5), 100.0).unwrap().value;
+    assert!((embedding_upper_bound(near, 100.0).unwrap().value / at_half - 1.0).abs() < 1e-6);
     assert!(EmbeddingSpace::new(order(0.7), 10, 0.5).is_err());
     assert!(EmbeddingSpace::new(order(0.5), 10, 1.5).is_err());
 }

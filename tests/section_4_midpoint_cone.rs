@@ -5,21 +5,21 @@ mod reference_squares;
 
 use reference_squares::{check_against_reference, solvers_agree};
 use signorini::contact::{Cone, Solver};
-use signorini::scenes::Scene;
+use signorini::scenes::MeshScene;
 
 #[test]
 fn block_midpoint_matches_five_packages() {
-    check_against_reference("E2", Scene::Block, Cone::Midpoint);
+    check_against_reference("E2", MeshScene::Block, Cone::Midpoint);
 }
 
 #[test]
 fn membrane_midpoint_matches_five_packages() {
-    check_against_reference("S2", Scene::Membrane, Cone::Midpoint);
+    check_against_reference("S2", MeshScene::Membrane, Cone::Midpoint);
 }
 
 #[test]
 fn active_set_and_interior_point_agree() {
-    for scene in [Scene::Block, Scene::Membrane] {
+    for scene in [MeshScene::Block, MeshScene::Membrane] {
         solvers_agree(scene, Cone::Midpoint);
     }
 }
@@ -27,7 +27,7 @@ fn active_set_and_interior_point_agree() {
 #[test]
 fn larger_cone_has_smaller_energy() {
     // The nodal cone lies inside the midpoint cone, so its minimum is not below.
-    for scene in [Scene::Block, Scene::Membrane] {
+    for scene in [MeshScene::Block, MeshScene::Membrane] {
         let problem = scene.problem(16).unwrap();
         let [nodal, midpoint] = Cone::ALL.map(|cone| problem.solve(cone, Solver::ActiveSet).unwrap().energy);
         assert!(midpoint <= nodal, "{scene}: {midpoint} > {nodal}");
@@ -37,7 +37,7 @@ fn larger_cone_has_smaller_energy() {
 #[test]
 fn contact_runs_carry_a_sawtooth() {
     // Means vanish on a run of active segments, so nodal values alternate in sign with one amplitude.
-    let solution = Scene::Block.problem(16).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
+    let solution = MeshScene::Block.problem(16).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
     let run = solution.contact_set.runs()[0].clone();
     let amplitude = solution.normal_displacement[run.start];
     assert!(amplitude != 0.0);

@@ -9,7 +9,7 @@ mod saturation;
 
 use signorini::interpolation::{
     DualNorm, ElementMesh, ProjectionNorm, SampleSlope, dual_projection_constant, projection_constant,
-    projection_norm_on_mesh, sample_projection_dual_error, sample_projection_error, wave_constant,
+    projection_norm_on_cells, sample_projection_dual_error, sample_projection_error, wave_constant,
 };
 use signorini::poincare::{Condition, Zone, gamma};
 use signorini::sobolev::{FractionalOrder, Partition};
@@ -55,7 +55,7 @@ fn the_dual_constant_lies_below_the_paper_s_chain_and_meets_it_at_one_half() {
 #[test]
 fn one_element_on_a_mesh_is_the_best_constant() {
     for r in [0.2, 0.5, 1.0] {
-        let mesh = projection_norm_on_mesh(ProjectionNorm::L2, r, 1, 32).unwrap();
+        let mesh = projection_norm_on_cells(ProjectionNorm::L2, r, 1, 32).unwrap();
         assert!(mesh.value <= constant(r) * (1.0 + 1e-9), "{r}: {mesh}");
         assert!(constant(r) <= mesh.value + mesh.error, "{r}: {mesh}");
     }
@@ -70,7 +70,7 @@ fn norms_on_meshes_stay_below_the_constants_and_have_their_rates() {
                 ProjectionNorm::Dual => dual_projection_constant(r, Tolerance::balanced()).unwrap().value,
             };
             let norms: Vec<f64> =
-                [16, 32].iter().map(|&n| projection_norm_on_mesh(norm, r, n, 4).unwrap().value).collect();
+                [16, 32].iter().map(|&n| projection_norm_on_cells(norm, r, n, 4).unwrap().value).collect();
             assert!(norms[1] <= best * 32f64.powf(-norm.rate(r)), "{norm:?} {r}: {norms:?}");
             let rate = (norms[0] / norms[1]).log2();
             assert!((rate - norm.rate(r)).abs() < RATE_TOLERANCE, "{norm:?} {r}: {rate}");
@@ -138,10 +138,10 @@ fn inadmissible_orders_are_errors() {
     for r in [-0.1, 1.1, f64::NAN] {
         assert!(matches!(projection_constant(r, Tolerance::fast()), Err(Error::OutOfRange { .. })));
         assert!(dual_projection_constant(r, Tolerance::fast()).is_err());
-        assert!(projection_norm_on_mesh(ProjectionNorm::L2, r, 2, 4).is_err());
+        assert!(projection_norm_on_cells(ProjectionNorm::L2, r, 2, 4).is_err());
     }
     for (elements, cells) in [(0, 4), (4, 3), (4, 2), (usize::MAX, 4), (10_000, 4)] {
-        assert!(projection_norm_on_mesh(ProjectionNorm::L2, 0.5, elements, cells).is_err());
+        assert!(projection_norm_on_cells(ProjectionNorm::L2, 0.5, elements, cells).is_err());
     }
     let dual = DualNorm::new(&Partition::uniform(8, 1.0).unwrap()).unwrap();
     for cells in [0, 3, 9] {
@@ -191,7 +191,7 @@ fn the_supremum_lies_between_its_bounds_on_every_mesh() {
                 ProjectionNorm::Dual => dual_projection_constant(r, Tolerance::balanced()).unwrap().value,
             };
             for elements in [1, 2, 4, 8, 16] {
-                let supremum = projection_norm_on_mesh(norm, r, elements, 8).unwrap();
+                let supremum = projection_norm_on_cells(norm, r, elements, 8).unwrap();
                 let power = (elements as f64).powf(norm.rate(r));
                 let wave = wave_constant(norm, r, elements).unwrap().value;
                 assert!(wave <= power * (supremum.value + supremum.error), "{norm:?} {r} {elements}");

@@ -6,8 +6,9 @@ use signorini::edge::{
     seminorm_by_quadrature,
 };
 use signorini::proof::{NearVertices, ProofCase, ProofConstants, Resolution, Section, Step, ThetaRule};
+use signorini::scenes::StripScene;
 use signorini::sobolev::FractionalOrder;
-use signorini::strip::{EdgeScene, Levels, SceneSource, Sides};
+use signorini::strip::{EdgeData, Levels, Sides};
 
 mod proof_cases;
 #[allow(dead_code)]
@@ -36,7 +37,7 @@ fn seminorms_on_a_segment_agree_by_two_roads() {
             let order = FractionalOrder::new(nu).unwrap();
             let traces = if nu < 0.5 { Traces::Constants } else { Traces::Linears };
             for source in ["transition", "transitions:9", "cantor:0.3"] {
-                let scene = source.parse::<SceneSource>().unwrap().scene(tau, 512, Sides::Natural).unwrap();
+                let scene = source.parse::<StripScene>().unwrap().data(tau, 512, Sides::Natural).unwrap();
                 let pair = ContactPair::of_scene(&scene, traces).unwrap();
                 for n in [16, 32] {
                     let form = SeminormForm::new(traces, order, 512 / n).unwrap();
@@ -128,7 +129,7 @@ fn cases_of_pairs_are_those_of_traces() {
     for (source, tau) in
         [("transition:0.3", 1.75), ("transitions:7", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 1.9)]
     {
-        let scene = source.parse::<SceneSource>().unwrap().scene(tau, 1 << 12, Sides::Natural).unwrap();
+        let scene = source.parse::<StripScene>().unwrap().data(tau, 1 << 12, Sides::Natural).unwrap();
         let trace = EdgeTrace::of_scene(&scene).unwrap();
         let pair = ContactPair::of_scene(&scene, Traces::Constants).unwrap();
         let n = 64;
@@ -170,7 +171,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
         // A force needs a contact cell beside its node.
         let carried = |i: usize| touches(i) && ((i > 0 && touches(i - 1)) || (i < cells && touches(i + 1)));
         let forces = (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
-        let scene = EdgeScene::new(cells, Sides::Natural, values, forces).unwrap();
+        let scene = EdgeData::new(cells, Sides::Natural, values, forces).unwrap();
         for tau in [1.75, 2.0] {
             let (constants, gamma) = &known[usize::from(tau == 2.0)];
             let traces = Traces::for_regularity(tau);
@@ -199,7 +200,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
     // A force on an isolated contact point is no density.
     let values = (0..=8).map(|i| if i == 4 { 0.0 } else { -1.0 }).collect();
     let forces = (0..=8).map(|i| if i == 4 { 1.0 } else { 0.0 }).collect();
-    let scene = EdgeScene::new(8, Sides::Natural, values, forces).unwrap();
+    let scene = EdgeData::new(8, Sides::Natural, values, forces).unwrap();
     assert!(ContactPair::of_scene(&scene, Traces::Constants).is_err());
 }
 

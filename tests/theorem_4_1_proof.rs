@@ -1,7 +1,8 @@
 //! Theorem 4.1, its proof: (4.9)-(4.14) on computed pairs, each side by itself, and the ladder of bounds.
 
 use signorini::proof::{ProofCase, Section};
-use signorini::strip::{Levels, SceneKind, SceneSource};
+use signorini::scenes::StripScene;
+use signorini::strip::Levels;
 
 mod proof_cases;
 #[allow(dead_code)]
@@ -36,8 +37,7 @@ fn above_two_every_segment_with_contact_obeys_4_14() {
         // h^(2 + 2 eps) is optimal on one transition.
         assert!((exponent.value - (2.0 * tau - 2.0)).abs() < 0.1, "tau {tau}: {exponent:?}");
         assert!((ladder[6].exponent.value - (2.0 * tau - 2.0)).abs() < 1e-9);
-        let rough =
-            ProofCase { source: SceneSource::Built(SceneKind::Cantor { ratio: 0.3, depth: 5 }), ..case };
+        let rough = ProofCase { source: StripScene::Cantor { ratio: 0.3, depth: 5 }, ..case };
         assert!(rough.profile(&constants).is_err(), "only a transition is that smooth");
     }
 }
@@ -46,7 +46,7 @@ fn above_two_every_segment_with_contact_obeys_4_14() {
 fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
     for source in ["transition", "fat-cantor"] {
         let case = ProofCase {
-            source: source.parse::<SceneSource>().unwrap(),
+            source: source.parse::<StripScene>().unwrap(),
             ..ProofCase::standard(SECTION).unwrap()
         };
         assert!(case.levels.cells().count() >= 8);

@@ -2,7 +2,7 @@
 
 use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
 use signorini::proof::ElementBalance;
-use signorini::strip::{EdgeScene, Levels, Sides};
+use signorini::strip::{EdgeData, Levels, Sides};
 
 #[allow(dead_code)]
 #[path = "../examples/theta_balance.rs"]
@@ -52,7 +52,7 @@ fn no_random_pair_exceeds_the_worst_pair() {
             };
             let values = (0..=cells).map(value).collect();
             let forces = (0..=cells).map(force).collect();
-            let scene = EdgeScene::new(cells, Sides::Natural, values, forces).unwrap();
+            let scene = EdgeData::new(cells, Sides::Natural, values, forces).unwrap();
             let pair = ContactPair::of_scene(&scene, traces).unwrap();
             let norms = SegmentNorms::new(&pair.edge(), 2.0, &form).unwrap();
             let size = (norms.stress.norm_squared() * norms.slope.norm_squared()).sqrt();
@@ -78,8 +78,8 @@ fn the_crossing_is_the_printed_power_times_a_constant() {
             let theta = h.powf(2.0 * tau - 3.0);
             // C(q) h θ^{τ−1} = C_P θ^{τ−2} C_L2 h^{2τ−2}
             let constants = balance.constants();
-            let factor =
-                constants.law(theta).printed * theta.powf(2.0 - tau) * constants.interpolation / constants.embedding;
+            let factor = constants.law(theta).printed * theta.powf(2.0 - tau) * constants.interpolation
+                / constants.embedding;
             let crossing = balance.crossing(h, false);
             assert!((crossing / (factor * theta) - 1.0).abs() < CROSSING, "tau {tau} h {h}: {crossing}");
             let (first, second) = (balance.first_bound(h, crossing), balance.second_bound(h, crossing)[0]);
@@ -93,7 +93,7 @@ fn exponents_of_printed_sharpened_and_true() {
     for tau in [1.6, 1.75, 1.9] {
         let options = theta_balance::Options { tau, ..theta_balance::Options::default() };
         let headline = theta_balance::run(&options).unwrap();
-        assert!(headline.verdict.is_confirmed(), "tau {tau}: {}", headline.verdict);
+        assert!(headline.verdict().is_confirmed(), "tau {tau}: {}", headline.verdict());
         let value = |key: &str| headline.values.iter().find(|(k, _)| k == key).unwrap().1;
         let printed = 2.0 * tau * tau - 5.0 * tau + 4.0;
         assert!((value("theta.balance.printed") - printed).abs() < 1e-9, "tau {tau}");

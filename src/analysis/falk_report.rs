@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::figures::{Axis, Chart, Series};
 use crate::proof::{Exponent, FalkRow};
 use crate::report::{Column, Format, Headline, Table, Verdict};
-use crate::strip::StripCase;
+use crate::scenes::StripCase;
 
 /// The bound of the energy norm holds up to the rounding of squared errors, about 1e-12 of the largest term.
 const ROUNDING: f64 = 1e-9;

@@ -14,8 +14,8 @@ use crate::error::{Error, Result};
 use crate::figures::{Axis, Chart, Series};
 use crate::proof::worst_ratio;
 use crate::report::{Column, Format, Headline, Table, Verdict};
-use crate::scenes::TransitionPowers;
-use crate::strip::{EdgeScene, SceneKind, Sides};
+use crate::scenes::{StripScene, TransitionPowers};
+use crate::strip::{EdgeData, Sides};
 
 /// A contact set with what the search finds for one cone.
 #[derive(Debug, Clone)]
@@ -40,13 +40,13 @@ pub fn search_sets(tau: f64, cells: usize, report: &mut dyn FnMut()) -> Result<V
     let mut rows = Vec::new();
     for pressure in [tau - 2.0, 0.0, 0.5] {
         let powers = TransitionPowers { pressure, ..TransitionPowers::of_regularity(tau) };
-        let scenes = (0..POSITIONS).map(|k| powers.scene(0.3 + 0.125 * k as f64 / POSITIONS as f64, cells));
+        let scenes = (0..POSITIONS).map(|k| powers.data(0.3 + 0.125 * k as f64 / POSITIONS as f64, cells));
         let name = format!("transition, sigma_N ~ r^{pressure:.2}");
         rows.push(search_row(name, tau, scenes)?);
         report();
     }
     for kind in kinds() {
-        let scene = EdgeScene::build(kind, tau, cells, Sides::Natural);
+        let scene = kind.data(tau, cells, Sides::Natural);
         rows.push(search_row(kind.to_string(), tau, std::iter::once(scene))?);
         report();
     }
@@ -61,15 +61,15 @@ pub fn search_size() -> usize {
     3 + kinds().len()
 }
 
-fn kinds() -> Vec<SceneKind> {
-    let many = [3, 11, 47].map(|gaps| SceneKind::Transitions { gaps });
+fn kinds() -> Vec<StripScene> {
+    let many = [3, 11, 47].map(|gaps| StripScene::Transitions { gaps });
     let cantor = [(0.1, 2), (0.2, 3), (0.3, 4), (0.4, 5), (0.45, 6), (0.1, 20), (0.3, 20), (0.45, 20)]
-        .map(|(ratio, depth)| SceneKind::Cantor { ratio, depth });
-    let fat = [4, 30].map(|depth| SceneKind::FatCantor { depth });
+        .map(|(ratio, depth)| StripScene::Cantor { ratio, depth });
+    let fat = [4, 30].map(|depth| StripScene::FatCantor { depth });
     many.into_iter().chain(cantor).chain(fat).collect()
 }
 
-fn search_row(set: String, tau: f64, scenes: impl Iterator<Item = Result<EdgeScene>>) -> Result<SearchRow> {
+fn search_row(set: String, tau: f64, scenes: impl Iterator<Item = Result<EdgeData>>) -> Result<SearchRow> {
     let mut sums: [Vec<(usize, f64)>; 2] = Default::default();
     let mut shares = [0.0f64; 2];
     let mut shortest = 1.0f64;
@@ -98,14 +98,14 @@ fn search_row(set: String, tau: f64, scenes: impl Iterator<Item = Result<EdgeSce
 }
 
 /// Length of the shortest run of nodes that are all open or all in contact.
-fn shortest_piece(scene: &EdgeScene) -> f64 {
+fn shortest_piece(scene: &EdgeData) -> f64 {
     let values = scene.values();
     let runs = values.chunk_by(|a, b| (*a < 0.0) == (*b < 0.0)).map(<[f64]>::len);
     runs.min().unwrap_or(0) as f64 / scene.cells() as f64
 }
 
 /// Terms on 2^3 ... N/32 cells, coarsest first.
-fn levels(scene: &EdgeScene, cone: Cone) -> Vec<(usize, f64)> {
+fn levels(scene: &EdgeData, cone: Cone) -> Vec<(usize, f64)> {
     let mut terms = consistency_terms(scene, cone);
     terms.retain(|&(cells, _)| cells >= 8 && 32 * cells <= scene.cells());
     terms.reverse();

@@ -10,19 +10,23 @@
 //!
 //! A set that reproduces itself solves the problem. When a set comes back, only the wrong constraint with the least
 //! index changes sides until fewer constraints are wrong than ever before: finite for every symmetric positive definite
-//! S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994).
+//! S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this phase the next set is a function of
+//! the set alone, so one that comes back a second time comes back for ever: [`Status::Cycled`]. Only rounding, or an S that
+//! is not symmetric positive definite, gets there.
 //! Cost: one dense factorization on the edge per step, however fine the mesh behind it.
 
-use super::cone::Cone;
-use super::contact_set::ContactSet;
 use super::edge_problem::{EdgeProblem, EdgeState};
-use super::projection::project;
-use super::status::Status;
+use crate::cone::{Cone, ContactSet, Status, Weighted, project_weighted};
 use crate::error::Result;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Signs below this multiple of the size of the terms are rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Steps allowed, with [`STEPS_PER_CONSTRAINT`] for every constraint. Runs take ten or twenty; a change of sides one by one
+/// takes a few per constraint.
+const FEWEST_STEPS: usize = 100;
+const STEPS_PER_CONSTRAINT: usize = 20;
 
 /// How the iteration on the edge went.
 #[derive(Debug, Clone)]
@@ -42,27 +46,35 @@ pub struct EdgeOutcome {
 /// # Errors
 /// As for [`EdgeProblem::solve_with`].
 pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
-    let limit = 100 + 20 * start.constraints();
+    let limit = FEWEST_STEPS + STEPS_PER_CONSTRAINT * start.constraints();
     let mut set = start;
     let mut history: Vec<ContactSet> = Vec::new();
-    let mut seen: HashMap<ContactSet, usize> = HashMap::new();
+    let mut seen: HashSet<ContactSet> = HashSet::new();
     let mut fewest = usize::MAX;
     let mut one_at_a_time = false;
+    // The sets from which one constraint changed sides, with their steps.
+    let mut changed_one: HashMap<ContactSet, usize> = HashMap::new();
     loop {
         let state = problem.solve_with(&set)?;
         let wrong = wrong_constraints(problem, &set, &state);
         history.push(set.clone());
         let steps = history.len();
-        if wrong.is_empty() || steps == limit {
-            let status = if wrong.is_empty() { Status::Converged } else { Status::StepLimit { steps } };
-            return Ok(EdgeOutcome { state, set, status, history });
-        }
-        let came_back = seen.insert(set.clone(), steps).is_some();
+        let came_back = !seen.insert(set.clone());
         if wrong.len() < fewest {
             fewest = wrong.len();
             one_at_a_time = false;
+            changed_one.clear();
         } else {
             one_at_a_time |= came_back;
+        }
+        let before = if one_at_a_time { changed_one.insert(set.clone(), steps) } else { None };
+        let status = match before {
+            _ if wrong.is_empty() => Some(Status::Converged),
+            Some(before) => Some(Status::Cycled { period: steps - before }),
+            None => (steps == limit).then_some(Status::StepLimit { steps }),
+        };
+        if let Some(status) = status {
+            return Ok(EdgeOutcome { state, set, status, history });
         }
         set = match (one_at_a_time, problem.cone) {
             (true, _) => changed(&set, &wrong[..1]),
@@ -81,11 +93,12 @@ fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
 
 /// The constraints active at the projection of w − D⁻¹ ∇J = w + D⁻¹ B'λ, D the diagonal of S.
 fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<ContactSet> {
-    let nodes = state.displacement.len();
-    let weights: Vec<f64> = (0..nodes).map(|i| problem.stiffness[(i, i)]).collect();
-    let force = problem.cone.apply_transposed(&state.multiplier, nodes)?;
-    let target: Vec<f64> = (0..nodes).map(|i| state.displacement[i] + force[i] / weights[i]).collect();
-    Ok(project(&target, &weights, problem.bound, problem.fixed).1)
+    let force = problem.edge_cone().apply_transposed(&state.multiplier)?;
+    let weight = |i: usize| problem.stiffness[(i, i)];
+    let target: Vec<f64> = (0..force.len()).map(|i| state.displacement[i] + force[i] / weight(i)).collect();
+    let nearest =
+        Weighted { weight, bound: |i: usize| problem.bound[i], is_fixed: |i: usize| problem.fixed[i] };
+    Ok(ContactSet::new(project_weighted(&target, &nearest).1))
 }
 
 /// The constraints on the wrong side, ascending.
@@ -141,5 +154,22 @@ mod tests {
                 assert!(outcome.status.is_converged(), "{load:?} from {first}");
             }
         }
+    }
+
+    /// Node 0 is pushed into the foundation, and off it as soon as it touches: no solution, and an S that is not symmetric.
+    #[test]
+    fn a_cycle_without_a_way_out_is_reported() {
+        let entries = [[1.0, -2.0], [0.0, 1.0]];
+        let stiffness = Mat::from_fn(2, 2, |i, j| entries[i][j]);
+        let problem = EdgeProblem {
+            stiffness: &stiffness,
+            load: &[1.0, -1.0],
+            bound: &[0.0; 2],
+            fixed: &[false; 2],
+            cone: Cone::Nodal,
+        };
+        let outcome = solve_on_edge(&problem, ContactSet::empty(2)).unwrap();
+        assert_eq!(outcome.status, Status::Cycled { period: 2 });
+        assert!(outcome.history.len() < 10);
     }
 }

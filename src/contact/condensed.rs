@@ -4,12 +4,11 @@
 //! is not repeated. It removes what rounding in the elimination left in the balance of forces.
 
 use super::active_set::solve_on_edge;
-use super::cone::Cone;
-use super::contact_set::ContactSet;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
 use super::solution::{Candidate, ContactSolution, Seconds, conclude, gap_of};
 use super::solver::Solver;
+use crate::cone::{Cone, ContactSet, EdgeCone};
 use crate::error::Result;
 use crate::estimate::Work;
 use crate::fem::{Condensation, Reduced};
@@ -18,7 +17,7 @@ use std::time::Instant;
 /// Iterate and everything needed to correct it.
 struct Condensed<'a> {
     problem: &'a ContactProblem,
-    cone: Cone,
+    cone: EdgeCone,
     condensation: Condensation,
     normals: Vec<usize>,
     fixed: Vec<bool>,
@@ -76,6 +75,7 @@ impl<'a> Condensed<'a> {
     /// The problem condensed to its edge, before the first step.
     fn new(problem: &'a ContactProblem, cone: Cone) -> Result<Self> {
         let normals = problem.normal_unknowns();
+        let cone = problem.edge_cone(cone);
         Ok(Self {
             condensation: Condensation::new(
                 &problem.matrix,
@@ -85,7 +85,7 @@ impl<'a> Condensed<'a> {
             )?,
             fixed: normals.iter().map(|&unknown| problem.prescribed[unknown]).collect(),
             unknowns: problem.values.clone(),
-            multiplier: vec![0.0; cone.constraints(normals.len())],
+            multiplier: vec![0.0; cone.constraints()],
             problem,
             cone,
             normals,
@@ -98,7 +98,7 @@ impl<'a> Condensed<'a> {
         for (r, f) in residual.iter_mut().zip(&self.problem.load) {
             *r = f - *r;
         }
-        let force = self.cone.apply_transposed(&self.multiplier, self.normals.len())?;
+        let force = self.cone.apply_transposed(&self.multiplier)?;
         for (&unknown, force) in self.normals.iter().zip(force) {
             residual[unknown] -= force;
         }
@@ -113,7 +113,7 @@ impl<'a> Condensed<'a> {
             load: reduced.kept(),
             bound,
             fixed: &self.fixed,
-            cone: self.cone,
+            cone: self.cone.kind(),
         }
     }
 

@@ -1,13 +1,12 @@
 //! The contact problem reduced to its edge: min ½ w'S w − b'w over { B w ≤ g }, some w_i fixed at 0.
 //!
-//! For a given contact set the active constraints are eliminated exactly: w = o + Z q. For the nodal cone q are the
-//! nodes off contact. For the midpoint cone a run of active segments leaves one amplitude of the sawtooth (−1)^i, the
-//! kernel of B on that run, none when an end of the run is fixed. Z'SZ is as well conditioned as S, while
-//! B S⁻¹ B' would lose a factor h^{-3}. The multipliers follow from r = b − S w = B'λ, run by run.
+//! For a given contact set the active constraints are eliminated exactly: w = o + Z q, the coordinates of the face (room
+//! `cone`): the nodes off contact, and in the midpoint cone one amplitude of the sawtooth (−1)^i for every run of active
+//! segments. Z'SZ is as well conditioned as S, while B S⁻¹ B' would lose a factor h^{-3}. The multipliers follow from
+//! r = b − S w = B'λ, run by run.
 //! Cost: one dense Cholesky factorization with the number of free amplitudes.
 
-use super::cone::Cone;
-use super::contact_set::ContactSet;
+use crate::cone::{Cone, ContactSet, Coordinates, EdgeCone, Ends};
 use crate::error::{Error, Result};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -38,13 +37,6 @@ pub struct EdgeState {
     pub gap: Vec<f64>,
 }
 
-/// w = offset + sign · q at every node; no q where the node is determined by the set.
-struct Parametrization {
-    offset: Vec<f64>,
-    amplitude: Vec<Option<(usize, f64)>>,
-    count: usize,
-}
-
 impl EdgeProblem<'_> {
     /// The minimiser when the constraints in `set` hold with equality and the others are ignored.
     ///
@@ -52,19 +44,12 @@ impl EdgeProblem<'_> {
     /// [`Error::NotPositiveDefinite`] when S is not, [`Error::LengthMismatch`] when sizes disagree.
     pub fn solve_with(&self, set: &ContactSet) -> Result<EdgeState> {
         self.check(set)?;
-        let free = match self.cone {
-            Cone::Nodal => self.nodal_parametrization(set),
-            Cone::Midpoint => self.midpoint_parametrization(set),
-        };
+        let cone = self.edge_cone();
+        let free = cone.coordinates(set.as_slice(), self.bound, self.fixed);
         let displacement = self.minimise(&free)?;
         let residual = self.residual(&displacement);
-        let multiplier = match self.cone {
-            Cone::Nodal => (0..residual.len())
-                .map(|i| if set.contains(i) && !self.fixed[i] { residual[i] } else { 0.0 })
-                .collect(),
-            Cone::Midpoint => self.midpoint_multiplier(set, &residual),
-        };
-        let mut gap = self.cone.apply(&displacement);
+        let multiplier = cone.multipliers(set.as_slice(), &residual, |node| self.fixed[node]);
+        let mut gap = cone.apply(&displacement);
         for (i, gap) in gap.iter_mut().enumerate() {
             *gap = if set.contains(i) && !self.is_settled(i) { 0.0 } else { *gap - self.bound[i] };
         }
@@ -73,7 +58,7 @@ impl EdgeProblem<'_> {
 
     /// True when all nodes of constraint `i` are fixed, so that no set can influence it.
     pub fn is_settled(&self, i: usize) -> bool {
-        self.cone.support(i).all(|node| self.fixed[node])
+        self.edge_cone().support(i).all(|node| self.fixed[node])
     }
 
     /// b − S w.
@@ -90,7 +75,7 @@ impl EdgeProblem<'_> {
 
     fn check(&self, set: &ContactSet) -> Result<()> {
         let nodes = self.stiffness.nrows();
-        let constraints = self.cone.constraints(nodes);
+        let constraints = self.edge_cone().constraints();
         for (name, given, expected) in [
             ("edge load", self.load.len(), nodes),
             ("fixed nodes", self.fixed.len(), nodes),
@@ -104,51 +89,13 @@ impl EdgeProblem<'_> {
         Ok(())
     }
 
-    fn nodal_parametrization(&self, set: &ContactSet) -> Parametrization {
-        let mut free = Parametrization::empty(self.load.len());
-        for i in 0..self.load.len() {
-            if self.fixed[i] {
-                continue;
-            }
-            if set.contains(i) {
-                free.offset[i] = self.bound[i];
-            } else {
-                free.add(i);
-            }
-        }
-        free
-    }
-
-    fn midpoint_parametrization(&self, set: &ContactSet) -> Parametrization {
-        let nodes = self.load.len();
-        let mut free = Parametrization::empty(nodes);
-        let mut next = 0;
-        for run in set.runs() {
-            (next..run.start).filter(|&i| !self.fixed[i]).for_each(|i| free.add(i));
-            next = run.end + 1;
-            // Start where the value is known: at a fixed end, else at the left end with a new amplitude.
-            if self.fixed[run.end] && !self.fixed[run.start] {
-                for k in run.rev() {
-                    free.offset[k] = 2.0 * self.bound[k] - free.offset[k + 1];
-                }
-                continue;
-            }
-            if !self.fixed[run.start] {
-                free.add(run.start);
-            }
-            for k in run {
-                if !self.fixed[k + 1] {
-                    free.offset[k + 1] = 2.0 * self.bound[k] - free.offset[k];
-                    free.amplitude[k + 1] = free.amplitude[k].map(|(q, sign)| (q, -sign));
-                }
-            }
-        }
-        (next..nodes).filter(|&i| !self.fixed[i]).for_each(|i| free.add(i));
-        free
+    /// The cone on the open edge of this problem.
+    pub(super) fn edge_cone(&self) -> EdgeCone {
+        self.cone.on(self.load.len(), Ends::Open)
     }
 
     /// w = o + Z q with Z'S Z q = Z'(b − S o).
-    fn minimise(&self, free: &Parametrization) -> Result<Vec<f64>> {
+    fn minimise(&self, free: &Coordinates) -> Result<Vec<f64>> {
         let mut reduced = Mat::<f64>::zeros(free.count, free.count);
         let moving: Vec<(usize, usize, f64)> = free
             .amplitude
@@ -180,59 +127,12 @@ impl EdgeProblem<'_> {
         }
         Ok(w)
     }
-
-    /// λ from r = B'λ, along every run of active segments.
-    fn midpoint_multiplier(&self, set: &ContactSet, residual: &[f64]) -> Vec<f64> {
-        let mut multiplier = vec![0.0; set.constraints()];
-        for run in set.runs() {
-            if !self.fixed[run.start] {
-                let mut before = 0.0;
-                for k in run {
-                    before = 2.0 * residual[k] - before;
-                    multiplier[k] = before;
-                }
-                continue;
-            }
-            let mut after = 0.0;
-            let known = if self.fixed[run.end] { run.end - 1 } else { run.end };
-            for k in (run.start..known).rev() {
-                after = 2.0 * residual[k + 1] - after;
-                multiplier[k] = after;
-            }
-            if self.fixed[run.end] {
-                center_sawtooth(&mut multiplier[run]);
-            }
-        }
-        multiplier
-    }
-}
-
-impl Parametrization {
-    fn empty(nodes: usize) -> Self {
-        Self { offset: vec![0.0; nodes], amplitude: vec![None; nodes], count: 0 }
-    }
-
-    fn add(&mut self, node: usize) {
-        self.amplitude[node] = Some((self.count, 1.0));
-        self.count += 1;
-    }
-}
-
-/// Between two fixed ends λ is determined up to a sawtooth: the one with the greatest minimum is taken.
-fn center_sawtooth(multiplier: &mut [f64]) {
-    let least = |parity: usize| multiplier.iter().skip(parity).step_by(2).copied().reduce(f64::min);
-    let (Some(even), Some(odd)) = (least(0), least(1)) else {
-        return;
-    };
-    let shift = 0.5 * (odd - even);
-    for (k, value) in multiplier.iter_mut().enumerate() {
-        *value += if k % 2 == 0 { shift } else { -shift };
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cone::{Weighted, project_weighted};
 
     /// S = tridiag(−1, 2.5, −1): solutions for a set satisfy the equations they claim to satisfy.
     #[test]
@@ -264,8 +164,8 @@ mod tests {
     fn check(problem: &EdgeProblem<'_>, set: &ContactSet) {
         let state = problem.solve_with(set).unwrap();
         let residual = problem.residual(&state.displacement);
-        let force = problem.cone.apply_transposed(&state.multiplier, residual.len()).unwrap();
-        let means = problem.cone.apply(&state.displacement);
+        let force = problem.edge_cone().apply_transposed(&state.multiplier).unwrap();
+        let means = problem.edge_cone().apply(&state.displacement);
         for i in 0..residual.len() {
             if problem.fixed[i] {
                 assert_eq!(state.displacement[i], 0.0);
@@ -278,5 +178,64 @@ mod tests {
                 assert!((means[i] - problem.bound[i]).abs() < 1e-14, "{set:?} constraint {i}");
             }
         }
+    }
+
+    fn project(target: &[f64], weights: &[f64], bound: &[f64], fixed: &[bool]) -> (Vec<f64>, ContactSet) {
+        let nearest = Weighted { weight: |i| weights[i], bound: |i| bound[i], is_fixed: |i| fixed[i] };
+        let (p, active) = project_weighted(target, &nearest);
+        (p, ContactSet::new(active))
+    }
+
+    /// The other road: try every contact set for S = D, b = D z, and take the one that satisfies all conditions.
+    fn exhaustive(target: &[f64], weights: &[f64], bound: &[f64], fixed: &[bool]) -> Vec<f64> {
+        let nodes = target.len();
+        let stiffness = Mat::from_fn(nodes, nodes, |i, j| if i == j { weights[i] } else { 0.0 });
+        let load: Vec<f64> = target.iter().zip(weights).map(|(z, d)| z * d).collect();
+        let problem = EdgeProblem { stiffness: &stiffness, load: &load, bound, fixed, cone: Cone::Midpoint };
+        (0..1_u32 << bound.len())
+            .map(|pattern| ContactSet::new((0..bound.len()).map(|i| pattern >> i & 1 == 1).collect()))
+            .map(|set| problem.solve_with(&set).unwrap())
+            .find(|state| {
+                let admissible = (0..bound.len()).all(|i| state.gap[i] <= 1e-13 || problem.is_settled(i));
+                admissible && state.multiplier.iter().all(|&l| l >= -1e-13)
+            })
+            .unwrap()
+            .displacement
+    }
+
+    #[test]
+    fn projection_is_the_best_of_all_contact_sets() {
+        let mut state = 7_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        for trial in 0..600 {
+            let nodes = 3 + trial % 6;
+            let target: Vec<f64> = (0..nodes).map(|_| random()).collect();
+            let weights: Vec<f64> = (0..nodes).map(|_| 1.0 + random()).collect();
+            let bound: Vec<f64> =
+                (1..nodes).map(|_| if trial % 2 == 0 { 0.0 } else { 0.3 * random() }).collect();
+            let mut fixed = vec![false; nodes];
+            fixed[0] = trial % 3 == 1;
+            fixed[nodes - 1] = trial % 5 == 1;
+            let (p, active) = project(&target, &weights, &bound, &fixed);
+            let expected = exhaustive(&target, &weights, &bound, &fixed);
+            for i in 0..nodes {
+                assert!((p[i] - expected[i]).abs() < 1e-12, "{trial}: {p:?}, expected {expected:?}");
+            }
+            for i in active.indices() {
+                let slack = 2.0 * bound[i] - p[i] - p[i + 1];
+                assert!(slack.abs() < 1e-12, "{trial}: constraint {i}, {p:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn admissible_points_stay() {
+        let target = [-1.0, 0.5, -0.75, 0.25];
+        let (p, active) = project(&target, &[1.0; 4], &[0.0; 3], &[false; 4]);
+        assert_eq!(p, target);
+        assert_eq!(active.count(), 0);
     }
 }

@@ -4,15 +4,12 @@
 //! stiffness and load. Clarabel's static regularisation is off (with it, iterations end near 1e-6; K is positive
 //! definite, so the factorization needs none) and its refinement is tightened; this reaches 12 digits in 11-16 steps.
 
-use super::cone::Cone;
-use super::contact_set::ContactSet;
-use super::judge::NOISE;
 use super::problem::ContactProblem;
 use super::solution::{
     Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of, largest,
 };
 use super::solver::Solver;
-use super::status::Status;
+use crate::cone::{Cone, ContactSet, EdgeCone, NOISE, Status};
 use crate::error::{Error, Result};
 use crate::estimate::Work;
 use clarabel::algebra::CscMatrix;
@@ -40,12 +37,13 @@ struct Answer {
 
 pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
     let start = Instant::now();
-    let answer = run(problem, cone)?;
+    let answer = run(problem, problem.edge_cone(cone))?;
     let contact = start.elapsed().as_secs_f64();
     let start = Instant::now();
+    let edge_cone = problem.edge_cone(cone);
     let normal: Vec<f64> =
         problem.normal_unknowns().into_iter().map(|unknown| answer.unknowns[unknown]).collect();
-    let gap = gap_of(problem, cone, &normal);
+    let gap = gap_of(problem, edge_cone, &normal);
     let contact_set = dominant(problem, &answer, &gap);
     let status = match answer.status {
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
@@ -115,14 +113,14 @@ fn settings() -> DefaultSettings<f64> {
     }
 }
 
-fn run(problem: &ContactProblem, cone: Cone) -> Result<Answer> {
+fn run(problem: &ContactProblem, cone: EdgeCone) -> Result<Answer> {
     let free: Vec<usize> = (0..problem.matrix.unknowns()).filter(|&i| !problem.prescribed[i]).collect();
     let mut number = vec![None; problem.matrix.unknowns()];
     free.iter().enumerate().for_each(|(k, &unknown)| number[unknown] = Some(k));
     let imposed = problem.matrix.multiply(&problem.values);
     let load: Vec<f64> = free.iter().map(|&i| problem.load[i] - imposed[i]).collect();
     let normals = problem.normal_unknowns();
-    let constraints: Vec<usize> = (0..cone.constraints(normals.len()))
+    let constraints: Vec<usize> = (0..cone.constraints())
         .filter(|&i| cone.support(i).any(|node| number[normals[node]].is_some()))
         .collect();
     let fixed_part: Vec<f64> = normals.iter().map(|&unknown| problem.values[unknown]).collect();
@@ -131,7 +129,7 @@ fn run(problem: &ContactProblem, cone: Cone) -> Result<Answer> {
     let force = largest(&load).max(stiff * largest(&gap));
     // Nothing to move, or nothing that moves it: no scale for the solver to work in, and nothing to solve.
     if free.is_empty() || force == 0.0 {
-        let multiplier = vec![0.0; cone.constraints(normals.len())];
+        let multiplier = vec![0.0; cone.constraints()];
         let (unknowns, status) = (problem.values.clone(), SolverStatus::Solved);
         return Ok(Answer { unknowns, multiplier, status, iterations: 0 });
     }
@@ -147,7 +145,7 @@ fn run(problem: &ContactProblem, cone: Cone) -> Result<Answer> {
     for (&unknown, value) in free.iter().zip(&solver.solution.x) {
         unknowns[unknown] += value * (force / stiff);
     }
-    let mut multiplier = vec![0.0; cone.constraints(normals.len())];
+    let mut multiplier = vec![0.0; cone.constraints()];
     for (&i, value) in constraints.iter().zip(&solver.solution.z) {
         multiplier[i] = value * force;
     }
@@ -182,16 +180,12 @@ fn upper_triangle(
 
 /// B on the free unknowns, by columns.
 fn constraint_matrix(
-    cone: Cone,
+    cone: EdgeCone,
     constraints: &[usize],
     normals: &[usize],
     number: &[Option<usize>],
     columns: usize,
 ) -> CscMatrix<f64> {
-    let weight = match cone {
-        Cone::Nodal => 1.0,
-        Cone::Midpoint => 0.5,
-    };
     let mut entries: Vec<(usize, usize)> = Vec::new();
     for (row, &i) in constraints.iter().enumerate() {
         entries.extend(cone.support(i).filter_map(|node| number[normals[node]]).map(|column| (column, row)));
@@ -201,6 +195,6 @@ fn constraint_matrix(
     entries.iter().for_each(|&(column, _)| starts[column + 1] += 1);
     (0..columns).for_each(|j| starts[j + 1] += starts[j]);
     let rows: Vec<usize> = entries.iter().map(|&(_, row)| row).collect();
-    let values = vec![weight; rows.len()];
+    let values = vec![cone.weight(); rows.len()];
     CscMatrix::new(constraints.len(), columns, starts, rows, values)
 }

@@ -3,6 +3,7 @@
 //! Unknowns are node-major. At the nodes of an elastic contact edge they are (u_T, u_N) internally; everything that
 //! goes in or out is Cartesian. The scalar problem has u in the place of u_N.
 
+use crate::cone::{Cone, EdgeCone, Ends};
 use crate::error::{Error, Result};
 use crate::fem::{BlockMatrix, Form, Frame, consistent_load, dot, stiffness};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
@@ -96,6 +97,12 @@ impl ContactProblem {
     /// As for [`Partition::from_lengths`].
     pub fn contact_partition(&self) -> Result<Partition> {
         Partition::from_lengths(self.edge.segment_lengths())
+    }
+
+    /// The cone on the contact edge.
+    pub(super) fn edge_cone(&self, cone: Cone) -> EdgeCone {
+        let ends = if self.edge.is_closed() { Ends::Joined } else { Ends::Open };
+        cone.on(self.edge.nodes().len(), ends)
     }
 
     /// Unknowns that are not prescribed.

@@ -5,12 +5,9 @@
 //! loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to the sum of absolute loads and
 //! reactions; a(d, u) vanishes without a reaction term.
 
-use super::cone::Cone;
-use super::contact_set::ContactSet;
-use super::judge::{Evidence, Judgement, Margins};
 use super::problem::{ContactProblem, check_values};
 use super::solver::Solver;
-use super::status::Status;
+use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Judgement, Margins, Status};
 use crate::error::Result;
 use crate::estimate::Work;
 use crate::fem::{compensated, dot};
@@ -114,13 +111,14 @@ pub(super) fn conclude(
     let u = &candidate.unknowns;
     let normals = problem.normal_unknowns();
     let normal_displacement: Vec<f64> = normals.iter().map(|&unknown| u[unknown]).collect();
-    let edge_force = cone.apply_transposed(&candidate.multiplier, normals.len())?;
+    let edge_cone = problem.edge_cone(cone);
+    let edge_force = edge_cone.apply_transposed(&candidate.multiplier)?;
     let stress_force = problem.matrix.multiply(u);
     let lengths = problem.edge.nodal_lengths();
     let traction = tractions(problem, &stress_force, &lengths);
     let mut residual: Vec<f64> = stress_force.iter().zip(&problem.load).map(|(k, f)| k - f).collect();
     normals.iter().zip(&edge_force).for_each(|(&unknown, force)| residual[unknown] += force);
-    let gap = gap_of(problem, cone, &normal_displacement);
+    let gap = gap_of(problem, edge_cone, &normal_displacement);
     let free: Vec<f64> =
         (0..residual.len()).filter(|&i| !problem.prescribed[i]).map(|i| residual[i]).collect();
     let sizes = sizes(problem, u);
@@ -137,7 +135,7 @@ pub(super) fn conclude(
         displacement: displacement_scale,
     };
     let judgement = evidence.judge()?;
-    let margins = free_margins(problem, cone, &evidence, &candidate.contact_set)?;
+    let margins = free_margins(problem, edge_cone, &evidence, &candidate.contact_set)?;
     let (reaction, balance) = global_balance(problem, u, &residual, &edge_force);
     let status = match candidate.status {
         Status::Converged if judgement.worst() > ACCEPTED => Status::Stalled { residual: judgement.worst() },
@@ -152,7 +150,7 @@ pub(super) fn conclude(
         normal_displacement,
         contact_force: compensated(candidate.multiplier.iter().copied()),
         multiplier: candidate.multiplier,
-        positions: cone.apply(problem.edge.arc()),
+        positions: edge_cone.apply(problem.edge.arc()),
         gap,
         contact_set: candidate.contact_set,
         status,
@@ -184,7 +182,7 @@ fn tractions(problem: &ContactProblem, stress_force: &[f64], lengths: &[f64]) ->
 /// The margins over the constraints that have a node free to move; at clamped nodes nothing is decided.
 fn free_margins(
     problem: &ContactProblem,
-    cone: Cone,
+    cone: EdgeCone,
     evidence: &Evidence<'_>,
     set: &ContactSet,
 ) -> Result<Margins> {
@@ -199,7 +197,7 @@ fn free_margins(
 }
 
 /// B u − g.
-pub(super) fn gap_of(problem: &ContactProblem, cone: Cone, normal_displacement: &[f64]) -> Vec<f64> {
+pub(super) fn gap_of(problem: &ContactProblem, cone: EdgeCone, normal_displacement: &[f64]) -> Vec<f64> {
     let bound = cone.apply(&problem.gap);
     let means = cone.apply(normal_displacement);
     means.iter().zip(bound).map(|(mean, g)| mean - g).collect()

@@ -1,10 +1,5 @@
-//! Choice of solver and first guess.
+//! Two unrelated solvers, by name.
 
-use super::cone::Cone;
-use super::contact_set::ContactSet;
-use super::problem::ContactProblem;
-use super::solution::ContactSolution;
-use super::{condensed, interior_point};
 use crate::error::{Error, Result};
 use std::fmt;
 use std::str::FromStr;
@@ -41,73 +36,5 @@ impl FromStr for Solver {
                 expected: "active-set or interior-point",
             }),
         }
-    }
-}
-
-impl ContactProblem {
-    /// The discrete solution in the given cone by the given solver, judged. The active set starts without contact.
-    ///
-    /// ```
-    /// use signorini::{contact::{Cone, Solver}, scenes::Scene};
-    /// let solution = Scene::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-    /// assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-12);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::NotPositiveDefinite`] when some part of the body is not held, [`Error::CountOutOfRange`] for the midpoint
-    /// cone on a closed edge. How the iteration ended is in the status.
-    pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
-        match solver {
-            Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),
-            Solver::InteriorPoint => {
-                self.check_ends(cone)?;
-                interior_point::solve(self, cone)
-            }
-        }
-    }
-
-    /// The same from the contact set of the next coarser mesh, every contact segment of which was halved.
-    ///
-    /// # Errors
-    /// As for [`ContactProblem::solve_from`].
-    pub fn solve_after(&self, coarse: &ContactSolution) -> Result<ContactSolution> {
-        self.solve_from(coarse.cone, coarse.cone.refined_set(&coarse.contact_set))
-    }
-
-    /// [`ContactProblem::solve_after`], and the number of steps that a start without contact would have taken; the
-    /// elimination is shared.
-    ///
-    /// # Errors
-    /// As for [`ContactProblem::solve_from`].
-    pub fn solve_after_beside_cold(
-        &self,
-        coarse: &ContactSolution,
-    ) -> Result<(ContactSolution, Option<u64>)> {
-        self.check_ends(coarse.cone)?;
-        let (guess, cold) = (coarse.cone.refined_set(&coarse.contact_set), self.no_contact(coarse.cone));
-        condensed::solve(self, coarse.cone, guess, Some(cold))
-    }
-
-    /// The discrete solution by the active set, starting from a guess of the contact set (of a coarser level, say).
-    ///
-    /// # Errors
-    /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] when the guess has the wrong length.
-    pub fn solve_from(&self, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
-        self.check_ends(cone)?;
-        condensed::solve(self, cone, guess, None).map(|(solution, _)| solution)
-    }
-
-    fn no_contact(&self, cone: Cone) -> ContactSet {
-        ContactSet::empty(cone.constraints(self.edge().nodes().len()))
-    }
-
-    /// On a closed edge with as many segments as nodes the means may be dependent, and multipliers are not unique.
-    fn check_ends(&self, cone: Cone) -> Result<()> {
-        if cone == Cone::Midpoint && self.edge().is_closed() {
-            let range = "2 for the midpoint cone: a closed contact edge has as many segments as nodes";
-            return Err(Error::CountOutOfRange { name: "ends of the contact edge", value: 0, range });
-        }
-        Ok(())
     }
 }

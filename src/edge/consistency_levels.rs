@@ -7,11 +7,11 @@
 //!
 //! Both are ≥ 0, sums of nonnegative terms. Cost: O(N) for all grids together.
 
-use crate::contact::Cone;
-use crate::strip::{EdgeScene, Sides, restrict};
+use crate::cone::Cone;
+use crate::strip::{EdgeData, Sides, restrict};
 
 /// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far as it halves.
-pub fn consistency_terms(scene: &EdgeScene, cone: Cone) -> Vec<(usize, f64)> {
+pub fn consistency_terms(scene: &EdgeData, cone: Cone) -> Vec<(usize, f64)> {
     match cone {
         Cone::Nodal => nodal(scene),
         Cone::Midpoint => midpoint(scene),
@@ -22,7 +22,7 @@ fn halvings(cells: usize) -> impl Iterator<Item = usize> {
     std::iter::successors(Some(cells), |&n| (n % 2 == 0 && n > 2).then_some(n / 2)).skip(1)
 }
 
-fn nodal(scene: &EdgeScene) -> Vec<(usize, f64)> {
+fn nodal(scene: &EdgeData) -> Vec<(usize, f64)> {
     let mut forces = scene.forces().to_vec();
     halvings(scene.cells())
         .map(|cells| {
@@ -34,7 +34,7 @@ fn nodal(scene: &EdgeScene) -> Vec<(usize, f64)> {
         .collect()
 }
 
-fn midpoint(scene: &EdgeScene) -> Vec<(usize, f64)> {
+fn midpoint(scene: &EdgeData) -> Vec<(usize, f64)> {
     let (values, forces, sides) = (scene.values(), scene.forces(), scene.sides());
     let next = |i: usize| if i + 1 < values.len() { i + 1 } else { 0 };
     let h = 1.0 / scene.cells() as f64;
@@ -59,15 +59,15 @@ fn midpoint(scene: &EdgeScene) -> Vec<(usize, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strip::SceneKind;
+    use crate::scenes::StripScene;
 
     #[test]
     fn one_kink_against_the_integrals() {
         // λ = 1 left of a, u_N = −(x − a) right of it, a = 3/8 + t/8 in the cell (3/8, 1/2) of length h = 1/8:
         // nodal ½ t²(1−t) h², midpoint t · ½(1−t)² h².
         let (cells, h, t) = (1 << 16, 0.125, 0.3);
-        let kind = SceneKind::Transition { position: 0.375 + t * h };
-        let scene = EdgeScene::build(kind, 2.0, cells, Sides::Natural).unwrap();
+        let kind = StripScene::Transition { position: 0.375 + t * h };
+        let scene = kind.data(2.0, cells, Sides::Natural).unwrap();
         // The force at the last contact node is missing: one fine cell in t h.
         let rounding = 4.0 / (t * h * cells as f64);
         for (cone, exact) in [
@@ -82,8 +82,7 @@ mod tests {
 
     #[test]
     fn nothing_is_inconsistent_where_transitions_are_nodes() {
-        let scene =
-            EdgeScene::build(SceneKind::Transitions { gaps: 4 }, 1.75, 1 << 10, Sides::Periodic).unwrap();
+        let scene = StripScene::Transitions { gaps: 4 }.data(1.75, 1 << 10, Sides::Periodic).unwrap();
         for cone in [Cone::Nodal, Cone::Midpoint] {
             let terms = consistency_terms(&scene, cone);
             let at = |cells| terms.iter().find(|t| t.0 == cells).map(|t| t.1);

@@ -8,7 +8,7 @@
 use crate::error::Result;
 use crate::estimate::Tolerance;
 use crate::sobolev::{FractionalOrder, GramOperator, Partition};
-use crate::strip::{EdgeScene, Sides};
+use crate::strip::{EdgeData, Sides};
 
 /// Norm and seminorms of the data of a scene on its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +25,7 @@ pub struct EdgeNorms {
 ///
 /// # Errors
 /// As [`edge_norms`].
-pub fn edge_norm(scene: &EdgeScene, tau: f64) -> Result<f64> {
+pub fn edge_norm(scene: &EdgeData, tau: f64) -> Result<f64> {
     Ok(edge_norms(scene, tau)?.norm)
 }
 
@@ -33,7 +33,7 @@ pub fn edge_norm(scene: &EdgeScene, tau: f64) -> Result<f64> {
 ///
 /// # Errors
 /// [`crate::Error::OutOfRange`] for τ ≤ 3/2, [`crate::Error::InfiniteNorm`] for τ ≥ 2: then slopes with jumps have no norm.
-pub fn edge_norms(scene: &EdgeScene, tau: f64) -> Result<EdgeNorms> {
+pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let order = FractionalOrder::from_offset(tau - 2.0)?;
     let (values, cells) = (scene.values(), scene.cells());
     let h = 1.0 / cells as f64;
@@ -93,13 +93,13 @@ mod tests {
         let exact = u_norm.hypot(pressure);
         // What the grid does not resolve falls like N^{−2(1.9 − 1.75)} in the squares: extrapolated, the next terms are left.
         let square = |cells: usize| {
-            let scene = TransitionPowers::of_regularity(tau).scene(a, cells).unwrap();
+            let scene = TransitionPowers::of_regularity(tau).data(a, cells).unwrap();
             edge_norm(&scene, at).unwrap().powi(2)
         };
         let (coarse, fine, ratio) = (square(1 << 14), square(1 << 16), 4f64.powf(-0.3));
         let limit = ((fine - ratio * coarse) / (1.0 - ratio)).sqrt();
         assert!((limit / exact - 1.0).abs() < 5e-3, "{limit} {exact}");
-        let scene = TransitionPowers::of_regularity(tau).scene(a, 64).unwrap();
+        let scene = TransitionPowers::of_regularity(tau).data(a, 64).unwrap();
         assert!(edge_norm(&scene, 2.0).is_err() && edge_norm(&scene, 1.5).is_err());
     }
 }

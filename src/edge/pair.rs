@@ -18,7 +18,7 @@
 //! contact problem on a strip, and every inequality of the proof applies to it with its continuous norms.
 
 use crate::error::{Error, Result};
-use crate::strip::{EdgeScene, Sides};
+use crate::strip::{EdgeData, Sides};
 
 /// Which functions stand for u_N' and σ_N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl ContactPair {
     ///
     /// # Errors
     /// [`Error::NotComplementary`] when a node with a force has no contact cell beside it to carry a density.
-    pub fn of_scene(scene: &EdgeScene, traces: Traces) -> Result<Self> {
+    pub fn of_scene(scene: &EdgeData, traces: Traces) -> Result<Self> {
         let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
         if scene.sides() == Sides::Periodic {
             values.push(values[0]);
@@ -116,7 +116,7 @@ impl ContactPair {
     /// u = −(x − a)₊^{τ−1}, σ = −(a − x)₊^{τ−2}: one transition at a of any regularity 2 ≤ τ < 5/2.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a outside (0, 1) or τ outside [2, 5/2); as [`EdgeScene::new`] for the cells.
+    /// [`Error::OutOfRange`] for a outside (0, 1) or τ outside [2, 5/2); as [`EdgeData::new`] for the cells.
     pub fn smooth_transition(cells: usize, a: f64, tau: f64) -> Result<Self> {
         Error::require("position", a, "(0, 1)", a > 0.0 && a < 1.0)?;
         Error::require("tau", tau, "[2, 5/2)", (2.0..2.5).contains(&tau))?;
@@ -127,7 +127,7 @@ impl ContactPair {
             let share = if i == 0 || i == cells { 0.5 } else { 1.0 };
             if place(i) < 0.0 { share * (-place(i)).powf(tau - 2.0) / n } else { 0.0 }
         };
-        let scene = EdgeScene::new(cells, Sides::Natural, values, (0..=cells).map(force).collect())?;
+        let scene = EdgeData::new(cells, Sides::Natural, values, (0..=cells).map(force).collect())?;
         Self::of_scene(&scene, Traces::Linears)
     }
 
@@ -200,7 +200,7 @@ impl Segment<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strip::SceneSource;
+    use crate::scenes::StripScene;
 
     #[test]
     fn pairs_are_complementary_at_every_point_and_keep_the_force() {
@@ -208,8 +208,8 @@ mod tests {
             [("transition", 1.75), ("transitions:5", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 2.0)]
         {
             for sides in [Sides::Natural, Sides::Periodic] {
-                let source: SceneSource = name.parse().unwrap();
-                let scene = source.scene(tau, 1 << 10, sides).unwrap();
+                let source: StripScene = name.parse().unwrap();
+                let scene = source.data(tau, 1 << 10, sides).unwrap();
                 for traces in [Traces::Constants, Traces::Linears] {
                     let pair = ContactPair::of_scene(&scene, traces).unwrap();
                     let edge = pair.edge();

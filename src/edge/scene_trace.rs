@@ -9,17 +9,19 @@
 //! there, and on segments whose constraint is active, the gap counts as closed. Cost: that of the solvers.
 
 use super::trace::EdgeTrace;
-use crate::analysis::ContactSource;
 use crate::contact::{Cone, ContactSet, Solver};
 use crate::error::Result;
-use crate::scenes::Scene;
+use crate::scenes::{MeshScene, Scene, StripScene};
 use crate::strip::{
-    EdgeOperator, EdgeScene, ExactEdge, Reference, SceneSource, Settings, Sides, StripKind, StripProblem,
-    solve_contact,
+    EdgeData, EdgeOperator, ExactEdge, Reference, Settings, Sides, StripKind, StripProblem, solve_contact,
 };
 
 /// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a segment.
 const MESH_FACTOR: usize = 8;
+/// Most segments on a mesh: a reference with 2048 squares along each side.
+const MESH_LARGEST: usize = 256;
+/// Most segments on a strip: a reference of 2^20 cells.
+const STRIP_LARGEST: usize = 1 << 14;
 /// Fewest cells of the manufactured edge: studies of up to 1024 segments all see the same one.
 const STRIP_CELLS: usize = 1 << 16;
 /// Fewest of its cells per segment: lengths h_e θ are known to h_e/64.
@@ -28,11 +30,19 @@ const STRIP_FACTOR: usize = 64;
 const ZERO: f64 = 1e-12;
 
 impl EdgeTrace {
+    /// The largest number of segments for which a fine reference of the scene is made.
+    pub fn largest_segments(scene: &Scene) -> usize {
+        match scene {
+            Scene::Mesh(_) => MESH_LARGEST,
+            Scene::Strip(_) => STRIP_LARGEST,
+        }
+    }
+
     /// The manufactured pair of a strip on its fine edge; a ring is opened at 0, where the force is halved.
     ///
     /// # Errors
     /// As [`EdgeTrace::new`].
-    pub fn of_scene(scene: &EdgeScene) -> Result<Self> {
+    pub fn of_scene(scene: &EdgeData) -> Result<Self> {
         let cells = scene.cells();
         let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
         if scene.sides() == Sides::Periodic {
@@ -48,10 +58,10 @@ impl EdgeTrace {
     ///
     /// # Errors
     /// Those of the scenes.
-    pub fn reference(source: &ContactSource, n: usize, tau: f64) -> Result<Self> {
+    pub fn reference(source: &Scene, n: usize, tau: f64) -> Result<Self> {
         match source {
-            ContactSource::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
-            ContactSource::Strip(source) => EdgeTrace::of_scene(&strip_scene(source, n, tau)?),
+            Scene::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
+            Scene::Strip(source) => EdgeTrace::of_scene(&strip_data(source, n, tau)?),
         }
     }
 
@@ -59,11 +69,11 @@ impl EdgeTrace {
     ///
     /// # Errors
     /// Those of the scenes and solvers.
-    pub fn discrete(source: &ContactSource, n: usize, tau: f64, cone: Cone) -> Result<Self> {
+    pub fn discrete(source: &Scene, n: usize, tau: f64, cone: Cone) -> Result<Self> {
         match source {
-            ContactSource::Mesh(scene) => mesh_trace(*scene, n, cone),
-            ContactSource::Strip(source) => {
-                let scene = strip_scene(source, n, tau)?;
+            Scene::Mesh(scene) => mesh_trace(*scene, n, cone),
+            Scene::Strip(source) => {
+                let scene = strip_data(source, n, tau)?;
                 let exact = StripProblem::Scalar(ExactEdge::scalar(&scene, (1, 1), Reference::Nested)?);
                 let (operator, _): (EdgeOperator, f64) = exact.operator(n)?;
                 let solution = solve_contact(&operator, &exact.load(n)?, cone, None, &Settings::default())?;
@@ -75,11 +85,11 @@ impl EdgeTrace {
 }
 
 /// The scene on a grid whose cells divide every segment.
-fn strip_scene(source: &SceneSource, n: usize, tau: f64) -> Result<EdgeScene> {
-    source.scene(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
+fn strip_data(source: &StripScene, n: usize, tau: f64) -> Result<EdgeData> {
+    source.data(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
 }
 
-fn mesh_trace(scene: Scene, squares: usize, cone: Cone) -> Result<EdgeTrace> {
+fn mesh_trace(scene: MeshScene, squares: usize, cone: Cone) -> Result<EdgeTrace> {
     let problem = scene.problem(squares)?;
     let solution = problem.solve(cone, Solver::ActiveSet)?;
     let arc = problem.edge().arc().to_vec();

@@ -1,7 +1,8 @@
 //! Elements made of cells: functions live on the cells, I^h and π^h on the elements.
 //!
-//! (u − I^h u)' = u' − π^h u' on every element: Lagrange interpolation of u is the P0 projection of its slope. One mesh and
-//! one set of forms therefore serve Lemma 6.2 (Lagrange) and (4.6), (4.7) (P0 projection).
+//! (u − I^h u)' = u' − π^h u' on every element: Lagrange interpolation of u is the P0 projection of its
+//! slope. One mesh and one set of forms therefore serve Lemma 6.2 (Lagrange) and (4.6), (4.7) (P0
+//! projection).
 
 use crate::error::{Error, Result};
 use crate::sobolev::{Partition, PiecewisePolynomial};
@@ -102,7 +103,8 @@ impl ElementMesh {
     }
 }
 
-/// I^h u: the continuous piecewise linear function equal to u at the nodes; u is called with the distance from the left end.
+/// I^h u: the continuous piecewise linear function equal to u at the nodes; u is called with the distance
+/// from the left end.
 ///
 /// # Errors
 /// [`Error::NotFinite`] for a value of u.

@@ -3,10 +3,10 @@
 use super::classification::Classification;
 use super::section::Section;
 use super::theta::ThetaRule;
-use crate::analysis::ContactSource;
 use crate::contact::Cone;
 use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
+use crate::scenes::Scene;
 use std::fmt;
 use std::str::FromStr;
 
@@ -30,7 +30,7 @@ pub struct AlternativeCase {
     /// Which alternative.
     pub section: Section,
     /// The scene.
-    pub source: ContactSource,
+    pub source: Scene,
     /// Contact segments of the finest mesh.
     pub n: usize,
     /// How many meshes, each with half the segments of the next.
@@ -45,7 +45,7 @@ pub struct AlternativeCase {
 
 impl AlternativeCase {
     /// Three meshes of a scene at τ = 7/4 on its fine reference.
-    pub fn new(section: Section, source: impl Into<ContactSource>, n: usize, rule: ThetaRule) -> Self {
+    pub fn new(section: Section, source: impl Into<Scene>, n: usize, rule: ThetaRule) -> Self {
         Self { section, source: source.into(), n, meshes: 3, rule, tau: 1.75, against: Against::Reference }
     }
 
@@ -77,8 +77,12 @@ impl AlternativeCase {
             return Err(count("meshes", self.meshes, "[1, 16]"));
         }
         let parts = 1 << (self.meshes - 1);
-        let powers = matches!(self.source, ContactSource::Mesh(_)) || self.n.is_power_of_two();
-        if self.n < 2 * parts || !self.n.is_multiple_of(parts) || self.n > self.source.largest() || !powers {
+        let powers = matches!(self.source, Scene::Mesh(_)) || self.n.is_power_of_two();
+        if self.n < 2 * parts
+            || !self.n.is_multiple_of(parts)
+            || self.n > EdgeTrace::largest_segments(&self.source)
+            || !powers
+        {
             let range = "the multiples of 2^(meshes - 1), at least 2^meshes, at most 256 on a mesh; powers of two up to 16384 on a strip";
             return Err(count("n", self.n, range));
         }

@@ -56,9 +56,9 @@ impl ProofConstants {
         let upper = |e: crate::Estimate| e.value + e.error;
         let (q, embedding) = if tau < 2.0 {
             let q = critical_exponent(order)?;
-            (q, embedding_upper_bound(order, q)?)
+            (q, embedding_upper_bound(order, q)?.value)
         } else {
-            (q, embedding_upper_bound(FractionalOrder::HALF, q)?)
+            (q, embedding_upper_bound(FractionalOrder::HALF, q)?.value)
         };
         let (gammas, factors) = if tau > 2.0 {
             let constant = upper(gamma_at_point(order, 0.0, Tolerance::new(GAMMA)?)?);

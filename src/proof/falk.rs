@@ -20,7 +20,8 @@
 use crate::contact::Cone;
 use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::Result;
-use crate::strip::{EdgeSolution, Settings, StripCase, StripProblem, solve_contact};
+use crate::scenes::StripCase;
+use crate::strip::{EdgeSolution, Settings, StripProblem, solve_contact};
 
 /// The terms on one mesh, mean over the positions of the scene; all squared, as in the lemma, integrals without the factor 2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -89,7 +90,7 @@ pub fn falk_terms(case: &StripCase, mut report: impl FnMut(usize)) -> Result<Vec
     let cells = case.levels.reference_cells();
     let mut problem: Option<StripProblem> = None;
     for source in &sources {
-        let scene = source.scene(case.tau, cells, case.kind.sides())?;
+        let scene = source.data(case.tau, cells, case.kind.sides())?;
         let trace = EdgeTrace::of_scene(&scene)?;
         let problem = match problem.as_mut() {
             Some(known) => {

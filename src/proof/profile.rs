@@ -42,7 +42,8 @@ use super::theta::ThetaRule;
 use super::{section_four, section_three};
 use crate::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
 use crate::error::{Error, Result};
-use crate::strip::{Levels, SceneKind, SceneSource, Sides};
+use crate::scenes::StripScene;
+use crate::strip::{Levels, Sides};
 use rayon::prelude::*;
 
 /// Largest number of positions of a transition.
@@ -56,7 +57,7 @@ pub struct ProofCase {
     /// Theorem 3.1 or 4.1.
     pub section: Section,
     /// The manufactured pair; above τ = 2 a single transition.
-    pub source: SceneSource,
+    pub source: StripScene,
     /// The regularity the proof assumes, 3/2 < τ < 5/2 (at most 2 in Section 3).
     pub tau: f64,
     /// The regularity the pair is built with: its norms of order τ are the better resolved the larger the difference.
@@ -126,7 +127,7 @@ impl ProofCase {
     pub fn standard(section: Section) -> Result<Self> {
         Ok(Self {
             section,
-            source: SceneSource::transition(),
+            source: StripScene::transition(),
             tau: 1.75,
             scene_tau: 1.75,
             levels: Levels::new(3, 11)?,
@@ -219,9 +220,9 @@ impl ProofCase {
 
     fn pairs(&self, cells: usize, traces: Traces) -> Result<Vec<ContactPair>> {
         let step = 1.0 / (self.levels.coarsest_cells() * self.positions) as f64;
-        let SceneSource::Built(SceneKind::Transition { position }) = self.source else {
+        let StripScene::Transition { position } = self.source else {
             Error::require("tau", self.tau, "(3/2, 2] but for a single transition", self.tau <= 2.0)?;
-            let scene = self.source.scene(self.scene_tau, cells, Sides::Natural)?;
+            let scene = self.source.data(self.scene_tau, cells, Sides::Natural)?;
             return Ok(vec![ContactPair::of_scene(&scene, traces)?]);
         };
         (0..self.positions)
@@ -230,8 +231,8 @@ impl ProofCase {
                 if self.tau > 2.0 {
                     return ContactPair::smooth_transition(cells, position, self.scene_tau);
                 }
-                let source = SceneSource::Built(SceneKind::Transition { position });
-                let scene = source.scene(self.scene_tau, cells, Sides::Natural)?;
+                let source = StripScene::Transition { position };
+                let scene = source.data(self.scene_tau, cells, Sides::Natural)?;
                 ContactPair::of_scene(&scene, traces)
             })
             .collect()

@@ -10,7 +10,7 @@
 //! τ = 7/4 where the paper's rate is furthest from the optimal one. For larger openings the roots may be complex; they
 //! are not treated here.
 
-use super::{Scene, Setting};
+use super::mesh::{MeshScene, Setting};
 use crate::error::{Error, Result};
 
 /// λ of the clamped/free corner: opening ω in (0, π/2], Poisson's ratio in (0, 1/2), plane strain.
@@ -41,24 +41,25 @@ pub fn clamped_free_exponent(opening: f64, poisson: f64) -> Result<f64> {
     Ok(0.5 * (low + high))
 }
 
-/// The supremum of the τ ≤ 2 for which the solution of a scene lies in H^τ.
-///
-/// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother. `corner`:
-/// 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is harmless.
-///
-/// # Errors
-/// As [`clamped_free_exponent`].
-pub fn scene_regularity(scene: Scene, setting: &Setting) -> Result<f64> {
-    match scene {
-        Scene::Incompressible => {
-            Ok(1.0 + clamped_free_exponent(std::f64::consts::FRAC_PI_2, setting.poisson)?)
+impl MeshScene {
+    /// The supremum of the τ ≤ 2 for which the solution lies in H^τ.
+    ///
+    /// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother. `corner`:
+    /// 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is harmless.
+    ///
+    /// # Errors
+    /// As [`clamped_free_exponent`].
+    pub fn regularity(self, setting: &Setting) -> Result<f64> {
+        let right_angle = std::f64::consts::FRAC_PI_2;
+        match self {
+            MeshScene::Incompressible => Ok(1.0 + clamped_free_exponent(right_angle, setting.poisson)?),
+            // λ = μ = 1 is Poisson's ratio 1/4.
+            MeshScene::Block | MeshScene::Free | MeshScene::Closed => {
+                Ok(1.0 + clamped_free_exponent(right_angle, 0.25)?)
+            }
+            MeshScene::Corner => Ok((1.0 + 90.0 / setting.angle).min(2.0)),
+            MeshScene::Membrane | MeshScene::MembraneReaction | MeshScene::Manufactured => Ok(2.0),
         }
-        // λ = μ = 1 is Poisson's ratio 1/4.
-        Scene::Block | Scene::Free | Scene::Closed => {
-            Ok(1.0 + clamped_free_exponent(std::f64::consts::FRAC_PI_2, 0.25)?)
-        }
-        Scene::Corner => Ok((1.0 + 90.0 / setting.angle).min(2.0)),
-        Scene::Membrane | Scene::MembraneReaction | Scene::Manufactured => Ok(2.0),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A scene on one mesh or on nested ones, by one solver or by both: what the examples of Section 2 print.
 
-use super::{Scene, Setting};
+use super::{MeshScene, Setting};
 use crate::contact::{Cone, ContactProblem, ContactSolution, NOISE, Solver};
 use crate::error::{Error, Result};
 use crate::report::{Headline, Table, Verdict};
@@ -15,7 +15,7 @@ pub const JUDGED: f64 = 1e-10;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SceneStudy {
     /// The scene.
-    pub scene: Scene,
+    pub scene: MeshScene,
     /// Its parameters.
     pub setting: Setting,
     /// The cone.

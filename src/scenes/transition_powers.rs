@@ -8,7 +8,7 @@
 //! one side of a: they lie in H^{1/2} exactly for α > 1/2, since their Fourier transforms decay like 1/(|ξ| |ln ξ|^α).
 
 use crate::error::{Error, Result};
-use crate::strip::{EdgeScene, Sides};
+use crate::strip::{EdgeData, Sides};
 
 /// The powers of one transition.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,8 +30,8 @@ impl TransitionPowers {
     /// The scene on an edge of `cells` cells with natural sides, transition at `position` ∈ (0, 1).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for powers or a position outside their ranges; as [`EdgeScene::new`].
-    pub fn scene(&self, position: f64, cells: usize) -> Result<EdgeScene> {
+    /// [`Error::OutOfRange`] for powers or a position outside their ranges; as [`EdgeData::new`].
+    pub fn data(&self, position: f64, cells: usize) -> Result<EdgeData> {
         let Self { opening, pressure, logarithm } = *self;
         Error::require("p", opening, "(0, inf)", opening > 0.0)?;
         Error::require("q", pressure, "(-1, inf)", pressure > -1.0)?;
@@ -65,7 +65,7 @@ impl TransitionPowers {
         // What lies between the last contact node and a: no force is lost.
         let rest = position - last as f64 * h;
         forces[last] += if rest > 0.0 { integral(0.0, rest) } else { 0.0 };
-        EdgeScene::new(cells, Sides::Natural, values, forces)
+        EdgeData::new(cells, Sides::Natural, values, forces)
     }
 }
 
@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn powers_are_those_asked_for() {
         let (position, cells) = (0.4, 1 << 12);
-        let scene = TransitionPowers::of_regularity(1.75).scene(position, cells).unwrap();
+        let scene = TransitionPowers::of_regularity(1.75).data(position, cells).unwrap();
         // Half way to the mirror axis δ = d (c − d)/c, c = 1.2, d = 0.3.
         let value = scene.values()[(0.7 * cells as f64).round() as usize];
         let depth = 0.3 * 0.9 / 1.2;
@@ -89,6 +89,6 @@ mod tests {
         let missing = 0.4f64.powf(0.75) / 0.75 - total;
         assert!(missing.abs() < 1e-12, "{missing}");
         let bad = TransitionPowers { pressure: -1.0, ..TransitionPowers::of_regularity(1.75) };
-        assert!(bad.scene(0.4, 64).is_err() && TransitionPowers::of_regularity(1.75).scene(1.0, 64).is_err());
+        assert!(bad.data(0.4, 64).is_err() && TransitionPowers::of_regularity(1.75).data(1.0, 64).is_err());
     }
 }

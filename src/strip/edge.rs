@@ -9,6 +9,7 @@
 //! S > 0, so A is positive definite. A product or a solve costs one real FFT of length P and one back: O(n log n).
 
 use super::sides::{Sides, check_cells, check_finite, check_length};
+use crate::cone::{Cone, EdgeCone};
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
@@ -81,6 +82,11 @@ impl EdgeOperator {
     /// What the sides do.
     pub fn sides(&self) -> Sides {
         self.sides
+    }
+
+    /// The given contact cone on this edge.
+    pub fn cone(&self, cone: Cone) -> EdgeCone {
+        cone.on(self.nodes(), self.sides.ends())
     }
 
     /// S(2πk/P), k = 0 ... P/2.

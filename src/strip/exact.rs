@@ -9,13 +9,12 @@
 //! `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference of energies loses
 //! six and more digits at n = 2^18. Cost: one transform of length N per error.
 
-use super::chain::prolong;
 use super::defect::{halving, harmonic_defect, harmonic_symbol};
 use super::edge::EdgeOperator;
-use super::pressure::restrict;
+use super::edge_data::EdgeData;
 use super::scalar::{EdgeLoad, check_layers, scalar_symbol};
-use super::scene::EdgeScene;
 use super::sides::{Sides, check_length};
+use super::transfer::{prolong, restrict};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;
@@ -78,7 +77,7 @@ impl ExactEdge {
     /// # Errors
     /// [`Error::UnknownName`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
     /// height gives a whole number of layers on it.
-    pub fn scalar(scene: &EdgeScene, height: (usize, usize), reference: Reference) -> Result<Self> {
+    pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
             return Err(Error::UnknownName {
                 what: "sides",
@@ -121,7 +120,7 @@ impl ExactEdge {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] when the grid is another one.
-    pub fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Natural);

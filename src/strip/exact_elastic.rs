@@ -7,14 +7,14 @@
 //!
 //! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode.
 
-use super::chain::prolong;
 use super::edge::EdgeOperator;
+use super::edge_data::EdgeData;
 use super::elastic::{EdgeMatrix, edge_matrices};
 use super::elastic_defect::{aliased, halvings};
 use super::exact::{layers_on, level_of, power_of_two, pyramid};
 use super::scalar::EdgeLoad;
-use super::scene::EdgeScene;
 use super::sides::{Sides, check_length};
+use super::transfer::prolong;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Lame;
@@ -44,7 +44,7 @@ impl ExactElastic {
     /// # Errors
     /// [`Error::UnknownName`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the numbers of layers
     /// are powers of two.
-    pub fn new(scene: &EdgeScene, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
+    pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
         if scene.sides() != Sides::Periodic {
             return Err(Error::UnknownName {
                 what: "sides",
@@ -93,7 +93,7 @@ impl ExactElastic {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] when the grid is another one.
-    pub fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Periodic);

@@ -4,8 +4,8 @@
 //! the error with constants near 1. Iterations needed for a given reduction do not depend on n or on the gaps.
 
 use super::edge::{EdgeOperator, Workspace};
-use super::face::Face;
 use super::precondition::Preconditioner;
+use crate::cone::Face;
 
 /// What one inner solve did.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,44 +10,36 @@
 //! | n, m, h = 1/n, H = m/n | cells along the edge, layers, mesh size, height |
 //! | A, S(θ) | [`EdgeOperator`] and its symbol |
 //! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
-//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels, [`StripCase`] over positions |
-//! | K^h, K̄^h | [`crate::contact::Cone`], solved by [`solve_contact`] |
+//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels |
+//! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`solve_contact`] |
 
-mod case;
-mod chain;
-mod contact_sets;
 mod defect;
 mod edge;
+mod edge_data;
 mod elastic;
 mod elastic_defect;
 mod exact;
 mod exact_elastic;
-mod face;
 mod inner;
 mod listing;
 mod precondition;
-mod pressure;
-mod projection;
 mod scalar;
-mod scene;
 mod sides;
 mod slab;
 mod solution;
 mod solve;
-mod source;
 mod study;
+mod transfer;
 
-pub use case::{CaseStudy, StripCase, mean_errors};
 pub use edge::EdgeOperator;
+pub use edge_data::EdgeData;
 pub use elastic::{ElasticLoad, ElasticStrip};
 pub use exact::{ExactEdge, Reference};
 pub use exact_elastic::ExactElastic;
 pub use listing::{level_table, mean_order};
-pub(crate) use pressure::restrict;
 pub use scalar::{EdgeLoad, ScalarStrip};
-pub use scene::{EdgeScene, SceneKind};
 pub use sides::Sides;
 pub use solution::{EdgeSolution, Settings};
 pub use solve::solve_contact;
-pub use source::SceneSource;
 pub use study::{Level, Levels, StripKind, StripProblem, study};
+pub(crate) use transfer::restrict;

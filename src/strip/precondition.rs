@@ -8,8 +8,8 @@
 //! Cost O(n log n).
 
 use super::edge::{EdgeOperator, Workspace};
-use super::face::{Block, Face};
 use super::sides::Sides;
+use crate::cone::{Block, Face};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::collections::HashMap;
@@ -48,10 +48,10 @@ impl<'a> Preconditioner<'a> {
     pub(crate) fn apply(&mut self, face: &Face, r: &[f64], z: &mut [f64], work: &mut Workspace) {
         let nodes = self.operator.nodes();
         let diagonal = 1.0 / self.operator.norm();
-        for run in &face.runs {
+        for run in face.runs() {
             run.nodes(nodes).for_each(|i| z[i] = diagonal * r[i]);
         }
-        for &gap in &face.gaps {
+        for gap in face.gaps() {
             if gap.len == nodes {
                 self.operator.solve_into(r, z, work);
             } else {
@@ -164,7 +164,7 @@ fn smooth_at_least(n: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::Cone;
+    use crate::cone::Cone;
     use crate::strip::ScalarStrip;
 
     #[test]
@@ -186,7 +186,7 @@ mod tests {
                     _ => false,
                 })
                 .collect();
-            let face = Face::new(Cone::Nodal, operator, &active);
+            let face = Face::new(operator.cone(Cone::Nodal), &active);
             let mut image = |r: &[f64]| {
                 let mut z = vec![0.0; 33];
                 preconditioner.apply(&face, r, &mut z, &mut operator.workspace());

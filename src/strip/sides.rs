@@ -1,5 +1,6 @@
 //! What the sides of the strip do, and the checks that edge data pass.
 
+use crate::cone::Ends;
 use crate::error::{Error, Result};
 
 /// What the sides x = 0 and x = 1 of the strip do.
@@ -17,6 +18,22 @@ impl Sides {
         match self {
             Sides::Natural => cells + 1,
             Sides::Periodic => cells,
+        }
+    }
+
+    /// At least two cells, an even number on a ring, at most 2^26.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] otherwise.
+    pub fn check_cells(self, cells: usize) -> Result<()> {
+        check_cells(cells, self)
+    }
+
+    /// The edge as a contact cone sees it: open, or with joined ends.
+    pub(crate) fn ends(self) -> Ends {
+        match self {
+            Sides::Natural => Ends::Open,
+            Sides::Periodic => Ends::Joined,
         }
     }
 

@@ -1,6 +1,6 @@
 //! What the contact iteration on the edge is asked for, and what it hands back.
 
-use crate::contact::{Cone, ContactSet, Judgement, Margins, Status};
+use crate::cone::{Cone, ContactSet, Judgement, Margins, Status};
 use crate::error::{Error, Result};
 
 /// When to stop.

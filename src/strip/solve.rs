@@ -10,15 +10,13 @@
 //! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion along each run.
 //! Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
-use super::chain::{constraints, forces, means, multipliers, prolong, refine_set};
 use super::edge::EdgeOperator;
-use super::face::Face;
 use super::inner::{FaceSolver, dot};
-use super::projection::{project_chain, project_ring};
 use super::scalar::EdgeLoad;
-use super::sides::{Sides, check_finite};
+use super::sides::check_finite;
 use super::solution::{EdgeSolution, Settings};
-use crate::contact::{Cone, ContactSet, Evidence, Status};
+use super::transfer::prolong;
+use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
 use crate::error::{Error, Result};
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -56,7 +54,7 @@ fn largest(values: &[f64]) -> f64 {
 
 struct Iteration<'a> {
     operator: &'a EdgeOperator,
-    cone: Cone,
+    cone: EdgeCone,
     settings: &'a Settings,
     b: &'a [f64],
     solver: FaceSolver<'a>,
@@ -67,6 +65,7 @@ struct Iteration<'a> {
 
 impl<'a> Iteration<'a> {
     fn new(operator: &'a EdgeOperator, b: &'a [f64], cone: Cone, settings: &'a Settings) -> Self {
+        let cone = operator.cone(cone);
         Self {
             operator,
             cone,
@@ -74,7 +73,7 @@ impl<'a> Iteration<'a> {
             b,
             solver: FaceSolver::new(operator),
             values: vec![0.0; operator.nodes()],
-            active: vec![false; constraints(operator, cone)],
+            active: vec![false; cone.constraints()],
             inner: Vec::new(),
         }
     }
@@ -95,14 +94,11 @@ impl<'a> Iteration<'a> {
             return Err(Error::LengthMismatch { name: "start", given: start.values.len(), expected: nodes });
         }
         self.values.iter_mut().for_each(|v| *v /= scale);
-        self.active = match (start.cone == self.cone, start.values.len() == nodes) {
+        self.active = match (start.cone == self.cone.kind(), start.values.len() == nodes) {
             (true, true) => start.contact.as_slice().to_vec(),
-            (true, false) => refine_set(start.contact.as_slice(), self.cone, self.operator),
+            (true, false) => self.cone.refined_set(&start.contact)?.as_slice().to_vec(),
             // From the other cone: a constraint is taken as active where the values leave no room.
-            (false, _) => {
-                let cone = self.cone;
-                means(self.operator, cone, &self.values).iter().map(|&mean| mean >= 0.0).collect()
-            }
+            (false, _) => self.cone.apply(&self.values).iter().map(|&mean| mean >= 0.0).collect(),
         };
         Ok(())
     }
@@ -136,7 +132,7 @@ impl<'a> Iteration<'a> {
 
     fn newton_step(&mut self, reduction: f64) -> f64 {
         const LIMIT: usize = 200;
-        let face = Face::new(self.cone, self.operator, &self.active);
+        let face = Face::new(self.cone, &self.active);
         let inner =
             self.solver.solve(&face, self.b, &mut self.values, self.settings.tolerance, reduction, LIMIT);
         self.inner.push(inner.iterations);
@@ -147,10 +143,10 @@ impl<'a> Iteration<'a> {
     fn shifted(&mut self) -> Vec<f64> {
         let mut product = vec![0.0; self.operator.nodes()];
         self.solver.product(&self.values, &mut product);
-        let face = Face::new(self.cone, self.operator, &self.active);
+        let face = Face::new(self.cone, &self.active);
         let mut shifted = self.values.clone();
         let sigma = self.operator.norm();
-        for run in &face.runs {
+        for run in face.runs() {
             for i in run.nodes(shifted.len()) {
                 shifted[i] += (self.b[i] - product[i]) / sigma;
             }
@@ -164,37 +160,23 @@ impl<'a> Iteration<'a> {
         } else {
             self.b.to_vec()
         };
-        self.project(&shifted).1
-    }
-
-    fn project(&self, z: &[f64]) -> (Vec<f64>, Vec<bool>) {
-        match (self.cone, self.operator.sides()) {
-            (Cone::Nodal, _) => {
-                (z.iter().map(|v| v.min(0.0)).collect(), z.iter().map(|&v| v > 0.0).collect())
-            }
-            (Cone::Midpoint, Sides::Natural) => project_chain(z),
-            (Cone::Midpoint, Sides::Periodic) => {
-                let n = z.len();
-                let deepest = (0..n).min_by(|&a, &b| z[a].total_cmp(&z[b])).unwrap_or(0);
-                project_ring(z, deepest)
-            }
-        }
+        self.cone.nearest(&shifted).1
     }
 
     /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the border of the cone.
     fn descend(&mut self) -> Status {
         let sigma = self.operator.norm();
-        let (mut feasible, _) = self.project(&self.values.clone());
+        let (mut feasible, _) = self.cone.nearest(&self.values);
         let mut product = vec![0.0; feasible.len()];
         while self.inner.len() < self.settings.steps {
             self.solver.product(&feasible, &mut product);
             let z: Vec<f64> =
                 (0..feasible.len()).map(|i| feasible[i] + (self.b[i] - product[i]) / sigma).collect();
-            let (point, active) = self.project(&z);
+            let (point, active) = self.cone.nearest(&z);
             self.active = active;
             self.values.copy_from_slice(&point);
             let residual = self.newton_step(0.0);
-            let step = self.longest_step(&point);
+            let step = self.cone.longest_step(&point, &self.values, &self.active);
             if step >= 1.0 && self.next_set() == self.active && residual <= self.settings.tolerance {
                 return Status::Converged;
             }
@@ -203,28 +185,15 @@ impl<'a> Iteration<'a> {
         Status::StepLimit { steps: self.inner.len() }
     }
 
-    /// The largest t ≤ 1 with point + t (values − point) in the cone.
-    fn longest_step(&self, point: &[f64]) -> f64 {
-        let here = means(self.operator, self.cone, point);
-        let there = means(self.operator, self.cone, &self.values);
-        let mut longest: f64 = 1.0;
-        for i in 0..here.len() {
-            if !self.active[i] && there[i] > 0.0 {
-                longest = longest.min((here[i] / (here[i] - there[i])).max(0.0));
-            }
-        }
-        longest
-    }
-
     fn finish(mut self, status: Status) -> Result<EdgeSolution> {
         let nodes = self.operator.nodes();
         let mut product = vec![0.0; nodes];
         self.solver.product(&self.values, &mut product);
         let surplus: Vec<f64> = (0..nodes).map(|i| self.b[i] - product[i]).collect();
-        let multiplier = multipliers(self.operator, self.cone, &self.active, &surplus);
-        let held = forces(self.operator, self.cone, &multiplier)?;
+        let multiplier = self.cone.multipliers(&self.active, &surplus, |_| false);
+        let held = self.cone.apply_transposed(&multiplier)?;
         let residual: Vec<f64> = (0..nodes).map(|i| held[i] - surplus[i]).collect();
-        let gap = means(self.operator, self.cone, &self.values);
+        let gap = self.cone.apply(&self.values);
         let displacement = largest(&self.values);
         let evidence = Evidence {
             residual: &residual,
@@ -241,7 +210,7 @@ impl<'a> Iteration<'a> {
             multiplier,
             contact: ContactSet::new(self.active),
             values: self.values,
-            cone: self.cone,
+            cone: self.cone.kind(),
             energy,
             status,
             judgement,

@@ -4,14 +4,14 @@
 //! errors. For a transition it alternates with the position of the transition in its cell.
 
 use super::edge::EdgeOperator;
+use super::edge_data::EdgeData;
 use super::exact::{ExactEdge, Reference};
 use super::exact_elastic::ExactElastic;
 use super::scalar::{EdgeLoad, ScalarStrip};
-use super::scene::EdgeScene;
 use super::sides::Sides;
 use super::solution::{EdgeSolution, Settings};
 use super::solve::solve_contact;
-use crate::contact::{Cone, Status};
+use crate::cone::{Cone, Status};
 use crate::error::{Error, Result};
 use crate::estimate::Estimate;
 use crate::fem::Lame;
@@ -147,7 +147,7 @@ impl StripProblem {
     ///
     /// # Errors
     /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::UnknownName`] for a continuous elastic reference.
-    pub fn new(kind: StripKind, scene: &EdgeScene, reference: Reference, coarsest: usize) -> Result<Self> {
+    pub fn new(kind: StripKind, scene: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(match kind {
             StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
             StripKind::Elastic if reference != Reference::Nested => {
@@ -167,7 +167,7 @@ impl StripProblem {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] when the grid is another one.
-    pub fn set_scene(&mut self, scene: &EdgeScene) -> Result<()> {
+    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         match self {
             Self::Scalar(exact) => exact.set_scene(scene),
             Self::Elastic(exact) => exact.set_scene(scene),

@@ -1,7 +1,8 @@
 //! Every inequality of one section on scenes x h x theta x tau: what the proofs of both theorems are held to.
 
 use signorini::proof::{ProofCase, ProofConstants, Resolution, Section, Step, ThetaRule};
-use signorini::strip::{Levels, SceneKind, SceneSource};
+use signorini::scenes::StripScene;
+use signorini::strip::Levels;
 
 /// Rungs that coincide agree to the rounding of their sums and to the error of the constants, about 1e-9.
 pub const RUNG: f64 = 1e-8;
@@ -17,16 +18,16 @@ impl Random {
     }
 }
 
-fn scenes(tau: f64, random: &mut Random) -> Vec<SceneKind> {
+fn scenes(tau: f64, random: &mut Random) -> Vec<StripScene> {
     let rough = if tau < 2.0 {
-        SceneKind::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
+        StripScene::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
     } else {
-        SceneKind::Cantor { ratio: 0.4, depth: 8 }
+        StripScene::Cantor { ratio: 0.4, depth: 8 }
     };
     vec![
-        SceneKind::Transition { position: 0.05 + 0.9 * random.next() },
-        SceneKind::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
-        SceneKind::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
+        StripScene::Transition { position: 0.05 + 0.9 * random.next() },
+        StripScene::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
+        StripScene::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
         rough,
     ]
 }
@@ -46,7 +47,7 @@ pub fn all_cases(section: Section, taus: &[f64]) -> (usize, usize) {
             for kind in scenes(tau, &mut random) {
                 planned.extend(rules(tau).map(|rule| ProofCase {
                     section,
-                    source: SceneSource::Built(kind),
+                    source: kind.clone(),
                     tau,
                     scene_tau: tau,
                     levels: Levels::new(level, level).unwrap(),

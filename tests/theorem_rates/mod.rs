@@ -1,10 +1,10 @@
 //! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
 
 use signorini::contact::Cone;
-use signorini::convergence::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
+use signorini::convergence::{Bound, MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
-use signorini::scenes::{Scene, Setting};
-use signorini::strip::{EdgeScene, Levels, SceneKind, SceneSource, Sides, StripKind};
+use signorini::scenes::{MeshScene, Setting, StripScene};
+use signorini::strip::{Levels, Sides, StripKind};
 
 /// The window of h is finite: orders of known scenes come out this close to τ − 1.
 const ORDER: f64 = 0.02;
@@ -15,7 +15,7 @@ const TERM: f64 = 0.03;
 
 fn strip(
     kind: StripKind,
-    source: &SceneSource,
+    source: &StripScene,
     levels: (u32, u32),
     positions: usize,
     cone: Cone,
@@ -23,7 +23,7 @@ fn strip(
     let levels = Levels::new(levels.0, levels.1).unwrap();
     let finest = levels.cells().max().unwrap();
     let mut strip = RateStrip::new(kind, levels, 16 * finest).unwrap();
-    let mut store = LevelStore::in_memory();
+    let mut store = NoMemory;
     [1.55, 1.65, 1.75, 1.85, 1.95]
         .into_iter()
         .map(|tau| {
@@ -49,24 +49,19 @@ fn check(studies: &[RateStudy]) {
 
 pub fn single_transitions(cone: Cone) {
     for kind in [StripKind::Scalar, StripKind::Elastic] {
-        check(&strip(kind, &SceneSource::transition(), (3, 12), 7, cone));
+        check(&strip(kind, &StripScene::transition(), (3, 12), 7, cone));
     }
 }
 
 pub fn many_transitions(cone: Cone) {
-    check(&strip(
-        StripKind::Scalar,
-        &SceneSource::Built(SceneKind::Transitions { gaps: 11 }),
-        (6, 14),
-        1,
-        cone,
-    ));
+    check(&strip(StripKind::Scalar, &StripScene::Transitions { gaps: 11 }, (6, 14), 1, cone));
 }
 
 pub fn corners(cone: Cone) {
     for angle in [100.0, 120.0, 135.0, 150.0] {
         let setting = Setting { angle, ..Setting::default() };
-        let rates = MeshRates { scene: Scene::Corner, setting, constant_load: true, coarsest: 3, levels: 7 };
+        let rates =
+            MeshRates { scene: MeshScene::Corner, setting, constant_load: true, coarsest: 3, levels: 7 };
         let study = rates.study(&[cone]).unwrap().remove(0);
         let fit = study.fit(Quantity::Error).unwrap();
         assert!((fit.order - 90.0 / angle).abs() < CORNER, "{}: {fit}", study.scene);
@@ -77,7 +72,7 @@ pub fn corners(cone: Cone) {
 /// A corner of 120 degrees (τ = 7/4) with a contact zone at its other end, one less digit in the order: the transition adds its own series.
 pub fn corner_with_contact(cone: Cone) {
     let rates = MeshRates {
-        scene: Scene::Corner,
+        scene: MeshScene::Corner,
         setting: Setting::default(),
         constant_load: false,
         coarsest: 3,
@@ -94,7 +89,7 @@ const SUM: f64 = 1e-12;
 
 pub fn terms_by_two_roads(cone: Cone) {
     let cells = 1 << 10;
-    let scene = EdgeScene::build(SceneKind::Transitions { gaps: 3 }, 1.75, cells, Sides::Natural).unwrap();
+    let scene = StripScene::Transitions { gaps: 3 }.data(1.75, cells, Sides::Natural).unwrap();
     let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
     let trace = EdgeTrace::new(nodes, scene.values().to_vec(), scene.forces().to_vec(), 0.0).unwrap();
     for (segments, term) in consistency_terms(&scene, cone) {

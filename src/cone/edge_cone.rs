@@ -1,0 +1,191 @@
+//! A cone on an edge with a given number of nodes: B w, B'λ, supports, refinement, steps that stay inside.
+//!
+//! On an edge with joined ends the last node is a neighbour of the first. Cost: O(nodes) for every operation.
+
+use super::contact_set::ContactSet;
+use super::kind::Cone;
+use crate::error::{Error, Result};
+
+/// What the ends of an edge do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Ends {
+    /// The edge has a first and a last node: one segment less than nodes.
+    Open,
+    /// The last node is joined to the first by a segment (a periodic or closed edge): as many segments as nodes.
+    Joined,
+}
+
+/// { w : B w ≤ g } for the nodal values w on an edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct EdgeCone {
+    cone: Cone,
+    nodes: usize,
+    ends: Ends,
+}
+
+impl Cone {
+    /// This cone on an edge of `nodes` nodes.
+    pub const fn on(self, nodes: usize, ends: Ends) -> EdgeCone {
+        EdgeCone { cone: self, nodes, ends }
+    }
+
+    /// Number of constraints on an open edge of `nodes` nodes.
+    pub const fn constraints(self, nodes: usize) -> usize {
+        self.on(nodes, Ends::Open).constraints()
+    }
+}
+
+impl EdgeCone {
+    /// Which cone.
+    pub const fn kind(self) -> Cone {
+        self.cone
+    }
+
+    /// Number of nodes of the edge.
+    pub const fn nodes(self) -> usize {
+        self.nodes
+    }
+
+    /// What the ends of the edge do.
+    pub const fn ends(self) -> Ends {
+        self.ends
+    }
+
+    /// Number of constraints: the nodes or the segments.
+    pub const fn constraints(self) -> usize {
+        match (self.cone, self.ends) {
+            (Cone::Nodal, _) | (Cone::Midpoint, Ends::Joined) => self.nodes,
+            (Cone::Midpoint, Ends::Open) => self.nodes.saturating_sub(1),
+        }
+    }
+
+    /// B w: nodal values, or the means over the segments. Also maps nodal positions on an open edge to those of the constraints.
+    pub fn apply(self, w: &[f64]) -> Vec<f64> {
+        // Halves first: the sum of two huge values must not overflow.
+        let mean = |left: f64, right: f64| 0.5 * left + 0.5 * right;
+        match self.cone {
+            Cone::Nodal => w.to_vec(),
+            Cone::Midpoint => {
+                let mut means: Vec<f64> = w.windows(2).map(|pair| mean(pair[0], pair[1])).collect();
+                if let (Ends::Joined, [first, .., last]) = (self.ends, w) {
+                    means.push(mean(*last, *first));
+                }
+                means
+            }
+        }
+    }
+
+    /// B'λ: the nodal forces of the multipliers.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] when λ does not hold one entry per constraint.
+    pub fn apply_transposed(self, multiplier: &[f64]) -> Result<Vec<f64>> {
+        let expected = self.constraints();
+        if multiplier.len() != expected {
+            return Err(Error::LengthMismatch { name: "multiplier", given: multiplier.len(), expected });
+        }
+        Ok(match self.cone {
+            Cone::Nodal => multiplier.to_vec(),
+            Cone::Midpoint => {
+                let mut force = vec![0.0; self.nodes];
+                for (i, &value) in multiplier.iter().enumerate() {
+                    force[i] += 0.5 * value;
+                    force[self.after(i)] += 0.5 * value;
+                }
+                force
+            }
+        })
+    }
+
+    /// The nodes of constraint `i`, one node or the two ends of a segment: where row `i` of B is not zero.
+    pub fn support(self, i: usize) -> impl Iterator<Item = usize> {
+        let second = match self.cone {
+            Cone::Nodal => None,
+            Cone::Midpoint => Some(self.after(i)),
+        };
+        std::iter::once(i).chain(second)
+    }
+
+    /// The entry of B at every node of a support.
+    pub const fn weight(self) -> f64 {
+        match self.cone {
+            Cone::Nodal => 1.0,
+            Cone::Midpoint => 0.5,
+        }
+    }
+
+    /// The contact set that `coarse`, a set on the edge with segments twice as long, suggests here: the constraints lying in it.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] when halving the segments of that edge does not give this one.
+    pub fn refined_set(self, coarse: &ContactSet) -> Result<ContactSet> {
+        let set = coarse.as_slice();
+        let given = match (self.cone, self.ends) {
+            (Cone::Nodal, Ends::Open) => (2 * set.len()).saturating_sub(1),
+            _ => 2 * set.len(),
+        };
+        if given != self.constraints() {
+            return Err(Error::LengthMismatch { name: "contact set", given, expected: self.constraints() });
+        }
+        Ok(ContactSet::new(match self.cone {
+            // Old nodes and, between two active ones, the new node.
+            Cone::Nodal => (0..given).map(|i| set[i / 2] && set[i.div_ceil(2) % set.len()]).collect(),
+            Cone::Midpoint => set.iter().flat_map(|&active| [active; 2]).collect(),
+        }))
+    }
+
+    /// The largest t ≤ 1 with w + t (v − w) in the cone B w ≤ 0, for w inside it; constraints in `active` hold at both.
+    pub(crate) fn longest_step(self, w: &[f64], v: &[f64], active: &[bool]) -> f64 {
+        let (here, there) = (self.apply(w), self.apply(v));
+        let mut longest: f64 = 1.0;
+        for i in 0..here.len() {
+            if !active[i] && there[i] > 0.0 {
+                longest = longest.min((here[i] / (here[i] - there[i])).max(0.0));
+            }
+        }
+        longest
+    }
+
+    /// The right end of segment `i`.
+    pub(super) fn after(self, i: usize) -> usize {
+        if self.ends == Ends::Joined && i + 1 == self.nodes { 0 } else { i + 1 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halved_segments_inherit_contact() {
+        let coarse = ContactSet::new(vec![true, true, false]);
+        let refined = |cone: Cone, nodes, ends| cone.on(nodes, ends).refined_set(&coarse);
+        let fine = refined(Cone::Nodal, 5, Ends::Open).unwrap();
+        assert_eq!(fine.as_slice(), [true, true, true, false, false]);
+        let fine = refined(Cone::Midpoint, 7, Ends::Open).unwrap();
+        assert_eq!(fine.as_slice(), [true, true, true, true, false, false]);
+        let fine = refined(Cone::Nodal, 6, Ends::Joined).unwrap();
+        assert_eq!(fine.as_slice(), [true, true, true, false, false, false]);
+        assert!(refined(Cone::Nodal, 6, Ends::Open).is_err());
+    }
+
+    #[test]
+    fn transposed_is_the_adjoint() {
+        let w = [0.5, -1.0, 2.0, 0.25];
+        for cone in Cone::ALL {
+            for edge in [Ends::Open, Ends::Joined].map(|ends| cone.on(4, ends)) {
+                let multiplier: Vec<f64> = (0..edge.constraints()).map(|i| 1.0 + i as f64).collect();
+                let means = edge.apply(&w);
+                let left: f64 = means.iter().zip(&multiplier).map(|(a, b)| a * b).sum();
+                let force = edge.apply_transposed(&multiplier).unwrap();
+                let right: f64 = force.iter().zip(&w).map(|(a, b)| a * b).sum();
+                assert_eq!(left, right, "{edge:?}");
+                for i in 0..edge.constraints() {
+                    let row: f64 = edge.support(i).map(|node| edge.weight() * w[node]).sum();
+                    assert_eq!(row, means[i], "{edge:?} {i}");
+                }
+                assert!(edge.apply_transposed(&[1.0; 7]).is_err());
+            }
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Which of the two cones.
+
+use crate::error::{Error, Result};
+use std::fmt;
+use std::str::FromStr;
+
+/// Which discrete noninterpenetration condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Cone {
+    /// K^h of (2.9): u_N ≤ g at every node of the contact edge, end nodes included.
+    #[default]
+    Nodal,
+    /// The cone of (4.1): the mean of u_N - g over every contact segment is ≤ 0.
+    Midpoint,
+}
+
+impl Cone {
+    /// Both cones, in the order of the paper.
+    pub const ALL: [Cone; 2] = [Cone::Nodal, Cone::Midpoint];
+}
+
+impl fmt::Display for Cone {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Cone::Nodal => "nodal",
+            Cone::Midpoint => "midpoint",
+        })
+    }
+}
+
+impl FromStr for Cone {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "nodal" => Ok(Cone::Nodal),
+            "midpoint" => Ok(Cone::Midpoint),
+            _ => Err(Error::UnknownName {
+                what: "cone",
+                given: text.to_owned(),
+                expected: "nodal or midpoint",
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_read_back() {
+        for cone in Cone::ALL {
+            assert_eq!(cone.to_string().parse(), Ok(cone));
+        }
+        assert!("planar".parse::<Cone>().is_err());
+    }
+}

@@ -1,0 +1,276 @@
+//! The exact projection onto a cone B p ≤ g, in O(n).
+//!
+//! Nodal: p_i = min(z_i, g_i). Midpoint, minimise ½ Σ d_i (p_i − z_i)² over p_i + p_{i+1} ≤ 2 g_i on a chain: with F_i(t) the
+//! least cost of the nodes up to i when p_i = t, and m_i its minimiser,
+//!
+//! F_{i+1}(t) = ½ d_{i+1} (t − z_{i+1})² + F_i(min(2 g_i − t, m_i)).
+//!
+//! F_i' is increasing and piecewise linear; a step cuts its positive part off, reflects it and adds d (t − z). Pieces are kept in a
+//! deque in coordinates that absorb reflection and addition, so that each is created and removed once. Backwards, p_n = m_n and
+//! p_i = min(m_i, 2 g_i − p_{i+1}); the constraint is active where the second is smaller. Nodes that are fixed stay at 0: the chain
+//! begins anew behind them, with a hard upper bound.
+//!
+//! On a ring a segment that is inactive in the projection is a place to cut; the chain projection that satisfies
+//! the constraint left out is the projection.
+
+use super::edge_cone::{EdgeCone, Ends};
+use super::kind::Cone;
+use std::collections::VecDeque;
+
+impl EdgeCone {
+    /// The point of { B p ≤ 0 } nearest to z, and the constraints active there.
+    pub(crate) fn nearest(self, z: &[f64]) -> (Vec<f64>, Vec<bool>) {
+        match (self.kind(), self.ends()) {
+            (Cone::Nodal, _) => {
+                (z.iter().map(|v| v.min(0.0)).collect(), z.iter().map(|&v| v > 0.0).collect())
+            }
+            (Cone::Midpoint, Ends::Open) => project_chain(z),
+            (Cone::Midpoint, Ends::Joined) => {
+                let deepest = (0..z.len()).min_by(|&a, &b| z[a].total_cmp(&z[b])).unwrap_or(0);
+                project_ring(z, deepest)
+            }
+        }
+    }
+}
+
+/// What a projection along a chain minimises, and where: d > 0, g (one entry less), and which nodes stay at 0.
+pub(crate) struct Weighted<W, G, F> {
+    pub(crate) weight: W,
+    pub(crate) bound: G,
+    pub(crate) is_fixed: F,
+}
+
+/// Projects z onto p_i + p_{i+1} ≤ 0 along a chain; returns p and the active flags of the n − 1 segments.
+pub(crate) fn project_chain(z: &[f64]) -> (Vec<f64>, Vec<bool>) {
+    project_weighted(z, &Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false })
+}
+
+/// Projects z onto p_i + p_{i+1} ≤ 2 g_i along a chain in the norm with weights d; returns p and the n − 1 active flags.
+pub(crate) fn project_weighted<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> (Vec<f64>, Vec<bool>)
+where
+    W: Fn(usize) -> f64,
+    G: Fn(usize) -> f64,
+    F: Fn(usize) -> bool,
+{
+    let n = z.len();
+    if n == 0 {
+        return (Vec::new(), Vec::new());
+    }
+    let mut p = minimisers(z, data);
+    let mut active = vec![false; n - 1];
+    for i in (0..n - 1).rev() {
+        let allowed = 2.0 * (data.bound)(i) - p[i + 1];
+        active[i] = allowed < p[i];
+        if (data.is_fixed)(i) {
+            // A node pressed against the hard bound of a fixed left neighbour touches it with equality.
+            active[i] |= !(data.is_fixed)(i + 1) && p[i + 1] >= 2.0 * (data.bound)(i);
+        } else if active[i] {
+            p[i] = allowed;
+        }
+    }
+    (p, active)
+}
+
+/// On t in a piece (between its neighbours' breakpoints), all in stored coordinates: F' = (slope + count)·t + (intercept + shift).
+#[derive(Clone, Copy)]
+struct Piece {
+    left: f64,
+    slope: f64,
+    intercept: f64,
+}
+
+/// F' = 0 everywhere.
+const FLAT: Piece = Piece { left: f64::NEG_INFINITY, slope: 0.0, intercept: 0.0 };
+
+/// F_i' with its reflections and additions so far: t is stored as σ t + offset, F' as σ F'.
+struct Derivative {
+    pieces: VecDeque<Piece>,
+    sigma: f64,
+    offset: f64,
+    /// Added to every slope and every intercept.
+    count: f64,
+    shift: f64,
+}
+
+impl Derivative {
+    fn flat() -> Self {
+        Self { pieces: VecDeque::from([FLAT]), sigma: 1.0, offset: 0.0, count: 0.0, shift: 0.0 }
+    }
+
+    /// F'(t) ← −F'(c − t).
+    fn reflect(&mut self, c: f64) {
+        self.offset += self.sigma * c;
+        self.sigma = -self.sigma;
+    }
+
+    /// F'(t) ← F'(t) + d (t − z).
+    fn add(&mut self, d: f64, z: f64) {
+        self.count += d;
+        self.shift -= d * (self.offset + self.sigma * z);
+    }
+
+    /// Puts zero in the place of the positive part; returns where F' vanishes.
+    fn cut(&mut self) -> f64 {
+        let zero = if self.sigma > 0.0 { self.cut_right() } else { self.cut_left() };
+        self.sigma * (zero - self.offset)
+    }
+
+    fn cut_right(&mut self) -> f64 {
+        let mut zero = f64::NEG_INFINITY;
+        while let Some(&piece) = self.pieces.back() {
+            zero = -(piece.intercept + self.shift) / (piece.slope + self.count);
+            if zero >= piece.left {
+                break;
+            }
+            zero = piece.left;
+            self.pieces.pop_back();
+        }
+        self.pieces.push_back(Piece { left: zero, slope: -self.count, intercept: -self.shift });
+        zero
+    }
+
+    fn cut_left(&mut self) -> f64 {
+        let mut zero = f64::INFINITY;
+        while let Some(&piece) = self.pieces.front() {
+            let right = self.pieces.get(1).map_or(f64::INFINITY, |next| next.left);
+            zero = -(piece.intercept + self.shift) / (piece.slope + self.count);
+            if zero <= right {
+                if let Some(front) = self.pieces.front_mut() {
+                    front.left = zero;
+                }
+                break;
+            }
+            zero = right;
+            self.pieces.pop_front();
+        }
+        self.pieces.push_front(Piece { left: f64::NEG_INFINITY, slope: -self.count, intercept: -self.shift });
+        zero
+    }
+
+    /// Of a chain's first node: F' jumps to zero at `limit` if it has not vanished there. Returns where it does.
+    fn cut_first(&mut self, limit: f64) -> f64 {
+        let zero = self.cut();
+        if zero <= limit {
+            return zero;
+        }
+        if let Some(last) = self.pieces.back_mut() {
+            last.left = limit;
+        }
+        limit
+    }
+}
+
+/// m_i for every i; 0 at fixed nodes.
+fn minimisers<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<f64>
+where
+    W: Fn(usize) -> f64,
+    G: Fn(usize) -> f64,
+    F: Fn(usize) -> bool,
+{
+    let mut derivative = Derivative::flat();
+    let mut minimisers = Vec::with_capacity(z.len());
+    // Of the first node of a chain; the nodes after it are bounded through the derivative.
+    let mut limit = Some(f64::INFINITY);
+    for (i, &value) in z.iter().enumerate() {
+        if (data.is_fixed)(i) {
+            derivative = Derivative::flat();
+            limit = Some(if i + 1 < z.len() { 2.0 * (data.bound)(i) } else { f64::INFINITY });
+            minimisers.push(0.0);
+            continue;
+        }
+        let minimiser = match limit.take() {
+            Some(limit) => {
+                derivative.add((data.weight)(i), value);
+                derivative.cut_first(limit)
+            }
+            None => {
+                derivative.reflect(2.0 * (data.bound)(i - 1));
+                derivative.add((data.weight)(i), value);
+                derivative.cut()
+            }
+        };
+        minimisers.push(minimiser);
+    }
+    minimisers
+}
+
+/// Places tried on a ring. A place with room is found in two or three tries unless hardly any is left.
+const TRIES: usize = 32;
+
+/// Projects z onto the ring cone (x_{n−1} + x_0 ≤ 0 as well); returns x and the n active flags.
+///
+/// `cut` is a segment that is probably inactive. After the tries allowed, all constraints are taken as active, which is the
+/// projection whenever none can be left out.
+fn project_ring(z: &[f64], cut: usize) -> (Vec<f64>, Vec<bool>) {
+    let n = z.len();
+    let mut cut = cut % n.max(1);
+    let mut tried = vec![false; n];
+    for _ in 0..TRIES.min(n) {
+        tried[cut] = true;
+        // Segment `cut` joins node `cut` and the next one: the chain starts there.
+        let turned: Vec<f64> = (0..n).map(|i| z[(cut + 1 + i) % n]).collect();
+        let (x, active) = project_chain(&turned);
+        let back = |i: usize| (i + n - (cut + 1) % n) % n;
+        if x[n - 1] + x[0] <= 0.0 {
+            // A closed ring determines its multipliers up to ±c, and the chain shows those with a zero at the cut.
+            let closed = (0..n).all(|i| x[i] + x[(i + 1) % n] == 0.0);
+            let flags = (0..n).map(|s| closed || (s != cut && active[back(s)])).collect();
+            return ((0..n).map(|i| x[back(i)]).collect(), flags);
+        }
+        let slack = |s: usize| x[back(s)] + x[back((s + 1) % n)];
+        let next = (0..n).filter(|&s| !tried[s]).min_by(|&a, &b| slack(a).total_cmp(&slack(b)));
+        match next {
+            Some(segment) => cut = segment,
+            None => break,
+        }
+    }
+    let mean = (0..n).map(|i| if i % 2 == 0 { z[i] } else { -z[i] }).sum::<f64>() / n as f64;
+    let x = (0..n).map(|i| if i % 2 == 0 { mean } else { -mean }).collect();
+    (x, vec![true; n])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Multipliers of the projection, z − x = B'λ with B w = w_i + w_{i+1}: λ ≥ 0 and complementary proves optimality.
+    fn chain_defect(z: &[f64], x: &[f64]) -> f64 {
+        let (mut multiplier, mut worst) = (0.0, 0.0f64);
+        for i in 0..z.len() {
+            let next = z[i] - x[i] - multiplier;
+            if i + 1 == z.len() {
+                return worst.max(next.abs());
+            }
+            let gap = x[i] + x[i + 1];
+            worst = worst.max(gap).max(-next).max((next * gap).abs());
+            multiplier = next;
+        }
+        worst
+    }
+
+    proptest! {
+        #[test]
+        fn chain_projection_is_optimal(z in prop::collection::vec(-1.0f64..1.0, 1..200)) {
+            let (x, _) = project_chain(&z);
+            prop_assert!(chain_defect(&z, &x) < 1e-11);
+        }
+
+        #[test]
+        fn ring_projection_is_the_chain_of_many_turns(z in prop::collection::vec(-1.0f64..1.0, 2..20), cut in 0usize..40) {
+            prop_assume!(z.len().is_multiple_of(2));
+            let (x, active) = project_ring(&z, cut);
+            let n = z.len();
+            for s in 0..n {
+                prop_assert!(x[s] + x[(s + 1) % n] <= 1e-12);
+            }
+            // Unwinding the ring many times changes the middle turn only if no constraint is inactive.
+            if active.iter().any(|a| !a) {
+                let unrolled: Vec<f64> = (0..21 * n).map(|i| z[i % n]).collect();
+                let (y, _) = project_chain(&unrolled);
+                let worst = (0..n).map(|i| (x[i] - y[10 * n + i]).abs()).fold(0.0, f64::max);
+                prop_assert!(worst < 1e-10, "{worst}");
+            }
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The dual norm of (4.7): ‖f‖_{1/2,*} = sup ∫ f ψ / ‖ψ‖_{1/2} over ψ ∈ H^{1/2}(I), with the full norm (1.1).
+//!
+//! Over the continuous piecewise linears ψ on given cells the supremum is (bᵀ (A + M)⁻¹ b)^{1/2}, b_i = ∫ f
+//! ψ_i: a lower bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving
+//! the cells at least halves what is missing of the square; the difference from the cells twice as long is
+//! the error estimate. Cost O(N³).
+
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::interpolation::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
+use crate::interpolation::trial::power_of_two;
+use crate::quadrature::Rule;
+use crate::sobolev::Partition;
+use faer::linalg::solvers::{Llt, Solve};
+use faer::{Mat, Side};
+
+/// Gauss points per cell: f is smooth on each.
+const POINTS: usize = 8;
+
+/// Rounding of the solve, relative.
+const ROUNDING: f64 = 1e-12;
+
+/// ‖·‖_{1/2,*} on the cells of an interval, factorized once.
+#[derive(Debug, Clone)]
+pub struct DualNorm {
+    cells: Partition,
+    fine: Solver,
+    /// On the cells joined in pairs.
+    coarse: Solver,
+}
+
+/// A + M + m mᵀ/|I|², factorized, and m, the integrals of the hats.
+///
+/// The representer of 1 is 1, so f splits into its mean f̄ and a rest whose representer has mean zero and
+/// does not see m mᵀ, ‖f‖² = |I| f̄² + ‖f − f̄‖². On an interval as short as 1e-100, A + M alone is singular
+/// to rounding.
+#[derive(Debug, Clone)]
+struct Solver {
+    factor: Llt<f64>,
+    integrals: Vec<f64>,
+}
+
+impl DualNorm {
+    /// On an even number of cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for an odd number of cells or more than 4096 (the matrices are dense).
+    pub fn new(cells: &Partition) -> Result<Self> {
+        let count = cells.len();
+        if !count.is_multiple_of(2) || count > MAX_CELLS {
+            return Err(Error::CountOutOfRange { name: "cells", value: count, range: "even, <= 4096" });
+        }
+        let pairs = cells.lengths().chunks(2).map(|pair| pair.iter().sum()).collect();
+        let coarse = Solver::new(&Partition::from_lengths(pairs)?)?;
+        Ok(Self { cells: cells.clone(), fine: Solver::new(cells)?, coarse })
+    }
+
+    /// The cells.
+    pub fn cells(&self) -> &Partition {
+        &self.cells
+    }
+
+    /// ‖f‖_{1/2,*} for f smooth on each cell; f is called with a cell and the local coordinate in (0, 1).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a value of f or a norm beyond the range of binary64.
+    pub fn of(&self, f: impl Fn(usize, f64) -> f64) -> Result<Estimate> {
+        let rule = Rule::gauss_legendre(POINTS)?;
+        let count = self.cells.len();
+        let values: Vec<f64> =
+            (0..count).flat_map(|i| rule.iter().map(move |(t, _)| (i, t))).map(|(i, t)| f(i, t)).collect();
+        if let Some(index) = values.iter().position(|v| !v.is_finite()) {
+            return Err(Error::NotFinite { name: "function", index, value: values[index] });
+        }
+        // In units of the largest value: products with the lengths of the cells must not underflow.
+        let unit = unit_of(&values);
+        let mut load = vec![0.0; count + 1];
+        for (i, (&h, values)) in
+            self.cells.lengths().iter().zip(values.chunks(rule.points().len())).enumerate()
+        {
+            for ((t, w), value) in rule.iter().zip(values) {
+                load[i] += h * w * (value / unit) * (1.0 - t);
+                load[i + 1] += h * w * (value / unit) * t;
+            }
+        }
+        times(self.of_load(&load)?, unit)
+    }
+
+    /// ‖f‖_{1/2,*} from the integrals b_i = ∫ f ψ_i of f against the hats of all nodes.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] unless there is an integral per node, [`Error::NotFinite`] for a bad one.
+    pub fn of_load(&self, load: &[f64]) -> Result<Estimate> {
+        let count = self.cells.len();
+        if load.len() != count + 1 {
+            return Err(Error::LengthMismatch { name: "load", given: load.len(), expected: count + 1 });
+        }
+        if let Some(index) = load.iter().position(|b| !b.is_finite()) {
+            return Err(Error::NotFinite { name: "load", index, value: load[index] });
+        }
+        let unit = unit_of(load);
+        let load: Vec<f64> = load.iter().map(|b| b / unit).collect();
+        let fine = self.fine.squared(&load);
+        let coarse = self.coarse.squared(&self.load_on_pairs(&load));
+        let value = fine.sqrt();
+        let missing = (fine - coarse).max(0.0);
+        // The mean is rounded; on a short interval it weighs far more than what is left of f.
+        let absolute: f64 = load.iter().map(|b| b.abs()).sum();
+        let rounding = ROUNDING * value + 4.0 * f64::EPSILON * absolute / self.cells.total().sqrt();
+        let work = Work { points: (POINTS * count) as u64, factorizations: 2, ..Work::default() };
+        times(Estimate::new(value, (fine + missing).sqrt() - value + rounding, work)?, unit)
+    }
+
+    /// A hat on joined cells is a hat plus parts of its two neighbours.
+    fn load_on_pairs(&self, load: &[f64]) -> Vec<f64> {
+        let mut joined: Vec<f64> = load.iter().step_by(2).copied().collect();
+        for (k, pair) in self.cells.lengths().chunks(2).enumerate() {
+            let middle = load[2 * k + 1] / (pair[0] + pair[1]);
+            joined[k] += middle * pair[1];
+            joined[k + 1] += middle * pair[0];
+        }
+        joined
+    }
+}
+
+/// A power of two near the largest value; 1 for zeros.
+fn unit_of(values: &[f64]) -> f64 {
+    let largest = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    if largest > 0.0 { power_of_two(largest) } else { 1.0 }
+}
+
+/// The norm in a unit, restored; what falls below the range of binary64 is 0 with an error above 0.
+fn times(norm: Estimate, unit: f64) -> Result<Estimate> {
+    let smallest = if norm.value > 0.0 { f64::MIN_POSITIVE } else { 0.0 };
+    Estimate::new(unit * norm.value, unit * norm.error + smallest, norm.work)
+}
+
+impl Solver {
+    fn new(cells: &Partition) -> Result<Self> {
+        let integrals = hat_integrals(cells, 0..cells.len());
+        let total = cells.total();
+        let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
+        let size = integrals.len();
+        let fixed =
+            Mat::from_fn(size, size, |i, j| norm[(i, j)] + (integrals[i] / total) * (integrals[j] / total));
+        let broken = |_| Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
+        Ok(Self { factor: fixed.llt(Side::Lower).map_err(broken)?, integrals })
+    }
+
+    /// The squared dual norm of a load.
+    fn squared(&self, load: &[f64]) -> f64 {
+        let total: f64 = self.integrals.iter().sum();
+        let mean = load.iter().sum::<f64>() / total;
+        let rest = Mat::from_fn(load.len(), 1, |i, _| load[i] - mean * self.integrals[i]);
+        let representer = self.factor.solve(&rest);
+        let of_rest: f64 = (0..load.len()).map(|i| rest[(i, 0)] * representer[(i, 0)]).sum();
+        mean * total * mean + of_rest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_dual_norm_of_a_constant_is_the_constant() {
+        for cells in [Partition::uniform(8, 1.0).unwrap(), Partition::two_sided(4, 0.3, 1.0).unwrap()] {
+            let norm = DualNorm::new(&cells).unwrap().of(|_, _| -3.0).unwrap();
+            assert!((norm.value - 3.0).abs() < 1e-12, "{norm}");
+            assert!(norm.error < 1e-10);
+        }
+        assert!(DualNorm::new(&Partition::uniform(3, 1.0).unwrap()).is_err());
+        let norm = DualNorm::new(&Partition::uniform(2, 1.0).unwrap()).unwrap();
+        assert!(norm.of(|_, _| f64::NAN).is_err() && norm.of_load(&[1.0]).is_err());
+    }
+
+    #[test]
+    fn refinement_stays_within_the_error() {
+        let norm = |n: usize| {
+            let cells = Partition::uniform(n, 1.0).unwrap();
+            DualNorm::new(&cells).unwrap().of(|i, t| (3.0 * (i as f64 + t) / n as f64).sin()).unwrap()
+        };
+        let finest = norm(256);
+        for n in [8, 16, 32, 64] {
+            let coarse = norm(n);
+            let missing = finest.value - coarse.value;
+            assert!((0.0..=coarse.error).contains(&missing), "{n}: {coarse} against {finest}");
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! Lemma 6.1 for all functions: best constants on one element, their limits, and the Legendre basis they are
+//! found in.
+
+mod constant;
+mod legendre;
+pub mod limits;
+
+pub use constant::{ElementExtremal, ErrorNorm, element_constant, element_extremal, longest_element};
+pub(super) use legendre::{converge, odd_degrees, seminorm_gram, stiffness_gram};

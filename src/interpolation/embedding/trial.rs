@@ -1,0 +1,141 @@
+//! C(q) from below: the quotient ‖u‖_{L^q}/‖u‖_ν of functions found by an ascent.
+//!
+//! Piecewise linears on a mesh geometric to 0, and u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_ν: the
+//! quotient rises, ‖·‖_q being convex. Cost O(N³) once, O(N²) a step.
+
+use super::upper::{check, critical_exponent};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::interpolation::forms::mass_form;
+use crate::quadrature::Rule;
+use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, gram_linears};
+use faer::linalg::solvers::{Llt, Solve};
+use faer::{Mat, Side};
+
+/// Most steps of the ascent: some dozens do where the maximum is isolated.
+const STEPS: usize = 400;
+
+/// Relative rise in a step below which the ascent has arrived.
+const RISE: f64 = 1e-12;
+
+/// Gauss points per cell in the ascent; the quotient that is returned is integrated anew, to its tolerance.
+const POINTS: usize = 12;
+
+/// A function and its quotient ‖u‖_{L^q}/‖u‖_ν: a lower bound of C(q).
+#[derive(Debug, Clone, PartialEq)]
+pub struct EmbeddingTrial {
+    /// The quotient; its error is that of evaluating it.
+    pub quotient: Estimate,
+    /// The function.
+    pub function: PiecewisePolynomial,
+}
+
+/// Piecewise linears on a mesh geometric to 0, for C(q) at one ν and any q.
+#[derive(Debug, Clone)]
+pub struct EmbeddingSpace {
+    order: FractionalOrder,
+    partition: Partition,
+    norm: Mat<f64>,
+    factor: Llt<f64>,
+}
+
+impl EmbeddingSpace {
+    /// Elements shrink by `ratio` from 1/4 to 1/4 ratio^layers at the end 0; equal ones on the rest of (0,
+    /// 1).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for ν > 1/2 or a ratio outside (0, 1), or elements too short.
+    pub fn new(order: FractionalOrder, layers: usize, ratio: f64) -> Result<Self> {
+        critical_exponent(order)?;
+        let mut lengths = Partition::geometric(layers, ratio, 0.25)?.lengths().to_vec();
+        let rest = (3.0 * ratio / (1.0 - ratio)).ceil().max(4.0) as usize;
+        lengths.extend(vec![0.75 / rest as f64; rest]);
+        let partition = Partition::from_lengths(lengths)?;
+        let norm = gram_linears(&partition, order) + mass_form(&partition);
+        let pivot = partition.len();
+        let factor = norm
+            .llt(Side::Lower)
+            .map_err(|_| Error::NotPositiveDefinite { what: "Gram matrix of the norm", pivot })?;
+        Ok(Self { order, partition, norm, factor })
+    }
+
+    /// The best quotient found by ascents from functions concentrated at 0 to several degrees, and from u =
+    /// 1.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for q outside the domain.
+    pub fn climb(&self, q: f64) -> Result<EmbeddingTrial> {
+        check(self.order, q)?;
+        let nodes = self.partition.from_left();
+        let depth = (nodes[1] / nodes[nodes.len() - 1]).ln();
+        let mut best = self.trial(q, &vec![1.0; nodes.len()])?;
+        for fraction in [0.1, 0.3, 0.6] {
+            // (λ² + x²)^{-(1−2ν)/4}-like bubbles for ν < 1/2, logarithms at 1/2, cut off at λ.
+            let lambda = (fraction * depth).exp();
+            let decay = 0.5 * self.order.one_minus_twice();
+            let start: Vec<f64> = nodes
+                .iter()
+                .map(|x| {
+                    let log = (lambda * lambda + x * x).ln() * 0.5;
+                    // (1 + λ − x^...)/decay → −ln x as the decay vanishes
+                    0.1 + if decay > 1e-3 { (-2.0 * decay * log).exp() } else { 0.1 - log }
+                })
+                .collect();
+            let found = self.ascend(q, start)?;
+            if found.quotient.value > best.quotient.value {
+                best = found;
+            }
+        }
+        Ok(best)
+    }
+
+    fn ascend(&self, q: f64, start: Vec<f64>) -> Result<EmbeddingTrial> {
+        let rule = Rule::gauss_legendre(POINTS)?;
+        let mut values = start;
+        let mut last = 0.0;
+        for _ in 0..STEPS {
+            let largest = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+            values.iter_mut().for_each(|v| *v /= largest);
+            let (load, power) = self.load(q, &values, &rule);
+            let quotient = power.powf(1.0 / q) / self.energy(&values).sqrt();
+            if quotient <= last * (1.0 + RISE) {
+                break;
+            }
+            last = quotient;
+            let next = self.factor.solve(&load);
+            values = (0..values.len()).map(|i| next[(i, 0)]).collect();
+        }
+        self.trial(q, &values)
+    }
+
+    /// (∫ |u|^{q−2} u φ_i, ∫ |u|^q).
+    fn load(&self, q: f64, values: &[f64], rule: &Rule) -> (Mat<f64>, f64) {
+        let mut load = Mat::zeros(values.len(), 1);
+        let mut power = 0.0;
+        for (i, &h) in self.partition.lengths().iter().enumerate() {
+            for (t, w) in rule.iter() {
+                let u = values[i] * (1.0 - t) + values[i + 1] * t;
+                let weight = h * w * u.abs().powf(q - 1.0).copysign(u);
+                load[(i, 0)] += weight * (1.0 - t);
+                load[(i + 1, 0)] += weight * t;
+                power += weight * u;
+            }
+        }
+        (load, power)
+    }
+
+    fn energy(&self, values: &[f64]) -> f64 {
+        let u = Mat::from_fn(values.len(), 1, |i, _| values[i]);
+        (u.transpose() * (&self.norm * &u))[(0, 0)]
+    }
+
+    fn trial(&self, q: f64, values: &[f64]) -> Result<EmbeddingTrial> {
+        let function = PiecewisePolynomial::linears(self.partition.clone(), values)?;
+        let top = function.lq_norm(q, Tolerance::balanced())?;
+        let norm = function.norm(0, self.order, Tolerance::balanced())?;
+        let value = top.value / norm.value;
+        let relative = top.relative_error() + norm.relative_error();
+        let work = Work { factorizations: 1, ..top.work + norm.work };
+        Ok(EmbeddingTrial { quotient: Estimate::new(value, relative * value, work)?, function })
+    }
+}

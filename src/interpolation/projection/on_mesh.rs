@@ -1,0 +1,50 @@
+//! sup ‖φ − π^h φ‖ / |φ|_r over φ ∈ H^r(0, 1) on N equal elements, without powers of h.
+//!
+//! Between N and 2N it falls at the rate r or r + 1/2: not slower by (4.6), (4.7), not faster for any
+//! estimate of this form. From piecewise linears on cells, as in Lemma 6.2; dense eigenproblems.
+
+use super::constant::ProjectionNorm;
+use crate::error::Result;
+use crate::estimate::{Estimate, Tolerance};
+use crate::interpolation::elements::ElementMesh;
+use crate::interpolation::extremal::{Forms, extremal, extremal_on_cells};
+use crate::interpolation::forms::{dual_projection_form, projection_form, seminorm_form};
+
+/// The supremum on `elements` equal elements: a lower bound, the supremum at most `error` above it.
+///
+/// # Errors
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) for r outside [0, 1];
+/// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 1024 of them;
+/// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) when it takes more than 4096 cells in all.
+pub fn projection_norm_on_mesh(
+    norm: ProjectionNorm,
+    r: f64,
+    elements: usize,
+    tolerance: Tolerance,
+) -> Result<Estimate> {
+    extremal(elements, tolerance, |mesh| forms(norm, r, mesh))
+}
+
+/// The same from piecewise linears on `cells` cells per element; the error is what halving the cells has
+/// added.
+///
+/// # Errors
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) for r outside [0, 1];
+/// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements, for fewer than 4 or an odd
+/// number of cells per element, or for more than 4096 cells in all.
+pub fn projection_norm_on_cells(
+    norm: ProjectionNorm,
+    r: f64,
+    elements: usize,
+    cells: usize,
+) -> Result<Estimate> {
+    extremal_on_cells(elements, cells, |mesh| forms(norm, r, mesh))
+}
+
+fn forms(norm: ProjectionNorm, r: f64, mesh: &ElementMesh) -> Result<Forms> {
+    let form = match norm {
+        ProjectionNorm::L2 => projection_form(mesh),
+        ProjectionNorm::Dual => dual_projection_form(mesh)?,
+    };
+    Ok((seminorm_form(mesh.cells(), r)?, form))
+}

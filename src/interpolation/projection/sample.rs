@@ -1,0 +1,48 @@
+//! ‖φ − π^h φ‖₀ and ‖φ − π^h φ‖_{1/2,*} of one φ in closed form.
+
+use crate::error::Result;
+use crate::estimate::Estimate;
+use crate::interpolation::dual::DualNorm;
+use crate::interpolation::elements::ElementMesh;
+use crate::interpolation::trial::{PanelRules, SampleSlope, require_unit, sample_norms};
+use crate::sobolev::Partition;
+
+/// ‖φ − π^h φ‖₀ on a mesh of (0, 1) for φ in closed form; cost O(N).
+///
+/// # Errors
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) unless the mesh is one of (0, 1), or for parameters of φ
+/// out of range.
+pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Estimate> {
+    sample_norms(phi, mesh).map(|(_, projection)| projection)
+}
+
+/// ‖φ − π^h φ‖_{1/2,*} for φ in closed form, on elements of `cells_per_element` cells of the dual norm's
+/// interval (0, 1).
+///
+/// # Errors
+/// [`Error::LengthMismatch`](crate::Error::LengthMismatch) unless the cells divide into such elements;
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) for another interval.
+pub fn sample_projection_dual_error(
+    phi: SampleSlope,
+    norm: &DualNorm,
+    cells_per_element: usize,
+) -> Result<Estimate> {
+    phi.check()?;
+    require_unit(norm.cells())?;
+    let (lengths, starts) = (norm.cells().lengths(), norm.cells().from_left());
+    let elements = lengths.len() / cells_per_element.max(1);
+    let mesh = ElementMesh::new(norm.cells().clone(), &vec![cells_per_element; elements])?;
+    let rules = PanelRules::new()?;
+    let mut load = vec![0.0; lengths.len() + 1];
+    for (e, range) in mesh.elements().iter().enumerate() {
+        let moments: Vec<[f64; 2]> =
+            range.clone().map(|i| phi.cell_moments(starts[i], lengths[i], &rules)).collect();
+        let integral: f64 = range.clone().zip(&moments).map(|(i, m)| lengths[i] * (m[0] + m[1])).sum();
+        let mean = integral / mesh.length(e);
+        for (i, [falling, rising]) in range.clone().zip(moments) {
+            load[i] += lengths[i] * (falling - 0.5 * mean);
+            load[i + 1] += lengths[i] * (rising - 0.5 * mean);
+        }
+    }
+    norm.of_load(&load)
+}

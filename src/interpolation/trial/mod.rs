@@ -1,0 +1,14 @@
+//! Lemmas 6.1 and 6.2 and (4.6) for one function: both sides of the estimates, and functions to try them on.
+
+mod error;
+mod norms;
+mod panels;
+mod rough;
+mod sample;
+
+pub use error::{InterpolationError, power_slope};
+pub use rough::{RoughFamily, RoughSlopes};
+pub use sample::SampleSlope;
+
+pub(super) use norms::{power_of_two, require_unit, sample_norms};
+pub(super) use panels::PanelRules;

@@ -1,0 +1,152 @@
+//! A case of the strip: one scene, or one transition at several positions, on all levels.
+//!
+//! The observed order of a transition alternates with its position in the cell; the mean of |u − u_h|² over evenly spread
+//! positions has no such phase.
+
+use super::strip::StripScene;
+use crate::cone::Cone;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::strip::{EdgeData, Level, Levels, Reference, StripKind, StripProblem, study};
+
+/// Largest number of positions of a transition.
+const POSITIONS: usize = 1024;
+
+/// What is solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripCase {
+    /// Which strip.
+    pub kind: StripKind,
+    /// The levels.
+    pub levels: Levels,
+    /// The scene.
+    pub source: StripScene,
+    /// τ of the scene; samples bring their own.
+    pub tau: f64,
+    /// The discrete cone.
+    pub cone: Cone,
+    /// What u is.
+    pub reference: Reference,
+    /// Over how many positions in the coarsest cell a single transition is moved, 1 ... 1024.
+    pub positions: usize,
+}
+
+/// The levels of a case at every position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseStudy {
+    /// One level study per position.
+    pub studies: Vec<Vec<Level>>,
+    /// Root mean square over the positions of |u − u_h|_a on each level.
+    pub errors: Vec<Estimate>,
+    /// τ, when it is known.
+    pub regularity: Option<f64>,
+    /// Gaps of the scene on its grid.
+    pub gaps: usize,
+    /// Gaps of its construction, `None` for samples.
+    pub planned_gaps: Option<u64>,
+    /// Cells of the grid of the scene.
+    pub scene_cells: usize,
+}
+
+impl StripCase {
+    /// The scene, or the transition at several places of one coarsest cell. Doubling permutes the multiples of 1/count for
+    /// an odd count, so that the places are evenly spread over the cells of every level.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for no position or too many.
+    pub fn sources(&self) -> Result<Vec<StripScene>> {
+        let count = self.positions;
+        if !(1..=POSITIONS).contains(&count) {
+            return Err(Error::CountOutOfRange { name: "positions", value: count, range: "[1, 1024]" });
+        }
+        let StripScene::Transition { position } = self.source else {
+            return Ok(vec![self.source.clone()]);
+        };
+        let cell = 1.0 / self.levels.coarsest_cells() as f64;
+        let shifted =
+            |i: usize| StripScene::Transition { position: position + i as f64 / count as f64 * cell };
+        Ok((0..count).map(shifted).collect())
+    }
+
+    /// Solves all levels at all positions; `report` is called after each level.
+    ///
+    /// # Errors
+    /// As [`StripCase::sources`], [`StripScene::data`], [`StripProblem::new`] and [`study`].
+    pub fn solve(&self, mut report: impl FnMut(&Level)) -> Result<CaseStudy> {
+        let sources = self.sources()?;
+        let build =
+            |source: &StripScene| source.data(self.tau, self.levels.reference_cells(), self.kind.sides());
+        let first: EdgeData = build(&sources[0])?;
+        let finest = self.levels.finest_cells();
+        if first.cells() < finest {
+            return Err(Error::LengthMismatch {
+                name: "cells of the scene (lower the finest of --levels, or give finer samples): the edge",
+                given: first.cells(),
+                expected: finest,
+            });
+        }
+        let mut problem = StripProblem::new(self.kind, &first, self.reference, self.levels.coarsest_cells())?;
+        let mut studies = Vec::new();
+        for source in &sources {
+            if !studies.is_empty() {
+                problem.set_scene(&build(source)?)?;
+            }
+            studies.push(study(&problem, self.levels, self.cone, &mut report)?);
+        }
+        let errors = mean_errors(&studies)?;
+        let planned_gaps = self.source.gaps();
+        let (regularity, gaps, scene_cells) = (first.regularity(), first.gaps(), first.cells());
+        Ok(CaseStudy { studies, errors, regularity, gaps, planned_gaps, scene_cells })
+    }
+}
+
+impl CaseStudy {
+    /// The gaps in words: `1 gap`, or `15 of 255 gaps` where the grid holds fewer than the construction has.
+    pub fn gaps_text(&self) -> String {
+        let plural = |count: u64| if count == 1 { "gap" } else { "gaps" };
+        match self.planned_gaps {
+            Some(planned) if planned != self.gaps as u64 => {
+                format!("{} of {planned} {}", self.gaps, plural(planned))
+            }
+            _ => format!("{} {}", self.gaps, plural(self.gaps as u64)),
+        }
+    }
+
+    /// Why gaps of the construction are missing, if some are.
+    pub fn missing_gaps(&self) -> Option<String> {
+        let missing = self.planned_gaps?.checked_sub(self.gaps as u64).filter(|&count| count > 0)?;
+        let cells = self.scene_cells;
+        Some(format!("{missing} gaps left out, under 2 cells wide or too near on the grid of {cells} cells"))
+    }
+
+    /// All levels at all positions.
+    pub fn levels(&self) -> impl Iterator<Item = &Level> {
+        self.studies.iter().flatten()
+    }
+}
+
+/// Root mean square of the errors of several studies over the same levels.
+///
+/// # Errors
+/// [`Error::LengthMismatch`] for studies of different lengths; [`Error::CountOutOfRange`] without any.
+pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
+    let Some(first) = studies.first() else {
+        return Err(Error::CountOutOfRange { name: "studies", value: 0, range: "[1, inf)" });
+    };
+    for study in studies {
+        if study.len() != first.len() {
+            let (name, given, expected) = ("study", study.len(), first.len());
+            return Err(Error::LengthMismatch { name, given, expected });
+        }
+    }
+    let count = studies.len() as f64;
+    (0..first.len())
+        .map(|i| {
+            let errors = || studies.iter().map(|study| study[i].error);
+            let mean = (errors().map(|e| e.value * e.value).sum::<f64>() / count).sqrt();
+            let bound = errors().map(|e| e.error).fold(0.0, f64::max);
+            let work = errors().fold(Work::default(), |w, e| w + e.work);
+            Estimate::new(mean, bound, work)
+        })
+        .collect()
+}

@@ -1,0 +1,50 @@
+//! Contact forces of a scene: a density that is a power of the distance to the gap.
+
+use crate::strip::Sides;
+
+/// Nodal forces of the density dist^q on the contact cells (both ends in contact), dist to the nearest gap; half of each
+/// cell's integral goes to either end.
+pub(crate) fn contact_forces(values: &[f64], cells: usize, sides: Sides, q: f64) -> Vec<f64> {
+    let nodes = values.len();
+    let distance = distance_to_gap(values, cells, sides);
+    let h = 1.0 / cells as f64;
+    let mut forces = vec![0.0; nodes];
+    // ∫_a^b t^q dt
+    let integral = |a: f64, b: f64| (b.powf(q + 1.0) - a.powf(q + 1.0)) / (q + 1.0);
+    for cell in 0..cells {
+        let right = (cell + 1) % nodes;
+        if values[cell] != 0.0 || values[right] != 0.0 {
+            continue;
+        }
+        let (a, b) = (distance[cell], distance[right]);
+        let force = if q == 0.0 || !a.is_finite() {
+            h
+        } else if a == b {
+            // The middle of a contact piece lies inside this cell.
+            2.0 * integral(a * h, (a + 0.5) * h)
+        } else {
+            integral(a.min(b) * h, a.max(b) * h)
+        };
+        forces[cell] += 0.5 * force;
+        forces[right] += 0.5 * force;
+    }
+    forces
+}
+
+/// Distance of every node to the nearest free node's contact neighbour, in cells; infinite without gaps.
+fn distance_to_gap(values: &[f64], cells: usize, sides: Sides) -> Vec<f64> {
+    let nodes = values.len();
+    let turns = if sides == Sides::Periodic { 2 } else { 1 };
+    let mut distance = vec![f64::INFINITY; nodes];
+    let mut sweep = |order: &mut dyn Iterator<Item = usize>| {
+        let mut since = f64::INFINITY;
+        for i in order {
+            since = if values[i] != 0.0 { -1.0 } else { since + 1.0 };
+            distance[i] = distance[i].min(since.max(0.0));
+        }
+    };
+    sweep(&mut (0..turns * nodes).map(|i| i % nodes));
+    sweep(&mut (0..turns * nodes).rev().map(|i| i % nodes));
+    debug_assert_eq!(sides.nodes(cells), nodes);
+    distance
+}

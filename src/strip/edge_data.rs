@@ -1,0 +1,128 @@
+//! Complementary data on the fine edge of a strip: u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0.
+//!
+//! On a fine edge of N cells with operator A (of a strip, or of the continuous harmonic problem) the pair (u_N, λ) solves
+//! the contact problem with the edge load b = A u_N + λ, whatever the pair is. [`crate::scenes`] builds pairs of given
+//! regularity.
+
+use super::sides::{Sides, check_cells, check_finite, check_length};
+use crate::error::{Error, Result};
+
+/// Complementary data on a fine edge.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EdgeData {
+    cells: usize,
+    sides: Sides,
+    values: Vec<f64>,
+    forces: Vec<f64>,
+    regularity: Option<f64>,
+}
+
+impl EdgeData {
+    /// The pair u_N = `values` ≤ 0 and nodal forces λ = `forces` ≥ 0 at the nodes of an edge of `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`]; [`Error::OutOfRange`] for a wrong sign;
+    /// [`Error::NotComplementary`] when both are nonzero at a node; [`Error::EmptyContact`] when no node has u_N = 0.
+    pub fn new(cells: usize, sides: Sides, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
+        check_cells(cells, sides)?;
+        for (name, field) in [("u_N", &values), ("lambda", &forces)] {
+            check_length(name, field.len(), sides.nodes(cells))?;
+            check_finite(name, field)?;
+        }
+        for (node, (&value, &force)) in values.iter().zip(&forces).enumerate() {
+            Error::require("u_N", value, "(-inf, 0]", value <= 0.0)?;
+            Error::require("lambda", force, "[0, inf)", force >= 0.0)?;
+            if value != 0.0 && force != 0.0 {
+                return Err(Error::NotComplementary { node, value, force });
+            }
+        }
+        if values.iter().all(|&v| v != 0.0) {
+            return Err(Error::EmptyContact { nodes: values.len() });
+        }
+        Ok(Self { cells, sides, values, forces, regularity: None })
+    }
+
+    /// The same data, known to be of regularity `tau`.
+    pub fn with_regularity(self, tau: f64) -> Self {
+        Self { regularity: Some(tau), ..self }
+    }
+
+    /// Reads u_N and λ (a density) from text: one line per node, two numbers per line, `#` starts a comment. The
+    /// number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
+    ///
+    /// # Errors
+    /// [`Error::Syntax`] naming the line that is not two numbers; [`Error::CountOutOfRange`] for the number of lines;
+    /// and as [`EdgeData::new`].
+    pub fn from_samples(text: &str, sides: Sides) -> Result<Self> {
+        let mut values = Vec::new();
+        let mut densities = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let content = line.split('#').next().unwrap_or("").trim();
+            if content.is_empty() {
+                continue;
+            }
+            let bad = || Error::Syntax {
+                format: "samples",
+                line: index + 1,
+                reason: format!("expected two numbers, got '{line}'"),
+            };
+            let numbers: Vec<f64> = content
+                .split(|c: char| c.is_whitespace() || c == ',')
+                .filter(|word| !word.is_empty())
+                .map(|word| word.parse().map_err(|_| bad()))
+                .collect::<Result<_>>()?;
+            let [value, density] = numbers[..] else {
+                return Err(bad());
+            };
+            values.push(value);
+            densities.push(density);
+        }
+        let (cells, range) = match sides {
+            Sides::Natural => (values.len().saturating_sub(1), "the numbers 2^k + 1, k >= 1"),
+            Sides::Periodic => (values.len(), "the numbers 2^k, k >= 1"),
+        };
+        if !cells.is_power_of_two() || cells < 2 {
+            return Err(Error::CountOutOfRange { name: "lines of samples", value: values.len(), range });
+        }
+        let forces = (0..densities.len())
+            .map(|i| {
+                let at_side = sides == Sides::Natural && (i == 0 || i == cells);
+                densities[i] * if at_side { 0.5 } else { 1.0 } / cells as f64
+            })
+            .collect();
+        Self::new(cells, sides, values, forces)
+    }
+
+    /// Number of cells of the fine edge.
+    pub fn cells(&self) -> usize {
+        self.cells
+    }
+
+    /// What the sides do.
+    pub fn sides(&self) -> Sides {
+        self.sides
+    }
+
+    /// u_N at the nodes.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// λ at the nodes, as forces.
+    pub fn forces(&self) -> &[f64] {
+        &self.forces
+    }
+
+    /// τ, when it is known analytically.
+    pub fn regularity(&self) -> Option<f64> {
+        self.regularity
+    }
+
+    /// Number of gaps on the fine edge: maximal runs of nodes with u_N < 0.
+    pub fn gaps(&self) -> usize {
+        let open = |i: usize| self.values[i] < 0.0;
+        let inner = (1..self.values.len()).filter(|&i| open(i) && !open(i - 1)).count();
+        let first_is_new = self.sides == Sides::Natural || !open(self.values.len() - 1);
+        inner + usize::from(open(0) && first_is_new)
+    }
+}
