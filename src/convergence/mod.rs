@@ -5,7 +5,7 @@
 //! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
 //! | a scene in one cone on strips and on meshes | [`RateStrip`], [`MeshRates`], [`RateStudy`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
-//! | the order p ± what it may be off by | [`Fit`]; the power of |ln h| at τ = 2: [`LogarithmFit`] |
+//! | the order p ± what it may be off by | [`Fit`]; the power of |ln h| at τ = 2: [`LogarithmFit`]; of an alternating series: [`Trend`] |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
 mod bounds;
@@ -19,6 +19,7 @@ mod orders;
 mod series;
 mod strip_rates;
 mod study;
+mod trend;
 
 pub use bounds::Bound;
 pub use fit::{Fit, Model};
@@ -30,3 +31,4 @@ pub use mesh_rates::MeshRates;
 pub use orders::observed_orders;
 pub use strip_rates::{RateStrip, SceneFamily};
 pub use study::{Quantity, RateReference, RateStudy};
+pub use trend::Trend;
