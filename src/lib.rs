@@ -16,7 +16,7 @@
 //! | (2.8), (2.9), linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
 //! | the same on a strip, reduced to its contact edge | [`strip`] |
 //! | **3. Error analysis** | [`edge`], [`proof`], [`convergence`] |
-//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::TheoremPlan`] |
+//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::Fit`] |
 //! | why no contact set is bad | [`proof::worst_ratio`] |
 //! | Figures 3.2 and 4.1, first and second case | [`proof::AlternativeCase`], [`proof::Classification`] |
 //! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |
@@ -36,7 +36,7 @@
 //! | **6. Appendix B, interpolation** | [`interpolation`] |
 //! | Lemma 6.1, (6.1), one interval | [`interpolation::element_constant`], [`interpolation::longest_element`], [`interpolation::InterpolationError`] |
 //! | Lemma 6.2, a mesh | [`interpolation::mesh_constant`] |
-//! | **Every number** | [`Tolerance`], [`Estimate`], [`Error`], [`quadrature`] |
+//! | **Every number** | [`Tolerance`], [`Estimate`], [`Error`], [`numeric`], [`quadrature`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! ```
@@ -66,6 +66,7 @@ pub mod fem;
 pub mod figures;
 pub mod interpolation;
 pub mod mesh;
+pub mod numeric;
 pub mod poincare;
 pub mod proof;
 pub mod quadrature;

@@ -12,6 +12,7 @@
 
 use super::mesh::{MeshScene, Setting};
 use crate::error::{Error, Result};
+use crate::numeric::search::sign_change;
 
 /// λ of the clamped/free corner: opening ω in (0, π/2], Poisson's ratio in (0, 1/2), plane strain.
 ///
@@ -30,14 +31,8 @@ pub fn clamped_free_exponent(opening: f64, poisson: f64) -> Result<f64> {
     // The defect is negative at 0; its first sign change is the root sought.
     let step = 1e-3;
     let Some(k) = (1..=1000).find(|&k| defect(f64::from(k) * step) >= 0.0) else { return Ok(1.0) };
-    let (mut low, mut high) = (f64::from(k - 1) * step, f64::from(k) * step);
-    while high - low > 1e-15 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if defect(middle) >= 0.0 { high = middle } else { low = middle }
-    }
+    let (low, high) =
+        sign_change(f64::from(k - 1) * step, f64::from(k) * step, 1e-15, |lambda| defect(lambda) >= 0.0);
     Ok(0.5 * (low + high))
 }
 
