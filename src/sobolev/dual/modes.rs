@@ -150,7 +150,7 @@ impl Tail {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{DualOf, Partition};
+    use crate::sobolev::{DualOf, Partition};
     use super::*;
     use std::f64::consts::PI;
 
