@@ -41,6 +41,16 @@ pub enum Error {
         /// The known names, as text.
         expected: &'static str,
     },
+    /// Two choices, each known, that do not go together.
+    #[error("{what} '{given}' does not fit: expected {expected}")]
+    DoesNotFit {
+        /// What was chosen.
+        what: &'static str,
+        /// The choice.
+        given: String,
+        /// What fits, and with what.
+        expected: &'static str,
+    },
     /// A value (data, load, function value) is NaN or infinite.
     #[error("{name} is not finite: {value} at index {index}")]
     NotFinite {

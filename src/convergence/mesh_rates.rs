@@ -73,7 +73,7 @@ impl MeshRates {
             return self.scene.on_with(mesh, &self.setting);
         }
         if self.scene != MeshScene::Corner {
-            return Err(Error::UnknownName {
+            return Err(Error::DoesNotFit {
                 what: "scene with a constant load",
                 given: self.scene.to_string(),
                 expected: "corner",

@@ -75,11 +75,11 @@ impl ExactEdge {
     /// The scene as exact solution on the strip of height `height.0/height.1`; natural sides.
     ///
     /// # Errors
-    /// [`Error::UnknownName`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
+    /// [`Error::DoesNotFit`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
     /// height gives a whole number of layers on it.
     pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
-            return Err(Error::UnknownName {
+            return Err(Error::DoesNotFit {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
                 expected: "natural sides for the scalar strip",

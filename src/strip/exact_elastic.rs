@@ -42,11 +42,11 @@ impl ExactElastic {
     /// `coarsest` is the smallest number of cells errors are wanted for.
     ///
     /// # Errors
-    /// [`Error::UnknownName`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the numbers of layers
+    /// [`Error::DoesNotFit`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the numbers of layers
     /// are powers of two.
     pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
         if scene.sides() != Sides::Periodic {
-            return Err(Error::UnknownName {
+            return Err(Error::DoesNotFit {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
                 expected: "periodic sides for the elastic strip",

@@ -146,12 +146,12 @@ impl StripProblem {
     /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the scene only.
     ///
     /// # Errors
-    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::UnknownName`] for a continuous elastic reference.
+    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::DoesNotFit`] for a continuous elastic reference.
     pub fn new(kind: StripKind, scene: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(match kind {
             StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
             StripKind::Elastic if reference != Reference::Nested => {
-                return Err(Error::UnknownName {
+                return Err(Error::DoesNotFit {
                     what: "reference",
                     given: reference.to_string(),
                     expected: "nested for the elastic strip",
