@@ -16,7 +16,7 @@
 //! | (2.8), (2.9), linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
 //! | the same on a strip, reduced to its contact edge | [`strip`] |
 //! | **3. Error analysis** | [`edge`], [`proof`], [`convergence`] |
-//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::TheoremPlan`] |
+//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::Fit`] |
 //! | why no contact set is bad | [`proof::worst_ratio`] |
 //! | Figures 3.2 and 4.1, first and second case | [`proof::AlternativeCase`], [`proof::Classification`] |
 //! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |

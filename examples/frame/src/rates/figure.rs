@@ -1,15 +1,15 @@
 //! Figure 3.1: exponents over τ. The three printed curves, and on them measured orders with their bars.
 
-use super::bounds::Bound;
-use super::store::LevelStore;
-use super::strip_rates::{RateStrip, SceneFamily};
-use super::study::{Quantity, RateStudy};
-use crate::contact::Cone;
-use crate::error::Result;
-use crate::figures::{Axis, Chart, Series};
-use crate::report::{Cell, Column, Format, Headline, Table, Verdict};
-use crate::scenes::StripScene;
-use crate::strip::{Levels, StripKind};
+use signorini::cone::Cone;
+use signorini::convergence::Bound;
+use signorini::convergence::NoMemory;
+use signorini::convergence::{Quantity, RateStudy};
+use signorini::convergence::{RateStrip, SceneFamily};
+use signorini::error::Result;
+use signorini::figures::{Axis, Chart, Series};
+use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
+use signorini::scenes::StripScene;
+use signorini::strip::{Levels, StripKind};
 
 /// What Figure 3.1 is measured on.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ impl FigureRates {
     /// Those of [`RateStrip::study`].
     pub fn run(&self, report: &mut dyn FnMut()) -> Result<Vec<[RateStudy; 2]>> {
         let mut strip = RateStrip::new(self.kind, self.levels, 1 << self.reference)?;
-        let mut store = LevelStore::in_memory();
+        let mut store = NoMemory;
         self.taus
             .iter()
             .map(|&tau| {

@@ -4,9 +4,9 @@
 //! the level depends on; the check is a hash of key and level. A line that is torn, was edited or belongs to another format
 //! is ignored, and the level is computed again. Of two lines with the same key the later one counts.
 
-use super::level::RateLevel;
-use crate::error::{Error, Result};
 use serde_json::{Value, json};
+use signorini::convergence::{Flag, LevelKey, LevelMemory, RateLevel};
+use signorini::error::{Error, Result};
 use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
 use std::io::Write;
@@ -55,7 +55,7 @@ impl LevelStore {
     }
 
     /// The level with this key, if it is finished.
-    pub fn get(&self, key: &str) -> Option<&RateLevel> {
+    fn get(&self, key: &str) -> Option<&RateLevel> {
         self.levels.get(key)
     }
 
@@ -63,9 +63,9 @@ impl LevelStore {
     ///
     /// # Errors
     /// [`Error::File`] when it cannot be written.
-    pub fn insert(&mut self, key: String, level: RateLevel) -> Result<()> {
+    fn insert(&mut self, key: String, level: RateLevel) -> Result<()> {
         if let Some((path, file)) = &mut self.file {
-            let value = level.json();
+            let value = level_json(&level);
             let line = json!({"key": key, "level": value, "check": check(&key, &value)}).to_string() + "\n";
             file.write_all(line.as_bytes())
                 .and_then(|()| file.flush())
@@ -91,12 +91,62 @@ impl LevelStore {
     }
 }
 
+impl LevelMemory for LevelStore {
+    fn recall(&self, key: &LevelKey) -> Option<RateLevel> {
+        self.get(&key.to_string()).cloned()
+    }
+
+    fn keep(&mut self, key: &LevelKey, level: &RateLevel) -> Result<()> {
+        self.insert(key.to_string(), level.clone())
+    }
+}
+
+/// As one JSON object, all digits.
+pub fn level_json(level: &RateLevel) -> Value {
+    json!({
+        "cells": level.cells,
+        "unknowns": level.unknowns,
+        "error": level.error,
+        "error_bound": level.error_bound,
+        "consistency": level.consistency,
+        "contact_runs": level.contact_runs,
+        "kkt": level.kkt,
+        "seconds": level.seconds,
+        "flag": level.flag.map(|flag| flag.to_string()),
+    })
+}
+
+/// Reads [`level_json`] back; `None` for anything else.
+fn level_from_json(value: &Value) -> Option<RateLevel> {
+    let number = |key: &str| value.get(key)?.as_f64().filter(|v| v.is_finite());
+    let count = |key: &str| usize::try_from(value.get(key)?.as_u64()?).ok();
+    let consistency = match value.get("consistency")? {
+        Value::Null => None,
+        term => Some(term.as_f64()?),
+    };
+    let flag = match value.get("flag")? {
+        Value::Null => None,
+        name => Some(Flag::ALL.into_iter().find(|flag| Some(flag.to_string().as_str()) == name.as_str())?),
+    };
+    Some(RateLevel {
+        cells: count("cells").filter(|&cells| cells > 0)?,
+        unknowns: number("unknowns")?,
+        error: number("error")?,
+        error_bound: number("error_bound")?,
+        consistency,
+        contact_runs: count("contact_runs")?,
+        kkt: number("kkt")?,
+        seconds: number("seconds")?,
+        flag,
+    })
+}
+
 fn read_line(line: &str) -> Option<(String, RateLevel)> {
     let value: Value = serde_json::from_str(line).ok()?;
     let key = value.get("key")?.as_str()?.to_owned();
     let level = value.get("level")?;
     let intact = value.get("check")?.as_str()? == check(&key, level);
-    intact.then(|| RateLevel::from_json(level)).flatten().map(|level| (key, level))
+    intact.then(|| level_from_json(level)).flatten().map(|level| (key, level))
 }
 
 /// FNV-1a, 64 bits, of key and level.
@@ -123,6 +173,18 @@ mod tests {
             kkt: 2e-16,
             seconds: 1e-4,
             flag: None,
+        }
+    }
+
+    #[test]
+    fn levels_are_read_back_and_anything_else_is_not() {
+        for flag in Flag::ALL.map(Some).into_iter().chain([None]) {
+            let level = RateLevel { flag, ..level(64) };
+            let text = level_json(&level).to_string();
+            assert_eq!(level_from_json(&serde_json::from_str(&text).unwrap()), Some(level));
+        }
+        for bad in ["{}", "[1]", "{\"cells\": 0}"] {
+            assert_eq!(level_from_json(&serde_json::from_str(bad).unwrap()), None);
         }
     }
 

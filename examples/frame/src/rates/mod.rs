@@ -1,16 +1,27 @@
 //! What the rate studies of Theorems 3.1 and 4.1 share: options, the resumable run, files.
 
+mod figure;
+mod introduction;
+mod listing;
+mod logarithm;
+mod store;
+mod theorem;
+
 use crate::{HasOutput, Output, progress};
 use clap::Parser;
+pub use figure::{FigureRates, figure_chart, figure_headline};
+pub use introduction::{introduction_chart, introduction_headline, introduction_rows, introduction_studies};
+use listing::{csv, errors_chart, level_table, study_json};
+pub use logarithm::{logarithm_chart, logarithm_headline, logarithm_studies};
 use signorini::contact::Cone;
-use signorini::convergence::{
-    LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily, TheoremPlan, theorem_headline,
-};
+use signorini::convergence::{MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::report::{Headline, Verdict};
 use signorini::scenes::{Scene, Setting};
 use signorini::strip::{Levels, StripKind};
 use signorini::{Error, Result};
 use std::path::Path;
+pub use store::LevelStore;
+pub use theorem::{TheoremPlan, theorem_headline};
 
 /// Errors and consistency terms against h for many regularities; with --scene one scene level by level
 #[derive(Debug, Clone, Parser)]
@@ -94,7 +105,7 @@ pub fn rates(cone: Cone, options: &RateOptions) -> Result<Headline> {
         write_studies(&studies, directory, name)?;
         if let Some(study) = studies.iter().find(|study| study.tau == 1.75 && study.norm.is_some()) {
             let other = other_cone(cone, &plan, &mut store)?;
-            let chart = study.chart(&[&other], format!("{}, tau = 7/4, both cones", headline.label))?;
+            let chart = errors_chart(study, &[&other], format!("{}, tau = 7/4, both cones", headline.label))?;
             headline.figures.push(chart.save(directory, &format!("{name}_errors"))?);
         }
     }
@@ -122,7 +133,7 @@ fn one_scene(cone: Cone, name: &str, scene: &Scene, options: &RateOptions) -> Re
             let coarsest = options.levels.coarsest_cells();
             let family = SceneFamily::named(source, tau, options.kind, coarsest, options.positions)?;
             let bar = progress((count * family.count) as u64);
-            let study = strip.study(&family, cone, &mut LevelStore::in_memory(), &mut || bar.inc(1))?;
+            let study = strip.study(&family, cone, &mut NoMemory, &mut || bar.inc(1))?;
             bar.finish_and_clear();
             study
         }
@@ -146,7 +157,7 @@ fn one_scene(cone: Cone, name: &str, scene: &Scene, options: &RateOptions) -> Re
             range: "[5, inf)",
         });
     };
-    headline.table = study.table()?;
+    headline.table = level_table(&study)?;
     headline.claim = format!("{}, {}", study.scene, headline.claim);
     headline.measured = format!("order {fit}; {} levels left out", study.left_out());
     if headline.verdict.is_confirmed() {
@@ -157,7 +168,7 @@ fn one_scene(cone: Cone, name: &str, scene: &Scene, options: &RateOptions) -> Re
     }
     if let Some(directory) = options.output.directory()? {
         write_studies(std::slice::from_ref(&study), directory, name)?;
-        let chart = study.chart(&[], format!("{}, {cone} cone", study.scene))?;
+        let chart = errors_chart(&study, &[], format!("{}, {cone} cone", study.scene))?;
         headline.figures.push(chart.save(directory, &format!("{name}_errors"))?);
     }
     Ok(headline)
@@ -166,9 +177,9 @@ fn one_scene(cone: Cone, name: &str, scene: &Scene, options: &RateOptions) -> Re
 /// All levels as CSV and all studies as JSON.
 fn write_studies(studies: &[RateStudy], directory: &Path, name: &str) -> Result<()> {
     let csv: Vec<String> =
-        studies.iter().enumerate().map(|(k, study)| study.csv(k == 0)).collect::<Result<_>>()?;
+        studies.iter().enumerate().map(|(k, study)| csv(study, k == 0)).collect::<Result<_>>()?;
     let json: Vec<String> =
-        studies.iter().map(|study| Ok(study.json()?.to_string())).collect::<Result<_>>()?;
+        studies.iter().map(|study| Ok(study_json(study)?.to_string())).collect::<Result<_>>()?;
     for (ending, text) in [("csv", csv.concat()), ("json", format!("[{}]\n", json.join(",\n")))] {
         let path = directory.join(format!("{name}_levels.{ending}"));
         std::fs::write(&path, text).map_err(|e| Error::file(&path, e))?;

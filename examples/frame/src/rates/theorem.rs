@@ -4,17 +4,18 @@
 //! cell. Corners between a Dirichlet side and the contact edge, opened to ω, have u ~ r^{π/(2ω)} and τ = 1 + π/(2ω): 7/4 at 120
 //! degrees. Fat Cantor sets repeat themselves after a factor 2^{1/(4−2τ)} in h, so that only τ ≤ 1.8 shows several periods. At corners f = −1 is constant and u < 0 by the maximum principle: the contact edge is free, the corner is all there is.
 
-use super::bounds::Bound;
-use super::fit::Fit;
-use super::mesh_rates::MeshRates;
-use super::store::LevelStore;
-use super::strip_rates::{RateStrip, SceneFamily};
-use super::study::{Quantity, RateStudy};
-use crate::contact::Cone;
-use crate::error::Result;
-use crate::report::{Cell, Column, Format, Headline, Table, Verdict};
-use crate::scenes::{MeshScene, Setting, StripScene};
-use crate::strip::{Levels, StripKind};
+use signorini::cone::Cone;
+use signorini::convergence::Bound;
+use signorini::convergence::Fit;
+use signorini::convergence::LevelMemory;
+use signorini::convergence::MeshRates;
+use signorini::convergence::{Quantity, RateStudy};
+use signorini::convergence::{RateStrip, SceneFamily};
+use signorini::error::Result;
+use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
+use signorini::scenes::StripScene;
+use signorini::scenes::{MeshScene, Setting};
+use signorini::strip::{Levels, StripKind};
 
 /// Scenes on one strip: its levels, its reference grid, and each scene with its τ.
 #[derive(Debug, Clone)]
@@ -25,7 +26,7 @@ pub struct StripGroup {
     pub levels: Levels,
     /// The reference grid has 2 to this power cells.
     pub reference: u32,
-    /// MeshScene, τ, positions of a single transition.
+    /// Scene, τ, positions of a single transition.
     pub cases: Vec<(StripScene, f64, usize)>,
 }
 
@@ -117,7 +118,7 @@ impl TheoremPlan {
     pub fn run(
         &self,
         cone: Cone,
-        store: &mut LevelStore,
+        store: &mut dyn LevelMemory,
         report: &mut dyn FnMut(),
     ) -> Result<Vec<RateStudy>> {
         let mut studies = Vec::new();

@@ -13,16 +13,17 @@
 //!
 //! "Any" contact set is shown by a fat Cantor set (τ < 2) and by many transitions; a natural transition inside an edge is r^{3/2}, τ = 5/2.
 
-use super::fit::Fit;
-use super::store::LevelStore;
-use super::strip_rates::{RateStrip, SceneFamily};
-use super::study::{Quantity, RateStudy};
-use crate::contact::Cone;
-use crate::error::Result;
-use crate::figures::{Axis, Chart, Series};
-use crate::report::{Column, Format, Headline, Table, Verdict};
-use crate::scenes::{StripScene, TransitionPowers};
-use crate::strip::{Levels, StripKind};
+use signorini::cone::Cone;
+use signorini::convergence::Fit;
+use signorini::convergence::NoMemory;
+use signorini::convergence::{Quantity, RateStudy};
+use signorini::convergence::{RateStrip, SceneFamily};
+use signorini::error::Result;
+use signorini::figures::{Axis, Chart, Series};
+use signorini::report::{Column, Format, Headline, Table, Verdict};
+use signorini::scenes::StripScene;
+use signorini::scenes::TransitionPowers;
+use signorini::strip::{Levels, StripKind};
 
 /// What a scene of a row is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +86,7 @@ pub fn introduction_studies(
     report: &mut dyn FnMut(),
 ) -> Result<Vec<[RateStudy; 2]>> {
     let mut strip = RateStrip::new(StripKind::Scalar, levels, reference)?;
-    let mut store = LevelStore::in_memory();
+    let mut store = NoMemory;
     printed()
         .into_iter()
         .map(|row| {
