@@ -36,7 +36,7 @@
 //! | **6. Appendix B, interpolation** | [`interpolation`] |
 //! | Lemma 6.1, (6.1), one interval | [`interpolation::element_constant`], [`interpolation::longest_element`], [`interpolation::InterpolationError`] |
 //! | Lemma 6.2, a mesh | [`interpolation::mesh_constant`] |
-//! | **Every number** | [`Tolerance`], [`Estimate`], [`Error`], [`quadrature`] |
+//! | **Every number** | [`Tolerance`], [`Estimate`], [`Error`], [`numeric`], [`quadrature`] |
 //! | what is printed and drawn | [`report`], [`figures`] |
 //!
 //! ```
@@ -66,6 +66,7 @@ pub mod fem;
 pub mod figures;
 pub mod interpolation;
 pub mod mesh;
+pub mod numeric;
 pub mod poincare;
 pub mod proof;
 pub mod quadrature;

@@ -22,5 +22,5 @@ pub use error_norms::{ErrorNorms, Gradient, error_norms};
 pub use field::Field;
 pub use form::{Form, Lame};
 pub use loads::{consistent_load, surface_load, volume_load};
-pub use matrix::{BlockMatrix, compensated, dot};
+pub use matrix::BlockMatrix;
 pub use stress::{Stress, gradients, stresses};

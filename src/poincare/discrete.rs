@@ -10,11 +10,11 @@ use super::mesh::{MeshModel, PANEL_SPREAD};
 use super::slopes::gram::seminorm_gram;
 use super::slopes::local::Local;
 use super::slopes::mass::{Primitives, mass_gram};
-use super::slopes::pencil::Factored;
 use super::slopes::space::SlopeSpace;
 use super::zone::{Condition, Zone};
 use crate::error::Result;
 use crate::estimate::Work;
+use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
 use faer::Mat;
 

@@ -31,6 +31,7 @@
 use super::constants::ProofConstants;
 use crate::edge::Traces;
 use crate::error::{Error, Result};
+use crate::numeric::search::sign_change;
 use crate::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -284,14 +285,10 @@ impl ElementBalance {
             }
         };
         // θ in (1e-30, 1/2]; where the first bound stays below, 1/2.
-        let (mut low, mut high) = (1e-30f64.ln(), 0.5f64.ln());
+        let (low, high) = (1e-30f64.ln(), 0.5f64.ln());
         if excess(high) <= 0.0 {
             return 0.5;
         }
-        for _ in 0..200 {
-            let middle = 0.5 * (low + high);
-            if excess(middle) > 0.0 { high = middle } else { low = middle }
-        }
-        high.exp()
+        sign_change(low, high, 0.0, |theta| excess(theta) > 0.0).1.exp()
     }
 }

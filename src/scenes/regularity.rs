@@ -12,6 +12,7 @@
 
 use super::mesh::{MeshScene, Setting};
 use crate::error::{Error, Result};
+use crate::numeric::search::sign_change;
 
 /// Steps of the search for the first change of sign in (0, 1]; roots are further apart.
 const STEPS: u32 = 1000;
@@ -20,8 +21,8 @@ const WIDTH: f64 = 1e-15;
 
 /// λ of the clamped/free corner: opening ω in (0, π/2], Poisson's ratio in (0, 1/2), plane strain.
 ///
-/// Bisection to rounding. Where no root lies in (0, 1), for sin²ω < 1 − ν_P, the corner does not limit H²: λ
-/// = 1.
+/// Bisection to rounding. Where no root lies in (0, 1), for sin²ω < 1 − ν_P, the corner does not limit H²:
+/// λ = 1.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] outside these ranges.
@@ -36,14 +37,8 @@ pub fn clamped_free_exponent(opening: f64, poisson: f64) -> Result<f64> {
     // The defect is negative at 0; its first sign change is the root sought.
     let step = 1.0 / f64::from(STEPS);
     let Some(k) = (1..=STEPS).find(|&k| defect(f64::from(k) * step) >= 0.0) else { return Ok(1.0) };
-    let (mut low, mut high) = (f64::from(k - 1) * step, f64::from(k) * step);
-    while high - low > WIDTH {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if defect(middle) >= 0.0 { high = middle } else { low = middle }
-    }
+    let ends = (f64::from(k - 1) * step, f64::from(k) * step);
+    let (low, high) = sign_change(ends.0, ends.1, WIDTH, |lambda| defect(lambda) >= 0.0);
     Ok(0.5 * (low + high))
 }
 

@@ -14,6 +14,7 @@
 
 use super::order::FractionalOrder;
 use super::power::{PowerKernel, gauss_for, graded_gauss};
+use crate::numeric::scale::power_between;
 
 /// The integrals over pairs of cells for one order ν.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +47,7 @@ impl CellPairs {
         lengths: [f64; N],
         f: impl FnOnce([f64; N]) -> T,
     ) -> T {
-        let scale = libm::ldexp(1.0, (libm::ilogb(low) + libm::ilogb(high)) / 2);
+        let scale = power_between(low, high);
         f(lengths.map(|length| length / scale)).times(self.kernel.scaling(scale))
     }
 

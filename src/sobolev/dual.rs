@@ -14,11 +14,14 @@
 use super::gram::{gram_linears, mass_linears};
 use super::operator::GramOperator;
 use super::order::FractionalOrder;
-use super::partition::{Partition, RunningSum};
-use super::piecewise::{PiecewisePolynomial, require_finite, require_length};
+use super::partition::Partition;
+use super::piecewise::PiecewisePolynomial;
 use super::seminorm::accept;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::check::require_values;
+use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
+use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -49,10 +52,7 @@ pub fn dual_norm_of_functional(
     functional: &[f64],
     tolerance: Tolerance,
 ) -> Result<Estimate> {
-    require_length("functional on hats", functional.len(), partition.len() + 1)?;
-    for (index, &value) in functional.iter().enumerate() {
-        require_finite("functional on hats", index, value)?;
-    }
+    require_values("functional on hats", functional, partition.len() + 1)?;
     let size = functional.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     if size == 0.0 {
         return Estimate::new(0.0, 0.0, Work::default());
@@ -185,6 +185,37 @@ fn solve_dense(partition: &Partition, order: FractionalOrder, load: &[f64]) -> R
     Estimate::new(value, 16.0 * f64::EPSILON * absolute + left, work)
 }
 
+/// M + A, A a fast operator, with the diagonal as preconditioner.
+struct WithMass {
+    operator: GramOperator,
+    mass: Vec<f64>,
+    off: Vec<f64>,
+    inverse: Vec<f64>,
+}
+
+impl System for WithMass {
+    fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
+        out.copy_from_slice(&self.operator.apply(x)?);
+        let n = x.len();
+        for i in 0..n {
+            out[i] += self.mass[i] * x[i];
+            if i + 1 < n {
+                out[i] += self.off[i] * x[i + 1];
+                out[i + 1] += self.off[i] * x[i];
+            }
+        }
+        Ok(())
+    }
+
+    fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()> {
+        out.iter_mut().zip(r).zip(&self.inverse).for_each(|((z, r), d)| *z = r * d);
+        Ok(())
+    }
+}
+
+/// Steps whose gains together stand for what is still to come: convergence is linear or faster.
+const SETTLED: usize = 20;
+
 /// bᵀ (M + A)⁻¹ b by conjugate gradients on the fast product, with the diagonal as preconditioner.
 ///
 /// bᵀx grows monotonically by the steps' contributions; it has settled when the last 20 of them add less than the tolerance.
@@ -197,52 +228,30 @@ fn solve_iteratively(
     let n = load.len();
     let operator = GramOperator::linears(partition, order, Tolerance::reference())?;
     let (mass, off) = mass_linears(partition);
-    let apply = |x: &[f64]| -> Result<Vec<f64>> {
-        let mut y = operator.apply(x)?;
-        for i in 0..n {
-            y[i] += mass[i] * x[i];
-            if i + 1 < n {
-                y[i] += off[i] * x[i + 1];
-                y[i + 1] += off[i] * x[i];
-            }
-        }
-        Ok(y)
-    };
-    let inverse: Vec<f64> = operator.diagonal().iter().zip(&mass).map(|(a, m)| 1.0 / (a + m)).collect();
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let mut residual = load.to_vec();
-    let mut z: Vec<f64> = residual.iter().zip(&inverse).map(|(r, d)| r * d).collect();
-    let mut direction = z.clone();
-    let mut rho = dot(&residual, &z);
+    let inverse = operator.diagonal().iter().zip(&mass).map(|(a, m)| 1.0 / (a + m)).collect();
+    let mut system = WithMass { operator, mass, off, inverse };
+    let mut iteration = ConjugateGradients::new(n);
+    iteration.start(&mut system, load)?;
+    let mut x = vec![0.0; n];
     let mut value = RunningSum::default();
     let mut gains: Vec<f64> = Vec::new();
-    for iteration in 1..=20 * n.min(2000) {
-        let image = apply(&direction)?;
-        let curvature = dot(&direction, &image);
-        if curvature <= 0.0 || !curvature.is_finite() {
-            return Err(Error::NotPositiveDefinite { what: "M + A", pivot: iteration });
-        }
-        let step = rho / curvature;
-        // ||x_{k+1}||² − ||x_k||² in energy
-        gains.push(step * rho);
-        value.add(step * rho);
-        residual.iter_mut().zip(&image).for_each(|(r, q)| *r -= step * q);
-        let recent: f64 = gains.iter().rev().take(20).sum();
-        let rest = if gains.len() < 20 && rho > 0.0 { f64::INFINITY } else { recent };
-        z.iter_mut().zip(&residual).zip(&inverse).for_each(|((z, r), d)| *z = r * d);
-        let next = dot(&residual, &z);
-        if rest <= 0.5 * tolerance.relative() * value.value() || next <= 1e-30 * gains[0] {
+    for steps in 1..=20 * n.min(2000) {
+        let not_settled = gains.len() < SETTLED - 1 && iteration.rho() > 0.0;
+        let Step::Gain(gain) = iteration.step(&mut system, &mut x)? else {
+            return Err(Error::NotPositiveDefinite { what: "M + A", pivot: steps });
+        };
+        gains.push(gain);
+        value.add(gain);
+        let rest = if not_settled { f64::INFINITY } else { gains.iter().rev().take(SETTLED).sum::<f64>() };
+        if rest <= 0.5 * tolerance.relative() * value.value() || iteration.rho() <= 1e-30 * gains[0] {
             let rounding = 1e-13 * value.value();
-            let work = Work { iterations: iteration as u64, ..Work::default() };
+            let work = Work { iterations: steps as u64, ..Work::default() };
             return Estimate::new(value.value(), rest.min(value.value()) + rounding, work);
         }
-        let beta = next / rho;
-        rho = next;
-        direction.iter_mut().zip(&z).for_each(|(p, z)| *p = z + beta * *p);
     }
     Err(Error::ToleranceNotMet {
         what: "conjugate gradients for the dual norm",
         asked: tolerance.relative(),
-        reached: gains.iter().rev().take(20).sum::<f64>() / value.value(),
+        reached: gains.iter().rev().take(SETTLED).sum::<f64>() / value.value(),
     })
 }

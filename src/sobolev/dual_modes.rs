@@ -6,10 +6,10 @@
 //! Cost: O(1) per coefficient and element for piecewise linears, by parts; O(k) points otherwise.
 
 use super::order::FractionalOrder;
-use super::partition::RunningSum;
 use super::piecewise::PiecewisePolynomial;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 
 /// Coefficients of a spectral sum at most, and values of the function at most: a second or two.

@@ -5,8 +5,9 @@
 //! smooth function, and double integrals are taken over pairs (t, t′) ([`super::log_energy`]). A closure of x alone knows
 //! its distance to a break c ≠ 0 only to an ulp of c; one that takes a [`Position`] sees the distance itself, or its logarithm.
 
-use super::piecewise::require_finite;
 use crate::error::{Error, Result};
+use crate::numeric::check::require_finite_at;
+use crate::numeric::scale::power_of_two;
 
 /// Points of an arm at which the size of a function is looked at.
 const SAMPLES: usize = 16;
@@ -152,7 +153,7 @@ impl<'a> SingularFunction<'a> {
                 largest = largest.max(self.at(&arm, arm.delta(t))?.abs());
             }
         }
-        let scale = if largest == 0.0 { 1.0 } else { libm::ldexp(1.0, libm::ilogb(largest)) };
+        let scale = power_of_two(largest);
         let unit = move |at: Position| (self.function)(at) / scale;
         Ok((
             scale,
@@ -203,7 +204,7 @@ impl<'a> SingularFunction<'a> {
 
     fn value(&self, at: Position) -> Result<f64> {
         let value = (self.function)(at);
-        require_finite("function value near break", at.anchor, value)?;
+        require_finite_at("function value near break", at.anchor, value)?;
         Ok(value)
     }
 }

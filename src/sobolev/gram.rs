@@ -8,8 +8,9 @@
 
 use super::cells::CellPairs;
 use super::order::FractionalOrder;
-use super::partition::{Partition, RunningSum};
+use super::partition::Partition;
 use crate::error::{Error, Result};
+use crate::numeric::sum::RunningSum;
 use faer::Mat;
 use rayon::prelude::*;
 

@@ -7,9 +7,10 @@
 
 use super::cells::CellPairs;
 use super::cluster::{Blocks, ClusterTree};
-use super::partition::{Partition, RunningSum};
+use super::partition::Partition;
 use super::power::PowerKernel;
 use crate::error::Result;
+use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 use rayon::prelude::*;
 

@@ -4,11 +4,12 @@
 //! ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a ≈ b. Elements of higher degree
 //! are bisected until a Gauss rule and its two halves agree. Cost O(N).
 
-use super::partition::RunningSum;
 use super::piecewise::{Piece, PiecewisePolynomial};
 use super::seminorm::accept;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::search::sign_change;
+use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 
 /// Bisections of one element before the error is taken as it is.
@@ -136,15 +137,12 @@ fn largest_inside(piece: &Piece) -> (f64, f64) {
     let mut largest = 0.0f64;
     let slope_at = |k: usize| piece.slope(k as f64 / samples as f64);
     for k in 0..samples {
-        let (mut low, mut high) = (k as f64 / samples as f64, (k + 1) as f64 / samples as f64);
+        let (low, high) = (k as f64 / samples as f64, (k + 1) as f64 / samples as f64);
         largest = largest.max(piece.value(low).abs());
         let rising = slope_at(k);
         if rising * slope_at(k + 1) < 0.0 {
-            while high - low > 1e-9 {
-                let middle = 0.5 * (low + high);
-                if piece.slope(middle) * rising > 0.0 { low = middle } else { high = middle }
-            }
-            largest = largest.max(piece.value(low).abs());
+            let turn = sign_change(low, high, 1e-9, |t| piece.slope(t) * rising <= 0.0).0;
+            largest = largest.max(piece.value(turn).abs());
         }
     }
     // Near an extremum u is flat: 1e-9 in t is 1e-18 in u; what is left is rounding.

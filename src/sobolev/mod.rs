@@ -45,6 +45,5 @@ pub(crate) use lebesgue::linear_power;
 pub use operator::GramOperator;
 pub use order::FractionalOrder;
 pub use partition::Partition;
-pub(crate) use partition::RunningSum;
 pub use piecewise::PiecewisePolynomial;
 pub(crate) use seminorm::root_of_squares;

@@ -13,11 +13,11 @@ use super::gram::require_constants_finite;
 use super::hierarchical::Hierarchical;
 use super::order::FractionalOrder;
 use super::partition::Partition;
-use super::piecewise::{require_finite, require_length};
 use super::power::PowerKernel;
 use super::toeplitz::Toeplitz;
 use crate::error::Result;
 use crate::estimate::Tolerance;
+use crate::numeric::check::{require_finite_at, require_length};
 use rayon::prelude::*;
 
 /// Entries of a vector treated by one thread.
@@ -141,7 +141,7 @@ impl GramOperator {
         let mean = sums.iter().sum::<f64>();
         if !mean.is_finite() {
             for (index, &value) in x.iter().enumerate() {
-                require_finite("vector", index, value)?;
+                require_finite_at("vector", index, value)?;
             }
         }
         let x: Vec<f64> = x.par_iter().with_min_len(PIECE).map(|value| value - mean).collect();

@@ -6,6 +6,8 @@
 
 use super::partition::Partition;
 use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite_at, require_length};
+use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use std::ops::Range;
 
@@ -78,7 +80,7 @@ impl PiecewisePolynomial {
         let mut pieces = Vec::with_capacity(ends.len());
         for (index, (&[left, right], bubbles)) in ends.iter().zip(bubbles).enumerate() {
             for &value in [left, right].iter().chain(&bubbles) {
-                require_finite("value", index, value)?;
+                require_finite_at("value", index, value)?;
             }
             if bubbles.len() + 1 > MAX_DEGREE {
                 return Err(Error::CountOutOfRange {
@@ -234,20 +236,8 @@ impl Piece {
 
     /// Σ c_k P_k(2t−1) and its derivative in t.
     fn bubble_sum(&self, t: f64) -> (f64, f64) {
-        let x = 2.0 * t - 1.0;
-        let (mut previous, mut legendre) = (0.0, 1.0);
-        let (mut previous_slope, mut slope) = (0.0, 0.0);
-        let (mut sum, mut derivative) = (0.0, 0.0);
-        for (k, c) in self.bubbles.iter().enumerate() {
-            sum += c * legendre;
-            derivative += 2.0 * c * slope;
-            let k = k as f64;
-            let next = ((2.0 * k + 1.0) * x * legendre - k * previous) / (k + 1.0);
-            let next_slope = (2.0 * k + 1.0) * legendre + previous_slope;
-            (previous, legendre) = (legendre, next);
-            (previous_slope, slope) = (slope, next_slope);
-        }
-        (sum, derivative)
+        let (sum, slope) = legendre::series_with_slope(self.bubbles.iter().copied(), 2.0 * t - 1.0);
+        (sum, 2.0 * slope)
     }
 }
 
@@ -258,32 +248,15 @@ fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) ->
     if count == 0 {
         return Ok(coefficients);
     }
+    let mut values = vec![0.0; count];
     for (t, w) in Rule::gauss_legendre(count + 1)?.iter() {
         let value = (f(t) - left * (1.0 - t) - right * t) / (t * (1.0 - t));
-        let x = 2.0 * t - 1.0;
-        let (mut previous, mut legendre) = (0.0, 1.0);
-        for (k, coefficient) in coefficients.iter_mut().enumerate() {
-            let k = k as f64;
-            *coefficient += (2.0 * k + 1.0) * w * value * legendre;
-            let next = ((2.0 * k + 1.0) * x * legendre - k * previous) / (k + 1.0);
-            (previous, legendre) = (legendre, next);
+        legendre::fill(&mut values, 2.0 * t - 1.0);
+        for (k, (coefficient, legendre)) in coefficients.iter_mut().zip(&values).enumerate() {
+            *coefficient += (2.0 * k as f64 + 1.0) * w * value * legendre;
         }
     }
     Ok(coefficients)
-}
-
-pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
-    if given == expected {
-        return Ok(());
-    }
-    Err(Error::LengthMismatch { name, given, expected })
-}
-
-pub(crate) fn require_finite(name: &'static str, index: usize, value: f64) -> Result<()> {
-    if value.is_finite() {
-        return Ok(());
-    }
-    Err(Error::NotFinite { name, index, value })
 }
 
 #[cfg(test)]

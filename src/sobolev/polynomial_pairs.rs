@@ -9,6 +9,7 @@ use super::order::FractionalOrder;
 use super::piecewise::Piece;
 use super::power::{PowerKernel, gauss_for_degree, graded_gauss_degree};
 use crate::error::Result;
+use crate::numeric::scale::power_between;
 use crate::quadrature::{PowerWeightRule, Rule};
 
 /// An element with its polynomial.
@@ -68,7 +69,7 @@ impl PolynomialPairs {
     /// Over two neighbours, both orders; `jump` = value of the right one minus value of the left one at the common node.
     pub(crate) fn touching(&self, left: Cell, right: Cell, jump: f64) -> PairSum {
         let (p, q) = (left.length, right.length);
-        let scale = libm::ldexp(1.0, (libm::ilogb(p) + libm::ilogb(q)) / 2);
+        let scale = power_between(p, q);
         let (a, b) = (p / scale, q / scale);
         let mut sum = PairSum::default();
         // Triangle s = ξ, t = ξη (in units of the elements) and its mirror image s = ξη, t = ξ.
@@ -100,7 +101,7 @@ impl PolynomialPairs {
     pub(crate) fn separate(&self, left: Cell, right: Cell, d: f64) -> PairSum {
         let (p, q) = (left.length, right.length);
         let largest = p.max(q).max(d);
-        let scale = libm::ldexp(1.0, (libm::ilogb(d) + libm::ilogb(largest)) / 2);
+        let scale = power_between(d, largest);
         let [p, q, d] = [p, q, d].map(|x| x / scale);
         let size = left.piece.size().max(right.piece.size());
         let mut sum = PairSum::default();

@@ -13,11 +13,12 @@ use super::cells::CellPairs;
 use super::gram::{FarRow, constants_on, neighbours_linear};
 use super::operator::GramOperator;
 use super::order::FractionalOrder;
-use super::partition::RunningSum;
 use super::piecewise::PiecewisePolynomial;
 use super::polynomial_pairs::{Cell, PairSum, PolynomialPairs};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::scale::power_of_two;
+use crate::numeric::sum::RunningSum;
 use rayon::prelude::*;
 
 /// Relative rounding of one entry or one pair.
@@ -75,12 +76,7 @@ impl PiecewisePolynomial {
 
     /// A power of two near the largest value; 1 for the zero function.
     fn scale(&self) -> f64 {
-        let largest = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
-        if largest == 0.0 {
-            return 1.0;
-        }
-        // The reciprocal must stay finite.
-        libm::ldexp(1.0, libm::ilogb(largest).max(-1000))
+        power_of_two(self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max))
     }
 
     /// (S, |u^{(m)}/S|²_ν).

@@ -7,8 +7,9 @@
 
 use super::cells::CellPairs;
 use super::circulant::Circulant;
-use super::partition::{Partition, RunningSum};
+use super::partition::Partition;
 use crate::error::Result;
+use crate::numeric::sum::RunningSum;
 use rayon::prelude::*;
 
 /// Entries of an end row summed by one thread, plainly; the sums of the pieces are compensated.

@@ -8,9 +8,11 @@
 //!
 //! S > 0, so A is positive definite. A product or a solve costs one real FFT of length P and one back: O(n log n).
 
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use super::sides::{Sides, check_cells};
 use crate::cone::{Cone, EdgeCone};
 use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::sum::pairwise_sum;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::fmt;
@@ -49,7 +51,7 @@ impl EdgeOperator {
     pub fn new(cells: usize, sides: Sides, symbol: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         let period = sides.period(cells);
-        check_length("symbol", symbol.len(), period / 2 + 1)?;
+        require_length("symbol", symbol.len(), period / 2 + 1)?;
         for &value in &symbol {
             Error::require("symbol", value, "(0, inf)", value > 0.0 && value.is_finite())?;
         }
@@ -210,8 +212,8 @@ impl EdgeOperator {
     }
 
     pub(crate) fn check_field(&self, name: &'static str, values: &[f64]) -> Result<()> {
-        check_length(name, values.len(), self.nodes())?;
-        check_finite(name, values)
+        require_length(name, values.len(), self.nodes())?;
+        require_finite(name, values)
     }
 
     fn transform(&self, g: &[f64], scale: impl Fn(usize) -> f64, work: &mut Workspace) {
@@ -247,16 +249,6 @@ impl EdgeOperator {
         let done = self.backward.process_with_scratch(&mut work.spectrum, &mut work.real, &mut work.scratch);
         debug_assert!(done.is_ok());
     }
-}
-
-/// Σ_{start ≤ k < end} term(k) by halving: rounding grows like the logarithm of the number of terms.
-pub(crate) fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64 + Copy) -> f64 {
-    const LEAF: usize = 64;
-    if end.saturating_sub(start) <= LEAF {
-        return (start..end).map(term).sum();
-    }
-    let middle = start + (end - start) / 2;
-    pairwise_sum(start, middle, term) + pairwise_sum(middle, end, term)
 }
 
 #[cfg(test)]

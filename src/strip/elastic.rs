@@ -9,10 +9,11 @@
 
 use super::edge::EdgeOperator;
 use super::scalar::{EdgeLoad, check_layers, mass_row};
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use super::sides::{Sides, check_cells};
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result};
 use crate::fem::Lame;
+use crate::numeric::check::{require_finite, require_length};
 use qd::Quad;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
@@ -143,8 +144,8 @@ impl ElasticStrip {
         let mut constant = 0.0;
         for j in (0..self.layers).rev() {
             row(j, &mut values);
-            check_finite("volume load", &values[0])?;
-            check_finite("volume load", &values[1])?;
+            require_finite("volume load", &values[0])?;
+            require_finite("volume load", &values[1])?;
             let [x, y] = [0, 1].map(|axis| operator.modes(&values[axis]));
             for (k, column) in columns.iter_mut().enumerate() {
                 column.load[0] += x[k];
@@ -176,7 +177,7 @@ impl ElasticStrip {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub fn tangential(&self, load: &ElasticLoad, normal: &[f64]) -> Result<Vec<f64>> {
-        check_length("tangential load", load.tangential.len(), self.operator.nodes())?;
+        require_length("tangential load", load.tangential.len(), self.operator.nodes())?;
         self.operator.check_field("tangential load", &load.tangential)?;
         self.operator.check_field("edge values", normal)?;
         let force = self.operator.modes(&load.tangential);

@@ -13,10 +13,11 @@ use super::defect::{halving, harmonic_defect, harmonic_symbol};
 use super::edge::EdgeOperator;
 use super::edge_data::EdgeData;
 use super::scalar::{EdgeLoad, check_layers, scalar_symbol};
-use super::sides::{Sides, check_length};
+use super::sides::Sides;
 use super::transfer::{prolong, restrict};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
+use crate::numeric::check::require_length;
 use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;
@@ -157,7 +158,7 @@ impl ExactEdge {
     /// As [`ExactEdge::load`]; [`Error::LengthMismatch`].
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
-        check_length("edge values", values.len(), cells + 1)?;
+        require_length("edge values", values.len(), cells + 1)?;
         let mut fine = values.to_vec();
         for step in (0..level).rev() {
             fine = prolong(&fine, (self.cells >> step) + 1);

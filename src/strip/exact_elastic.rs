@@ -13,11 +13,12 @@ use super::elastic::{EdgeMatrix, edge_matrices};
 use super::elastic_defect::{aliased, halvings};
 use super::exact::{layers_on, level_of, power_of_two, pyramid};
 use super::scalar::EdgeLoad;
-use super::sides::{Sides, check_length};
+use super::sides::Sides;
 use super::transfer::prolong;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Lame;
+use crate::numeric::check::require_length;
 use realfft::num_complex::Complex;
 
 /// Exact elastic edge data on a fine grid, its loads on all coarser grids, and errors against it.
@@ -140,7 +141,7 @@ impl ExactElastic {
     /// As [`ExactElastic::load`], `cells` not below the coarsest grid; [`Error::LengthMismatch`].
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
-        check_length("edge values", values.len(), cells)?;
+        require_length("edge values", values.len(), cells)?;
         let flat = |n: usize| EdgeOperator::new(n, Sides::Periodic, vec![1.0; n / 2 + 1]);
         let coarse = flat(cells)?;
         let discrete = displacement(&coarse, &self.matrices[level], values);

@@ -6,6 +6,8 @@
 use super::edge::{EdgeOperator, Workspace};
 use super::precondition::Preconditioner;
 use crate::cone::Face;
+use crate::error::Result;
+use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 
 /// What one inner solve did.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,23 +22,43 @@ pub(crate) struct FaceSolver<'a> {
     operator: &'a EdgeOperator,
     preconditioner: Preconditioner<'a>,
     work: Workspace,
+    iteration: ConjugateGradients,
     residual: Vec<f64>,
-    direction: Vec<f64>,
     image: Vec<f64>,
-    corrected: Vec<f64>,
+}
+
+/// Π A Π and its preconditioner on one face; vectors lie on the face.
+struct OnFace<'s, 'a> {
+    face: &'s Face,
+    operator: &'a EdgeOperator,
+    preconditioner: &'s mut Preconditioner<'a>,
+    work: &'s mut Workspace,
+}
+
+impl System for OnFace<'_, '_> {
+    fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
+        self.operator.apply_into(x, out, self.work);
+        self.face.project(out);
+        Ok(())
+    }
+
+    fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()> {
+        self.preconditioner.apply(self.face, r, out, self.work);
+        self.face.project(out);
+        Ok(())
+    }
 }
 
 impl<'a> FaceSolver<'a> {
     pub(crate) fn new(operator: &'a EdgeOperator) -> Self {
-        let zeros = || vec![0.0; operator.nodes()];
+        let nodes = operator.nodes();
         Self {
             operator,
             preconditioner: Preconditioner::new(operator),
             work: operator.workspace(),
-            residual: zeros(),
-            direction: zeros(),
-            image: zeros(),
-            corrected: zeros(),
+            iteration: ConjugateGradients::new(nodes),
+            residual: vec![0.0; nodes],
+            image: vec![0.0; nodes],
         }
     }
 
@@ -49,61 +71,38 @@ impl<'a> FaceSolver<'a> {
         goal: f64,
         reduction: f64,
         limit: usize,
-    ) -> Inner {
+    ) -> Result<Inner> {
+        let mut system = OnFace {
+            face,
+            operator: self.operator,
+            preconditioner: &mut self.preconditioner,
+            work: &mut self.work,
+        };
         self.residual.copy_from_slice(b);
         face.project(&mut self.residual);
-        let scale = self.precondition(face).sqrt();
+        self.iteration.start(&mut system, &self.residual)?;
+        let scale = self.iteration.rho().sqrt();
         face.project(x);
-        self.refresh(face, b, x);
-        let mut rho = self.precondition(face);
-        let target = (goal * scale).max(reduction * rho.sqrt());
-        self.direction.copy_from_slice(&self.corrected);
+        system.operator.apply_into(x, &mut self.image, system.work);
+        for i in 0..x.len() {
+            self.residual[i] = b[i] - self.image[i];
+        }
+        face.project(&mut self.residual);
+        self.iteration.start(&mut system, &self.residual)?;
+        let target = (goal * scale).max(reduction * self.iteration.rho().sqrt());
         let mut iterations = 0;
-        while rho.sqrt() > target && iterations < limit {
-            self.operator.apply_into(&self.direction, &mut self.image, &mut self.work);
-            face.project(&mut self.image);
-            let curvature = dot(&self.direction, &self.image);
-            if curvature <= 0.0 {
+        while self.iteration.rho().sqrt() > target && iterations < limit {
+            if self.iteration.step(&mut system, x)? == Step::Flat {
                 break;
             }
-            let step = rho / curvature;
-            for i in 0..x.len() {
-                x[i] += step * self.direction[i];
-                self.residual[i] -= step * self.image[i];
-            }
-            let next = self.precondition(face);
-            let turn = next / rho;
-            for (d, c) in self.direction.iter_mut().zip(&self.corrected) {
-                *d = c + turn * *d;
-            }
-            rho = next;
             iterations += 1;
         }
-        let residual = if scale > 0.0 { rho.sqrt() / scale } else { 0.0 };
-        Inner { iterations, residual }
+        let residual = if scale > 0.0 { self.iteration.rho().sqrt() / scale } else { 0.0 };
+        Ok(Inner { iterations, residual })
     }
 
     /// A x.
     pub(crate) fn product(&mut self, x: &[f64], out: &mut [f64]) {
         self.operator.apply_into(x, out, &mut self.work);
     }
-
-    fn refresh(&mut self, face: &Face, b: &[f64], x: &[f64]) {
-        self.operator.apply_into(x, &mut self.image, &mut self.work);
-        for i in 0..x.len() {
-            self.residual[i] = b[i] - self.image[i];
-        }
-        face.project(&mut self.residual);
-    }
-
-    /// corrected ← B residual; returns residual'B residual.
-    fn precondition(&mut self, face: &Face) -> f64 {
-        self.preconditioner.apply(face, &self.residual, &mut self.corrected, &mut self.work);
-        face.project(&mut self.corrected);
-        dot(&self.residual, &self.corrected).max(0.0)
-    }
-}
-
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    super::edge::pairwise_sum(0, a.len(), |i| a[i] * b[i])
 }

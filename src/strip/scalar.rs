@@ -12,8 +12,9 @@
 //! Cost: O(n) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use super::sides::{Sides, check_cells};
 use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite, require_length};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 
@@ -89,7 +90,7 @@ impl ScalarStrip {
         let mut constant = 0.0;
         for j in (0..self.layers).rev() {
             row(j, &mut values);
-            check_finite("volume load", &values)?;
+            require_finite("volume load", &values)?;
             let load = operator.dual_modes(&values);
             for k in 0..modes {
                 let pull = if excess[k].is_finite() { carried[k] / (1.0 + excess[k]) } else { 0.0 };
@@ -136,8 +137,8 @@ impl ScalarStrip {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub fn check(&self, load: &EdgeLoad) -> Result<()> {
-        check_length("edge load", load.force.len(), self.operator.nodes())?;
-        check_finite("edge load", &load.force)
+        require_length("edge load", load.force.len(), self.operator.nodes())?;
+        require_finite("edge load", &load.force)
     }
 }
 

@@ -11,13 +11,15 @@
 //! Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
 use super::edge::EdgeOperator;
-use super::inner::{FaceSolver, dot};
+use super::inner::FaceSolver;
 use super::scalar::EdgeLoad;
-use super::sides::check_finite;
 use super::solution::{EdgeSolution, Settings};
 use super::transfer::prolong;
 use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
 use crate::error::{Error, Result};
+use crate::numeric::check::require_finite;
+use crate::numeric::scale::largest;
+use crate::numeric::sum::pairwise_dot;
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -40,16 +42,12 @@ pub fn solve_contact(
     let unit: Vec<f64> = load.force.iter().map(|b| b / scale).collect();
     let mut iteration = Iteration::new(operator, &unit, cone, settings);
     iteration.start(start, scale)?;
-    let status = iteration.run();
+    let status = iteration.run()?;
     let mut solution = iteration.finish(status)?;
     solution.values.iter_mut().chain(&mut solution.multiplier).for_each(|v| *v *= scale);
     solution.energy = solution.energy * scale * scale + load.constant;
-    check_finite("energy", &[solution.energy])?;
+    require_finite("energy", &[solution.energy])?;
     Ok(solution)
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
 struct Iteration<'a> {
@@ -103,16 +101,16 @@ impl<'a> Iteration<'a> {
         Ok(())
     }
 
-    fn run(&mut self) -> Status {
+    fn run(&mut self) -> Result<Status> {
         let mut visited = HashSet::new();
         let mut accurate = false;
         for _ in 0..self.settings.steps {
             let reduction = if accurate { 0.0 } else { self.settings.reduction };
-            let residual = self.newton_step(reduction);
+            let residual = self.newton_step(reduction)?;
             let next = self.next_set();
             if next == self.active {
                 if residual <= self.settings.tolerance {
-                    return Status::Converged;
+                    return Ok(Status::Converged);
                 }
                 accurate = true;
                 continue;
@@ -127,16 +125,16 @@ impl<'a> Iteration<'a> {
             }
             self.active = next;
         }
-        Status::StepLimit { steps: self.inner.len() }
+        Ok(Status::StepLimit { steps: self.inner.len() })
     }
 
-    fn newton_step(&mut self, reduction: f64) -> f64 {
+    fn newton_step(&mut self, reduction: f64) -> Result<f64> {
         const LIMIT: usize = 200;
         let face = Face::new(self.cone, &self.active);
         let inner =
-            self.solver.solve(&face, self.b, &mut self.values, self.settings.tolerance, reduction, LIMIT);
+            self.solver.solve(&face, self.b, &mut self.values, self.settings.tolerance, reduction, LIMIT)?;
         self.inner.push(inner.iterations);
-        inner.residual
+        Ok(inner.residual)
     }
 
     /// w + (b − A w)/σ on contact runs, w in gaps.
@@ -164,7 +162,7 @@ impl<'a> Iteration<'a> {
     }
 
     /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the border of the cone.
-    fn descend(&mut self) -> Status {
+    fn descend(&mut self) -> Result<Status> {
         let sigma = self.operator.norm();
         let (mut feasible, _) = self.cone.nearest(&self.values);
         let mut product = vec![0.0; feasible.len()];
@@ -175,14 +173,14 @@ impl<'a> Iteration<'a> {
             let (point, active) = self.cone.nearest(&z);
             self.active = active;
             self.values.copy_from_slice(&point);
-            let residual = self.newton_step(0.0);
+            let residual = self.newton_step(0.0)?;
             let step = self.cone.longest_step(&point, &self.values, &self.active);
             if step >= 1.0 && self.next_set() == self.active && residual <= self.settings.tolerance {
-                return Status::Converged;
+                return Ok(Status::Converged);
             }
             feasible = (0..point.len()).map(|i| point[i] + step * (self.values[i] - point[i])).collect();
         }
-        Status::StepLimit { steps: self.inner.len() }
+        Ok(Status::StepLimit { steps: self.inner.len() })
     }
 
     fn finish(mut self, status: Status) -> Result<EdgeSolution> {
@@ -205,7 +203,7 @@ impl<'a> Iteration<'a> {
         };
         let judgement = evidence.judge()?;
         let margins = evidence.margins(&self.active)?;
-        let energy = 0.5 * dot(&self.values, &product) - dot(self.b, &self.values);
+        let energy = 0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
         Ok(EdgeSolution {
             multiplier,
             contact: ContactSet::new(self.active),

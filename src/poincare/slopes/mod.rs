@@ -11,7 +11,6 @@ pub(crate) mod kernel;
 pub(crate) mod local;
 pub(crate) mod mass;
 mod nodes;
-pub(crate) mod pencil;
 mod rules;
 mod separated;
 pub(crate) mod space;

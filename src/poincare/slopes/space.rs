@@ -5,6 +5,7 @@
 //! in H^ν for every 0 < ν < 1: u is continuous and piecewise smooth.
 
 use super::cell::{Cell, Panel};
+use crate::numeric::legendre;
 
 /// Largest number of slope functions on one cell.
 pub(crate) const MOST_FUNCTIONS: usize = 16;
@@ -98,15 +99,7 @@ pub(crate) fn legendre_primitives(count: usize, xi: f64) -> Values {
 }
 
 fn plain_legendre(count: usize, xi: f64) -> Values {
-    let x = 2.0 * xi - 1.0;
     let mut values = [0.0; MOST_FUNCTIONS + 1];
-    values[0] = 1.0;
-    if count > 1 {
-        values[1] = x;
-    }
-    for k in 1..count.saturating_sub(1) {
-        let degree = k as f64;
-        values[k + 1] = ((2.0 * degree + 1.0) * x * values[k] - degree * values[k - 1]) / (degree + 1.0);
-    }
+    legendre::fill(&mut values[..count], 2.0 * xi - 1.0);
     values
 }
