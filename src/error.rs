@@ -41,14 +41,16 @@ pub enum Error {
         /// The known names, as text.
         expected: &'static str,
     },
-    /// Two choices, each known, that do not go together.
-    #[error("{what} '{given}' does not fit: expected {expected}")]
-    DoesNotFit {
-        /// What was chosen.
+    /// A choice that is known but does not fit another one.
+    #[error("{what} {given} and {with} do not go together: expected {expected}")]
+    Incompatible {
+        /// What is chosen.
         what: &'static str,
         /// The choice.
         given: String,
-        /// What fits, and with what.
+        /// What it does not fit, as text.
+        with: &'static str,
+        /// The choices that fit, as text.
         expected: &'static str,
     },
     /// A value (data, load, function value) is NaN or infinite.

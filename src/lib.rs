@@ -30,7 +30,7 @@
 //! | (4.6), (4.7), Remark 4, projection on constants | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
 //! | **5. Appendix A, Poincaré constants** | [`poincare`] |
 //! | Lemma 5.1, (5.4), the constant exists | [`poincare::gamma`], [`poincare::extremal`] |
-//! | Lemma 5.2, (5.1)-(5.3), its growth as the zone shrinks | [`poincare::ScalingCurve`], [`poincare::UniformLaw`], [`poincare::end_limit`], [`poincare::two_sided`] |
+//! | Lemma 5.2, (5.1)-(5.3), its growth as the zone shrinks | [`poincare::growth`], [`poincare::LimitLaw`], [`poincare::ExplicitBound`], [`poincare::two_sided`] |
 //! | (5.5)-(5.9), Remark 5 | [`poincare::printed_growth`], [`sobolev::closed_forms::log_power`] |
 //! | Remark 6, one point; Remark 7, a zone anywhere | [`poincare::gamma_at_point`], [`poincare::Zone::at`] |
 //! | **6. Appendix B, interpolation** | [`interpolation`] |

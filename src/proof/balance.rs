@@ -228,7 +228,7 @@ impl ElementBalance {
     /// [`Error::OutOfRange`] for τ outside (3/2, 2] or q below 2.
     pub fn new(tau: f64, q: f64) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
-        let mut constants = ProofConstants::new(tau, q)?;
+        let constants = ProofConstants::new(tau, q, &[])?;
         let half = constants.gamma(0.5)?;
         let mut grid = vec![0.0];
         grid.extend((1..=DEPTH).rev().map(|k| 0.5f64.powi(k)));
@@ -271,7 +271,8 @@ impl ElementBalance {
     /// The second case with the printed law of the Poincaré constant, and with the one that holds.
     pub fn second_bound(&self, h: f64, theta: f64) -> [f64; 2] {
         let scale = self.constants.interpolation * h.powf(1.0 + 2.0 * self.constants.order().value());
-        [self.constants.law(theta) * scale, self.constants.corrected_law(theta) * scale]
+        let law = self.constants.law(theta);
+        [law.printed * scale, law.corrected * scale]
     }
 
     /// The θ at which the bounds of both cases agree, printed or sharpened: the first rises, the second falls with θ.

@@ -7,19 +7,20 @@
 //! by ‖A‖. L + 1 is raised to the next number with prime factors up to 13, so that no transform has a large prime length.
 //! Cost O(n log n).
 
-use super::edge::{EdgeOperator, Workspace};
-use super::sides::Sides;
 use crate::cone::{Block, Face};
+use crate::error::Result;
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::fourier::{RealFourier, Workspace};
+use crate::strip::sides::Sides;
+use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::collections::hash_map::Entry;
 
 struct GapPlan {
     /// S(πk/(L'+1))⁻¹ / (2(L'+1)), k = 0 ... L'+1.
     factor: Vec<f64>,
-    forward: Arc<dyn RealToComplex<f64>>,
-    backward: Arc<dyn ComplexToReal<f64>>,
+    fourier: RealFourier,
 }
 
 /// Plans and buffers, kept over all steps on one edge.
@@ -27,25 +28,22 @@ pub(crate) struct Preconditioner<'a> {
     operator: &'a EdgeOperator,
     planner: RealFftPlanner<f64>,
     plans: HashMap<usize, GapPlan>,
-    real: Vec<f64>,
-    spectrum: Vec<Complex<f64>>,
-    scratch: Vec<Complex<f64>>,
+    work: Workspace,
 }
 
 impl<'a> Preconditioner<'a> {
     pub(crate) fn new(operator: &'a EdgeOperator) -> Self {
-        Self {
-            operator,
-            planner: RealFftPlanner::new(),
-            plans: HashMap::new(),
-            real: Vec::new(),
-            spectrum: Vec::new(),
-            scratch: Vec::new(),
-        }
+        Self { operator, planner: RealFftPlanner::new(), plans: HashMap::new(), work: Workspace::default() }
     }
 
     /// z ← B r on the face.
-    pub(crate) fn apply(&mut self, face: &Face, r: &[f64], z: &mut [f64], work: &mut Workspace) {
+    pub(crate) fn apply(
+        &mut self,
+        face: &Face,
+        r: &[f64],
+        z: &mut [f64],
+        work: &mut Workspace,
+    ) -> Result<()> {
         let nodes = self.operator.nodes();
         let diagonal = 1.0 / self.operator.norm();
         for run in face.runs() {
@@ -53,14 +51,15 @@ impl<'a> Preconditioner<'a> {
         }
         for gap in face.gaps() {
             if gap.len == nodes {
-                self.operator.solve_into(r, z, work);
+                self.operator.solve_into(r, z, work)?;
             } else {
-                self.gap(gap, r, z);
+                self.gap(gap, r, z)?;
             }
         }
+        Ok(())
     }
 
-    fn gap(&mut self, gap: Block, r: &[f64], z: &mut [f64]) {
+    fn gap(&mut self, gap: Block, r: &[f64], z: &mut [f64]) -> Result<()> {
         let nodes = self.operator.nodes();
         let natural = self.operator.sides() == Sides::Natural;
         let mirror_left = natural && gap.start == 0;
@@ -68,52 +67,40 @@ impl<'a> Preconditioner<'a> {
         let mirrored = mirror_left || mirror_right;
         let length = if mirrored { 2 * gap.len - 1 } else { gap.len };
         let half = smooth_at_least(length + 1);
-        if !self.plans.contains_key(&half) {
-            let plan = self.plan(half);
-            self.plans.insert(half, plan);
-        }
-        let Some(plan) = self.plans.get(&half) else {
-            return;
+        let plan = match self.plans.entry(half) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(place) => place.insert(GapPlan::new(self.operator, &mut self.planner, half)),
         };
         let period = 2 * half;
-        self.real.clear();
-        self.real.resize(period, 0.0);
+        let work = &mut self.work;
+        plan.fourier.fit(work);
+        work.real.fill(0.0);
         let value = |j: usize| r[(gap.start + j) % nodes];
         // Position 1 + j on the odd grid; the end node of a natural side is the centre of the mirrored gap and its dual
         // value counts twice there.
         for j in 0..gap.len {
             let v = value(j);
             if !mirrored {
-                self.real[1 + j] = v;
+                work.real[1 + j] = v;
             } else {
                 let distance = if mirror_left { j } else { gap.len - 1 - j };
                 let centre = gap.len;
                 if distance == 0 {
-                    self.real[centre] = 2.0 * v;
+                    work.real[centre] = 2.0 * v;
                 } else {
-                    self.real[centre - distance] = v;
-                    self.real[centre + distance] = v;
+                    work.real[centre - distance] = v;
+                    work.real[centre + distance] = v;
                 }
             }
         }
         for j in 1..=length {
-            self.real[period - j] = -self.real[j];
+            work.real[period - j] = -work.real[j];
         }
-        self.spectrum.clear();
-        self.spectrum.resize(half + 1, Complex::default());
-        let scratch = plan.forward.get_scratch_len().max(plan.backward.get_scratch_len());
-        if self.scratch.len() < scratch {
-            self.scratch.resize(scratch, Complex::default());
-        }
-        // Lengths are those of the plan.
-        let done = plan.forward.process_with_scratch(&mut self.real, &mut self.spectrum, &mut self.scratch);
-        debug_assert!(done.is_ok());
-        for (value, factor) in self.spectrum.iter_mut().zip(&plan.factor) {
+        plan.fourier.forward(work)?;
+        for (value, factor) in work.spectrum.iter_mut().zip(&plan.factor) {
             *value = Complex::new(0.0, value.im * factor);
         }
-        self.spectrum[half].im = 0.0;
-        let done = plan.backward.process_with_scratch(&mut self.spectrum, &mut self.real, &mut self.scratch);
-        debug_assert!(done.is_ok());
+        plan.fourier.backward(work)?;
         for j in 0..gap.len {
             let position = if !mirrored {
                 1 + j
@@ -122,12 +109,15 @@ impl<'a> Preconditioner<'a> {
             } else {
                 1 + j
             };
-            z[(gap.start + j) % nodes] = self.real[position];
+            z[(gap.start + j) % nodes] = work.real[position];
         }
+        Ok(())
     }
+}
 
-    fn plan(&mut self, half: usize) -> GapPlan {
-        let symbol = self.operator.symbol();
+impl GapPlan {
+    fn new(operator: &EdgeOperator, planner: &mut RealFftPlanner<f64>, half: usize) -> Self {
+        let symbol = operator.symbol();
         let last = symbol.len() - 1;
         let factor = (0..=half)
             .map(|k| {
@@ -138,11 +128,7 @@ impl<'a> Preconditioner<'a> {
                 1.0 / (((1.0 - t) * symbol[i] + t * symbol[i + 1]) * (2 * half) as f64)
             })
             .collect();
-        GapPlan {
-            factor,
-            forward: self.planner.plan_fft_forward(2 * half),
-            backward: self.planner.plan_fft_inverse(2 * half),
-        }
+        Self { factor, fourier: RealFourier::new(planner, 2 * half) }
     }
 }
 
@@ -165,7 +151,7 @@ fn smooth_at_least(n: usize) -> usize {
 mod tests {
     use super::*;
     use crate::cone::Cone;
-    use crate::strip::ScalarStrip;
+    use crate::strip::operator::scalar::ScalarStrip;
 
     #[test]
     fn smooth_numbers() {
@@ -189,7 +175,7 @@ mod tests {
             let face = Face::new(operator.cone(Cone::Nodal), &active);
             let mut image = |r: &[f64]| {
                 let mut z = vec![0.0; 33];
-                preconditioner.apply(&face, r, &mut z, &mut operator.workspace());
+                preconditioner.apply(&face, r, &mut z, &mut operator.workspace()).unwrap();
                 face.project(&mut z);
                 z
             };

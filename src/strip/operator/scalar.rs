@@ -12,27 +12,12 @@
 //! Cost: O(n) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
-use super::sides::{Sides, check_cells};
+use super::load::{EdgeLoad, mass_row};
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite, require_length};
+use crate::strip::sides::{Sides, check_cells};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
-
-/// J(g) = ½ g'A g − b'g + c on the contact edge.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EdgeLoad {
-    /// b: nodal forces on the edge.
-    pub force: Vec<f64>,
-    /// c: the energy of the interior under the volume load with the edge held.
-    pub constant: f64,
-}
-
-impl EdgeLoad {
-    /// Forces on the contact edge only.
-    pub fn on_edge(force: Vec<f64>) -> Self {
-        Self { force, constant: 0.0 }
-    }
-}
 
 /// The scalar strip with n × m cells, reduced to its edge.
 #[derive(Debug, Clone)]
@@ -91,7 +76,7 @@ impl ScalarStrip {
         for j in (0..self.layers).rev() {
             row(j, &mut values);
             require_finite("volume load", &values)?;
-            let load = operator.dual_modes(&values);
+            let load = operator.dual_modes(&values)?;
             for k in 0..modes {
                 let pull = if excess[k].is_finite() { carried[k] / (1.0 + excess[k]) } else { 0.0 };
                 carried[k] = load[k].re + pull;
@@ -108,7 +93,7 @@ impl ScalarStrip {
             constant -= 0.5 * operator.mode_sum_of(|k| carried[k] * carried[k] / (1.0 + excess[k]));
         }
         let modes: Vec<Complex<f64>> = carried.iter().map(|&v| Complex::new(v, 0.0)).collect();
-        let mut force = operator.with_modes(&modes);
+        let mut force = operator.with_modes(&modes)?;
         force.iter_mut().enumerate().for_each(|(i, b)| *b *= operator.weight(i));
         Ok(EdgeLoad { force, constant })
     }
@@ -156,26 +141,6 @@ pub(crate) fn check_layers(layers: usize) -> Result<()> {
         Ok(())
     } else {
         Err(Error::CountOutOfRange { name: "layers", value: layers, range: "[1, 2^26]" })
-    }
-}
-
-/// One row of the consistent P1 load: the mass matrix applied to nodal values in the rows below, here and above
-/// (`below` is empty on the contact edge). Squares cut from bottom left to top right, h = 1/n.
-pub(crate) fn mass_row(n: usize, sides: Sides, below: &[f64], here: &[f64], above: &[f64], out: &mut [f64]) {
-    let unit = 1.0 / (24.0 * (n * n) as f64);
-    let nodes = sides.nodes(n);
-    out.fill(0.0);
-    // Each triangle (a, b, c) gives its vertex a the load h²/24 (2 f_a + f_b + f_c).
-    for cell in 0..n {
-        let (left, right) = (cell, (cell + 1) % nodes);
-        let (bl, br, tl, tr) = (here[left], here[right], above[left], above[right]);
-        out[left] += unit * ((2.0 * bl + br + tr) + (2.0 * bl + tr + tl));
-        out[right] += unit * (2.0 * br + bl + tr);
-        if !below.is_empty() {
-            let (bl, br, tl, tr) = (below[left], below[right], here[left], here[right]);
-            out[left] += unit * (2.0 * tl + bl + tr);
-            out[right] += unit * ((2.0 * tr + bl + br) + (2.0 * tr + bl + tl));
-        }
     }
 }
 

@@ -57,7 +57,7 @@ fn low_mode(k: usize, cells: usize, layers: usize, lame: Lame) -> EdgeMatrix {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strip::elastic::edge_matrices;
+    use crate::strip::operator::elastic::edge_matrices;
 
     #[test]
     fn double_double_and_plain_differences_meet() {

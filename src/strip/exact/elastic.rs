@@ -7,19 +7,22 @@
 //!
 //! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode.
 
-use super::edge::EdgeOperator;
-use super::edge_data::EdgeData;
-use super::elastic::{EdgeMatrix, edge_matrices};
-use super::elastic_defect::{aliased, halvings};
-use super::exact::{layers_on, level_of, power_of_two, pyramid};
-use super::scalar::EdgeLoad;
-use super::sides::Sides;
-use super::transfer::prolong;
+use super::grids::{layers_on, level_of, power_of_two, pyramid};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Lame;
 use crate::numeric::check::require_length;
+use crate::strip::edge_data::EdgeData;
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
+use crate::strip::operator::elastic_defect::{aliased, halvings};
+use crate::strip::operator::load::EdgeLoad;
+use crate::strip::sides::Sides;
+use crate::strip::transfer::prolong;
 use realfft::num_complex::Complex;
+
+/// Relative rounding of the defects: those of low modes are rounded from double-double, the others keep eleven digits.
+const DEFECTS: f64 = 1e-11;
 
 /// Exact elastic edge data on a fine grid, its loads on all coarser grids, and errors against it.
 #[derive(Debug, Clone)]
@@ -43,14 +46,15 @@ impl ExactElastic {
     /// `coarsest` is the smallest number of cells errors are wanted for.
     ///
     /// # Errors
-    /// [`Error::DoesNotFit`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the numbers of layers
+    /// [`Error::Incompatible`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the numbers of layers
     /// are powers of two.
     pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
         if scene.sides() != Sides::Periodic {
-            return Err(Error::DoesNotFit {
+            return Err(Error::Incompatible {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
-                expected: "periodic sides for the elastic strip",
+                with: "the elastic strip",
+                expected: "periodic sides",
             });
         }
         let cells = scene.cells();
@@ -98,7 +102,7 @@ impl ExactElastic {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Periodic);
-        self.exact = displacement(&self.operator, &self.matrices[0], scene.values());
+        self.exact = displacement(&self.operator, &self.matrices[0], scene.values())?;
         self.norm = self.operator.energy(scene.values())?.sqrt();
         Ok(())
     }
@@ -144,10 +148,10 @@ impl ExactElastic {
         require_length("edge values", values.len(), cells)?;
         let flat = |n: usize| EdgeOperator::new(n, Sides::Periodic, vec![1.0; n / 2 + 1]);
         let coarse = flat(cells)?;
-        let discrete = displacement(&coarse, &self.matrices[level], values);
+        let discrete = displacement(&coarse, &self.matrices[level], values)?;
         let interior = match level {
             0 => 0.0,
-            _ => form(&coarse, &self.defects[level - 1], &discrete),
+            _ => form(&coarse, &self.defects[level - 1], &discrete)?,
         };
         let mut difference = discrete;
         for (component, exact) in difference.iter_mut().zip(&self.exact) {
@@ -156,24 +160,24 @@ impl ExactElastic {
             }
             component.iter_mut().zip(exact).for_each(|(p, g)| *p = g - *p);
         }
-        let edge = form(&flat(self.cells)?, &self.matrices[0], &difference);
+        let edge = form(&flat(self.cells)?, &self.matrices[0], &difference)?;
         let square = edge + interior;
-        // As in the scalar case; the defects of low modes are rounded from double-double, of others to 1e-11.
+        // d is known to ε|v| in each component, as in the scalar case.
         let shift = 2.0 * f64::EPSILON * self.norm;
         let work = Work { points: 2 * self.cells as u64, ..Work::default() };
-        Estimate::new(square.sqrt(), shift + 1e-11 * square.sqrt(), work)
+        Estimate::new(square.sqrt(), shift + DEFECTS * square.sqrt(), work)
     }
 }
 
 /// (u_x, u_y) from u_N = −u_y without tangential force.
-fn displacement(operator: &EdgeOperator, matrices: &[EdgeMatrix], normal: &[f64]) -> [Vec<f64>; 2] {
-    let modes = operator.modes(normal);
+fn displacement(operator: &EdgeOperator, matrices: &[EdgeMatrix], normal: &[f64]) -> Result<[Vec<f64>; 2]> {
+    let modes = operator.modes(normal)?;
     let x: Vec<Complex<f64>> = modes.iter().zip(matrices).map(|(u, a)| a.xy * u / a.xx).collect();
-    [operator.with_modes(&x), normal.iter().map(|v| -v).collect()]
+    Ok([operator.with_modes(&x)?, normal.iter().map(|v| -v).collect()])
 }
 
 /// Σ over modes of v*M v.
-fn form(operator: &EdgeOperator, matrices: &[EdgeMatrix], v: &[Vec<f64>; 2]) -> f64 {
-    let [x, y] = [0, 1].map(|axis| operator.modes(&v[axis]));
-    operator.mode_sum_of(|k| matrices[k].form(x[k], y[k]))
+fn form(operator: &EdgeOperator, matrices: &[EdgeMatrix], v: &[Vec<f64>; 2]) -> Result<f64> {
+    let (x, y) = (operator.modes(&v[0])?, operator.modes(&v[1])?);
+    Ok(operator.mode_sum_of(|k| matrices[k].form(x[k], y[k])))
 }

@@ -8,12 +8,13 @@
 //! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
-use super::scalar::{EdgeLoad, check_layers, mass_row};
-use super::sides::{Sides, check_cells};
+use super::load::{EdgeLoad, mass_row};
+use super::scalar::check_layers;
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result};
 use crate::fem::Lame;
 use crate::numeric::check::{require_finite, require_length};
+use crate::strip::sides::{Sides, check_cells};
 use qd::Quad;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
@@ -146,7 +147,7 @@ impl ElasticStrip {
             row(j, &mut values);
             require_finite("volume load", &values[0])?;
             require_finite("volume load", &values[1])?;
-            let [x, y] = [0, 1].map(|axis| operator.modes(&values[axis]));
+            let [x, y] = [operator.modes(&values[0])?, operator.modes(&values[1])?];
             for (k, column) in columns.iter_mut().enumerate() {
                 column.load[0] += x[k];
                 column.load[1] += y[k];
@@ -167,8 +168,8 @@ impl ElasticStrip {
             })
             .collect();
         Ok(ElasticLoad {
-            normal: EdgeLoad { force: operator.with_modes(&normal), constant },
-            tangential: operator.with_modes(&tangential),
+            normal: EdgeLoad { force: operator.with_modes(&normal)?, constant },
+            tangential: operator.with_modes(&tangential)?,
         })
     }
 
@@ -180,12 +181,12 @@ impl ElasticStrip {
         require_length("tangential load", load.tangential.len(), self.operator.nodes())?;
         self.operator.check_field("tangential load", &load.tangential)?;
         self.operator.check_field("edge values", normal)?;
-        let force = self.operator.modes(&load.tangential);
-        let modes = self.operator.modes(normal);
+        let force = self.operator.modes(&load.tangential)?;
+        let modes = self.operator.modes(normal)?;
         let x: Vec<Complex<f64>> = (0..modes.len())
             .map(|k| (force[k] + self.matrices[k].xy * modes[k]) / self.matrices[k].xx)
             .collect();
-        Ok(self.operator.with_modes(&x))
+        self.operator.with_modes(&x)
     }
 }
 

@@ -144,7 +144,7 @@ fn sinh_minus_sin(y: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strip::scalar::scalar_symbol;
+    use crate::strip::operator::scalar::scalar_symbol;
 
     /// ε/θ³ relative is what the plain differences keep; the tests use θ where that is below this.
     const PLAIN: f64 = 1e-9;

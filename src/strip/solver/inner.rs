@@ -3,11 +3,12 @@
 //! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the energy norm of
 //! the error with constants near 1. Iterations needed for a given reduction do not depend on n or on the gaps.
 
-use super::edge::{EdgeOperator, Workspace};
 use super::precondition::Preconditioner;
 use crate::cone::Face;
 use crate::error::Result;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::fourier::Workspace;
 
 /// What one inner solve did.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,13 +38,13 @@ struct OnFace<'s, 'a> {
 
 impl System for OnFace<'_, '_> {
     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
-        self.operator.apply_into(x, out, self.work);
+        self.operator.apply_into(x, out, self.work)?;
         self.face.project(out);
         Ok(())
     }
 
     fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()> {
-        self.preconditioner.apply(self.face, r, out, self.work);
+        self.preconditioner.apply(self.face, r, out, self.work)?;
         self.face.project(out);
         Ok(())
     }
@@ -83,7 +84,7 @@ impl<'a> FaceSolver<'a> {
         self.iteration.start(&mut system, &self.residual)?;
         let scale = self.iteration.rho().sqrt();
         face.project(x);
-        system.operator.apply_into(x, &mut self.image, system.work);
+        system.operator.apply_into(x, &mut self.image, system.work)?;
         for i in 0..x.len() {
             self.residual[i] = b[i] - self.image[i];
         }
@@ -102,7 +103,7 @@ impl<'a> FaceSolver<'a> {
     }
 
     /// A x.
-    pub(crate) fn product(&mut self, x: &[f64], out: &mut [f64]) {
-        self.operator.apply_into(x, out, &mut self.work);
+    pub(crate) fn product(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
+        self.operator.apply_into(x, out, &mut self.work)
     }
 }

@@ -1,27 +1,25 @@
-//! Pictures of Lemma 5.2, one frame per value of a parameter: extremal functions as the zone shrinks, growth of the
-//! constant as the order passes 1/2. All frames of one sequence share their axes.
+//! Pictures of Lemma 5.2, one frame per value of a parameter: extremal functions as the zone shrinks, growth
+//! of the constant as the order passes 1/2. All frames of one sequence share their axes.
 
-use super::constant::{extremal, gamma};
-use super::limits::printed_growth;
-use super::zone::{Condition, Zone};
-use crate::error::Result;
-use crate::estimate::Tolerance;
-use crate::figures::{Axis, Chart, PALETTE, Series};
-use crate::sobolev::FractionalOrder;
+use signorini::figures::{Axis, Chart, PALETTE, Series};
+use signorini::poincare::{Condition, Zone, extremal, gamma, printed_growth};
+use signorini::sobolev::FractionalOrder;
+use signorini::{Result, Tolerance};
 
 /// Points per cell of the graded mesh: the pictures resolve every scale between θ and 1.
 const PER_CELL: usize = 6;
 /// Where the horizontal axis begins; u is nearly constant there.
 const NEAREST: f64 = 1e-8;
 
-/// The functions with mean zero on (0, θ) for which ‖u‖₀/|u|_ν is largest, ‖u‖₀ = 1, one curve per order; the zone is
-/// shaded, and the legend carries γ_θ(ν).
+/// The functions with mean zero on (0, θ) for which ‖u‖₀/|u|_ν is largest, ‖u‖₀ = 1, one curve per order; the
+/// zone is shaded, and the legend carries γ_θ(ν).
 ///
 /// # Errors
 /// As for [`extremal`].
 ///
 /// ```
-/// use signorini::{Tolerance, poincare::extremal_chart, sobolev::FractionalOrder};
+/// use example_frame::poincare::extremal_chart;
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
 /// let chart = extremal_chart(&[FractionalOrder::HALF], 1e-2, Tolerance::fast())?;
 /// assert!(chart.svg()?.contains("γ = 0.8428"));
 /// # Ok::<(), signorini::Error>(())
@@ -41,7 +39,8 @@ pub fn extremal_chart(orders: &[FractionalOrder], theta: f64, tolerance: Toleran
     Ok(chart)
 }
 
-/// γ_θ(ν) for zones (0, θ) of the given lengths, beside the growth printed in (5.1)-(5.3) through the first of them.
+/// γ_θ(ν) for zones (0, θ) of the given lengths, beside the growth printed in (5.1)-(5.3) through the first
+/// of them.
 ///
 /// # Errors
 /// As for [`gamma`].

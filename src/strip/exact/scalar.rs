@@ -9,52 +9,22 @@
 //! `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference of energies loses
 //! six and more digits at n = 2^18. Cost: one transform of length N per error.
 
-use super::defect::{halving, harmonic_defect, harmonic_symbol};
-use super::edge::EdgeOperator;
-use super::edge_data::EdgeData;
-use super::scalar::{EdgeLoad, check_layers, scalar_symbol};
-use super::sides::Sides;
-use super::transfer::{prolong, restrict};
+use super::grids::{layers_on, level_of, power_of_two, pyramid};
+use super::reference::Reference;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::check::require_length;
+use crate::strip::edge_data::EdgeData;
+use crate::strip::operator::defect::{halving, harmonic_defect, harmonic_symbol};
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::load::EdgeLoad;
+use crate::strip::operator::scalar::scalar_symbol;
+use crate::strip::sides::Sides;
+use crate::strip::transfer::prolong;
 use std::f64::consts::PI;
-use std::fmt;
-use std::str::FromStr;
 
-/// What the discrete solutions are compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reference {
-    /// The discrete solution on the strip of the fine grid.
-    Nested,
-    /// The continuous harmonic function above the fine edge data.
-    Harmonic,
-}
-
-impl fmt::Display for Reference {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Reference::Nested => "nested",
-            Reference::Harmonic => "harmonic",
-        })
-    }
-}
-
-impl FromStr for Reference {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        match text {
-            "nested" => Ok(Reference::Nested),
-            "harmonic" => Ok(Reference::Harmonic),
-            _ => Err(Error::UnknownName {
-                what: "reference",
-                given: text.to_owned(),
-                expected: "nested or harmonic",
-            }),
-        }
-    }
-}
+/// Relative rounding of the defects and of the sum over modes: closed forms without cancellation, a few dozen ε.
+const DEFECTS: f64 = 1e-14;
 
 /// Exact edge data g, λ on a fine grid, its loads on all coarser grids, and errors against it.
 #[derive(Debug, Clone)]
@@ -76,14 +46,15 @@ impl ExactEdge {
     /// The scene as exact solution on the strip of height `height.0/height.1`; natural sides.
     ///
     /// # Errors
-    /// [`Error::DoesNotFit`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
+    /// [`Error::Incompatible`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
     /// height gives a whole number of layers on it.
     pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
-            return Err(Error::DoesNotFit {
+            return Err(Error::Incompatible {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
-                expected: "natural sides for the scalar strip",
+                with: "the scalar strip",
+                expected: "natural sides",
             });
         }
         let cells = scene.cells();
@@ -170,14 +141,14 @@ impl ExactEdge {
         // d is known to ε|g|; by Cauchy and Schwarz that moves |u − u_h| by at most ε |g|_a.
         let shift = f64::EPSILON * self.norm;
         let work = Work { points: self.values.len() as u64, ..Work::default() };
-        Estimate::new(square.sqrt(), shift + 1e-14 * square.sqrt(), work)
+        Estimate::new(square.sqrt(), shift + DEFECTS * square.sqrt(), work)
     }
 
     /// ⟨G g_h, g_h⟩.
     fn interior(&self, level: usize, cells: usize, values: &[f64]) -> Result<f64> {
         let layers = self.layers(cells)? as f64;
         let coarse = EdgeOperator::new(cells, Sides::Natural, vec![1.0; cells + 1])?;
-        let modes = coarse.modes(values);
+        let modes = coarse.modes(values)?;
         Ok(match self.reference {
             Reference::Nested if level == 0 => 0.0,
             Reference::Nested => coarse.mode_sum(&modes, |k| self.defects[level - 1][k]),
@@ -190,53 +161,6 @@ impl ExactEdge {
     fn level(&self, cells: usize) -> Result<usize> {
         level_of(self.cells, cells, self.loads.len())
     }
-}
-
-/// How often `fine` is halved to give `cells`, less than `levels` times.
-pub(crate) fn level_of(fine: usize, cells: usize, levels: usize) -> Result<usize> {
-    let level = (0..levels).find(|&level| fine >> level == cells);
-    level.ok_or(Error::CountOutOfRange {
-        name: "cells",
-        value: cells,
-        range: "the halvings of the reference grid",
-    })
-}
-
-pub(crate) fn power_of_two(cells: usize) -> Result<()> {
-    if cells.is_power_of_two() && cells >= 2 {
-        Ok(())
-    } else {
-        Err(Error::CountOutOfRange { name: "cells", value: cells, range: "the powers of two from 2" })
-    }
-}
-
-/// n·height as a whole number.
-pub(crate) fn layers_on(cells: usize, height: (usize, usize)) -> Result<usize> {
-    let (up, down) = height;
-    if down == 0 || !(cells * up).is_multiple_of(down) {
-        return Err(Error::CountOutOfRange {
-            name: "cells",
-            value: cells,
-            range: "the numbers n with n·height whole",
-        });
-    }
-    let layers = cells * up / down;
-    check_layers(layers)?;
-    Ok(layers)
-}
-
-/// The load and its restrictions P'b, P'P'b, ... down to two cells.
-pub(crate) fn pyramid(force: Vec<f64>, sides: Sides) -> Vec<Vec<f64>> {
-    let smallest = sides.nodes(2);
-    let mut loads = vec![force];
-    while let Some(last) = loads.last() {
-        if last.len() <= smallest {
-            break;
-        }
-        let coarse = restrict(last, sides);
-        loads.push(coarse);
-    }
-    loads
 }
 
 /// G on N/2, N/4, ..., 2 cells against N cells with `layers` layers.
