@@ -5,13 +5,13 @@
 //! cluster's length and kernels multiplied by both, so that nothing leaves the range of binary64. Near pairs of leaves are
 //! stored, entry by entry as accurate as the dense matrix. Memory about 60 N numbers.
 
-use super::cells::CellPairs;
 use super::cluster::{Blocks, ClusterTree};
-use super::partition::Partition;
-use super::power::PowerKernel;
 use crate::error::Result;
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
+use crate::sobolev::kernel::cells::CellPairs;
+use crate::sobolev::kernel::power::PowerKernel;
+use crate::sobolev::partition::Partition;
 use rayon::prelude::*;
 
 /// Chebyshev points of (0, 1) and their barycentric weights.

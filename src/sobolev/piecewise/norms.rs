@@ -1,28 +1,27 @@
-//! Norms of order m + ν of piecewise polynomials, (1.1) of the paper.
+//! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments as for functions.
 //!
 //! |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m = 0, 1.
 //!
 //! Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which
 //! uses that constants have seminorm zero and so keeps its digits when u is nearly constant; other degrees are integrated
-//! pair by pair ([`super::polynomial_pairs`]). Everything is exact to rounding; the [`Tolerance`] is what the rounding is
+//! pair by pair ([`super::pairs`]). Everything is exact to rounding; the [`Tolerance`] is what the rounding is
 //! held against. Cost O(N²) kernel values, without a stored matrix; beyond 3000 elements constants and linears take the fast
 //! product xᵀAx, whose rounding is relative to Σ a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds)
 //! where that rounding exceeds the tolerance.
 
-use super::cells::CellPairs;
-use super::gram::{FarRow, constants_on, neighbours_linear};
-use super::operator::GramOperator;
-use super::order::FractionalOrder;
-use super::piecewise::PiecewisePolynomial;
-use super::polynomial_pairs::{Cell, PairSum, PolynomialPairs};
+use super::pairs::{Cell, PairSum, PolynomialPairs};
+use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::power_of_two;
 use crate::numeric::sum::RunningSum;
+use crate::quadrature::Rule;
+use crate::sobolev::gram::GramOperator;
+use crate::sobolev::gram::dense::{FarRow, constants_on, neighbours_linear};
+use crate::sobolev::kernel::cells::CellPairs;
+use crate::sobolev::order::FractionalOrder;
+use crate::sobolev::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled_root};
 use rayon::prelude::*;
-
-/// Relative rounding of one entry or one pair.
-const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Elements up to which all pairs are summed directly.
 const DIRECT: usize = 3000;
@@ -34,36 +33,55 @@ const FAST_FORM: Tolerance = Tolerance::reference();
 const FAST_ROUNDING: f64 = 1e-13;
 
 impl PiecewisePolynomial {
-    /// The seminorm |u^{(m)}|_ν, m = 0 or 1.
+    /// The seminorm |u|_ν.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] when u^{(m)} jumps and ν ≥ 1/2, or u jumps and m = 1; [`Error::CountOutOfRange`] for m > 1;
-    /// [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
-    pub fn seminorm(&self, m: usize, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, squared) = self.scaled_seminorm_squared(m, order, tolerance)?;
-        accept("seminorm", scaled_root(scale, squared)?, tolerance)
+    /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
+    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
 
-    /// The norm ||u||_{m+ν}, m = 0 or 1.
+    /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
-    pub fn norm(&self, m: usize, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        let (top_scale, top) = self.scaled_seminorm_squared(m, order, tolerance)?;
-        let mut parts = vec![scaled_root(top_scale, top)?, self.l2_norm()?];
-        if m == 1 {
-            parts.push(self.derivative()?.l2_norm()?);
-        }
+    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance)
     }
 
-    /// The L² norm, exact to rounding.
+    /// The norm ||u||_{1+ν} of a function and its derivative, [`PiecewisePolynomial::derivative`].
+    ///
+    /// # Errors
+    /// As [`PiecewisePolynomial::seminorm`] for the derivative; [`Error::InfiniteNorm`] when u jumps;
+    /// [`Error::OutOfRange`] when the two live on intervals of different length.
+    pub fn norm_with_derivative(
+        &self,
+        derivative: &Self,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        let total = derivative.partition().total();
+        let same = self.partition().total() == total;
+        Error::require("length of the derivative's interval", total, "that of the function", same)?;
+        if !self.is_continuous() {
+            return Err(Error::InfiniteNorm {
+                order: 1.0 + order.value(),
+                why: "a function that jumps has no derivative in L^2",
+            });
+        }
+        let top = derivative.seminorm_as_it_is(order, tolerance)?;
+        let parts = [top, self.l2_norm(tolerance)?, derivative.l2_norm(tolerance)?];
+        accept("norm", root_of_squares(&parts)?, tolerance)
+    }
+
+    /// The L² norm, exact to rounding, which meets every tolerance.
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn l2_norm(&self) -> Result<Estimate> {
+    pub fn l2_norm(&self, _tolerance: Tolerance) -> Result<Estimate> {
         let scale = self.scale();
-        let rule = crate::quadrature::Rule::gauss_legendre(self.degree() + 1)?;
+        let rule = Rule::gauss_legendre(self.degree() + 1)?;
         let mut sum = RunningSum::default();
         // The length may overflow a product of its own; the root is taken of values in units of the interval.
         let total = self.partition().total();
@@ -79,26 +97,11 @@ impl PiecewisePolynomial {
         power_of_two(self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max))
     }
 
-    /// (S, |u^{(m)}/S|²_ν).
-    fn scaled_seminorm_squared(
-        &self,
-        m: usize,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-    ) -> Result<(f64, Estimate)> {
-        match m {
-            0 => {
-                self.require_finite_seminorm(order)?;
-                let scale = self.scale();
-                Ok((scale, self.scaled_by(1.0 / scale).seminorm_squared_of_moderate(order, tolerance)?))
-            }
-            1 if !self.is_continuous() => Err(Error::InfiniteNorm {
-                order: 1.0 + order.value(),
-                why: "a function that jumps has no derivative in L^2",
-            }),
-            1 => self.derivative()?.scaled_seminorm_squared(0, order, tolerance),
-            _ => Err(Error::CountOutOfRange { name: "derivatives m", value: m, range: "0 or 1" }),
-        }
+    /// |u|_ν with whatever error it has; computed for u over a power of two.
+    fn seminorm_as_it_is(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        self.require_finite_seminorm(order)?;
+        let scale = self.scale();
+        scaled_root(scale, self.scaled_by(1.0 / scale).seminorm_squared_of_moderate(order, tolerance)?)
     }
 
     fn require_finite_seminorm(&self, order: FractionalOrder) -> Result<()> {
@@ -118,7 +121,7 @@ impl PiecewisePolynomial {
         }
     }
 
-    fn is_exactly(&self, shape: impl Fn(&super::piecewise::Piece) -> bool) -> bool {
+    fn is_exactly(&self, shape: impl Fn(&super::polynomial::Piece) -> bool) -> bool {
         self.pieces().iter().all(|piece| piece.bubbles.is_empty() && shape(piece))
     }
 
@@ -238,32 +241,4 @@ impl PairSum {
 
 fn pair_work(n: usize) -> Work {
     Work { pairs: (n * (n + 1) / 2) as u64, ..Work::default() }
-}
-
-fn scaled_root(scale: f64, squared: Estimate) -> Result<Estimate> {
-    let root = squared.sqrt()?;
-    Estimate::new(scale * root.value, scale * root.error, root.work)
-}
-
-/// √(Σ parts²) without overflow, with its error.
-pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
-    let value = parts.iter().fold(0.0, |norm, part| part.value.hypot(norm));
-    let mut error = 0.0;
-    let mut work = Work::default();
-    for part in parts {
-        let weight = if value > 0.0 { part.value / value } else { 1.0 };
-        error += part.error * weight;
-        work += part.work;
-    }
-    Estimate::new(value, error, work)
-}
-
-/// The estimate, unless its error exceeds the tolerance.
-pub(crate) fn accept(what: &'static str, estimate: Estimate, tolerance: Tolerance) -> Result<Estimate> {
-    // Nothing can be asked below the rounding of the result itself.
-    let asked = tolerance.relative().max(ENTRY_ROUNDING);
-    if estimate.relative_error() <= asked || estimate.value == 0.0 {
-        return Ok(estimate);
-    }
-    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached: estimate.relative_error() })
 }

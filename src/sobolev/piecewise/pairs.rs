@@ -5,12 +5,12 @@
 //! - touching elements, jump J: u(x)−u(y) = J + ξD in Duffy's coordinates, D from quotients that hold the common value exactly;
 //! - separate elements: Gauss rules on pieces that grow away from the other element.
 
-use super::order::FractionalOrder;
-use super::piecewise::Piece;
-use super::power::{PowerKernel, gauss_for_degree, graded_gauss_degree};
+use super::polynomial::Piece;
 use crate::error::Result;
 use crate::numeric::scale::power_between;
 use crate::quadrature::{PowerWeightRule, Rule};
+use crate::sobolev::kernel::power::{PowerKernel, gauss_for_degree, graded_gauss_degree};
+use crate::sobolev::order::FractionalOrder;
 
 /// An element with its polynomial.
 #[derive(Clone, Copy)]

@@ -5,12 +5,12 @@
 //! the tail is ρ_K ∫_K^∞ s K^s k^{-s-1} (1+λ_k)^{-ν} dk ≈ (1+λ_K)^{-ν} ρ_K s/(s+2ν), and the error is that of three successive doublings.
 //! Cost: O(1) per coefficient and element for piecewise linears, by parts; O(k) points otherwise.
 
-use super::order::FractionalOrder;
-use super::piecewise::PiecewisePolynomial;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
+use crate::sobolev::order::FractionalOrder;
+use crate::sobolev::piecewise::PiecewisePolynomial;
 
 /// Coefficients of a spectral sum at most, and values of the function at most: a second or two.
 const MAX_MODES: usize = 1 << 15;
@@ -28,7 +28,8 @@ impl PiecewisePolynomial {
     ) -> Result<Estimate> {
         let total = self.partition().total();
         let scale = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
-        let whole = if scale > 0.0 { (self.l2_norm()?.value / scale / total.sqrt()).powi(2) } else { 0.0 };
+        let whole =
+            if scale > 0.0 { (self.l2_norm(tolerance)?.value / scale / total.sqrt()).powi(2) } else { 0.0 };
         if whole == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
@@ -149,7 +150,7 @@ impl Tail {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{DualOf, Partition};
+    use crate::sobolev::{DualOf, Partition};
     use super::*;
     use std::f64::consts::PI;
 

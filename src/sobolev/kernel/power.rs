@@ -5,8 +5,8 @@
 //! ℓ ≪ x harmless. Moments about t = 0 (τ = x + t) subtract these; they do so only for ℓ > 2x, where at most a digit is
 //! lost. For ℓ ≤ 2x the integrand is analytic in an ellipse of known size and a Gauss rule of known order is exact to rounding.
 
-use super::order::FractionalOrder;
 use crate::quadrature::Rule;
+use crate::sobolev::order::FractionalOrder;
 use std::sync::OnceLock;
 
 /// Orders 1 ..= MAX_POINTS of the Gauss rules kept at hand.

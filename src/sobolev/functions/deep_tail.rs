@@ -7,11 +7,11 @@
 //! polynomials, p = Σ c_k T_k, and the divided difference is Σ c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1},
 //! D_k = (T_k(x) − T_k(y))/(x − y), at x − y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
 
-use super::arm_integral::{ArmValue, Level};
 use super::function::{Arm, SingularFunction};
-use super::power::PowerKernel;
+use super::level::{ArmValue, Level};
 use crate::error::{Error, Result};
 use crate::quadrature::{Limit, PowerWeightRule, Rule, extrapolate};
+use crate::sobolev::kernel::power::PowerKernel;
 use std::f64::consts::PI;
 
 /// Width of a cell in τ.

@@ -7,13 +7,14 @@
 //! pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0 and decays as its break point allows ([`super::arm_integral`]).
 //! Distances keep their digits: δ(e^s − 1) on one arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
 
-use super::arm_integral::{ArmIntegral, Density, Level};
+use super::arm_integral::ArmIntegral;
 use super::deep_tail::DeepTail;
 use super::function::{Arm, SingularFunction};
-use super::order::FractionalOrder;
-use super::power::PowerKernel;
+use super::level::{Density, Level, LevelValue};
 use crate::error::Result;
 use crate::quadrature::{PowerWeightRule, Rule};
+use crate::sobolev::kernel::power::PowerKernel;
+use crate::sobolev::order::FractionalOrder;
 
 /// Where a point of an arm is so deep that other breaks are as good as infinitely far in t.
 const NEAR_DEPTH: f64 = 3.0;
@@ -41,15 +42,6 @@ pub(crate) struct LogEnergy<'a> {
     /// S in which all lengths are measured: the longest arm
     unit: f64,
     points: u64,
-}
-
-/// What a level found, for the squared seminorm.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LevelValue {
-    pub(crate) value: f64,
-    pub(crate) tail: f64,
-    pub(crate) rounding: f64,
-    pub(crate) points: u64,
 }
 
 /// The outer point.

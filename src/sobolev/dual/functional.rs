@@ -11,18 +11,18 @@
 //! supremum over the piecewise linears of that mesh, a lower bound. For a function the mesh is halved until the
 //! limit is known.
 
-use super::gram::{gram_linears, mass_linears};
-use super::operator::GramOperator;
-use super::order::FractionalOrder;
-use super::partition::Partition;
-use super::piecewise::PiecewisePolynomial;
-use super::seminorm::accept;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::check::require_values;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
+use crate::sobolev::gram::GramOperator;
+use crate::sobolev::gram::dense::{gram_linears, mass_linears};
+use crate::sobolev::order::FractionalOrder;
+use crate::sobolev::partition::Partition;
+use crate::sobolev::piecewise::PiecewisePolynomial;
+use crate::sobolev::root::accept;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 

@@ -1,8 +1,8 @@
 //! The entries of a Gram matrix that come from single elements, neighbours and the exterior: at most two off-diagonals.
 
-use super::cells::CellPairs;
-use super::gram::{diagonal_constant, diagonal_linear, neighbours_linear};
-use super::partition::Partition;
+use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
+use crate::sobolev::kernel::cells::CellPairs;
+use crate::sobolev::partition::Partition;
 use rayon::prelude::*;
 
 /// Rows worth a thread of their own.

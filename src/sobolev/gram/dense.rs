@@ -2,15 +2,15 @@
 //!
 //! a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the paper: both orders
 //! of x and y are counted. Every entry is a sum of a few integrals of one sign, in closed form or by rules exact to
-//! rounding ([`super::cells`]); only the entries of neighbouring hats mix signs, by a bounded factor. Nothing is
+//! rounding ([`crate::sobolev::kernel::cells`]); only the entries of neighbouring hats mix signs, by a bounded factor. Nothing is
 //! subtracted from the diagonal to enforce zero row sums, so that the row sums are a check.
 //! Cost O(N²); the entries of separate hats cost about 16 kernel values.
 
-use super::cells::CellPairs;
-use super::order::FractionalOrder;
-use super::partition::Partition;
 use crate::error::{Error, Result};
 use crate::numeric::sum::RunningSum;
+use crate::sobolev::kernel::cells::CellPairs;
+use crate::sobolev::order::FractionalOrder;
+use crate::sobolev::partition::Partition;
 use faer::Mat;
 use rayon::prelude::*;
 

@@ -8,16 +8,16 @@
 //! Constants are removed from x before the product, since A maps them to zero: the error is relative to |A| |x − mean|.
 
 use super::band::Band;
-use super::cells::CellPairs;
-use super::gram::require_constants_finite;
+use super::dense::require_constants_finite;
 use super::hierarchical::Hierarchical;
-use super::order::FractionalOrder;
-use super::partition::Partition;
-use super::power::PowerKernel;
 use super::toeplitz::Toeplitz;
 use crate::error::Result;
 use crate::estimate::Tolerance;
 use crate::numeric::check::{require_finite_at, require_length};
+use crate::sobolev::kernel::cells::CellPairs;
+use crate::sobolev::kernel::power::PowerKernel;
+use crate::sobolev::order::FractionalOrder;
+use crate::sobolev::partition::Partition;
 use rayon::prelude::*;
 
 /// Entries of a vector treated by one thread.

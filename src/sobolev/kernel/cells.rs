@@ -12,9 +12,9 @@
 //! Everything is computed in units of a power of two S near the geometric mean of the smallest and the largest scale of the
 //! integral, so that t^{-2ν} stays inside binary64 over 300 decades of t, and scaled back by S^{1-2ν}.
 
-use super::order::FractionalOrder;
 use super::power::{PowerKernel, gauss_for, graded_gauss};
 use crate::numeric::scale::power_between;
+use crate::sobolev::order::FractionalOrder;
 
 /// The integrals over pairs of cells for one order ν.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,13 +4,14 @@
 //! The error of the finer one is estimated by their difference (the error of the *coarser* one), plus what the limits along
 //! the arms and rounding leave. Cost: a seminorm takes about (arms)² 10⁵ kernel values at 1e-8.
 
-use super::arm_integral::{ArmIntegral, Density, Level};
+use super::arm_integral::ArmIntegral;
 use super::function::SingularFunction;
-use super::log_energy::{LevelValue, LogEnergy};
-use super::order::FractionalOrder;
-use super::seminorm::root_of_squares;
+use super::level::{Density, Level, LevelValue};
+use super::log_energy::LogEnergy;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::sobolev::order::FractionalOrder;
+use crate::sobolev::root::{root_of_squares, scaled};
 
 /// Orders and widths, each more accurate than the one before: one decade and a half per step for functions analytic up to their breaks.
 const LEVELS: [Level; 11] = [
@@ -29,11 +30,6 @@ const LEVELS: [Level; 11] = [
 
 /// Below this the square of the seminorm of a function of size 1 is rounding: (64 ε)².
 const ZERO: f64 = 2e-28;
-
-/// The estimate times a power of two.
-fn scaled(scale: f64, estimate: Estimate) -> Result<Estimate> {
-    Estimate::new(scale * estimate.value, scale * estimate.error, estimate.work)
-}
 
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
@@ -62,7 +58,7 @@ impl SingularFunction<'_> {
     /// # Errors
     /// As [`SingularFunction::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        root_of_squares(&[self.seminorm(order, tolerance)?, self.lq_norm(2.0, tolerance)?])
+        root_of_squares(&[self.seminorm(order, tolerance)?, self.l2_norm(tolerance)?])
     }
 
     /// The norm ||u||_{1+ν} of a function and its derivative.
@@ -82,16 +78,27 @@ impl SingularFunction<'_> {
             "that of the function",
             same,
         )?;
-        root_of_squares(&[self.lq_norm(2.0, tolerance)?, derivative.norm(order, tolerance)?])
+        root_of_squares(&[self.l2_norm(tolerance)?, derivative.norm(order, tolerance)?])
     }
 
-    /// ||u||_{L^q}, 1 ≤ q < ∞.
+    /// The L² norm.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for q outside [1, ∞), else as [`SingularFunction::seminorm`]. Zeros of u should be breaks.
+    /// As [`SingularFunction::lq_norm`].
+    pub fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
+        self.lq_norm(2.0, tolerance)
+    }
+
+    /// ||u||_{L^q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].
     pub fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
-        Error::require("q", q, "[1, inf)", q >= 1.0 && q.is_finite())?;
+        Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let (scale, unit) = self.of_moderate_size()?;
+        if q == f64::INFINITY {
+            return scaled(scale, unit.largest(tolerance)?);
+        }
         let power = unit.integral_of("L^q norm", tolerance, q, |u| u.abs().powf(q))?;
         let value = power.value.max(0.0).powf(1.0 / q);
         let error = if power.value > power.error {

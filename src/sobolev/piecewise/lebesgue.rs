@@ -4,23 +4,25 @@
 //! ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a ≈ b. Elements of higher degree
 //! are bisected until a Gauss rule and its two halves agree. Cost O(N).
 
-use super::piecewise::{Piece, PiecewisePolynomial};
-use super::seminorm::accept;
+use super::polynomial::{Piece, PiecewisePolynomial};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::search::sign_change;
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
+use crate::sobolev::root::accept;
 
 /// Bisections of one element before the error is taken as it is.
 const MAX_DEPTH: usize = 60;
+/// Rounding of a compensated mean, relative to the mean of the sizes of the pieces.
+const MEAN_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl PiecewisePolynomial {
-    /// (1/|I|) ∫ u, exact to rounding.
+    /// (1/|I|) ∫ u, exact to rounding relative to the size of u, which meets every tolerance.
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn mean(&self) -> Result<Estimate> {
+    pub fn mean(&self, _tolerance: Tolerance) -> Result<Estimate> {
         let rule = Rule::gauss_legendre(self.degree() + 1)?;
         let total = self.partition().total();
         let (mut sum, mut absolute) = (RunningSum::default(), 0.0);
@@ -28,7 +30,7 @@ impl PiecewisePolynomial {
             sum.add(h / total * rule.integrate(|t| piece.value(t)));
             absolute += h / total * piece.size();
         }
-        Estimate::new(sum.value(), 8.0 * f64::EPSILON * absolute, Work::default())
+        Estimate::new(sum.value(), MEAN_ROUNDING * absolute, Work::default())
     }
 
     /// ||u||_{L^q}, 1 ≤ q ≤ ∞.

@@ -5,11 +5,11 @@
 //! The Toeplitz part is embedded in a circulant ([`super::circulant`]). Setup O(N) integrals; product O(N log N), memory about
 //! 12 N numbers.
 
-use super::cells::CellPairs;
 use super::circulant::Circulant;
-use super::partition::Partition;
 use crate::error::Result;
 use crate::numeric::sum::RunningSum;
+use crate::sobolev::kernel::cells::CellPairs;
+use crate::sobolev::partition::Partition;
 use rayon::prelude::*;
 
 /// Entries of an end row summed by one thread, plainly; the sums of the pieces are compensated.

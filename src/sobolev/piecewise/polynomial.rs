@@ -4,11 +4,11 @@
 //! u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is then a
 //! statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
 
-use super::partition::Partition;
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite_at, require_length};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
+use crate::sobolev::partition::Partition;
 use std::ops::Range;
 
 /// Highest polynomial degree on an element.
@@ -48,7 +48,7 @@ impl PiecewisePolynomial {
     /// ```
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
     /// let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
-    /// let found = u.seminorm(0, FractionalOrder::HALF, Tolerance::reference())?;
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::reference())?;
     /// assert!((found.value - 1.0).abs() < 1e-12);
     /// # Ok::<(), signorini::Error>(())
     /// ```

@@ -4,8 +4,8 @@
 //! variables with the relative error ρ^{-m}, ρ = 3 + √8, on m Chebyshev points each. All lengths and gaps are sums of element
 //! lengths, so that the construction holds on any grading.
 
-use super::partition::Partition;
 use crate::numeric::sum::RunningSum;
+use crate::sobolev::partition::Partition;
 
 /// Elements of a leaf at most.
 pub(crate) const LEAF: usize = 16;
