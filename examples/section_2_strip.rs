@@ -80,17 +80,13 @@ pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> V
         Finding::remark("error", falls).number(error, bar).at_most(errors[0].1, "coarsest level").told(),
         Finding::claim("kkt", "KKT {value}").number(kkt, 0.0).at_most(JUDGED, "scaled violations").told(),
         Finding::claim("converged", "every level is solved").number(unsolved, 0.0).at_most(0.0, "levels not"),
-        Finding::claim("inner", "{value} inner iterations at most")
-            .number(inner, 0.0)
-            .at_most(INNER, "all n"),
+        Finding::claim("inner", "at most {value} inner steps").number(inner, 0.0).at_most(INNER, "all n"),
     ];
     if let (Some(words), Some(planned)) = (study.missing_gaps(), study.planned_gaps) {
         let gaps = Finding::remark("gaps", "every gap is on the grid").number(planned as f64, 0.0);
         found.push(gaps.at_most(study.gaps as f64, "gaps on the grid").otherwise(words).told());
     }
-    let (Some(tau), [paper, ..]) = (study.regularity, &bounds[..]) else {
-        return found;
-    };
+    let (Some(tau), [paper, ..]) = (study.regularity, &bounds[..]) else { return found };
     let (order, ratio) = (Trend::of(errors), Trend::of_ratio(errors, paper));
     found.extend([
         Finding::claim("bounded", "on the finer levels error/bound changes by the factor {value}")
@@ -148,12 +144,12 @@ fn table(study: &CaseStudy) -> Table {
 
 /// Errors against h with the two bounds, each passing through the coarsest error.
 fn draw(Options { kind, cone, scene, .. }: &Options, Computed { errors, bounds, .. }: &Computed) -> Chart {
-    let (x, y) = ("h, length of a contact segment (period = 1)", "error in the energy norm");
-    let title = format!("{kind} strip, {cone} cone, {scene}");
-    let chart = Chart::new(title, Axis::logarithmic(x), Axis::logarithmic(y))
+    let axes = ["h, length of a contact segment (period = 1)", "error in the energy norm"];
+    let [x, y] = axes.map(Axis::logarithmic);
+    let chart = Chart::new(format!("{kind} strip, {cone} cone, {scene}"), x, y)
         .with(Series::line_and_points("error", errors.clone()));
-    let names = ["Theorems 3.1, 4.1", "h^(tau - 1)"];
-    bounds.iter().zip(names).fold(chart, |chart, (line, name)| chart.with(Series::dashed(name, line.clone())))
+    let lines = bounds.iter().zip(["Theorems 3.1, 4.1", "h^(tau - 1)"]);
+    lines.fold(chart, |chart, (line, name)| chart.with(Series::dashed(name, line.clone())))
 }
 
 fn main() -> ExitCode {
