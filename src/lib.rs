@@ -53,7 +53,6 @@
 #![warn(unreachable_pub)]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-pub mod analysis;
 #[cfg(doctest)]
 mod book;
 pub mod cone;

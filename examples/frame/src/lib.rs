@@ -20,6 +20,7 @@ mod error;
 pub mod figures;
 mod outcome;
 mod rates;
+pub mod shown;
 
 pub use command::{HasOutput, Output, Shown, main, progress};
 pub use error::{Error, Result};
