@@ -19,6 +19,7 @@ mod command;
 mod error;
 pub mod figures;
 mod outcome;
+pub mod poincare;
 mod rates;
 pub mod shown;
 

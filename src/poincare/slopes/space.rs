@@ -1,8 +1,8 @@
 //! Piecewise polynomial slopes on an ordered list of cells.
 //!
-//! The unknowns x describe du/dξ = Σ_k x_k L_k(ξ) on each cell, L_k = √(2k+1) P_k(2ξ−1), ξ ∈ (0,1) the coordinate of the
-//! cell. Function 0 of a cell raises u by 1 across it; the others leave both ends where they are. The space is conforming
-//! in H^ν for every 0 < ν < 1: u is continuous and piecewise smooth.
+//! The unknowns x describe du/dξ = Σ_k x_k L_k(ξ) on each cell, L_k = √(2k+1) P_k(2ξ−1), ξ ∈ (0,1) the
+//! coordinate of the cell. Function 0 of a cell raises u by 1 across it; the others leave both ends where
+//! they are. The space is conforming in H^ν for every 0 < ν < 1: u is continuous and piecewise smooth.
 
 use super::cell::{Cell, Panel};
 use crate::numeric::legendre;
