@@ -52,8 +52,6 @@
 #![warn(unreachable_pub)]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-#[cfg(feature = "contact")]
-pub mod analysis;
 #[cfg(all(doctest, feature = "contact"))]
 mod book;
 #[cfg(feature = "contact")]
