@@ -36,7 +36,7 @@ fn strip(
 fn check(studies: &[RateStudy]) {
     for study in studies {
         let (fit, optimal) = (study.fit(Quantity::Error).unwrap(), study.tau - 1.0);
-        let name = format!("{} {} tau {}: {fit}", study.scene, study.cone, study.tau);
+        let name = format!("{} {} tau {}: {fit}", study.subject, study.cone, study.tau);
         assert_eq!(study.left_out(), 0, "{name}");
         assert!((fit.order - optimal).abs() < ORDER, "{name}");
         for quantity in [Quantity::Error, Quantity::Consistency] {
