@@ -25,6 +25,7 @@
 //! 95 % of the cases (tested below). A series that has not begun to behave like its model can deceive any fit.
 
 use super::series::Series;
+use crate::numeric::line::Line;
 use std::fmt;
 
 /// How the errors depend on h.
@@ -131,8 +132,8 @@ impl Fit {
 
     /// One power and nothing beside it, as the consistency term is; its half-width from the two halves and the scatter.
     pub fn power(points: &[(f64, f64)]) -> Option<Self> {
-        let Candidate { order, spread, scatter, model, regime } = one_power(points)?;
-        Some(Self { order, half_width: spread.max(SCATTER * scatter), model, regime })
+        let Candidate { order, drift, scatter, model, regime, .. } = one_power(points)?;
+        Some(Self { order, half_width: drift.max(SCATTER * scatter), model, regime })
     }
 }
 
@@ -141,9 +142,10 @@ fn one_power(points: &[(f64, f64)]) -> Option<Candidate> {
         return None;
     }
     let half = &points[(points.len() / 2).min(points.len() - WINDOW)..];
-    let (order, scatter) = slope(half);
+    let Line { slope: order, error: scatter, .. } = Line::through_logarithms(half);
     let (first, second) = half.split_at(half.len() / 2);
-    let drift = (slope(&half[..=first.len()]).0 - slope(second).0).abs();
+    let slope = |part: &[(f64, f64)]| Line::through_logarithms(part).slope;
+    let drift = (slope(&half[..=first.len()]) - slope(second)).abs();
     let regime = (half[0].0, half[half.len() - 1].0);
     let drift = 4.0 * drift;
     Some(Candidate { order, spread: drift, drift, scatter, model: Model::Power, regime })
@@ -174,18 +176,6 @@ fn beside(points: &[(f64, f64)], model: Model, reference: Option<f64>) -> Option
 
 fn is_positive(points: &[(f64, f64)]) -> bool {
     points.iter().all(|&(h, e)| h > 0.0 && e > 0.0 && e.is_finite())
-}
-
-/// Slope of ln e against ln h and its standard error.
-fn slope(points: &[(f64, f64)]) -> (f64, f64) {
-    let count = points.len() as f64;
-    let logs = || points.iter().map(|&(h, e)| (h.ln(), e.ln()));
-    let (x, y) = logs().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
-    let (xy, xx) = logs().fold((0.0, 0.0), |(a, b), (u, v)| (a + (u - x) * (v - y), b + (u - x).powi(2)));
-    let order = xy / xx;
-    let residual: f64 = logs().map(|(u, v)| (v - y - order * (u - x)).powi(2)).sum();
-    let error = if count > 2.0 { (residual / (count - 2.0) / xx).sqrt() } else { 0.0 };
-    (order, error)
 }
 
 #[cfg(test)]

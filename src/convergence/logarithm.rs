@@ -9,6 +9,8 @@
 //! windows of levels. The half-width is the larger of twice the largest difference between windows and three standard errors of q
 //! from the residuals; what a wrong model would change is not in it.
 
+use crate::numeric::search::{golden_section, smallest_on_grid};
+
 /// q of e²/h² = B + A (ℓ^q − 1)/q with its half-width, ℓ = 2 + |ln h|.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogarithmFit {
@@ -57,16 +59,8 @@ fn standard_error(points: &[(f64, f64)], q: f64) -> f64 {
 /// The q of the smallest misfit: a grid, then golden section.
 fn best_power(points: &[(f64, f64)]) -> f64 {
     const STEPS: usize = 120;
-    let at = |k: usize| RANGE.0 + (RANGE.1 - RANGE.0) * k as f64 / STEPS as f64;
-    let best =
-        (0..=STEPS).min_by(|&a, &b| misfit(points, at(a)).total_cmp(&misfit(points, at(b)))).unwrap_or(STEPS);
-    let (mut a, mut b) = (at(best.saturating_sub(1)), at((best + 1).min(STEPS)));
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    while b - a > 1e-6 {
-        let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
-        if misfit(points, c) < misfit(points, d) { b = d } else { a = c }
-    }
-    0.5 * (a + b)
+    let (_, (a, b)) = smallest_on_grid(RANGE.0, RANGE.1, STEPS, |q| misfit(points, q));
+    golden_section(a, b, 1e-6, |q| misfit(points, q))
 }
 
 /// Smallest Σ (model/e² − 1)² over B and A.

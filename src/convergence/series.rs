@@ -4,6 +4,7 @@
 //! about its best point. Where e is the distance to a discrete solution of mesh size h_r on the same family of meshes, e² is that
 //! of h less that of h_r, and every h^q becomes h^q − h_r^q. Cost: O(levels) per value of p.
 
+use crate::numeric::search::{golden_section, smallest_on_grid};
 /// Orders tried for the power: below it no finite element error falls, above it nothing is told from the smooth part h².
 const POWERS: (f64, f64) = (0.05, 0.995);
 /// Steps of the grid over them, 0.005 each: finer than any two minima lie apart.
@@ -37,19 +38,11 @@ impl Series<'_> {
     /// The best p with A > 0 and its standard error from the residuals; `None` where it is an end of the range.
     pub(super) fn power(&self) -> Option<(f64, f64)> {
         let (low, high) = POWERS;
-        let at = |k: usize| low + (high - low) * k as f64 / STEPS as f64;
-        let misfits: Vec<f64> = (0..=STEPS).map(|k| self.misfit(at(k))).collect();
-        let best = (0..=STEPS).min_by(|&a, &b| misfits[a].total_cmp(&misfits[b]))?;
+        let (best, (a, b)) = smallest_on_grid(low, high, STEPS, |p| self.misfit(p));
         if best == 0 || best == STEPS {
             return None;
         }
-        let (mut a, mut b) = (at(best - 1), at(best + 1));
-        let ratio = 0.5 * (5f64.sqrt() - 1.0);
-        while b - a > RESOLUTION {
-            let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
-            if self.misfit(c) < self.misfit(d) { b = d } else { a = c }
-        }
-        let order = 0.5 * (a + b);
+        let order = golden_section(a, b, RESOLUTION, |p| self.misfit(p));
         let fit = self.coefficients(order)?;
         (fit.leading > 0.0).then(|| (order, self.standard_error(order, &fit)))
     }

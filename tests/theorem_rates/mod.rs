@@ -64,8 +64,8 @@ pub fn corners(cone: Cone) {
             MeshRates { scene: MeshScene::Corner, setting, constant_load: true, coarsest: 3, levels: 7 };
         let study = rates.study(&[cone]).unwrap().remove(0);
         let fit = study.fit(Quantity::Error).unwrap();
-        assert!((fit.order - 90.0 / angle).abs() < CORNER, "{}: {fit}", study.scene);
-        assert!(study.is_bounded(Quantity::Error, Bound::Paper).unwrap(), "{}: {fit}", study.scene);
+        assert!((fit.order - 90.0 / angle).abs() < CORNER, "{}: {fit}", study.subject);
+        assert!(study.is_bounded(Quantity::Error, Bound::Paper).unwrap(), "{}: {fit}", study.subject);
     }
 }
 

@@ -19,7 +19,9 @@ mod command;
 mod error;
 pub mod figures;
 mod outcome;
+pub mod poincare;
 pub mod rates;
+pub mod shown;
 
 pub use command::{HasOutput, Output, Shown, main, progress};
 pub use error::{Error, Result};

@@ -10,5 +10,5 @@ pub use error::{InterpolationError, power_slope};
 pub use rough::{RoughFamily, RoughSlopes};
 pub use sample::SampleSlope;
 
-pub(super) use norms::{power_of_two, require_unit, sample_norms};
+pub(super) use norms::{require_unit, sample_norms};
 pub(super) use panels::PanelRules;
