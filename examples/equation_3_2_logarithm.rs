@@ -100,7 +100,7 @@ pub fn findings(_: &Options, Computed { rows }: &Computed) -> Vec<Finding> {
     }
     let in_h2 = rows.iter().filter(|row| row.0 > 0.5);
     found.push(
-        Finding::sharpness("whole", "in H^2 the whole logarithm: q stays {value} below 0")
+        Finding::sharpness("whole", "in H^2 the whole logarithm: q stays {value} +- {uncertainty} below 0")
             .number_or(lowest(in_h2.map(|row| row.2.map(|fit| (-fit.power, fit.half_width)))), "no fit")
             .at_least(0.0, "no logarithm")
             .told(),

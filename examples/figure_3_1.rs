@@ -2,9 +2,9 @@
 //!
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 
-use example_frame::figures::{Axis, Chart, Series};
+use example_frame::figures::Chart;
 use example_frame::rates::{
-    HALF_WIDTH, RateRow, both_cones, complete, exponent_curve, fit_cells, largest, lowest, order_points,
+    HALF_WIDTH, RateRow, both_cones, complete, exponents_chart, fit_cells, largest, lowest,
 };
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use signorini::Error;
@@ -64,7 +64,7 @@ pub fn findings(_: &Options, Computed { pairs }: &Computed) -> Vec<Finding> {
         complete(rows().map(|row| &row.study)),
         Finding::claim(
             "above",
-            "every measured order lies above the curve of the paper, the nearest by {value}",
+            "every measured order lies above the curve of the paper, the nearest by {value} +- {uncertainty}",
         )
         .number_or(lowest(rows().map(|row| row.above(Bound::Paper))), without)
         .at_least(0.0, "tau^2 - 5tau/2 + 2, (3.1)")
@@ -149,20 +149,20 @@ fn table(pairs: &[[RateRow; 2]]) -> Result<Table> {
 
 /// The paper's figure with measured orders: errors and roots of the terms of both cones, side by side at each τ.
 fn draw(pairs: &[[RateRow; 2]]) -> Result<Chart> {
-    let x = Axis::linear("regularity tau of the solution, u in H^tau").range(1.5, 2.0);
-    let y = Axis::linear("exponent of h").range(0.48, 1.02);
-    let mut chart = Chart::new("Figure 3.1: printed exponents and measured orders", x, y);
-    let names = ["existing: tau/2 - 1/4", "the paper: tau^2 - 5tau/2 + 2", "optimal: tau - 1"];
-    for (bound, name) in [Bound::Earlier, Bound::Paper, Bound::Optimal].into_iter().zip(names) {
-        chart = chart.with(Series::line(name, exponent_curve(bound, (1.5, 2.0))?));
-    }
-    for (k, what) in ["error", "root of the term", "error", "root of the term"].into_iter().enumerate() {
-        let fit = |row: &RateRow| if k % 2 == 0 { row.error } else { row.term };
-        let orders = pairs.iter().map(|pair| Some((pair[k / 2].study.tau, fit(&pair[k / 2])?)));
-        let name = format!("{what}, {} cone", [Cone::Nodal, Cone::Midpoint][k / 2]);
-        chart = chart.with(order_points(&name, 0.004 * (k as f64 - 1.5), orders));
-    }
-    Ok(chart)
+    let series = |(k, is_error): (usize, bool)| {
+        let fit = |row: &RateRow| Some((row.study.tau, if is_error { row.error } else { row.term }?));
+        let what = if is_error { "error" } else { "root of the term" };
+        let name = format!("{what}, {} cone", [Cone::Nodal, Cone::Midpoint][k]);
+        (name, pairs.iter().map(|pair| fit(&pair[k])).collect())
+    };
+    let curves = [
+        ("existing: tau/2 - 1/4", Bound::Earlier, (1.5, 2.0)),
+        ("the paper: tau^2 - 5tau/2 + 2", Bound::Paper, (1.5, 2.0)),
+        ("optimal: tau - 1", Bound::Optimal, (1.5, 2.0)),
+    ];
+    let orders = [(0, true), (0, false), (1, true), (1, false)].map(series).to_vec();
+    let title = "Figure 3.1: printed exponents and measured orders";
+    exponents_chart(title, ((1.5, 2.0), (0.48, 1.02)), &curves, orders, 0.004)
 }
 
 fn main() -> ExitCode {

@@ -4,9 +4,9 @@
 //!
 //! `cargo run --release --example introduction_rates -- --levels 3-16 --out out`
 
-use example_frame::figures::{Axis, Chart, Series};
+use example_frame::figures::Chart;
 use example_frame::rates::{
-    HALF_WIDTH, RateRow, both_cones, complete, exponent_curve, fit_cells, largest, lowest, order_points,
+    HALF_WIDTH, RateRow, both_cones, complete, exponents_chart, fit_cells, largest, lowest,
 };
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use signorini::convergence::{Bound, SceneFamily, StripGroup};
@@ -112,10 +112,13 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let above = largest(off().map(|number| number.map(|(distance, u)| distance - u)));
     let gains = rows().filter(|row| row.study.tau == 1.75).map(|row| row.above(Bound::Paper));
     found.extend([
-        Finding::sharpness("gain", "at tau = 7/4 every order is at least {value} above (N1)")
-            .number_or(lowest(gains), without)
-            .at_least(0.0, "11/16, (N1); fat Cantor sets included")
-            .told(),
+        Finding::sharpness(
+            "gain",
+            "at tau = 7/4 the order nearest to (N1) lies {value} +- {uncertainty} above it",
+        )
+        .number_or(lowest(gains), without)
+        .at_least(0.0, "11/16, (N1); fat Cantor sets included")
+        .told(),
         Finding::remark("bars", "every bar holds min(tau - 1, 1), whatever the contact set")
             .number_or(missed.map(|count| (count, 0.0)), without)
             .at_most(0.0, "the optimal exponent; orders of the scenes in both cones")
@@ -179,21 +182,19 @@ fn table(computed: &Computed) -> Table {
 
 /// Printed exponents over τ, and measured orders with bars.
 fn draw(Computed { scenes }: &Computed) -> Result<Chart> {
-    let x = Axis::linear("regularity tau of the solution, u in H^tau").range(1.0, 2.6);
-    let y = Axis::linear("exponent of h").range(0.0, 1.1);
-    let mut chart = Chart::new("Rates of the introduction, printed and measured", x, y);
-    let curve = |bound, from, to| exponent_curve(bound, (from, to));
-    chart = chart
-        .with(Series::line("(E1)", curve(Bound::Optimal, 1.0, 1.5)?))
-        .with(Series::line("(E2)", curve(Bound::Earlier, 1.5, 2.0)?))
-        .with(Series::dashed("(E2) finite set", curve(Bound::Optimal, 1.5, 2.0)?))
-        .with(Series::line("(N1)", curve(Bound::Paper, 1.5, 2.0)?))
-        .with(Series::line("(E4)", curve(Bound::Optimal, 2.0, 2.5)?));
-    for (k, name) in ["measured, nodal cone", "measured, midpoint cone"].into_iter().enumerate() {
-        let orders = scenes.iter().map(|(_, pair)| Some((pair[k].study.tau, pair[k].error?)));
-        chart = chart.with(order_points(name, 0.012 * (k as f64 - 0.5), orders));
-    }
-    Ok(chart)
+    let curves = [
+        ("(E1)", Bound::Optimal, (1.0, 1.5)),
+        ("(E2)", Bound::Earlier, (1.5, 2.0)),
+        ("(E2) finite set", Bound::Optimal, (1.5, 2.0)),
+        ("(N1)", Bound::Paper, (1.5, 2.0)),
+        ("(E4)", Bound::Optimal, (2.0, 2.5)),
+    ];
+    let fit = |row: &RateRow| Some((row.study.tau, row.error?));
+    let of_cone = |k: usize| scenes.iter().map(|(_, pair)| fit(&pair[k])).collect();
+    let names = ["measured, nodal cone", "measured, midpoint cone"].map(str::to_owned);
+    let orders = names.into_iter().zip([of_cone(0), of_cone(1)]).collect();
+    let title = "Rates of the introduction, printed and measured";
+    exponents_chart(title, ((1.0, 2.6), (0.0, 1.1)), &curves, orders, 0.012)
 }
 
 fn main() -> ExitCode {

@@ -8,6 +8,6 @@ mod store;
 pub use listing::{errors_chart, level_table, write_studies};
 pub use plan::{RatePlan, both_cones};
 pub use row::{
-    HALF_WIDTH, RateRow, complete, exponent_curve, fit_cells, largest, lowest, order_points, rate_table,
+    HALF_WIDTH, OrderSeries, RateRow, complete, exponents_chart, fit_cells, largest, lowest, rate_table,
 };
 pub use store::LevelStore;

@@ -1,6 +1,6 @@
 //! A rate study with its fits, and the table of many.
 
-use crate::figures::Series;
+use crate::figures::{Axis, Chart, Series};
 use crate::{Cell, Column, Finding, Format, Headline, Result, Table};
 use signorini::convergence::{Bound, Fit, Quantity, RateStudy, Subject};
 
@@ -99,7 +99,7 @@ pub fn complete<'a>(studies: impl Iterator<Item = &'a RateStudy>) -> Finding {
 }
 
 /// Orders over τ with their bars, moved aside by `shift` so that bars do not cover each other.
-pub fn order_points(name: &str, shift: f64, orders: impl Iterator<Item = Option<(f64, Fit)>>) -> Series {
+fn order_points(name: &str, shift: f64, orders: impl Iterator<Item = Option<(f64, Fit)>>) -> Series {
     let orders = orders.flatten().map(|(tau, fit)| ((tau + shift, fit.order), fit.half_width));
     let (points, bars) = orders.unzip();
     Series::points(name, points).bars(bars)
@@ -109,7 +109,7 @@ pub fn order_points(name: &str, shift: f64, orders: impl Iterator<Item = Option<
 ///
 /// # Errors
 /// As [`Bound::exponent`].
-pub fn exponent_curve(bound: Bound, (from, to): (f64, f64)) -> Result<Vec<(f64, f64)>> {
+fn exponent_curve(bound: Bound, (from, to): (f64, f64)) -> Result<Vec<(f64, f64)>> {
     const STEPS: u32 = 100;
     let taus = (1..=STEPS).map(|k| from + (to - from) * f64::from(k) / f64::from(STEPS));
     taus.map(|tau| Ok((tau, bound.exponent(tau)?))).collect()
@@ -192,4 +192,30 @@ fn cells(RateRow { study, error, term }: &RateRow) -> Result<Vec<Cell>> {
         (term_ratio > 0.0).then_some(term_ratio).into(),
         study.left_out().into(),
     ])
+}
+
+/// Measured orders over τ for a chart: name, then τ and fit where there is one.
+pub type OrderSeries = (String, Vec<Option<(f64, Fit)>>);
+
+/// Exponents over τ: curves of bounds, each over its own τ, and measured orders with their bars, each series `shift` beside the last.
+///
+/// # Errors
+/// As [`Bound::exponent`].
+pub fn exponents_chart(
+    title: &str,
+    (x, y): ((f64, f64), (f64, f64)),
+    curves: &[(&str, Bound, (f64, f64))],
+    orders: Vec<OrderSeries>,
+    shift: f64,
+) -> Result<Chart> {
+    let x = Axis::linear("regularity tau of the solution, u in H^tau").range(x.0, x.1);
+    let mut chart = Chart::new(title, x, Axis::linear("exponent of h").range(y.0, y.1));
+    for (name, bound, taus) in curves {
+        chart = chart.with(Series::line(*name, exponent_curve(*bound, *taus)?));
+    }
+    let middle = 0.5 * (orders.len() as f64 - 1.0);
+    for (k, (name, fits)) in orders.into_iter().enumerate() {
+        chart = chart.with(order_points(&name, shift * (k as f64 - middle), fits.into_iter()));
+    }
+    Ok(chart)
 }
