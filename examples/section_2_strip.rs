@@ -96,7 +96,7 @@ pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> V
         Finding::sharpness("loose", "h^{value} on the finer levels")
             .number_or(ratio.map(|r| (r.exponent, r.uncertainty)), "an error is 0")
             .at_least(0.0, "error/bound constant"),
-        Finding::remark("order", "the order {value} ± {uncertainty} is tau - 1 = {bound}")
+        Finding::remark("order", "order {value}, within a tenth of tau - 1 = {bound}")
             .number_or(order.map(|o| (o.exponent, o.uncertainty)), "an error is 0")
             .within(SAME, tau - 1.0, "the optimal order, Drouet & Hild 2015")
             .told(),
