@@ -79,8 +79,7 @@ const FALLS: f64 = 0.9;
 
 /// What decides: the extremal function attains α on the second road, no other function goes below, α > 0.
 pub fn findings(rows: &[Row]) -> Vec<Finding> {
-    let largest = Estimate::largest(rows.iter().map(|row| row.attained));
-    let none = "no order or no zone";
+    let (largest, none) = (Estimate::largest(rows.iter().map(|row| row.attained)), "no order or no zone");
     let mut findings = vec![
         Finding::claim("positive", "alpha > 0 for every zone, at least {value}")
             .estimate_or(Estimate::smallest(rows.iter().map(|row| row.alpha)), none)

@@ -5,10 +5,10 @@
 //!
 //! `cargo run --release --example lemma_5_2_poincare_scaling -- --nu 0.3,1/2 --theta 1e-300 --zone centre`
 
-use example_frame::poincare::{curves_chart, extremal_chart, growth_chart, scaling_table};
+use example_frame::poincare::{curves_chart, frames, scaling_table};
 use example_frame::{Finding, Headline, Result};
 use signorini::poincare::{
-    Condition, END_SLOPE, INTERIOR_SLOPE, Place, Scaling, ScalingPoint, growth, looseness_at_half,
+    Condition, END_SLOPE, Place, Scaling, ScalingPoint, growth, growth_limit, looseness_at_half,
     printed_exponent_near_one,
 };
 use signorini::sobolev::FractionalOrder;
@@ -56,8 +56,8 @@ pub fn compute(options: &Options) -> Result<Vec<Computed>> {
     thetas.dedup();
     let mut orders = Vec::new();
     for &order in &options.nu {
-        let (scaling, mut points) =
-            (Scaling::new(order, options.zone, options.condition, tolerance)?, Vec::new());
+        let scaling = Scaling::new(order, options.zone, options.condition, tolerance)?;
+        let mut points = Vec::new();
         for &theta in &thetas {
             let start = Instant::now();
             points.push((scaling.point(theta)?, start.elapsed().as_secs_f64()));
@@ -95,28 +95,26 @@ pub fn findings(options: &Options, orders: &[Computed]) -> Vec<Finding> {
     ];
     for Computed { order: nu, points, growth, half } in orders {
         let key = |word: &str| format!("{word}.nu{nu}");
-        let (unit, exact) = match (nu.is_below_half(), nu.offset() == 0.0, options.zone) {
-            (true, ..) => ("gamma grows like theta^{value}", nu.offset()),
-            (_, true, Place::End) => ("gamma^2 gains {value} per ln(1/theta)", END_SLOPE),
-            (_, true, _) => ("gamma^2 gains {value} per ln(1/theta)", INTERIOR_SLOPE),
-            _ => ("gamma settles, theta^{value}", 0.0),
+        let unit = match nu.offset() {
+            0.0 => "gamma^2 gains {value} per ln(1/theta)",
+            _ => "gamma grows like theta^{value}",
         };
         // No explicit bound is known for functions that vanish on the zone when ν ≤ 1/2.
         if let Some(share) = Estimate::largest(points.iter().filter_map(|(point, _)| point.share)) {
             findings.push(
-                Finding::claim(
-                    key("bound"),
-                    format!("nu = {nu}: gamma has at most {{value}} of its explicit bound"),
-                )
-                .estimate(share)
-                .at_most(allowed, "(gamma_1 + B) theta^(nu-1/2), gamma_1 + (A ln(1/theta))^(1/2), gamma_0")
-                .otherwise(format!("nu = {nu}: gamma is {{value}} times its explicit bound")),
+                Finding::claim(key("bound"), format!("nu = {nu}: gamma stays below {{value}} of its bound"))
+                    .estimate(share)
+                    .at_most(
+                        allowed,
+                        "(gamma_1 + B) theta^(nu-1/2), gamma_1 + (A ln(1/theta))^(1/2), gamma_0",
+                    )
+                    .otherwise(format!("nu = {nu}: gamma is {{value}} times its explicit bound")),
             );
         }
         findings.push(
             Finding::remark(key("growth"), format!("nu = {nu}: {unit}"))
                 .estimate_or(*growth, "fewer than two zones")
-                .within(GROWTH, exact, "the law as theta -> 0 at fixed nu")
+                .within(GROWTH, growth_limit(*nu, options.zone), "the law as theta -> 0 at fixed nu")
                 .otherwise(format!("nu = {nu}: {unit}, off its limit {{bound}}"))
                 .undecided(format!("nu = {nu}: {unit}, too few zones to tell it from its limit {{bound}}"))
                 .told(),
@@ -147,13 +145,10 @@ pub fn run(options: &Options) -> Result<Headline> {
     let orders = compute(options)?;
     let claim = "gamma_theta(nu) <= C theta^(nu-1/2), C ln(1/theta), C for nu < 1/2, = 1/2, > 1/2";
     let found = findings(options, &orders);
-    let points = |order: &Computed| -> Vec<(FractionalOrder, ScalingPoint, f64)> {
-        order.points.iter().map(|&(point, seconds)| (order.order, point, seconds)).collect()
-    };
-    let points: Vec<_> = orders.iter().flat_map(points).collect();
+    let points: Vec<(ScalingPoint, f64)> = orders.iter().flat_map(|order| order.points.clone()).collect();
     let mut headline = Headline::new("Lemma 5.2", claim, scaling_table(&points), found);
-    for (order, point, _) in &points {
-        let key = format!("lemma.5.2.gamma.nu{order}.theta{:e}", point.theta);
+    for (point, _) in &points {
+        let key = format!("lemma.5.2.gamma.nu{}.theta{:e}", point.order, point.theta);
         headline.quote(key, point.found.gamma.value);
     }
     headline.quote("lemma.5.2.slope.end", END_SLOPE);
@@ -162,20 +157,10 @@ pub fn run(options: &Options) -> Result<Headline> {
     let name: String = if one { options.nu.iter().map(file).collect() } else { String::new() };
     headline.draw(&options.output, &format!("lemma_5_2_gamma{name}"), || Ok(curves_chart(&points)))?;
     if !one {
-        for &theta in options.theta.iter().filter(|&&theta| theta < 1.0) {
-            let chart = || extremal_chart(&options.nu, theta, Tolerance::fast());
-            headline.draw(&options.output, &format!("lemma_5_2_extremal_{theta:e}"), chart)?;
-        }
-        for nu in FRAMES {
-            let chart = || growth_chart(FractionalOrder::new(nu)?, &options.theta, Tolerance::fast());
-            headline.draw(&options.output, &format!("lemma_5_2_growth_{nu}"), chart)?;
-        }
+        frames(&mut headline, &options.output, &options.nu, &options.theta)?;
     }
     Ok(headline)
 }
-
-/// Orders of the frames of the growth: both regimes and the border between them.
-const FRAMES: [f64; 9] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
 
 fn main() -> ExitCode {
     example_frame::main(run)

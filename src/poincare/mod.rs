@@ -29,7 +29,8 @@ pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use location::{Placed, Places};
 pub use mellin::end_limit;
 pub use scaling::{
-    ExplicitBound, Scaling, ScalingPoint, growth, last_exponent, looseness_at_half, printed_exponent_near_one,
+    ExplicitBound, Scaling, ScalingPoint, growth, growth_limit, last_exponent, looseness_at_half,
+    printed_exponent_near_one,
 };
 pub use trial::{
     BothSides, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,

@@ -2,7 +2,7 @@
 
 use super::constant::{gamma, gamma_at_point, gamma_whole};
 use super::law::LimitLaw;
-use super::limits::{END_SLOPE, printed_growth};
+use super::limits::{END_SLOPE, INTERIOR_SLOPE, printed_growth};
 use super::mellin::end_limit;
 use super::two_sided::{TwoSided, two_sided};
 use super::zone::{Condition, Place, Zone};
@@ -38,6 +38,16 @@ pub fn growth(order: FractionalOrder, zones: &[(f64, Estimate)]) -> Result<Optio
         let error = 2.0 * (a.value * a.error + b.value * b.error);
         ((b.value * b.value - a.value * a.value) / logarithm, error / logarithm)
     })
+}
+
+/// To what [`growth`] tends as θ → 0 at fixed ν: ν − 1/2; at ν = 1/2 the slope 3/(2π²) at an end, 1/(2π²) inside; 0.
+pub fn growth_limit(order: FractionalOrder, place: Place) -> f64 {
+    match place {
+        _ if order.is_below_half() => order.offset(),
+        _ if order.offset() > 0.0 => 0.0,
+        Place::End => END_SLOPE,
+        Place::Centre | Place::At(_) => INTERIOR_SLOPE,
+    }
 }
 
 /// The exponent p of y ~ x^p between the last two of the points (x, y), y > 0. The error adds those of the values
@@ -168,6 +178,8 @@ pub struct Scaling {
 /// One zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScalingPoint {
+    /// The order ν.
+    pub order: FractionalOrder,
     /// Its length θ.
     pub theta: f64,
     /// The zone.
@@ -214,6 +226,7 @@ impl Scaling {
         let law = self.law.as_ref().and_then(|law| law.gamma(theta).ok());
         let share = self.bound.map(|bound| gamma.over(bound.at(theta)?)).transpose()?;
         Ok(ScalingPoint {
+            order: self.order,
             theta,
             zone,
             found,

@@ -2,7 +2,7 @@
 //! of the constant as the order passes 1/2. All frames of one sequence share their axes.
 
 use crate::figures::{Axis, Chart, PALETTE, Series};
-use crate::{Cell, Column, Format, Result, Table};
+use crate::{Cell, Column, Format, Headline, Output, Result, Table};
 use signorini::Tolerance;
 use signorini::poincare::{Condition, ScalingPoint, Zone, extremal, gamma, printed_growth};
 use signorini::sobolev::FractionalOrder;
@@ -66,16 +66,39 @@ pub fn growth_chart(order: FractionalOrder, lengths: &[f64], tolerance: Toleranc
         .with(Series::dashed(format!("{law}, through the first point"), printed)))
 }
 
+/// Orders of the frames of the growth: both regimes and the border between them.
+const FRAMES: [f64; 9] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+
+/// Saves extremal functions, one frame per θ < 1, and the growth of the constant, one frame per order.
+///
+/// # Errors
+/// Those of the charts and of their files.
+pub fn frames(
+    headline: &mut Headline,
+    output: &Output,
+    orders: &[FractionalOrder],
+    lengths: &[f64],
+) -> Result<()> {
+    for &theta in lengths.iter().filter(|&&theta| theta < 1.0) {
+        let chart = || extremal_chart(orders, theta, Tolerance::fast());
+        headline.draw(output, &format!("lemma_5_2_extremal_{theta:e}"), chart)?;
+    }
+    for nu in FRAMES {
+        let chart = || growth_chart(FractionalOrder::new(nu)?, lengths, Tolerance::fast());
+        headline.draw(output, &format!("lemma_5_2_growth_{nu}"), chart)?;
+    }
+    Ok(())
+}
+
 /// γ_θ(ν) against θ, the points of one order together: computed, and dashed the law that holds as θ → 0.
-pub fn curves_chart(points: &[(FractionalOrder, ScalingPoint, f64)]) -> Chart {
+pub fn curves_chart(points: &[(ScalingPoint, f64)]) -> Chart {
     let x = Axis::logarithmic("θ, length of the zone (interval = 1)");
     let mut chart =
         Chart::new("Poincaré constants of Lemma 5.2", x, Axis::logarithmic("γ, Poincaré constant"));
-    for (k, same) in points.chunk_by(|a, b| a.0 == b.0).enumerate() {
-        let (order, colour) = (same[0].0, PALETTE[k % PALETTE.len()]);
-        let computed = same.iter().map(|(_, p, _)| (p.theta, p.found.gamma.value)).collect();
-        let law: Vec<(f64, f64)> =
-            same.iter().filter_map(|(_, p, _)| Some((p.theta, p.law?.value))).collect();
+    for (k, same) in points.chunk_by(|(a, _), (b, _)| a.order == b.order).enumerate() {
+        let (order, colour) = (same[0].0.order, PALETTE[k % PALETTE.len()]);
+        let computed = same.iter().map(|(p, _)| (p.theta, p.found.gamma.value)).collect();
+        let law: Vec<(f64, f64)> = same.iter().filter_map(|(p, _)| Some((p.theta, p.law?.value))).collect();
         chart = chart.with(Series::points(format!("ν = {order}, computed"), computed).colour(colour));
         if !law.is_empty() {
             chart = chart.with(Series::dashed(format!("ν = {order}, law as θ → 0"), law).colour(colour));
@@ -85,9 +108,9 @@ pub fn curves_chart(points: &[(FractionalOrder, ScalingPoint, f64)]) -> Chart {
 }
 
 /// One row per zone: the constant, its bounds, and its quotients by both laws.
-pub fn scaling_table(points: &[(FractionalOrder, ScalingPoint, f64)]) -> Table {
-    Table::new(columns()).with_rows(points.iter().map(|(order, p, seconds)| {
-        let mut row: Vec<Cell> = vec![order.value().into(), p.theta.into(), p.zone.to_string().into()];
+pub fn scaling_table(points: &[(ScalingPoint, f64)]) -> Table {
+    Table::new(columns()).with_rows(points.iter().map(|(p, seconds)| {
+        let mut row: Vec<Cell> = vec![p.order.value().into(), p.theta.into(), p.zone.to_string().into()];
         row.extend([p.found.gamma.value, p.found.gamma.error, p.found.lower, p.found.upper].map(Cell::from));
         row.extend([p.over_printed.into(), p.over_law.map(|e| e.value).into(), (*seconds).into()]);
         row
