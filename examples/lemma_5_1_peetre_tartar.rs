@@ -118,7 +118,7 @@ pub fn findings(rows: &[Row]) -> Vec<Finding> {
 /// Computes α from γ and compares it with quotients of functions.
 pub fn run(options: &Options) -> Result<Headline> {
     let rows = compute(options)?;
-    let claim = "alpha ||u||_X <= ||A u||_Y with alpha > 0 on the functions of mean zero over (0, theta)";
+    let claim = "alpha ||u||_X <= ||A u||_Y with alpha > 0 on functions of mean zero over (0, theta)";
     let mut headline = Headline::new("Lemma 5.1", claim, table(&rows), findings(&rows));
     headline.quote("lemma.5.1.smallest.alpha", rows.iter().map(|row| row.alpha.value).fold(1.0, f64::min));
     headline.draw(&options.output, "lemma_5_1_peetre_tartar", || Ok(draw(&rows)))?;

@@ -185,8 +185,8 @@ fn orders_without_digits_of_their_own_are_continued() {
         let (found, u) = extremal(order(nu), zone, Condition::MeanZero, asked).unwrap();
         assert_eq!(found, value);
         let interpolant = u.interpolate(2, 6, &[theta]).unwrap();
-        let seminorm = interpolant.seminorm(0, order(nu), Tolerance::fast()).unwrap().value;
-        let quotient = interpolant.l2_norm().unwrap().value / seminorm;
+        let seminorm = interpolant.seminorm(order(nu), Tolerance::fast()).unwrap().value;
+        let quotient = interpolant.l2_norm(Tolerance::reference()).unwrap().value / seminorm;
         assert!((quotient / found.value - 1.0).abs() < 1e-3, "nu {nu:e}: {quotient} against {found}");
     }
     // A zone inside leaves fewer digits: a refusal that says how many.
@@ -258,13 +258,13 @@ fn extremal_function_attains_the_constant_and_meets_its_condition() {
         let zone = Zone::end(theta).unwrap();
         let (found, u) = extremal(order(nu), zone, Condition::MeanZero, Tolerance::balanced()).unwrap();
         let interpolant = u.interpolate(2, 6, &[theta]).unwrap();
-        let seminorm = interpolant.seminorm(0, order(nu), Tolerance::fast()).unwrap().value;
-        let norm = interpolant.l2_norm().unwrap().value;
+        let seminorm = interpolant.seminorm(order(nu), Tolerance::fast()).unwrap().value;
+        let norm = interpolant.l2_norm(Tolerance::reference()).unwrap().value;
         // Quadratic interpolation on cells of ratio two is good to 1e-4 in energy.
         assert!((norm - 1.0).abs() < 1e-3 && (norm / seminorm / found.value - 1.0).abs() < 1e-3, "nu {nu}");
         let inside =
             interpolant.partition().nodes().iter().filter(|&&x| x <= theta * (1.0 + 1e-12)).count() - 1;
-        let mean = interpolant.restrict(0..inside).unwrap().mean().unwrap().value;
+        let mean = interpolant.restrict(0..inside).unwrap().mean(Tolerance::reference()).unwrap().value;
         assert!(mean.abs() < 1e-3, "nu {nu}: mean {mean}");
     }
 }
@@ -278,8 +278,8 @@ fn extremal_value_and_function_belong_together() {
         let (found, u) = extremal(order(nu), zone, Condition::MeanZero, asked).unwrap();
         assert_eq!(found, value, "nu {nu}");
         let interpolant = u.interpolate(2, 12, &[0.05]).unwrap();
-        let seminorm = interpolant.seminorm(0, order(nu), Tolerance::fast()).unwrap().value;
-        let quotient = interpolant.l2_norm().unwrap().value / seminorm;
+        let seminorm = interpolant.seminorm(order(nu), Tolerance::fast()).unwrap().value;
+        let quotient = interpolant.l2_norm(Tolerance::reference()).unwrap().value / seminorm;
         assert!((quotient / found.value - 1.0).abs() < 1e-3, "nu {nu}: {quotient} against {found}");
     }
 }

@@ -80,9 +80,10 @@ impl MeshRates {
             return self.scene.on_with(mesh, &self.setting);
         }
         if self.scene != MeshScene::Corner {
-            return Err(Error::UnknownName {
-                what: "scene with a constant load",
+            return Err(Error::Incompatible {
+                what: "scene",
                 given: self.scene.to_string(),
+                with: "a constant load",
                 expected: "corner",
             });
         }

@@ -14,8 +14,7 @@ use crate::error::{Error, Result};
 use crate::estimate::Estimate;
 use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{
-    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, Settings, Sides, StripKind, StripProblem,
-    solve_contact,
+    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, Sides, StripKind, StripProblem, solve_contact,
 };
 
 /// The reference grid is this much finer than the finest level that counts.
@@ -217,7 +216,7 @@ impl LevelProblem for RateStrip {
 
     fn solve(&self, level: usize, cone: Cone, coarser: Option<&EdgeSolution>) -> Result<EdgeSolution> {
         let (problem, operator, cells) = self.level(level)?;
-        solve_contact(operator, &problem.load(cells)?, cone, coarser, &Settings::default())
+        solve_contact(operator, &problem.load(cells)?, cone, coarser)
     }
 
     fn error(&self, level: usize, solution: &EdgeSolution) -> Result<Estimate> {

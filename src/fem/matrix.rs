@@ -1,7 +1,8 @@
-//! Symmetric sparse matrices in node blocks: row i holds one components x components block per neighbour of node i.
+//! Symmetric sparse matrices in node blocks: row i holds one components x components block per neighbour of
+//! node i.
 //!
-//! Unknown c of node i has the number i · components + c. Rows are stored whole (both triangles), so products and
-//! eliminations read rows only. A product costs two operations per entry and runs on all cores.
+//! Unknown c of node i has the number i · components + c. Rows are stored whole (both triangles), so products
+//! and eliminations read rows only. A product costs two operations per entry and runs on all cores.
 
 use rayon::prelude::*;
 

@@ -1,4 +1,5 @@
-//! Section 2: P1 finite elements for the scalar and the elastic form, and elimination of all but the contact unknowns.
+//! Section 2: P1 finite elements for the scalar and the elastic form, and elimination of all but the contact
+//! unknowns.
 
 mod assembly;
 mod condensation;
@@ -10,6 +11,7 @@ mod form;
 mod front;
 mod loads;
 mod matrix;
+mod ordering;
 mod pool;
 mod stress;
 

@@ -46,15 +46,16 @@ pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
 /// σ = λ (div u) I + 2 μ ε(u) on every triangle, for Cartesian nodal displacements (node-major).
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] unless there are two values per node; [`Error::UnknownName`] for a scalar form.
+/// [`Error::LengthMismatch`] unless there are two values per node; [`Error::Incompatible`] for a scalar form.
 pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Result<Vec<Stress>> {
     require_length("nodal values", displacement.len(), 2 * mesh.nodes().len())?;
     (0..mesh.triangles().len())
         .map(|t| {
-            let material = form.material(mesh.region(t)).ok_or_else(|| Error::UnknownName {
+            let material = form.material(mesh.region(t)).ok_or_else(|| Error::Incompatible {
                 what: "form",
                 given: "scalar".to_owned(),
-                expected: "elastic, for stresses",
+                with: "stresses",
+                expected: "elastic",
             })?;
             let element = Element::new(mesh.corners(t));
             let along = |axis: usize| {

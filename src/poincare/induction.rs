@@ -103,12 +103,12 @@ fn restricted(
     // (5.5): |u|_I = θ^{ν−1/2} |ũ|, ‖u‖ = θ^{−1/2} ‖ũ‖
     let scale = theta.powf(order.offset());
     let scaled = |e: Estimate, factor: f64| Estimate::new(e.value * factor, e.error * factor, e.work);
-    let seminorm = scaled(part.seminorm(0, order, Tolerance::fast())?, scale)?;
-    let everywhere = scaled(whole.seminorm(0, order, Tolerance::fast())?, scale)?;
-    let norm = scaled(part.l2_norm()?, theta.sqrt().recip())?;
-    let mean = part.mean()?;
+    let seminorm = scaled(part.seminorm(order, Tolerance::fast())?, scale)?;
+    let everywhere = scaled(whole.seminorm(order, Tolerance::fast())?, scale)?;
+    let norm = scaled(part.l2_norm(Tolerance::reference())?, theta.sqrt().recip())?;
+    let mean = part.mean(Tolerance::reference())?;
     let poincare = norm.over(seminorm)?.over(gamma)?;
-    let missed = zone.mean()?.value.abs() / norm.value * poincare.value;
+    let missed = zone.mean(Tolerance::reference())?.value.abs() / norm.value * poincare.value;
     Ok([
         Estimate::new(mean.value.abs(), mean.error, mean.work)?.over(norm)?,
         Estimate::new(poincare.value, poincare.error + missed, poincare.work)?,

@@ -71,8 +71,8 @@ impl TruncatedFamily {
         let (mut quotients, mut shares, mut truncation) = (Vec::new(), Vec::new(), Vec::new());
         for &(log, gamma) in constants {
             let w = truncated_logarithm(alpha, log)?;
-            let seminorm = w.seminorm(0, FractionalOrder::HALF, tolerance)?;
-            let quotient = w.l2_norm()?.over(seminorm)?;
+            let seminorm = w.seminorm(FractionalOrder::HALF, tolerance)?;
+            let quotient = w.l2_norm(Tolerance::reference())?.over(seminorm)?;
             truncation.push(seminorm.value * log.powf(alpha) / full);
             shares.push(quotient.over(gamma)?);
             quotients.push((log, quotient));
@@ -91,7 +91,7 @@ pub fn trial_quotient(
     order: FractionalOrder,
     tolerance: Tolerance,
 ) -> Result<Estimate> {
-    u.l2_norm()?.over(u.seminorm(0, order, tolerance)?)
+    u.l2_norm(Tolerance::reference())?.over(u.seminorm(order, tolerance)?)
 }
 
 /// ‖u − m‖₀ / |u|_ν, m the mean of u over the elements up to θ, a node of its partition of (0,1): a lower bound of
@@ -108,14 +108,15 @@ pub fn mean_free_quotient(
     let near = |x: f64| (x - theta).abs() <= ONE_NODE * theta;
     let node = u.partition().nodes().iter().position(|&x| near(x)).filter(|&k| k > 0);
     let elements = node.ok_or(Error::OutOfRange { name: "theta", value: theta, range: "the nodes" })?;
-    let (zone, whole) = (u.restrict(0..elements)?.mean()?, u.mean()?);
+    let (zone, whole) =
+        (u.restrict(0..elements)?.mean(Tolerance::reference())?, u.mean(Tolerance::reference())?);
     // ‖u − m‖₀² = ‖u − mean u‖₀² + (mean u − m)²
-    let norm = u.l2_norm()?;
+    let norm = u.l2_norm(Tolerance::reference())?;
     let centred = (norm.value * norm.value - whole.value * whole.value).max(0.0);
     let square = centred + (whole.value - zone.value).powi(2);
     let error = 2.0 * (norm.value * norm.error + whole.value.abs() * whole.error)
         + 2.0 * (whole.value - zone.value).abs() * (whole.error + zone.error);
-    Estimate::new(square, error, norm.work)?.sqrt()?.over(u.seminorm(0, order, tolerance)?)
+    Estimate::new(square, error, norm.work)?.sqrt()?.over(u.seminorm(order, tolerance)?)
 }
 
 /// Both sides of a bound, with errors.
@@ -139,10 +140,10 @@ pub fn cut_in_two(
     tolerance: Tolerance,
 ) -> Result<BothSides> {
     let (mut square, mut error) = (0.0, 0.0);
-    let left = u.l2_norm()?;
+    let left = u.l2_norm(Tolerance::reference())?;
     for range in [0..elements, elements..u.partition().len()] {
         let piece = u.restrict(range)?;
-        let seminorm = piece.seminorm(0, order, tolerance)?;
+        let seminorm = piece.seminorm(order, tolerance)?;
         let scale = piece.partition().total().powf(2.0 * order.value());
         square += scale * seminorm.value * seminorm.value;
         error += 2.0 * scale * seminorm.value * seminorm.error;

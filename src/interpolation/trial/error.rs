@@ -46,7 +46,7 @@ impl InterpolationError {
         tolerance: Tolerance,
     ) -> Result<Self> {
         let (slope, units) = in_units(slope)?;
-        let seminorm = slope.seminorm(0, order, tolerance)?;
+        let seminorm = slope.seminorm(order, tolerance)?;
         let (l2, derivative) = error_norms(&slope)?;
         Ok(Self { h: slope.partition().total(), l2, derivative, seminorm, units, order })
     }
@@ -64,7 +64,7 @@ impl InterpolationError {
     ) -> Result<Self> {
         mesh.require_cells(slope)?;
         let (slope, units) = in_units(slope)?;
-        let seminorm = slope.seminorm(0, order, tolerance)?;
+        let seminorm = slope.seminorm(order, tolerance)?;
         let (mut l2, mut derivative) = (Vec::new(), Vec::new());
         for range in mesh.elements() {
             let (error, error_slope) = error_norms(&slope.restrict(range.clone())?)?;

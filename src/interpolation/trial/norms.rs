@@ -7,7 +7,7 @@
 use super::panels::PanelRules;
 use super::sample::SampleSlope;
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 use crate::sobolev::{Partition, PiecewisePolynomial};
@@ -18,7 +18,7 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// (‖e‖₀, ‖e'‖₀).
 pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Estimate)> {
     let partition = slope.partition();
-    let mean = slope.mean()?.value;
+    let mean = slope.mean(Tolerance::reference())?.value;
     let rule = Rule::gauss_legendre(slope.degree() + 2)?;
     let total = partition.total();
     let (mut squares, mut error_squares, mut error, mut largest) = (0.0, 0.0, 0.0, 0.0f64);
