@@ -140,11 +140,10 @@ fn table(rows: &[Row]) -> Table {
         ),
         Column::new("others", "others", short, "least quotient of the other functions, over alpha"),
     ];
-    let cells = |r: &Row| {
-        let others = r.others.map_or(f64::NAN, |others| others.value);
-        [r.at.0, r.at.1, r.gamma.value, r.alpha.value, r.quotient.value, others]
-    };
-    Table::new(columns).with_rows(rows.iter().map(cells))
+    Table::new(columns).with_rows(rows.iter().map(|row| {
+        let others = row.others.map_or(f64::NAN, |others| others.value);
+        [row.at.0, row.at.1, row.gamma.value, row.alpha.value, row.quotient.value, others]
+    }))
 }
 
 fn draw(rows: &[Row]) -> Chart {

@@ -52,7 +52,7 @@ pub fn compute(options: &Options) -> Result<Vec<Chain>> {
 const SETTLED: f64 = 0.02;
 
 /// What decides: no factor, no quotient of (5.7) and no product passes its bound; what a step gives away.
-pub fn findings(_: &Options, chains: &[Chain]) -> Vec<Finding> {
+pub fn findings(chains: &[Chain]) -> Vec<Finding> {
     let largest = |part: fn(&InductionStep) -> Estimate| {
         Estimate::largest(chains.iter().flat_map(|chain| &chain.steps).map(part))
     };
@@ -106,7 +106,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let chains = compute(options)?;
     let claim =
         "gamma at theta^2 <= gamma at theta times (1 + theta^(nu-1/2)), and the product of these factors";
-    let mut headline = Headline::new("(5.5)-(5.9)", claim, table(&chains), findings(options, &chains));
+    let mut headline = Headline::new("(5.5)-(5.9)", claim, table(&chains), findings(&chains));
     let quotients = |s: &InductionStep| {
         [s.share.value, s.product.value, s.mean.value, s.poincare.value, s.restriction.value]
     };

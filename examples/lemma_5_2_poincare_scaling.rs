@@ -75,10 +75,8 @@ pub fn compute(options: &Options) -> Result<Vec<Computed>> {
     Ok(orders)
 }
 
-/// How near to the exponent or the slope of its limit the growth between the last two zones has to be.
-const GROWTH: f64 = 0.01;
-/// The same for the constant over its limit law at the shortest zone.
-const LAW: f64 = 0.01;
+/// How near to its limit the growth between the last two zones, and the constant over its limit law, have to be.
+const NEAR: f64 = 0.01;
 
 /// What decides: the bounds of the lemma with explicit constants, an upper bound on another road, and at ν = 1/2 the
 /// printed bound as θ → 1 and as θ → 0.
@@ -95,10 +93,8 @@ pub fn findings(options: &Options, orders: &[Computed]) -> Vec<Finding> {
     ];
     for Computed { order: nu, points, growth, half } in orders {
         let key = |word: &str| format!("{word}.nu{nu}");
-        let unit = match nu.offset() {
-            0.0 => "gamma^2 gains {value} per ln(1/theta)",
-            _ => "gamma grows like theta^{value}",
-        };
+        let power = ["gamma^2 gains {value} per ln(1/theta)", "gamma grows like theta^{value}"];
+        let unit = power[usize::from(nu.offset() != 0.0)];
         // No explicit bound is known for functions that vanish on the zone when ν ≤ 1/2.
         if let Some(share) = Estimate::largest(points.iter().filter_map(|(point, _)| point.share)) {
             findings.push(
@@ -114,7 +110,7 @@ pub fn findings(options: &Options, orders: &[Computed]) -> Vec<Finding> {
         findings.push(
             Finding::remark(key("growth"), format!("nu = {nu}: {unit}"))
                 .estimate_or(*growth, "fewer than two zones")
-                .within(GROWTH, growth_limit(*nu, options.zone), "the law as theta -> 0 at fixed nu")
+                .within(NEAR, growth_limit(*nu, options.zone), "the law as theta -> 0 at fixed nu")
                 .otherwise(format!("nu = {nu}: {unit}, off its limit {{bound}}"))
                 .undecided(format!("nu = {nu}: {unit}, too few zones to tell it from its limit {{bound}}"))
                 .told(),
@@ -122,7 +118,7 @@ pub fn findings(options: &Options, orders: &[Computed]) -> Vec<Finding> {
         if let Some((ScalingPoint { theta, over_law: Some(ratio), .. }, _)) = points.last() {
             let words = format!("nu = {nu}: gamma is {{value}} times its limit law at theta = {theta:e}");
             let finding = Finding::remark(key("law"), words.clone()).estimate(*ratio);
-            findings.push(finding.within(LAW, 1.0, "the law as theta -> 0 at fixed nu").otherwise(words));
+            findings.push(finding.within(NEAR, 1.0, "the law as theta -> 0 at fixed nu").otherwise(words));
         }
         if let Some((near_one, loose)) = half {
             let fails = "(5.2) fails as theta -> 1, where gamma / ln(1/theta) grows like (1 - theta)^{value}";
