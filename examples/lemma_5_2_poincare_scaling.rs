@@ -5,7 +5,7 @@
 //!
 //! `cargo run --release --example lemma_5_2_poincare_scaling -- --nu 0.3,1/2 --theta 1e-300 --zone centre`
 
-use example_frame::poincare::{curves_chart, frames, scaling_table};
+use example_frame::poincare::{curves_chart, figure_name, frames, scaling_table};
 use example_frame::{Finding, Headline, Result};
 use signorini::poincare::{
     Condition, END_SLOPE, Place, Scaling, ScalingPoint, growth, growth_limit, looseness_at_half,
@@ -140,19 +140,15 @@ pub fn findings(options: &Options, orders: &[Computed]) -> Vec<Finding> {
 pub fn run(options: &Options) -> Result<Headline> {
     let orders = compute(options)?;
     let claim = "gamma_theta(nu) <= C theta^(nu-1/2), C ln(1/theta), C for nu < 1/2, = 1/2, > 1/2";
-    let found = findings(options, &orders);
     let points: Vec<(ScalingPoint, f64)> = orders.iter().flat_map(|order| order.points.clone()).collect();
-    let mut headline = Headline::new("Lemma 5.2", claim, scaling_table(&points), found);
+    let mut headline = Headline::new("Lemma 5.2", claim, scaling_table(&points), findings(options, &orders));
     for (point, _) in &points {
         let key = format!("lemma.5.2.gamma.nu{}.theta{:e}", point.order, point.theta);
         headline.quote(key, point.found.gamma.value);
     }
     headline.quote("lemma.5.2.slope.end", END_SLOPE);
-    let (one, file) =
-        (options.nu.len() == 1, |nu: &FractionalOrder| format!("_{nu}").replace(['/', '.'], "_"));
-    let name: String = if one { options.nu.iter().map(file).collect() } else { String::new() };
-    headline.draw(&options.output, &format!("lemma_5_2_gamma{name}"), || Ok(curves_chart(&points)))?;
-    if !one {
+    headline.draw(&options.output, &figure_name(&options.nu), || Ok(curves_chart(&points)))?;
+    if options.nu.len() > 1 {
         frames(&mut headline, &options.output, &options.nu, &options.theta)?;
     }
     Ok(headline)

@@ -107,6 +107,14 @@ pub fn curves_chart(points: &[(ScalingPoint, f64)]) -> Chart {
     chart
 }
 
+/// The file of [`curves_chart`]; with one order only its name carries the order.
+pub fn figure_name(orders: &[FractionalOrder]) -> String {
+    match orders {
+        [one] => format!("lemma_5_2_gamma_{one}").replace(['/', '.'], "_"),
+        _ => "lemma_5_2_gamma".to_owned(),
+    }
+}
+
 /// One row per zone: the constant, its bounds, and its quotients by both laws.
 pub fn scaling_table(points: &[(ScalingPoint, f64)]) -> Table {
     Table::new(columns()).with_rows(points.iter().map(|(p, seconds)| {
