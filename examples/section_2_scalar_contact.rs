@@ -6,15 +6,20 @@
 #[allow(dead_code, reason = "the elastic problem has its own launcher")]
 mod contact;
 
-pub use contact::{Computed, Options, findings};
+pub use contact::{Computed, Options};
 
 use contact::Problem;
-use example_frame::{Headline, Result};
+use example_frame::{Finding, Headline, Result};
 use std::process::ExitCode;
 
 /// Solves the scalar scene.
 pub fn compute(options: &Options) -> Result<Computed> {
     contact::compute(Problem::Scalar, options)
+}
+
+/// What decides.
+pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
+    contact::findings(options, computed)
 }
 
 /// Solves a scalar scene and says how well the discrete conditions are met.
