@@ -13,7 +13,8 @@ const MAKES_WAY: f64 = 1e-5;
 /// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
 #[derive(Debug, Clone)]
 pub struct ExtremalFunction {
-    /// One function of a slope space; several with their weights where the order is continued from larger ones.
+    /// One function of a slope space; several with their weights where the order is continued from larger
+    /// ones.
     terms: Vec<(f64, SlopeFunction)>,
 }
 
@@ -34,8 +35,8 @@ impl ExtremalFunction {
         Self { terms }
     }
 
-    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture that
-    /// resolves all scales.
+    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture
+    /// that resolves all scales.
     pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
         match self.terms.as_slice() {
             [] => Vec::new(),
