@@ -1,7 +1,7 @@
 //! Lemma 5.1 (Peetre-Tartar): the constant α in α ‖u‖_ν ≤ |u|_ν for the spaces of Lemma 5.2.
 //!
 //! With X = V_θ, A u the difference quotient and T the embedding into L², ‖u‖_ν² = ‖u‖₀² + |u|_ν², so the
-//! best constant is α = (1 + γ_θ²)^{−1/2}. γ is an eigenvalue on a slope space. Compared with it are quotients
+//! best constant is α = (1 + γ_θ²)^{−1/2}. γ² is an eigenvalue on a slope space; beside it, quotients
 //! |u|_ν / ‖u‖_ν of piecewise polynomials, from other matrices: of the extremal function, which should attain
 //! α, and of others with mean zero on the zone, which should not go below it.
 //!

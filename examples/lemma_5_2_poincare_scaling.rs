@@ -1,6 +1,6 @@
 //! Lemma 5.2: the Poincaré constant γ_θ(ν) against the printed laws and the true ones.
 //!
-//! (5.1)-(5.3) bound γ_θ by C θ^{ν−1/2}, C ln(1/θ) and C. As θ → 0 the first and the third are the true orders;
+//! (5.1)-(5.3) bound γ_θ by C θ^{ν−1/2}, C ln(1/θ), C. As θ → 0 the first and the third are true orders;
 //! at ν = 1/2 that is √(3/(2π²) ln(1/θ)), and as θ → 1 the printed bound tends to zero while γ does not.
 //!
 //! `cargo run --release --example lemma_5_2_poincare_scaling -- --nu 0.3,1/2 --theta 1e-300 --zone centre`
