@@ -55,7 +55,7 @@ impl ExtremalFunction {
         let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
         let mut nodes: Vec<f64> = self.profile(pieces).into_iter().map(|(x, _)| x).collect();
         nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
-        nodes.extend(breaks);
+        nodes.extend(breaks.iter().filter(|&&b| b < 1.0 - ONE_NODE));
         nodes.sort_by(f64::total_cmp);
         nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
         nodes.push(1.0);
