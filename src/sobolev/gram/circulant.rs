@@ -1,4 +1,5 @@
-//! Products with symmetric circulants, by one real transform while it fits the cache, else by blocks ([`super::six_step`]).
+//! Products with symmetric circulants, by one real transform while it fits the cache, else by blocks
+//! ([`super::six_step`]).
 
 use super::six_step::{SixStep, SixStepWorkspace};
 use crate::error::{Error, Result};
