@@ -22,14 +22,13 @@ mod outcome;
 #[cfg(feature = "contact")]
 pub mod poincare;
 #[cfg(feature = "contact")]
-mod rates;
+pub mod rates;
+#[cfg(feature = "contact")]
 pub mod shown;
 
 pub use command::{HasOutput, Output, Shown, main, progress};
 pub use error::{Error, Result};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
-#[cfg(feature = "contact")]
-pub use rates::*;
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command line.
 ///
