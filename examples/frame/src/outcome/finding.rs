@@ -293,6 +293,11 @@ impl Finding {
         self.told
     }
 
+    /// Where the bound comes from.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
     /// The measured number and its uncertainty.
     pub fn measured(&self) -> Option<(f64, f64)> {
         self.number
