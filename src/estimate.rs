@@ -154,6 +154,40 @@ impl Estimate {
         let error = if self.value > self.error { self.error / (2.0 * root) } else { self.error.sqrt() };
         Self::new(root, error, self.work)
     }
+
+    /// The quotient of two estimates, relative errors added; both works count.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the divisor is zero or the quotient beyond the range of binary64.
+    pub fn over(self, divisor: Self) -> Result<Self> {
+        let value = self.value / divisor.value;
+        let error = self.error / divisor.value.abs() + value.abs() * divisor.error / divisor.value.abs();
+        Self::new(value, error, self.work + divisor.work)
+    }
+
+    /// 1/v with error e/v².
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for zero.
+    pub fn recip(self) -> Result<Self> {
+        Self::new(1.0, 0.0, Work::default())?.over(self)
+    }
+
+    /// The largest of several: the true largest value lies within the error returned. `None` of none.
+    pub fn largest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        estimates.into_iter().reduce(|a, b| {
+            let value = a.value.max(b.value);
+            let high = (a.value + a.error).max(b.value + b.error) - value;
+            let low = value - (a.value - a.error).max(b.value - b.error);
+            Self { value, error: high.max(low), work: a.work + b.work }
+        })
+    }
+
+    /// The smallest of several: the true smallest value lies within the error returned. `None` of none.
+    pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let negated = |e: Self| Self { value: -e.value, ..e };
+        Self::largest(estimates.into_iter().map(negated)).map(negated)
+    }
 }
 
 impl fmt::Display for Estimate {
@@ -173,6 +207,20 @@ mod tests {
         for bad in ["0", "nan", "1", "tight"] {
             assert!(bad.parse::<Tolerance>().is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn quotients_and_largest_values_carry_their_errors() {
+        let of = |value, error| Estimate::new(value, error, Work::default()).unwrap();
+        let quotient = of(1.0, 0.1).over(of(-4.0, 0.4)).unwrap();
+        assert_eq!(quotient.value, -0.25);
+        assert!((quotient.error - 0.05).abs() < 1e-15);
+        assert!(of(1.0, 0.1).over(of(0.0, 0.0)).is_err());
+        let largest = Estimate::largest([of(1.0, 0.5), of(1.2, 0.1), of(0.3, 0.1)]).unwrap();
+        assert_eq!(largest.value, 1.2);
+        // The true values may be as large as 1.5 and the largest is at least 1.1.
+        assert!((largest.error - 0.3).abs() < 1e-15);
+        assert_eq!(Estimate::largest([]), None);
     }
 
     #[test]

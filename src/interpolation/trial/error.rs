@@ -146,6 +146,18 @@ impl InterpolationError {
         Estimate::new(value, unit * l2.error + derivative.error, l2.work)
     }
 
+    /// The same ratio for the function stretched so that its interval, or the longest element, has the length
+    /// h.
+    ///
+    /// # Errors
+    /// As [`InterpolationError::l2_ratio`]; [`Error::OutOfRange`] unless 0 < h ≤ 1e150.
+    pub fn h1_ratio_at(&self, h: f64) -> Result<Estimate> {
+        Error::require("element length h", h, "(0, 1e150]", h > 0.0 && h <= 1e150)?;
+        let (l2, derivative) = (self.l2_ratio()?, self.derivative_ratio()?);
+        let value = (h * l2.value).hypot(derivative.value);
+        Estimate::new(value, h * l2.error + derivative.error, l2.work)
+    }
+
     fn quotient(&self, part: Estimate) -> Result<Estimate> {
         let seminorm = self.seminorm.value;
         Error::require("|u'|_nu", seminorm, "(0, inf): the ratio of an affine u is 0/0", seminorm > 0.0)?;
