@@ -93,7 +93,7 @@ fn exponents_of_printed_sharpened_and_true() {
     for tau in [1.6, 1.75, 1.9] {
         let options = theta_balance::Options { tau, ..theta_balance::Options::default() };
         let headline = theta_balance::run(&options).unwrap();
-        assert!(headline.verdict.is_confirmed(), "tau {tau}: {}", headline.verdict);
+        assert!(headline.verdict().is_confirmed(), "tau {tau}: {}", headline.verdict());
         let value = |key: &str| headline.values.iter().find(|(k, _)| k == key).unwrap().1;
         let printed = 2.0 * tau * tau - 5.0 * tau + 4.0;
         assert!((value("theta.balance.printed") - printed).abs() < 1e-9, "tau {tau}");

@@ -4,6 +4,7 @@
 mod alternative_study;
 mod alternatives;
 mod balance;
+mod balance_rows;
 mod classification;
 mod constants;
 mod exponent;
@@ -23,6 +24,7 @@ mod worst_pair;
 pub use alternative_study::{Against, AlternativeCase, AlternativeRow, AlternativeStudy};
 pub use alternatives::{Alternative, NearVertices, SetDiameter};
 pub use balance::{ElementBalance, WorstPair};
+pub use balance_rows::{BalanceExponents, BalanceRow, worst_of_cases};
 pub use classification::{Classification, ClassifiedSegment};
 pub use constants::ProofConstants;
 pub use exponent::Exponent;
