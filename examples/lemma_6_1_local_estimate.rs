@@ -28,16 +28,21 @@ example_frame::options! {
     }
 }
 
-/// What is computed for one order: the best constants, and the largest ratios among the functions tried.
+/// What is computed for one order.
 pub struct Row {
+    /// Order of the lemma.
     pub nu: f64,
+    /// Best constants.
     pub best: LocalConstants,
+    /// Largest ratios found.
     pub tried: WorstRatios,
 }
 
 /// Rows per order, and the limits of the constants for ν → 0, which bound those of all orders.
 pub struct Computed {
+    /// Per order.
     pub rows: Vec<Row>,
+    /// The limits.
     pub limit: LocalConstants,
 }
 
@@ -59,45 +64,51 @@ pub fn compute(options: &Options) -> Result<Computed> {
 
 /// What decides: best constants against the printed 1, the full norm beside h*, functions against the best constants.
 pub fn findings(_: &Options, Computed { rows, limit }: &Computed) -> Vec<Finding> {
-    let constants = || rows.iter().map(|row| &row.best).chain([limit]);
-    let most =
-        |of: fn(&LocalConstants) -> Estimate| Estimate::largest(constants().map(of)).unwrap_or(of(limit));
-    let longest = Estimate::smallest(constants().map(|c| c.longest)).unwrap_or(limit.longest);
-    let share = |of: fn(&Row) -> signorini::Result<Estimate>| {
-        let largest = Estimate::largest(rows.iter().filter_map(|row| of(row).ok()));
-        largest.map(|e| (e.value, e.error))
+    type Of = fn(&LocalConstants) -> Estimate;
+    let constants = |of: Of| rows.iter().map(|row| &row.best).chain([limit]).map(of);
+    let tried = |k: usize| rows.iter().filter_map(move |row| row.tried.shares(&row.best).ok().map(|s| s[k]));
+    let one = |finding: Finding, of: Of| finding.largest(constants(of)).at_most(1.0, "printed constant");
+    let claim = |key: &str, words: &str, of: Of| one(Finding::claim(key, words), of);
+    let loose = |key: &str, words: &str, of: Of| {
+        let factors = constants(of).filter_map(|constant| constant.recip().ok());
+        Finding::sharpness(key, words).smallest(factors).at_least(1.0, "printed constant").told()
     };
-    let (l2, derivative) = (most(|c| c.l2), most(|c| c.derivative));
-    let tried = "no function tried passes the best constant";
-    let loose = |key: &str, words: &str, constant: Estimate| {
-        let factor = constant.recip().ok().map(|e| (e.value, e.error));
-        Finding::sharpness(key, words)
-            .number_or(factor, "no constant")
-            .at_least(1.0, "the printed constant")
-            .told()
-    };
-    let one =
-        |finding: Finding, constant: Estimate| finding.estimate(constant).at_most(1.0, "printed constant");
+    let length = format!("h* is at least {:.2}, its limit for nu -> 0", limit.longest.value);
+    let fails = format!("second line, full H1 norm, for h > h*(nu), constant {{value}} just above; {length}");
+    let best = "constants C_L2(nu), C_H1(nu)";
     vec![
-        one(Finding::claim("l2", "the first line holds, best constant {value} or less"), l2),
-        one(Finding::claim("derivative", "for the derivative the second line holds, best constant {value} or less"), derivative),
-        one(Finding::claim("full.short", "with the full H1 norm it holds for h <= 1, constant {value}"), most(|c| c.full)),
-        one(Finding::claim("full.below", "and just below h*(nu), constant {value}"), most(|c| c.below)),
-        one(Finding::printed("full", "with the full H1 norm it holds for every h"), most(|c| c.above)).otherwise(format!(
-            "second line, full H1 norm, for h > h*(nu), constant {{value}} just above; h* > {:.2}, its limit for nu -> 0",
-            longest.value
-        )),
-        Finding::claim("longest", "every element of a mesh of (0, 1) is shorter than h*(nu), which is at least {value}")
-            .estimate(longest)
+        claim("l2", "the first line holds for every h, best constant up to {value}", |c| c.l2),
+        claim("derivative", "for the derivative the second line holds for every h, {value}", |c| {
+            c.derivative
+        }),
+        claim("full.short", "with the full H1 norm it holds for h <= 1, constant up to {value}", |c| c.full),
+        claim("full.below", "with the full H1 norm it holds just below h*(nu), constant {value}", |c| {
+            c.below
+        }),
+        one(
+            Finding::printed("full", "with the full H1 norm the second line holds for every h")
+                .otherwise(fails),
+            |c| c.above,
+        ),
+        Finding::claim("longest", "elements of a mesh of (0, 1) are shorter than h*(nu), at least {value}")
+            .smallest(constants(|c| c.longest))
             .at_least(1.0, "length of the interval"),
-        Finding::claim("tried.l2", format!("{tried} in L2, the worst takes {{percent}} % of it"))
-            .number_or(share(|row| row.tried.l2.over(row.best.l2)), "no order")
-            .at_most(1.0, "best constant C_L2(nu)"),
-        Finding::claim("tried.derivative", format!("{tried} for the derivative, the worst takes {{percent}} % of it"))
-            .number_or(share(|row| row.tried.derivative.over(row.best.derivative)), "no order")
-            .at_most(1.0, "best constant C_H1(nu)"),
-        loose("loose.l2", "by a factor of at least {value} in L2 for every nu", l2),
-        loose("loose.derivative", "by a factor of at least {value} in the derivative for every nu", derivative),
+        Finding::claim(
+            "tried.l2",
+            "no function tried takes more than {percent} % of the best constant in L2",
+        )
+        .largest(tried(0))
+        .at_most(1.0, best),
+        Finding::claim(
+            "tried.derivative",
+            "no function tried takes more than {percent} % of that of the derivative",
+        )
+        .largest(tried(1))
+        .at_most(1.0, best),
+        loose("loose.l2", "by a factor of at least {value} in L2 for every nu", |c| c.l2),
+        loose("loose.derivative", "by a factor of at least {value} in the derivative for every nu", |c| {
+            c.derivative
+        }),
     ]
 }
 
@@ -105,7 +116,7 @@ pub fn findings(_: &Options, Computed { rows, limit }: &Computed) -> Vec<Finding
 pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let claim =
-        "|u - Iu|_0 <= h^(1+nu) |u|_(1+nu) and |u - Iu|_1 <= h^nu |u|_(1+nu) on an interval of length h > 0";
+        "|u - Iu|_0 <= h^(1+nu) |u|_(1+nu), |u - Iu|_1 <= h^nu |u|_(1+nu) on an interval of length h > 0";
     let found = findings(options, &computed);
     let Computed { rows, limit } = &computed;
     let mut headline = Headline::new("Lemma 6.1", claim, table(options, rows), found);
@@ -121,36 +132,23 @@ pub fn run(options: &Options) -> Result<Headline> {
 }
 
 fn table(options: &Options, rows: &[Row]) -> Table {
-    let found = format!(
-        "largest |u - Iu|_0 / (h^(1+nu) |u'|_nu) among powers and {} random functions of each family",
-        options.functions
-    );
-    let (digits, error) = (Format::Fixed(10), Format::Scientific(0));
+    let (ratio, digits, error) = (Format::Fixed(4), Format::Fixed(10), Format::Scientific(0));
+    let tried = format!("among powers and {} random functions of each family", options.functions);
+    let found = format!("largest |u - Iu|_0 / (h^(1+nu) |u'|_nu) {tried}");
     Table::new(vec![
         Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("worst_l2", "found L2", Format::Fixed(4), found),
+        Column::new("worst_l2", "found L2", ratio, found),
         Column::new("best_l2", "best L2", digits, "best constant in place of 1"),
         Column::new("error_l2", "+- L2", error, "error of the best constant in L2: truncation and rounding"),
-        Column::new(
-            "worst_derivative",
-            "found deriv.",
-            Format::Fixed(4),
-            "largest |(u - Iu)'|_0 / (h^nu |u'|_nu)",
-        ),
+        Column::new("worst_derivative", "found deriv.", ratio, "largest |(u - Iu)'|_0 / (h^nu |u'|_nu)"),
         Column::new("best_derivative", "best deriv.", digits, "best constant, gamma_1(nu)"),
         Column::new("error_derivative", "+- deriv.", error, "error of the best constant for the derivative"),
-        Column::new(
-            "longest",
-            "h*",
-            Format::Fixed(3),
-            "with the full H1 norm constant 1 serves for h <= h*, no longer",
-        ),
+        Column::new("longest", "h*", Format::Fixed(3), "constant 1 serves the full H1 norm for h <= h*"),
     ])
     .with_rows(rows.iter().map(|Row { nu, best, tried }| {
-        let (l2, derivative) = (best.l2, best.derivative);
-        let found = [tried.l2.value, tried.derivative.value];
-        let last = [derivative.value, derivative.error, best.longest.value];
-        [*nu, found[0], l2.value, l2.error, found[1], last[0], last[1], last[2]]
+        let of = |tried: Estimate, best: Estimate| [tried.value, best.value, best.error];
+        let [l2, derivative] = [of(tried.l2, best.l2), of(tried.derivative, best.derivative)];
+        [[*nu].as_slice(), &l2, &derivative, &[best.longest.value]].concat()
     }))
 }
 

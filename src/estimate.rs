@@ -165,6 +165,22 @@ impl Estimate {
         Self::new(value, error, self.work + divisor.work)
     }
 
+    /// The estimate times a number that is known.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the product is not finite.
+    pub fn times(self, factor: f64) -> Result<Self> {
+        Self::new(self.value * factor, self.error * factor, self.work)
+    }
+
+    /// How far the value is from a number that is known, with the same error.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when that number is not finite.
+    pub fn off(self, exact: f64) -> Result<Self> {
+        Self::new((self.value - exact).abs(), self.error, self.work)
+    }
+
     /// 1/v with error e/v².
     ///
     /// # Errors

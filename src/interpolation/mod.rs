@@ -15,7 +15,7 @@
 //! | (4.6), (4.7): best constants | [`projection_constant`], [`dual_projection_constant`] |
 //! | (4.6), (4.7): on a mesh | [`projection_norm_on_mesh`] |
 //! | (4.6), (4.7): their rates for all of H^r, from both sides | [`supremum_rate`], [`wave_constant`] |
-//! | Remark 4 | [`saturation_quotient`], [`power_lagrange_error`] |
+//! | Remark 4 | [`saturation_quotient`], [`power_lagrange_rate`] |
 //! | Remark 2 | [`AliasedWave`], [`all_waves_mean`], [`smooth_dual_error`] |
 //! | ‖·‖_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
 //! | C(q) in (3.6), (3.10), (4.12), from both sides | [`embedding_upper_bound`], [`EmbeddingSpace`] |
@@ -36,21 +36,22 @@ mod projection;
 mod rate;
 mod trial;
 
-pub use dual::{AliasedWave, DualNorm, all_waves_mean, smooth_dual_error};
+pub use dual::{AliasedWave, DualNorm, all_waves_mean, all_waves_rate, smooth_dual_error};
 pub use element::{
     ElementExtremal, ErrorNorm, LocalConstants, element_constant, element_extremal, limits, longest_element,
 };
 pub use elements::{ElementMesh, lagrange};
 pub use embedding::{
-    EmbeddingSpace, EmbeddingTrial, EndIncrements, critical_exponent, embedding_upper_bound,
+    EMBEDDING_GROWTH, EmbeddingSpace, EmbeddingTrial, EndIncrements, critical_exponent, embedding_upper_bound,
 };
 pub use mesh::{ascend, mesh_constant, mesh_constant_on_cells};
 pub use projection::{
-    ProjectionNorm, SupremumRate, dual_projection_constant, power_lagrange_error, projection_constant,
-    projection_norm_on_cells, projection_norm_on_mesh, sample_projection_dual_error, sample_projection_error,
-    saturation_quotient, supremum_rate, wave_constant,
+    DualRates, ProjectionNorm, ProjectionRates, ProjectionStudy, SupremumRate, dual_projection_constant,
+    power_lagrange_rate, projection_constant, projection_norm_on_cells, projection_norm_on_mesh,
+    sample_projection_dual_error, sample_projection_error, sample_projection_rate, saturation_quotient,
+    supremum_rate, wave_constant,
 };
-pub use rate::observed_rate;
+pub use rate::{observed_rate, observed_rates};
 pub use trial::{
     InterpolationError, RoughFamily, RoughSlopes, SampleSlope, WorstRatios, power_slope, worst_ratios,
 };

@@ -146,16 +146,12 @@ impl InterpolationError {
         Estimate::new(value, unit * l2.error + derivative.error, l2.work)
     }
 
-    /// The same ratio for the function stretched so that its interval, or the longest element, has the length
-    /// h.
+    /// The three ratios: of ‖u − I u‖₀, of ‖(u − I u)'‖₀ and of ‖u − I u‖₁.
     ///
     /// # Errors
-    /// As [`InterpolationError::l2_ratio`]; [`Error::OutOfRange`] unless 0 < h ≤ 1e150.
-    pub fn h1_ratio_at(&self, h: f64) -> Result<Estimate> {
-        Error::require("element length h", h, "(0, 1e150]", h > 0.0 && h <= 1e150)?;
-        let (l2, derivative) = (self.l2_ratio()?, self.derivative_ratio()?);
-        let value = (h * l2.value).hypot(derivative.value);
-        Estimate::new(value, h * l2.error + derivative.error, l2.work)
+    /// As [`InterpolationError::h1_ratio`].
+    pub fn ratios(&self) -> Result<[Estimate; 3]> {
+        Ok([self.l2_ratio()?, self.derivative_ratio()?, self.h1_ratio()?])
     }
 
     fn quotient(&self, part: Estimate) -> Result<Estimate> {

@@ -5,6 +5,7 @@ use super::error::{InterpolationError, power_slope};
 use super::rough::{RoughFamily, RoughSlopes};
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
+use crate::interpolation::element::LocalConstants;
 use crate::sobolev::FractionalOrder;
 
 /// Exponents of the powers tried, above the critical ν − 1/2: from the edge of H^ν to smooth functions.
@@ -17,6 +18,16 @@ pub struct WorstRatios {
     pub l2: Estimate,
     /// ‖(u − I u)'‖₀ / (h^ν |u|_{1+ν}).
     pub derivative: Estimate,
+}
+
+impl WorstRatios {
+    /// What part of the best constants, of the function and of the derivative, is reached: at most 1.
+    ///
+    /// # Errors
+    /// None for constants of the same order, which are positive.
+    pub fn shares(&self, best: &LocalConstants) -> Result<[Estimate; 2]> {
+        Ok([self.l2.over(best.l2)?, self.derivative.over(best.derivative)?])
+    }
 }
 
 /// The largest ratios over `functions` random slopes of each family with members in H^ν, and over seven
