@@ -6,7 +6,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::contact::Cone;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
-use signorini::strip::{ElasticStrip, Reference, Settings, StripKind, StripProblem, solve_contact};
+use signorini::strip::{ElasticStrip, Reference, StripKind, StripProblem, solve_contact};
 use std::hint::black_box;
 
 const REFERENCE: usize = 1 << 18;
@@ -48,8 +48,7 @@ fn contact(c: &mut Criterion) {
                 let n = 1 << 14;
                 let (operator, _) = problem.operator(n).expect("a level of the reference grid");
                 let load = problem.load(n).expect("a level of the reference grid");
-                let solve =
-                    || solve_contact(&operator, &load, cone, None, &Settings::default()).expect("data fit");
+                let solve = || solve_contact(&operator, &load, cone, None).expect("data fit");
                 group.bench_function(format!("{kind}, {name}, {cone}, 2^14"), |b| b.iter(solve));
                 let values = solve().values;
                 if cone == Cone::Nodal {

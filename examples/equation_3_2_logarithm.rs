@@ -4,8 +4,8 @@
 
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
+use example_frame::{logarithm_chart, logarithm_headline, logarithm_studies};
 use signorini::Result;
-use signorini::convergence::{logarithm_chart, logarithm_headline, logarithm_studies};
 use signorini::report::Headline;
 use signorini::strip::Levels;
 use std::process::ExitCode;

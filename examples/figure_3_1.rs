@@ -3,8 +3,8 @@
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 
 use clap::Parser;
+use example_frame::{FigureRates, figure_chart, figure_headline};
 use example_frame::{HasOutput, Output, progress};
-use signorini::convergence::{FigureRates, figure_chart, figure_headline};
 use signorini::report::Headline;
 use signorini::scenes::StripScene;
 use signorini::strip::{Levels, StripKind};

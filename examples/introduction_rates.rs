@@ -4,10 +4,8 @@
 
 use clap::Parser;
 use example_frame::{HasOutput, Output, progress};
+use example_frame::{introduction_chart, introduction_headline, introduction_rows, introduction_studies};
 use signorini::Result;
-use signorini::convergence::{
-    introduction_chart, introduction_headline, introduction_rows, introduction_studies,
-};
 use signorini::report::Headline;
 use signorini::strip::Levels;
 use std::process::ExitCode;

@@ -72,8 +72,8 @@ pub fn run(options: &Options) -> Result<Headline> {
             let (gamma, function) = extremal(nu, Zone::end(theta)?, Condition::MeanZero, options.tolerance)?;
             let alpha = 1.0 / gamma.value.hypot(1.0);
             let trial = function.interpolate(2, 6, &[])?;
-            let seminorm = trial.seminorm(0, nu, Tolerance::fast())?.value;
-            let quotient = seminorm / seminorm.hypot(trial.l2_norm()?.value);
+            let seminorm = trial.seminorm(nu, Tolerance::fast())?.value;
+            let quotient = seminorm / seminorm.hypot(trial.l2_norm(Tolerance::reference())?.value);
             smallest = smallest.min(alpha);
             apart = apart.max((quotient / alpha - 1.0).abs());
             curve.push((theta, alpha));

@@ -77,10 +77,14 @@ fn restricted(nu: FractionalOrder, theta: f64, gamma: f64, u: &ExtremalFunction)
     let part = whole.restrict(0..inside)?;
     // (5.5): |u|_I = θ^{ν−1/2} |ũ|, ‖u‖ = θ^{−1/2} ‖ũ‖
     let scale = theta.powf(nu.offset());
-    let seminorm = part.seminorm(0, nu, Tolerance::fast())?.value * scale;
-    let everywhere = whole.seminorm(0, nu, Tolerance::fast())?.value * scale;
-    let norm = part.l2_norm()?.value / theta.sqrt();
-    Ok([part.mean()?.value.abs() / norm, norm / (gamma * seminorm), seminorm / everywhere])
+    let seminorm = part.seminorm(nu, Tolerance::fast())?.value * scale;
+    let everywhere = whole.seminorm(nu, Tolerance::fast())?.value * scale;
+    let norm = part.l2_norm(Tolerance::reference())?.value / theta.sqrt();
+    Ok([
+        part.mean(Tolerance::reference())?.value.abs() / norm,
+        norm / (gamma * seminorm),
+        seminorm / everywhere,
+    ])
 }
 
 /// Squares θ step by step.

@@ -96,8 +96,8 @@ pub fn run(options: &Options) -> Result<Headline> {
         let mut curve: Vec<(f64, f64)> = Vec::new();
         for (&log, &gamma) in options.log.iter().zip(&constants) {
             let w = truncated(alpha, log)?;
-            let seminorm = w.seminorm(0, nu, Tolerance::balanced())?.value;
-            let quotient = w.l2_norm()?.value / seminorm;
+            let seminorm = w.seminorm(nu, Tolerance::balanced())?.value;
+            let quotient = w.l2_norm(Tolerance::reference())?.value / seminorm;
             let bound = seminorm * log.powf(alpha) / full;
             holds &= quotient <= gamma * (1.0 + 1e-7);
             // Truncation lowers the seminorm; an interpolant that raises it has too coarse a mesh.

@@ -78,7 +78,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     if let (Some(directory), Some(last)) =
         (options.output.directory()?, runs.iter().find(|run| Some(run.n) == finest))
     {
-        let title = format!("MeshScene {}", options.scene);
+        let title = format!("Scene {}", options.scene);
         let name = |what: &str| format!("section_2_{}_{what}_{}", options.scene, options.cone);
         headline.figures.push(last.solution.save_edge(&last.problem, &title, directory, &name("edge"))?);
         let history = last.solution.save_history(&last.problem, &title, directory, &name("history"))?;

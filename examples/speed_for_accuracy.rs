@@ -148,7 +148,7 @@ fn hat(repeat: u32) -> Result<Vec<Row>> {
     let values: Vec<f64> = (0..=1000).map(|i| f64::from(500 - (i - 500i32).abs()) / 500.0).collect();
     let u = PiecewisePolynomial::linears(Partition::uniform(1000, 1.0)?, &values)?;
     let exact = closed_forms::hat(0.0, 0.5, 0.5, 0.0, FractionalOrder::HALF)?.value.sqrt();
-    rows(repeat, exact, |tolerance| Ok(u.seminorm(0, FractionalOrder::HALF, tolerance)?.value))
+    rows(repeat, exact, |tolerance| Ok(u.seminorm(FractionalOrder::HALF, tolerance)?.value))
 }
 
 fn dual(repeat: u32) -> Result<Vec<Row>> {

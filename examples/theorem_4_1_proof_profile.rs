@@ -5,7 +5,7 @@
 use clap::Parser;
 use example_frame::{HasOutput, Output};
 use signorini::Result;
-use signorini::proof::{ProofCase, ProofConstants, Resolution, Section, ThetaRule};
+use signorini::proof::{ProofCase, Resolution, Section, ThetaRule};
 use signorini::report::Headline;
 use signorini::scenes::StripScene;
 use signorini::strip::Levels;
@@ -60,7 +60,6 @@ impl HasOutput for Options {
 
 /// Profiles the proof on all meshes.
 pub fn run(options: &Options) -> Result<Headline> {
-    let mut constants = ProofConstants::new(options.tau, options.q)?;
     let case = ProofCase {
         section: Section::Four,
         source: options.scene.clone(),
@@ -71,7 +70,7 @@ pub fn run(options: &Options) -> Result<Headline> {
         rule: options.theta.map_or(ThetaRule::Printed { tau: options.tau.min(2.0) }, ThetaRule::Fixed),
         positions: options.positions,
     };
-    let profile = case.profile(&mut constants)?;
+    let profile = case.profile(&case.constants(options.q)?)?;
     profile.headline(options.output.directory()?, "theorem_4_1_proof_profile", options.lines)
 }
 

@@ -41,6 +41,18 @@ pub enum Error {
         /// The known names, as text.
         expected: &'static str,
     },
+    /// A choice that is known but does not fit another one.
+    #[error("{what} {given} and {with} do not go together: expected {expected}")]
+    Incompatible {
+        /// What is chosen.
+        what: &'static str,
+        /// The choice.
+        given: String,
+        /// What it does not fit, as text.
+        with: &'static str,
+        /// The choices that fit, as text.
+        expected: &'static str,
+    },
     /// A value (data, load, function value) is NaN or infinite.
     #[error("{name} is not finite: {value} at index {index}")]
     NotFinite {

@@ -5,39 +5,38 @@
 //!
 //! # The paper's table of contents
 //!
+//! <!-- labels -->
 //! | paper | here |
 //! | --- | --- |
-//! | **1. Introduction and notation** | [`sobolev`] |
-//! | (1.1), norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`], [`sobolev::closed_forms`] |
-//! | dual norms | [`sobolev::dual_norm_of_functional`], [`interpolation::DualNorm`] |
-//! | **2. Signorini's problem** | [`contact`] |
-//! | (2.1)-(2.7), body, conditions, weak form; Figure 2.1 | [`mesh`], [`fem`], [`contact::ContactProblem`], [`scenes::MeshScene`] |
-//! | Remark 1, the scalar problem | [`fem::Form::Scalar`] |
-//! | (2.8), (2.9), linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
-//! | the same on a strip, reduced to its contact edge | [`strip`] |
-//! | **3. Error analysis** | [`edge`], [`proof`], [`convergence`] |
-//! | Introduction, Theorems 3.1 and 4.1, Figure 3.1, rates old, new and measured | [`convergence::RateStudy`], [`convergence::TheoremPlan`] |
-//! | why no contact set is bad | [`proof::worst_ratio`] |
-//! | Figures 3.2 and 4.1, first and second case | [`proof::AlternativeCase`], [`proof::Classification`] |
-//! | (3.3)-(3.15), (4.9)-(4.14), both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |
-//! | "Globally", the choice of theta | [`proof::ElementBalance`] |
-//! | Falk's lemma, (4.5), (4.8), term by term | [`proof::falk_terms`] |
-//! | Remark 2, no better bound in the dual norm | [`interpolation::DualNorm`] |
-//! | (3.6), (3.10), embedding constants C(q) | [`interpolation::embedding_upper_bound`], [`interpolation::EmbeddingSpace`] |
-//! | **4. Another contact condition** | |
-//! | (4.1), the midpoint cone | [`cone::Cone::Midpoint`] |
-//! | Theorem 4.1, Figure 4.1, (4.5), (4.8)-(4.14) | [`proof`] |
-//! | (4.6), (4.7), Remark 4, projection on constants | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
-//! | **5. Appendix A, Poincaré constants** | [`poincare`] |
-//! | Lemma 5.1, (5.4), the constant exists | [`poincare::gamma`], [`poincare::extremal`] |
-//! | Lemma 5.2, (5.1)-(5.3), its growth as the zone shrinks | [`poincare::ScalingCurve`], [`poincare::UniformLaw`], [`poincare::end_limit`], [`poincare::two_sided`] |
-//! | (5.5)-(5.9), Remark 5 | [`poincare::printed_growth`], [`sobolev::closed_forms::log_power`] |
-//! | Remark 6, one point; Remark 7, a zone anywhere | [`poincare::gamma_at_point`], [`poincare::Zone::at`] |
-//! | **6. Appendix B, interpolation** | [`interpolation`] |
-//! | Lemma 6.1, (6.1), one interval | [`interpolation::element_constant`], [`interpolation::longest_element`], [`interpolation::InterpolationError`] |
-//! | Lemma 6.2, a mesh | [`interpolation::mesh_constant`] |
-//! | **Every number** | [`Tolerance`], [`Estimate`], [`Error`], [`quadrature`] |
-//! | what is printed and drawn | [`report`], [`figures`] |
+//! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
+//! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
+//! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
+//! | Remark 1: the scalar problem | [`fem::Form::Scalar`] |
+//! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
+//! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::RateStudy`], [`convergence::Fit`] |
+//! | Theorem 3.1 on a strip: any contact set, reduced exactly to its edge | [`strip`] |
+//! | Remark 2: no better bound in the dual norm | [`interpolation::DualNorm`] |
+//! | Figure 3.2: first and second case, nodal cone | [`proof::AlternativeCase`], [`proof::Classification`] |
+//! | (3.3) to (3.9), (3.11) to (3.15): both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |
+//! | (3.6), (3.10): embedding constants C(q) | [`interpolation::EmbeddingSpace`], [`interpolation::embedding_upper_bound`] |
+//! | Section 3, Globally: the choice of theta | [`proof::ElementBalance`] |
+//! | (4.1): the midpoint cone | [`cone::Cone::Midpoint`] |
+//! | Falk's lemma, (4.5), (4.8): every term | [`proof::falk_terms`] |
+//! | (4.6), (4.7): projection on constants, L^2 and dual norm | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
+//! | (4.9) to (4.14): both sides of every line | [`proof::section_four_checks`] |
+//! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::worst_ratio`] |
+//! | Lemma 5.1: Peetre-Tartar | [`poincare::gamma`] |
+//! | Lemma 5.2, (5.1) to (5.3): Poincaré constant of a small zone | [`poincare::gamma`], [`poincare::two_sided`], [`poincare::LimitLaw`] |
+//! | Remark 5: no constant at nu = 1/2 | [`sobolev::closed_forms::log_power`] |
+//! | (5.4): the constant exists and is attained | [`poincare::extremal`] |
+//! | (5.5) to (5.9): scaling, one step, the product | [`poincare::growth`], [`poincare::printed_growth`] |
+//! | Remark 6: one point is enough above 1/2 | [`poincare::gamma_at_point`] |
+//! | Remark 7: the zone may lie anywhere | [`poincare::Zone::at`] |
+//! | Lemma 6.1, (6.1): interpolation on one interval | [`interpolation::element_constant`], [`interpolation::InterpolationError`] |
+//! | Lemma 6.2: interpolation on a mesh | [`interpolation::mesh_constant`] |
+//! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
+//! | extremes: hard input gets digits, bad input an error | [`Error`] |
+//! <!-- end of labels -->
 //!
 //! ```
 //! use signorini::poincare::{Condition, Zone, gamma};
@@ -66,6 +65,7 @@ pub mod fem;
 pub mod figures;
 pub mod interpolation;
 pub mod mesh;
+pub mod numeric;
 pub mod poincare;
 pub mod proof;
 pub mod quadrature;

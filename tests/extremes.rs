@@ -30,7 +30,7 @@ fn orders_at_the_ends_of_the_interval() {
             &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0],
         )
         .unwrap();
-        let value = u.seminorm(0, order, Tolerance::reference()).unwrap().value;
+        let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
         assert_digits("piecewise", value, exact.sqrt());
     }
     for nu in [1e-6, 1.0 - 1e-6] {
@@ -48,7 +48,7 @@ fn intervals_of_any_length() {
             let order = FractionalOrder::new(nu).unwrap();
             let partition = Partition::uniform(4, length).unwrap();
             let u = PiecewisePolynomial::linears(partition, &[0.0, 0.25, 0.5, 0.75, 1.0]).unwrap();
-            let value = u.seminorm(0, order, Tolerance::reference()).unwrap().value;
+            let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
             // The square scales with L^{1−2ν}; the power is taken of the root, where 1 − 2ν is halved.
             let exact = identity_squared(order).sqrt() * length.powf(-order.offset());
             assert_digits(&format!("length {length:e}, nu {nu}"), value, exact);
@@ -64,13 +64,13 @@ fn tiny_elements_beside_long_ones() {
     let u =
         PiecewisePolynomial::linears(Partition::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])
             .unwrap();
-    let tiny = u.seminorm(0, order, Tolerance::reference()).unwrap().value;
+    let tiny = u.seminorm(order, Tolerance::reference()).unwrap().value;
     // At ν = 1/2 the seminorm does not see scale: the same hat over 1e-20, whose surroundings are as good as infinite.
     let lengths = vec![1.0, 1e-20, 1e-20, 1.0];
     let v =
         PiecewisePolynomial::linears(Partition::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])
             .unwrap();
-    assert_digits("tiny hat", tiny, v.seminorm(0, order, Tolerance::reference()).unwrap().value);
+    assert_digits("tiny hat", tiny, v.seminorm(order, Tolerance::reference()).unwrap().value);
     assert!(matches!(Partition::from_lengths(vec![1e-300, 1e300]), Err(Error::OutOfRange { .. })));
 }
 
@@ -80,7 +80,7 @@ fn values_of_any_size() {
     for size in [1e-150, 1e150] {
         let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0).unwrap(), &[0.0, 0.5 * size, size])
             .unwrap();
-        let value = u.seminorm(0, order, Tolerance::reference()).unwrap().value;
+        let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
         assert_digits("values", value, size * identity_squared(order).sqrt());
         let dual = u.dual_norm(DualOf::Slobodeckij, order, Tolerance::fast()).unwrap().value;
         assert!(dual > 0.1 * size && dual < size, "{dual}");

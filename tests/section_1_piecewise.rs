@@ -48,8 +48,8 @@ fn quadratic_form_closed_form_and_pairs_agree_for_linears() {
                 .flat_map(|i| (0..nodal.len()).map(move |j| (i, j)))
                 .map(|(i, j)| nodal[i] * matrix[(i, j)] * nodal[j])
                 .sum();
-            let fast = u.seminorm(0, order, Tolerance::reference()).unwrap().value;
-            let slow = v.seminorm(0, order, Tolerance::reference()).unwrap().value;
+            let fast = u.seminorm(order, Tolerance::reference()).unwrap().value;
+            let slow = v.seminorm(order, Tolerance::reference()).unwrap().value;
             let what = format!("{} elements, nu {order}", partition.len());
             assert_close(&what, slow, fast);
             assert_close(&what, form.sqrt(), fast);
@@ -71,8 +71,8 @@ fn quadratic_form_closed_form_and_pairs_agree_for_constants() {
                 .flat_map(|i| (0..level.len()).map(move |j| (i, j)))
                 .map(|(i, j)| level[i] * matrix[(i, j)] * level[j])
                 .sum();
-            let fast = u.seminorm(0, order, Tolerance::reference()).unwrap().value;
-            let slow = v.seminorm(0, order, Tolerance::reference()).unwrap().value;
+            let fast = u.seminorm(order, Tolerance::reference()).unwrap().value;
+            let slow = v.seminorm(order, Tolerance::reference()).unwrap().value;
             let what = format!("{} elements, nu {order}", partition.len());
             assert_close(&what, slow, fast);
             assert_close(&what, form.sqrt(), fast);
@@ -90,7 +90,7 @@ fn monomials_have_their_closed_form_on_any_mesh() {
                 let unit = closed_forms::power(degree as f64, order).unwrap().value.sqrt();
                 // |x^k|_ν on (0, L) is L^{k+1/2−ν} times that on (0, 1).
                 let expected = unit * partition.total().powf(degree as f64 - order.offset());
-                let estimate = u.seminorm(0, order, Tolerance::new(1e-11).unwrap()).unwrap();
+                let estimate = u.seminorm(order, Tolerance::new(1e-11).unwrap()).unwrap();
                 let what = format!("x^{degree}, {} elements, nu {order}", partition.len());
                 assert_close(&what, estimate.value, expected);
             }
@@ -105,7 +105,11 @@ fn norms_of_order_above_one_take_the_derivative() {
     let order = FractionalOrder::new(nu).unwrap();
     let u = PiecewisePolynomial::interpolate(Partition::uniform(5, 1.0).unwrap(), 2, |x| x * x).unwrap();
     let expected = (0.2 + 4.0 / 3.0 + 4.0 / ((1.0 - nu) * (3.0 - 2.0 * nu))).sqrt();
-    assert_close("norm", u.norm(1, order, Tolerance::reference()).unwrap().value, expected);
+    assert_close(
+        "norm",
+        u.norm_with_derivative(&u.derivative().unwrap(), order, Tolerance::reference()).unwrap().value,
+        expected,
+    );
 }
 
 #[test]
@@ -114,10 +118,11 @@ fn discontinuous_linears_are_finite_below_one_half_only() {
     let u = PiecewisePolynomial::discontinuous_linears(partition, &[[0.0, 1.0], [0.0, 1.0]]).unwrap();
     let below = FractionalOrder::new(0.3).unwrap();
     // The jump alone is the indicator of the second element; x/h − 1/2 differs from it by a continuous function.
-    assert!(u.seminorm(0, below, Tolerance::reference()).is_ok());
-    for outcome in
-        [u.seminorm(0, FractionalOrder::HALF, Tolerance::fast()), u.norm(1, below, Tolerance::fast())]
-    {
+    assert!(u.seminorm(below, Tolerance::reference()).is_ok());
+    for outcome in [
+        u.seminorm(FractionalOrder::HALF, Tolerance::fast()),
+        u.norm_with_derivative(&u.derivative().unwrap(), below, Tolerance::fast()),
+    ] {
         assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "{outcome:?}");
     }
 }
@@ -127,7 +132,7 @@ fn restriction_drops_the_rest_of_the_interval() {
     let u = PiecewisePolynomial::linears(Partition::uniform(4, 2.0).unwrap(), &[9.0, 0.0, 1.0, 0.0, -7.0])
         .unwrap();
     let order = FractionalOrder::new(0.75).unwrap();
-    let hat = u.restrict(1..3).unwrap().seminorm(0, order, Tolerance::reference()).unwrap().value;
+    let hat = u.restrict(1..3).unwrap().seminorm(order, Tolerance::reference()).unwrap().value;
     let expected = closed_forms::hat(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
     assert_close("hat", hat, expected);
 }
@@ -139,7 +144,7 @@ fn lebesgue_norms_and_means() {
         &[-1.0, 1.0, 1.0 + 1e-9],
     )
     .unwrap();
-    assert_close("mean", u.mean().unwrap().value, (2.0 + 1e-9) / 3.0);
+    assert_close("mean", u.mean(Tolerance::reference()).unwrap().value, (2.0 + 1e-9) / 3.0);
     let cubic = u.lq_norm(3.0, Tolerance::reference()).unwrap().value;
     assert_close("L3", cubic.powi(3), 0.25 + 2.0 + 3e-9);
     assert_close("Linf", u.lq_norm(f64::INFINITY, Tolerance::reference()).unwrap().value, 1.0 + 1e-9);
@@ -158,11 +163,11 @@ fn values_of_any_size_scale_out() {
     let base = values(32);
     for order in orders() {
         let unit = PiecewisePolynomial::linears(partition.clone(), &base).unwrap();
-        let unit = unit.seminorm(0, order, Tolerance::reference()).unwrap().value;
+        let unit = unit.seminorm(order, Tolerance::reference()).unwrap().value;
         for size in [1e-150, 1e150, 1e-290, 1e290] {
             let scaled: Vec<f64> = base.iter().map(|v| size * v).collect();
             let u = PiecewisePolynomial::linears(partition.clone(), &scaled).unwrap();
-            assert_close("scaled", u.seminorm(0, order, Tolerance::reference()).unwrap().value, size * unit);
+            assert_close("scaled", u.seminorm(order, Tolerance::reference()).unwrap().value, size * unit);
         }
     }
 }

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use signorini::contact::Cone;
 use signorini::fem::Lame;
-use signorini::strip::{EdgeLoad, EdgeSolution, ElasticStrip, ScalarStrip, Settings, solve_contact};
+use signorini::strip::{EdgeLoad, EdgeSolution, ElasticStrip, ScalarStrip, solve_contact};
 use std::f64::consts::PI;
 
 /// The reference holds 14 digits; both roads round at a few units of 1e-16 times the condition of small problems.
@@ -54,8 +54,7 @@ fn scalar_strip_meets_the_reference() {
         let n = case["n"].as_u64().unwrap() as usize;
         let strip = ScalarStrip::new(n, n).unwrap();
         let load = strip.condense(|x, _| (2.0 * PI * x).cos() + 0.3).unwrap();
-        let solution =
-            solve_contact(strip.operator(), &load, cone(&case), None, &Settings::default()).unwrap();
+        let solution = solve_contact(strip.operator(), &load, cone(&case), None).unwrap();
         compare(&case, &solution);
     }
 }
@@ -85,8 +84,7 @@ fn elastic_strip_meets_the_reference() {
         let n = case["n"].as_u64().unwrap() as usize;
         let strip = ElasticStrip::new(n, n, Lame::new(1.0, 1.0).unwrap()).unwrap();
         let load = elastic_load(&strip, case["load"].as_str().unwrap());
-        let solution =
-            solve_contact(strip.operator(), &load, cone(&case), None, &Settings::default()).unwrap();
+        let solution = solve_contact(strip.operator(), &load, cone(&case), None).unwrap();
         compare(&case, &solution);
     }
 }

@@ -7,8 +7,8 @@ use signorini::contact::Cone;
 use signorini::fem::Lame;
 use signorini::scenes::{StripScene, mean_errors};
 use signorini::strip::{
-    EdgeData, EdgeSolution, ExactEdge, ExactElastic, Levels, Reference, Settings, Sides, StripKind,
-    StripProblem, solve_contact, study,
+    EdgeData, EdgeSolution, ExactEdge, ExactElastic, Levels, Reference, Sides, StripKind, StripProblem,
+    solve_contact, study,
 };
 
 /// The accuracy promised for every printed error, relative.
@@ -115,7 +115,7 @@ fn field_error(fine: &Mat<f64>, u: &[Vec<f64>], mut u_h: Vec<Vec<f64>>, sides: S
 
 fn solve(problem: &StripProblem, n: usize, cone: Cone) -> EdgeSolution {
     let (operator, _) = problem.operator(n).unwrap();
-    solve_contact(&operator, &problem.load(n).unwrap(), cone, None, &Settings::default()).unwrap()
+    solve_contact(&operator, &problem.load(n).unwrap(), cone, None).unwrap()
 }
 
 #[test]

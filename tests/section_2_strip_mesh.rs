@@ -8,7 +8,7 @@ use faer::{Mat, Side};
 use signorini::contact::{Cone, ContactSet, EdgeProblem, Solver, solve_on_edge};
 use signorini::fem::Lame;
 use signorini::scenes::MeshScene;
-use signorini::strip::{ElasticStrip, ScalarStrip, Settings, solve_contact};
+use signorini::strip::{ElasticStrip, ScalarStrip, solve_contact};
 use std::f64::consts::PI;
 
 /// J of both roads: rounding times the condition n² of the mesh matrices (n = 128), with a margin.
@@ -24,7 +24,7 @@ fn scalar_strip_and_mesh_agree() {
         let reversed = points[0][0] > points[1][0];
         for cone in Cone::ALL {
             let mesh = problem.solve(cone, Solver::ActiveSet).unwrap();
-            let edge = solve_contact(strip.operator(), &load, cone, None, &Settings::default()).unwrap();
+            let edge = solve_contact(strip.operator(), &load, cone, None).unwrap();
             assert!(edge.status.is_converged(), "{n} {cone}: {}", edge.status);
             let error = (edge.energy / mesh.energy - 1.0).abs();
             println!("scalar {n} {cone}: J apart by {error:.1e}");
@@ -134,7 +134,7 @@ fn elastic_strip_and_periodic_mesh_agree() {
         let (edge, force, constant) = eliminate(n, lame, f);
         let (stiffness, force, constant) = normal_problem(&edge, &force, constant);
         for cone in Cone::ALL {
-            let solution = solve_contact(strip.operator(), &load, cone, None, &Settings::default()).unwrap();
+            let solution = solve_contact(strip.operator(), &load, cone, None).unwrap();
             assert!(solution.status.is_converged(), "{n} {cone}: {}", solution.status);
             // The ring is cut at an inactive segment: a chain from there on.
             let cut = (0..n).find(|&s| !solution.contact.contains(s)).unwrap();

@@ -7,8 +7,8 @@ use signorini::contact::{Cone, ContactSet, EdgeProblem, solve_on_edge};
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{
-    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, Settings,
-    Sides, solve_contact,
+    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, Sides,
+    solve_contact,
 };
 use signorini::{Error, Result};
 
@@ -34,7 +34,7 @@ fn dense(operator: &EdgeOperator) -> Mat<f64> {
 }
 
 fn solve(operator: &EdgeOperator, force: Vec<f64>, cone: Cone) -> signorini::strip::EdgeSolution {
-    solve_contact(operator, &EdgeLoad::on_edge(force), cone, None, &Settings::default()).unwrap()
+    solve_contact(operator, &EdgeLoad::on_edge(force), cone, None).unwrap()
 }
 
 proptest! {
@@ -97,7 +97,7 @@ fn scaling_the_load_scales_the_answer() {
             }
         }
         let huge = EdgeLoad::on_edge(force.iter().map(|f| f * 1e300).collect());
-        let refused = solve_contact(strip.operator(), &huge, cone, None, &Settings::default());
+        let refused = solve_contact(strip.operator(), &huge, cone, None);
         assert!(matches!(refused, Err(Error::NotFinite { name: "energy", .. })));
     }
 }

@@ -26,7 +26,7 @@ fn no_rough_function_exceeds_the_upper_bound() {
             let mut functions = RoughSlopes::new(family, nu, 63);
             for index in 0..30 {
                 let u = functions.draw().unwrap();
-                let norm = u.norm(0, nu, Tolerance::balanced()).unwrap().value;
+                let norm = u.norm(nu, Tolerance::balanced()).unwrap().value;
                 for q in [2.0, 3.0, 20.0, 200.0_f64] {
                     let q = q.min(critical_exponent(nu).unwrap());
                     let quotient = u.lq_norm(q, Tolerance::balanced()).unwrap().value / norm;

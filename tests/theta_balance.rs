@@ -78,8 +78,8 @@ fn the_crossing_is_the_printed_power_times_a_constant() {
             let theta = h.powf(2.0 * tau - 3.0);
             // C(q) h θ^{τ−1} = C_P θ^{τ−2} C_L2 h^{2τ−2}
             let constants = balance.constants();
-            let factor =
-                constants.law(theta) * theta.powf(2.0 - tau) * constants.interpolation / constants.embedding;
+            let factor = constants.law(theta).printed * theta.powf(2.0 - tau) * constants.interpolation
+                / constants.embedding;
             let crossing = balance.crossing(h, false);
             assert!((crossing / (factor * theta) - 1.0).abs() < CROSSING, "tau {tau} h {h}: {crossing}");
             let (first, second) = (balance.first_bound(h, crossing), balance.second_bound(h, crossing)[0]);

@@ -2,31 +2,47 @@
 
 use crate::error::Result;
 use crate::figures::{Axis, Chart, Series};
-use crate::proof::{Exponent, ProofProfile, Rung, Section};
+use crate::proof::{Line, LineProfile, ProofProfile, Rung, Section, Step};
 use crate::report::{Column, Format, Headline, Table, Verdict};
 use std::path::Path;
 
 /// Lines whose slack is quoted, and under which name.
-const LOSING: [(&str, &str); 4] = [
-    ("(3.7) scaling of the norm", "scaling"),
-    ("(3.12) Poincaré", "poincare"),
-    ("(4.10) embedding", "embedding"),
-    ("(4.11) Poincaré of u_N'", "poincare"),
+const LOSING: [(Line, &str); 4] = [
+    (Line::NormScaling, "scaling"),
+    (Line::StressPoincare, "poincare"),
+    (Line::StressEmbedding, "embedding"),
+    (Line::SlopePoincare, "poincare"),
 ];
 
 /// Lines drawn in the chart of slacks.
 const DRAWN: usize = 6;
 
-/// An inequality over all meshes.
-#[derive(Debug, Clone, PartialEq)]
-struct Line {
-    label: &'static str,
-    count: usize,
-    violations: usize,
-    sharpest: f64,
-    slack: Option<f64>,
-    /// Exponent of right/left.
-    exponent: Option<Exponent>,
+fn name(step: Step) -> &'static str {
+    match step {
+        Step::Term => "consistency term",
+        Step::Hoelder => "Hölder's inequality",
+        Step::Interpolation => "interpolation, distance to a zero",
+        Step::OwnZone => "embedding, Poincaré on its own zone",
+        Step::ShortestZone => "as if every zone were h_e theta",
+        Step::Law => "law of the Poincaré constant",
+        Step::WholeEdge => "Young, norms of the whole edge",
+    }
+}
+
+fn lines(section: Section, step: Step) -> &'static str {
+    match (section, step) {
+        (Section::Three, Step::Term) => "",
+        (Section::Three, Step::Hoelder) => "(3.3), (3.11)",
+        (Section::Three, Step::Interpolation) => "(3.3)-(3.5), (3.13)",
+        (Section::Three, Step::OwnZone) => "(3.8), (3.12)",
+        (Section::Three, Step::ShortestZone) => "(3.9), (3.12)",
+        (_, Step::Law) => "(5.1), (5.2)",
+        (Section::Three, Step::WholeEdge) => "(3.9), (3.14), sum",
+        (Section::Four, Step::Term) => "(4.9)",
+        (Section::Four, Step::Interpolation) => "(6.2), (4.6)",
+        (Section::Four, Step::Hoelder | Step::OwnZone | Step::ShortestZone) => "(4.10), (4.11)",
+        (Section::Four, Step::WholeEdge) => "Globally",
+    }
 }
 
 impl ProofProfile {
@@ -41,7 +57,7 @@ impl ProofProfile {
         };
         let claim = "every line of the proof holds with its explicit constant; a ladder shows which line loses the order";
         let rungs = self.ladder()?;
-        let table = if lines { self.line_table()? } else { Self::ladder_table(&rungs) };
+        let table = if lines { self.line_table()? } else { self.ladder_table(&rungs) };
         let mut headline = Headline::new(label, claim, table, self.words(&rungs), self.verdict(&rungs));
         self.quote(&mut headline, key, &rungs);
         if let Some(directory) = directory {
@@ -63,7 +79,7 @@ impl ProofProfile {
             }
         }
         for line in self.lines() {
-            let named = LOSING.into_iter().find(|(label, _)| *label == line.label);
+            let named = LOSING.into_iter().find(|(label, _)| *label == line.line);
             if let (Some((_, name)), Some(exponent)) = (named, line.exponent) {
                 headline.quote(format!("{key}.slack.{name}"), exponent.value);
                 headline.quote(format!("{key}.slack.{name}.uncertainty"), exponent.uncertainty);
@@ -73,19 +89,9 @@ impl ProofProfile {
         headline.quote(format!("{key}.violations"), self.violations() as f64);
     }
 
-    /// Inequalities checked.
-    pub fn checks(&self) -> usize {
-        self.levels.iter().flat_map(|l| &l.inequalities).map(|i| i.count).sum()
-    }
-
-    /// Inequalities that fail beyond the error of their two sides.
-    pub fn violations(&self) -> usize {
-        self.levels.iter().flat_map(|l| &l.inequalities).map(|i| i.violations).sum()
-    }
-
     fn verdict(&self, rungs: &[Rung]) -> Verdict {
         let failed = self.violations();
-        let missed: usize = self.levels.iter().map(|l| l.cases[2]).sum();
+        let missed: usize = self.levels.iter().map(|l| l.cases.neither).sum();
         if failed > 0 || missed > 0 {
             return Verdict::NotConfirmed(format!(
                 "{failed} inequalities fail, {missed} segments are in neither case"
@@ -104,7 +110,7 @@ impl ProofProfile {
         let (first, last) = (&rungs[0], &rungs[rungs.len() - 1]);
         let largest = rungs
             .iter()
-            .filter_map(|r| r.loss.map(|loss| (r.name, loss)))
+            .filter_map(|r| r.loss.map(|loss| (name(r.step), loss)))
             .max_by(|a, b| a.1.value.total_cmp(&b.1.value));
         let (name, loss) = largest.unwrap_or(("", first.exponent));
         let missed = 2.0 * self.case.tau - 2.0 - self.printed_exponent();
@@ -122,7 +128,7 @@ impl ProofProfile {
         )
     }
 
-    fn ladder_table(rungs: &[Rung]) -> Table {
+    fn ladder_table(&self, rungs: &[Rung]) -> Table {
         let mut table = Table::new(vec![
             Column::words("step", "step", 38),
             Column::words("lines", "lines of the paper", 20),
@@ -151,46 +157,18 @@ impl ProofProfile {
         ]);
         for rung in rungs {
             table.push(vec![
-                rung.name.into(),
-                rung.lines.into(),
-                rung.values[0].into(),
+                name(rung.step).into(),
+                lines(self.case.section, rung.step).into(),
+                rung.finest.printed.into(),
                 rung.exponent.value.into(),
                 rung.loss.map(|l| l.value).into(),
                 rung.loss.map(|l| l.uncertainty).into(),
                 rung.corrected.value.into(),
-                rung.values[1].into(),
+                rung.finest.corrected.into(),
                 rung.exponent.uncertainty.into(),
             ]);
         }
         table
-    }
-
-    fn lines(&self) -> Vec<Line> {
-        let mut labels: Vec<&'static str> = Vec::new();
-        for inequality in self.levels.iter().flat_map(|l| &l.inequalities) {
-            if !labels.contains(&inequality.label) {
-                labels.push(inequality.label);
-            }
-        }
-        labels.sort_unstable();
-        let of = |label| {
-            let found: Vec<_> = self
-                .levels
-                .iter()
-                .filter_map(|l| l.inequalities.iter().find(|i| i.label == label).map(|i| (l.h(), i)))
-                .collect();
-            let slacks: Vec<(f64, f64)> =
-                found.iter().filter_map(|(h, i)| i.slack().map(|slack| (*h, slack))).collect();
-            Line {
-                label,
-                count: found.iter().map(|(_, i)| i.count).sum(),
-                violations: found.iter().map(|(_, i)| i.violations).sum(),
-                sharpest: found.iter().fold(0.0, |m: f64, (_, i)| m.max(i.sharpest)),
-                slack: slacks.last().map(|s| s.1),
-                exponent: Exponent::fit(&slacks).ok(),
-            }
-        };
-        labels.into_iter().map(of).collect()
     }
 
     /// One row per inequality.
@@ -224,11 +202,11 @@ impl ProofProfile {
         ]);
         for line in self.lines() {
             table.push(vec![
-                line.label.into(),
+                line.line.to_string().into(),
                 line.count.into(),
                 line.violations.into(),
                 line.sharpest.into(),
-                line.slack.into(),
+                line.slacks.last().map(|s| s.1).into(),
                 line.exponent.map(|e| e.value).into(),
                 line.exponent.map(|e| e.uncertainty).into(),
             ]);
@@ -244,17 +222,14 @@ impl ProofProfile {
         let mut chart = Chart::new(title, x, Axis::logarithmic("bound of the consistency term"));
         let last = rungs.len() - 1;
         for (k, rung) in rungs.iter().enumerate() {
-            let points: Vec<(f64, f64)> = self.levels.iter().map(|l| (l.h(), l.rungs[k][0])).collect();
-            let name = format!("{}: {:.2}", rung.name, rung.exponent.value);
+            let points: Vec<(f64, f64)> =
+                self.levels.iter().map(|l| (l.h(), l.rung(rung.step).printed)).collect();
+            let name = format!("{}: {:.2}", name(rung.step), rung.exponent.value);
             let series = if k == 0 || k == last {
                 Series::line_and_points(name, points)
             } else {
                 // Where the law of the constant costs nothing its rung lies on the one before: both must be seen.
-                if rung.name.starts_with("law") {
-                    Series::dashed(name, points)
-                } else {
-                    Series::line(name, points)
-                }
+                if rung.step == Step::Law { Series::dashed(name, points) } else { Series::line(name, points) }
             };
             chart = chart.with(series);
         }
@@ -266,16 +241,12 @@ impl ProofProfile {
         let title = format!("The lines of the proof that lose most, τ = {}", self.case.tau);
         let y = Axis::logarithmic("right side / left side, sums over the segments");
         let mut chart = Chart::new(title, Axis::logarithmic("h (edge = 1)"), y);
-        let mut lines: Vec<(f64, Line)> =
+        let mut lines: Vec<(f64, LineProfile)> =
             self.lines().into_iter().filter_map(|line| line.exponent.map(|e| (e.value, line))).collect();
         lines.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (exponent, line) in lines.into_iter().take(DRAWN) {
-            let points = self.levels.iter().filter_map(|l| {
-                let found = l.inequalities.iter().find(|i| i.label == line.label)?;
-                Some((l.h(), found.slack()?))
-            });
-            let name = format!("{}: h^{exponent:.2}", line.label);
-            chart = chart.with(Series::line_and_points(name, points.collect()));
+            let name = format!("{}: h^{exponent:.2}", line.line);
+            chart = chart.with(Series::line_and_points(name, line.slacks));
         }
         chart
     }

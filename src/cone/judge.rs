@@ -14,7 +14,8 @@
 //! all multipliers lie below the rounding of the balance, [`NOISE`] · force: then it is force. All figures are
 //! invariant under scaling of load, stiffness and lengths. A figure 0/0 (no load at all) is 0. Cost: O(length).
 
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::numeric::check::{require_finite, require_length};
 
 /// Multipliers below this multiple of the force scale are rounding of the balance (about 500 ε).
 pub const NOISE: f64 = 1e-13;
@@ -100,7 +101,7 @@ impl Evidence<'_> {
     /// As for [`Evidence::judge`].
     pub fn margins(&self, active: &[bool]) -> Result<Margins> {
         self.check()?;
-        same_length("contact set", active.len(), self.gap.len())?;
+        require_length("contact set", active.len(), self.gap.len())?;
         let smallest = |wanted: bool, values: &dyn Fn(usize) -> f64| {
             (0..active.len()).filter(|&i| active[i] == wanted).map(values).reduce(f64::min)
         };
@@ -118,7 +119,7 @@ impl Evidence<'_> {
     }
 
     fn check(&self) -> Result<()> {
-        same_length("multiplier", self.multiplier.len(), self.gap.len())?;
+        require_length("multiplier", self.multiplier.len(), self.gap.len())?;
         let scales = [self.force, self.displacement];
         for (name, values) in [
             ("residual", self.residual),
@@ -126,16 +127,10 @@ impl Evidence<'_> {
             ("gap", self.gap),
             ("scale", &scales),
         ] {
-            if let Some(index) = values.iter().position(|v| !v.is_finite()) {
-                return Err(Error::NotFinite { name, index, value: values[index] });
-            }
+            require_finite(name, values)?;
         }
         Ok(())
     }
-}
-
-fn same_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
-    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
 }
 
 /// a / b, with 0 / 0 = 0.

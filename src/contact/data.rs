@@ -1,9 +1,10 @@
 //! Further data of a contact problem: loads by quadrature, surface loads, prescribed displacement, initial gap.
 
-use super::problem::{ContactProblem, check_values};
+use super::problem::ContactProblem;
 use crate::error::Result;
 use crate::fem::{Cubature, Field, surface_load, volume_load};
 use crate::mesh::{Part, Point};
+use crate::numeric::check::require_values;
 use crate::quadrature::Rule;
 
 /// Gauss points per boundary edge for surface loads.
@@ -49,7 +50,7 @@ impl ContactProblem {
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
     pub fn add_load(&mut self, load: &[f64]) -> Result<()> {
-        check_values("load", load, self.load.len())?;
+        require_values("load", load, self.load.len())?;
         let framed = self.to_frame(load);
         self.load.iter_mut().zip(framed).for_each(|(sum, f)| *sum += f);
         Ok(())
@@ -78,7 +79,7 @@ impl ContactProblem {
     /// [`crate::Error::NotFinite`].
     pub fn set_gap(&mut self, gap: impl FnMut(Point) -> f64) -> Result<()> {
         let values: Vec<f64> = self.edge.points().iter().copied().map(gap).collect();
-        check_values("gap", &values, self.gap.len())?;
+        require_values("gap", &values, self.gap.len())?;
         self.gap = values;
         Ok(())
     }

@@ -6,12 +6,13 @@
 
 use super::problem::ContactProblem;
 use super::solution::{
-    Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of, largest,
+    Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of,
 };
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, NOISE, Status};
 use crate::error::{Error, Result};
 use crate::estimate::Work;
+use crate::numeric::scale::largest;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT,

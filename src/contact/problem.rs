@@ -5,8 +5,10 @@
 
 use crate::cone::{Cone, EdgeCone, Ends};
 use crate::error::{Error, Result};
-use crate::fem::{BlockMatrix, Form, Frame, consistent_load, dot, stiffness};
+use crate::fem::{BlockMatrix, Form, Frame, consistent_load, stiffness};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
+use crate::numeric::check::require_values;
+use crate::numeric::sum::careful_dot;
 use crate::sobolev::Partition;
 use std::time::Instant;
 
@@ -50,7 +52,7 @@ impl ContactProblem {
                 range: "[1, inf), unless there is a reaction term",
             });
         }
-        check_values("volume load", volume, mesh.nodes().len() * c)?;
+        require_values("volume load", volume, mesh.nodes().len() * c)?;
         let (normal, frame) = if c == 2 {
             let normal = edge.normal()?;
             (Some(normal), Frame::turned(normal, mesh.nodes_on(Part::Contact)))
@@ -121,7 +123,7 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
     pub fn normal_displacement(&self, displacement: &[f64]) -> Result<Vec<f64>> {
-        check_values("displacement", displacement, self.matrix.unknowns())?;
+        require_values("displacement", displacement, self.matrix.unknowns())?;
         let framed = self.to_frame(displacement);
         Ok(self.normal_unknowns().into_iter().map(|unknown| framed[unknown]).collect())
     }
@@ -131,7 +133,7 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
     pub fn energy_norm(&self, displacement: &[f64]) -> Result<f64> {
-        check_values("displacement", displacement, self.matrix.unknowns())?;
+        require_values("displacement", displacement, self.matrix.unknowns())?;
         // Scaled, so that squares neither overflow nor underflow.
         let scale = displacement.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         if scale == 0.0 {
@@ -139,7 +141,7 @@ impl ContactProblem {
         }
         let unit: Vec<f64> = displacement.iter().map(|v| v / scale).collect();
         let framed = self.to_frame(&unit);
-        Ok(scale * dot(&framed, &self.matrix.multiply(&framed)).max(0.0).sqrt())
+        Ok(scale * careful_dot(&framed, &self.matrix.multiply(&framed)).max(0.0).sqrt())
     }
 
     /// |u − P u_h|_a for nested levels: u lives on this problem's mesh, which is level `to` of the hierarchy; u_h on
@@ -153,9 +155,9 @@ impl ContactProblem {
         (from, coarse): (usize, &[f64]),
         (to, fine): (usize, &[f64]),
     ) -> Result<f64> {
-        check_values("fine displacement", fine, self.matrix.unknowns())?;
+        require_values("fine displacement", fine, self.matrix.unknowns())?;
         let prolonged = hierarchy.prolong(from, to, self.form.components(), coarse)?;
-        check_values("prolonged displacement", &prolonged, fine.len())?;
+        require_values("prolonged displacement", &prolonged, fine.len())?;
         let difference: Vec<f64> = fine.iter().zip(prolonged).map(|(u, v)| u - v).collect();
         self.energy_norm(&difference)
     }
@@ -180,16 +182,5 @@ impl ContactProblem {
             }
         }
         turned
-    }
-}
-
-/// Right length and finite.
-pub(super) fn check_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
-    if values.len() != expected {
-        return Err(Error::LengthMismatch { name, given: values.len(), expected });
-    }
-    match values.iter().position(|v| !v.is_finite()) {
-        Some(index) => Err(Error::NotFinite { name, index, value: values[index] }),
-        None => Ok(()),
     }
 }

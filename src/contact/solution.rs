@@ -5,13 +5,15 @@
 //! loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to the sum of absolute loads and
 //! reactions; a(d, u) vanishes without a reaction term.
 
-use super::problem::{ContactProblem, check_values};
+use super::problem::ContactProblem;
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Judgement, Margins, Status};
 use crate::error::Result;
 use crate::estimate::Work;
-use crate::fem::{compensated, dot};
 use crate::mesh::Point;
+use crate::numeric::check::require_values;
+use crate::numeric::scale::largest;
+use crate::numeric::sum::{careful_dot, compensated};
 
 /// A solution judged worse than this did not converge, whatever its solver says.
 const ACCEPTED: f64 = 1e-8;
@@ -124,9 +126,9 @@ pub(super) fn conclude(
     let sizes = sizes(problem, u);
     let force_scale = largest_free(problem, &sizes);
     let displacement_scale = displacement_scale(problem, u);
-    let energy = 0.5 * dot(u, &stress_force) - dot(u, &problem.load);
+    let energy = 0.5 * careful_dot(u, &stress_force) - careful_dot(u, &problem.load);
     let energy_rounding = f64::EPSILON * u.iter().zip(&sizes).map(|(u, size)| u * size).fold(0.0, f64::hypot);
-    check_values("energy J", &[energy, energy_rounding], 2)?;
+    require_values("energy J", &[energy, energy_rounding], 2)?;
     let evidence = Evidence {
         residual: &free,
         multiplier: &candidate.multiplier,
@@ -244,16 +246,12 @@ fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_fo
     for axis in 0..c {
         let unit: Vec<f64> = (0..residual.len()).map(|i| f64::from(u8::from(i % c == axis))).collect();
         let direction = problem.to_frame(&unit);
-        reaction[axis] = dot(&direction, &reactions);
-        let sum = dot(&direction, &problem.load) + reaction[axis]
-            - dot(&direction, &contact)
-            - dot(&problem.matrix.multiply(&direction), u);
+        reaction[axis] = careful_dot(&direction, &reactions);
+        let sum = careful_dot(&direction, &problem.load) + reaction[axis]
+            - careful_dot(&direction, &contact)
+            - careful_dot(&problem.matrix.multiply(&direction), u);
         worst = worst.max(sum.abs());
     }
     let balance = if worst == 0.0 { 0.0 } else { worst / scale };
     (reaction, balance)
-}
-
-pub(super) fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }

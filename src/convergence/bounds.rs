@@ -1,4 +1,4 @@
-//! The bounds that measured errors are compared with: before the paper, the paper, its proof sharpened, and the optimal one.
+//! The bounds that measured errors are compared with: before the paper, the paper, its proof sharpened, the optimal one.
 
 use crate::error::{Error, Result};
 
@@ -42,26 +42,6 @@ impl Bound {
             Bound::Paper | Bound::Sharpened => tau * tau - 2.5 * tau + 2.0,
             Bound::Optimal => tau - 1.0,
         })
-    }
-
-    /// "h^0.6875, the theorem".
-    ///
-    /// # Errors
-    /// As [`Bound::exponent`].
-    pub fn name(self, tau: f64) -> Result<String> {
-        let exponent = self.exponent(tau)?;
-        let power = if exponent == 1.0 { "h".to_owned() } else { format!("h^{exponent:.4}") };
-        let logarithm = match self.logarithm(tau) {
-            0.0 => String::new(),
-            power => format!(" |ln h|^{power}"),
-        };
-        let whose = match self {
-            Bound::Earlier => "before the paper",
-            Bound::Paper => "the theorem",
-            Bound::Sharpened => "the theorem, sharpened",
-            Bound::Optimal => "optimal",
-        };
-        Ok(format!("{power}{logarithm}, {whose}"))
     }
 
     /// The exponent of |ln h|: nonzero at τ = 2 only.

@@ -5,15 +5,26 @@
 //! * one power, e = C h^p: least squares in ln e against ln h over the finer half;
 //! * a power beside the order one of the smooth part, e² = A h^{2p} + B h², B of either sign: for a singularity r^p
 //!   the sum over the cells at distance r gives h² ∫_h r^{2p−3} dr, that is both terms with opposite signs;
-//! * the same with D h³, what a transition r^{3/2} and the next terms of the smooth part leave.
+//! * the same with D h³, what a transition r^{3/2} and the next terms of the smooth part leave ([`super::series`]).
 //!
-//! Relative least squares in A, B, D for each p, then in p (golden section). Each model is fitted on several windows of levels. The
-//! half-width of one power is four times the difference between the two halves of its window (an order that creeps to its limit by
-//! a factor 4/5 per half still moves by that) or twice the standard error; that of the others is twice the largest difference
-//! between windows, and of the third at least half its difference to the second. The model with the smallest half-width is
-//! reported, and which one it was. Where e is the distance to a solution of mesh size h_r on the same family of meshes, e² is that of
-//! h less that of h_r, every h^q becomes h^q − h_r^q, and one power is fitted only where nothing else can be. Cost: O(levels) per value of p.
+//! Of the two with a smooth part the one whose order moves least between windows of levels is reported; one power alone only where
+//! neither can be fitted (few levels, or no power below one), since two halves of a series may agree by chance and both be off.
+//!
+//! # What the half-width is
+//!
+//! The largest of four numbers, each of which has been seen to be the one that counts:
+//!
+//! * *windows*: twice the largest change when levels are left out at either end. For one power four times the difference between the
+//!   two halves of its window: an order that creeps to its limit by a factor 4/5 per half still moves by that;
+//! * *scatter*: three standard errors of p from the residuals;
+//! * *the next model*: the change when the next term is allowed; for the last model half of what it changed itself;
+//! * *the smooth part*: a quarter of what the smooth part changes, since its exponents are assumed and not fitted.
+//!
+//! It is no bound. On synthetic series with a smooth part, log-periodic terms and noise the true order lies within it in at least
+//! 95 % of the cases (tested below). A series that has not begun to behave like its model can deceive any fit.
 
+use super::series::Series;
+use crate::numeric::line::Line;
 use std::fmt;
 
 /// How the errors depend on h.
@@ -42,7 +53,7 @@ impl fmt::Display for Model {
 pub struct Fit {
     /// p.
     pub order: f64,
-    /// What p may be off by.
+    /// What p may be off by: windows, scatter, the next model and the smooth part, whichever is largest.
     pub half_width: f64,
     /// Which model.
     pub model: Model,
@@ -64,6 +75,26 @@ impl fmt::Display for Fit {
 /// Fewest levels a window may have.
 const WINDOW: usize = 4;
 
+/// Standard errors that count as scatter: few levels are left over, and the 97.5 % quantile of Student's t with four is 2.8.
+const SCATTER: f64 = 3.0;
+/// Share of what the smooth part changes that counts as uncertain.
+const SMOOTH: f64 = 0.25;
+/// Share of what the last term of the series changed that the term after it may still change.
+const NEXT: f64 = 0.5;
+/// The order of the smooth part: what a power that is no longer below one is taken for.
+const ONE: f64 = 1.0;
+
+/// A fit by one model before the others are asked.
+#[derive(Debug, Clone, Copy)]
+struct Candidate {
+    order: f64,
+    /// What the windows and the scatter say.
+    spread: f64,
+    scatter: f64,
+    model: Model,
+    regime: (f64, f64),
+}
+
 impl Fit {
     /// The best of all models for (h, e), coarsest first; `None` for fewer than five levels or an error that is not positive.
     pub fn of(points: &[(f64, f64)]) -> Option<Self> {
@@ -72,139 +103,70 @@ impl Fit {
 
     /// As [`Fit::of`] for distances to a solution of mesh size `reference`.
     pub fn against(points: &[(f64, f64)], reference: Option<f64>) -> Option<Self> {
-        let one = Self::power(points)?;
-        let two = Self::with_model(points, Model::PowerAndSmooth, reference);
-        let mut three = Self::with_model(points, Model::PowerAndSeries, reference);
+        let one = one_power(points)?;
+        let two = beside(points, Model::PowerAndSmooth, reference);
+        let mut three = beside(points, Model::PowerAndSeries, reference);
         if let Some(three) = &mut three {
-            // What the next term of the series may still change.
-            let before = two.map_or(POWERS.1, |two| two.order);
-            three.half_width = three.half_width.max(0.5 * (three.order - before).abs());
+            let before = two.map_or(ONE, |two| two.order);
+            three.spread = three.spread.max(NEXT * (three.order - before).abs());
         }
-        // A difference to a discrete reference is no power: one is fitted only where nothing else can be.
-        let one = if reference.is_some() { two.or(three).unwrap_or(one) } else { one };
-        let others = [two, three].into_iter().flatten();
-        Some(others.fold(one, |best, fit| if fit.half_width < best.half_width { fit } else { best }))
-    }
-
-    /// One power.
-    pub fn power(points: &[(f64, f64)]) -> Option<Self> {
-        if points.len() <= WINDOW || !is_positive(points) {
-            return None;
-        }
-        let half = &points[(points.len() / 2).min(points.len() - WINDOW)..];
-        let (order, error) = slope(half);
-        let (first, second) = half.split_at(half.len() / 2);
-        let drift = (slope(&half[..=first.len()]).0 - slope(second).0).abs();
-        let half_width = (4.0 * drift).max(2.0 * error);
-        Some(Self { order, half_width, model: Model::Power, regime: (half[0].0, half[half.len() - 1].0) })
-    }
-
-    /// A power beside the smooth part; `None` also where no power below one fits.
-    fn with_model(points: &[(f64, f64)], model: Model, reference: Option<f64>) -> Option<Self> {
-        let count = points.len();
-        if count < WINDOW + 3 || !is_positive(points) {
-            return None;
-        }
-        let exponents: &[f64] = if model == Model::PowerAndSmooth { &[2.0] } else { &[2.0, 3.0] };
-        let first = (count / 4).min(count - WINDOW - 3);
-        let windows = [(first, count), (first + 1, count), (first + 2, count), (first, count - 1)];
-        let order = |&(a, b): &(usize, usize)| {
-            Series { points: &points[a..b], exponents, reference: reference.unwrap_or(0.0) }.power()
+        let best = match (two, three) {
+            (Some(two), Some(three)) if three.spread < two.spread => three,
+            (Some(two), _) => two,
+            (None, Some(three)) => three,
+            (None, None) => one,
         };
-        let orders: Vec<f64> = windows.iter().map(order).collect::<Option<_>>()?;
-        let order = orders[0];
-        let half_width = 2.0 * orders.iter().fold(0.0, |w: f64, p| w.max((p - order).abs()));
-        Some(Self { order, half_width, model, regime: (points[first].0, points[count - 1].0) })
+        let next = match best.model {
+            Model::Power => (best.order - ONE).abs(),
+            Model::PowerAndSmooth => three.map_or(0.0, |three| (best.order - three.order).abs()),
+            Model::PowerAndSeries => 0.0,
+        };
+        // One power is no model of a difference to a discrete reference.
+        let smooth = if reference.is_some() { 0.0 } else { SMOOTH * (best.order - one.order).abs() };
+        let half_width = best.spread.max(SCATTER * best.scatter).max(next).max(smooth);
+        Some(Self { order: best.order, half_width, model: best.model, regime: best.regime })
     }
+
+    /// One power and nothing beside it, as the consistency term is; its half-width from the two halves and the scatter.
+    pub fn power(points: &[(f64, f64)]) -> Option<Self> {
+        let Candidate { order, spread, scatter, model, regime } = one_power(points)?;
+        Some(Self { order, half_width: spread.max(SCATTER * scatter), model, regime })
+    }
+}
+
+fn one_power(points: &[(f64, f64)]) -> Option<Candidate> {
+    if points.len() <= WINDOW || !is_positive(points) {
+        return None;
+    }
+    let half = &points[(points.len() / 2).min(points.len() - WINDOW)..];
+    let Line { slope: order, error: scatter, .. } = Line::through_logarithms(half);
+    let (first, second) = half.split_at(half.len() / 2);
+    let slope = |part: &[(f64, f64)]| Line::through_logarithms(part).slope;
+    let drift = (slope(&half[..=first.len()]) - slope(second)).abs();
+    let regime = (half[0].0, half[half.len() - 1].0);
+    Some(Candidate { order, spread: 4.0 * drift, scatter, model: Model::Power, regime })
+}
+
+/// A power beside the smooth part; `None` also where no power below one fits.
+fn beside(points: &[(f64, f64)], model: Model, reference: Option<f64>) -> Option<Candidate> {
+    let count = points.len();
+    if count < WINDOW + 3 || !is_positive(points) {
+        return None;
+    }
+    let exponents: &[f64] = if model == Model::PowerAndSmooth { &[2.0] } else { &[2.0, 3.0] };
+    let first = (count / 4).min(count - WINDOW - 3);
+    let windows = [(first, count), (first + 1, count), (first + 2, count), (first, count - 1)];
+    let fit = |&(a, b): &(usize, usize)| {
+        Series { points: &points[a..b], exponents, reference: reference.unwrap_or(0.0) }.power()
+    };
+    let fits: Vec<(f64, f64)> = windows.iter().map(fit).collect::<Option<_>>()?;
+    let (order, scatter) = fits[0];
+    let spread = 2.0 * fits.iter().fold(0.0, |w: f64, fit| w.max((fit.0 - order).abs()));
+    Some(Candidate { order, spread, scatter, model, regime: (points[first].0, points[count - 1].0) })
 }
 
 fn is_positive(points: &[(f64, f64)]) -> bool {
     points.iter().all(|&(h, e)| h > 0.0 && e > 0.0 && e.is_finite())
-}
-
-/// Slope of ln e against ln h and its standard error.
-fn slope(points: &[(f64, f64)]) -> (f64, f64) {
-    let count = points.len() as f64;
-    let logs = || points.iter().map(|&(h, e)| (h.ln(), e.ln()));
-    let (x, y) = logs().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));
-    let (xy, xx) = logs().fold((0.0, 0.0), |(a, b), (u, v)| (a + (u - x) * (v - y), b + (u - x).powi(2)));
-    let order = xy / xx;
-    let residual: f64 = logs().map(|(u, v)| (v - y - order * (u - x)).powi(2)).sum();
-    let error = if count > 2.0 { (residual / (count - 2.0) / xx).sqrt() } else { 0.0 };
-    (order, error)
-}
-
-/// Orders tried for the power beside h.
-const POWERS: (f64, f64) = (0.05, 0.995);
-
-/// e² = A h^{2p} + Σ B_q h^q on some levels.
-struct Series<'a> {
-    points: &'a [(f64, f64)],
-    exponents: &'a [f64],
-    reference: f64,
-}
-
-impl Series<'_> {
-    /// The best p, A > 0; `None` where it is an end of the range.
-    fn power(&self) -> Option<f64> {
-        const STEPS: usize = 190;
-        let (low, high) = POWERS;
-        let at = |k: usize| low + (high - low) * k as f64 / STEPS as f64;
-        let best = (0..=STEPS).min_by(|&a, &b| self.misfit(at(a)).0.total_cmp(&self.misfit(at(b)).0))?;
-        if best == 0 || best == STEPS {
-            return None;
-        }
-        let (mut a, mut b) = (at(best - 1), at(best + 1));
-        let ratio = 0.5 * (5f64.sqrt() - 1.0);
-        while b - a > 1e-7 {
-            let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
-            if self.misfit(c).0 < self.misfit(d).0 { b = d } else { a = c }
-        }
-        let order = 0.5 * (a + b);
-        (self.misfit(order).1 > 0.0).then_some(order)
-    }
-
-    /// Smallest Σ (model/e² − 1)² over the coefficients, and A: orthogonalisation, h^{2p} last.
-    fn misfit(&self, p: f64) -> (f64, f64) {
-        let largest = self.points[0].0;
-        let column = |q: f64| -> Vec<f64> {
-            let term = |h: f64| (h / largest).powf(q) - (self.reference / largest).powf(q);
-            self.points.iter().map(|&(h, e)| term(h) / (e * e)).collect()
-        };
-        let mut rest = vec![1.0; self.points.len()];
-        let mut basis: Vec<Vec<f64>> = Vec::new();
-        let mut coefficient = 0.0;
-        for q in self.exponents.iter().copied().chain([2.0 * p]) {
-            let mut v = column(q);
-            let before = dot(&v, &v).sqrt();
-            // Twice is enough.
-            for _ in 0..2 {
-                for b in &basis {
-                    let share = dot(b, &v);
-                    subtract(&mut v, share, b);
-                }
-            }
-            let length = dot(&v, &v).sqrt();
-            if length <= 1e-9 * before {
-                return (f64::INFINITY, 0.0);
-            }
-            v.iter_mut().for_each(|x| *x /= length);
-            let share = dot(&v, &rest);
-            subtract(&mut rest, share, &v);
-            coefficient = share / length;
-            basis.push(v);
-        }
-        (dot(&rest, &rest), coefficient)
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// a ← a − t b.
-fn subtract(a: &mut [f64], t: f64, b: &[f64]) {
-    a.iter_mut().zip(b).for_each(|(a, b)| *a -= t * b);
 }
 
 #[cfg(test)]

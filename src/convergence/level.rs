@@ -1,7 +1,7 @@
 //! One level of a rate study, and why it may not enter a fit.
 
+use super::level_loop::{Facts, Level};
 use crate::error::{Error, Result};
-use serde_json::{Value, json};
 use std::fmt;
 
 /// Why a level is left out of every fit and bound.
@@ -33,9 +33,9 @@ impl fmt::Display for Flag {
     }
 }
 
-/// Largest KKT figure of a level that counts.
+/// Largest scaled KKT figure of a level that counts: rounding on the largest levels is below 1e-12.
 const KKT: f64 = 1e-10;
-/// Largest relative uncertainty of an error that counts.
+/// Largest relative uncertainty of an error that counts: it moves an order by less than 1e-3 over a few levels.
 const DIGITS: f64 = 1e-3;
 
 /// One level of a study, at one position or as mean over several.
@@ -67,21 +67,23 @@ impl RateLevel {
         1.0 / self.cells as f64
     }
 
-    /// Sets the flag from what the level says of itself, the status of its solver and the resolution of the reference.
-    #[must_use]
-    pub(super) fn judged(mut self, converged: bool, reference_cells: usize, nearest: usize) -> Self {
-        self.flag = if !converged {
+    /// A solved level, judged by what it says of itself and by the resolution of the reference, which must be `nearest` times finer.
+    pub(super) fn of(level: &Level, reference_cells: usize, nearest: usize) -> Self {
+        let Facts { cells, unknowns, contact_runs, status, kkt, .. } = level.facts;
+        let (error, error_bound) = (level.error.value, level.error.error);
+        let flag = if !status.is_converged() {
             Some(Flag::NotConverged)
-        } else if self.kkt.is_nan() || self.kkt > KKT {
+        } else if kkt.is_nan() || kkt > KKT {
             Some(Flag::Unbalanced)
-        } else if self.error.is_nan() || self.error_bound > DIGITS * self.error {
+        } else if error.is_nan() || error_bound > DIGITS * error {
             Some(Flag::LostDigits)
-        } else if nearest.saturating_mul(self.cells) > reference_cells {
+        } else if nearest.saturating_mul(cells) > reference_cells {
             Some(Flag::NearReference)
         } else {
             None
         };
-        self
+        let seconds = level.seconds;
+        Self { cells, unknowns, error, error_bound, consistency: None, contact_runs, kkt, seconds, flag }
     }
 
     /// The mean of the same level at several positions: errors as root mean square, terms as mean, the rest as worst or sum.
@@ -105,91 +107,31 @@ impl RateLevel {
             ..first.clone()
         })
     }
-
-    /// As one JSON object, all digits.
-    pub fn json(&self) -> Value {
-        json!({
-            "cells": self.cells,
-            "unknowns": self.unknowns,
-            "error": self.error,
-            "error_bound": self.error_bound,
-            "consistency": self.consistency,
-            "contact_runs": self.contact_runs,
-            "kkt": self.kkt,
-            "seconds": self.seconds,
-            "flag": self.flag.map(|flag| flag.to_string()),
-        })
-    }
-
-    /// Reads [`RateLevel::json`] back; `None` for anything else.
-    pub fn from_json(value: &Value) -> Option<Self> {
-        let number = |key: &str| value.get(key)?.as_f64().filter(|v| v.is_finite());
-        let count = |key: &str| usize::try_from(value.get(key)?.as_u64()?).ok();
-        let consistency = match value.get("consistency")? {
-            Value::Null => None,
-            term => Some(term.as_f64()?),
-        };
-        let flag = match value.get("flag")? {
-            Value::Null => None,
-            name => {
-                Some(Flag::ALL.into_iter().find(|flag| Some(flag.to_string().as_str()) == name.as_str())?)
-            }
-        };
-        Some(Self {
-            cells: count("cells").filter(|&cells| cells > 0)?,
-            unknowns: number("unknowns")?,
-            error: number("error")?,
-            error_bound: number("error_bound")?,
-            consistency,
-            contact_runs: count("contact_runs")?,
-            kkt: number("kkt")?,
-            seconds: number("seconds")?,
-            flag,
-        })
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cone::Status;
+    use crate::estimate::{Estimate, Work};
 
-    fn level() -> RateLevel {
-        RateLevel {
-            cells: 64,
-            unknowns: 4160.0,
-            error: 0.1,
-            error_bound: 1e-15,
-            consistency: Some(1.0 / 3.0),
-            contact_runs: 2,
-            kkt: 1e-16,
-            seconds: 0.25,
-            flag: None,
-        }
-    }
-
-    #[test]
-    fn levels_are_read_back_and_anything_else_is_not() {
-        for flag in Flag::ALL.map(Some).into_iter().chain([None]) {
-            let level = RateLevel { flag, ..level() };
-            let text = level.json().to_string();
-            assert_eq!(RateLevel::from_json(&serde_json::from_str(&text).unwrap()), Some(level));
-        }
-        for bad in ["{}", "[1]", "{\"cells\": 0}"] {
-            assert_eq!(RateLevel::from_json(&serde_json::from_str(bad).unwrap()), None);
-        }
+    fn level(cells: usize, status: Status, kkt: f64, error_bound: f64) -> RateLevel {
+        let facts = Facts { cells, unknowns: 4160.0, contact_runs: 2, inner_iterations: vec![], status, kkt };
+        let error = Estimate { value: 0.1, error: error_bound, work: Work::default() };
+        RateLevel::of(&Level { facts, error, seconds: 0.25, error_seconds: 0.0 }, 1024, 16)
     }
 
     #[test]
     fn what_cannot_be_trusted_is_flagged() {
-        let flag = |level: RateLevel, converged| level.judged(converged, 1024, 16).flag;
-        assert_eq!(flag(level(), true), None);
-        assert_eq!(flag(level(), false), Some(Flag::NotConverged));
-        assert_eq!(flag(RateLevel { kkt: f64::NAN, ..level() }, true), Some(Flag::Unbalanced));
-        assert_eq!(flag(RateLevel { error_bound: 1e-3, ..level() }, true), Some(Flag::LostDigits));
-        assert_eq!(flag(RateLevel { cells: 128, ..level() }, true), Some(Flag::NearReference));
-        let mean =
-            RateLevel::mean(&[level(), RateLevel { flag: Some(Flag::LostDigits), ..level() }]).unwrap();
-        assert_eq!(mean.flag, Some(Flag::LostDigits));
+        let converged = Status::Converged;
+        let good = level(64, converged, 1e-16, 1e-15);
+        assert_eq!(good.flag, None);
+        assert_eq!(level(64, Status::StepLimit { steps: 9 }, 1e-16, 1e-15).flag, Some(Flag::NotConverged));
+        assert_eq!(level(64, converged, f64::NAN, 1e-15).flag, Some(Flag::Unbalanced));
+        let lost = level(64, converged, 1e-16, 1e-3);
+        assert_eq!(lost.flag, Some(Flag::LostDigits));
+        assert_eq!(level(128, converged, 1e-16, 1e-15).flag, Some(Flag::NearReference));
+        assert_eq!(RateLevel::mean(&[good, lost]).unwrap().flag, Some(Flag::LostDigits));
         assert!(RateLevel::mean(&[]).is_err());
     }
 }

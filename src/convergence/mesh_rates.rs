@@ -1,17 +1,20 @@
 //! Rate studies on nested meshes, against a finer solution.
 //!
 //! The reference lies on the next uniform refinement, h_r = h/2. It is no exact solution, and need not be: by orthogonality
-//! |u_ref − u_h|² ≈ |u − u_h|² − |u − u_ref|², and with the model e² = A h^{2p} + B h² for both the fit takes A (h^{2p} − h_r^{2p}) +
-//! B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each level, an O(h²) change of the data.
+//! |u_ref − u_h|² ≈ |u − u_h|² − |u − u_ref|², and with the model e² = A h^{2p} + B h² for both the fit takes
+//! A (h^{2p} − h_r^{2p}) + B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each level, an O(h²) change
+//! of the data.
 
 use super::level::RateLevel;
-use super::study::RateStudy;
-use crate::contact::{Cone, ContactProblem, Solver};
+use super::level_loop::{Facts, LevelProblem, solve_levels};
+use super::study::{RateReference, RateStudy};
+use crate::cone::Cone;
+use crate::contact::{ContactProblem, ContactSolution, Solver};
 use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
 use crate::fem::Form;
 use crate::mesh::{Hierarchy, Triangulation};
 use crate::scenes::{MeshScene, Setting};
-use std::time::Instant;
 
 /// Uniform refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 1;
@@ -27,8 +30,8 @@ pub struct MeshRates {
     pub scene: MeshScene,
     /// Its parameters.
     pub setting: Setting,
-    /// f = −1 in place of the load of the scene. Where u = 0 is prescribed on the rest of the boundary or nothing, a constant f < 0 gives
-    /// u < 0 (maximum principle): the contact edge is free and the corner is all there is.
+    /// f = −1 in place of the load of the scene. Where u = 0 is prescribed on the rest of the boundary or nothing, a constant f < 0
+    /// gives u < 0 (maximum principle): the contact edge is free and the corner is all there is.
     pub constant_load: bool,
     /// Squares along each side of the coarsest mesh.
     pub coarsest: usize,
@@ -40,7 +43,8 @@ impl MeshRates {
     /// Studies the given cones; the reference is solved once, in the nodal cone. Errors are relative to the norm of u.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for fewer than two levels, n < 2, or a reference that is too large; whatever the meshes and solvers return.
+    /// [`Error::CountOutOfRange`] for fewer than two levels, n < 2, or a reference that is too large; whatever the meshes and solvers
+    /// return.
     pub fn study(&self, cones: &[Cone]) -> Result<Vec<RateStudy>> {
         self.check()?;
         let hierarchy = Hierarchy::refined(
@@ -50,7 +54,7 @@ impl MeshRates {
         let problem = self.problem(hierarchy.finest().clone())?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;
         let norm = problem.energy_norm(&solution)?;
-        let reference = Reference { hierarchy, problem, solution, norm };
+        let reference = Reference { rates: *self, hierarchy, problem, solution, norm };
         let tau = self.scene.regularity(&self.setting)?;
         let name = match self.scene {
             MeshScene::Corner if self.constant_load => format!("corner {} f=-1", self.setting.angle),
@@ -58,12 +62,15 @@ impl MeshRates {
             scene => scene.to_string(),
         };
         let h_r = 1.0 / (self.coarsest << (self.levels - 1 + REFERENCE_DEPTH)) as f64;
+        let resolution = self.coarsest << (self.levels - 1 + REFERENCE_DEPTH);
         cones
             .iter()
             .map(|&cone| {
-                let levels = (0..self.levels).map(|k| self.level(&reference, cone, k));
-                let levels = levels.collect::<Result<_>>()?;
-                Ok(RateStudy { scene: name.clone(), tau, cone, norm: None, reference: Some(h_r), levels })
+                let solved = solve_levels(&reference, cone, |_| false, |_, _| Ok(()))?;
+                let judged = |level| RateLevel::of(level, resolution, 1 << REFERENCE_DEPTH);
+                let levels: Vec<RateLevel> = solved.iter().flatten().map(judged).collect();
+                let (scene, reference) = (name.clone(), RateReference::Discrete(h_r));
+                Ok(RateStudy { scene, tau, cone, norm: None, reference, planned: self.levels, levels })
             })
             .collect()
     }
@@ -73,9 +80,10 @@ impl MeshRates {
             return self.scene.on_with(mesh, &self.setting);
         }
         if self.scene != MeshScene::Corner {
-            return Err(Error::UnknownName {
-                what: "scene with a constant load",
+            return Err(Error::Incompatible {
+                what: "scene",
                 given: self.scene.to_string(),
+                with: "a constant load",
                 expected: "corner",
             });
         }
@@ -98,36 +106,45 @@ impl MeshRates {
         }
         Ok(())
     }
-
-    fn level(&self, reference: &Reference, cone: Cone, k: usize) -> Result<RateLevel> {
-        let started = Instant::now();
-        let mesh = reference.hierarchy.levels()[k].clone();
-        let problem = self.problem(mesh)?;
-        let solution = problem.solve(cone, Solver::ActiveSet)?;
-        let seconds = started.elapsed().as_secs_f64();
-        let finest = reference.hierarchy.levels().len() - 1;
-        let (coarse, fine) = ((k, &solution.displacement[..]), (finest, &reference.solution[..]));
-        let error = reference.problem.nested_energy_error(&reference.hierarchy, coarse, fine)?;
-        let cells = self.coarsest << k;
-        let level = RateLevel {
-            cells,
-            unknowns: problem.free_unknowns() as f64,
-            error: error / reference.norm,
-            error_bound: ROUNDING,
-            consistency: None,
-            contact_runs: solution.contact_set.runs().len(),
-            kkt: solution.judgement.worst(),
-            seconds,
-            flag: None,
-        };
-        let resolution = self.coarsest << (self.levels - 1 + REFERENCE_DEPTH);
-        Ok(level.judged(solution.status.is_converged(), resolution, 1 << REFERENCE_DEPTH))
-    }
 }
 
+/// The finest mesh with its solution, which stands for the exact one.
 struct Reference {
+    rates: MeshRates,
     hierarchy: Hierarchy,
     problem: ContactProblem,
     solution: Vec<f64>,
     norm: f64,
+}
+
+impl LevelProblem for Reference {
+    type Solution = (ContactProblem, ContactSolution);
+
+    fn count(&self) -> usize {
+        self.rates.levels
+    }
+
+    fn solve(&self, level: usize, cone: Cone, _: Option<&Self::Solution>) -> Result<Self::Solution> {
+        let problem = self.rates.problem(self.hierarchy.levels()[level].clone())?;
+        let solution = problem.solve(cone, Solver::ActiveSet)?;
+        Ok((problem, solution))
+    }
+
+    fn error(&self, level: usize, (_, solution): &Self::Solution) -> Result<Estimate> {
+        let finest = self.hierarchy.levels().len() - 1;
+        let (coarse, fine) = ((level, &solution.displacement[..]), (finest, &self.solution[..]));
+        let error = self.problem.nested_energy_error(&self.hierarchy, coarse, fine)?;
+        Estimate::new(error / self.norm, ROUNDING, Work::default())
+    }
+
+    fn facts(&self, level: usize, (problem, solution): &Self::Solution) -> Facts {
+        Facts {
+            cells: self.rates.coarsest << level,
+            unknowns: problem.free_unknowns() as f64,
+            contact_runs: solution.contact_set.runs().len(),
+            inner_iterations: Vec::new(),
+            status: solution.status,
+            kkt: solution.judgement.worst(),
+        }
+    }
 }

@@ -1,28 +1,32 @@
 //! Theorems 3.1 and 4.1, Figure 3.1: how fast errors and consistency terms fall.
+//!
+//! | | here |
+//! | --- | --- |
+//! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
+//! | a scene in one cone on strips and on meshes | [`RateStrip`], [`MeshRates`], [`RateStudy`] |
+//! | which levels count | [`RateLevel`], [`Flag`] |
+//! | the order p ± what it may be off by | [`Fit`]; the power of |ln h| at τ = 2: [`LogarithmFit`] |
+//! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
 mod bounds;
-mod figure;
 mod fit;
-mod introduction;
 mod level;
-mod listing;
+mod level_loop;
 mod logarithm;
+mod memory;
 mod mesh_rates;
 mod orders;
-mod store;
+mod series;
 mod strip_rates;
 mod study;
-mod theorem;
 
 pub use bounds::Bound;
-pub use figure::{FigureRates, figure_chart, figure_headline};
 pub use fit::{Fit, Model};
-pub use introduction::{introduction_chart, introduction_headline, introduction_rows, introduction_studies};
 pub use level::{Flag, RateLevel};
-pub use logarithm::{LogarithmFit, logarithm_chart, logarithm_headline, logarithm_studies};
+pub use level_loop::{Facts, Level, LevelProblem, solve_levels};
+pub use logarithm::LogarithmFit;
+pub use memory::{LevelKey, LevelMemory, NoMemory};
 pub use mesh_rates::MeshRates;
 pub use orders::observed_orders;
-pub use store::LevelStore;
 pub use strip_rates::{RateStrip, SceneFamily};
-pub use study::{Quantity, RateStudy};
-pub use theorem::{StripGroup, TheoremPlan, theorem_headline};
+pub use study::{Quantity, RateReference, RateStudy};

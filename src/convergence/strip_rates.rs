@@ -1,21 +1,21 @@
 //! Rate studies on a strip: many scenes on the same levels.
 //!
 //! The operators of all levels and the exact error forms depend on the kind of strip and the grids alone; they are made once and serve
-//! every scene, τ and cone. Each level starts from the coarser one. Below h_r, the mesh size of the reference grid, the data are smooth: a
-//! singularity of order p lacks a share (h_r/h)^{2p} of e²; fits account for it where it is large, τ ≤ 3/2.
+//! every scene, τ and cone. Each level starts from the coarser one. Below h_r, the mesh size of the reference grid, the data are
+//! smooth: a singularity of order p lacks a share (h_r/h)^{2p} of e²; [`RateStudy::fit`] accounts for it.
 
 use super::level::RateLevel;
-use super::store::LevelStore;
-use super::study::RateStudy;
-use crate::contact::Cone;
+use super::level_loop::{Facts, LevelProblem, solve_levels};
+use super::memory::{LevelKey, LevelMemory};
+use super::study::{RateReference, RateStudy};
+use crate::cone::Cone;
 use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
+use crate::estimate::Estimate;
 use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{
-    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, Settings, Sides, StripKind, StripProblem,
-    solve_contact,
+    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, Sides, StripKind, StripProblem, solve_contact,
 };
-use std::time::Instant;
 
 /// The reference grid is this much finer than the finest level that counts.
 const RESOLVED: usize = 16;
@@ -32,7 +32,7 @@ pub struct RateStrip {
 
 /// One family of scenes: a scene, or one at several positions whose errors are averaged.
 pub struct SceneFamily<'a> {
-    /// In words; part of the key of stored levels.
+    /// In words; part of the key under which levels are remembered, decides nothing.
     pub name: String,
     /// The supremum of the τ with u ∈ H^τ.
     pub tau: f64,
@@ -43,7 +43,8 @@ pub struct SceneFamily<'a> {
 }
 
 impl SceneFamily<'_> {
-    /// A named scene. One transition has a gap that is mirrored at natural sides ([`TransitionPowers`]) and is moved over `positions` places of a cell, spread over the cells of every level when odd.
+    /// A named scene. One transition has a gap that is mirrored at natural sides ([`TransitionPowers`]) and is moved over `positions`
+    /// places of a cell, spread over the cells of every level when odd.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for no position.
@@ -84,7 +85,8 @@ impl RateStrip {
     /// A strip with the given levels and reference grid.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless the reference grid is a power of two that is finer than every level and has at most 2^22 cells.
+    /// [`Error::CountOutOfRange`] unless the reference grid is a power of two that is finer than every level and has at most 2^22
+    /// cells.
     pub fn new(kind: StripKind, levels: Levels, reference_cells: usize) -> Result<Self> {
         let finest = levels.cells().max().unwrap_or(0);
         if !reference_cells.is_power_of_two() || reference_cells <= finest || reference_cells > 1 << 22 {
@@ -104,23 +106,23 @@ impl RateStrip {
         self.levels
     }
 
-    /// Solves all levels of a family in one cone; levels found in the store are not solved again. `report` is called for each level
-    /// of each member.
+    /// Solves all levels of a family in one cone; levels that the memory recalls are not solved again. `report` is called for each
+    /// level of each member.
     ///
     /// # Errors
-    /// Those of scenes, operators, solvers and the store.
+    /// Those of scenes, operators, solvers and the memory.
     pub fn study(
         &mut self,
         family: &SceneFamily<'_>,
         cone: Cone,
-        store: &mut LevelStore,
+        memory: &mut dyn LevelMemory,
         report: &mut dyn FnMut(),
     ) -> Result<RateStudy> {
         let mut members = Vec::with_capacity(family.count);
         let mut norm = None;
         for i in 0..family.count {
             let mut scene = None;
-            members.push(self.member(family, i, &mut scene, cone, store, report)?);
+            members.push(self.member(family, i, &mut scene, cone, memory, report)?);
             if i == 0 && family.tau > 1.5 && family.tau < 2.0 {
                 let scene = match scene {
                     Some(scene) => scene,
@@ -129,16 +131,16 @@ impl RateStrip {
                 norm = Some(edge_norm(&scene, family.tau)?);
             }
         }
+        let planned = self.levels.cells().count();
         let levels = (0..members.first().map_or(0, Vec::len))
             .map(|k| {
                 let same: Vec<RateLevel> = members.iter().map(|levels| levels[k].clone()).collect();
                 RateLevel::mean(&same)
             })
             .collect::<Result<_>>()?;
-        // Up to τ = 3/2 what the reference grid does not resolve is a large share of the error.
-        let reference = (family.tau <= 1.5).then_some(1.0 / self.reference_cells as f64);
+        let reference = RateReference::Resolved(1.0 / self.reference_cells as f64);
         let scene = format!("{} {}", self.kind, family.name);
-        Ok(RateStudy { scene, tau: family.tau, cone, norm, reference, levels })
+        Ok(RateStudy { scene, tau: family.tau, cone, norm, reference, planned, levels })
     }
 
     /// The levels of member i.
@@ -148,41 +150,42 @@ impl RateStrip {
         i: usize,
         scene: &mut Option<EdgeData>,
         cone: Cone,
-        store: &mut LevelStore,
+        memory: &mut dyn LevelMemory,
         report: &mut dyn FnMut(),
     ) -> Result<Vec<RateLevel>> {
-        let key = |cells: usize| {
-            format!(
-                "strip {} {} tau {} {cone} member {i}/{} from {} on {} n {cells}",
-                self.kind, family.name, family.tau, family.count, self.levels, self.reference_cells,
-            )
+        let key = |cells: usize| LevelKey {
+            kind: self.kind,
+            family: family.name.clone(),
+            tau: family.tau,
+            cone,
+            member: (i, family.count),
+            levels: self.levels,
+            reference_cells: self.reference_cells,
+            cells,
         };
-        let keys: Vec<(usize, String)> = self.levels.cells().map(|cells| (cells, key(cells))).collect();
-        let stored: Option<Vec<RateLevel>> = keys.iter().map(|(_, key)| store.get(key).cloned()).collect();
-        if let Some(levels) = stored {
-            levels.iter().for_each(|_| report());
-            return Ok(levels);
+        let keys: Vec<LevelKey> = self.levels.cells().map(key).collect();
+        let mut known: Vec<Option<RateLevel>> = keys.iter().map(|key| memory.recall(key)).collect();
+        known.iter().flatten().for_each(|_| report());
+        if known.iter().any(Option::is_none) {
+            let built = scene.insert((family.member)(i, self.reference_cells)?);
+            self.set_scene(built)?;
+            let terms = consistency_terms(built, cone);
+            let is_known: Vec<bool> = known.iter().map(Option::is_some).collect();
+            solve_levels(
+                &*self,
+                cone,
+                |k| is_known[k],
+                |k, level| {
+                    let mut level = RateLevel::of(level, self.reference_cells, RESOLVED);
+                    level.consistency = terms.iter().find(|term| term.0 == level.cells).map(|term| term.1);
+                    memory.keep(&keys[k], &level)?;
+                    known[k] = Some(level);
+                    report();
+                    Ok(())
+                },
+            )?;
         }
-        let built = scene.insert((family.member)(i, self.reference_cells)?);
-        self.set_scene(built)?;
-        let terms = consistency_terms(built, cone);
-        let mut previous: Option<EdgeSolution> = None;
-        let mut levels = Vec::with_capacity(keys.len());
-        for (k, (cells, key)) in keys.into_iter().enumerate() {
-            if let Some(level) = store.get(&key) {
-                // The next level then starts cold.
-                levels.push(level.clone());
-                previous = None;
-            } else {
-                let (mut level, solution) = self.solve(k, cells, cone, previous.as_ref())?;
-                level.consistency = terms.iter().find(|term| term.0 == cells).map(|term| term.1);
-                store.insert(key, level.clone())?;
-                levels.push(level);
-                previous = Some(solution);
-            }
-            report();
-        }
-        Ok(levels)
+        Ok(known.into_iter().flatten().collect())
     }
 
     fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
@@ -196,33 +199,39 @@ impl RateStrip {
         Ok(())
     }
 
-    fn solve(
-        &self,
-        k: usize,
-        cells: usize,
-        cone: Cone,
-        previous: Option<&EdgeSolution>,
-    ) -> Result<(RateLevel, EdgeSolution)> {
-        let (Some(problem), Some((operator, unknowns))) = (&self.problem, self.operators.get(k)) else {
-            return Err(Error::CountOutOfRange { name: "level", value: k, range: "the levels of the strip" });
-        };
-        let start = Instant::now();
-        let load = problem.load(cells)?;
-        let solution = solve_contact(operator, &load, cone, previous, &Settings::default())?;
-        let seconds = start.elapsed().as_secs_f64();
-        let error = problem.error(cells, &solution.values)?;
-        let level = RateLevel {
-            cells,
-            unknowns: *unknowns,
-            error: error.value,
-            error_bound: error.error,
-            consistency: None,
+    fn level(&self, k: usize) -> Result<(&StripProblem, &EdgeOperator, usize)> {
+        match (&self.problem, self.operators.get(k), self.levels.cells().nth(k)) {
+            (Some(problem), Some((operator, _)), Some(cells)) => Ok((problem, operator, cells)),
+            _ => Err(Error::CountOutOfRange { name: "level", value: k, range: "the levels of the strip" }),
+        }
+    }
+}
+
+impl LevelProblem for RateStrip {
+    type Solution = EdgeSolution;
+
+    fn count(&self) -> usize {
+        self.operators.len()
+    }
+
+    fn solve(&self, level: usize, cone: Cone, coarser: Option<&EdgeSolution>) -> Result<EdgeSolution> {
+        let (problem, operator, cells) = self.level(level)?;
+        solve_contact(operator, &problem.load(cells)?, cone, coarser)
+    }
+
+    fn error(&self, level: usize, solution: &EdgeSolution) -> Result<Estimate> {
+        let (problem, _, cells) = self.level(level)?;
+        problem.error(cells, &solution.values)
+    }
+
+    fn facts(&self, level: usize, solution: &EdgeSolution) -> Facts {
+        Facts {
+            cells: self.levels.coarsest_cells() << level,
+            unknowns: self.operators.get(level).map_or(f64::NAN, |(_, unknowns)| *unknowns),
             contact_runs: solution.contact.runs().len(),
+            inner_iterations: solution.inner_iterations.clone(),
+            status: solution.status,
             kkt: solution.judgement.worst(),
-            seconds,
-            flag: None,
-        };
-        let converged = solution.status.is_converged();
-        Ok((level.judged(converged, self.reference_cells, RESOLVED), solution))
+        }
     }
 }

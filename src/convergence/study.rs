@@ -3,13 +3,27 @@
 use super::bounds::Bound;
 use super::fit::Fit;
 use super::level::RateLevel;
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::error::Result;
+
+/// What stands for the exact solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RateReference {
+    /// A discrete solution of this mesh size on the same family of meshes: e² is the difference of two errors, and is fitted so.
+    Discrete(f64),
+    /// The exact solution of data that are smooth below this mesh size: a singularity of order p lacks a share (h_r/h)^{2p} of e².
+    Resolved(f64),
+}
+
+/// Up to here what the reference grid does not resolve is a large share of the error, and the order is fitted with account of it.
+const ROUGH: f64 = 1.5;
+/// Share of the change by the account of the reference grid that is uncertain: the account is a model itself.
+const UNRESOLVED: f64 = 0.5;
 
 /// The levels of one scene, coarsest first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RateStudy {
-    /// What was solved, in words.
+    /// What was solved, in words for people; nothing is decided by it.
     pub scene: String,
     /// The supremum of the τ with u ∈ H^τ.
     pub tau: f64,
@@ -17,8 +31,10 @@ pub struct RateStudy {
     pub cone: Cone,
     /// (‖u_N‖²_{τ−1/2} + ‖σ_N‖²_{τ−3/2})^{1/2} on the contact edge, where it is finite and known.
     pub norm: Option<f64>,
-    /// Mesh size of the reference, a discrete solution or data that are smooth below it: fits account for it.
-    pub reference: Option<f64>,
+    /// What stands for the exact solution.
+    pub reference: RateReference,
+    /// How many levels were asked for.
+    pub planned: usize,
     /// The levels.
     pub levels: Vec<RateLevel>,
 }
@@ -43,6 +59,15 @@ impl RateStudy {
         self.levels.len() - self.usable().count()
     }
 
+    /// How many of the planned levels have no error: never solved, left out between others that count, or not a number.
+    pub fn missing(&self) -> usize {
+        let counts = |level: &RateLevel| level.flag.is_none() && level.error.is_finite();
+        let ends = self.levels.iter().position(counts).zip(self.levels.iter().rposition(counts));
+        let Some((first, last)) = ends else { return self.planned };
+        let holes = self.levels[first..=last].iter().filter(|level| !counts(level)).count();
+        holes + self.planned.saturating_sub(self.levels.len())
+    }
+
     /// (h, quantity) of the levels that count.
     pub fn points(&self, quantity: Quantity) -> Vec<(f64, f64)> {
         let value = |level: &RateLevel| match quantity {
@@ -55,19 +80,21 @@ impl RateStudy {
     /// The order of a quantity with its uncertainty; `None` for too few levels or a quantity that vanishes.
     pub fn fit(&self, quantity: Quantity) -> Option<Fit> {
         match quantity {
-            Quantity::Error => {
-                let points = self.points(quantity);
-                let mut fit = Fit::against(&points, self.reference)?;
-                if self.tau <= 1.5 {
-                    // Here the account of the reference is a model itself: half of what it changes is uncertain.
-                    let without = Fit::of(&points).map_or(fit.order, |without| without.order);
-                    fit.half_width = fit.half_width.max(0.5 * (without - fit.order).abs());
-                }
-                Some(fit)
-            }
+            Quantity::Error => self.error_fit(&self.points(quantity)),
             // The term has no smooth part: a power of h alone, once the pieces of the contact set are resolved.
             Quantity::Consistency => Fit::power(&self.points(quantity)),
         }
+    }
+
+    fn error_fit(&self, points: &[(f64, f64)]) -> Option<Fit> {
+        let h = match self.reference {
+            RateReference::Discrete(h) => return Fit::against(points, Some(h)),
+            RateReference::Resolved(h) => h,
+        };
+        let (with, without) = (Fit::against(points, Some(h))?, Fit::of(points)?);
+        let change = (with.order - without.order).abs();
+        let fit = if self.tau <= ROUGH { with } else { without };
+        Some(Fit { half_width: fit.half_width.max(UNRESOLVED * change), ..fit })
     }
 
     /// quantity / bound(h) on every level that counts.
@@ -86,8 +113,21 @@ impl RateStudy {
         Ok(self.ratios(quantity, bound)?.into_iter().fold(0.0, f64::max))
     }
 
-    /// Whether quantity/bound stays bounded as far as the levels tell: its order is at least that of the bound within its uncertainty, or
-    /// the largest ratio on the finer half of the levels is not above the one on the coarser half.
+    /// Largest quantity/bound on the finer half of the levels over the one on the coarser half: at most one where the quotient has
+    /// stopped to grow. `None` with fewer than two levels; NaN where a quantity is.
+    ///
+    /// # Errors
+    /// As [`Bound::value`].
+    pub fn growth(&self, quantity: Quantity, bound: Bound) -> Result<Option<f64>> {
+        let ratios = self.ratios(quantity, bound)?;
+        let (coarse, fine) = ratios.split_at(ratios.len() / 2);
+        let largest =
+            |part: &[f64]| part.iter().fold(0.0, |m: f64, &r| if r.is_nan() { r } else { m.max(r) });
+        Ok((!coarse.is_empty()).then(|| largest(fine) / largest(coarse)))
+    }
+
+    /// Whether quantity/bound stays bounded as far as the levels tell: its order is at least that of the bound within its
+    /// uncertainty, or the largest ratio on the finer half of the levels is not above the one on the coarser half.
     ///
     /// # Errors
     /// As [`Bound::value`].
@@ -96,10 +136,6 @@ impl RateStudy {
         if self.fit(quantity).is_some_and(|fit| fit.order + fit.half_width >= exponent) {
             return Ok(true);
         }
-        let ratios = self.ratios(quantity, bound)?;
-        let (coarse, fine) = ratios.split_at(ratios.len() / 2);
-        let largest =
-            |part: &[f64]| part.iter().fold(0.0, |m: f64, &r| if r.is_nan() { r } else { m.max(r) });
-        Ok(largest(fine) <= largest(coarse))
+        Ok(self.growth(quantity, bound)?.is_none_or(|growth| growth <= 1.0))
     }
 }

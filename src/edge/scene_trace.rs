@@ -13,7 +13,7 @@ use crate::contact::{Cone, ContactSet, Solver};
 use crate::error::Result;
 use crate::scenes::{MeshScene, Scene, StripScene};
 use crate::strip::{
-    EdgeData, EdgeOperator, ExactEdge, Reference, Settings, Sides, StripKind, StripProblem, solve_contact,
+    EdgeData, EdgeOperator, ExactEdge, Reference, Sides, StripKind, StripProblem, solve_contact,
 };
 
 /// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a segment.
@@ -76,7 +76,7 @@ impl EdgeTrace {
                 let scene = strip_data(source, n, tau)?;
                 let exact = StripProblem::Scalar(ExactEdge::scalar(&scene, (1, 1), Reference::Nested)?);
                 let (operator, _): (EdgeOperator, f64) = exact.operator(n)?;
-                let solution = solve_contact(&operator, &exact.load(n)?, cone, None, &Settings::default())?;
+                let solution = solve_contact(&operator, &exact.load(n)?, cone, None)?;
                 let nodes = (0..=n).map(|i| i as f64 / n as f64).collect();
                 discrete_trace(nodes, solution.values, &solution.multiplier, &solution.contact, cone)
             }

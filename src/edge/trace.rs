@@ -7,6 +7,7 @@
 //! | contact set {u_N = 0} | closed intervals between consecutive nodes where u_N = 0, single points included |
 
 use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite, require_length};
 
 /// A closed interval [start, end] of the contact edge; a single point when both agree.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,14 +59,10 @@ impl EdgeTrace {
             });
         }
         for (name, values) in [("displacement", &displacement), ("force", &force)] {
-            if values.len() != nodes.len() {
-                return Err(Error::LengthMismatch { name, given: values.len(), expected: nodes.len() });
-            }
+            require_length(name, values.len(), nodes.len())?;
         }
         for (name, values) in [("node", &nodes), ("displacement", &displacement), ("force", &force)] {
-            if let Some(index) = values.iter().position(|v| !v.is_finite()) {
-                return Err(Error::NotFinite { name, index, value: values[index] });
-            }
+            require_finite(name, values)?;
         }
         if let Some(pair) = nodes.windows(2).find(|p| p[0] >= p[1]) {
             return Err(Error::OutOfRange { name: "node", value: pair[1], range: "increasing nodes" });

@@ -1,8 +1,9 @@
 //! The stiffness matrix, assembled row by row.
 //!
-//! Every node gathers the contributions of its own triangles, so rows are independent and no task writes where
-//! another does. At the nodes of a straight elastic contact edge the two unknowns are the tangential and the normal
-//! displacement (u_T, u_N) instead of the Cartesian ones: [`Frame`]. Cost: O(triangles), about 400 operations each.
+//! Every node gathers the contributions of its own triangles, so rows are independent and no task writes
+//! where another does. At the nodes of a straight elastic contact edge the two unknowns are the tangential
+//! and the normal displacement (u_T, u_N) instead of the Cartesian ones: [`Frame`]. Cost: O(triangles), about
+//! 400 operations each.
 
 use super::form::{Element, Form};
 use super::matrix::BlockMatrix;
@@ -82,6 +83,9 @@ impl Incidence {
     }
 }
 
+/// Rows assembled by one task: enough to hide what a task costs, few enough for many tasks.
+const CHUNK: usize = 8192;
+
 /// Some consecutive rows: number of blocks per row, columns, values.
 #[derive(Default)]
 struct Rows {
@@ -92,7 +96,6 @@ struct Rows {
 
 /// The stiffness matrix of `form` in the unknowns of `frame`, boundary rows included.
 pub fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatrix {
-    const CHUNK: usize = 8192;
     let incidence = Incidence::of(mesh);
     let count = mesh.nodes().len();
     let parts: Vec<Rows> = (0..count.div_ceil(CHUNK))

@@ -1,18 +1,21 @@
-//! Elimination of everything but a few kept unknowns: a multifrontal Cholesky factorization on a dissection tree.
+//! Elimination of everything but a few kept unknowns: a multifrontal Cholesky factorization on a dissection
+//! tree.
 //!
 //! With interior unknowns i (all that are neither prescribed nor kept) and kept unknowns k,
 //!
 //! K = [[K_ii, K_ik], [K_ki, K_kk]],   S = K_kk − K_ki K_ii⁻¹ K_ik,   b = F_k − K_ki K_ii⁻¹ F_i.
 //!
-//! The kept unknowns are ordered last, so S is the update matrix that reaches the root: for the normal displacements of
-//! the contact edge it *is* the discrete Steklov-Poincaré operator. The contact iteration works on S and b alone; the
-//! factorization is done once. Every node of the tree is a dense front (faer: Cholesky, triangular solve, symmetric
-//! product); independent subtrees run in parallel (I. S. Duff and J. K. Reid, ACM TOMS 9 (1983)).
-//! Cost for N nodes of a quasi-uniform mesh: O(N^{3/2}) operations, O(N log N) memory.
+//! The kept unknowns are ordered last, so S is the update matrix that reaches the root: for the normal
+//! displacements of the contact edge it *is* the discrete Steklov-Poincaré operator. The contact iteration
+//! works on S and b alone; the factorization is done once. Every node of the tree is a dense front (faer:
+//! Cholesky, triangular solve, symmetric product); independent subtrees run in parallel (I. S. Duff and J. K.
+//! Reid, ACM TOMS 9 (1983)). Cost for N nodes of a quasi-uniform mesh: O(N^{3/2}) operations, O(N log N)
+//! memory.
 
 use super::dissection::{Tree, dissect};
 use super::front::{Front, Update};
 use super::matrix::BlockMatrix;
+use super::ordering::Ordering;
 use super::pool::Pool;
 use crate::error::{Error, Result};
 use crate::mesh::Point;
@@ -50,21 +53,13 @@ impl Reduced {
     }
 }
 
-/// What the elimination of a subtree reads.
-pub(super) struct Ordering<'a> {
-    pub(super) matrix: &'a BlockMatrix,
-    pub(super) positions: &'a [u32],
-    pub(super) unknowns: &'a [u32],
-    pub(super) pool: Pool,
-}
-
 impl Condensation {
-    /// Eliminates all unknowns that are neither `prescribed` nor in `kept`; `points` are the node coordinates.
-    /// Kept unknowns stay, prescribed or not.
+    /// Eliminates all unknowns that are neither `prescribed` nor in `kept`; `points` are the node
+    /// coordinates. Kept unknowns stay, prescribed or not.
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] with the unknown whose pivot vanished: some part of the body is not held.
-    /// [`Error::LengthMismatch`] when the arrays do not fit.
+    /// [`Error::NotPositiveDefinite`] with the unknown whose pivot vanished: some part of the body is not
+    /// held. [`Error::LengthMismatch`] when the arrays do not fit.
     pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
         check_lengths(matrix, points, prescribed)?;
         let c = matrix.components();

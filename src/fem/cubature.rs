@@ -1,17 +1,20 @@
 //! Integration over triangles: conical products of Gauss rules, graded toward declared singular points.
 //!
-//! The map (s, t) ↦ a + s ((b − a) + t (c − b)) takes the unit square to the triangle with Jacobian 2A s, so n points of
-//! the Gauss-Jacobi rule with weight s and n Gauss-Legendre points in t are exact for degree 2n − 1 (A. H. Stroud,
-//! Approximate Calculation of Multiple Integrals, 1971). A triangle that touches a singular point is cut into four, the
-//! piece at the point again and so on; after [`DEPTH`] cuts its area is 4^{-DEPTH} of the triangle's.
-//! Cost: n² points per triangle, 3 · DEPTH · n² per singular one.
+//! The map (s, t) ↦ a + s ((b − a) + t (c − b)) takes the unit square to the triangle with Jacobian 2A s, so
+//! n points of the Gauss-Jacobi rule with weight s and n Gauss-Legendre points in t are exact for degree 2n −
+//! 1 (A. H. Stroud, Approximate Calculation of Multiple Integrals, 1971). A triangle that touches a singular
+//! point is cut into four, the piece at the point again and so on; after [`DEPTH`] cuts its area is
+//! 4^{-DEPTH} of the triangle's. Cost: n² points per triangle, 3 · DEPTH · n² per singular one.
 
 use crate::error::Result;
 use crate::mesh::{Point, doubled_area};
 use crate::quadrature::Rule;
 
-/// Cuts toward a singular point.
+/// Cuts toward a singular point: what is left has 4^{−40} of the area, below rounding for every r^p with p > −0.7.
 const DEPTH: usize = 40;
+
+/// A singular point counts as in the triangle this far outside, in barycentric coordinates: above their rounding.
+const MARGIN: f64 = 1e-12;
 
 /// A rule for triangles.
 #[derive(Debug, Clone)]
@@ -84,7 +87,7 @@ fn middle(a: Point, b: Point) -> Point {
 /// Closed triangle, with a margin of rounding.
 fn contains(triangle: [Point; 3], point: Point) -> bool {
     let [a, b, c] = triangle;
-    let margin = -1e-12 * doubled_area(triangle);
+    let margin = -MARGIN * doubled_area(triangle);
     [[a, b, point], [b, c, point], [c, a, point]].into_iter().all(|part| doubled_area(part) >= margin)
 }
 

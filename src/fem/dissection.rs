@@ -1,13 +1,14 @@
-//! Nested dissection from the geometry: halve the point set along its longer side, eliminate the layer between last.
+//! Nested dissection from the geometry: halve the point set along its longer side, eliminate the layer
+//! between last.
 //!
 //! The recursion ends at small leaves. On quasi-uniform meshes the separators of a domain with N nodes have
-//! O(√N) nodes, the factor O(N log N) entries and the factorization O(N^{3/2}) operations (A. George, SIAM J. Numer.
-//! Anal. 10 (1973)). Cost of the ordering: O(N log N).
+//! O(√N) nodes, the factor O(N log N) entries and the factorization O(N^{3/2}) operations (A. George, SIAM J.
+//! Numer. Anal. 10 (1973)). Cost of the ordering: O(N log N).
 
 use super::matrix::BlockMatrix;
 use crate::mesh::Point;
 
-/// Node sets up to this size are eliminated at once.
+/// Node sets up to this size are eliminated at once: smaller fronts cost more in bookkeeping than they save.
 const LEAF: usize = 40;
 
 /// An elimination tree: children first (if any), then the own pivots, which separate them.

@@ -20,11 +20,12 @@ pub struct ErrorNorms {
     pub energy: f64,
 }
 
-/// The norms of the difference between `exact` (with gradient) and the P1 function with Cartesian nodal `values`.
+/// The norms of the difference between `exact` (with gradient) and the P1 function with Cartesian nodal
+/// `values`.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] when components or values do not fit, [`Error::NotFinite`] when u or ∇u is not finite at
-/// a point of the rule.
+/// [`Error::LengthMismatch`] when components or values do not fit, [`Error::NotFinite`] when u or ∇u is not
+/// finite at a point of the rule.
 pub fn error_norms(
     mesh: &Triangulation,
     form: &Form,
@@ -93,7 +94,8 @@ mod tests {
 
     #[test]
     fn norms_of_a_known_function() {
-        // u = (x², xy), u_h = 0 on the unit square: ∫|u|² = 1/5 + 1/9, ∫|∇u|² = 4/3 + 1/3 + 1/3; ε = ((2x, y/2), ·, x).
+        // u = (x², xy), u_h = 0 on the unit square: ∫|u|² = 1/5 + 1/9, ∫|∇u|² = 4/3 + 1/3 + 1/3; ε = ((2x,
+        // y/2), ·, x).
         let mesh = unit_square(2, Sides::HANGING).unwrap();
         let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
         let zero = vec![0.0; 18];

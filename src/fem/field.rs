@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::mesh::Point;
+use crate::numeric::check::require_finite;
 
 /// A function on the plane with as many components as the form has.
 #[derive(Clone, Copy)]
@@ -36,10 +37,8 @@ impl Field<'_> {
             Field::Scalar(f) => [f(point), 0.0],
             Field::Vector(f) => f(point),
         };
-        match value.iter().position(|v| !v.is_finite()) {
-            Some(index) => Err(Error::NotFinite { name: "value of a field", index, value: value[index] }),
-            None => Ok(value),
-        }
+        require_finite("value of a field", &value)?;
+        Ok(value)
     }
 
     /// Values at points, node-major.

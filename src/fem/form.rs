@@ -6,8 +6,8 @@
 //! | elastic | ∫ λ div u div v + 2 μ ε(u) : ε(v) | μ > 0, λ + μ > 0 |
 //!
 //! On a triangle of area A with barycentric gradients g_i the elastic block of nodes i, j is
-//! A (λ g_i g_j' + μ g_j g_i' + μ (g_i·g_j) I); the scalar one A g_i·g_j + c A (1 + δ_ij)/12. Both are invariant under
-//! scaling of lengths, except for the reaction term.
+//! A (λ g_i g_j' + μ g_j g_i' + μ (g_i·g_j) I); the scalar one A g_i·g_j + c A (1 + δ_ij)/12. Both are
+//! invariant under scaling of lengths, except for the reaction term.
 
 use crate::error::{Error, Result};
 use crate::mesh::{Point, doubled_area};

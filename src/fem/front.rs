@@ -6,7 +6,7 @@
 //!
 //! The columns (L₁₁; L₂₁) are kept as one column-major panel; only lower triangles are touched.
 
-use super::condensation::Ordering;
+use super::ordering::Ordering;
 use crate::error::{Error, Result};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
@@ -46,8 +46,8 @@ impl Update {
 }
 
 impl Front {
-    /// Assembles the rows of K at `pivots` and the children's updates, and eliminates. `rows` are found from the
-    /// entries unless given.
+    /// Assembles the rows of K at `pivots` and the children's updates, and eliminates. `rows` are found from
+    /// the entries unless given.
     pub(super) fn eliminate(
         ordering: &Ordering<'_>,
         pivots: Range<usize>,

@@ -47,8 +47,8 @@ pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -
     Ok(load)
 }
 
-/// ∫_Γ F·φ_i over the boundary edges with the given label, by Gauss' rule on every edge. F gets the point and the
-/// outward normal.
+/// ∫_Γ F·φ_i over the boundary edges with the given label, by Gauss' rule on every edge. F gets the point and
+/// the outward normal.
 ///
 /// # Errors
 /// [`crate::Error::NotFinite`] when F is not finite at a point of the rule.

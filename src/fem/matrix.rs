@@ -1,7 +1,8 @@
-//! Symmetric sparse matrices in node blocks: row i holds one components x components block per neighbour of node i.
+//! Symmetric sparse matrices in node blocks: row i holds one components x components block per neighbour of
+//! node i.
 //!
-//! Unknown c of node i has the number i · components + c. Rows are stored whole (both triangles), so products and
-//! eliminations read rows only. A product costs two operations per entry and runs on all cores.
+//! Unknown c of node i has the number i · components + c. Rows are stored whole (both triangles), so products
+//! and eliminations read rows only. A product costs two operations per entry and runs on all cores.
 
 use rayon::prelude::*;
 
@@ -78,29 +79,4 @@ impl BlockMatrix {
         });
         sums
     }
-}
-
-/// The inner product, summed with Neumaier's compensation; terms neither overflow nor underflow unless the result does.
-pub fn dot(x: &[f64], y: &[f64]) -> f64 {
-    let (p, q) = (magnitude(x), magnitude(y));
-    let unit = compensated(x.iter().zip(y).map(|(a, b)| (a / p) * (b / q)));
-    unit * p * q
-}
-
-/// The power of two below the largest absolute value, so that dividing by it is exact; 1 when all are (nearly) zero.
-fn magnitude(x: &[f64]) -> f64 {
-    let largest = x.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    let power = f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits());
-    if power.is_normal() { power } else { 1.0 }
-}
-
-/// A sum whose error does not grow with the number of terms (Neumaier).
-pub fn compensated(terms: impl Iterator<Item = f64>) -> f64 {
-    let (mut sum, mut lost) = (0.0_f64, 0.0);
-    for term in terms {
-        let next = sum + term;
-        lost += if sum.abs() >= term.abs() { (sum - next) + term } else { (term - next) + sum };
-        sum = next;
-    }
-    sum + lost
 }

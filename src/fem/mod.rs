@@ -1,4 +1,5 @@
-//! Section 2: P1 finite elements for the scalar and the elastic form, and elimination of all but the contact unknowns.
+//! Section 2: P1 finite elements for the scalar and the elastic form, and elimination of all but the contact
+//! unknowns.
 
 mod assembly;
 mod condensation;
@@ -10,6 +11,7 @@ mod form;
 mod front;
 mod loads;
 mod matrix;
+mod ordering;
 mod pool;
 mod stress;
 
@@ -20,5 +22,5 @@ pub use error_norms::{ErrorNorms, Gradient, error_norms};
 pub use field::Field;
 pub use form::{Form, Lame};
 pub use loads::{consistent_load, surface_load, volume_load};
-pub use matrix::{BlockMatrix, compensated, dot};
+pub use matrix::BlockMatrix;
 pub use stress::{Stress, gradients, stresses};

@@ -1,5 +1,5 @@
-//! Buffers that are used again: the updates of a multifrontal elimination come and go in similar sizes, and asking the
-//! system for fresh zeroed pages each time costs more than the arithmetic on them.
+//! Buffers that are used again: the updates of a multifrontal elimination come and go in similar sizes, and
+//! asking the system for fresh zeroed pages each time costs more than the arithmetic on them.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -13,7 +13,8 @@ pub(super) struct Pool {
 }
 
 impl Pool {
-    /// A buffer of `length` zeros: the shortest one waiting that is long enough and not over four times as long.
+    /// A buffer of `length` zeros: the shortest one waiting that is long enough and not over four times as
+    /// long.
     pub(super) fn zeros(&self, length: usize) -> Vec<f64> {
         match self.fitting(length) {
             Some(mut buffer) => {

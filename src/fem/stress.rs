@@ -3,6 +3,7 @@
 use super::form::{Element, Form};
 use crate::error::{Error, Result};
 use crate::mesh::{Point, Triangulation};
+use crate::numeric::check::require_length;
 
 /// The in-plane stress tensor.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,7 +34,7 @@ impl Stress {
 /// # Errors
 /// [`Error::LengthMismatch`] unless there is one value per node.
 pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
-    check_length(values, mesh.nodes().len())?;
+    require_length("nodal values", values.len(), mesh.nodes().len())?;
     Ok((0..mesh.triangles().len())
         .map(|t| {
             let at = mesh.triangles()[t].map(|node| values[node]);
@@ -45,15 +46,16 @@ pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
 /// σ = λ (div u) I + 2 μ ε(u) on every triangle, for Cartesian nodal displacements (node-major).
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] unless there are two values per node; [`Error::UnknownName`] for a scalar form.
+/// [`Error::LengthMismatch`] unless there are two values per node; [`Error::Incompatible`] for a scalar form.
 pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Result<Vec<Stress>> {
-    check_length(displacement, 2 * mesh.nodes().len())?;
+    require_length("nodal values", displacement.len(), 2 * mesh.nodes().len())?;
     (0..mesh.triangles().len())
         .map(|t| {
-            let material = form.material(mesh.region(t)).ok_or_else(|| Error::UnknownName {
+            let material = form.material(mesh.region(t)).ok_or_else(|| Error::Incompatible {
                 what: "form",
                 given: "scalar".to_owned(),
-                expected: "elastic, for stresses",
+                with: "stresses",
+                expected: "elastic",
             })?;
             let element = Element::new(mesh.corners(t));
             let along = |axis: usize| {
@@ -69,13 +71,6 @@ pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Resu
             })
         })
         .collect()
-}
-
-fn check_length(values: &[f64], expected: usize) -> Result<()> {
-    if values.len() == expected {
-        return Ok(());
-    }
-    Err(Error::LengthMismatch { name: "nodal values", given: values.len(), expected })
 }
 
 #[cfg(test)]

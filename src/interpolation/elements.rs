@@ -5,6 +5,7 @@
 //! projection).
 
 use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
 use crate::sobolev::{Partition, PiecewisePolynomial};
 use std::ops::Range;
 
@@ -89,7 +90,7 @@ impl ElementMesh {
         let mut means = Vec::with_capacity(self.elements.len());
         for (e, range) in self.elements.iter().enumerate() {
             lengths.push(self.length(e));
-            means.push(v.restrict(range.clone())?.mean()?.value);
+            means.push(v.restrict(range.clone())?.mean(Tolerance::reference())?.value);
         }
         PiecewisePolynomial::constants(Partition::from_lengths(lengths)?, &means)
     }

@@ -8,7 +8,7 @@ use super::elements::ElementMesh;
 use super::forms::{MAX_CELLS, without_constants};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::poincare::slopes::pencil::Factored;
+use crate::numeric::pencil::Factored;
 use faer::Mat;
 
 /// Cells per element of the coarsest pair of meshes that is compared.

@@ -1,12 +1,14 @@
 //! Local refinement by halving longest edges.
 //!
-//! All edges of a marked triangle are halved; a triangle with a halved edge has its longest edge halved, too, until
-//! nothing changes. Then every triangle is cut at its longest edge and the two pieces at their other halved edges, so
-//! the result conforms. Angles stay above half the smallest first one (I. G. Rosenberg and F. Stenger, Math. Comp. 29
-//! (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)). Cost: O(triangles) per sweep of the closure.
+//! All edges of a marked triangle are halved; a triangle with a halved edge has its longest edge halved, too,
+//! until nothing changes. Then every triangle is cut at its longest edge and the two pieces at their other
+//! halved edges, so the result conforms. Angles stay above half the smallest first one (I. G. Rosenberg and
+//! F. Stenger, Math. Comp. 29 (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)). Cost: O(triangles)
+//! per sweep of the closure.
 
 use super::edges::Edges;
-use super::triangulation::{BoundaryEdge, Triangulation, distance};
+use super::geometry::{BoundaryEdge, distance};
+use super::triangulation::Triangulation;
 use crate::error::Result;
 
 /// The refined triangulation and the parents of its new nodes.

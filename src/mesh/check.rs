@@ -1,15 +1,14 @@
 //! What a triangulation given from outside must satisfy.
 
-use super::triangulation::{BoundaryEdge, Triangulation, distance, doubled_area};
+use super::geometry::{BoundaryEdge, Point, distance, doubled_area};
 use crate::error::{Error, Result};
 
 /// A triangle whose area is below this multiple of its squared diameter has no usable shape: 2^10 roundings.
 const FLATNESS: f64 = 1024.0 * f64::EPSILON;
 
 /// Finite coordinates, node numbers in range, positive areas, no node without triangle.
-pub(super) fn nodes_and_triangles(mesh: &Triangulation) -> Result<()> {
-    let nodes = mesh.nodes();
-    if mesh.triangles().is_empty() {
+pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> Result<()> {
+    if triangles.is_empty() {
         return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "[1, inf)" });
     }
     for (index, point) in nodes.iter().enumerate() {
@@ -18,13 +17,13 @@ pub(super) fn nodes_and_triangles(mesh: &Triangulation) -> Result<()> {
         }
     }
     let mut used = vec![false; nodes.len()];
-    for (t, triangle) in mesh.triangles().iter().enumerate() {
+    for (t, triangle) in triangles.iter().enumerate() {
         for &node in triangle {
             *used
                 .get_mut(node)
                 .ok_or_else(|| bad_triangle(t, "has a node number out of range", node as f64))? = true;
         }
-        let corners = mesh.corners(t);
+        let corners = triangle.map(|node| nodes[node]);
         let diameter = (0..3).fold(0.0, |d: f64, k| d.max(distance(corners[k], corners[(k + 1) % 3])));
         // Divided by the diameter first: tiny and huge triangles have their shape, too.
         let doubled = doubled_area(
@@ -47,7 +46,8 @@ fn bad_triangle(triangle: usize, reason: &'static str, value: f64) -> Error {
     Error::Triangle { triangle, reason, value }
 }
 
-/// Every edge in one or two triangles; the labels are exactly the edges in one, turned to have the domain on the left.
+/// Every edge in one or two triangles; the labels are exactly the edges in one, turned to have the domain on
+/// the left.
 pub(super) fn boundary(labels: &mut [BoundaryEdge], triangles: &[[usize; 3]]) -> Result<()> {
     let bad = |nodes, reason| Err(Error::Edge { nodes, reason });
     let mut sides: Vec<([usize; 2], [usize; 2])> = triangles
@@ -87,7 +87,7 @@ fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Part;
+    use crate::mesh::{Part, Triangulation};
 
     fn two_triangles(top: f64, edges: &[[usize; 2]]) -> Result<Triangulation> {
         Triangulation::new(

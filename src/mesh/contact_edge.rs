@@ -1,12 +1,15 @@
 //! The contact edge Γ_C of a triangulation as an ordered chain of nodes.
 //!
-//! The chain runs with the domain on its left. Its normal is the outward one; it exists when the chain is straight,
-//! as Section 2.1 assumes. A scalar problem needs no normal: its chain may turn corners, and may be closed.
+//! The chain runs with the domain on its left. Its normal is the outward one; it exists when the chain is
+//! straight, as Section 2.1 assumes. A scalar problem needs no normal: its chain may turn corners, and may be
+//! closed.
 
-use super::triangulation::{Part, Point, Triangulation, distance};
+use super::geometry::{Part, Point, distance};
+use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
 
-/// Chains that deviate from a line by more than this times their length are not straight.
+/// Chains that deviate from a line by more than this times their length are not straight: what a mesh file of
+/// ten printed digits may round away.
 const STRAIGHTNESS: f64 = 1e-10;
 
 /// The nodes of Γ_C in order.

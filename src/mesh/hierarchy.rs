@@ -1,13 +1,17 @@
 //! Nested refinement with memory of the levels: uniform (red), or local toward a point or an edge.
 //!
-//! Uniformly, every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are nested and a function of
-//! level k is one of level k + 1: at a new node it is the mean over the ends of the edge that was halved.
-//! Cost of a refinement: O(number of triangles).
+//! Uniformly, every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are nested
+//! and a function of level k is one of level k + 1: at a new node it is the mean over the ends of the edge
+//! that was halved. Cost of a refinement: O(number of triangles).
 
 use super::bisection::bisect;
 use super::edges::Edges;
-use super::triangulation::{BoundaryEdge, Part, Point, Triangulation, distance};
+use super::geometry::{BoundaryEdge, Part, Point, distance};
+use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
+
+/// A node this near to a point, in mesh sizes, is the point: far above rounding, far below any element.
+const SAME_POINT: f64 = 1e-12;
 
 /// A triangulation and its uniform refinements, coarsest first.
 #[derive(Debug, Clone)]
@@ -54,8 +58,8 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as little as keeps the
-    /// mesh conforming and its angles bounded below (longest edges are halved first).
+    /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as little
+    /// as keeps the mesh conforming and its angles bounded below (longest edges are halved first).
     ///
     /// # Errors
     /// As for [`Hierarchy::refined`].
@@ -68,15 +72,15 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds `times` levels graded toward a node: on each, the triangles at that point are cut. Sizes are proportional to
-    /// the distance, down to 2^-times of the first.
+    /// Adds `times` levels graded toward a node: on each, the triangles at that point are cut. Sizes are
+    /// proportional to the distance, down to 2^-times of the first.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] when the point is not a node of the finest level so far.
     pub fn refine_toward_point(&mut self, point: Point, times: usize) -> Result<()> {
         let finest = self.finest();
         let nearest = finest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
-        if nearest > 1e-12 * finest.mesh_size() {
+        if nearest > SAME_POINT * finest.mesh_size() {
             return Err(Error::OutOfRange {
                 name: "distance of the point from the nodes",
                 value: nearest,
@@ -115,10 +119,12 @@ impl Hierarchy {
         &self.levels[self.levels.len() - 1]
     }
 
-    /// Nodal values on level `from` (`components` per node) as nodal values of the same function on level `to` ≥ `from`.
+    /// Nodal values on level `from` (`components` per node) as nodal values of the same function on level
+    /// `to` ≥ `from`.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for levels that do not exist or are in the wrong order, [`Error::LengthMismatch`].
+    /// [`Error::CountOutOfRange`] for levels that do not exist or are in the wrong order,
+    /// [`Error::LengthMismatch`].
     pub fn prolong(&self, from: usize, to: usize, components: usize, values: &[f64]) -> Result<Vec<f64>> {
         if from > to || to >= self.levels.len() {
             return Err(Error::CountOutOfRange {

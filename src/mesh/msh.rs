@@ -1,11 +1,13 @@
 //! Reading Gmsh meshes: the ASCII format 4.1 (Gmsh reference manual, section "MSH file format").
 //!
-//! Two-node lines of curves in a physical group become boundary edges, three-node triangles the mesh, physical surfaces
-//! its regions. A curve's group must be called `dirichlet`, `neumann` or `contact` (in any case). Nodes in no triangle
-//! (points of the geometry) are left out. z is ignored. What was read passes the checks of [`Triangulation::new`].
-//! Cost: O(length of the file); nothing is reserved on the word of a count in the file.
+//! Two-node lines of curves in a physical group become boundary edges, three-node triangles the mesh,
+//! physical surfaces its regions. A curve's group must be called `dirichlet`, `neumann` or `contact` (in any
+//! case). Nodes in no triangle (points of the geometry) are left out. z is ignored. What was read passes the
+//! checks of [`Triangulation::new`]. Cost: O(length of the file); nothing is reserved on the word of a count
+//! in the file.
 
-use super::triangulation::{BoundaryEdge, Part, Point, Triangulation};
+use super::geometry::{BoundaryEdge, Part, Point};
+use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
@@ -22,8 +24,8 @@ pub fn read_msh(path: &Path) -> Result<Triangulation> {
 /// Reads the text of a `.msh` file.
 ///
 /// # Errors
-/// [`Error::Syntax`] with the line, [`Error::UnknownName`] for a group that is no boundary part, and the errors of
-/// [`Triangulation::new`].
+/// [`Error::Syntax`] with the line, [`Error::UnknownName`] for a group that is no boundary part, and the
+/// errors of [`Triangulation::new`].
 pub fn parse_msh(text: &str) -> Result<Triangulation> {
     let mut raw = Raw::default();
     let mut lines = Lines { numbered: text.lines().enumerate(), line: 0 };

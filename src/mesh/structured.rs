@@ -1,6 +1,7 @@
 //! Structured grids: squares cut by the diagonal from bottom left to top right, mapped if wanted.
 
-use super::triangulation::{BoundaryEdge, Part, Point, Triangulation};
+use super::geometry::{BoundaryEdge, Part, Point};
+use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
 
 /// Labels of the four sides of a structured grid.
@@ -22,8 +23,8 @@ impl Sides {
         Sides { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
 }
 
-/// The unit square in `nx` by `ny` rectangles, each cut from bottom left to top right; node (i, j) has the number
-/// j(nx + 1) + i.
+/// The unit square in `nx` by `ny` rectangles, each cut from bottom left to top right; node (i, j) has the
+/// number j(nx + 1) + i.
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`] for a count outside 1 ... 16384.

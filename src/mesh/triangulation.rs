@@ -1,33 +1,13 @@
 //! Conforming triangulations of polygons with labelled boundary edges.
 //!
-//! Triangles are listed counterclockwise, boundary edges with the domain on their left, so that the outward normal
-//! of an edge from a to b is (b_y − a_y, a_x − b_x)/abs(b − a). Every edge on the boundary carries exactly one label.
-//! Checks cost O(N log N) for N triangles; triangulations made by this library are built without them.
+//! Triangles are listed counterclockwise, boundary edges with the domain on their left, so that the outward
+//! normal of an edge from a to b is (b_y − a_y, a_x − b_x)/|b − a|. Every edge on the boundary carries
+//! exactly one label. Checks cost O(N log N) for N triangles; triangulations made by this library are built
+//! without them.
 
+use super::check;
+use super::geometry::{BoundaryEdge, Part, Point, distance};
 use crate::error::{Error, Result};
-
-/// A point of the plane.
-pub type Point = [f64; 2];
-
-/// What happens on a boundary edge: the three open parts of Section 2.1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// Γ_D: prescribed displacement.
-    Dirichlet,
-    /// Γ_N: given surface load (zero unless said).
-    Neumann,
-    /// Γ_C: unilateral contact without friction.
-    Contact,
-}
-
-/// An edge on the boundary, the domain on its left.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BoundaryEdge {
-    /// Start and end node.
-    pub nodes: [usize; 2],
-    /// Its label.
-    pub part: Part,
-}
 
 /// A conforming triangulation with labelled boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,13 +22,13 @@ impl Triangulation {
     /// A checked triangulation. Boundary edges may be given in either direction.
     ///
     /// # Errors
-    /// Names the offending node, triangle or edge: coordinates that are not finite, node numbers out of range,
-    /// triangles that are inverted or without area, edges shared by more than two triangles, labels on inner edges,
-    /// boundary edges without a label or with two, nodes in no triangle.
+    /// Names the offending node, triangle or edge: coordinates that are not finite, node numbers out of
+    /// range, triangles that are inverted or without area, edges shared by more than two triangles, labels on
+    /// inner edges, boundary edges without a label or with two, nodes in no triangle.
     pub fn new(nodes: Vec<Point>, triangles: Vec<[usize; 3]>, boundary: Vec<BoundaryEdge>) -> Result<Self> {
         let mut mesh = Self::trusted(nodes, triangles, boundary);
-        super::check::nodes_and_triangles(&mesh)?;
-        super::check::boundary(&mut mesh.boundary, &mesh.triangles)?;
+        check::nodes_and_triangles(&mesh.nodes, &mesh.triangles)?;
+        check::boundary(&mut mesh.boundary, &mesh.triangles)?;
         Ok(mesh)
     }
 
@@ -131,23 +111,14 @@ impl Triangulation {
         on
     }
 
-    /// The same triangulation with its nodes moved by `map`, which must keep the orientation of every triangle.
+    /// The same triangulation with its nodes moved by `map`, which must keep the orientation of every
+    /// triangle.
     ///
     /// # Errors
     /// Names the first triangle that the map inverts or flattens.
     pub fn mapped(mut self, map: impl Fn(Point) -> Point) -> Result<Self> {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
-        super::check::nodes_and_triangles(&self)?;
+        check::nodes_and_triangles(&self.nodes, &self.triangles)?;
         Ok(self)
     }
-}
-
-/// Euclidean distance, safe against overflow.
-pub(crate) fn distance(a: Point, b: Point) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
-}
-
-/// Twice the signed area of a triangle, from differences to its first corner.
-pub(crate) fn doubled_area([a, b, c]: [Point; 3]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 }

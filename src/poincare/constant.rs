@@ -1,11 +1,11 @@
 //! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and extremal function.
 //!
-//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the pencil (‖·‖₀², |·|_ν²) on
-//! the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so every value is a lower bound up to rounding.
-//! The error estimate compares two spaces of different shape; their difference is mostly the error of the coarser one.
-//! Cost: a few hundred unknowns, whatever θ.
+//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
+//! pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
+//! every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
+//! their difference is mostly the error of the coarser one. Cost: a few hundred unknowns, whatever θ.
 
-use super::continuation::{SMALL, continued};
+use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
 use super::extremal::ExtremalFunction;
 use super::mesh::{MeshModel, SHORTEST_RADIUS};
@@ -15,11 +15,12 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
-/// Relative error of assembly, factorization and quotient: 1.3e-13 was the worst seen where the space is exact.
+/// Relative error of assembly, factorization and quotient: 1.3e-13 was the worst seen where the space is
+/// exact.
 const ROUNDING: f64 = 2e-13;
 
-/// The same for a short zone inside, where energies at all distances add up: two unrelated bases differ by 4e-14 at
-/// θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the logarithm.
+/// The same for a short zone inside, where energies at all distances add up: two unrelated bases differ by
+/// 4e-14 at θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the logarithm.
 const ROUNDING_INSIDE: f64 = 5e-11;
 
 /// The same as ν → 0, times 1/ν: ν|u|_ν² is computed, a difference of terms of order one.
@@ -67,14 +68,21 @@ pub fn gamma(
     tolerance: Tolerance,
 ) -> Result<Estimate> {
     let constraint = constraint(&zone, condition)?;
-    let direct = |order: FractionalOrder, tolerance: Tolerance| {
+    continued(order, &constraint, tolerance, |order, tolerance| {
         refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
-    };
-    match direct(order, tolerance) {
-        Err(Error::ToleranceNotMet { .. }) if order.value() < SMALL => {
-            continued(order, constraint.shortest(), tolerance, direct)
-        }
-        result => result,
+    })
+}
+
+/// What `direct` finds, at small orders that have no digits of their own what is continued from larger ones.
+fn continued(
+    order: FractionalOrder,
+    constraint: &Constraint,
+    tolerance: Tolerance,
+    direct: impl Fn(FractionalOrder, Tolerance) -> Result<Estimate> + Sync,
+) -> Result<Estimate> {
+    match (direct(order, tolerance), Continuation::to(order, constraint.shortest(), tolerance)) {
+        (Err(Error::ToleranceNotMet { .. }), Some(larger)) => larger.value(&larger.at_points(direct)?),
+        (result, _) => result,
     }
 }
 
@@ -90,8 +98,9 @@ pub fn gamma(
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for ν ≤ 1/2, where points have no trace, or a point outside; [`Error::ToleranceNotMet`] as for
-/// [`gamma`], and when ν is so close to 1/2 that the constant is decided below r = 1e-290.
+/// [`Error::OutOfRange`] for ν ≤ 1/2, where points have no trace, or a point outside;
+/// [`Error::ToleranceNotMet`] as for [`gamma`], and when ν is so close to 1/2 that the constant is decided
+/// below r = 1e-290.
 pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
     let inside = a == 0.0 || (1e-300..=1.0).contains(&a);
@@ -116,7 +125,8 @@ pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estim
     gamma(order, Zone::end(1.0)?, Condition::MeanZero, tolerance)
 }
 
-/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of 1_E/|E| − 1.
+/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of
+/// 1_E/|E| − 1.
 ///
 /// # Errors
 /// As for [`gamma`].
@@ -127,13 +137,19 @@ pub fn dual_norm(
     tolerance: Tolerance,
 ) -> Result<Estimate> {
     let constraint = constraint(&zone, condition)?;
-    refine_until(order, &constraint, tolerance, |model| {
-        let discrete = Discrete::new(order, &constraint, model)?;
-        Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
+    if constraint.is_whole() {
+        return Estimate::new(0.0, 0.0, Work::default());
+    }
+    continued(order, &constraint, tolerance, |order, tolerance| {
+        refine_until(order, &constraint, tolerance, |model| {
+            let discrete = Discrete::new(order, &constraint, model)?;
+            Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
+        })
     })
 }
 
-/// N², ‖r‖₀² and ⟨T²r, r⟩ for a zone (0,θ), r the mean-free representer of the dual norm, T the operator of ‖·‖₀².
+/// N², ‖r‖₀² and ⟨T²r, r⟩ for a zone (0,θ), r the mean-free representer of the dual norm, T the operator of
+/// ‖·‖₀².
 pub(crate) struct DualMoments {
     pub(crate) square: Estimate,
     pub(crate) representer: Estimate,
@@ -158,7 +174,8 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
     Ok(DualMoments { square: estimate(0)?, representer: estimate(1)?, image: estimate(2)? })
 }
 
-/// γ with the function for which it is attained.
+/// γ with a function for which it is attained: of the space on which the value was found, or continued from
+/// larger orders as the value is.
 ///
 /// # Errors
 /// As for [`gamma`].
@@ -169,11 +186,35 @@ pub fn extremal(
     tolerance: Tolerance,
 ) -> Result<(Estimate, ExtremalFunction)> {
     let constraint = constraint(&zone, condition)?;
-    let estimate = refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))?;
-    let model = MeshModel::new(order, tolerance.relative());
-    let mut discrete = Discrete::new(order, &constraint, &model)?;
-    let (_, coefficients) = discrete.largest_quotient()?;
-    Ok((estimate, ExtremalFunction::new(&discrete, coefficients)))
+    let direct = |order, tolerance| attained(order, &constraint, tolerance);
+    match (direct(order, tolerance), Continuation::to(order, constraint.shortest(), tolerance)) {
+        (Err(Error::ToleranceNotMet { .. }), Some(larger)) => {
+            let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(direct)?.into_iter().unzip();
+            let function = ExtremalFunction::combined(&larger.all_weights(), functions);
+            Ok((larger.value(&values)?, function))
+        }
+        (result, _) => result,
+    }
+}
+
+/// γ and its function from the same one of the two spaces that are compared.
+fn attained(
+    order: FractionalOrder,
+    constraint: &Constraint,
+    tolerance: Tolerance,
+) -> Result<(Estimate, ExtremalFunction)> {
+    let rounding = rounding(order, constraint);
+    let solve = |model: &MeshModel| -> Result<(f64, Work, ExtremalFunction)> {
+        let mut discrete = Discrete::new(order, constraint, model)?;
+        let (value, coefficients) = discrete.largest_quotient()?;
+        Ok((value, discrete.work, ExtremalFunction::new(&discrete, coefficients)))
+    };
+    let join = |fine: (f64, Work, ExtremalFunction), coarse: (f64, Work, ExtremalFunction)| {
+        let (apart, work) = ((fine.0 - coarse.0).abs(), fine.1 + coarse.1);
+        let (value, _, function) = if fine.0 >= coarse.0 { fine } else { coarse };
+        Ok((Estimate::new(value, apart + rounding * value, work)?, function))
+    };
+    refine(order, rounding, tolerance, solve, join, |found| found.0.relative_error())
 }
 
 pub(super) fn constraint(zone: &Zone, condition: Condition) -> Result<Constraint> {

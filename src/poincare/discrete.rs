@@ -1,27 +1,29 @@
 //! The constrained problem on one slope space.
 //!
-//! The interval is a sequence of parts; the condition holds on one of them, a part of length zero being a point. Lengths are
-//! divided by the root of the shortest one, so that all of them lie between 1e-150 and 1e150.
+//! The interval is a sequence of parts; the condition holds on one of them, a part of length zero being a
+//! point. Lengths are divided by the root of the shortest one, so that all of them lie between 1e-150 and
+//! 1e150.
 //!
-//! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length 1/unit of the
-//! interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.
+//! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length
+//! 1/unit of the interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.
 
 use super::mesh::{MeshModel, PANEL_SPREAD};
 use super::slopes::gram::seminorm_gram;
 use super::slopes::local::Local;
 use super::slopes::mass::{Primitives, mass_gram};
-use super::slopes::pencil::Factored;
 use super::slopes::space::SlopeSpace;
 use super::zone::{Condition, Zone};
 use crate::error::Result;
 use crate::estimate::Work;
+use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
 use faer::Mat;
 
 /// What is asked of u, and where.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Constraint {
-    /// Lengths of consecutive parts that make up (0,1). Every length is positive, except that of a single point.
+    /// Lengths of consecutive parts that make up (0,1). Every length is positive, except that of a single
+    /// point.
     pub(crate) parts: Vec<f64>,
     /// The part on which the condition holds.
     pub(crate) zone: usize,
@@ -32,6 +34,11 @@ impl Constraint {
     /// The shortest positive length.
     pub(crate) fn shortest(&self) -> f64 {
         self.parts.iter().copied().filter(|&l| l > 0.0).fold(1.0, f64::min)
+    }
+
+    /// The condition holds on the whole interval.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.parts.len() == 1
     }
 
     pub(crate) fn on_zone(zone: &Zone, condition: Condition) -> Self {
@@ -68,8 +75,9 @@ pub(crate) struct Discrete {
 
 /// The dual norm N of the mean value on the constrained space, and what sharpens the bound γ² ≤ γ₁² + N².
 ///
-/// In the inner product of |·|_ν, let T be the operator of ‖u − mean u‖₀² and e the unit vector along the representer of the
-/// mean: γ² is the largest eigenvalue of T + N² e⊗e. All entries are in the units of the scaled problem.
+/// In the inner product of |·|_ν, let T be the operator of ‖u − mean u‖₀² and e the unit vector along the
+/// representer of the mean: γ² is the largest eigenvalue of T + N² e⊗e. All entries are in the units of the
+/// scaled problem.
 pub(crate) struct DualNorm {
     /// N².
     pub(crate) square: f64,

@@ -5,9 +5,71 @@ use super::slopes::space::{SlopeSpace, legendre_primitives};
 use crate::error::Result;
 use crate::sobolev::{Partition, PiecewisePolynomial};
 
-/// A function u of the slope space, ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
+/// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
+const ONE_NODE: f64 = 1e-10;
+/// Nodes of the graded cells this close to a given one, likewise, make way for it.
+const MAKES_WAY: f64 = 1e-5;
+
+/// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
 #[derive(Debug, Clone)]
 pub struct ExtremalFunction {
+    /// One function of a slope space; several with their weights where the order is continued from larger ones.
+    terms: Vec<(f64, SlopeFunction)>,
+}
+
+impl ExtremalFunction {
+    pub(crate) fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
+        Self { terms: vec![(1.0, SlopeFunction::new(discrete, coefficients))] }
+    }
+
+    /// Σ w_k u_k for functions of orders close to each other, their signs made to agree.
+    pub(crate) fn combined(weights: &[f64], functions: Vec<Self>) -> Self {
+        let first = functions.first().map_or(Vec::new(), |u| u.profile(1));
+        let agrees = |u: &Self| first.iter().map(|&(x, value)| value * u.value(x)).sum::<f64>() >= 0.0;
+        let mut terms = Vec::new();
+        for (&weight, function) in weights.iter().zip(functions) {
+            let weight = if agrees(&function) { weight } else { -weight };
+            terms.extend(function.terms.into_iter().map(|(inner, u)| (weight * inner, u)));
+        }
+        Self { terms }
+    }
+
+    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture that
+    /// resolves all scales.
+    pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
+        match self.terms.as_slice() {
+            [] => Vec::new(),
+            [(weight, only)] => only.profile(per_cell).into_iter().map(|(x, u)| (x, weight * u)).collect(),
+            [(_, first), ..] => first.profile(per_cell).iter().map(|&(x, _)| (x, self.value(x))).collect(),
+        }
+    }
+
+    /// The interpolant of a degree on the graded cells, each cut into `pieces`, with additional nodes at
+    /// `breaks`. Nodes closer than 1e-10 of their position (or of their distance from 1, or than 1e-5 to a
+    /// break) are left out.
+    ///
+    /// # Errors
+    /// As for [`PiecewisePolynomial::interpolate`].
+    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<PiecewisePolynomial> {
+        let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
+        let mut nodes: Vec<f64> = self.profile(pieces).into_iter().map(|(x, _)| x).collect();
+        nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
+        nodes.extend(breaks);
+        nodes.sort_by(f64::total_cmp);
+        nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
+        nodes.push(1.0);
+        PiecewisePolynomial::interpolate(Partition::from_nodes(&nodes)?, degree, |x| self.value(x))
+    }
+
+    /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.
+    pub fn value(&self, x: f64) -> f64 {
+        self.terms.iter().map(|(weight, u)| weight * u.value(x)).sum()
+    }
+}
+
+/// A function of one slope space.
+#[derive(Debug, Clone)]
+struct SlopeFunction {
     space: SlopeSpace,
     unit: f64,
     coefficients: Vec<f64>,
@@ -15,11 +77,11 @@ pub struct ExtremalFunction {
     nodes: Vec<f64>,
 }
 
-impl ExtremalFunction {
-    pub(crate) fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
+impl SlopeFunction {
+    fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
         let space = discrete.space.clone();
         let beside = &discrete.primitives.beside;
-        // Value at a node: the right constants of the cells before it and the left constants of the cells after it.
+        // Value at a node: the right constants of the cells before it, the left constants of those after it.
         let sum = |range: std::ops::Range<usize>, side: fn(&(f64, f64)) -> f64| -> f64 {
             range.map(|i| coefficients[i] * side(&beside[i])).sum()
         };
@@ -38,8 +100,7 @@ impl ExtremalFunction {
         function
     }
 
-    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture that resolves all scales.
-    pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
+    fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
         let mut points = Vec::new();
         for (index, cell) in self.space.cells.iter().enumerate() {
             for k in 0..per_cell.max(1) {
@@ -52,24 +113,7 @@ impl ExtremalFunction {
         points
     }
 
-    /// The interpolant of a degree on the graded cells, each cut into `pieces`, with additional nodes at `breaks`. Nodes
-    /// closer than 1e-10 of their position (or of their distance from 1, or than 1e-5 to a break) are left out.
-    ///
-    /// # Errors
-    /// As for [`PiecewisePolynomial::interpolate`].
-    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<PiecewisePolynomial> {
-        let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
-        let mut nodes: Vec<f64> = self.profile(pieces).into_iter().map(|(x, _)| x).collect();
-        nodes.retain(|&x| x < 1.0 - 1e-10 && breaks.iter().all(|&b| !near(x, b, 1e-5)));
-        nodes.extend(breaks);
-        nodes.sort_by(f64::total_cmp);
-        nodes.dedup_by(|x, before| near(*x, *before, 1e-10));
-        nodes.push(1.0);
-        PiecewisePolynomial::interpolate(Partition::from_nodes(&nodes)?, degree, |x| self.value(x))
-    }
-
-    /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.
-    pub fn value(&self, x: f64) -> f64 {
+    fn value(&self, x: f64) -> f64 {
         let cells = &self.space.cells;
         if x <= 0.0 {
             return self.nodes[0];

@@ -3,10 +3,13 @@
 //! | ν | printed | true, zone at an end | true, zone inside |
 //! | --- | --- | --- | --- |
 //! | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, [`super::end_limit`] | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
-//! | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), A = 3/(2π²), L = ln(1/θ), [`super::UniformLaw`] | γ² ~ L/(2π²) |
+//! | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), [`super::UniformLaw`] | γ² ~ L/(2π²) |
 //! | > 1/2 | C | γ₀(ν), [`super::gamma_at_point`] | the same at the point |
+//!
+//! A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν; [`super::LimitLaw`] chooses among them.
 
 use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
 use crate::sobolev::FractionalOrder;
 use std::f64::consts::PI;
 
@@ -15,6 +18,9 @@ pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
 
 /// 1/(2π²): the slope for a zone inside.
 pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
+
+/// Rounding of a tangent, two products and a root, relative; 1/2 − ν is known exactly.
+const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 
 /// The growth that Lemma 5.2 prints: θ^{ν−1/2}, ln(1/θ), 1.
 pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
@@ -32,15 +38,16 @@ pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
 /// ```
 /// use signorini::{poincare::interior_limit, sobolev::FractionalOrder};
 /// let limit = interior_limit(FractionalOrder::new(0.25)?)?;
-/// assert!((limit - (1.0 / (3.0 * std::f64::consts::PI)).sqrt()).abs() < 1e-14);
+/// assert!((limit.value - (1.0 / (3.0 * std::f64::consts::PI)).sqrt()).abs() <= limit.error);
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2.
-pub fn interior_limit(order: FractionalOrder) -> Result<f64> {
+pub fn interior_limit(order: FractionalOrder) -> Result<Estimate> {
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     // tan(πν) = cot(π(1/2 − ν))
     let tangent = 1.0 / (PI * -order.offset()).tan();
-    Ok((tangent / (2.0 * PI * (1.0 + 2.0 * order.value()))).sqrt())
+    let limit = (tangent / (2.0 * PI * (1.0 + 2.0 * order.value()))).sqrt();
+    Estimate::new(limit, CLOSED_FORM * limit, Work { points: 1, ..Work::default() })
 }

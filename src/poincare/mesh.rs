@@ -1,10 +1,11 @@
 //! Graded cells for the extremal function of a zone.
 //!
-//! The extremal function is analytic except at 0, a, a+θ and 1, where it behaves like powers of the distance r. Each of the
-//! (up to three) intervals between these points is halved and each half graded to its point: an affine cell next to it, then
-//! cells on which u is a polynomial in ln r. In ln r the function is a sum of exponentials that have scales of order
-//! one near the *features* (r equal to the distance of another singular point, or to the half length) and is slow elsewhere:
-//! cells grow geometrically with their distance from the features, so θ = 1e-300 costs few cells more than θ = 1e-3.
+//! The extremal function is analytic except at 0, a, a+θ and 1, where it behaves like powers of the distance
+//! r. Each of the (up to three) intervals between these points is halved and each half graded to its point:
+//! an affine cell next to it, then cells on which u is a polynomial in ln r. In ln r the function is a sum of
+//! exponentials that have scales of order one near the *features* (r equal to the distance of another
+//! singular point, or to the half length) and is slow elsewhere: cells grow geometrically with their distance
+//! from the features, so θ = 1e-300 costs few cells more than θ = 1e-3.
 
 use super::slopes::cell::Cell;
 use crate::sobolev::FractionalOrder;
@@ -29,7 +30,8 @@ pub(crate) struct MeshModel {
     functions: usize,
 }
 
-/// Largest fall of the energy across a cell, as an exponent: beyond, slopes on it would be linearly dependent in f64.
+/// Largest fall of the energy across a cell, as an exponent: beyond, slopes on it would be linearly dependent
+/// in f64.
 const LARGEST_FALL: f64 = 8.0;
 /// Where the energy has fallen by e^−28 a coarse slope will do.
 const NEGLIGIBLE_FALL: f64 = 28.0;
@@ -46,9 +48,10 @@ pub(crate) const PANEL_SPREAD: f64 = 2.0;
 impl MeshModel {
     /// A model for a relative error of about `error` in γ.
     ///
-    /// Measured: `functions` = 4 ... 12 give worst errors 1e-5, 6e-7, 2e-7, 1e-8, 6e-11, 3e-12, ... over all orders and
-    /// zones. Cutting r^{2ν} off at r = δ costs the fraction δ^{1+2ν} of the energy; cutting off r^ν, the behaviour beside a zone
-    /// on which u vanishes, δ; cutting off r^{2ν−1}, the behaviour at a single such point, δ^{2ν−1}.
+    /// Measured: `functions` = 4 ... 12 give worst errors 1e-5, 6e-7, 2e-7, 1e-8, 6e-11, 3e-12, ... over all
+    /// orders and zones. Cutting r^{2ν} off at r = δ costs the fraction δ^{1+2ν} of the energy; cutting off
+    /// r^ν, the behaviour beside a zone on which u vanishes, δ; cutting off r^{2ν−1}, the behaviour at a
+    /// single such point, δ^{2ν−1}.
     pub(crate) fn new(order: FractionalOrder, error: f64) -> Self {
         let digits = -error.log10();
         Self {
@@ -80,8 +83,9 @@ impl MeshModel {
         self.functions + 4
     }
 
-    /// Cells for consecutive parts of the given lengths, in order, and the range of cells of each part. A part of length zero
-    /// has no cells and marks a point at which u vanishes; the part `frozen` is one cell on which u is constant.
+    /// Cells for consecutive parts of the given lengths, in order, and the range of cells of each part. A
+    /// part of length zero has no cells and marks a point at which u vanishes; the part `frozen` is one cell
+    /// on which u is constant.
     pub(crate) fn cells(&self, parts: &[f64], frozen: Option<usize>) -> (Vec<Cell>, Vec<Range<usize>>) {
         let mut cells = Vec::new();
         let mut ranges = Vec::new();
@@ -118,7 +122,8 @@ impl MeshModel {
         cells.extend(mirrored.into_iter().rev().map(Cell::mirrored));
     }
 
-    /// Cells from a singular point up to half the length of its interval; `innermost` is relative to the nearest feature.
+    /// Cells from a singular point up to half the length of its interval; `innermost` is relative to the
+    /// nearest feature.
     fn half(&self, length: f64, others: &[f64], innermost: f64) -> Vec<Cell> {
         let top = 0.5 * length;
         let mut features: Vec<f64> = Vec::new();
@@ -149,11 +154,13 @@ impl MeshModel {
             cells.push(Cell::from_left(radius, spread, functions));
             radius *= spread.exp();
         }
-        // The rounding of the last radius is immaterial: the length of the part is only used through its cells.
+        // The rounding of the last radius is immaterial: the length of the part is only used through its
+        // cells.
         cells
     }
 
-    /// Extents that start near `finest` at a feature, grow by `growth` and fill `span`, with their numbers of functions.
+    /// Extents that start near `finest` at a feature, grow by `growth` and fill `span`, with their numbers of
+    /// functions.
     fn grow(&self, span: f64) -> Vec<(f64, usize)> {
         let mut extents = Vec::new();
         let (mut sum, mut next) = (0.0, self.finest);

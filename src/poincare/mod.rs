@@ -1,17 +1,17 @@
 //! Appendix A: the Poincaré constants γ_θ(ν) of Lemma 5.2.
 //!
-//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1), 0 < ν < 1, whose mean over a [`Zone`] is zero or which vanish there; the seminorm is
-//! |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper bounds γ by θ^{ν−1/2}, ln(1/θ), C in
-//! (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
+//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1), 0 < ν < 1, whose mean over a [`Zone`] is zero or which vanish
+//! there; the seminorm is |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper
+//! bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
 
 mod constant;
 mod continuation;
 mod discrete;
 mod extremal;
+mod law;
 mod limits;
 mod mellin;
 mod mesh;
-mod pictures;
 mod scaling;
 pub(crate) mod slopes;
 mod two_sided;
@@ -20,10 +20,10 @@ mod zone;
 
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
+pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use mellin::end_limit;
-pub use pictures::{extremal_chart, growth_chart};
-pub use scaling::ScalingCurve;
+pub use scaling::{ExplicitBound, growth};
 pub use two_sided::{TwoSided, two_sided};
 pub use uniform::UniformLaw;
 pub use zone::{Condition, Place, Zone};

@@ -1,7 +1,7 @@
 //! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
 
 use super::constant::{constraint, dual_norm, gamma, gamma_whole, refine, rounding};
-use super::continuation::{SMALL, continued};
+use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
 use super::mesh::MeshModel;
 use super::zone::{Condition, Zone};
@@ -14,8 +14,8 @@ use crate::sobolev::FractionalOrder;
 pub struct TwoSided {
     /// γ with its error.
     pub gamma: Estimate,
-    /// A conforming lower bound: the quotient of a function of the space, less its rounding. For orders so small that γ is
-    /// continued from larger ones, γ less its error.
+    /// A conforming lower bound: the quotient of a function of the space, less its rounding. For orders so
+    /// small that γ is continued from larger ones, γ less its error.
     pub lower: f64,
     /// An upper bound from γ₁ and the dual norm N, sharpened; raised by the estimated errors of γ₁ and N.
     pub upper: f64,
@@ -25,10 +25,11 @@ pub struct TwoSided {
     pub dual_norm: Estimate,
 }
 
-/// γ with two-sided bounds (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u over (0,1)).
+/// γ with two-sided bounds (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u over
+/// (0,1)).
 ///
-/// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when the representer of
-/// m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
+/// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when
+/// the representer of m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
 ///
 /// ```
 /// use signorini::{Tolerance, poincare::{Condition, Zone, two_sided}, sobolev::FractionalOrder};
@@ -57,16 +58,12 @@ pub fn two_sided(
         |found| found.gamma.relative_error(),
     );
     match direct {
-        Err(Error::ToleranceNotMet { .. }) if order.value() < SMALL => {
+        // At small orders that have no digits of their own both are continued from larger ones.
+        Err(Error::ToleranceNotMet { .. })
+            if Continuation::to(order, parts.shortest(), tolerance).is_some() =>
+        {
             let gamma = gamma(order, zone, condition, tolerance)?;
-            // The mean over the whole interval vanishes: N = 0.
-            let dual_norm = if parts.parts.len() == 1 {
-                Estimate::new(0.0, 0.0, Work::default())?
-            } else {
-                continued(order, parts.shortest(), tolerance, |order, tolerance| {
-                    dual_norm(order, zone, condition, tolerance)
-                })?
-            };
+            let dual_norm = dual_norm(order, zone, condition, tolerance)?;
             Ok(TwoSided::of_estimates(gamma, whole, dual_norm))
         }
         result => result,
@@ -74,7 +71,8 @@ pub fn two_sided(
 }
 
 impl TwoSided {
-    /// Where no function of the space has digits of its own: γ less its error, and √(γ₁² + N²) with their errors.
+    /// Where no function of the space has digits of its own: γ less its error, and √(γ₁² + N²) with their
+    /// errors.
     fn of_estimates(gamma: Estimate, whole: Estimate, dual_norm: Estimate) -> Self {
         let upper = (whole.value + whole.error).hypot(dual_norm.value + dual_norm.error);
         let upper = upper.max(gamma.value + gamma.error);

@@ -1,24 +1,34 @@
 //! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
 //!
-//! With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (expand the
-//! resolvent of the rank-one perturbation; T is the operator of ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
+//! With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves
+//! λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (expand the resolvent of the rank-one perturbation; T is the operator
+//! of ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
 //!
-//! N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
+//! N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence
+//! λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
 //!
-//! A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the analytic continuation, here (and just
-//! below 1/2) from two values of N. The remainders of N² and ‖r‖₀² are of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
+//! A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the
+//! analytic continuation, here (and just below 1/2) from two values of N. The remainders of N² and ‖r‖₀² are
+//! of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
 
-use super::constant::{DualMoments, dual_moments};
+use super::constant::{DualMoments, dual_moments, gamma, gamma_whole};
 use super::limits::END_SLOPE;
-use super::mellin::end_limit;
+use super::mellin;
 use super::slopes::kernel::exp_quotient;
+use super::zone::{Condition, Zone};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
-/// Zone lengths at which the constants are read off: remainders below 1e-12 relative, and N² still of order one.
+/// Lengths at which the constants are read off: remainders below 1e-12 relative, and N² still of order one.
 const SHORT: f64 = 1e-22;
 const SHORTER: f64 = 1e-44;
+
+/// Length at which the law is compared with the constant: the remainder is well above the other errors there.
+const COMPARED: f64 = 1e-3;
+
+/// Steps of Newton's method, which converges quadratically: a handful would do.
+const NEWTON: usize = 20;
 
 /// 1 − 2ν from which the limit B(ν) has more digits than the quotient of two values of N².
 const NEAR_HALF: f64 = 1e-6;
@@ -35,13 +45,18 @@ pub struct UniformLaw {
     pub correction: Estimate,
     /// e.
     pub second_correction: Estimate,
+    /// γ₁², the norm of T: the terms of the resolvent fall at least by this over λ.
+    whole_square: f64,
+    /// |λ − γ²| at the length [`COMPARED`].
+    remainder: f64,
 }
 
 impl UniformLaw {
     /// The law for 0.4 ≤ ν ≤ 0.6.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] when the dual norms cannot be had to the tolerance.
+    /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] when the dual norms cannot be had
+    /// to the tolerance.
     pub fn new(order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
         Error::require("nu", order.value(), "[0.4, 0.6]", order.offset().abs() <= 0.1)?;
         let p = order.one_minus_twice();
@@ -50,7 +65,7 @@ impl UniformLaw {
         let slope = if order.offset() == 0.0 {
             Estimate::new(END_SLOPE, 0.0, Work::default())?
         } else if p > NEAR_HALF {
-            let limit = end_limit(order)?;
+            let limit = mellin::reached(order, Tolerance::reference())?;
             Estimate::new(p * limit.value * limit.value, 2.0 * p * limit.value * limit.error, limit.work)?
         } else {
             let far = dual_moments(order, SHORTER, tolerance)?;
@@ -64,25 +79,56 @@ impl UniformLaw {
             square.error + slope.error * growth(SHORT),
             square.work,
         )?;
-        Ok(Self { order, slope, constant, correction: representer, second_correction: image })
+        let mut law = Self {
+            order,
+            slope,
+            constant,
+            correction: representer,
+            second_correction: image,
+            whole_square: gamma_whole(order, tolerance)?.value.powi(2),
+            remainder: 0.0,
+        };
+        let compared = gamma(order, Zone::end(COMPARED)?, Condition::MeanZero, tolerance)?;
+        law.remainder = (law.square(COMPARED)? - compared.value * compared.value).abs();
+        Ok(law)
     }
 
-    /// γ_θ by the law, up to O(s⁻³) in the square.
+    /// γ_θ by the law. Its error adds those of the constants, the terms of the resolvent beyond the second, and
+    /// the remainder seen at θ = 1e-3, scaled by its order.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2.
-    pub fn gamma(&self, theta: f64) -> Result<f64> {
+    /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2 and λ > γ₁².
+    pub fn gamma(&self, theta: f64) -> Result<Estimate> {
         Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
+        let lambda = self.square(theta)?;
+        let above = lambda > self.whole_square;
+        Error::require("theta", theta, "short enough for the law", above)?;
+        let growth = exp_quotient(self.order.one_minus_twice(), -theta.ln());
+        let known = self.slope.error * growth
+            + self.constant.error
+            + self.correction.error / lambda
+            + self.second_correction.error / (lambda * lambda);
+        let ratio = self.whole_square / lambda;
+        let neglected = self.second_correction.value * ratio / (lambda * lambda) / (1.0 - ratio);
+        let p = self.order.one_minus_twice();
+        let decay = (1.0 - p.abs()).min(4.0 * self.order.value() - 1.0);
+        let logarithms = (1.0 - theta.ln()) / (1.0 - COMPARED.ln());
+        let remainder = self.remainder * (theta / COMPARED).powf(decay) * logarithms;
+        let work = self.slope.work + self.constant.work;
+        Estimate::new(lambda, known + neglected + remainder, work)?.sqrt()
+    }
+
+    /// The root λ, by Newton's method from λ = s + d/s: the corrections are a few hundredths.
+    fn square(&self, theta: f64) -> Result<f64> {
         let s =
             self.slope.value * exp_quotient(self.order.one_minus_twice(), -theta.ln()) + self.constant.value;
         let (d, e) = (self.correction.value, self.second_correction.value);
-        // Newton's method from λ = s + d/s: the corrections are a few hundredths
         let mut lambda = s + d / s;
-        for _ in 0..20 {
+        for _ in 0..NEWTON {
             let residual = lambda - s - d / lambda - e / (lambda * lambda);
             lambda -= residual / (1.0 + d / (lambda * lambda) + 2.0 * e / lambda.powi(3));
         }
         Error::require("theta", theta, "short enough for the law to be positive", lambda > 0.0 && s > 0.0)?;
-        Ok(lambda.sqrt())
+        Ok(lambda)
     }
 }

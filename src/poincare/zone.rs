@@ -47,17 +47,17 @@ impl Zone {
         Self::at(0.5 * (1.0 - theta), theta)
     }
 
-    /// a.
+    /// The left end a.
     pub const fn start(&self) -> f64 {
         self.start
     }
 
-    /// θ.
+    /// The length θ.
     pub const fn length(&self) -> f64 {
         self.length
     }
 
-    /// 1 − a − θ.
+    /// What lies right of the zone, 1 − a − θ.
     pub const fn rest(&self) -> f64 {
         self.rest
     }
@@ -91,6 +91,15 @@ pub enum Place {
 }
 
 impl Place {
+    /// The point to which zones at this place shrink.
+    pub fn point(self) -> f64 {
+        match self {
+            Place::End => 0.0,
+            Place::Centre => 0.5,
+            Place::At(a) => a,
+        }
+    }
+
     /// The zone of length θ at this place.
     ///
     /// # Errors

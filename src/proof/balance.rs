@@ -31,6 +31,7 @@
 use super::constants::ProofConstants;
 use crate::edge::Traces;
 use crate::error::{Error, Result};
+use crate::numeric::search::sign_change;
 use crate::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -227,7 +228,7 @@ impl ElementBalance {
     /// [`Error::OutOfRange`] for τ outside (3/2, 2] or q below 2.
     pub fn new(tau: f64, q: f64) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
-        let mut constants = ProofConstants::new(tau, q)?;
+        let constants = ProofConstants::new(tau, q, &[])?;
         let half = constants.gamma(0.5)?;
         let mut grid = vec![0.0];
         grid.extend((1..=DEPTH).rev().map(|k| 0.5f64.powi(k)));
@@ -270,7 +271,8 @@ impl ElementBalance {
     /// The second case with the printed law of the Poincaré constant, and with the one that holds.
     pub fn second_bound(&self, h: f64, theta: f64) -> [f64; 2] {
         let scale = self.constants.interpolation * h.powf(1.0 + 2.0 * self.constants.order().value());
-        [self.constants.law(theta) * scale, self.constants.corrected_law(theta) * scale]
+        let law = self.constants.law(theta);
+        [law.printed * scale, law.corrected * scale]
     }
 
     /// The θ at which the bounds of both cases agree, printed or sharpened: the first rises, the second falls with θ.
@@ -284,14 +286,10 @@ impl ElementBalance {
             }
         };
         // θ in (1e-30, 1/2]; where the first bound stays below, 1/2.
-        let (mut low, mut high) = (1e-30f64.ln(), 0.5f64.ln());
+        let (low, high) = (1e-30f64.ln(), 0.5f64.ln());
         if excess(high) <= 0.0 {
             return 0.5;
         }
-        for _ in 0..200 {
-            let middle = 0.5 * (low + high);
-            if excess(middle) > 0.0 { high = middle } else { low = middle }
-        }
-        high.exp()
+        sign_change(low, high, 0.0, |theta| excess(theta) > 0.0).1.exp()
     }
 }

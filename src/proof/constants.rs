@@ -1,5 +1,6 @@
-//! The explicit constants of one τ.
+//! The explicit constants of one τ, frozen once made: collect the zones, compute, then ask.
 
+use super::step::TwoLaws;
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::interpolation::{
@@ -7,15 +8,18 @@ use crate::interpolation::{
 };
 use crate::poincare::{Condition, Zone, gamma, gamma_at_point};
 use crate::sobolev::FractionalOrder;
+use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// Asked of γ_θ; the estimated error is added, so that the constant is an upper bound.
 const GAMMA: f64 = 1e-5;
-/// Zones 2^{−1}, ..., 2^{−LAW} from which the constant of the printed law is read.
+/// Zones 2^{−1}, ..., 2^{−LAW} from which the constant of the printed law is read, beside those asked for.
 const LAW: i32 = 16;
+/// At τ = 2 the law is asked of θ ≤ 1/2 only: ln(1/θ) vanishes at 1, γ does not.
+const LARGEST_ZONE_OF_LAW: f64 = 0.5;
 
-/// C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ.
-#[derive(Debug, Clone)]
+/// C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones.
+#[derive(Debug, Clone, PartialEq)]
 pub struct ProofConstants {
     tau: f64,
     order: FractionalOrder,
@@ -30,19 +34,22 @@ pub struct ProofConstants {
     pub wirtinger: f64,
     /// 1/√3 of (6.2).
     pub pointwise: f64,
-    /// sup of γ_θ over the printed law.
-    law: f64,
-    /// sup of γ_θ/√ln(1/θ) at τ = 2.
-    corrected_law: f64,
+    /// C of the printed law and of the one that holds; above τ = 2 the constant itself.
+    factors: TwoLaws,
+    /// γ_θ by the bits of θ; empty above τ = 2.
     gammas: HashMap<u64, f64>,
 }
 
 impl ProofConstants {
-    /// For 3/2 < τ < 5/2; q ≥ 2 is used at τ = 2 only (2 in the paper), q = 1/(2 − τ) below.
+    /// For 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always among them; q ≥ 2 is used at τ = 2
+    /// only (2 in the paper), q = 1/(2 − τ) below.
+    ///
+    /// The constants C of the laws are the largest quotients over all these zones: whatever is asked later, they do not change.
+    /// Cost: one eigenproblem per zone.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside these ranges; [`Error::ToleranceNotMet`] from the constants.
-    pub fn new(tau: f64, q: f64) -> Result<Self> {
+    pub fn new(tau: f64, q: f64, thetas: &[f64]) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 5/2)", tau > 1.5 && tau < 2.5)?;
         let order = FractionalOrder::from_offset(tau - 2.0)?;
         let tolerance = Tolerance::balanced();
@@ -53,7 +60,15 @@ impl ProofConstants {
         } else {
             (q, embedding_upper_bound(FractionalOrder::HALF, q)?.value)
         };
-        let mut constants = Self {
+        let (gammas, factors) = if tau > 2.0 {
+            let constant = upper(gamma_at_point(order, 0.0, Tolerance::new(GAMMA)?)?);
+            (HashMap::new(), TwoLaws::same(constant))
+        } else {
+            let gammas = zone_constants(order, thetas)?;
+            let factors = law_factors(tau, &gammas);
+            (gammas, factors)
+        };
+        Ok(Self {
             tau,
             order,
             q,
@@ -62,19 +77,9 @@ impl ProofConstants {
             projection: upper(projection_constant(order.value(), tolerance)?),
             wirtinger: upper(projection_constant(1.0, tolerance)?),
             pointwise: upper(limits::pointwise(0.0)?),
-            law: 0.0,
-            corrected_law: 0.0,
-            gammas: HashMap::new(),
-        };
-        if tau > 2.0 {
-            constants.law = upper(gamma_at_point(order, 0.0, Tolerance::new(GAMMA)?)?);
-            constants.corrected_law = constants.law;
-        } else {
-            for k in 1..=LAW {
-                constants.gamma(0.5f64.powi(k))?;
-            }
-        }
-        Ok(constants)
+            factors,
+            gammas,
+        })
     }
 
     /// τ.
@@ -87,7 +92,7 @@ impl ProofConstants {
         self.order
     }
 
-    /// q.
+    /// The exponent of the embedding.
     pub fn q(&self) -> f64 {
         self.q
     }
@@ -100,51 +105,83 @@ impl ProofConstants {
     /// γ_θ(ν), mean zero on a zone of length θ at an end, from above; τ > 2: vanishing at an end, whatever θ.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for θ outside (0, 1].
-    pub fn gamma(&mut self, theta: f64) -> Result<f64> {
+    /// [`Error::OutOfRange`] for θ that is none of the zones the constants were made for.
+    pub fn gamma(&self, theta: f64) -> Result<f64> {
         if self.tau > 2.0 {
-            return Ok(self.law);
+            return Ok(self.factors.printed);
         }
-        if let Some(&known) = self.gammas.get(&theta.to_bits()) {
-            return Ok(known);
-        }
-        let zone = Zone::end(theta)?;
-        let found = gamma(self.order, zone, Condition::MeanZero, Tolerance::new(GAMMA)?)?;
-        let value = found.value + found.error;
-        self.gammas.insert(theta.to_bits(), value);
-        // Constants of the laws: never below a value that was used.
-        if self.tau < 2.0 {
-            self.law = self.law.max(value * theta.powf(2.0 - self.tau));
-            self.corrected_law = self.law;
-        } else if theta <= 0.5 {
-            self.law = self.law.max(value / -theta.ln());
-            self.corrected_law = self.corrected_law.max(value / (-theta.ln()).sqrt());
-        }
-        Ok(value)
+        let range = "the zones these constants were made for";
+        self.gammas.get(&theta.to_bits()).copied().ok_or(Error::OutOfRange {
+            name: "theta",
+            value: theta,
+            range,
+        })
     }
 
     /// γ for a zone of at least this share of the segment: its length rounded down to a power of 1/2.
     ///
     /// # Errors
     /// As [`ProofConstants::gamma`].
-    pub fn gamma_below(&mut self, share: f64) -> Result<f64> {
+    pub fn gamma_below(&self, share: f64) -> Result<f64> {
         let power = share.min(1.0).log2().floor();
         // log2 may round up to the next integer
         let theta = if power.exp2() > share { 0.5 * power.exp2() } else { power.exp2() };
         self.gamma(theta)
     }
 
-    /// The printed law of γ_θ with its constant: C θ^{τ−2}; C ln(1/θ) at τ = 2; C above.
-    pub fn law(&self, theta: f64) -> f64 {
+    /// The laws of γ_θ with their constants: C θ^{τ−2}; at τ = 2 C ln(1/θ) as printed, C √ln(1/θ) as it holds; C above.
+    pub fn law(&self, theta: f64) -> TwoLaws {
+        let TwoLaws { printed, corrected } = self.factors;
         match self.tau {
-            tau if tau < 2.0 => self.law * theta.powf(tau - 2.0),
-            2.0 => self.law * -theta.ln(),
-            _ => self.law,
+            tau if tau < 2.0 => self.factors.map(|c| c * theta.powf(tau - 2.0)),
+            2.0 => TwoLaws { printed: printed * -theta.ln(), corrected: corrected * (-theta.ln()).sqrt() },
+            _ => self.factors,
         }
     }
+}
 
-    /// The law that holds: C √ln(1/θ) at τ = 2, else the printed one.
-    pub fn corrected_law(&self, theta: f64) -> f64 {
-        if self.tau == 2.0 { self.corrected_law * (-theta.ln()).sqrt() } else { self.law(theta) }
+/// γ_θ(ν) with its error added, for the given zones and the powers of 1/2.
+fn zone_constants(order: FractionalOrder, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
+    let mut zones: Vec<f64> = (0..=LAW).map(|k| 0.5f64.powi(k)).chain(thetas.iter().copied()).collect();
+    zones.sort_by(f64::total_cmp);
+    zones.dedup();
+    let tolerance = Tolerance::new(GAMMA)?;
+    let constant = |theta: f64| -> Result<(u64, f64)> {
+        let found = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        Ok((theta.to_bits(), found.value + found.error))
+    };
+    zones.into_par_iter().map(constant).collect()
+}
+
+/// The largest quotients of γ_θ and its laws.
+fn law_factors(tau: f64, gammas: &HashMap<u64, f64>) -> TwoLaws {
+    let zones = gammas.iter().map(|(&bits, &gamma)| (f64::from_bits(bits), gamma));
+    zones.filter(|&(theta, _)| tau < 2.0 || theta <= LARGEST_ZONE_OF_LAW).fold(
+        TwoLaws::default(),
+        |most, (theta, gamma)| {
+            let quotients = if tau < 2.0 {
+                TwoLaws::same(gamma * theta.powf(2.0 - tau))
+            } else {
+                TwoLaws { printed: gamma / -theta.ln(), corrected: gamma / (-theta.ln()).sqrt() }
+            };
+            TwoLaws {
+                printed: most.printed.max(quotients.printed),
+                corrected: most.corrected.max(quotients.corrected),
+            }
+        },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_do_not_depend_on_the_order_of_the_zones() {
+        let forward = ProofConstants::new(1.75, 2.0, &[0.3, 1e-7]).unwrap();
+        let backward = ProofConstants::new(1.75, 2.0, &[1e-7, 0.3, 0.3]).unwrap();
+        assert_eq!(forward, backward);
+        assert!(forward.gamma(0.3).is_ok() && forward.gamma(0.31).is_err());
+        assert!(forward.gamma(0.3).unwrap() <= forward.law(0.3).printed);
     }
 }

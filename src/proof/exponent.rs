@@ -1,6 +1,7 @@
 //! Exponents of h with their uncertainty.
 
 use crate::error::{Error, Result};
+use crate::numeric::line::Line;
 
 /// An exponent of h by least squares, with its uncertainty.
 ///
@@ -30,24 +31,13 @@ impl Exponent {
                 range,
             });
         }
-        let (value, error) = slope(&logs);
+        let Line { slope: value, error, .. } = Line::through(&logs);
         let half = logs.len() / 2;
         // Both halves share the middle.
-        let (coarse, fine) = (slope(&logs[..=half]).0, slope(&logs[half.min(logs.len() - 2)..]).0);
+        let (coarse, fine) =
+            (Line::through(&logs[..=half]).slope, Line::through(&logs[half.min(logs.len() - 2)..]).slope);
         Ok(Self { value, uncertainty: (2.0 * error).max(0.5 * (coarse - fine).abs()) })
     }
-}
-
-/// Slope of a regression line and its standard error.
-fn slope(points: &[(f64, f64)]) -> (f64, f64) {
-    let count = points.len() as f64;
-    let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / count;
-    let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
-    let spread: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
-    let slope = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum::<f64>() / spread;
-    let residual: f64 = points.iter().map(|p| (p.1 - y - slope * (p.0 - x)).powi(2)).sum();
-    let error = if points.len() > 2 { (residual / (count - 2.0) / spread).sqrt() } else { 0.0 };
-    (slope, error)
 }
 
 #[cfg(test)]

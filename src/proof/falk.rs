@@ -21,7 +21,7 @@ use crate::contact::Cone;
 use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::Result;
 use crate::scenes::StripCase;
-use crate::strip::{EdgeSolution, Settings, StripProblem, solve_contact};
+use crate::strip::{EdgeSolution, StripProblem, solve_contact};
 
 /// The terms on one mesh, mean over the positions of the scene; all squared, as in the lemma, integrals without the factor 2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -106,8 +106,7 @@ pub fn falk_terms(case: &StripCase, mut report: impl FnMut(usize)) -> Result<Vec
         for (row, n) in rows.iter_mut().zip(case.levels.cells()) {
             let (operator, _) = problem.operator(n)?;
             let load = problem.load(n)?;
-            let solution =
-                solve_contact(&operator, &load, case.cone, previous.as_ref(), &Settings::default())?;
+            let solution = solve_contact(&operator, &load, case.cone, previous.as_ref())?;
             row.add(&terms(problem, &trace, n, &solution)?, share);
             report(n);
             previous = Some(solution);

@@ -1,13 +1,15 @@
 //! One inequality on one segment, and what is kept of it over a mesh.
 
+use super::line::Line;
+
 /// Relative error of sums and constants beside that of the seminorms: 1e-10 from the embedding constant.
 const ROUNDING: f64 = 1e-9;
 
 /// left ≤ right, or left = right, with the relative error of both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
-    /// The paper's label and what the line does.
-    pub label: &'static str,
+    /// The line of the proof.
+    pub line: Line,
     /// Left side.
     pub left: f64,
     /// Right side.
@@ -20,9 +22,9 @@ pub struct Check {
 
 impl Check {
     /// left ≤ right; `relative` is the relative error of the seminorms in it.
-    pub(super) fn at_most(label: &'static str, left: f64, right: f64, relative: f64) -> Self {
+    pub(super) fn at_most(line: Line, left: f64, right: f64, relative: f64) -> Self {
         let error = (ROUNDING + relative) * (left.abs() + right.abs());
-        Self { label, left, right, error, is_equality: false }
+        Self { line, left, right, error, is_equality: false }
     }
 
     /// The same with an absolute error beside the relative one.
@@ -31,9 +33,9 @@ impl Check {
     }
 
     /// left = right up to cancellation in terms of the given size.
-    pub(super) fn equal(label: &'static str, left: f64, right: f64, size: f64) -> Self {
+    pub(super) fn equal(line: Line, left: f64, right: f64, size: f64) -> Self {
         let error = ROUNDING * (left.abs() + right.abs()) + 1e-12 * size;
-        Self { label, left, right, error, is_equality: true }
+        Self { line, left, right, error, is_equality: true }
     }
 
     /// Holds within the error of its two sides.
@@ -46,8 +48,8 @@ impl Check {
 /// An inequality over the segments of one mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InequalityProfile {
-    /// The paper's label and what the line does.
-    pub label: &'static str,
+    /// The line of the proof.
+    pub line: Line,
     /// Segments on which it was checked with a positive right side.
     pub count: usize,
     /// Sum of the left sides.
@@ -61,8 +63,8 @@ pub struct InequalityProfile {
 }
 
 impl InequalityProfile {
-    fn new(label: &'static str) -> Self {
-        Self { label, count: 0, left: 0.0, right: 0.0, sharpest: 0.0, violations: 0 }
+    fn new(line: Line) -> Self {
+        Self { line, count: 0, left: 0.0, right: 0.0, sharpest: 0.0, violations: 0 }
     }
 
     /// right/left of the sums; `None` when the left is zero.
@@ -82,11 +84,11 @@ impl InequalityProfile {
     }
 }
 
-/// Adds checks to the profile with their labels, in order of first appearance.
+/// Adds checks to the profile by their lines, in order of first appearance.
 pub(super) fn tally(profiles: &mut Vec<InequalityProfile>, checks: &[Check]) {
     for check in checks {
-        let place = profiles.iter().position(|p| p.label == check.label).unwrap_or_else(|| {
-            profiles.push(InequalityProfile::new(check.label));
+        let place = profiles.iter().position(|p| p.line == check.line).unwrap_or_else(|| {
+            profiles.push(InequalityProfile::new(check.line));
             profiles.len() - 1
         });
         profiles[place].add(check);

@@ -1,20 +1,19 @@
 //! The ladder from the consistency term to the final bound, and exponents with their uncertainty.
 
 use super::exponent::Exponent;
+use super::inequality::InequalityProfile;
+use super::line::Line;
 use super::profile::{LevelProfile, ProofProfile};
-use super::section::Section;
-use super::step::RUNGS;
+use super::step::{Step, TwoLaws};
 use crate::error::{Error, Result};
 
 /// A rung over all meshes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rung {
     /// The step that leads to it.
-    pub name: &'static str,
-    /// The paper's lines.
-    pub lines: &'static str,
-    /// Value on the finest mesh: with the printed law of γ_θ, and with the one that holds.
-    pub values: [f64; 2],
+    pub step: Step,
+    /// Value on the finest mesh.
+    pub finest: TwoLaws,
     /// Exponent of the value.
     pub exponent: Exponent,
     /// What the step takes from the exponent; none for the first rung.
@@ -23,35 +22,22 @@ pub struct Rung {
     pub corrected: Exponent,
 }
 
-const NAMES: [&str; RUNGS] = [
-    "consistency term",
-    "Hölder's inequality",
-    "interpolation, distance to a zero",
-    "embedding, Poincaré on its own zone",
-    "as if every zone were h_e theta",
-    "law of the Poincaré constant",
-    "Young, norms of the whole edge",
-];
-
-const LINES_THREE: [&str; RUNGS] = [
-    "",
-    "(3.3), (3.11)",
-    "(3.3)-(3.5), (3.13)",
-    "(3.8), (3.12)",
-    "(3.9), (3.12)",
-    "(5.1), (5.2)",
-    "(3.9), (3.14), sum",
-];
-
-const LINES_FOUR: [&str; RUNGS] = [
-    "(4.9)",
-    "(4.10), (4.11)",
-    "(6.2), (4.6)",
-    "(4.10), (4.11)",
-    "(4.10), (4.11)",
-    "(5.1), (5.2)",
-    "Globally",
-];
+/// A line of the proof over all meshes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineProfile {
+    /// Which.
+    pub line: Line,
+    /// Segments with a positive right side.
+    pub count: usize,
+    /// Segments on which it fails beyond the error of its two sides.
+    pub violations: usize,
+    /// Largest left/right on a segment; 1 is sharp.
+    pub sharpest: f64,
+    /// h and right/left of the sums over the segments, coarsest mesh first.
+    pub slacks: Vec<(f64, f64)>,
+    /// Exponent of that slack in h, with three meshes at least.
+    pub exponent: Option<Exponent>,
+}
 
 impl ProofProfile {
     /// The rungs with their exponents and losses.
@@ -59,10 +45,9 @@ impl ProofProfile {
     /// # Errors
     /// [`Error::CountOutOfRange`] with fewer than three meshes on which every rung is positive.
     pub fn ladder(&self) -> Result<Vec<Rung>> {
-        let lines = if self.case.section == Section::Three { LINES_THREE } else { LINES_FOUR };
         // Exponents and losses from the same meshes, so that the losses add up.
-        let levels: Vec<_> =
-            self.levels.iter().filter(|l| l.rungs.iter().all(|values| values[0] > 0.0)).collect();
+        let positive = |level: &&LevelProfile| Step::ALL.iter().all(|&step| level.rung(step).printed > 0.0);
+        let levels: Vec<&LevelProfile> = self.levels.iter().filter(positive).collect();
         let Some(finest) = levels.last().filter(|_| levels.len() > 2) else {
             let (name, value) = ("meshes with a positive consistency term", levels.len());
             return Err(Error::CountOutOfRange { name, value, range: "[3, inf)" });
@@ -70,19 +55,55 @@ impl ProofProfile {
         let fit = |value: &dyn Fn(&LevelProfile) -> f64| {
             Exponent::fit(&levels.iter().map(|l| (l.h(), value(l))).collect::<Vec<_>>())
         };
-        (0..RUNGS)
-            .map(|rung| {
-                let before = rung.checked_sub(1);
-                Ok(Rung {
-                    name: NAMES[rung],
-                    lines: lines[rung],
-                    values: finest.rungs[rung],
-                    exponent: fit(&|l| l.rungs[rung][0])?,
-                    loss: before.map(|b| fit(&|l| l.rungs[b][0] / l.rungs[rung][0])).transpose()?,
-                    corrected: fit(&|l| l.rungs[rung][1])?,
-                })
+        let rung = |step: Step, before: Option<Step>| -> Result<Rung> {
+            let loss = |before: Step| fit(&|l| l.rung(before).printed / l.rung(step).printed);
+            Ok(Rung {
+                step,
+                finest: finest.rung(step),
+                exponent: fit(&|l| l.rung(step).printed)?,
+                loss: before.map(loss).transpose()?,
+                corrected: fit(&|l| l.rung(step).corrected)?,
             })
-            .collect()
+        };
+        let before = std::iter::once(None).chain(Step::ALL.into_iter().map(Some));
+        Step::ALL.into_iter().zip(before).map(|(step, before)| rung(step, before)).collect()
+    }
+
+    /// Inequalities checked, all segments and meshes.
+    pub fn checks(&self) -> usize {
+        self.inequalities().map(|i| i.count).sum()
+    }
+
+    /// Inequalities that fail beyond the error of their two sides.
+    pub fn violations(&self) -> usize {
+        self.inequalities().map(|i| i.violations).sum()
+    }
+
+    fn inequalities(&self) -> impl Iterator<Item = &InequalityProfile> {
+        self.levels.iter().flat_map(|l| &l.inequalities)
+    }
+
+    /// The lines over all meshes, in the order of the paper.
+    pub fn lines(&self) -> Vec<LineProfile> {
+        let mut lines: Vec<Line> = self.inequalities().map(|i| i.line).collect();
+        lines.sort_unstable();
+        lines.dedup();
+        lines.into_iter().map(|line| self.line(line)).collect()
+    }
+
+    fn line(&self, line: Line) -> LineProfile {
+        let on = |l: &LevelProfile| l.inequalities.iter().find(|i| i.line == line).map(|i| (l.h(), *i));
+        let found: Vec<(f64, InequalityProfile)> = self.levels.iter().filter_map(on).collect();
+        let slacks: Vec<(f64, f64)> =
+            found.iter().filter_map(|(h, i)| i.slack().map(|slack| (*h, slack))).collect();
+        LineProfile {
+            line,
+            count: found.iter().map(|(_, i)| i.count).sum(),
+            violations: found.iter().map(|(_, i)| i.violations).sum(),
+            sharpest: found.iter().fold(0.0, |m: f64, (_, i)| m.max(i.sharpest)),
+            exponent: Exponent::fit(&slacks).ok(),
+            slacks,
+        }
     }
 
     /// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the printed exponent of the squared error.

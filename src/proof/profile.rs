@@ -37,7 +37,7 @@ use super::section::Section;
 use super::setting::{
     SegmentSetting, first_case_four, first_case_three, second_case_four, second_case_three,
 };
-use super::step::RUNGS;
+use super::step::{RUNGS, Step, TwoLaws};
 use super::theta::ThetaRule;
 use super::{section_four, section_three};
 use crate::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
@@ -79,18 +79,34 @@ pub struct LevelProfile {
     pub n: usize,
     /// θ.
     pub theta: f64,
-    /// Segments in the first case, in the second, in neither; summed over the positions.
-    pub cases: [usize; 3],
+    /// Segments by case, summed over the positions.
+    pub cases: CaseCounts,
     /// The inequalities of the cases that hold.
     pub inequalities: Vec<InequalityProfile>,
-    /// The rungs, mean over the positions; second column with the law of γ_θ that holds.
-    pub rungs: [[f64; 2]; RUNGS],
+    /// In the order of [`Step::ALL`], mean over the positions.
+    rungs: [TwoLaws; RUNGS],
+}
+
+/// Segments of a mesh by case; one that is in both counts in either.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct CaseCounts {
+    /// In the first case.
+    pub first: usize,
+    /// In the second.
+    pub second: usize,
+    /// In neither: would contradict the paper.
+    pub neither: usize,
 }
 
 impl LevelProfile {
     /// h = 1/n.
     pub fn h(&self) -> f64 {
         1.0 / self.n as f64
+    }
+
+    /// The bound of the consistency term after a step.
+    pub fn rung(&self, step: Step) -> TwoLaws {
+        self.rungs[step as usize]
     }
 }
 
@@ -121,13 +137,13 @@ impl ProofCase {
         })
     }
 
-    /// Both sides of every inequality and the rungs on every mesh. `constants` must be those of the case's τ; values of γ_θ found
-    /// on the way are kept there.
+    /// Both sides of every inequality and the rungs on every mesh. `constants` must be made for the case's τ and zones
+    /// ([`ProofCase::zones`]).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for τ, θ or constants of another τ; [`Error::CountOutOfRange`] for positions or a resolution
     /// out of range; those of the scenes.
-    pub fn profile(&self, constants: &mut ProofConstants) -> Result<ProofProfile> {
+    pub fn profile(&self, constants: &ProofConstants) -> Result<ProofProfile> {
         self.check(constants)?;
         let traces = Traces::for_regularity(self.tau);
         let finest = self.levels.cells().last().unwrap_or(1);
@@ -156,6 +172,28 @@ impl ProofCase {
             levels.push(self.level(n, pairs, &squares, form, constants)?);
         }
         Ok(ProofProfile { case: self.clone(), levels })
+    }
+
+    /// The zones whose Poincaré constants the profile needs: θ of every mesh, and the powers of 1/2 down to a fine cell.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for τ or θ outside their ranges.
+    pub fn zones(&self) -> Result<Vec<f64>> {
+        if self.tau > 2.0 {
+            return Ok(Vec::new());
+        }
+        let coarsest = self.levels.coarsest_cells();
+        let cells = self.resolution.cells(coarsest) / coarsest;
+        let powers = (0..=cells.max(1).ilog2()).map(|k| Ok(0.5f64.powi(k as i32)));
+        self.levels.cells().map(|n| self.rule.theta(1.0 / n as f64)).chain(powers).collect()
+    }
+
+    /// Constants for this case alone.
+    ///
+    /// # Errors
+    /// As [`ProofCase::zones`] and [`ProofConstants::new`].
+    pub fn constants(&self, q: f64) -> Result<ProofConstants> {
+        ProofConstants::new(self.tau, q, &self.zones()?)
     }
 
     fn check(&self, constants: &ProofConstants) -> Result<()> {
@@ -206,12 +244,13 @@ impl ProofCase {
         pairs: &[ContactPair],
         squares: &[f64],
         form: &SeminormForm,
-        constants: &mut ProofConstants,
+        constants: &ProofConstants,
     ) -> Result<LevelProfile> {
         let h = 1.0 / n as f64;
         let theta = if self.tau > 2.0 { 0.5 } else { self.rule.theta(h)? };
         let gamma = constants.gamma(theta)?;
-        let (mut inequalities, mut rungs, mut cases) = (Vec::new(), [[0.0; 2]; RUNGS], [0; 3]);
+        let (mut inequalities, mut rungs, mut cases) =
+            (Vec::new(), [TwoLaws::default(); RUNGS], CaseCounts::default());
         let share = 1.0 / pairs.len() as f64;
         for (pair, square) in pairs.iter().zip(squares) {
             let segments: Vec<_> = pair.segments(n)?.collect();
@@ -234,12 +273,10 @@ impl ProofCase {
                     ),
                 };
                 tally(&mut inequalities, &checks);
-                for (total, part) in rungs.iter_mut().zip(chain) {
-                    total.iter_mut().zip(part).for_each(|(t, p)| *t += share * p);
-                }
+                rungs.iter_mut().zip(chain).for_each(|(total, part)| total.add(part, share));
             }
             let factors = self.factors(h, theta, constants);
-            rungs[RUNGS - 1].iter_mut().zip(factors).for_each(|(t, factor)| *t += share * factor * square);
+            rungs[Step::WholeEdge as usize].add(factors.map(|factor| factor * square), share);
         }
         Ok(LevelProfile { n, theta, cases, inequalities, rungs })
     }
@@ -250,7 +287,7 @@ impl ProofCase {
         norms: &SegmentNorms,
         theta: f64,
         gamma: f64,
-        constants: &mut ProofConstants,
+        constants: &ProofConstants,
     ) -> Result<SegmentSetting> {
         let zone = match self.section {
             Section::Three if !first_case_three(norms, theta) => Some(norms.free_length),
@@ -265,23 +302,22 @@ impl ProofCase {
             }
             _ => gamma,
         };
-        let (law, corrected_law) = (constants.law(theta), constants.corrected_law(theta));
-        Ok(SegmentSetting { theta, gamma, own_gamma, law, corrected_law })
+        Ok(SegmentSetting { theta, gamma, own_gamma, law: constants.law(theta) })
     }
 
-    fn count(&self, norms: &SegmentNorms, theta: f64, cases: &mut [usize; 3]) {
+    fn count(&self, norms: &SegmentNorms, theta: f64, cases: &mut CaseCounts) {
         let (first, second) = match self.section {
             Section::Three => (first_case_three(norms, theta), second_case_three(norms, theta)),
             Section::Four => (first_case_four(norms, theta), second_case_four(norms, theta)),
         };
-        cases[0] += usize::from(first);
-        cases[1] += usize::from(second);
-        cases[2] += usize::from(!first && !second);
+        cases.first += usize::from(first);
+        cases.second += usize::from(second);
+        cases.neither += usize::from(!first && !second);
     }
 
     /// The larger of the factors of both cases, with both laws.
-    fn factors(&self, h: f64, theta: f64, constants: &ProofConstants) -> [f64; 2] {
-        let laws = [constants.law(theta), constants.corrected_law(theta)];
+    fn factors(&self, h: f64, theta: f64, constants: &ProofConstants) -> TwoLaws {
+        let laws = constants.law(theta);
         let (first, second) = match self.section {
             Section::Three => (
                 section_three::first_factor(h, theta, constants),

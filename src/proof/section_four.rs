@@ -2,8 +2,9 @@
 
 use super::constants::ProofConstants;
 use super::inequality::Check;
+use super::line::Line;
 use super::setting::{SegmentSetting, first_case_four, second_case_four};
-use super::step::RUNGS;
+use super::step::{RUNGS, TwoLaws};
 use crate::edge::SegmentNorms;
 
 /// Every inequality of the cases that hold on a segment (both, where both do).
@@ -13,7 +14,7 @@ pub fn section_four_checks(
     setting: &SegmentSetting,
 ) -> Vec<Check> {
     let size = norms.force * norms.projection_error[1];
-    let mut checks = vec![Check::equal("(4.9) mean zero", norms.projection_term, norms.midpoint_term, size)];
+    let mut checks = vec![Check::equal(Line::MeanZero, norms.projection_term, norms.midpoint_term, size)];
     if constants.tau() <= 2.0 && first_case_four(norms, setting.theta) {
         first_case(norms, constants, setting.theta, &mut checks);
     }
@@ -27,17 +28,17 @@ pub fn section_four_checks(
 fn first_case(norms: &SegmentNorms, constants: &ProofConstants, theta: f64, checks: &mut Vec<Check>) {
     let (h, q, power) = (norms.length, constants.q(), constants.hoelder());
     let highest = norms.projection_error[1];
-    checks.push(Check::at_most("(4.10) L¹ and L^∞", norms.midpoint_term, norms.force * highest, 0.0));
+    checks.push(Check::at_most(Line::ForceTimesHeight, norms.midpoint_term, norms.force * highest, 0.0));
     let pointwise = constants.pointwise * h.sqrt() * norms.slope.l2;
-    checks.push(Check::at_most("(4.10) by (6.2)", highest, pointwise, 0.0).plus(norms.rounding()));
+    checks.push(Check::at_most(Line::Pointwise, highest, pointwise, 0.0).plus(norms.rounding()));
     let hoelder = (h * theta).powf(power) * norms.stress.lq;
-    checks.push(Check::at_most("(4.10) Hölder on S", norms.force, hoelder, 0.0));
+    checks.push(Check::at_most(Line::SupportHoelder, norms.force, hoelder, 0.0));
     let (full, error) = (norms.stress.norm_squared().sqrt(), norms.stress.seminorm_error());
     let embedding = constants.embedding * h.powf(1.0 / q - 0.5) * full;
-    checks.push(Check::at_most("(4.10) embedding", norms.stress.lq, embedding, error));
-    let label = if constants.tau() == 2.0 { "(4.12) first case, τ = 2" } else { "(4.10) first case" };
+    checks.push(Check::at_most(Line::StressEmbedding, norms.stress.lq, embedding, error));
+    let line = if constants.tau() == 2.0 { Line::SetFirstCaseTwo } else { Line::SetFirstCase };
     let product = first_factor(h, theta, constants) * full * norms.slope.l2;
-    checks.push(Check::at_most(label, norms.midpoint_term, product, error));
+    checks.push(Check::at_most(line, norms.midpoint_term, product, error));
 }
 
 fn second_case(
@@ -48,23 +49,23 @@ fn second_case(
 ) {
     let (h, nu) = (norms.length, constants.order().value());
     let (deviation, error) = (norms.stress.deviation, norms.projection_error[0]);
-    checks.push(Check::at_most("(4.11) Cauchy-Schwarz", norms.midpoint_term, deviation * error, 0.0));
+    checks.push(Check::at_most(Line::ProjectionCauchySchwarz, norms.midpoint_term, deviation * error, 0.0));
     let (sigma, slope) = (norms.stress.seminorm(), norms.slope.seminorm());
     let (uncertain_sigma, uncertain_slope) = (norms.stress.seminorm_error(), norms.slope.seminorm_error());
     let projection = constants.projection * h.powf(nu) * sigma;
-    checks.push(Check::at_most("(4.11) (4.6) of σ_N", deviation, projection, uncertain_sigma));
+    checks.push(Check::at_most(Line::StressProjection, deviation, projection, uncertain_sigma));
     let wirtinger = constants.wirtinger * h * norms.slope.l2;
     let rounding = norms.rounding() * h.sqrt();
-    checks.push(Check::at_most("(4.11) (4.6) of u_N", error, wirtinger, 0.0).plus(rounding));
+    checks.push(Check::at_most(Line::DisplacementProjection, error, wirtinger, 0.0).plus(rounding));
     let poincare = setting.gamma * h.powf(nu) * slope;
-    checks.push(Check::at_most("(4.11) Poincaré of u_N'", norms.slope.l2, poincare, uncertain_slope));
-    let label = match constants.tau() {
-        tau if tau < 2.0 => "(4.11) second case",
-        2.0 => "(4.13) second case, τ = 2",
-        _ => "(4.14) any contact, τ > 2",
+    checks.push(Check::at_most(Line::SlopePoincare, norms.slope.l2, poincare, uncertain_slope));
+    let line = match constants.tau() {
+        tau if tau < 2.0 => Line::SetSecondCase,
+        2.0 => Line::SetSecondCaseTwo,
+        _ => Line::AnyContact,
     };
     let bound = second_factor(h, constants, setting.gamma) * sigma * slope;
-    checks.push(Check::at_most(label, norms.midpoint_term, bound, uncertain_sigma + uncertain_slope));
+    checks.push(Check::at_most(line, norms.midpoint_term, bound, uncertain_sigma + uncertain_slope));
 }
 
 /// C(q) h θ^{1−1/q}/√3.
@@ -82,13 +83,13 @@ pub(super) fn chain(
     norms: &SegmentNorms,
     constants: &ProofConstants,
     setting: &SegmentSetting,
-) -> [[f64; 2]; RUNGS - 1] {
+) -> [TwoLaws; RUNGS - 1] {
     let (h, theta, nu) = (norms.length, setting.theta, constants.order().value());
     let mut rungs = [0.0; RUNGS - 1];
     rungs[0] = norms.midpoint_term;
     let Some(diameter) = norms.contact_diameter() else {
         // No contact: the term is zero and nothing is estimated.
-        return rungs.map(|r| [r; 2]);
+        return rungs.map(TwoLaws::same);
     };
     if constants.tau() <= 2.0 && first_case_four(norms, theta) {
         let (q, power, slope) = (constants.q(), constants.hoelder(), norms.slope.l2);
@@ -99,16 +100,14 @@ pub(super) fn chain(
         rungs[3] = own * constants.embedding * h.powf(1.0 / q - 0.5) * full;
         rungs[4] = first_factor(h, theta, constants) * full * slope;
         rungs[5] = rungs[4];
-        return rungs.map(|r| [r; 2]);
+        return rungs.map(TwoLaws::same);
     }
     let (sigma, slope) = (norms.stress.seminorm(), norms.slope.seminorm());
     rungs[1] = norms.stress.deviation * norms.projection_error[0];
     rungs[2] = constants.projection * h.powf(nu) * sigma * constants.wirtinger * h * norms.slope.l2;
     rungs[3] = second_factor(h, constants, setting.own_gamma) * sigma * slope;
     rungs[4] = second_factor(h, constants, setting.gamma) * sigma * slope;
-    let mut pairs = rungs.map(|r| [r; 2]);
-    for (column, law) in [setting.law, setting.corrected_law].into_iter().enumerate() {
-        pairs[5][column] = second_factor(h, constants, law) * sigma * slope;
-    }
+    let mut pairs = rungs.map(TwoLaws::same);
+    pairs[5] = setting.law.map(|law| second_factor(h, constants, law) * sigma * slope);
     pairs
 }

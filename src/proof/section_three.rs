@@ -2,8 +2,9 @@
 
 use super::constants::ProofConstants;
 use super::inequality::Check;
+use super::line::Line;
 use super::setting::{SegmentSetting, first_case_three, second_case_three};
-use super::step::RUNGS;
+use super::step::{RUNGS, TwoLaws};
 use crate::edge::SegmentNorms;
 
 /// Every inequality of the cases that hold on a segment (both, where both do).
@@ -27,28 +28,28 @@ fn first_case(norms: &SegmentNorms, constants: &ProofConstants, theta: f64, chec
     let (stress, slope) = (norms.stress.l2, norms.slope.lq);
     let highest = norms.vertices[0].abs().max(norms.vertices[1].abs());
     let cauchy = stress * norms.interpolant;
-    checks.push(Check::at_most("(3.3) Cauchy-Schwarz", norms.nodal_term, cauchy, 0.0));
-    checks.push(Check::at_most("(3.3) value at a vertex", cauchy, stress * h.sqrt() * highest, 0.0));
+    checks.push(Check::at_most(Line::InterpolantCauchySchwarz, norms.nodal_term, cauchy, 0.0));
+    checks.push(Check::at_most(Line::VertexValue, cauchy, stress * h.sqrt() * highest, 0.0));
     for (value, increment) in norms.vertices.iter().zip(norms.increments) {
-        checks.push(Check::equal("(3.4) from a vertex to a zero", value.abs(), increment, highest));
+        checks.push(Check::equal(Line::VertexToZero, value.abs(), increment, highest));
         let right = (h * theta).powf(power) * slope;
-        checks.push(Check::at_most("(3.5) Hölder", increment, right, 0.0).plus(norms.rounding()));
+        checks.push(Check::at_most(Line::VertexHoelder, increment, right, 0.0).plus(norms.rounding()));
     }
     let error = norms.slope.seminorm_error();
     let nu = constants.order().value();
     let scaled = scaled_norm(norms, nu);
     let middle = constants.embedding * h.powf(1.0 / q - 0.5) * scaled;
     let full = constants.embedding * h.powf(1.0 / q - 0.5) * norms.slope.norm_squared().sqrt();
-    checks.push(Check::at_most("(3.6) embedding", slope, middle, error));
-    checks.push(Check::at_most("(3.7) scaling of the norm", middle, full, error));
-    checks.push(Check::at_most("(3.8) both", slope, full, error));
+    checks.push(Check::at_most(Line::SlopeEmbedding, slope, middle, error));
+    checks.push(Check::at_most(Line::NormScaling, middle, full, error));
+    checks.push(Check::at_most(Line::ScaledEmbedding, slope, full, error));
     let product = first_factor(h, theta, constants) * stress * norms.slope.norm_squared().sqrt();
-    let (label, young) = if constants.tau() == 2.0 {
-        ("(3.10) first case, τ = 2", "(3.10) Young")
+    let (line, young) = if constants.tau() == 2.0 {
+        (Line::FirstCaseTwo, Line::FirstYoungTwo)
     } else {
-        ("(3.9) first case", "(3.9) Young")
+        (Line::FirstCase, Line::FirstYoung)
     };
-    checks.push(Check::at_most(label, norms.nodal_term, product, error));
+    checks.push(Check::at_most(line, norms.nodal_term, product, error));
     checks.push(Check::at_most(young, product, first_factor(h, theta, constants) * squares(norms), error));
 }
 
@@ -61,26 +62,26 @@ fn second_case(
     let (h, nu) = (norms.length, constants.order().value());
     let (stress, error) = (norms.stress.l2, norms.interpolation_error);
     let size = norms.force * (norms.vertices[0].abs() + norms.vertices[1].abs());
-    let identity = Check::equal("(3.11) σ u = 0", norms.nodal_term, norms.interpolation_term, size);
+    let identity = Check::equal(Line::Complementarity, norms.nodal_term, norms.interpolation_term, size);
     checks.push(identity);
     let rounding = norms.rounding() * norms.force;
     checks
-        .push(Check::at_most("(3.11) Cauchy-Schwarz", norms.nodal_term, stress * error, 0.0).plus(rounding));
+        .push(Check::at_most(Line::ErrorCauchySchwarz, norms.nodal_term, stress * error, 0.0).plus(rounding));
     let (sigma, slope) = (norms.stress.seminorm(), norms.slope.seminorm());
     let (uncertain_sigma, uncertain_slope) = (norms.stress.seminorm_error(), norms.slope.seminorm_error());
     let poincare = setting.gamma * h.powf(nu) * sigma;
-    checks.push(Check::at_most("(3.12) Poincaré", stress, poincare, uncertain_sigma));
+    checks.push(Check::at_most(Line::StressPoincare, stress, poincare, uncertain_sigma));
     let interpolation = constants.interpolation * h.powf(1.0 + nu) * slope;
     let rounding = norms.rounding() * h.sqrt();
-    checks.push(Check::at_most("(3.13) interpolation", error, interpolation, uncertain_slope).plus(rounding));
+    checks.push(Check::at_most(Line::Interpolation, error, interpolation, uncertain_slope).plus(rounding));
     let uncertain = uncertain_sigma + uncertain_slope;
     let factor = second_factor(h, constants, setting.gamma);
-    let (label, young) = if constants.tau() == 2.0 {
-        ("(3.15) second case, τ = 2", "(3.15) Young")
+    let (line, young) = if constants.tau() == 2.0 {
+        (Line::SecondCaseTwo, Line::SecondYoungTwo)
     } else {
-        ("(3.14) second case", "(3.14) Young")
+        (Line::SecondCase, Line::SecondYoung)
     };
-    checks.push(Check::at_most(label, norms.nodal_term, factor * sigma * slope, uncertain));
+    checks.push(Check::at_most(line, norms.nodal_term, factor * sigma * slope, uncertain));
     checks.push(Check::at_most(young, factor * sigma * slope, factor * squares(norms), uncertain));
 }
 
@@ -110,7 +111,7 @@ pub(super) fn chain(
     norms: &SegmentNorms,
     constants: &ProofConstants,
     setting: &SegmentSetting,
-) -> [[f64; 2]; RUNGS - 1] {
+) -> [TwoLaws; RUNGS - 1] {
     let (h, theta, nu) = (norms.length, setting.theta, constants.order().value());
     let stress = norms.stress.l2;
     let mut rungs = [0.0; RUNGS - 1];
@@ -124,16 +125,14 @@ pub(super) fn chain(
         rungs[3] = stress * h.sqrt() * own * full;
         rungs[4] = first_factor(h, theta, constants) * stress * norms.slope.norm_squared().sqrt();
         rungs[5] = rungs[4];
-        return rungs.map(|r| [r; 2]);
+        return rungs.map(TwoLaws::same);
     }
     let (sigma, slope) = (norms.stress.seminorm(), norms.slope.seminorm());
     rungs[1] = stress * norms.interpolation_error;
     rungs[2] = stress * constants.interpolation * h.powf(1.0 + nu) * slope;
     rungs[3] = second_factor(h, constants, setting.own_gamma) * sigma * slope;
     rungs[4] = second_factor(h, constants, setting.gamma) * sigma * slope;
-    let mut pairs = rungs.map(|r| [r; 2]);
-    for (column, law) in [setting.law, setting.corrected_law].into_iter().enumerate() {
-        pairs[5][column] = second_factor(h, constants, law) * sigma * slope;
-    }
+    let mut pairs = rungs.map(TwoLaws::same);
+    pairs[5] = setting.law.map(|law| second_factor(h, constants, law) * sigma * slope);
     pairs
 }

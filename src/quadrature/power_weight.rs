@@ -8,6 +8,7 @@
 
 use super::Rule;
 use crate::error::{Error, Result};
+use crate::numeric::legendre;
 
 /// Points in (0, 1) and weights (of both signs) for the weight t^β.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,15 +30,8 @@ impl PowerWeightRule {
         let weights = rule
             .iter()
             .map(|(t, g)| {
-                let x = 2.0 * t - 1.0;
-                let (mut previous, mut legendre, mut sum) = (0.0, 1.0, 0.0);
-                for (k, moment) in moments.iter().enumerate() {
-                    let k = k as f64;
-                    sum += (2.0 * k + 1.0) * moment * legendre;
-                    let next = ((2.0 * k + 1.0) * x * legendre - k * previous) / (k + 1.0);
-                    (previous, legendre) = (legendre, next);
-                }
-                g * sum
+                let coefficients = moments.iter().enumerate().map(|(k, m)| (2.0 * k as f64 + 1.0) * m);
+                g * legendre::series(coefficients, 2.0 * t - 1.0)
             })
             .collect();
         Ok(Self { points: rule.points().to_vec(), weights })

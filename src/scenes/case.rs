@@ -1,7 +1,7 @@
 //! A case of the strip: one scene, or one transition at several positions, on all levels.
 //!
-//! The observed order of a transition alternates with its position in the cell; the mean of |u − u_h|² over evenly spread
-//! positions has no such phase.
+//! The observed order of a transition alternates with its position in the cell; the mean of |u − u_h|² over
+//! evenly spread positions has no such phase.
 
 use super::strip::StripScene;
 use crate::cone::Cone;
@@ -49,8 +49,8 @@ pub struct CaseStudy {
 }
 
 impl StripCase {
-    /// The scene, or the transition at several places of one coarsest cell. Doubling permutes the multiples of 1/count for
-    /// an odd count, so that the places are evenly spread over the cells of every level.
+    /// The scene, or the transition at several places of one coarsest cell. Doubling permutes the multiples
+    /// of 1/count for an odd count, so that the places are evenly spread over the cells of every level.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for no position or too many.

@@ -1,8 +1,10 @@
-//! Contact sets on a fine edge of N cells, as lists of gaps: one or many transitions, Cantor sets, fat Cantor sets.
+//! Contact sets on a fine edge of N cells, as lists of gaps: one or many transitions, Cantor sets, fat Cantor
+//! sets.
 //!
-//! A gap (a, b) is open: its nodes a + 1, ..., b − 1 are free, a and b are in contact. Everything is rounded to nodes of the
-//! fine edge, except that a single transition may lie between two nodes; a Cantor construction stops where a gap would have no free node or a contact piece no cell, so that the
-//! discrete scene is never degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
+//! A gap (a, b) is open: its nodes a + 1, ..., b − 1 are free, a and b are in contact. Everything is rounded
+//! to nodes of the fine edge, except that a single transition may lie between two nodes; a Cantor
+//! construction stops where a gap would have no free node or a contact piece no cell, so that the discrete
+//! scene is never degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
 
 use crate::error::{Error, Result};
 
@@ -15,7 +17,8 @@ pub(crate) struct Gap {
     pub(crate) right: usize,
 }
 
-/// `count` equal gaps with contact of the same length between them; contact of half that length at either side.
+/// `count` equal gaps with contact of the same length between them; contact of half that length at either
+/// side.
 pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
     if count == 0 || count > cells / 4 {
         return Err(Error::CountOutOfRange { name: "gaps", value: count, range: "[1, cells / 4]" });
@@ -30,8 +33,8 @@ pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
         .collect())
 }
 
-/// The middle gaps of the Cantor construction that keeps two pieces of relative length `ratio`, `depth` times.
-/// d = ln 2 / ln(1/ratio).
+/// The middle gaps of the Cantor construction that keeps two pieces of relative length `ratio`, `depth`
+/// times. d = ln 2 / ln(1/ratio).
 pub(crate) fn cantor(cells: usize, ratio: f64, depth: usize) -> Vec<Gap> {
     let mut gaps = Vec::new();
     let length = |_: usize, piece: f64| piece * (1.0 - 2.0 * ratio);
@@ -39,7 +42,8 @@ pub(crate) fn cantor(cells: usize, ratio: f64, depth: usize) -> Vec<Gap> {
     gaps
 }
 
-/// A Cantor set of positive measure `measure`: 2^{k−1} gaps of length c 2^{−k/d} in generation k = 1 ... depth.
+/// A Cantor set of positive measure `measure`: 2^{k−1} gaps of length c 2^{−k/d} in generation k = 1 ...
+/// depth.
 pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usize) -> Vec<Gap> {
     let shrink = (-std::f64::consts::LN_2 / dimension).exp();
     let total: f64 = (1..=depth).map(|k| 0.5 * (2.0 * shrink).powi(k as i32)).sum();
@@ -50,7 +54,8 @@ pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usiz
     gaps
 }
 
-/// Opens a gap in the middle of (start, end) and goes on in both pieces; gaps come out in the order of the edge.
+/// Opens a gap in the middle of (start, end) and goes on in both pieces; gaps come out in the order of the
+/// edge.
 fn split(
     start: f64,
     end: f64,

@@ -1,8 +1,8 @@
 //! A scalar Signorini problem with known solution: u = −Re (z − a)^{3/2} on the unit square, z = x + iy.
 //!
-//! With z − a = r e^{iφ}: u = −r^{3/2} cos(3φ/2) is harmonic. On y = 0 beyond a it is −r^{3/2} < 0 with ∂u/∂n = 0, before
-//! a it is 0 with ∂u/∂n = −(3/2) r^{1/2} ≤ 0: contact on [0, a], and exactly the regularity of a transition inside a
-//! straight edge, H^{5/2−ε}. u is prescribed on top, ∂u/∂n on both sides by quadrature.
+//! With z − a = r e^{iφ}: u = −r^{3/2} cos(3φ/2) is harmonic. On y = 0 beyond a it is −r^{3/2} < 0 with ∂u/∂n
+//! = 0, before a it is 0 with ∂u/∂n = −(3/2) r^{1/2} ≤ 0: contact on [0, a], and exactly the regularity of a
+//! transition inside a straight edge, H^{5/2−ε}. u is prescribed on top, ∂u/∂n on both sides by quadrature.
 
 use crate::contact::ContactProblem;
 use crate::error::Result;

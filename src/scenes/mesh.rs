@@ -1,19 +1,20 @@
 //! Scenes on meshes: domain, data, and what is known of their solutions.
 //!
-//! | scene | form | data | contact edge | u in H^τ for all τ < |
+//! | scene | form | volume load f | contact edge | u in H^τ for all τ < |
 //! | --- | --- | --- | --- | --- |
-//! | `block` | plane strain, λ = μ = 1 | f = (0, −cos πx), clamped top, free sides | bottom | clamped/free corner |
-//! | `membrane` | ∫ ∇u·∇v | f = cos 2πx + 0.3, u = 0 on top, free sides | bottom | 5/2 |
-//! | `membrane-reaction` | ∫ ∇u·∇v + uv (Remark 1) | f = 4 (cos πx + cos πy) | whole boundary | not classified |
-//! | `corner` | ∫ ∇u·∇v | f = −2 cos πx, u = 0 on the left side, which meets the bottom at the angle ω | bottom | 1 + π/(2ω), at most 5/2 |
-//! | `manufactured` | ∫ ∇u·∇v | exact solution −Re (z − a)^{3/2}, contact on [0, a] | bottom | 5/2 |
-//! | `incompressible` | plane strain, E = 5/2, given Poisson's ratio | as `block` | bottom | clamped/free corner |
-//! | `free` | as `block` | f = (0, 1): lifted, no contact | bottom | clamped/free corner |
-//! | `closed` | as `block` | f = (0, −1): pressed down, full contact | bottom | clamped/free corner |
+//! | `block` | plane strain, λ = μ = 1 | (0, −cos πx) | bottom | clamped/free corner |
+//! | `membrane` | ∫ ∇u·∇v | cos 2πx + 0.3 | bottom | 5/2 |
+//! | `membrane-reaction` | ∫ ∇u·∇v + uv (Remark 1) | 4 (cos πx + cos πy) | all | not classified |
+//! | `corner` | ∫ ∇u·∇v | −2 cos πx | bottom | 1 + π/(2ω), at most 5/2 |
+//! | `manufactured` | ∫ ∇u·∇v | 0; exact solution −Re (z − a)^{3/2}, contact on [0, a] | bottom | 5/2 |
+//! | `incompressible` | plane strain, E = 5/2, given Poisson's ratio | as `block` | bottom | as `block` |
+//! | `free` | as `block` | (0, 1): lifted, no contact | bottom | as `block` |
+//! | `closed` | as `block` | (0, −1): pressed down, full contact | bottom | as `block` |
 //!
-//! On the unit square except `corner`; n = (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic scenes and u ≤ 0 for
-//! scalar ones. Volume loads are replaced by their P1 interpolants. 5/2 is the transition between contact and no contact
-//! inside a straight edge, r^{3/2}.
+//! The body hangs from its top, u = 0, with free sides; in `corner` from its left side, which meets the
+//! bottom at the angle ω. On the unit square except `corner`; n = (0, −1) on the bottom, so u_N = −u_y ≤ 0
+//! for elastic scenes and u ≤ 0 for scalar ones. Volume loads are replaced by their P1 interpolants. 5/2 is
+//! the transition between contact and no contact inside a straight edge, r^{3/2}.
 
 use super::manufactured;
 use crate::contact::ContactProblem;
@@ -95,6 +96,11 @@ impl MeshScene {
         matches!(self, MeshScene::Block | MeshScene::Incompressible | MeshScene::Free | MeshScene::Closed)
     }
 
+    /// The solution where it is known in closed form, default setting: u as a function of the point.
+    pub fn solution(self) -> Option<fn(Point) -> f64> {
+        (self == MeshScene::Manufactured).then_some(manufactured::exact)
+    }
+
     /// The structured mesh of the scene with n x n squares, default setting.
     ///
     /// # Errors
@@ -103,7 +109,8 @@ impl MeshScene {
         self.mesh_with(n, &Setting::default())
     }
 
-    /// The problem on a given triangulation of the scene's domain (a level of a hierarchy, say), default setting.
+    /// The problem on a given triangulation of the scene's domain (a level of a hierarchy, say), default
+    /// setting.
     ///
     /// # Errors
     /// As for [`ContactProblem::new`].

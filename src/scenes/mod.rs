@@ -1,14 +1,16 @@
-//! One registry of scenes, on meshes and on the edge of a strip: names, data, regularity, and the solution where it is known.
+//! One registry of scenes, on meshes and on the edge of a strip: names, data, regularity, and the solution
+//! where it is known.
 //!
 //! | | what | where |
 //! | --- | --- | --- |
 //! | [`Scene`] | a scene of either kind, by name | `scene` |
-//! | [`MeshScene`] | bodies, loads and boundary parts; regularity from corner exponents | `mesh`, `regularity` |
+//! | [`MeshScene`] | bodies, loads, boundary parts; regularity from corner exponents | `mesh`, `regularity` |
 //! | [`StripScene`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip`, `contact_sets` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //!
-//! A new strip scene is one variant of [`StripScene`] with its arm in `form`; names, help texts and errors follow.
+//! A new strip scene is one variant of [`StripScene`] with its arm in `form`; names, help texts and errors
+//! follow.
 
 mod case;
 mod contact_sets;

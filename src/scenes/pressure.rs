@@ -2,8 +2,8 @@
 
 use crate::strip::Sides;
 
-/// Nodal forces of the density dist^q on the contact cells (both ends in contact), dist to the nearest gap; half of each
-/// cell's integral goes to either end.
+/// Nodal forces of the density dist^q on the contact cells (both ends in contact), dist to the nearest gap;
+/// half of each cell's integral goes to either end.
 pub(crate) fn contact_forces(values: &[f64], cells: usize, sides: Sides, q: f64) -> Vec<f64> {
     let nodes = values.len();
     let distance = distance_to_gap(values, cells, sides);

@@ -1,21 +1,28 @@
 //! How smooth a scene is: the exponent of the leading corner singularity.
 //!
-//! Near a corner of opening ω between a clamped and a traction-free side, plane strain with Poisson's ratio ν_P, the
-//! displacement behaves like r^λ, λ the smallest root in (0, 1] of
+//! Near a corner of opening ω between a clamped and a traction-free side, plane strain with Poisson's ratio
+//! ν_P, the displacement behaves like r^λ, λ the smallest root in (0, 1] of
 //!
 //! sin²(λω) = (4 (1 − ν_P)² − λ² sin²ω) / (3 − 4 ν_P)
 //!
-//! (M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; P. Grisvard, *Elliptic Problems in Nonsmooth Domains*), so the
-//! solution lies in H^τ for every τ < 1 + λ. At ω = π/2, ν_P = 1/4 (the scene `block`): λ = 0.74475, just below the
-//! τ = 7/4 where the paper's rate is furthest from the optimal one. For larger openings the roots may be complex; they
-//! are not treated here.
+//! (M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; P. Grisvard, *Elliptic Problems in Nonsmooth Domains*),
+//! so the solution lies in H^τ for every τ < 1 + λ. At ω = π/2, ν_P = 1/4 (the scene `block`): λ = 0.74475,
+//! just below the τ = 7/4 where the paper's rate is furthest from the optimal one. For larger openings the
+//! roots may be complex; they are not treated here.
 
 use super::mesh::{MeshScene, Setting};
 use crate::error::{Error, Result};
+use crate::numeric::search::sign_change;
+
+/// Steps of the search for the first change of sign in (0, 1]; roots are further apart.
+const STEPS: u32 = 1000;
+/// Bisection ends here: a few roundings of λ.
+const WIDTH: f64 = 1e-15;
 
 /// λ of the clamped/free corner: opening ω in (0, π/2], Poisson's ratio in (0, 1/2), plane strain.
 ///
-/// Bisection to rounding. Where no root lies in (0, 1), for sin²ω < 1 − ν_P, the corner does not limit H²: λ = 1.
+/// Bisection to rounding. Where no root lies in (0, 1), for sin²ω < 1 − ν_P, the corner does not limit H²:
+/// λ = 1.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] outside these ranges.
@@ -28,24 +35,19 @@ pub fn clamped_free_exponent(opening: f64, poisson: f64) -> Result<f64> {
         (lambda * opening).sin().powi(2) - right / (3.0 - 4.0 * poisson)
     };
     // The defect is negative at 0; its first sign change is the root sought.
-    let step = 1e-3;
-    let Some(k) = (1..=1000).find(|&k| defect(f64::from(k) * step) >= 0.0) else { return Ok(1.0) };
-    let (mut low, mut high) = (f64::from(k - 1) * step, f64::from(k) * step);
-    while high - low > 1e-15 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if defect(middle) >= 0.0 { high = middle } else { low = middle }
-    }
+    let step = 1.0 / f64::from(STEPS);
+    let Some(k) = (1..=STEPS).find(|&k| defect(f64::from(k) * step) >= 0.0) else { return Ok(1.0) };
+    let ends = (f64::from(k - 1) * step, f64::from(k) * step);
+    let (low, high) = sign_change(ends.0, ends.1, WIDTH, |lambda| defect(lambda) >= 0.0);
     Ok(0.5 * (low + high))
 }
 
 impl MeshScene {
     /// The supremum of the τ ≤ 2 for which the solution lies in H^τ.
     ///
-    /// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother. `corner`:
-    /// 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is harmless.
+    /// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother.
+    /// `corner`: 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is
+    /// harmless.
     ///
     /// # Errors
     /// As [`clamped_free_exponent`].

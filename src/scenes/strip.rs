@@ -1,11 +1,14 @@
-//! Scenes built on the edge of a strip: choose u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0 freely, the load follows.
+//! Scenes built on the edge of a strip: choose u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0 freely, the load
+//! follows.
 //!
 //! Regularity, Ω two-dimensional: u ∈ H^τ needs u_N ∈ H^{τ−1/2} and λ ∈ H^{τ−3/2} on the edge.
 //!
-//! * u_N = −δ^p in each gap (a, b), δ = (x−a)(b−x)/(b−a); one end of exponent p lies in H^s for s < p + 1/2, gaps with
-//!   boundary dimension d for s ≤ p + 1/2 − d/2. So p = τ − 1 + d/2 gives τ.
-//! * transitions (d = 0): λ = dist^{τ−2} on the contact set, of the same regularity τ; τ = 5/2 is the natural r^{3/2}.
-//! * fat Cantor: λ = 1 on C lies in H^{(1−d)/2}, so τ = 2 − d/2: d = 4 − 2τ, p = 1, and both data have regularity τ.
+//! * u_N = −δ^p in each gap (a, b), δ = (x−a)(b−x)/(b−a); one end of exponent p lies in H^s for s < p + 1/2,
+//!   gaps with boundary dimension d for s ≤ p + 1/2 − d/2. So p = τ − 1 + d/2 gives τ.
+//! * transitions (d = 0): λ = dist^{τ−2} on the contact set, of the same regularity τ; τ = 5/2 is the natural
+//!   r^{3/2}.
+//! * fat Cantor: λ = 1 on C lies in H^{(1−d)/2}, so τ = 2 − d/2: d = 4 − 2τ, p = 1, and both data have
+//!   regularity τ.
 //! * Cantor of given ratio: d = ln 2/ln(1/ratio), λ = 1 on the pieces left at the last generation.
 //!
 //! "Of regularity τ" means the supremum of admissible orders, as always with powers.
@@ -144,15 +147,15 @@ impl StripScene {
         StripScene::Transition { position: POSITION }
     }
 
-    /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples bring their own
-    /// number of cells and no regularity. Beyond 2 only transitions inside the edge: the gap of a single one on natural
-    /// sides meets the side at a slope, where u leaves H² whatever τ is.
+    /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples bring
+    /// their own number of cells and no regularity. Beyond 2 only transitions inside the edge: the gap of a
+    /// single one on natural sides meets the side at a slope, where u leaves H² whatever τ is.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for τ, position or ratio outside their ranges (a fat Cantor set needs τ < 2),
-    /// [`Error::CountOutOfRange`] for counts and where no gap has a free node on this grid, [`Error::EmptyContact`]
-    /// when the transition leaves no contact node; as [`EdgeData::from_samples`]; [`Error::File`] for a file that
-    /// cannot be read.
+    /// [`Error::CountOutOfRange`] for counts and where no gap has a free node on this grid,
+    /// [`Error::EmptyContact`] when the transition leaves no contact node; as [`EdgeData::from_samples`];
+    /// [`Error::File`] for a file that cannot be read.
     pub fn data(&self, tau: f64, cells: usize, sides: Sides) -> Result<EdgeData> {
         let mut scene = self.clone();
         let form = scene.form();
@@ -170,8 +173,8 @@ impl StripScene {
         }
     }
 
-    /// How many gaps the construction has, `None` for samples; on a grid those without a free node, or without contact
-    /// beside them, are left out with all that would follow them.
+    /// How many gaps the construction has, `None` for samples; on a grid those without a free node, or
+    /// without contact beside them, are left out with all that would follow them.
     pub fn gaps(&self) -> Option<u64> {
         self.clone().form().gaps
     }
@@ -367,7 +370,8 @@ impl ContactSet {
         Ok(EdgeData::new(cells, sides, values, forces)?.with_regularity(tau))
     }
 
-    /// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a when it ends beyond the side.
+    /// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a when it ends beyond
+    /// the side.
     fn depth(&self, gap: Gap, i: usize, grid: Grid) -> f64 {
         let left = (i - gap.left) as f64 - self.advance;
         if grid.sides == Sides::Natural && gap.right > grid.cells {
@@ -443,7 +447,8 @@ mod tests {
 
     #[test]
     fn the_grammar_is_that_of_the_registry() {
-        let names = "transition[:POSITION], transitions[:COUNT], cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE";
+        let names = "transition[:POSITION], transitions[:COUNT], cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], \
+                     samples:FILE";
         assert_eq!(StripScene::names(), names);
     }
 }

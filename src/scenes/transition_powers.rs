@@ -1,11 +1,13 @@
 //! One transition with given powers and logarithms: the scenes at τ = 2, and those outside 3/2 < τ ≤ 2.
 //!
-//! Contact for x < a, gap beyond, mirrored at x = 1. With δ = (x − a)(b − x)/(b − a), b = 2 − a, and ℓ(r) = 2 + ln(1/r):
+//! Contact for x < a, gap beyond, mirrored at x = 1. With δ = (x − a)(b − x)/(b − a), b = 2 − a, and ℓ(r) = 2
+//! + ln(1/r):
 //!
 //! u_N = −δ^p ℓ(δ)^{−α},  −σ_N = (a − x)^q ℓ(a − x)^{−α}.
 //!
-//! With p = τ − 1, q = τ − 2, α = 0 both data have regularity τ, not attained. At τ = 2 the slope of u_N and σ_N behave like |ln r|^{−α} on
-//! one side of a: they lie in H^{1/2} exactly for α > 1/2, since their Fourier transforms decay like 1/(|ξ| |ln ξ|^α).
+//! With p = τ − 1, q = τ − 2, α = 0 both data have regularity τ, not attained. At τ = 2 the slope of u_N and
+//! σ_N behave like |ln r|^{−α} on one side of a: they lie in H^{1/2} exactly for α > 1/2, since their Fourier
+//! transforms decay like 1/(|ξ| |ln ξ|^α).
 
 use crate::error::{Error, Result};
 use crate::strip::{EdgeData, Sides};

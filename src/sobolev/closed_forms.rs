@@ -9,8 +9,8 @@
 //!
 //! Every value is the *squared* seminorm; all are sums of positive terms or differences of well separated ones.
 
-use super::cells::CellPairs;
-use super::gram::{diagonal_linear, require_constants_finite};
+use super::gram::dense::{diagonal_linear, require_constants_finite};
+use super::kernel::cells::CellPairs;
 use super::order::FractionalOrder;
 use super::partition::Partition;
 use crate::error::{Error, Result};

@@ -4,11 +4,10 @@
 //! (a kink is in H^{3/2−ε}), and up to 1/2 included for |ln x|^α, α < 1/2.
 
 use super::closed_forms;
-use super::function::{Position, SingularFunction};
+use super::functions::{Position, SingularFunction};
 use super::order::FractionalOrder;
 use super::partition::Partition;
 use super::piecewise::PiecewisePolynomial;
-use super::seminorm::root_of_squares;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
 use std::fmt;
@@ -40,7 +39,7 @@ impl GalleryFunction {
     /// [`Error::InfiniteNorm`] above the critical order, [`Error::ToleranceNotMet`], [`Error::File`].
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         match self.sampled()? {
-            Some(samples) => samples.seminorm(0, order, tolerance),
+            Some(samples) => samples.seminorm(order, tolerance),
             None => self.closure()?.seminorm(order, tolerance),
         }
     }
@@ -51,11 +50,8 @@ impl GalleryFunction {
     /// As [`GalleryFunction::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         match self.sampled()? {
-            Some(samples) => samples.norm(0, order, tolerance),
-            None => {
-                let u = self.closure()?;
-                root_of_squares(&[u.seminorm(order, tolerance)?, u.lq_norm(2.0, tolerance)?])
-            }
+            Some(samples) => samples.norm(order, tolerance),
+            None => self.closure()?.norm(order, tolerance),
         }
     }
 

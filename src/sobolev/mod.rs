@@ -11,40 +11,23 @@
 //! | dual norms | [`dual_norm_of_functional`], [`PiecewisePolynomial::dual_norm`], [`DualOf`] |
 //! | exact values | [`closed_forms`] |
 
-mod arm_integral;
-mod band;
-mod cells;
-mod circulant;
 pub mod closed_forms;
-mod cluster;
-mod deep_tail;
 mod dual;
-mod dual_modes;
-mod function;
-mod function_norms;
+mod functions;
 mod gallery;
 mod gram;
-mod hierarchical;
-mod lebesgue;
-mod log_energy;
-mod operator;
+mod kernel;
 mod order;
 mod partition;
 mod piecewise;
-mod polynomial_pairs;
-mod power;
-mod seminorm;
-mod six_step;
-mod toeplitz;
+mod root;
 
 pub use dual::{DualOf, dual_norm_of_functional};
-pub use function::{Position, SingularFunction};
+pub use functions::{Position, SingularFunction};
 pub use gallery::GalleryFunction;
-pub use gram::{gram_constants, gram_linears, mass_constants, mass_linears};
-pub(crate) use lebesgue::linear_power;
-pub use operator::GramOperator;
+pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
 pub use order::FractionalOrder;
 pub use partition::Partition;
-pub(crate) use partition::RunningSum;
 pub use piecewise::PiecewisePolynomial;
-pub(crate) use seminorm::root_of_squares;
+pub(crate) use piecewise::linear_power;
+pub(crate) use root::root_of_squares;

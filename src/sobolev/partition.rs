@@ -5,6 +5,7 @@
 //! only for evaluation and plotting. Sums are compensated (Neumaier 1974), relative error about 1 ulp whatever the count.
 
 use crate::error::{Error, Result};
+use crate::numeric::sum::RunningSum;
 
 /// Longest admissible quotient of the interval's length by an element's length.
 ///
@@ -184,26 +185,6 @@ fn running_sums(lengths: impl Iterator<Item = f64>) -> Vec<f64> {
         sums.push(sum.value());
     }
     sums
-}
-
-/// A compensated sum.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct RunningSum {
-    sum: f64,
-    carry: f64,
-}
-
-impl RunningSum {
-    pub(crate) fn add(&mut self, term: f64) {
-        let next = self.sum + term;
-        self.carry +=
-            if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
-        self.sum = next;
-    }
-
-    pub(crate) fn value(&self) -> f64 {
-        self.sum + self.carry
-    }
 }
 
 #[cfg(test)]

@@ -4,8 +4,9 @@
 //! the contact problem with the edge load b = A u_N + λ, whatever the pair is. [`crate::scenes`] builds pairs of given
 //! regularity.
 
-use super::sides::{Sides, check_cells, check_finite, check_length};
+use super::sides::{Sides, check_cells};
 use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite, require_length};
 
 /// Complementary data on a fine edge.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,8 +27,8 @@ impl EdgeData {
     pub fn new(cells: usize, sides: Sides, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         for (name, field) in [("u_N", &values), ("lambda", &forces)] {
-            check_length(name, field.len(), sides.nodes(cells))?;
-            check_finite(name, field)?;
+            require_length(name, field.len(), sides.nodes(cells))?;
+            require_finite(name, field)?;
         }
         for (node, (&value, &force)) in values.iter().zip(&forces).enumerate() {
             Error::require("u_N", value, "(-inf, 0]", value <= 0.0)?;

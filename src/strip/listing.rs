@@ -1,6 +1,6 @@
 //! A level study as a table, and its mean order.
 
-use super::study::Level;
+use super::exact::Level;
 use crate::estimate::Estimate;
 use crate::report::{Column, Format, Table};
 

@@ -13,33 +13,22 @@
 //! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels |
 //! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`solve_contact`] |
 
-mod defect;
-mod edge;
 mod edge_data;
-mod elastic;
-mod elastic_defect;
 mod exact;
-mod exact_elastic;
-mod inner;
 mod listing;
-mod precondition;
-mod scalar;
+mod operator;
 mod sides;
-mod slab;
-mod solution;
-mod solve;
-mod study;
+mod solver;
 mod transfer;
 
-pub use edge::EdgeOperator;
 pub use edge_data::EdgeData;
-pub use elastic::{ElasticLoad, ElasticStrip};
-pub use exact::{ExactEdge, Reference};
-pub use exact_elastic::ExactElastic;
+pub use exact::{ExactEdge, ExactElastic, Level, Levels, Reference, StripKind, StripProblem, study};
 pub use listing::{level_table, mean_order};
-pub use scalar::{EdgeLoad, ScalarStrip};
+pub use operator::edge::EdgeOperator;
+pub use operator::elastic::{ElasticLoad, ElasticStrip};
+pub use operator::load::EdgeLoad;
+pub use operator::scalar::ScalarStrip;
 pub use sides::Sides;
-pub use solution::{EdgeSolution, Settings};
-pub use solve::solve_contact;
-pub use study::{Level, Levels, StripKind, StripProblem, study};
+pub use solver::solution::EdgeSolution;
+pub use solver::solve::{solve_contact, solve_contact_to};
 pub(crate) use transfer::restrict;

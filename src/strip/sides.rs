@@ -58,14 +58,3 @@ pub(crate) fn check_cells(cells: usize, sides: Sides) -> Result<()> {
         Err(Error::CountOutOfRange { name: "cells", value: cells, range })
     }
 }
-
-pub(crate) fn check_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
-    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
-}
-
-pub(crate) fn check_finite(name: &'static str, values: &[f64]) -> Result<()> {
-    match values.iter().position(|v| !v.is_finite()) {
-        None => Ok(()),
-        Some(index) => Err(Error::NotFinite { name, index, value: values[index] }),
-    }
-}

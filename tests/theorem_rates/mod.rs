@@ -1,7 +1,7 @@
 //! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
 
 use signorini::contact::Cone;
-use signorini::convergence::{Bound, LevelStore, MeshRates, Quantity, RateStrip, RateStudy, SceneFamily};
+use signorini::convergence::{Bound, MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
 use signorini::scenes::{MeshScene, Setting, StripScene};
 use signorini::strip::{Levels, Sides, StripKind};
@@ -23,7 +23,7 @@ fn strip(
     let levels = Levels::new(levels.0, levels.1).unwrap();
     let finest = levels.cells().max().unwrap();
     let mut strip = RateStrip::new(kind, levels, 16 * finest).unwrap();
-    let mut store = LevelStore::in_memory();
+    let mut store = NoMemory;
     [1.55, 1.65, 1.75, 1.85, 1.95]
         .into_iter()
         .map(|tau| {

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Directives that show the outcome of an example; a bare name or verdict does not.
-const SHOWN: [&str; 5] = ["table", "measured", "figure", "slider", "value"];
+const SHOWN: [&str; 7] = ["table", "measured", "figure", "slider", "value", "finding", "findings"];
 /// How a command names an example.
 const COMMAND: &str = "--example ";
 

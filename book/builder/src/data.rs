@@ -118,6 +118,17 @@ impl Data {
         }
     }
 
+    /// The finding under `example/key`: an object with `outcome`, `words`, `comparison`.
+    ///
+    /// # Errors
+    /// [`Unknown`].
+    pub fn finding(&self, key: &str) -> std::result::Result<&Value, Unknown> {
+        let (example, key) = key.split_once('/').ok_or(Unknown::Missing)?;
+        let findings =
+            self.examples.get(example).and_then(|e| e["findings"].as_array()).ok_or(Unknown::Missing)?;
+        findings.iter().find(|finding| finding["finding"] == key).ok_or(Unknown::Missing)
+    }
+
     /// A text of an example's headline: `label`, `claim`, `measured` or `verdict`.
     pub fn text(&self, example: &str, field: &str) -> Option<&str> {
         self.examples.get(example)?[field].as_str()

@@ -4,6 +4,8 @@
 //! | --- | --- |
 //! | `{{value: key}}`, `{{value: key: format}}` | a computed number; formats in [`crate::number`] |
 //! | `{{measured: example}}`, `verdict`, `claim`, `label` | that line of the example's headline |
+//! | `{{finding: example/key}}` | the words of that finding, marked where it is refuted or undecided; its comparison on hover |
+//! | `{{findings: example}}` | all findings of the example: outcome, words, comparison |
 //! | `{{table: example}}` | the example's table, with what its columns mean |
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
 //! | `{{slider: parameter: frames: caption}}` | several figures and a slider between them, see [`crate::slider`] |
@@ -13,6 +15,7 @@
 use crate::code;
 use crate::data::{Data, Unknown};
 use crate::figure;
+use crate::markup::escape;
 use crate::number::{Format, Written};
 use crate::slider;
 use crate::typography;
@@ -67,6 +70,10 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             .text(key, name)
             .map(|words| Meaning::Words(typography::html(words)))
             .ok_or_else(|| Unknown::Missing.words("example")),
+        ("finding", None) => {
+            data.finding(key).map(|f| Meaning::Words(finding(f))).map_err(|e| e.words("finding"))
+        }
+        ("findings", None) => findings(key, data).map(Meaning::Block),
         ("example", None) => code::program(sources.examples, key).map(Meaning::Name),
         ("test", None) => code::test(sources.tests, key, None).map(Meaning::Name),
         ("test", Some(function)) => {
@@ -100,6 +107,35 @@ pub fn figures(text: &str, data: &Data) -> Vec<String> {
         }
         _ => Vec::new(),
     }
+}
+
+/// A sentence with its comparison; one that does not hold says so.
+fn finding(finding: &Value) -> String {
+    let part = |key: &str| finding[key].as_str().unwrap_or("");
+    let (outcome, words) = (part("outcome"), typography::html(part("words")));
+    let mark = match outcome {
+        "refuted" | "undecided" => format!("<strong class=\"outcome\">{outcome}:</strong> "),
+        _ => String::new(),
+    };
+    let class = outcome.replace(' ', "-");
+    format!("<span class=\"finding {class}\" title=\"{}\">{mark}{words}</span>", escape(part("comparison")))
+}
+
+/// All findings of an example as a table.
+fn findings(example: &str, data: &Data) -> Result<String, String> {
+    let headline = data.examples.get(example).ok_or_else(|| Unknown::Missing.words("example"))?;
+    let list = headline["findings"].as_array().ok_or("the example has no findings")?;
+    let mut html = "<div class=\"table-wrapper findings\"><table><tbody>".to_owned();
+    for finding in list {
+        let part = |key: &str| typography::html(finding[key].as_str().unwrap_or(""));
+        let (outcome, words, comparison) = (part("outcome"), part("words"), part("comparison"));
+        let _ = write!(
+            html,
+            "<tr><td>{outcome}</td><td>{words}</td><td class=\"comparison\">{comparison}</td></tr>"
+        );
+    }
+    html.push_str("</tbody></table></div>");
+    Ok(html)
 }
 
 fn value(key: &str, format: &str, data: &Data) -> Result<Written, String> {
@@ -152,6 +188,8 @@ mod tests {
 
     fn data() -> Data {
         let text = r#"{"ex": {"verdict": "holds", "values": {"gamma": 0.29156}, "confirmed": true,
+            "findings": [{"finding": "a", "outcome": "holds", "words": "nu < 1", "comparison": "0.5 <= 1"},
+                {"finding": "b", "outcome": "refuted", "words": "no", "comparison": "2 > 1"}],
             "columns": [{"key": "nu", "title": "nu", "meaning": "order"}, {"key": "e", "title": "<e>", "meaning": ""}],
             "rows": [["0.5", "1e-3"], ["x", "-"]]}}"#;
         Data {
@@ -169,6 +207,11 @@ mod tests {
         assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
         assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
         assert_eq!(resolve("verdict: ex", &sources), Ok(Meaning::Words("holds".into())));
+        let Ok(Meaning::Words(held)) = resolve("finding: ex/a", &sources) else { panic!("no finding") };
+        assert!(held.contains("class=\"finding holds\" title=\"0.5 &lt;= 1\">ν"), "{held}");
+        let Ok(Meaning::Words(failed)) = resolve("finding: ex/b", &sources) else { panic!("no finding") };
+        assert!(failed.contains("<strong class=\"outcome\">refuted:</strong> no"), "{failed}");
+        assert!(matches!(resolve("findings: ex", &sources), Ok(Meaning::Block(h)) if h.contains("2 &gt; 1")));
         let Ok(Meaning::Block(html)) = resolve("table:ex", &sources) else { panic!("no table") };
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");
         assert!(html.contains("10<sup>\u{2212}3</sup>"), "{html}");
@@ -188,6 +231,9 @@ mod tests {
             "figure:g:c",
             "table:none",
             "claim:none",
+            "finding:ex/none",
+            "finding:a",
+            "findings:none",
             "example:none",
             "test:none",
             "test:none::f",

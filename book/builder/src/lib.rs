@@ -15,6 +15,7 @@ pub mod figure;
 pub mod formula;
 pub mod html;
 pub mod include;
+pub mod labels;
 pub mod markup;
 pub mod number;
 pub mod page;
@@ -70,6 +71,9 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     }
     let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
     let allowed = decimal::allow_list(&allowed);
+    let list = labels::list(&layout.repository)?;
+    faults.extend(labels::faults(&list, &layout.repository)?);
+    faults.extend(labels::stale(&list, &layout.repository)?);
     faults.extend(coverage::faults(&pages, &layout.repository)?);
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {

@@ -1,14 +1,15 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages.
 //! `cargo book build`: builds the pages from the committed data.
+//! `cargo book labels`: writes the tables made from `labels.toml` and nothing else.
 //! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;
-use book_builder::{Layout, build, check_fresh, examples, shown};
+use book_builder::{Layout, build, check_fresh, examples, labels, shown};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo book [build | check]";
+const USAGE: &str = "usage: cargo book [build | check | labels]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -19,6 +20,9 @@ fn main() -> ExitCode {
         [] => renew(&layout),
         ["build"] => Data::read(&layout.generated()).and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
+        ["labels"] => labels::list(&layout.repository)
+            .and_then(|list| labels::renew(&list, &layout.repository))
+            .map(|()| layout.repository.clone()),
         ["-h" | "--help" | "help"] => {
             println!("{USAGE}");
             return ExitCode::SUCCESS;
@@ -43,6 +47,7 @@ fn main() -> ExitCode {
 fn renew(layout: &Layout) -> Result<PathBuf> {
     let data = shown(layout, examples::gather(&layout.repository)?)?;
     data.write(&layout.generated())?;
+    labels::renew(&labels::list(&layout.repository)?, &layout.repository)?;
     build(layout, &data)
 }
 

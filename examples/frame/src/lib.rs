@@ -19,12 +19,13 @@ mod command;
 mod error;
 pub mod figures;
 mod outcome;
+pub mod poincare;
 mod rates;
 
 pub use command::{HasOutput, Output, Shown, main, progress};
 pub use error::{Error, Result};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
-pub use rates::{RateOptions, rates};
+pub use rates::*;
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command line.
 ///

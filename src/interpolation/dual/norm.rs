@@ -8,7 +8,8 @@
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::interpolation::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
-use crate::interpolation::trial::power_of_two;
+use crate::numeric::check::{require_finite, require_values};
+use crate::numeric::scale::unit_of;
 use crate::quadrature::Rule;
 use crate::sobolev::Partition;
 use faer::linalg::solvers::{Llt, Solve};
@@ -69,9 +70,7 @@ impl DualNorm {
         let count = self.cells.len();
         let values: Vec<f64> =
             (0..count).flat_map(|i| rule.iter().map(move |(t, _)| (i, t))).map(|(i, t)| f(i, t)).collect();
-        if let Some(index) = values.iter().position(|v| !v.is_finite()) {
-            return Err(Error::NotFinite { name: "function", index, value: values[index] });
-        }
+        require_finite("function", &values)?;
         // In units of the largest value: products with the lengths of the cells must not underflow.
         let unit = unit_of(&values);
         let mut load = vec![0.0; count + 1];
@@ -92,12 +91,7 @@ impl DualNorm {
     /// [`Error::LengthMismatch`] unless there is an integral per node, [`Error::NotFinite`] for a bad one.
     pub fn of_load(&self, load: &[f64]) -> Result<Estimate> {
         let count = self.cells.len();
-        if load.len() != count + 1 {
-            return Err(Error::LengthMismatch { name: "load", given: load.len(), expected: count + 1 });
-        }
-        if let Some(index) = load.iter().position(|b| !b.is_finite()) {
-            return Err(Error::NotFinite { name: "load", index, value: load[index] });
-        }
+        require_values("load", load, count + 1)?;
         let unit = unit_of(load);
         let load: Vec<f64> = load.iter().map(|b| b / unit).collect();
         let fine = self.fine.squared(&load);
@@ -121,12 +115,6 @@ impl DualNorm {
         }
         joined
     }
-}
-
-/// A power of two near the largest value; 1 for zeros.
-fn unit_of(values: &[f64]) -> f64 {
-    let largest = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    if largest > 0.0 { power_of_two(largest) } else { 1.0 }
 }
 
 /// The norm in a unit, restored; what falls below the range of binary64 is 0 with an error above 0.

@@ -13,7 +13,7 @@
 use super::legendre::{converge, evaluate, odd_degrees, primitive_gram, seminorm_gram};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
-use crate::poincare::slopes::pencil::Factored;
+use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
 use faer::Mat;
 

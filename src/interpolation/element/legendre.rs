@@ -8,6 +8,7 @@
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
 use faer::linalg::matmul::matmul;
@@ -27,9 +28,10 @@ pub(in crate::interpolation) fn seminorm_gram(
         for (s, v) in inner.iter() {
             let y = (1.0 - r) * s;
             let weight = (2.0 * w * v).sqrt();
-            let all = difference_quotients(top, y, r);
+            let all = legendre::difference_quotients(top + 1, 2.0 * y - 1.0, 2.0 * (y + r) - 1.0);
             for (column, &k) in degrees.iter().enumerate() {
-                quotients[(row, column)] = weight * (2.0 * k as f64 + 1.0).sqrt() * all[k];
+                // The factor 2 is d(2x − 1)/dx.
+                quotients[(row, column)] = 2.0 * (weight * (2.0 * k as f64 + 1.0).sqrt() * all[k]);
             }
             row += 1;
         }
@@ -38,22 +40,6 @@ pub(in crate::interpolation) fn seminorm_gram(
     // One thread: the product is small, and constants are asked for from parallel loops.
     matmul(gram.as_mut(), Accum::Replace, quotients.transpose(), quotients.as_ref(), 1.0, Par::Seq);
     Ok((gram, Work { points: (top * top) as u64, pairs: 1, ..Work::default() }))
-}
-
-/// (P_k(2(y+r)−1) − P_k(2y−1))/r for k = 0 ..= top.
-fn difference_quotients(top: usize, y: f64, r: f64) -> Vec<f64> {
-    let (a, b) = (2.0 * y - 1.0, 2.0 * (y + r) - 1.0);
-    let mut quotients = vec![0.0, 2.0];
-    let (mut previous, mut legendre) = (1.0, a);
-    for k in 1..top {
-        let n = k as f64;
-        let factor = 2.0 * n + 1.0;
-        // The factor 2 is db/dx.
-        let next = (factor * (b * quotients[k] + 2.0 * legendre) - n * quotients[k - 1]) / (n + 1.0);
-        quotients.push(next);
-        (previous, legendre) = (legendre, (factor * a * legendre - n * previous) / (n + 1.0));
-    }
-    quotients
 }
 
 /// Gram matrix of L² for the primitives ∫₀^x φ_k: they vanish at both ends, since no degree is zero.
@@ -80,11 +66,8 @@ pub(super) fn primitive_gram(degrees: &[usize]) -> Mat<f64> {
 pub(super) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64, f64) {
     let top = degrees.last().copied().unwrap_or(0);
     let t = 2.0 * x - 1.0;
-    let mut legendre = vec![1.0, t];
-    for k in 1..=top {
-        let n = k as f64;
-        legendre.push(((2.0 * n + 1.0) * t * legendre[k] - n * legendre[k - 1]) / (n + 1.0));
-    }
+    let mut legendre = vec![0.0; top + 2];
+    legendre::fill(&mut legendre, t);
     degrees.iter().zip(coefficients).fold((0.0, 0.0), |(value, primitive), (&k, &c)| {
         let root = (2.0 * k as f64 + 1.0).sqrt();
         (value + c * root * legendre[k], primitive + c * 0.5 / root * (legendre[k + 1] - legendre[k - 1]))

@@ -13,7 +13,7 @@ use super::constant::ErrorNorm;
 use super::legendre::odd_degrees;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
-use crate::poincare::slopes::pencil::Factored;
+use crate::numeric::pencil::Factored;
 use faer::Mat;
 use std::f64::consts::PI;
 

@@ -174,7 +174,7 @@ impl EmbeddingSpace {
     fn trial(&self, q: f64, values: &[f64]) -> Result<EmbeddingTrial> {
         let function = PiecewisePolynomial::linears(self.partition.clone(), values)?;
         let top = function.lq_norm(q, Tolerance::balanced())?;
-        let norm = function.norm(0, self.order, Tolerance::balanced())?;
+        let norm = function.norm(self.order, Tolerance::balanced())?;
         let value = top.value / norm.value;
         let relative = top.relative_error() + norm.relative_error();
         let work = Work { factorizations: 1, ..top.work + norm.work };

@@ -14,7 +14,7 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::element::{
     ErrorNorm, converge, element_constant, odd_degrees, seminorm_gram, stiffness_gram,
 };
-use crate::poincare::slopes::pencil::Factored;
+use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};

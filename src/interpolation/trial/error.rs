@@ -5,11 +5,12 @@
 //! divided by a cell length. For v = x^a everything is closed:
 //! ‖e'‖₀² = a²/((2a+1)(a+1)²),  ‖e‖₀² = 2a²/(3(2a+3)(a+3)(a+1)²).
 
-use super::norms::{ROUNDING, error_norms, power_of_two, sample_norms};
+use super::norms::{ROUNDING, error_norms, sample_norms};
 use super::sample::{SampleSlope, power_error_norms};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::elements::ElementMesh;
+use crate::numeric::scale::power_of_two;
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms, root_of_squares};
 
 /// The norms in Lemma 6.1 for one function on an interval, or in Lemma 6.2 on a mesh.
@@ -45,7 +46,7 @@ impl InterpolationError {
         tolerance: Tolerance,
     ) -> Result<Self> {
         let (slope, units) = in_units(slope)?;
-        let seminorm = slope.seminorm(0, order, tolerance)?;
+        let seminorm = slope.seminorm(order, tolerance)?;
         let (l2, derivative) = error_norms(&slope)?;
         Ok(Self { h: slope.partition().total(), l2, derivative, seminorm, units, order })
     }
@@ -63,7 +64,7 @@ impl InterpolationError {
     ) -> Result<Self> {
         mesh.require_cells(slope)?;
         let (slope, units) = in_units(slope)?;
-        let seminorm = slope.seminorm(0, order, tolerance)?;
+        let seminorm = slope.seminorm(order, tolerance)?;
         let (mut l2, mut derivative) = (Vec::new(), Vec::new());
         for range in mesh.elements() {
             let (error, error_slope) = error_norms(&slope.restrict(range.clone())?)?;
@@ -183,8 +184,7 @@ impl Units {
 fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)> {
     let largest = slope.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
     let (lengths, total) = (slope.partition().lengths(), slope.partition().total());
-    let units =
-        Units { length: power_of_two(total), slope: if largest > 0.0 { power_of_two(largest) } else { 1.0 } };
+    let units = Units { length: power_of_two(total), slope: power_of_two(largest) };
     let partition = Partition::from_lengths(lengths.iter().map(|h| h / units.length).collect())?;
     let pieces = slope.pieces().iter();
     let ends: Vec<[f64; 2]> = pieces.clone().map(|p| [p.left / units.slope, p.right / units.slope]).collect();

@@ -12,5 +12,5 @@ pub use rough::{RoughFamily, RoughSlopes};
 pub use sample::SampleSlope;
 pub use worst::{WorstRatios, worst_ratios};
 
-pub(super) use norms::{power_of_two, require_unit, sample_norms};
+pub(super) use norms::{require_unit, sample_norms};
 pub(super) use panels::PanelRules;

@@ -7,9 +7,10 @@
 use super::panels::PanelRules;
 use super::sample::SampleSlope;
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
-use crate::sobolev::{Partition, PiecewisePolynomial, RunningSum};
+use crate::sobolev::{Partition, PiecewisePolynomial};
 
 /// Relative rounding of the sums below: positive terms, each from a few operations on (v − v̄).
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -17,7 +18,7 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// (‖e‖₀, ‖e'‖₀).
 pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Estimate)> {
     let partition = slope.partition();
-    let mean = slope.mean()?.value;
+    let mean = slope.mean(Tolerance::reference())?.value;
     let rule = Rule::gauss_legendre(slope.degree() + 2)?;
     let total = partition.total();
     let (mut squares, mut error_squares, mut error, mut largest) = (0.0, 0.0, 0.0, 0.0f64);
@@ -82,9 +83,4 @@ pub(in crate::interpolation) fn require_unit(mesh: &Partition) -> Result<()> {
     let total = mesh.total();
     let fits = mesh.left() == 0.0 && (total - 1.0).abs() <= ROUNDING;
     Error::require("length of the mesh", total, "{1}, from 0", fits).map(|_| ())
-}
-
-/// The largest power of two up to x > 0, within [2^-1000, 2^1023]: its reciprocal is finite.
-pub(in crate::interpolation) fn power_of_two(x: f64) -> f64 {
-    libm::ldexp(1.0, libm::ilogb(x).max(-1000))
 }

@@ -65,7 +65,7 @@ impl SampleSlope {
                 let omega = PI * k as f64;
                 let partition = Partition::uniform(4 * k, 1.0)?;
                 let wave = PiecewisePolynomial::interpolate(partition, WAVE_DEGREE, |x| (omega * x).cos())?;
-                wave.seminorm(0, order, Tolerance::new(1e-10)?)
+                wave.seminorm(order, Tolerance::new(1e-10)?)
             }
         }
     }

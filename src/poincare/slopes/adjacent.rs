@@ -1,13 +1,13 @@
 //! Pairs of panels on which the kernel is singular: a panel with itself and with its neighbour.
 //!
-//! There ν K = h^p [ ((x/h)^p − 1)/p + (1 − (d/h)^p)/p ] − ((y+e)^p − y^p)/p, d = |s−t|, x the distance of the further point from the
-//! near end of the interval, e and y the distances of the nearer point from the near and the far end, h the size of the pair. Only d
-//! carries a singularity; in suitable coordinates d/h = ρ g with g analytic, and
-//! (1 − (ρg)^p)/p = (1 − ρ^p)/p − ρ^p (g^p − 1)/p is integrated with the two Gauss rules of [`super::rules`], which stay valid
-//! through ν = 1/2.
+//! There ν K = h^p [ ((x/h)^p − 1)/p + (1 − (d/h)^p)/p ] − ((y+e)^p − y^p)/p, d = |s−t|, x the distance of
+//! the further point from the near end of the interval, e and y the distances of the nearer point from the
+//! near and the far end, h the size of the pair. Only d carries a singularity; in suitable coordinates d/h =
+//! ρ g with g analytic, and (1 − (ρg)^p)/p = (1 − ρ^p)/p − ρ^p (g^p − 1)/p is integrated with the two Gauss
+//! rules of [`super::rules`], which stay valid through ν = 1/2.
 //!
-//! All panels use the Legendre polynomials of their own coordinate, so that the values of the basis and the integrals that do not
-//! depend on the shape are computed once; the caller changes to the basis of the cell.
+//! All panels use the Legendre polynomials of their own coordinate, so that the values of the basis and the
+//! integrals that do not depend on the shape are computed once; the caller changes to the basis of the cell.
 
 use super::cell::Panel;
 use super::kernel::exp_quotient;
@@ -21,7 +21,8 @@ pub(crate) type Block = [[f64; MOST_FUNCTIONS]; MOST_FUNCTIONS];
 /// No integrals yet.
 pub(crate) const EMPTY: Block = [[0.0; MOST_FUNCTIONS]; MOST_FUNCTIONS];
 
-/// A quadrature point of a pair: the size ρ of its distance, two coordinates, its weight, and the basis in s and in t.
+/// A quadrature point of a pair: the size ρ of its distance, two coordinates, its weight, and the basis in s
+/// and in t.
 struct Sample {
     rho: f64,
     place: (f64, f64),
@@ -55,8 +56,8 @@ pub(crate) struct Adjacent {
     p: f64,
     same: Singular,
     touching: Singular,
-    /// Integrals with (1 − z^p)/p, z the distance of the further point from the left end of the panel, or of the nearer one from
-    /// the right end: the terms of one point on a panel at the end of the interval.
+    /// Integrals with (1 − z^p)/p, z the distance of the further point from the left end of the panel, or of
+    /// the nearer one from the right end: the terms of one point on a panel at the end of the interval.
     at_left_end: Block,
     at_right_end: Block,
 }
@@ -86,8 +87,9 @@ impl Adjacent {
         (self.same.power.len() as u64, self.touching.power.len() as u64)
     }
 
-    /// The triangle s < t of a panel, given the terms of s alone and of t alone; `None` for t on a panel at the left end of the
-    /// interval, where the term is h^p ((z)^p − 1)/p with the singularity inside, and for s at the right end.
+    /// The triangle s < t of a panel, given the terms of s alone and of t alone; `None` for t on a panel at
+    /// the left end of the interval, where the term is h^p ((z)^p − 1)/p with the singularity inside, and for
+    /// s at the right end.
     pub(crate) fn same(
         &self,
         panel: &Panel,
@@ -168,7 +170,8 @@ impl Singular {
         }
     }
 
-    /// Two panels. Corner coordinates: distances ρ, ρσ (in ξ) from the common point, in both orders; `place` holds both.
+    /// Two panels. Corner coordinates: distances ρ, ρσ (in ξ) from the common point, in both orders; `place`
+    /// holds both.
     fn touching(functions: usize, rules: &Rules) -> Self {
         let samples = |outer: &Pairs| -> Vec<Sample> {
             let at = |(rho, w): (f64, f64), (a, b): (f64, f64), v: f64| {
@@ -200,7 +203,8 @@ impl Singular {
     }
 }
 
-/// Terms of t at z on the triangle s < t of a panel, s = zζ; `power` = 1 if the weight z of dζ is not in the outer rule.
+/// Terms of t at z on the triangle s < t of a panel, s = zζ; `power` = 1 if the weight z of dζ is not in the
+/// outer rule.
 fn further_terms(functions: usize, outer: &Pairs, power: i32, inner: &Pairs) -> Vec<Term> {
     let term = |&(z, w): &(f64, f64)| {
         let s = averaged(functions, inner, |zeta| z * zeta);

@@ -1,8 +1,9 @@
 //! Cells of the slope space and the panels they are cut into for quadrature.
 //!
-//! A cell is an interval of positive length with a map ξ ∈ (0,1) ↦ x: affine, or exponential away from a point at which
-//! the function is singular (r = r₀ (r₁/r₀)^ξ, r the distance from that point). Positions are never stored: every
-//! distance is a sum of lengths, so that it keeps its relative accuracy however small it is.
+//! A cell is an interval of positive length with a map ξ ∈ (0,1) ↦ x: affine, or exponential away from a
+//! point at which the function is singular (r = r₀ (r₁/r₀)^ξ, r the distance from that point). Positions are
+//! never stored: every distance is a sum of lengths, so that it keeps its relative accuracy however small it
+//! is.
 
 /// How a cell is parametrized.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +50,8 @@ impl Grading {
 pub(crate) struct Cell {
     pub(crate) length: f64,
     pub(crate) grading: Grading,
-    /// Number of slope functions: Legendre polynomials of degree 0, ..., `functions` − 1; zero freezes u to a constant.
+    /// Number of slope functions: Legendre polynomials of degree 0, ..., `functions` − 1; zero freezes u to a
+    /// constant.
     pub(crate) functions: usize,
 }
 
@@ -113,7 +115,8 @@ impl Cell {
 
 /// Singularities further off than this, in lengths of the panel, are as good as absent.
 const FAR: f64 = 20.0;
-/// A point this near to the one to which the panel is graded, relative to the distance of the panel, is that point.
+/// A point this near to the one to which the panel is graded, relative to the distance of the panel, is that
+/// point.
 const AT_ORIGIN: f64 = 1e-9;
 
 /// A piece of a cell, short enough for Gauss rules. Its own coordinate ξ runs over (0,1) from left to right.
@@ -151,8 +154,9 @@ impl Panel {
         }
     }
 
-    /// How far outside the panel, in ξ, the point at distance `gap` from one of its ends lies; [`FAR`] at most. Beyond the point to which
-    /// the panel is graded the preimage is complex, at least π/spread off: as far as 1 for a spread up to 2.
+    /// How far outside the panel, in ξ, the point at distance `gap` from one of its ends lies; [`FAR`] at
+    /// most. Beyond the point to which the panel is graded the preimage is complex, at least π/spread off: as
+    /// far as 1 for a spread up to 2.
     pub(crate) fn outside(&self, gap: f64, on_the_left: bool) -> f64 {
         let grading = if on_the_left { self.grading } else { self.grading.mirrored() };
         let xi = match grading {

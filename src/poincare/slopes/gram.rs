@@ -1,10 +1,10 @@
 //! The Gram matrix of the squared seminorm |u|_ν² in the slope basis.
 //!
-//! A = ∬ L_k(s) L_l(t) K(s,t), K of [`super::kernel`]. Pairs of panels fall into two classes: those with a gap between them
-//! ([`super::separated`]; pairs whose kernel is below 1e-18 of the geometric mean of their self energies are skipped), and a panel
-//! with itself or its neighbour ([`super::adjacent`]).
-//! Cost: O(P²) kernel values for P panels, with a factor that falls from some hundred to ten with the distance; O(P) once the
-//! skipped pairs dominate.
+//! A = ∬ L_k(s) L_l(t) K(s,t), K of [`super::kernel`]. Pairs of panels fall into two classes: those with a
+//! gap between them ([`super::separated`]; pairs whose kernel is below 1e-18 of the geometric mean of their
+//! self energies are skipped), and a panel with itself or its neighbour ([`super::adjacent`]). Cost: O(P²)
+//! kernel values for P panels, with a factor that falls from some hundred to ten with the distance; O(P) once
+//! the skipped pairs dominate.
 
 use super::adjacent::{Adjacent, Block, EMPTY};
 use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
@@ -20,13 +20,15 @@ use rayon::prelude::*;
 
 /// Panels that touch, or nearly do, get up to 3/2 as many points.
 const CLOSE_POINTS: (usize, usize) = (3, 2);
-/// Slopes of lower degree than the space has elsewhere stand where the energy is negligible (see the mesh): points for them ...
+/// Slopes of lower degree than the space has elsewhere stand where the energy is negligible (see the mesh):
+/// points for them ...
 const COARSE_POINTS: usize = 6;
 /// ... their number of functions, at most, and the digits their energy is wanted to.
 const COARSE_FUNCTIONS: usize = 2;
 const COARSE_DIGITS: f64 = 6.0;
 
-/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hats where there is a `local` group.
+/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hats where there is a
+/// `local` group.
 pub(crate) fn seminorm_gram(
     space: &SlopeSpace,
     local: Option<&Local>,
@@ -218,7 +220,8 @@ impl<'a> Assembly<'a> {
         (inside(i), inside(j))
     }
 
-    /// The part of ν K on panels i ≤ j of joint size h that depends on the nearer (left) point s only, at ξ of panel i.
+    /// The part of ν K on panels i ≤ j of joint size h that depends on the nearer (left) point s only, at ξ
+    /// of panel i.
     fn of_nearer(&self, i: usize, j: usize, size: f64, xi: f64) -> f64 {
         let space = self.space;
         let left = space.panel_left[i] + space.panels[i].left_distance(xi);

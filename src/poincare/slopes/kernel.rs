@@ -2,7 +2,8 @@
 //!
 //! For u(x) = c + ∫₀ˣ v on an interval of length ℓ,
 //!
-//! |u|_ν² = ∬ v(s) v(t) K(s,t) ds dt,  K(s,t) = 2 ∫₀^m ∫_M^ℓ (y−x)^{−1−2ν} dx dy,  m = min(s,t), M = max(s,t).
+//! |u|_ν² = ∬ v(s) v(t) K(s,t) ds dt,
+//! K(s,t) = 2 ∫₀^m ∫_M^ℓ (y−x)^{−1−2ν} dx dy,  m = min(s,t), M = max(s,t).
 //!
 //! With p = 1 − 2ν and the three lengths α = m, γ = M − m, β = ℓ − M,
 //!

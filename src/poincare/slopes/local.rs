@@ -1,16 +1,19 @@
 //! A short zone deep inside the interval: local coordinates for the kernel and for the basis.
 //!
-//! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone. For p > 0 a jump of u costs
-//! finite energy, the extremal function jumps down and up again, and in the step basis its energy θ^p would be a difference of
-//! numbers of order one. Within a group G of cells around the zone
+//! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone.
+//! For p > 0 a jump of u costs finite energy, the extremal function jumps down and up again, and in the step
+//! basis its energy θ^p would be a difference of numbers of order one. Within a group G of cells around the
+//! zone
 //!
-//! * neighbouring steps are replaced by their differences, continuous hats; the last step of G stays (the net increment),
-//! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and K(s,t) − K(P,t)
-//!   for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and do not see what is subtracted; the last step
-//!   gets it back.
+//! * neighbouring steps are replaced by their differences, continuous hats; the last step of G stays (the net
+//!   increment),
+//! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and
+//!   K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and do
+//!   not see what is subtracted; the last step gets it back.
 //!
-//! All entries then have the size of their own scale, whatever θ. For p well below 0 steps are the good basis (a wide plateau of many
-//! short hats would have next to no energy compared with theirs); there the group only serves to see near points from far as P.
+//! All entries then have the size of their own scale, whatever θ. For p well below 0 steps are the good basis
+//! (a wide plateau of many short hats would have next to no energy compared with theirs); there the group
+//! only serves to see near points from far as P.
 
 use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
 use super::space::SlopeSpace;
@@ -21,10 +24,12 @@ use std::ops::{Range, RangeInclusive};
 const SHORT: f64 = 0.05;
 /// ... and reaches this far, in the same unit.
 const REACH: f64 = 0.3;
-/// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio times a logarithm.
+/// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio
+/// times a logarithm.
 const NEGLIGIBLE: f64 = 1e-16;
-/// The same for p > 0.1 at the zone, where the entries of distant steps, of which those of hats are differences, round to more; but
-/// the extremal function's energy falls off like (θ/r)^p, and the ratio may grow accordingly up to the second number.
+/// The same for p > 0.1 at the zone, where the entries of distant steps, of which those of hats are
+/// differences, round to more; but the extremal function's energy falls off like (θ/r)^p, and the ratio may
+/// grow accordingly up to the second number.
 const NEGLIGIBLE_FOR_JUMPS: (f64, f64) = (1e-13, 1e-6);
 /// Below this order the entries round to 1e-16/ν, and more has to be left out.
 const SMALL_ORDER: f64 = 0.2;
@@ -81,7 +86,8 @@ impl Local {
             return None;
         }
         let origin = zone.start;
-        // κ must not exceed what a net increment costs: θ^p is the smaller energy for p > 0, that of the whole for p ≤ 0
+        // κ must not exceed what a net increment costs: θ^p is the smaller energy for p > 0, that of the
+        // whole for p ≤ 0
         let unit = if p > 0.0 { length } else { nearest };
         let cell_offsets = offsets(&lengths, origin);
         let reached = |c: &usize| cell_offsets[*c] + lengths[*c] <= REACH * nearest;
@@ -144,7 +150,8 @@ impl Local {
         -self.unit_power * exp_quotient(self.p, ln_ratio(d, self.unit))
     }
 
-    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P; without κ if there are no hats.
+    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P; without κ if
+    /// there are no hats.
     pub(crate) fn origin_kernel(&self, position: f64) -> f64 {
         if !self.has_hats {
             let (before, after) = if position > 0.0 {
@@ -158,7 +165,8 @@ impl Local {
         alone + self.inside(position.abs())
     }
 
-    /// Whether the first of two panels is nearer to P than f64 can tell from zero at the other (`Some(true)`), or the second.
+    /// Whether the first of two panels is nearer to P than f64 can tell from zero at the other
+    /// (`Some(true)`), or the second.
     pub(crate) fn is_nearer(&self, space: &SlopeSpace, i: usize, j: usize) -> Option<bool> {
         let reach = |panel: usize| self.panel_offsets[panel] + space.panels[panel].length;
         let is_nearer = |near: usize, far: usize| reach(near) < INDISTINCT * self.panel_offsets[far];
@@ -184,7 +192,8 @@ impl Local {
         near < ratio * far
     }
 
-    /// Whether nothing that holds a step of cell c interacts with anything that holds one of cell d; a hat joins at most three cells.
+    /// Whether nothing that holds a step of cell c interacts with anything that holds one of cell d; a hat
+    /// joins at most three cells.
     pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
         let around = |cell: usize| {
             let (low, high) = (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
@@ -193,8 +202,8 @@ impl Local {
         self.are_apart(self.range(space, around(c)), self.range(space, around(d)), (around(c), around(d)))
     }
 
-    /// Whether the ranges of distances (low, high) are so far apart that hats do not interact. The last step of G has an increment
-    /// and interacts with everything that is larger, and so has a function outside G.
+    /// Whether the ranges of distances (low, high) are so far apart that hats do not interact. The last step
+    /// of G has an increment and interacts with everything that is larger, and so has a function outside G.
     fn are_apart(
         &self,
         first: (f64, f64),
@@ -253,7 +262,8 @@ impl Local {
         vector
     }
 
-    /// Finishes ν times the Gram matrix assembled with the shifted kernel: hats, negligible entries, and what the last step lost.
+    /// Finishes ν times the Gram matrix assembled with the shifted kernel: hats, negligible entries, and what
+    /// the last step lost.
     pub(crate) fn finish(&self, space: &SlopeSpace, gram: Mat<f64>, rule: &[(f64, f64)]) -> Mat<f64> {
         if !self.has_hats {
             return gram;

@@ -1,8 +1,9 @@
 //! The Gram matrix of ‖u‖₀² in the slope basis, the constant being fixed by a condition on a range of cells.
 //!
-//! The condition is ∫_E u = 0 on a range E of cells, or u = 0 at a node (an empty range). Each basis function is a constant
-//! left of its cell, a constant right of it, and a primitive of its slope inside; the two constants follow from the
-//! condition: (−1, 0) left of E, (0, 1) right of E, so that nothing large is ever subtracted.
+//! The condition is ∫_E u = 0 on a range E of cells, or u = 0 at a node (an empty range). Each basis function
+//! is a constant left of its cell, a constant right of it, and a primitive of its slope inside; the two
+//! constants follow from the condition: (−1, 0) left of E, (0, 1) right of E, so that nothing large is ever
+//! subtracted.
 
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre_primitives};
 use crate::error::Result;
@@ -80,7 +81,8 @@ struct Point {
 }
 
 impl Point {
-    /// Values of the basis functions: the step from the left to the right constant, and the primitives above it.
+    /// Values of the basis functions: the step from the left to the right constant, and the primitives above
+    /// it.
     fn values(&self, functions: usize, beside: &[(f64, f64)]) -> Values {
         let mut values = legendre_primitives(functions, self.xi);
         values[0] = beside[0].0 * self.complement + beside[0].1 * self.xi;

@@ -1,8 +1,9 @@
 //! The hp space in which the constants of the appendices are computed: slopes on graded cells.
 //!
-//! Unknowns are the slopes of u, so that constants, the kernel of the seminorm, do not appear at all and no position is
-//! ever subtracted from another. See [`cell`] for the parametrizations, [`gram`] for |u|_ν², [`mass`] for ‖u‖₀² under a
-//! condition that fixes the constant, [`local`] for short zones inside, [`pencil`] for the extremal quotient.
+//! Unknowns are the slopes of u, so that constants, the kernel of the seminorm, do not appear at all and no
+//! position is ever subtracted from another. See [`cell`] for the parametrizations, [`gram`] for |u|_ν²,
+//! [`mass`] for ‖u‖₀² under a condition that fixes the constant, [`local`] for short zones inside, [`pencil`]
+//! for the extremal quotient.
 
 mod adjacent;
 pub(crate) mod cell;
@@ -11,7 +12,6 @@ pub(crate) mod kernel;
 pub(crate) mod local;
 pub(crate) mod mass;
 mod nodes;
-pub(crate) mod pencil;
 mod rules;
 mod separated;
 pub(crate) mod space;

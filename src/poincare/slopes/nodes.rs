@@ -1,9 +1,10 @@
 //! Gauss rules on the panels, with all that the kernel needs of one point alone.
 //!
-//! The number of points follows from the digits wanted, from the degree of the slopes on the panel (a polynomial on a long cell has few
-//! degrees on each of its panels) and from the nearest singularity of the kernel: an n-point rule is exact to degree
-//! 2n − 1, and the Chebyshev coefficients of the kernel fall off like ϱ^{−k} on the Bernstein ellipse of the singularity, and at least
-//! like those of eˣ because the panels are exponential.
+//! The number of points follows from the digits wanted, from the degree of the slopes on the panel (a
+//! polynomial on a long cell has few degrees on each of its panels) and from the nearest singularity of the
+//! kernel: an n-point rule is exact to degree 2n − 1, and the Chebyshev coefficients of the kernel fall off
+//! like ϱ^{−k} on the Bernstein ellipse of the singularity, and at least like those of eˣ because the panels
+//! are exponential.
 
 use super::kernel::power_increment;
 use super::local::Local;
@@ -30,7 +31,8 @@ pub(crate) struct Node {
     /// (ℓ^p − x^p)/p and (ℓ^p − y^p)/p, ℓ = x + y.
     pub(crate) beyond_x: f64,
     pub(crate) beyond_y: f64,
-    /// Signed distance from the point P of the local group, the power of its modulus, and the shifted kernel's terms of one point.
+    /// Signed distance from the point P of the local group, the power of its modulus, and the shifted
+    /// kernel's terms of one point.
     pub(crate) position: f64,
     pub(crate) position_power: f64,
     pub(crate) nearer: f64,
@@ -43,7 +45,8 @@ pub(crate) struct Node {
 pub(crate) struct Nodes {
     rules: Vec<Pairs>,
     panels: Vec<Vec<OnceLock<Vec<Node>>>>,
-    /// Degree of the slopes, and distance of the nearest end of the interval in units of the panel, per panel.
+    /// Degree of the slopes, and distance of the nearest end of the interval in units of the panel, per
+    /// panel.
     degrees: Vec<usize>,
     isolation: Vec<f64>,
 }
@@ -68,7 +71,8 @@ impl Nodes {
         Ok(Self { rules, panels, degrees, isolation })
     }
 
-    /// Which rule integrates to `digits` digits over panel i, the nearest singular point lying `outside` times its length away.
+    /// Which rule integrates to `digits` digits over panel i, the nearest singular point lying `outside`
+    /// times its length away.
     pub(crate) fn choose(&self, i: usize, outside: f64, digits: f64) -> usize {
         let beside = 1.0 + 2.0 * outside.min(self.isolation[i]);
         let ellipse = beside + (beside * beside - 1.0).sqrt();
@@ -126,7 +130,8 @@ fn exponential_degree(digits: f64) -> f64 {
     degree
 }
 
-/// Degree of the slopes of a cell on one of its panels, as far as their Legendre coefficients reach 10^−`digits`.
+/// Degree of the slopes of a cell on one of its panels, as far as their Legendre coefficients reach
+/// 10^−`digits`.
 fn degree_on_panel(space: &SlopeSpace, i: usize, rule: &Pairs, digits: f64) -> usize {
     let functions = space.functions(i);
     let mut coefficients = [[0.0; MOST_FUNCTIONS + 1]; MOST_FUNCTIONS];

@@ -1,8 +1,9 @@
 //! Gauss rules for the weights that the diagonal of the kernel brings: t^{p+k} and t^k (1 − t^p)/p, k = 0, 1.
 //!
-//! The second weight is positive for either sign of p and becomes −t^k ln t at p = 0. Because
-//! (1 − t^p)/p = ∫_t^1 τ^{p−1} dτ, its integrals are ∫₀¹ τ^{p+k} ∫₀¹ κ^k f(τκ) dκ dτ: a product of a Gauss-Jacobi and a
-//! Gauss-Legendre rule, exact for polynomials. The n-point rule is obtained from that product rule by Stieltjes' procedure.
+//! The second weight is positive for either sign of p and becomes −t^k ln t at p = 0. Because (1 − t^p)/p =
+//! ∫_t^1 τ^{p−1} dτ, its integrals are ∫₀¹ τ^{p+k} ∫₀¹ κ^k f(τκ) dκ dτ: a product of a Gauss-Jacobi and a
+//! Gauss-Legendre rule, exact for polynomials. The n-point rule is obtained from that product rule by
+//! Stieltjes' procedure.
 
 use crate::error::Result;
 use crate::quadrature::Rule;

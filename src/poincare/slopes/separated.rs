@@ -1,11 +1,13 @@
 //! Pairs of panels with a gap between them: tensor Gauss rules on the kernel.
 //!
-//! With s < t, x and y the distances of a point from the two ends and d = t − s, the kernel of [`super::kernel`] is, for x(s) ≤ y(t),
+//! With s < t, x and y the distances of a point from the two ends and d = t − s, the kernel of
+//! [`super::kernel`] is, for x(s) ≤ y(t),
 //!
 //! ν K = (x(t)^p − d^p)/p − (ℓ^p − y(s)^p)/p,  the first term = x(t)^p (1 − e^{−pL})/p,  L = ln(1 + x(s)/d),
 //!
-//! and its mirror image for x(s) > y(t): one logarithm and one exponential per pair of points, without cancellation as long as d is not
-//! the largest of the three lengths. Then, and only then, the general formula is needed.
+//! and its mirror image for x(s) > y(t): one logarithm and one exponential per pair of points, without
+//! cancellation as long as d is not the largest of the three lengths. Then, and only then, the general
+//! formula is needed.
 
 use super::adjacent::{Block, EMPTY};
 use super::gram::Assembly;
@@ -110,7 +112,8 @@ impl Assembly<'_> {
         if is_left { t.x_power * increment - s.beyond_y } else { s.y_power * increment - t.beyond_x }
     }
 
-    /// Panels of the local group of which one is so much nearer to P that the kernel is that of P: a product of two integrals.
+    /// Panels of the local group of which one is so much nearer to P that the kernel is that of P: a product
+    /// of two integrals.
     fn seen_from_origin(&self, i: usize, j: usize, first_is_nearer: bool) -> Block {
         let (of_i, of_j) = if first_is_nearer {
             (&self.from_origin[i].0, &self.from_origin[j].1)
@@ -136,8 +139,8 @@ fn shifted(p: f64, local: &Local, classes: (bool, bool), s: &Node, t: &Node, d: 
     }
 }
 
-/// (D^p − d^p)/p for a point at distance D from P and d from the point at `shift` from P towards it: ν (K(s,t) − K(P,t)) for s in the
-/// group, t outside, without the term of s alone, and its mirror image.
+/// (D^p − d^p)/p for a point at distance D from P and d from the point at `shift` from P towards it: ν
+/// (K(s,t) − K(P,t)) for s in the group, t outside, without the term of s alone, and its mirror image.
 fn approach(p: f64, outside: &Node, d: f64, shift: f64) -> f64 {
     let exponent = if shift > 0.0 {
         exp_quotient(-p, ln_one_plus_ratio(shift, d))

@@ -1,10 +1,11 @@
 //! Piecewise polynomial slopes on an ordered list of cells.
 //!
-//! The unknowns x describe du/dξ = Σ_k x_k L_k(ξ) on each cell, L_k = √(2k+1) P_k(2ξ−1), ξ ∈ (0,1) the coordinate of the
-//! cell. Function 0 of a cell raises u by 1 across it; the others leave both ends where they are. The space is conforming
-//! in H^ν for every 0 < ν < 1: u is continuous and piecewise smooth.
+//! The unknowns x describe du/dξ = Σ_k x_k L_k(ξ) on each cell, L_k = √(2k+1) P_k(2ξ−1), ξ ∈ (0,1) the
+//! coordinate of the cell. Function 0 of a cell raises u by 1 across it; the others leave both ends where
+//! they are. The space is conforming in H^ν for every 0 < ν < 1: u is continuous and piecewise smooth.
 
 use super::cell::{Cell, Panel};
+use crate::numeric::legendre;
 
 /// Largest number of slope functions on one cell.
 pub(crate) const MOST_FUNCTIONS: usize = 16;
@@ -98,15 +99,7 @@ pub(crate) fn legendre_primitives(count: usize, xi: f64) -> Values {
 }
 
 fn plain_legendre(count: usize, xi: f64) -> Values {
-    let x = 2.0 * xi - 1.0;
     let mut values = [0.0; MOST_FUNCTIONS + 1];
-    values[0] = 1.0;
-    if count > 1 {
-        values[1] = x;
-    }
-    for k in 1..count.saturating_sub(1) {
-        let degree = k as f64;
-        values[k + 1] = ((2.0 * degree + 1.0) * x * values[k] - degree * values[k - 1]) / (degree + 1.0);
-    }
+    legendre::fill(&mut values[..count], 2.0 * xi - 1.0);
     values
 }

@@ -1,0 +1,14 @@
+//! The order in which unknowns are eliminated, with what every front reads.
+
+use super::matrix::BlockMatrix;
+use super::pool::Pool;
+
+/// What the elimination of a subtree reads.
+pub(super) struct Ordering<'a> {
+    pub(super) matrix: &'a BlockMatrix,
+    /// Position of every unknown, the largest number for prescribed ones.
+    pub(super) positions: &'a [u32],
+    /// The unknown at every position.
+    pub(super) unknowns: &'a [u32],
+    pub(super) pool: Pool,
+}

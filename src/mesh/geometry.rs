@@ -1,0 +1,34 @@
+//! Points, boundary edges with their labels, lengths and areas.
+
+/// A point of the plane.
+pub type Point = [f64; 2];
+
+/// What happens on a boundary edge: the three open parts of Section 2.1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// Γ_D: prescribed displacement.
+    Dirichlet,
+    /// Γ_N: given surface load (zero unless said).
+    Neumann,
+    /// Γ_C: unilateral contact without friction.
+    Contact,
+}
+
+/// An edge on the boundary, the domain on its left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BoundaryEdge {
+    /// Start and end node.
+    pub nodes: [usize; 2],
+    /// Its label.
+    pub part: Part,
+}
+
+/// Euclidean distance, safe against overflow.
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+/// Twice the signed area of a triangle, from differences to its first corner.
+pub(crate) fn doubled_area([a, b, c]: [Point; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+}

@@ -1,0 +1,23 @@
+//! Small numerical pieces that several rooms need, each once.
+//!
+//! | what | where |
+//! | --- | --- |
+//! | sums with compensation or by halving, inner products | [`sum`] |
+//! | units that are powers of two | [`scale`] |
+//! | lengths and finite values of input | [`check`] |
+//! | sign changes, golden sections | [`search`] |
+//! | the regression line | [`line`] |
+//! | Legendre polynomials | [`legendre`] |
+//! | conjugate gradients | [`conjugate_gradients`] |
+//! | extremal quotients of two quadratic forms | `pencil` |
+//!
+//! Plain `f64`; nothing here knows a norm, a mesh or a scene.
+
+pub mod check;
+pub mod conjugate_gradients;
+pub mod legendre;
+pub mod line;
+pub(crate) mod pencil;
+pub mod scale;
+pub mod search;
+pub mod sum;

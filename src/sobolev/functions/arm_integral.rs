@@ -1,0 +1,274 @@
+//! ∫₀^∞ ℓ(t) dt along an arm, for integrands that decay like exponentials or like powers of t.
+//!
+//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink geometrically.
+//! The cells go on until what is left is small against the tolerance; where ℓ decays too slowly for that, wide cells down to the
+//! depth of the arm feed [`crate::quadrature::extrapolate`], or a [`DeepTail`] is added. An integral that does not converge is recognised by its integrand.
+
+use super::deep_tail::DeepTail;
+use super::level::{ArmValue, Density, Level};
+use crate::error::{Error, Result};
+use crate::quadrature::{Limit, Rule, extrapolate};
+use std::cell::Cell;
+
+/// What an integral along an arm needs to know.
+pub(crate) struct ArmIntegral {
+    level: Level,
+    rule: Rule,
+    /// relative accuracy asked of the integral
+    tolerance: f64,
+    /// cells of width h are needed up to here
+    structured: f64,
+    /// layers towards t = 0
+    start_layers: usize,
+    order: f64,
+}
+
+/// Standard deviations by which rounding may exceed its expectation.
+const ROUNDING_SAFETY: f64 = 1.5;
+/// Cells that shrink towards t = 0.
+const START_RATIO: f64 = 0.15;
+/// Depth before which no tail is believed: e^{-6} of the arm.
+const SETTLED: f64 = 6.0;
+/// Width of a wide block, beyond all structure, and the cells in it.
+const BLOCK: f64 = 42.0;
+const BLOCK_CELLS: usize = 3;
+
+/// Where a tail takes over: fewer digits of differences are lost before it than the tolerance needs.
+const TAIL_START: f64 = 450.0;
+
+impl ArmIntegral {
+    /// `spread`: ln of the largest quotient of arm lengths; `order`: ν, for messages.
+    pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64) -> Result<Self> {
+        // What lies below the last layer is about its width to the power 2 or more.
+        let layers = (0.5 * (0.1 * tolerance).ln() / START_RATIO.ln()).ceil().max(2.0);
+        Ok(Self {
+            level,
+            rule: Rule::gauss_legendre(level.points)?,
+            tolerance,
+            structured: 45.0 + spread,
+            start_layers: layers as usize,
+            order,
+        })
+    }
+
+    /// The integral; `scale` is what else the result will be added to, `tail` the end of the arm where it is known.
+    pub(crate) fn integrate(
+        &self,
+        depth: f64,
+        scale: f64,
+        tail: Option<&DeepTail>,
+        mut density: impl FnMut(f64) -> Result<Density>,
+    ) -> Result<ArmValue> {
+        let rounding = Cell::new(0.0);
+        let limit = self.limit(depth, scale, tail, &rounding, |t, weight| {
+            let density = density(t)?;
+            rounding.set((weight * density.rounding).hypot(rounding.get()));
+            Ok(density.value)
+        })?;
+        let rounding = ROUNDING_SAFETY * rounding.get();
+        Ok(ArmValue { limit, rounding })
+    }
+
+    /// As [`ArmIntegral::integrate`], for a density that is told its weight.
+    fn limit(
+        &self,
+        depth: f64,
+        scale: f64,
+        tail: Option<&DeepTail>,
+        rounding: &Cell<f64>,
+        mut density: impl FnMut(f64, f64) -> Result<f64>,
+    ) -> Result<Limit> {
+        let h = self.level.width;
+        let mut sum = self.start(&mut density)?;
+        let (mut ends, mut partial, mut densities) = (vec![h], vec![sum], vec![density(h, 0.0)?]);
+        let end = depth.min(self.structured);
+        let mut previous = sum;
+        while ends[ends.len() - 1] + h <= end {
+            let from = ends[ends.len() - 1];
+            let cell = self.cell(&self.rule, from, h, &mut density)?;
+            sum += cell;
+            ends.push(from + h);
+            partial.push(sum);
+            densities.push(density(from + h, 0.0)?);
+            let whole = sum.abs() + scale;
+            // Nothing here may be nothing yet: a function may be constant over most of its arm.
+            if from > SETTLED && cell.abs() <= 1e-17 * whole {
+                return Ok(Limit { value: sum, error: 1e-17 * whole });
+            }
+            let ratio = (cell / previous).abs();
+            previous = cell;
+            if end < self.structured
+                && rounding.get() > (0.02 * self.tolerance * whole).max(0.03 * cell.abs())
+            {
+                // Deeper, a function of the rounded x has no digits left: go no further, extrapolate.
+                break;
+            }
+            let rest = cell.abs() * ratio / (1.0 - ratio);
+            if from > SETTLED && ratio < 0.95 && rest <= 0.02 * self.tolerance * whole {
+                return Ok(Limit { value: sum, error: rest });
+            }
+        }
+        let mut partials = Partials { ends, partial, densities };
+        if let Some(tail) = tail
+            && depth >= TAIL_START
+        {
+            return self.with_tail(tail, scale, rounding, &mut partials, &mut density);
+        }
+        if depth >= self.structured + 5.0 * BLOCK
+            && let Some(limit) = self.deep(depth, scale, &mut partials, &mut density)?
+        {
+            return Ok(limit);
+        }
+        self.decide(&partials)
+    }
+
+    /// ∫₀^h with layers towards 0.
+    fn start(&self, density: &mut impl FnMut(f64, f64) -> Result<f64>) -> Result<f64> {
+        let mut right = self.level.width;
+        let mut sum = 0.0;
+        for _ in 0..self.start_layers {
+            let left = right * START_RATIO;
+            sum += self.cell(&self.rule, left, right - left, density)?;
+            right = left;
+        }
+        Ok(sum + self.cell(&self.rule, 0.0, right, density)?)
+    }
+
+    fn cell(
+        &self,
+        rule: &Rule,
+        from: f64,
+        width: f64,
+        density: &mut impl FnMut(f64, f64) -> Result<f64>,
+    ) -> Result<f64> {
+        let mut sum = 0.0;
+        for (t, w) in rule.iter() {
+            let weight = w * width;
+            sum += weight * density(from + width * t, weight)?;
+        }
+        Ok(sum)
+    }
+
+    /// Wide cells as far as the tail begins, and the tail.
+    fn with_tail(
+        &self,
+        tail: &DeepTail,
+        scale: f64,
+        rounding: &Cell<f64>,
+        found: &mut Partials,
+        density: &mut impl FnMut(f64, f64) -> Result<f64>,
+    ) -> Result<Limit> {
+        let rule = Rule::gauss_legendre(self.level.points + 4)?;
+        let width = BLOCK / BLOCK_CELLS as f64;
+        while found.end() + width <= TAIL_START && !found.grows() {
+            let (from, before) = (found.end(), found.sum());
+            let sum = before + self.cell(&rule, from, width, density)?;
+            found.push(from + width, sum, density(from + width, 0.0)?);
+        }
+        if found.diverges() || !tail.starts_at(found.end()) {
+            return self.decide(found);
+        }
+        let rest = tail.integrate(found.end(), self.tolerance, found.sum().abs() + scale)?;
+        rounding.set(rounding.get().hypot(rest.rounding));
+        Ok(Limit { value: found.sum() + rest.limit.value, error: rest.limit.error })
+    }
+
+    /// Wide blocks from where everything is smooth on the scale of t.
+    fn deep(
+        &self,
+        depth: f64,
+        scale: f64,
+        found: &mut Partials,
+        density: &mut impl FnMut(f64, f64) -> Result<f64>,
+    ) -> Result<Option<Limit>> {
+        let rule = Rule::gauss_legendre(self.level.points + 4)?;
+        let width = BLOCK / BLOCK_CELLS as f64;
+        let mut cells = 0;
+        while found.end() + width <= depth {
+            let (from, before) = (found.end(), found.sum());
+            let sum = before + self.cell(&rule, from, width, density)?;
+            found.push(from + width, sum, density(from + width, 0.0)?);
+            cells += 1;
+            if found.grows() {
+                break;
+            }
+            if cells % BLOCK_CELLS == 0 && cells >= 5 * BLOCK_CELLS {
+                // An extrapolated divergent integral has a limit too, and it means nothing.
+                if let Some(limit) = found.limit()
+                    && !found.diverges()
+                    && limit.error <= 0.05 * self.tolerance * (limit.value.abs() + scale)
+                {
+                    return Ok(Some(limit));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// The limit of what was summed, or why there is none.
+    fn decide(&self, found: &Partials) -> Result<Limit> {
+        if found.diverges() {
+            return Err(Error::InfiniteNorm {
+                order: self.order,
+                why: "the contributions near a break point do not decay",
+            });
+        }
+        Ok(found.limit().unwrap_or(Limit { value: found.sum(), error: found.rest() }))
+    }
+}
+
+/// ∫₀^{t_k} ℓ and ℓ(t_k).
+struct Partials {
+    ends: Vec<f64>,
+    partial: Vec<f64>,
+    densities: Vec<f64>,
+}
+
+impl Partials {
+    fn end(&self) -> f64 {
+        self.ends[self.ends.len() - 1]
+    }
+
+    fn sum(&self) -> f64 {
+        self.partial[self.partial.len() - 1]
+    }
+
+    fn push(&mut self, end: f64, sum: f64, density: f64) {
+        self.ends.push(end);
+        self.partial.push(sum);
+        self.densities.push(density);
+    }
+
+    /// A crude size of what lies beyond the end.
+    fn rest(&self) -> f64 {
+        self.densities[self.densities.len() - 1].abs() * self.end()
+    }
+
+    /// ℓ has grown beyond doubt.
+    fn grows(&self) -> bool {
+        let last = self.densities.len() - 1;
+        !self.sum().is_finite() || self.densities[last] > 4.0 * self.densities[last / 2]
+    }
+
+    /// ℓ does not decay, or no faster than 1/t.
+    fn diverges(&self) -> bool {
+        let (ends, densities) = (&self.ends, &self.densities);
+        let last = ends.len() - 1;
+        let middle = ends.iter().position(|&t| t >= 0.5 * self.end()).unwrap_or(0);
+        if middle == 0 || middle == last || densities[last] <= 0.0 {
+            return false;
+        }
+        let slope = |k: usize| (densities[k - 1] / densities[k]).ln() / (ends[k] - ends[k - 1]);
+        // p of ℓ ~ t^{-p}; an exponential would double it from the middle to the end.
+        let (at_middle, at_end) = (slope(middle) * ends[middle], slope(last) * ends[last]);
+        let algebraic = (at_end - at_middle).abs() < 0.05 * at_end.abs() && at_end <= 1.001;
+        algebraic || self.grows() || densities[last] >= densities[middle] * (1.0 - 1e-9)
+    }
+
+    fn limit(&self) -> Option<Limit> {
+        // On the first cells the integrand still feels the whole interval.
+        let from = self.ends.iter().position(|&t| t >= (0.5 * self.end()).min(25.0)).unwrap_or(0);
+        let noise = 4.0 * f64::EPSILON * self.sum().abs();
+        extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise)
+    }
+}

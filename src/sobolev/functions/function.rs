@@ -1,0 +1,230 @@
+//! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
+//!
+//! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one break. A point
+//! of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of the distance to the break is a
+//! smooth function, and double integrals are taken over pairs (t, t′) ([`super::log_energy`]). A closure of x alone knows
+//! its distance to a break c ≠ 0 only to an ulp of c; one that takes a [`Position`] sees the distance itself, or its logarithm.
+
+use crate::error::{Error, Result};
+use crate::numeric::check::require_finite_at;
+use crate::numeric::scale::power_of_two;
+
+/// Points of an arm at which the size of a function is looked at.
+const SAMPLES: usize = 16;
+
+/// A point of the interval, known by its distance to the nearest break point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Position {
+    x: f64,
+    anchor: usize,
+    offset: f64,
+    /// ln of the distance where that is not a number of binary64
+    depth: Option<f64>,
+}
+
+impl Position {
+    /// The coordinate, rounded.
+    pub fn x(&self) -> f64 {
+        self.x
+    }
+
+    /// Index of the break point this position is given from: the nearest one.
+    pub fn anchor(&self) -> usize {
+        self.anchor
+    }
+
+    /// x minus the coordinate of that break point, exact; a zero with the right sign where it underflows.
+    pub fn offset(&self) -> f64 {
+        self.offset
+    }
+
+    /// ln |offset|, also where the offset underflows: as far as −10^{300}.
+    pub fn log_distance(&self) -> f64 {
+        self.depth.unwrap_or_else(|| self.offset.abs().ln())
+    }
+}
+
+/// A real function on an interval whose singular points are declared.
+pub struct SingularFunction<'a> {
+    breaks: Vec<f64>,
+    function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
+    sight: Sight,
+}
+
+/// What the closure sees of a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sight {
+    Coordinate,
+    Offset,
+    LogDistance,
+}
+
+impl std::fmt::Debug for SingularFunction<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SingularFunction").field("breaks", &self.breaks).finish_non_exhaustive()
+    }
+}
+
+impl<'a> SingularFunction<'a> {
+    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::OutOfRange`] unless they increase strictly, are finite and
+    /// lie at least 1e-290 and 1e-290 of the interval apart.
+    pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
+    }
+
+    /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction, closed_forms}};
+    /// // |ln x|^(1/4): the distance from the break 0 is exact, the one from 1 enters by ln(1 - t)
+    /// let u = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.offset().ln()).powf(0.25),
+    ///     _ => (-at.offset().ln_1p()).powf(0.25),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.25)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SingularFunction::new`].
+    pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(f), Sight::Offset)
+    }
+
+    /// As [`SingularFunction::from_positions`] for a function that is right also where offsets underflow, by
+    /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln x|^α at ν = 1/2.
+    ///
+    /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d| are.
+    ///
+    /// # Errors
+    /// As [`SingularFunction::new`].
+    pub fn from_log_distances(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(f), Sight::LogDistance)
+    }
+
+    fn build(
+        breaks: &[f64],
+        function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
+        sight: Sight,
+    ) -> Result<Self> {
+        if breaks.len() < 2 {
+            return Err(Error::CountOutOfRange {
+                name: "break points",
+                value: breaks.len(),
+                range: ">= 2, the ends of the interval among them",
+            });
+        }
+        let total = breaks[breaks.len() - 1] - breaks[0];
+        for pair in breaks.windows(2) {
+            let length = pair[1] - pair[0];
+            let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
+            Error::require(
+                "distance of break points",
+                length,
+                "(1e-290, inf), and 1e-290 of the interval",
+                admissible,
+            )?;
+        }
+        Ok(Self { breaks: breaks.to_vec(), function, sight })
+    }
+
+    /// The break points.
+    pub fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    /// Length of the interval.
+    pub fn length(&self) -> f64 {
+        self.breaks[self.breaks.len() - 1] - self.breaks[0]
+    }
+
+    /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and powers of u/S
+    /// neither over- nor underflow; S = 1 where all of them vanish.
+    pub(crate) fn of_moderate_size(&self) -> Result<(f64, SingularFunction<'_>)> {
+        let mut largest = 0.0_f64;
+        for arm in self.arms() {
+            for k in 0..SAMPLES {
+                let t = (arm.depth * (k as f64 + 0.5) / SAMPLES as f64).min(0.1 + 0.3 * k as f64);
+                largest = largest.max(self.at(&arm, arm.delta(t))?.abs());
+            }
+        }
+        let scale = power_of_two(largest);
+        let unit = move |at: Position| (self.function)(at) / scale;
+        Ok((
+            scale,
+            SingularFunction { breaks: self.breaks.clone(), function: Box::new(unit), sight: self.sight },
+        ))
+    }
+
+    /// The arms, from left to right.
+    pub(crate) fn arms(&self) -> Vec<Arm> {
+        let mut arms = Vec::with_capacity(2 * self.breaks.len());
+        for (i, pair) in self.breaks.windows(2).enumerate() {
+            let length = 0.5 * (pair[1] - pair[0]);
+            arms.push(self.arm(i, 1.0, length));
+            arms.push(self.arm(i + 1, -1.0, length));
+        }
+        arms
+    }
+
+    fn arm(&self, anchor: usize, sign: f64, length: f64) -> Arm {
+        let start = self.breaks[anchor];
+        let smallest = 1e-300f64.max(1e-300 * length);
+        // Where x = c + δ is rounded, δ has no digits below an ulp of c and few above it.
+        let blurred = match self.sight {
+            Sight::Coordinate => start.abs() * 4.0 * f64::EPSILON,
+            Sight::Offset | Sight::LogDistance => 0.0,
+        };
+        let depth = (length / smallest.max(16.0 * blurred).min(0.5 * length)).ln();
+        Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
+    }
+
+    /// The value at distance δ from the anchor of an arm.
+    pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
+        let offset = arm.sign * delta;
+        self.value(Position { x: arm.start + offset, anchor: arm.anchor, offset, depth: None })
+    }
+
+    /// The value at δ = R e^{-t} for any t.
+    pub(crate) fn at_depth(&self, arm: &Arm, t: f64) -> Result<f64> {
+        let offset = arm.sign * arm.delta(t);
+        let depth = Some(arm.length.ln() - t);
+        self.value(Position { x: arm.start + offset, anchor: arm.anchor, offset, depth })
+    }
+
+    /// True when the function can be evaluated at any depth.
+    pub(crate) fn is_known_at_any_depth(&self) -> bool {
+        self.sight == Sight::LogDistance
+    }
+
+    fn value(&self, at: Position) -> Result<f64> {
+        let value = (self.function)(at);
+        require_finite_at("function value near break", at.anchor, value)?;
+        Ok(value)
+    }
+}
+
+/// Half of the interval between two breaks: the points c + sign δ, 0 < δ < length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Arm {
+    pub(crate) anchor: usize,
+    pub(crate) start: f64,
+    pub(crate) sign: f64,
+    pub(crate) length: f64,
+    /// largest t at which the function can be trusted
+    pub(crate) depth: f64,
+    /// rounding of x = c + δ; 0 where offsets are seen
+    pub(crate) blur: f64,
+}
+
+impl Arm {
+    /// δ = R e^{-t}.
+    pub(crate) fn delta(&self, t: f64) -> f64 {
+        self.length * (-t).exp()
+    }
+}

@@ -1,0 +1,42 @@
+//! What integrals along an arm take and give.
+
+use crate::quadrature::Limit;
+use std::ops::Add;
+
+/// Order and cell width of the rules.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Level {
+    pub(crate) points: usize,
+    pub(crate) width: f64,
+}
+
+/// A value of ℓ and its rounding error; errors of different terms are independent, so that they add as squares do.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Density {
+    pub(crate) value: f64,
+    pub(crate) rounding: f64,
+}
+
+impl Add for Density {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, rounding: self.rounding + other.rounding }
+    }
+}
+
+/// An integral along an arm: its limit, and the rounding of what was summed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ArmValue {
+    pub(crate) limit: Limit,
+    pub(crate) rounding: f64,
+}
+
+/// What a level found, for the squared seminorm.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LevelValue {
+    pub(crate) value: f64,
+    pub(crate) tail: f64,
+    pub(crate) rounding: f64,
+    pub(crate) points: u64,
+}

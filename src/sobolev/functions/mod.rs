@@ -1,0 +1,11 @@
+//! Norms of functions given by a closure with declared break points.
+
+mod arm_integral;
+mod deep_tail;
+mod function;
+mod level;
+mod log_energy;
+mod norms;
+mod supremum;
+
+pub use function::{Position, SingularFunction};

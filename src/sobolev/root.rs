@@ -1,0 +1,40 @@
+//! Roots of squares with their errors, and what a tolerance is held against.
+
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+
+/// Relative rounding of one entry of a Gram matrix or of one pair of elements: a few dozen operations of one sign.
+pub(super) const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+/// The estimate times a power of two.
+pub(super) fn scaled(scale: f64, estimate: Estimate) -> Result<Estimate> {
+    Estimate::new(scale * estimate.value, scale * estimate.error, estimate.work)
+}
+
+/// S √v for a power of two S.
+pub(super) fn scaled_root(scale: f64, squared: Estimate) -> Result<Estimate> {
+    scaled(scale, squared.sqrt()?)
+}
+
+/// √(Σ parts²) without overflow, with its error.
+pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
+    let value = parts.iter().fold(0.0, |norm, part| part.value.hypot(norm));
+    let mut error = 0.0;
+    let mut work = Work::default();
+    for part in parts {
+        let weight = if value > 0.0 { part.value / value } else { 1.0 };
+        error += part.error * weight;
+        work += part.work;
+    }
+    Estimate::new(value, error, work)
+}
+
+/// The estimate, unless its error exceeds the tolerance.
+pub(super) fn accept(what: &'static str, estimate: Estimate, tolerance: Tolerance) -> Result<Estimate> {
+    // Nothing can be asked below the rounding of the result itself.
+    let asked = tolerance.relative().max(ENTRY_ROUNDING);
+    if estimate.relative_error() <= asked || estimate.value == 0.0 {
+        return Ok(estimate);
+    }
+    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached: estimate.relative_error() })
+}

@@ -1,0 +1,183 @@
+//! Exact energy-norm errors of the elastic strip from its edge alone.
+//!
+//! The scene prescribes u_N and λ on a fine edge of N cells; no tangential force acts, so u_x follows from u_N. As in the
+//! scalar case, with v = (u_x, u_y) on the edge,
+//!
+//! |u − u_h|²_a = ⟨A d, d⟩ + ⟨G v_h, v_h⟩,  d = v − P v_h,
+//!
+//! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode.
+
+use super::grids::{layers_on, level_of, power_of_two, pyramid};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::fem::Lame;
+use crate::numeric::check::require_length;
+use crate::strip::edge_data::EdgeData;
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
+use crate::strip::operator::elastic_defect::{aliased, halvings};
+use crate::strip::operator::load::EdgeLoad;
+use crate::strip::sides::Sides;
+use crate::strip::transfer::prolong;
+use realfft::num_complex::Complex;
+
+/// Relative rounding of the defects: those of low modes are rounded from double-double, the others keep eleven digits.
+const DEFECTS: f64 = 1e-11;
+
+/// Exact elastic edge data on a fine grid, its loads on all coarser grids, and errors against it.
+#[derive(Debug, Clone)]
+pub struct ExactElastic {
+    cells: usize,
+    height: (usize, usize),
+    operator: EdgeOperator,
+    /// A on N, N/2, ... cells.
+    matrices: Vec<Vec<EdgeMatrix>>,
+    /// G on N/2, N/4, ... cells.
+    defects: Vec<Vec<EdgeMatrix>>,
+    loads: Vec<Vec<f64>>,
+    /// u_x and u_y.
+    exact: [Vec<f64>; 2],
+    /// |u|_a.
+    norm: f64,
+}
+
+impl ExactElastic {
+    /// The scene as exact solution on the strip of height `height.0/height.1`; periodic sides, frictionless.
+    /// `coarsest` is the smallest number of cells errors are wanted for.
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the numbers of layers
+    /// are powers of two.
+    pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
+        if scene.sides() != Sides::Periodic {
+            return Err(Error::Incompatible {
+                what: "sides",
+                given: format!("{:?}", scene.sides()),
+                with: "the elastic strip",
+                expected: "periodic sides",
+            });
+        }
+        let cells = scene.cells();
+        power_of_two(cells)?;
+        let mut matrices: Vec<Vec<EdgeMatrix>> = Vec::new();
+        let mut defects: Vec<Vec<EdgeMatrix>> = Vec::new();
+        let mut n = cells;
+        while n >= coarsest.max(2) {
+            let layers = layers_on(n, height)?;
+            power_of_two(2 * layers)?;
+            let own = edge_matrices(n, layers, lame);
+            if let Some(fine) = matrices.last() {
+                let mut defect = halvings(n, layers, lame, &own, fine);
+                if let Some(finer) = defects.last() {
+                    for (k, d) in defect.iter_mut().enumerate() {
+                        *d = d.combine(1.0, aliased(k, n, finer), 1.0);
+                    }
+                }
+                defects.push(defect);
+            }
+            matrices.push(own);
+            n /= 2;
+        }
+        let symbol = matrices[0].iter().map(|a| a.normal()).collect();
+        let operator = EdgeOperator::new(cells, Sides::Periodic, symbol)?;
+        let mut exact = Self {
+            cells,
+            height,
+            operator,
+            matrices,
+            defects,
+            loads: Vec::new(),
+            exact: Default::default(),
+            norm: 0.0,
+        };
+        exact.set_scene(scene)?;
+        Ok(exact)
+    }
+
+    /// Replaces the scene by another one on the same fine grid.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] when the grid is another one.
+    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
+        let mut force = self.operator.apply(scene.values())?;
+        force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
+        self.loads = pyramid(force, Sides::Periodic);
+        self.exact = displacement(&self.operator, &self.matrices[0], scene.values())?;
+        self.norm = self.operator.energy(scene.values())?.sqrt();
+        Ok(())
+    }
+
+    /// Number of cells N of the fine grid.
+    pub fn cells(&self) -> usize {
+        self.cells
+    }
+
+    /// Layers of the strip with `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] when the height is not a whole number of them.
+    pub fn layers(&self, cells: usize) -> Result<usize> {
+        layers_on(cells, self.height)
+    }
+
+    /// The load on u_N on the edge of `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] unless `cells` is N divided by a power of two.
+    pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
+        let level = level_of(self.cells, cells, self.loads.len())?;
+        Ok(EdgeLoad::on_edge(self.loads[level].clone()))
+    }
+
+    /// The operator of u_N on the edge of `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for a level that does not exist.
+    pub fn operator(&self, cells: usize) -> Result<EdgeOperator> {
+        let level = level_of(self.cells, cells, self.matrices.len())?;
+        let symbol = self.matrices[level].iter().map(|a| a.normal()).collect();
+        EdgeOperator::new(cells, Sides::Periodic, symbol)
+    }
+
+    /// |u − u_h|_a for the discrete solution with the given u_N on `cells` cells.
+    ///
+    /// # Errors
+    /// As [`ExactElastic::load`], `cells` not below the coarsest grid; [`Error::LengthMismatch`].
+    pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
+        let level = level_of(self.cells, cells, self.matrices.len())?;
+        require_length("edge values", values.len(), cells)?;
+        let flat = |n: usize| EdgeOperator::new(n, Sides::Periodic, vec![1.0; n / 2 + 1]);
+        let coarse = flat(cells)?;
+        let discrete = displacement(&coarse, &self.matrices[level], values)?;
+        let interior = match level {
+            0 => 0.0,
+            _ => form(&coarse, &self.defects[level - 1], &discrete)?,
+        };
+        let mut difference = discrete;
+        for (component, exact) in difference.iter_mut().zip(&self.exact) {
+            for step in (0..level).rev() {
+                *component = prolong(component, self.cells >> step);
+            }
+            component.iter_mut().zip(exact).for_each(|(p, g)| *p = g - *p);
+        }
+        let edge = form(&flat(self.cells)?, &self.matrices[0], &difference)?;
+        let square = edge + interior;
+        // d is known to ε|v| in each component, as in the scalar case.
+        let shift = 2.0 * f64::EPSILON * self.norm;
+        let work = Work { points: 2 * self.cells as u64, ..Work::default() };
+        Estimate::new(square.sqrt(), shift + DEFECTS * square.sqrt(), work)
+    }
+}
+
+/// (u_x, u_y) from u_N = −u_y without tangential force.
+fn displacement(operator: &EdgeOperator, matrices: &[EdgeMatrix], normal: &[f64]) -> Result<[Vec<f64>; 2]> {
+    let modes = operator.modes(normal)?;
+    let x: Vec<Complex<f64>> = modes.iter().zip(matrices).map(|(u, a)| a.xy * u / a.xx).collect();
+    Ok([operator.with_modes(&x)?, normal.iter().map(|v| -v).collect()])
+}
+
+/// Σ over modes of v*M v.
+fn form(operator: &EdgeOperator, matrices: &[EdgeMatrix], v: &[Vec<f64>; 2]) -> Result<f64> {
+    let (x, y) = (operator.modes(&v[0])?, operator.modes(&v[1])?);
+    Ok(operator.mode_sum_of(|k| matrices[k].form(x[k], y[k])))
+}

@@ -1,0 +1,75 @@
+//! Levels of a study, by name.
+
+use crate::error::{Error, Result};
+use std::fmt;
+use std::str::FromStr;
+
+/// Levels n = 2^coarsest ... 2^finest; read from `3-14`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Levels {
+    coarsest: u32,
+    finest: u32,
+}
+
+impl Levels {
+    /// 1 ≤ coarsest ≤ finest ≤ 22.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] otherwise.
+    pub fn new(coarsest: u32, finest: u32) -> Result<Self> {
+        for (name, value) in [("coarsest level", coarsest), ("finest level", finest)] {
+            if !(1..=22).contains(&value) {
+                return Err(Error::CountOutOfRange { name, value: value as usize, range: "[1, 22]" });
+            }
+        }
+        if coarsest > finest {
+            return Err(Error::CountOutOfRange {
+                name: "coarsest level",
+                value: coarsest as usize,
+                range: "[1, finest level]",
+            });
+        }
+        Ok(Self { coarsest, finest })
+    }
+
+    /// The numbers of cells, coarsest first.
+    pub fn cells(self) -> impl Iterator<Item = usize> {
+        (self.coarsest..=self.finest).map(|level| 1 << level)
+    }
+
+    /// Cells of the coarsest level.
+    pub fn coarsest_cells(self) -> usize {
+        1 << self.coarsest
+    }
+
+    /// Cells of the finest level.
+    pub fn finest_cells(self) -> usize {
+        1 << self.finest
+    }
+
+    /// Cells of the grid the scene lives on: 64 times the finest level, but not above 2^20 unless four times the finest level is.
+    pub fn reference_cells(self) -> usize {
+        1 << (self.finest + 6).min(20).max(self.finest + 2)
+    }
+}
+
+impl fmt::Display for Levels {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}-{}", self.coarsest, self.finest)
+    }
+}
+
+impl FromStr for Levels {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let unknown = || Error::UnknownName {
+            what: "levels",
+            given: text.to_owned(),
+            expected: "COARSEST-FINEST, powers of two, for example 3-14",
+        };
+        let (coarsest, finest) = text.split_once('-').ok_or_else(unknown)?;
+        let number = |word: &str| word.trim().parse().map_err(|_| unknown());
+        Self::new(number(coarsest)?, number(finest)?)
+    }
+}

@@ -1,0 +1,16 @@
+//! Exact solutions of a strip and the energy norms of the errors against them, level after level.
+
+mod elastic;
+mod grids;
+mod levels;
+mod problem;
+mod reference;
+mod scalar;
+mod study;
+
+pub use elastic::ExactElastic;
+pub use levels::Levels;
+pub use problem::{StripKind, StripProblem};
+pub use reference::Reference;
+pub use scalar::ExactEdge;
+pub use study::{Level, study};

@@ -1,0 +1,142 @@
+//! Either strip with an exact solution, behind one face.
+
+use super::elastic::ExactElastic;
+use super::reference::Reference;
+use super::scalar::ExactEdge;
+use crate::error::{Error, Result};
+use crate::estimate::Estimate;
+use crate::fem::Lame;
+use crate::strip::edge_data::EdgeData;
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::load::EdgeLoad;
+use crate::strip::operator::scalar::ScalarStrip;
+use crate::strip::sides::Sides;
+use std::fmt;
+use std::str::FromStr;
+
+/// Which strip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StripKind {
+    /// Laplace, natural sides.
+    Scalar,
+    /// Elasticity, periodic sides.
+    Elastic,
+}
+
+impl StripKind {
+    /// The sides of this kind of strip.
+    pub fn sides(self) -> Sides {
+        match self {
+            StripKind::Scalar => Sides::Natural,
+            StripKind::Elastic => Sides::Periodic,
+        }
+    }
+}
+
+impl fmt::Display for StripKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            StripKind::Scalar => "scalar",
+            StripKind::Elastic => "elastic",
+        })
+    }
+}
+
+impl FromStr for StripKind {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "scalar" => Ok(StripKind::Scalar),
+            "elastic" => Ok(StripKind::Elastic),
+            _ => Err(Error::UnknownName {
+                what: "kind",
+                given: text.to_owned(),
+                expected: "scalar or elastic",
+            }),
+        }
+    }
+}
+
+/// A scene with its exact solution on a unit square strip.
+#[derive(Debug, Clone)]
+pub enum StripProblem {
+    /// Scalar.
+    Scalar(ExactEdge),
+    /// Elastic, λ = μ = 1.
+    Elastic(ExactElastic),
+}
+
+impl StripProblem {
+    /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the scene only.
+    ///
+    /// # Errors
+    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::Incompatible`] for a continuous elastic reference.
+    pub fn new(kind: StripKind, scene: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
+        Ok(match kind {
+            StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
+            StripKind::Elastic if reference != Reference::Nested => {
+                return Err(Error::Incompatible {
+                    what: "reference",
+                    given: reference.to_string(),
+                    with: "the elastic strip",
+                    expected: "nested",
+                });
+            }
+            StripKind::Elastic => {
+                Self::Elastic(ExactElastic::new(scene, (1, 1), Lame::new(1.0, 1.0)?, coarsest)?)
+            }
+        })
+    }
+
+    /// Replaces the scene by another one on the same grid; much cheaper than a new problem.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] when the grid is another one.
+    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
+        match self {
+            Self::Scalar(exact) => exact.set_scene(scene),
+            Self::Elastic(exact) => exact.set_scene(scene),
+        }
+    }
+
+    /// The edge operator on `cells` cells and the number of unknowns it stands for.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for a level that does not exist.
+    pub fn operator(&self, cells: usize) -> Result<(EdgeOperator, f64)> {
+        match self {
+            Self::Scalar(exact) => {
+                let strip = ScalarStrip::new(cells, exact.layers(cells)?)?;
+                let unknowns = strip.virtual_unknowns();
+                Ok((strip.into_operator(), unknowns))
+            }
+            Self::Elastic(exact) => {
+                let unknowns = 2.0 * cells as f64 * exact.layers(cells)? as f64;
+                Ok((exact.operator(cells)?, unknowns))
+            }
+        }
+    }
+
+    /// The load on `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for a level that does not exist.
+    pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
+        match self {
+            Self::Scalar(exact) => exact.load(cells),
+            Self::Elastic(exact) => exact.load(cells),
+        }
+    }
+
+    /// |u − u_h|_a.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for a level that does not exist, [`Error::LengthMismatch`].
+    pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
+        match self {
+            Self::Scalar(exact) => exact.error(cells, values),
+            Self::Elastic(exact) => exact.error(cells, values),
+        }
+    }
+}

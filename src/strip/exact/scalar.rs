@@ -1,0 +1,187 @@
+//! Exact energy-norm errors of the scalar strip from its edge alone.
+//!
+//! g is the exact edge shape on a fine grid of N cells; u is either the discrete solution on the fine strip or the
+//! continuous harmonic function above the piecewise linear g. For a coarse solution with edge shape g_h, no volume load,
+//!
+//! |u − u_h|²_a = ⟨T d, d⟩ + ⟨G g_h, g_h⟩,  d = g − P g_h:
+//!
+//! the fine energy of the difference at the edge, and what the coarse mesh stores too much in the interior (module
+//! `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference of energies loses
+//! six and more digits at n = 2^18. Cost: one transform of length N per error.
+
+use super::grids::{layers_on, level_of, power_of_two, pyramid};
+use super::reference::Reference;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::numeric::check::require_length;
+use crate::strip::edge_data::EdgeData;
+use crate::strip::operator::defect::{halving, harmonic_defect, harmonic_symbol};
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::load::EdgeLoad;
+use crate::strip::operator::scalar::scalar_symbol;
+use crate::strip::sides::Sides;
+use crate::strip::transfer::prolong;
+use std::f64::consts::PI;
+
+/// Relative rounding of the defects and of the sum over modes: closed forms without cancellation, a few dozen ε.
+const DEFECTS: f64 = 1e-14;
+
+/// Exact edge data g, λ on a fine grid, its loads on all coarser grids, and errors against it.
+#[derive(Debug, Clone)]
+pub struct ExactEdge {
+    values: Vec<f64>,
+    /// |g|_a.
+    norm: f64,
+    cells: usize,
+    layers_per_cell: (usize, usize),
+    reference: Reference,
+    operator: EdgeOperator,
+    /// Loads on N, N/2, N/4, ... cells.
+    loads: Vec<Vec<f64>>,
+    /// G on N/2, N/4, ... cells (nested reference only).
+    defects: Vec<Vec<f64>>,
+}
+
+impl ExactEdge {
+    /// The scene as exact solution on the strip of height `height.0/height.1`; natural sides.
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
+    /// height gives a whole number of layers on it.
+    pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
+        if scene.sides() != Sides::Natural {
+            return Err(Error::Incompatible {
+                what: "sides",
+                given: format!("{:?}", scene.sides()),
+                with: "the scalar strip",
+                expected: "natural sides",
+            });
+        }
+        let cells = scene.cells();
+        power_of_two(cells)?;
+        let layers = layers_on(cells, height)? as f64;
+        let symbol = (0..=cells)
+            .map(|k| {
+                let theta = PI * k as f64 / cells as f64;
+                match reference {
+                    Reference::Nested => scalar_symbol(theta, layers),
+                    Reference::Harmonic => harmonic_symbol(theta, layers),
+                }
+            })
+            .collect();
+        let operator = EdgeOperator::new(cells, Sides::Natural, symbol)?;
+        let defects = match reference {
+            Reference::Nested => nested_defects(cells, layers),
+            Reference::Harmonic => Vec::new(),
+        };
+        let mut exact = Self {
+            values: Vec::new(),
+            norm: 0.0,
+            cells,
+            layers_per_cell: height,
+            reference,
+            operator,
+            loads: Vec::new(),
+            defects,
+        };
+        exact.set_scene(scene)?;
+        Ok(exact)
+    }
+
+    /// Replaces the scene by another one on the same fine grid.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] when the grid is another one.
+    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
+        let mut force = self.operator.apply(scene.values())?;
+        force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
+        self.loads = pyramid(force, Sides::Natural);
+        self.values = scene.values().to_vec();
+        self.norm = self.operator.energy(scene.values())?.sqrt();
+        Ok(())
+    }
+
+    /// Number of cells N of the fine grid.
+    pub fn cells(&self) -> usize {
+        self.cells
+    }
+
+    /// Layers of the strip with `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] when the height is not a whole number of them.
+    pub fn layers(&self, cells: usize) -> Result<usize> {
+        layers_on(cells, self.layers_per_cell)
+    }
+
+    /// The load of the scene on the edge of `cells` cells.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] unless `cells` is N divided by a power of two.
+    pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
+        let level = self.level(cells)?;
+        Ok(EdgeLoad::on_edge(self.loads[level].clone()))
+    }
+
+    /// |u − u_h|_a, the energy norm of the error of the discrete solution with edge values `values` on `cells` cells.
+    ///
+    /// # Errors
+    /// As [`ExactEdge::load`]; [`Error::LengthMismatch`].
+    pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
+        let level = self.level(cells)?;
+        require_length("edge values", values.len(), cells + 1)?;
+        let mut fine = values.to_vec();
+        for step in (0..level).rev() {
+            fine = prolong(&fine, (self.cells >> step) + 1);
+        }
+        let difference: Vec<f64> = self.values.iter().zip(&fine).map(|(g, p)| g - p).collect();
+        let edge = self.operator.energy(&difference)?;
+        let interior = self.interior(level, cells, values)?;
+        let square = edge + interior;
+        // d is known to ε|g|; by Cauchy and Schwarz that moves |u − u_h| by at most ε |g|_a.
+        let shift = f64::EPSILON * self.norm;
+        let work = Work { points: self.values.len() as u64, ..Work::default() };
+        Estimate::new(square.sqrt(), shift + DEFECTS * square.sqrt(), work)
+    }
+
+    /// ⟨G g_h, g_h⟩.
+    fn interior(&self, level: usize, cells: usize, values: &[f64]) -> Result<f64> {
+        let layers = self.layers(cells)? as f64;
+        let coarse = EdgeOperator::new(cells, Sides::Natural, vec![1.0; cells + 1])?;
+        let modes = coarse.modes(values)?;
+        Ok(match self.reference {
+            Reference::Nested if level == 0 => 0.0,
+            Reference::Nested => coarse.mode_sum(&modes, |k| self.defects[level - 1][k]),
+            Reference::Harmonic => {
+                coarse.mode_sum(&modes, |k| harmonic_defect(PI * k as f64 / cells as f64, layers))
+            }
+        })
+    }
+
+    fn level(&self, cells: usize) -> Result<usize> {
+        level_of(self.cells, cells, self.loads.len())
+    }
+}
+
+/// G on N/2, N/4, ..., 2 cells against N cells with `layers` layers.
+fn nested_defects(cells: usize, layers: f64) -> Vec<Vec<f64>> {
+    let mut defects: Vec<Vec<f64>> = Vec::new();
+    let (mut n, mut m) = (cells / 2, 0.5 * layers);
+    while n >= 2 {
+        let finer = defects.last();
+        let level = (0..=n)
+            .map(|k| {
+                let theta = PI * k as f64 / n as f64;
+                let own = halving(theta, m);
+                finer.map_or(own, |g| {
+                    let (s, c) = (0.25 * theta).sin_cos();
+                    own + 2.0 * (c.powi(4) * g[k] + s.powi(4) * g[2 * n - k])
+                })
+            })
+            .collect();
+        defects.push(level);
+        n /= 2;
+        m *= 0.5;
+    }
+    defects
+}

@@ -1,0 +1,272 @@
+//! The edge operator: a translation-invariant symmetric operator on the contact edge, diagonal in Fourier modes.
+//!
+//! Periodic sides: n nodes, (A g)^(k) = S(θ_k) ĝ(k), θ_k = 2πk/n. Natural sides: n + 1 nodes; the even extension of g has
+//! period 2n, so that the same formula holds with θ_k = πk/n (type-I cosine modes) and A = W · (restriction), W = diag(½, 1,
+//! ..., 1, ½). In both cases the stored symbol S(θ) covers θ = 2πk/P, k = 0 ... P/2, P the period, and
+//!
+//! g'A g = (γ/P) Σ_{k mod P} S(θ_k) |ĝ(k)|²,  γ = 1 (periodic), ½ (natural).
+//!
+//! S > 0, so A is positive definite. A product or a solve costs one real FFT of length P and one back: O(n log n).
+
+use super::fourier::{RealFourier, Workspace};
+use crate::cone::{Cone, EdgeCone};
+use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::sum::pairwise_sum;
+use crate::strip::sides::{Sides, check_cells};
+use realfft::RealFftPlanner;
+use realfft::num_complex::Complex;
+use std::fmt;
+
+/// A symmetric positive definite operator on the contact edge, given by its symbol.
+#[derive(Clone)]
+pub struct EdgeOperator {
+    cells: usize,
+    sides: Sides,
+    symbol: Vec<f64>,
+    norm: f64,
+    fourier: RealFourier,
+}
+
+impl fmt::Debug for EdgeOperator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "EdgeOperator({} cells, {:?} sides)", self.cells, self.sides)
+    }
+}
+
+impl EdgeOperator {
+    /// The operator with symbol values at θ = 2πk/P, k = 0 ... P/2.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for fewer than two cells (or an odd number on a periodic edge),
+    /// [`Error::LengthMismatch`] or [`Error::OutOfRange`] unless there are P/2 + 1 positive finite values.
+    pub fn new(cells: usize, sides: Sides, symbol: Vec<f64>) -> Result<Self> {
+        check_cells(cells, sides)?;
+        let period = sides.period(cells);
+        require_length("symbol", symbol.len(), period / 2 + 1)?;
+        for &value in &symbol {
+            Error::require("symbol", value, "(0, inf)", value > 0.0 && value.is_finite())?;
+        }
+        Ok(Self {
+            cells,
+            sides,
+            norm: symbol.iter().fold(0.0, |m: f64, &s| m.max(s)),
+            symbol,
+            fourier: RealFourier::new(&mut RealFftPlanner::new(), period),
+        })
+    }
+
+    /// Number of cells n of the edge; h = 1/n.
+    pub fn cells(&self) -> usize {
+        self.cells
+    }
+
+    /// Number of contact segments (the cells).
+    pub fn segments(&self) -> usize {
+        self.cells
+    }
+
+    /// Number of nodes: n + 1 (natural sides) or n (periodic).
+    pub fn nodes(&self) -> usize {
+        self.sides.nodes(self.cells)
+    }
+
+    /// What the sides do.
+    pub fn sides(&self) -> Sides {
+        self.sides
+    }
+
+    /// The given contact cone on this edge.
+    pub fn cone(&self, cone: Cone) -> EdgeCone {
+        cone.on(self.nodes(), self.sides.ends())
+    }
+
+    /// S(2πk/P), k = 0 ... P/2.
+    pub fn symbol(&self) -> &[f64] {
+        &self.symbol
+    }
+
+    /// The largest symbol: the norm of A.
+    pub fn norm(&self) -> f64 {
+        self.norm
+    }
+
+    /// Position of node i, i/n.
+    pub fn position(&self, node: usize) -> f64 {
+        node as f64 / self.cells as f64
+    }
+
+    /// W_i: ½ at the two ends of an edge with natural sides, else 1.
+    pub fn weight(&self, node: usize) -> f64 {
+        if self.sides == Sides::Natural && (node == 0 || node == self.cells) { 0.5 } else { 1.0 }
+    }
+
+    /// A g: the nodal forces that hold the edge in the shape g.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`] unless g has one value per node; [`Error::NotFinite`].
+    pub fn apply(&self, g: &[f64]) -> Result<Vec<f64>> {
+        self.check_field("edge values", g)?;
+        let mut out = vec![0.0; self.nodes()];
+        self.apply_into(g, &mut out, &mut self.workspace())?;
+        Ok(out)
+    }
+
+    /// A⁻¹ b: the shape of the edge under nodal forces b.
+    ///
+    /// # Errors
+    /// As [`EdgeOperator::apply`].
+    pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>> {
+        self.check_field("edge forces", b)?;
+        let mut out = vec![0.0; self.nodes()];
+        self.solve_into(b, &mut out, &mut self.workspace())?;
+        Ok(out)
+    }
+
+    /// g'A g as a sum of nonnegative terms over the modes.
+    ///
+    /// # Errors
+    /// As [`EdgeOperator::apply`].
+    pub fn energy(&self, g: &[f64]) -> Result<f64> {
+        self.check_field("edge values", g)?;
+        let mut work = self.workspace();
+        self.transform(g, |_| 1.0, &mut work)?;
+        Ok(self.mode_sum(&work.spectrum, |k| self.symbol[k]))
+    }
+
+    pub(crate) fn workspace(&self) -> Workspace {
+        self.fourier.workspace()
+    }
+
+    pub(crate) fn apply_into(&self, g: &[f64], out: &mut [f64], work: &mut Workspace) -> Result<()> {
+        self.transform(g, |_| 1.0, work)?;
+        self.multiply(work, |s| s);
+        self.fourier.backward(work)?;
+        for i in 0..self.nodes() {
+            out[i] = self.weight(i) * work.real[i];
+        }
+        Ok(())
+    }
+
+    pub(crate) fn solve_into(&self, b: &[f64], out: &mut [f64], work: &mut Workspace) -> Result<()> {
+        self.transform(b, |i| 1.0 / self.weight(i), work)?;
+        self.multiply(work, |s| 1.0 / s);
+        self.fourier.backward(work)?;
+        out.copy_from_slice(&work.real[..self.nodes()]);
+        Ok(())
+    }
+
+    /// The modes ĝ(k), k = 0 ... P/2, of the (evenly extended) edge function g.
+    pub(crate) fn modes(&self, g: &[f64]) -> Result<Vec<Complex<f64>>> {
+        let mut work = self.workspace();
+        self.transform(g, |_| 1.0, &mut work)?;
+        Ok(work.spectrum)
+    }
+
+    /// The modes of dual nodal values b, that is of W⁻¹ b.
+    pub(crate) fn dual_modes(&self, b: &[f64]) -> Result<Vec<Complex<f64>>> {
+        let mut work = self.workspace();
+        self.transform(b, |i| 1.0 / self.weight(i), &mut work)?;
+        Ok(work.spectrum)
+    }
+
+    /// The edge function with the given modes.
+    pub(crate) fn with_modes(&self, modes: &[Complex<f64>]) -> Result<Vec<f64>> {
+        let mut work = self.workspace();
+        work.spectrum.copy_from_slice(modes);
+        self.fourier.backward(&mut work)?;
+        let scale = 1.0 / self.sides.period(self.cells) as f64;
+        work.real.truncate(self.nodes());
+        work.real.iter_mut().for_each(|v| *v *= scale);
+        Ok(work.real)
+    }
+
+    /// (γ/P) Σ_{k mod P} f(k) |ĝ(k)|², summed in pairs.
+    pub(crate) fn mode_sum(&self, modes: &[Complex<f64>], factor: impl Fn(usize) -> f64 + Copy) -> f64 {
+        self.mode_sum_of(|k| factor(k) * modes[k].norm_sqr())
+    }
+
+    /// (γ/P) Σ_{k mod P} f(k), summed in pairs.
+    pub(crate) fn mode_sum_of(&self, term: impl Fn(usize) -> f64 + Copy) -> f64 {
+        let period = self.sides.period(self.cells);
+        let last = period / 2;
+        let inner = pairwise_sum(1, last, term);
+        let gamma = match self.sides {
+            Sides::Natural => 0.5,
+            Sides::Periodic => 1.0,
+        };
+        gamma * (term(0) + 2.0 * inner + term(last)) / period as f64
+    }
+
+    pub(crate) fn check_field(&self, name: &'static str, values: &[f64]) -> Result<()> {
+        require_length(name, values.len(), self.nodes())?;
+        require_finite(name, values)
+    }
+
+    fn transform(&self, g: &[f64], scale: impl Fn(usize) -> f64, work: &mut Workspace) -> Result<()> {
+        let nodes = self.nodes();
+        for i in 0..nodes {
+            work.real[i] = g[i] * scale(i);
+        }
+        if self.sides == Sides::Natural {
+            for i in nodes..2 * self.cells {
+                work.real[i] = work.real[2 * self.cells - i];
+            }
+        }
+        self.fourier.forward(work)?;
+        if self.sides == Sides::Natural {
+            work.spectrum.iter_mut().for_each(|v| v.im = 0.0);
+        }
+        Ok(())
+    }
+
+    fn multiply(&self, work: &mut Workspace, factor: impl Fn(f64) -> f64) {
+        let scale = 1.0 / self.sides.period(self.cells) as f64;
+        for (value, &s) in work.spectrum.iter_mut().zip(&self.symbol) {
+            *value *= scale * factor(s);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounding of two transforms of length ≤ 64.
+    const ROUNDING: f64 = 1e-13;
+
+    fn operator(sides: Sides) -> EdgeOperator {
+        let cells = 12;
+        let symbol = (0..=sides.period(cells) / 2).map(|k| 0.3 + k as f64).collect();
+        EdgeOperator::new(cells, sides, symbol).unwrap()
+    }
+
+    #[test]
+    fn product_and_solve_are_inverse_symmetric_and_give_the_energy() {
+        for sides in [Sides::Natural, Sides::Periodic] {
+            let a = operator(sides);
+            let g: Vec<f64> = (0..a.nodes()).map(|i| (1.0 + i as f64).sin()).collect();
+            let v: Vec<f64> = (0..a.nodes()).map(|i| (3.0 * i as f64).cos()).collect();
+            let back = a.solve(&a.apply(&g).unwrap()).unwrap();
+            let worst = g.iter().zip(&back).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            assert!(worst < ROUNDING, "{sides:?}: {worst}");
+            let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(p, q)| p * q).sum::<f64>();
+            let (left, right) = (dot(&a.apply(&g).unwrap(), &v), dot(&a.apply(&v).unwrap(), &g));
+            assert!((left - right).abs() < ROUNDING * left.abs().max(1.0));
+            let (energy, product) = (a.energy(&g).unwrap(), dot(&a.apply(&g).unwrap(), &g));
+            assert!((energy - product).abs() < ROUNDING * energy);
+            let again = a.with_modes(&a.modes(&g).unwrap()).unwrap();
+            assert!(g.iter().zip(&again).all(|(x, y)| (x - y).abs() < ROUNDING));
+        }
+    }
+
+    #[test]
+    fn misuse_is_an_error() {
+        assert!(EdgeOperator::new(1, Sides::Natural, vec![1.0, 1.0]).is_err());
+        assert!(EdgeOperator::new(5, Sides::Periodic, vec![1.0; 3]).is_err());
+        assert!(EdgeOperator::new(4, Sides::Natural, vec![1.0; 4]).is_err());
+        assert!(EdgeOperator::new(2, Sides::Natural, vec![1.0, 0.0, f64::NAN]).is_err());
+        assert!(operator(Sides::Natural).apply(&[f64::NAN; 13]).is_err());
+        assert!(operator(Sides::Periodic).solve(&[1.0; 3]).is_err());
+    }
+}

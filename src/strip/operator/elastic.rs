@@ -1,0 +1,275 @@
+//! The elastic strip of height H with periodic sides, clamped on top, contact at the bottom; plane strain.
+//!
+//! ∫ 2μ ε(u):ε(v) + λ div u div v = ℓ(v). Per mode the edge keeps a Hermitian 2 × 2 matrix A (module `slab`) for (u_x, u_y);
+//! contact is frictionless, so the tangential component is condensed: S_N = A_yy − |A_xy|²/A_xx, acting on u_N = −u_y.
+//!
+//! Volume loads are eliminated row by row from the top, P the edge matrix of what is above, y the load gathered so far:
+//! P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y.
+//! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
+
+use super::edge::EdgeOperator;
+use super::load::{EdgeLoad, mass_row};
+use super::scalar::check_layers;
+use super::slab::{Matrix, Mode, Slab, edge_matrix};
+use crate::error::{Error, Result};
+use crate::fem::Lame;
+use crate::numeric::check::{require_finite, require_length};
+use crate::strip::sides::{Sides, check_cells};
+use qd::Quad;
+use rayon::prelude::*;
+use realfft::num_complex::Complex;
+use std::f64::consts::PI;
+
+/// The entries of a Hermitian 2 × 2 matrix over (u_x, u_y).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct EdgeMatrix {
+    pub(crate) xx: f64,
+    pub(crate) yy: f64,
+    pub(crate) xy: Complex<f64>,
+}
+
+impl EdgeMatrix {
+    pub(crate) fn of(matrix: &Matrix<f64>) -> Self {
+        Self { xx: matrix.0[0].re, yy: matrix.0[3].re, xy: matrix.0[1] }
+    }
+
+    pub(crate) fn rounded(matrix: &Matrix<Quad>) -> Self {
+        Self::of(&Matrix(matrix.0.map(|z| Complex::new(z.re.0, z.im.0))))
+    }
+
+    pub(crate) fn conjugate(self) -> Self {
+        Self { xy: self.xy.conj(), ..self }
+    }
+
+    /// self·a + other·b
+    pub(crate) fn combine(self, a: f64, other: Self, b: f64) -> Self {
+        Self {
+            xx: self.xx * a + other.xx * b,
+            yy: self.yy * a + other.yy * b,
+            xy: self.xy * a + other.xy * b,
+        }
+    }
+
+    /// A_yy − |A_xy|²/A_xx.
+    pub(crate) fn normal(self) -> f64 {
+        self.yy - self.xy.norm_sqr() / self.xx
+    }
+
+    /// v*A v.
+    pub(crate) fn form(self, x: Complex<f64>, y: Complex<f64>) -> f64 {
+        self.xx * x.norm_sqr() + self.yy * y.norm_sqr() + 2.0 * (x.conj() * self.xy * y).re
+    }
+}
+
+/// An elastic strip with n × m cells, reduced to its edge.
+#[derive(Debug, Clone)]
+pub struct ElasticStrip {
+    operator: EdgeOperator,
+    matrices: Vec<EdgeMatrix>,
+    lame: Lame,
+    layers: usize,
+}
+
+/// A condensed load, with what is needed to recover the tangential displacement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ElasticLoad {
+    /// b and c for u_N alone.
+    pub normal: EdgeLoad,
+    /// Nodal tangential forces on the edge, volume load condensed.
+    pub tangential: Vec<f64>,
+}
+
+impl ElasticStrip {
+    /// n cells along the edge, m layers, one material.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for an odd n or an m that is not a power of two.
+    pub fn new(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
+        check_cells(cells, Sides::Periodic)?;
+        check_layers(layers)?;
+        if !layers.is_power_of_two() {
+            return Err(Error::CountOutOfRange { name: "layers", value: layers, range: "the powers of two" });
+        }
+        let matrices = edge_matrices(cells, layers, lame);
+        let symbol = matrices.iter().map(|a| a.normal()).collect();
+        Ok(Self { operator: EdgeOperator::new(cells, Sides::Periodic, symbol)?, matrices, lame, layers })
+    }
+
+    /// The operator of the normal displacement, tangential component condensed.
+    pub fn operator(&self) -> &EdgeOperator {
+        &self.operator
+    }
+
+    /// Number m of layers.
+    pub fn layers(&self) -> usize {
+        self.layers
+    }
+
+    /// Unknowns of the two-dimensional problem this stands for: 2 n m.
+    pub fn virtual_unknowns(&self) -> f64 {
+        2.0 * self.operator.nodes() as f64 * self.layers as f64
+    }
+
+    /// Condenses the load ∫ f_h·v, f_h the nodal interpolant of f = (f_x, f_y), consistent P1 mass matrix.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when f is not finite at a node.
+    pub fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<ElasticLoad> {
+        let n = self.operator.cells();
+        let nodal = |j: usize| -> [Vec<f64>; 2] {
+            let y = j as f64 / n as f64;
+            let values: Vec<[f64; 2]> = (0..n).map(|i| f(i as f64 / n as f64, y)).collect();
+            [0, 1].map(|axis| values.iter().map(|v| v[axis]).collect())
+        };
+        let mut above = nodal(self.layers);
+        let mut here = nodal(self.layers - 1);
+        self.condense_rows(|j, out| {
+            let below = if j > 0 { nodal(j - 1) } else { [Vec::new(), Vec::new()] };
+            for axis in 0..2 {
+                mass_row(n, Sides::Periodic, &below[axis], &here[axis], &above[axis], &mut out[axis]);
+            }
+            above = std::mem::replace(&mut here, below);
+        })
+    }
+
+    /// Condenses a volume load given by its rows: `row(j, [F_x, F_y])` writes the dual values of layer j = 0 ... m − 1, asked for
+    /// from the top downwards.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when a row is not.
+    pub fn condense_rows(&self, mut row: impl FnMut(usize, &mut [Vec<f64>; 2])) -> Result<ElasticLoad> {
+        let operator = &self.operator;
+        let n = operator.cells();
+        let mut values = [vec![0.0; n], vec![0.0; n]];
+        let mut columns: Vec<Column> = (0..=n / 2).map(|k| Column::new(k, n, self.lame)).collect();
+        let mut constant = 0.0;
+        for j in (0..self.layers).rev() {
+            row(j, &mut values);
+            require_finite("volume load", &values[0])?;
+            require_finite("volume load", &values[1])?;
+            let [x, y] = [operator.modes(&values[0])?, operator.modes(&values[1])?];
+            for (k, column) in columns.iter_mut().enumerate() {
+                column.load[0] += x[k];
+                column.load[1] += y[k];
+            }
+            if j > 0 {
+                columns.iter_mut().for_each(Column::eliminate);
+                let columns = &columns;
+                constant -= 0.5 * operator.mode_sum_of(|k| columns[k].released);
+            }
+        }
+        let columns = &columns;
+        constant -= 0.5 * operator.mode_sum_of(|k| columns[k].load[0].norm_sqr() / self.matrices[k].xx);
+        let tangential: Vec<Complex<f64>> = columns.iter().map(|c| c.load[0]).collect();
+        let normal: Vec<Complex<f64>> = (0..=n / 2)
+            .map(|k| {
+                let a = self.matrices[k];
+                -(columns[k].load[1] - a.xy.conj() * columns[k].load[0] / a.xx)
+            })
+            .collect();
+        Ok(ElasticLoad {
+            normal: EdgeLoad { force: operator.with_modes(&normal)?, constant },
+            tangential: operator.with_modes(&tangential)?,
+        })
+    }
+
+    /// The tangential edge displacement that belongs to u_N under the given load.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn tangential(&self, load: &ElasticLoad, normal: &[f64]) -> Result<Vec<f64>> {
+        require_length("tangential load", load.tangential.len(), self.operator.nodes())?;
+        self.operator.check_field("tangential load", &load.tangential)?;
+        self.operator.check_field("edge values", normal)?;
+        let force = self.operator.modes(&load.tangential)?;
+        let modes = self.operator.modes(normal)?;
+        let x: Vec<Complex<f64>> = (0..modes.len())
+            .map(|k| (force[k] + self.matrices[k].xy * modes[k]) / self.matrices[k].xx)
+            .collect();
+        self.operator.with_modes(&x)
+    }
+}
+
+/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: those need the most doublings and are
+/// the ones whose differences matter.
+pub(crate) const LOW: f64 = 0.1;
+
+/// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.
+pub(crate) fn edge_matrices(cells: usize, layers: usize, lame: Lame) -> Vec<EdgeMatrix> {
+    (0..=cells / 2)
+        .into_par_iter()
+        .map(|k| {
+            let theta = 2.0 * PI * k as f64 / cells as f64;
+            if theta < LOW {
+                return EdgeMatrix::rounded(&edge_matrix(Mode::long(k, cells), lame, layers.ilog2()));
+            }
+            EdgeMatrix::of(&edge_matrix(Mode::new(theta), lame, layers.ilog2()))
+        })
+        .collect()
+}
+
+/// One mode of the row by row elimination.
+struct Column {
+    slab: Slab<f64>,
+    above: Matrix<f64>,
+    load: [Complex<f64>; 2],
+    released: f64,
+}
+
+impl Column {
+    fn new(k: usize, cells: usize, lame: Lame) -> Self {
+        let slab = Slab::layer(Mode::new(2.0 * PI * k as f64 / cells as f64), lame);
+        Self { above: slab.clamped(), slab, load: [Complex::default(); 2], released: 0.0 }
+    }
+
+    fn eliminate(&mut self) {
+        let Slab { t, r, c } = self.slab;
+        let p = self.above;
+        let inverse = c.add(p).inverse();
+        let coupling = r.add(p);
+        let carried = coupling.mul(inverse);
+        let apply = |m: &Matrix<f64>, v: [Complex<f64>; 2]| {
+            [m.0[0] * v[0] + m.0[1] * v[1], m.0[2] * v[0] + m.0[3] * v[1]]
+        };
+        let y = self.load;
+        let z = apply(&inverse, y);
+        self.released = (y[0].conj() * z[0] + y[1].conj() * z[1]).re;
+        let pulled = apply(&carried, y);
+        self.load = [y[0] - pulled[0], y[1] - pulled[1]];
+        // The Hermitian part: the rest is rounding, which the recursion would let grow.
+        self.above = t.add(p).sub(carried.mul(coupling.adjoint())).hermitian();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn doubling_and_elimination_layer_by_layer_agree() {
+        let lame = Lame::new(1.0, 1.0).unwrap();
+        for (n, m) in [(8usize, 8usize), (16, 4), (32, 128)] {
+            let matrices = edge_matrices(n, m, lame);
+            for k in 0..=n / 2 {
+                let mut column = Column::new(k, n, lame);
+                (1..m).for_each(|_| column.eliminate());
+                let other = EdgeMatrix::of(&column.above);
+                // Layer by layer rounding adds up over m steps.
+                let bound = 1e-15 * (10 * m) as f64;
+                let scale = matrices[k].xx.max(matrices[k].yy);
+                let defect = (matrices[k].xx - other.xx).abs() / scale;
+                assert!(defect < bound, "{n} {m} {k}: {defect:e}");
+                assert!((matrices[k].yy - other.yy).abs() < bound * scale);
+                assert!((matrices[k].xy - other.xy).norm() < bound * scale);
+            }
+        }
+    }
+
+    #[test]
+    fn counts_are_checked() {
+        let lame = Lame::new(1.0, 1.0).unwrap();
+        assert!(ElasticStrip::new(7, 8, lame).is_err());
+        assert!(ElasticStrip::new(8, 6, lame).is_err());
+        assert!(ElasticStrip::new(8, 0, lame).is_err());
+    }
+}

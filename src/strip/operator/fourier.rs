@@ -1,0 +1,70 @@
+//! Real Fourier transforms of one length, with their buffers.
+//!
+//! The only failure the transforms know is a buffer of another length than planned; buffers are made here from the plan, so it
+//! cannot happen, and it would be an error all the same.
+
+use crate::error::{Error, Result};
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, FftError, RealFftPlanner, RealToComplex};
+use std::sync::Arc;
+
+/// Plans of the transform of length P and its inverse (P times too large, as usual).
+#[derive(Clone)]
+pub(crate) struct RealFourier {
+    forward: Arc<dyn RealToComplex<f64>>,
+    backward: Arc<dyn ComplexToReal<f64>>,
+}
+
+/// P real numbers, P/2 + 1 modes, and what the transforms need besides; reused from transform to transform.
+#[derive(Default)]
+pub(crate) struct Workspace {
+    pub(crate) real: Vec<f64>,
+    pub(crate) spectrum: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl RealFourier {
+    pub(crate) fn new(planner: &mut RealFftPlanner<f64>, period: usize) -> Self {
+        Self { forward: planner.plan_fft_forward(period), backward: planner.plan_fft_inverse(period) }
+    }
+
+    pub(crate) fn workspace(&self) -> Workspace {
+        let mut work = Workspace::default();
+        self.fit(&mut work);
+        work
+    }
+
+    /// Gives the buffers the lengths of this transform; cheap when they have them.
+    pub(crate) fn fit(&self, work: &mut Workspace) {
+        let period = self.forward.len();
+        work.real.resize(period, 0.0);
+        work.spectrum.resize(period / 2 + 1, Complex::default());
+        let scratch = self.forward.get_scratch_len().max(self.backward.get_scratch_len());
+        if work.scratch.len() < scratch {
+            work.scratch.resize(scratch, Complex::default());
+        }
+    }
+
+    /// spectrum ← transform of real, which is overwritten.
+    pub(crate) fn forward(&self, work: &mut Workspace) -> Result<()> {
+        self.forward
+            .process_with_scratch(&mut work.real, &mut work.spectrum, &mut work.scratch)
+            .map_err(refused)
+    }
+
+    /// real ← P times the function with the modes in spectrum, which are overwritten.
+    pub(crate) fn backward(&self, work: &mut Workspace) -> Result<()> {
+        // A real function has real mean and real top mode; rounding must not make the transform refuse.
+        if let Some(last) = work.spectrum.len().checked_sub(1) {
+            work.spectrum[0].im = 0.0;
+            work.spectrum[last].im = 0.0;
+        }
+        self.backward
+            .process_with_scratch(&mut work.spectrum, &mut work.real, &mut work.scratch)
+            .map_err(refused)
+    }
+}
+
+fn refused(reason: FftError) -> Error {
+    Error::Solver { reason: reason.to_string() }
+}

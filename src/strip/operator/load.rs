@@ -1,0 +1,39 @@
+//! Loads of a strip: what is left of one on the edge, and the rows of a consistent P1 load.
+
+use crate::strip::sides::Sides;
+
+/// J(g) = ½ g'A g − b'g + c on the contact edge.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EdgeLoad {
+    /// b: nodal forces on the edge.
+    pub force: Vec<f64>,
+    /// c: the energy of the interior under the volume load with the edge held.
+    pub constant: f64,
+}
+
+impl EdgeLoad {
+    /// Forces on the contact edge only.
+    pub fn on_edge(force: Vec<f64>) -> Self {
+        Self { force, constant: 0.0 }
+    }
+}
+
+/// One row of the consistent P1 load: the mass matrix applied to nodal values in the rows below, here and above
+/// (`below` is empty on the contact edge). Squares cut from bottom left to top right, h = 1/n.
+pub(crate) fn mass_row(n: usize, sides: Sides, below: &[f64], here: &[f64], above: &[f64], out: &mut [f64]) {
+    let unit = 1.0 / (24.0 * (n * n) as f64);
+    let nodes = sides.nodes(n);
+    out.fill(0.0);
+    // Each triangle (a, b, c) gives its vertex a the load h²/24 (2 f_a + f_b + f_c).
+    for cell in 0..n {
+        let (left, right) = (cell, (cell + 1) % nodes);
+        let (bl, br, tl, tr) = (here[left], here[right], above[left], above[right]);
+        out[left] += unit * ((2.0 * bl + br + tr) + (2.0 * bl + tr + tl));
+        out[right] += unit * (2.0 * br + bl + tr);
+        if !below.is_empty() {
+            let (bl, br, tl, tr) = (below[left], below[right], here[left], here[right]);
+            out[left] += unit * (2.0 * tl + bl + tr);
+            out[right] += unit * ((2.0 * tr + bl + br) + (2.0 * tr + bl + tl));
+        }
+    }
+}

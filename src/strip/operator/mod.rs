@@ -1,0 +1,10 @@
+//! The strip reduced to its edge: symbols, loads, and how much more energy a coarse strip stores than a fine one.
+
+pub(super) mod defect;
+pub(super) mod edge;
+pub(super) mod elastic;
+pub(super) mod elastic_defect;
+pub(super) mod fourier;
+pub(super) mod load;
+pub(super) mod scalar;
+mod slab;

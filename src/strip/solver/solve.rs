@@ -1,0 +1,276 @@
+//! Contact on the edge: min ½ g'A g − b'g over the nodal or the midpoint cone.
+//!
+//! Semismooth Newton on w = Proj(w + (b − A w)/σ), σ = ‖A‖, Proj the exact projection onto the cone: the
+//! constraints active in the projection define a face, the next w solves the linear problem on it. For the nodal cone this is the
+//! primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge matrix is an M-matrix; for the midpoint cone
+//! the textbook rule stalls in checkerboards and the projection does not. While the set moves the linear problems are solved to two
+//! digits only. A start from the half as fine grid carries over set and values. Should a set ever come back, the iteration goes on with
+//! feasible descent: every step lowers J, so that no set can return.
+//!
+//! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion along each run.
+//! Cost: O(n log n) per inner iteration, a few dozen of them per level.
+
+use super::inner::FaceSolver;
+use super::solution::EdgeSolution;
+use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
+use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
+use crate::numeric::check::require_finite;
+use crate::numeric::scale::largest;
+use crate::numeric::sum::pairwise_dot;
+use crate::strip::operator::edge::EdgeOperator;
+use crate::strip::operator::load::EdgeLoad;
+use crate::strip::transfer::prolong;
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// Residual of the last linear problem in [`solve_contact`], relative, in the energy norm: a hundred roundings above what
+/// binary64 reaches, below every discretization error.
+const SOLVED: f64 = 1e-13;
+
+/// Reduction of the residual asked of the linear problems while the contact set moves.
+const REDUCTION: f64 = 1e-2;
+
+/// Linear problems allowed; a start from the half as fine grid takes about ten.
+const STEPS: usize = 200;
+
+/// Inner iterations allowed in a linear problem; the preconditioned ones take about twenty.
+const INNER_STEPS: usize = 200;
+
+/// An exact linear problem, solved again, that keeps more of its residual than this has reached rounding.
+const STALLED: f64 = 0.5;
+
+/// Solves the contact problem of `operator` with the given load, as far as binary64 carries; `start` is a solution on the half as
+/// fine edge, or on this one.
+///
+/// # Errors
+/// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::OutOfRange`] for data that do not fit. How the iteration ended is
+/// in the status.
+pub fn solve_contact(
+    operator: &EdgeOperator,
+    load: &EdgeLoad,
+    cone: Cone,
+    start: Option<&EdgeSolution>,
+) -> Result<EdgeSolution> {
+    solve_scaled(operator, load, cone, start, SOLVED)
+}
+
+/// [`solve_contact`], the residual of the linear problem on the last contact set at most `tolerance`, relative and in the
+/// energy norm. The contact set is one that reproduces itself at this accuracy.
+///
+/// # Errors
+/// As [`solve_contact`]. A tolerance that rounding does not allow ends as [`Status::Stalled`].
+pub fn solve_contact_to(
+    operator: &EdgeOperator,
+    load: &EdgeLoad,
+    cone: Cone,
+    start: Option<&EdgeSolution>,
+    tolerance: Tolerance,
+) -> Result<EdgeSolution> {
+    solve_scaled(operator, load, cone, start, tolerance.relative())
+}
+
+fn solve_scaled(
+    operator: &EdgeOperator,
+    load: &EdgeLoad,
+    cone: Cone,
+    start: Option<&EdgeSolution>,
+    tolerance: f64,
+) -> Result<EdgeSolution> {
+    operator.check_field("edge load", &load.force)?;
+    // The problem is homogeneous: solved for a load of size one, whatever the size of the data.
+    let size = largest(&load.force);
+    let scale = if size > 0.0 { size } else { 1.0 };
+    let unit: Vec<f64> = load.force.iter().map(|b| b / scale).collect();
+    let mut iteration = Iteration::new(operator, &unit, cone, tolerance);
+    iteration.start(start, scale)?;
+    let status = iteration.run()?;
+    let mut solution = iteration.finish(status)?;
+    solution.values.iter_mut().chain(&mut solution.multiplier).for_each(|v| *v *= scale);
+    solution.energy = solution.energy * scale * scale + load.constant;
+    require_finite("energy", &[solution.energy])?;
+    Ok(solution)
+}
+
+struct Iteration<'a> {
+    operator: &'a EdgeOperator,
+    cone: EdgeCone,
+    tolerance: f64,
+    b: &'a [f64],
+    solver: FaceSolver<'a>,
+    values: Vec<f64>,
+    active: Vec<bool>,
+    inner: Vec<usize>,
+}
+
+impl<'a> Iteration<'a> {
+    fn new(operator: &'a EdgeOperator, b: &'a [f64], cone: Cone, tolerance: f64) -> Self {
+        let cone = operator.cone(cone);
+        Self {
+            operator,
+            cone,
+            tolerance,
+            b,
+            solver: FaceSolver::new(operator),
+            values: vec![0.0; operator.nodes()],
+            active: vec![false; cone.constraints()],
+            inner: Vec::new(),
+        }
+    }
+
+    /// Cold: the face of Proj(b/σ). Nested: values interpolated, contact runs refined.
+    fn start(&mut self, start: Option<&EdgeSolution>, scale: f64) -> Result<()> {
+        let Some(start) = start else {
+            self.active = self.next_set()?;
+            return Ok(());
+        };
+        let cells = self.operator.cells();
+        let nodes = self.operator.nodes();
+        if start.values.len() == nodes {
+            self.values.copy_from_slice(&start.values);
+        } else if start.values.len() == self.operator.sides().nodes(cells / 2) {
+            self.values = prolong(&start.values, nodes);
+        } else {
+            return Err(Error::LengthMismatch { name: "start", given: start.values.len(), expected: nodes });
+        }
+        self.values.iter_mut().for_each(|v| *v /= scale);
+        self.active = match (start.cone == self.cone.kind(), start.values.len() == nodes) {
+            (true, true) => start.contact.as_slice().to_vec(),
+            (true, false) => self.cone.refined_set(&start.contact)?.as_slice().to_vec(),
+            // From the other cone: a constraint is taken as active where the values leave no room.
+            (false, _) => self.cone.apply(&self.values).iter().map(|&mean| mean >= 0.0).collect(),
+        };
+        Ok(())
+    }
+
+    fn run(&mut self) -> Result<Status> {
+        let mut visited = HashSet::new();
+        let mut accurate = false;
+        let mut last = f64::INFINITY;
+        for _ in 0..STEPS {
+            let reduction = if accurate { 0.0 } else { REDUCTION };
+            let residual = self.newton_step(reduction)?;
+            let next = self.next_set()?;
+            if next == self.active {
+                if residual <= self.tolerance {
+                    return Ok(Status::Converged);
+                }
+                if accurate && residual > STALLED * last {
+                    return Ok(Status::Stalled { residual });
+                }
+                last = if accurate { residual } else { f64::INFINITY };
+                accurate = true;
+                continue;
+            }
+            // A set that comes back: first more accurate linear problems, then a descent that cannot cycle.
+            if !visited.insert(fingerprint(&next)) {
+                if accurate {
+                    return self.descend();
+                }
+                accurate = true;
+                visited.clear();
+            }
+            last = f64::INFINITY;
+            self.active = next;
+        }
+        Ok(Status::StepLimit { steps: self.inner.len() })
+    }
+
+    fn newton_step(&mut self, reduction: f64) -> Result<f64> {
+        let face = Face::new(self.cone, &self.active);
+        let inner =
+            self.solver.solve(&face, self.b, &mut self.values, self.tolerance, reduction, INNER_STEPS)?;
+        self.inner.push(inner.iterations);
+        Ok(inner.residual)
+    }
+
+    /// w + (b − A w)/σ on contact runs, w in gaps.
+    fn shifted(&mut self) -> Result<Vec<f64>> {
+        let mut product = vec![0.0; self.operator.nodes()];
+        self.solver.product(&self.values, &mut product)?;
+        let face = Face::new(self.cone, &self.active);
+        let mut shifted = self.values.clone();
+        let sigma = self.operator.norm();
+        for run in face.runs() {
+            for i in run.nodes(shifted.len()) {
+                shifted[i] += (self.b[i] - product[i]) / sigma;
+            }
+        }
+        Ok(shifted)
+    }
+
+    fn next_set(&mut self) -> Result<Vec<bool>> {
+        let shifted = if self.active.iter().any(|&a| a) || self.values.iter().any(|&v| v != 0.0) {
+            self.shifted()?
+        } else {
+            self.b.to_vec()
+        };
+        Ok(self.cone.nearest(&shifted).1)
+    }
+
+    /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the border of the cone.
+    fn descend(&mut self) -> Result<Status> {
+        let sigma = self.operator.norm();
+        let (mut feasible, _) = self.cone.nearest(&self.values);
+        let mut product = vec![0.0; feasible.len()];
+        while self.inner.len() < STEPS {
+            self.solver.product(&feasible, &mut product)?;
+            let z: Vec<f64> =
+                (0..feasible.len()).map(|i| feasible[i] + (self.b[i] - product[i]) / sigma).collect();
+            let (point, active) = self.cone.nearest(&z);
+            self.active = active;
+            self.values.copy_from_slice(&point);
+            let residual = self.newton_step(0.0)?;
+            let step = self.cone.longest_step(&point, &self.values, &self.active);
+            if step >= 1.0 && self.next_set()? == self.active && residual <= self.tolerance {
+                return Ok(Status::Converged);
+            }
+            feasible = (0..point.len()).map(|i| point[i] + step * (self.values[i] - point[i])).collect();
+        }
+        Ok(Status::StepLimit { steps: self.inner.len() })
+    }
+
+    fn finish(mut self, status: Status) -> Result<EdgeSolution> {
+        let nodes = self.operator.nodes();
+        let mut product = vec![0.0; nodes];
+        self.solver.product(&self.values, &mut product)?;
+        let surplus: Vec<f64> = (0..nodes).map(|i| self.b[i] - product[i]).collect();
+        let multiplier = self.cone.multipliers(&self.active, &surplus, |_| false);
+        let held = self.cone.apply_transposed(&multiplier)?;
+        let residual: Vec<f64> = (0..nodes).map(|i| held[i] - surplus[i]).collect();
+        let gap = self.cone.apply(&self.values);
+        let displacement = largest(&self.values);
+        let evidence = Evidence {
+            residual: &residual,
+            multiplier: &multiplier,
+            gap: &gap,
+            // ‖A‖ max|g| + max|b|: the size of what cancels in the balance.
+            force: self.operator.norm() * displacement + largest(self.b),
+            displacement,
+        };
+        let judgement = evidence.judge()?;
+        let status = match status {
+            Status::Stalled { .. } => Status::Stalled { residual: judgement.worst() },
+            status => status,
+        };
+        let margins = evidence.margins(&self.active)?;
+        let energy = 0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
+        Ok(EdgeSolution {
+            multiplier,
+            contact: ContactSet::new(self.active),
+            values: self.values,
+            cone: self.cone.kind(),
+            energy,
+            status,
+            judgement,
+            margins,
+            inner_iterations: self.inner,
+        })
+    }
+}
+
+fn fingerprint(active: &[bool]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    active.hash(&mut hasher);
+    hasher.finish()
+}
