@@ -1,71 +1,53 @@
-//! Figure 3.2, the alternative of Section 3 on a computed contact set: zeros of u_N near both vertices, or no pressure near one.
+//! Figure 3.2, and Figure 4.1 as its twin: the case of every contact segment, and what it adds to the consistency term.
 //!
 //! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --meshes 8`
 //! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --over-theta`
 
-use clap::Parser;
-use example_frame::{HasOutput, Output};
-use signorini::Result;
-use signorini::proof::Against;
-use signorini::proof::{AlternativeCase, Section, ThetaRule};
-use signorini::report::Headline;
+use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
+use example_frame::{Finding, Headline, Result};
+use signorini::proof::{Against, AlternativeCase, AlternativeStudy, Case, Exponent, Section, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;
 
-/// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
-#[derive(Debug, Clone, Parser)]
-pub struct Options {
-    /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3, fat-cantor, ...)
-    #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block))]
-    pub scene: Scene,
-    /// Contact segments of the finest mesh classified
-    #[arg(long, default_value_t = 32)]
-    pub n: usize,
-    /// How many meshes, each with half the segments of the next
-    #[arg(long, default_value_t = 3)]
-    pub meshes: usize,
-    /// Sobolev regularity of a strip scene, and in theta = h^(2 tau - 3), h^2 at tau = 2
-    #[arg(long, default_value_t = 1.75)]
-    pub tau: f64,
-    /// A fixed theta in (0, 1) instead
-    #[arg(long)]
-    pub theta: Option<f64>,
-    /// On whose contact set: reference (the fine solution) or itself (the discrete solution of each mesh)
-    #[arg(long, default_value_t = Against::Reference)]
-    pub against: Against,
-    /// The finest mesh for theta = 1/2, 1/4, ... instead of several meshes
-    #[arg(long)]
-    pub over_theta: bool,
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            scene: Scene::Mesh(MeshScene::Block),
-            n: 32,
-            meshes: 3,
-            tau: 1.75,
-            theta: None,
-            against: Against::Reference,
-            over_theta: false,
-            output: Output::default(),
-        }
+example_frame::options! {
+    /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
+    pub struct Options {
+        /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3, fat-cantor, ...)
+        #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block))]
+        pub scene: Scene,
+        /// Contact segments of the finest mesh classified
+        #[arg(long, default_value_t = 32)]
+        pub n: usize,
+        /// How many meshes, each with half the segments of the next
+        #[arg(long, default_value_t = 3)]
+        pub meshes: usize,
+        /// Sobolev regularity of a strip scene, and in theta = h^(2 tau - 3), h^2 at tau = 2
+        #[arg(long, default_value_t = 1.75)]
+        pub tau: f64,
+        /// A fixed theta in (0, 1) instead
+        #[arg(long)]
+        pub theta: Option<f64>,
+        /// On whose contact set: reference (the fine solution) or itself (the discrete solution of each mesh)
+        #[arg(long, default_value_t = Against::Reference)]
+        pub against: Against,
+        /// The finest mesh for theta = 1/2, 1/4, ... instead of several meshes
+        #[arg(long)]
+        pub over_theta: bool,
     }
 }
 
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
-    }
+/// The segments on the contact set asked for, and those of the finest mesh on the other one.
+pub struct Computed {
+    /// On the contact set asked for.
+    pub study: AlternativeStudy,
+    /// On the other one.
+    pub other: AlternativeStudy,
 }
 
-/// Classifies the segments and adds up the consistency term int sigma_N (I^h u)_N by case.
-pub fn run(options: &Options) -> Result<Headline> {
+/// Classifies the segments of all meshes, or for all θ.
+pub fn compute(section: Section, options: &Options) -> Result<Computed> {
     let case = AlternativeCase {
-        section: Section::Three,
+        section,
         source: options.scene.clone(),
         n: options.n,
         meshes: if options.over_theta { 1 } else { options.meshes },
@@ -73,8 +55,109 @@ pub fn run(options: &Options) -> Result<Headline> {
         tau: options.tau,
         against: options.against,
     };
-    let study = if options.over_theta { case.over_theta()? } else { case.over_size()? };
-    study.headline(options.output.directory()?, "figure_3_2_alternative")
+    let study =
+        |case: &AlternativeCase| if options.over_theta { case.over_theta() } else { case.over_size() };
+    let other = AlternativeCase { meshes: 1, against: case.against.other(), ..case.clone() };
+    Ok(Computed { study: study(&case)?, other: study(&other)? })
+}
+
+/// Part of the whole term below which a segment carries none of it: rounding of sums of its forces.
+const CARRIES: f64 = 1e-12;
+
+/// What decides: which segments carry the term, and whether the discrete contact set says the same.
+pub fn findings(section: Section, options: &Options, Computed { study, other }: &Computed) -> Vec<Finding> {
+    let (last, tau) = (study.rows.last(), options.tau);
+    let ends = study.trace.transitions() as f64;
+    let carriers = last.map(|row| (row.classification.carriers(CARRIES) as f64, 0.0));
+    let moved = last
+        .zip(other.rows.last())
+        .map(|(a, b)| (a.classification.differences(&b.classification) as f64, 0.0));
+    let carried =
+        last.map(|row| (row.classification.term(Case::Second) / row.classification.total(), CARRIES));
+    let totals: Vec<(f64, f64)> =
+        study.rows.iter().map(|r| (1.0 / r.n as f64, r.classification.total())).collect();
+    let order = Exponent::fit(&totals).ok().filter(|_| !options.over_theta).map(|e| (e.value, e.uncertainty));
+    let bound = if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 };
+    let none = "no mesh was classified";
+    let mut findings = vec![
+        Finding::claim("cases", "every segment is in a case, for every theta").by_proof(page(section)),
+        Finding::claim("carriers", "{value} segments carry the whole term, no more than transition points")
+            .number_or(carriers, none)
+            .at_most(ends, "ends of the contact set inside the edge")
+            .otherwise("{value} segments carry the term, more than the {bound} transition points")
+            .told(),
+        Finding::claim("discrete", "u_h puts all but {value} segments in the cases of the reference")
+            .number_or(moved, none)
+            .at_most(ends, "one segment per transition point")
+            .otherwise(
+                "u_h puts {value} segments into other cases than the reference, more than transition points",
+            ),
+        Finding::remark("second.carries", "the second case alone carries {percent} % of the term")
+            .number_or(carried, none)
+            .at_least(0.5, "half of the term")
+            .otherwise("the second case alone carries {percent} % of the term, the first or both the rest")
+            .told(),
+        Finding::remark("order", "the term falls like h^{value}, not more slowly than the theorem says")
+            .number_or(order, "fewer than three meshes with a positive term")
+            .at_least(bound, "2 tau^2 - 5 tau + 4, 2 at tau = 2"),
+    ];
+    if section == Section::Three {
+        let own = [study, other]
+            .into_iter()
+            .find(|s| s.case.against == Against::Itself)
+            .and_then(|s| s.rows.last());
+        let own = own.zip(last).map(|(own, row)| (own.classification.total(), row.classification.total()));
+        let own = own.map(|(own, term)| (if own == 0.0 { 0.0 } else { own / term }, 0.0));
+        findings.push(
+            Finding::claim(
+                "own.term",
+                "u_h has no such term of its own: its force times its gap vanishes at every node",
+            )
+            .number_or(own, none)
+            .at_most(CARRIES, "0, complementarity at the nodes"),
+        );
+    }
+    findings
+}
+
+fn page(section: Section) -> &'static str {
+    if section == Section::Three { "figure_3_2_alternative" } else { "figure_4_1_alternative" }
+}
+
+/// The outcome for Section 3.
+pub fn run(options: &Options) -> Result<Headline> {
+    outcome(Section::Three, options)
+}
+
+/// The outcome of either section, figures saved as `PAGE` and `PAGE_shares`.
+pub fn outcome(section: Section, options: &Options) -> Result<Headline> {
+    let computed = compute(section, options)?;
+    let (label, key, claim) = match section {
+        Section::Three => (
+            "Figure 3.2",
+            "figure.3.2",
+            "u_N has a zero near both vertices of a segment or sigma_N = 0 near one",
+        ),
+        Section::Four => (
+            "Figure 4.1",
+            "figure.4.1",
+            "the contact set of a segment has diameter at most, or at least, h_e theta",
+        ),
+    };
+    let found = findings(section, options, &computed);
+    let mut headline = Headline::new(label, claim, table(&computed.study)?, found);
+    if let Some(finest) = computed.study.rows.last() {
+        for (case, name, _) in CASES {
+            headline.quote(format!("{key}.{name}.count"), finest.classification.count(case) as f64);
+            headline.quote(format!("{key}.{name}.term"), finest.classification.term(case));
+        }
+        headline.quote(format!("{key}.theta"), finest.theta);
+        headline.draw(&options.output, page(section), || Ok(edge_chart(label, &computed.study)))?;
+    }
+    let shares = format!("{}_shares", page(section));
+    headline
+        .draw(&options.output, &shares, || Ok(shares_chart(label, options.over_theta, &computed.study)))?;
+    Ok(headline)
 }
 
 fn main() -> ExitCode {

@@ -3,8 +3,7 @@
 //! `cargo run --release --example tour -- --out out`
 
 use clap::Parser;
-use example_frame::{HasOutput, Output, progress};
-use signorini::Result;
+use example_frame::{HasOutput, Output, Result, progress};
 use signorini::contact::Cone;
 use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
 use signorini::sobolev::FractionalOrder;
@@ -67,8 +66,36 @@ example!(lemma_6_1_local_estimate, "lemma_6_1_local_estimate.rs");
 example!(theorem_3_1_rates, "theorem_3_1_rates.rs");
 example!(theorem_4_1_rates, "theorem_4_1_rates.rs");
 
+/// What an example says, as far as a row needs it.
+struct Told {
+    words: [String; 4],
+    confirmed: bool,
+    misprinted: bool,
+    figures: Vec<std::path::PathBuf>,
+    values: Vec<(String, f64)>,
+}
+
+impl From<Headline> for Told {
+    fn from(headline: Headline) -> Self {
+        let confirmed = headline.verdict.is_confirmed();
+        let misprinted = matches!(headline.verdict, Verdict::PrintedFormFails(_));
+        let words = [headline.label, headline.claim, headline.measured, headline.verdict.to_string()];
+        Self { words, confirmed, misprinted, figures: headline.figures, values: headline.values }
+    }
+}
+
+impl From<example_frame::Headline> for Told {
+    fn from(headline: example_frame::Headline) -> Self {
+        let (verdict, measured) = (headline.verdict(), headline.measured());
+        let misprinted = matches!(verdict, example_frame::Verdict::PrintedFormFails(_));
+        let words = [headline.label, headline.claim, measured, verdict.to_string()];
+        let confirmed = verdict.is_confirmed();
+        Self { words, confirmed, misprinted, figures: headline.figures, values: headline.values }
+    }
+}
+
 /// One row: how to compute it.
-type Row = Box<dyn Fn(&Options) -> Result<Headline>>;
+type Row = Box<dyn Fn(&Options) -> Result<Told>>;
 
 /// A row that runs an example with some of its options set from those of the tour.
 macro_rules! row {
@@ -77,7 +104,7 @@ macro_rules! row {
             let output = Output { values: None, ..$tour.output.clone() };
             #[allow(clippy::needless_update, reason = "some examples have no other option")]
             let options = $example::Options { $($field: $value,)* output, ..Default::default() };
-            $example::run(&options)
+            Ok(Told::from($example::run(&options)?))
         })
     };
 }
@@ -114,21 +141,21 @@ pub fn run(options: &Options) -> Result<Headline> {
     let (bar, started) = (progress(rows.len() as u64), Instant::now());
     for row in &rows {
         let row_started = Instant::now();
-        let headline = row(options)?;
+        let told = row(options)?;
         let seconds = row_started.elapsed().as_secs_f64();
-        bar.set_message(headline.label.clone());
+        let label = told.words[0].clone();
+        bar.set_message(label.clone());
         bar.inc(1);
-        if !headline.verdict.is_confirmed() {
-            unconfirmed.push(headline.label.clone());
+        if !told.confirmed {
+            unconfirmed.push(label.clone());
         }
-        if matches!(headline.verdict, Verdict::PrintedFormFails(_)) {
-            misprinted.push(headline.label.clone());
+        if told.misprinted {
+            misprinted.push(label);
         }
-        let verdict = headline.verdict.to_string();
-        let words = [headline.label, headline.claim, headline.measured, verdict].map(Cell::Text);
+        let words = told.words.map(Cell::Text);
         table.push(words.into_iter().chain([Cell::Number(seconds)]).collect());
-        figures.extend(headline.figures);
-        values.extend(headline.values);
+        figures.extend(told.figures);
+        values.extend(told.values);
     }
     bar.finish_and_clear();
     let mut measured = format!("{} arguments in {:.0} s", rows.len(), started.elapsed().as_secs_f64());

@@ -2,56 +2,184 @@
 //!
 //! `cargo run --release --example worst_contact_set -- --tau 1.6 --out out`
 
-use clap::Parser;
-use example_frame::{HasOutput, Output, progress};
-use signorini::analysis::{search_chart, search_headline, search_sets, search_size};
-use signorini::report::Headline;
-use signorini::{Error, Result};
+use example_frame::figures::{Axis, Chart, Series};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use signorini::contact::Cone;
+use signorini::convergence::{Bound, Fit};
+use signorini::proof::{ContactFamily, Exponent, SetTerms, WorstGaps, worst_gaps, worst_ratio};
+use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
-/// Search families of contact sets for the consistency term that decays slowest
-#[derive(Debug, Clone, Parser)]
-pub struct Options {
-    /// Regularity, 3/2 < tau < 2
-    #[arg(long, default_value_t = 1.75)]
-    pub tau: f64,
-    /// The data live on 2 to this power cells
-    #[arg(long, default_value_t = 17)]
-    pub depth: u32,
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self::parse_from(["worst_contact_set"])
+example_frame::options! {
+    /// Search families of contact sets for the consistency term that decays slowest
+    pub struct Options {
+        /// Regularity, 3/2 < tau < 2
+        #[arg(long, default_value_t = 1.75)]
+        pub tau: f64,
+        /// The data live on 2 to this power cells
+        #[arg(long, default_value_t = 17, value_parser = clap::value_parser!(u32).range(13..=24))]
+        pub depth: u32,
+        /// Relative accuracy of the worst ratio of one segment
+        #[arg(long, default_value = "0.02")]
+        pub tolerance: Tolerance,
     }
 }
 
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
-    }
+/// What is computed.
+pub struct Computed {
+    /// The exponent of the theorem for the root of the term.
+    pub paper: f64,
+    /// Every family with its terms and the orders of their roots, nodal and midpoint cone.
+    pub sets: Vec<(ContactFamily, SetTerms, [Option<Fit>; 2])>,
+    /// The worst gaps found on one segment, nodal and midpoint cone.
+    pub worst: [WorstGaps; 2],
+    /// (θ, worst nodal ratio) for short gaps θ at one end.
+    pub short: Vec<(f64, Estimate)>,
 }
 
 /// Sets on the whole edge, then all sets on one segment.
-pub fn run(options: &Options) -> Result<Headline> {
-    if !(13..=24).contains(&options.depth) {
-        return Err(Error::CountOutOfRange {
-            name: "depth",
-            value: options.depth as usize,
-            range: "[13, 24]",
-        });
+pub fn compute(options: &Options) -> Result<Computed> {
+    let Options { tau, depth, tolerance, .. } = *options;
+    let families = ContactFamily::all(tau);
+    let bar = progress(families.len() as u64);
+    let mut sets = Vec::new();
+    for family in families {
+        let terms = family.terms(tau, 1 << depth)?;
+        let orders = terms.roots().map(|points| Fit::power(&points));
+        sets.push((family, terms, orders));
+        bar.inc(1);
     }
-    let bar = progress(search_size() as u64);
-    let rows = search_sets(options.tau, 1 << options.depth, &mut || bar.inc(1))?;
     bar.finish_and_clear();
-    let mut headline = search_headline(options.tau, &rows)?;
-    if let Some(directory) = options.output.directory()? {
-        headline.figures.push(search_chart()?.save(directory, "worst_contact_set")?);
-    }
+    let worst = [worst_gaps(Cone::Nodal, tau, tolerance)?, worst_gaps(Cone::Midpoint, tau, tolerance)?];
+    let short = |theta: f64| Ok((theta, worst_ratio(Cone::Nodal, tau, 0.0, theta, tolerance)?));
+    let short = [1e-3, 1e-4, 1e-5].into_iter().map(short).collect::<Result<_>>()?;
+    Ok(Computed { paper: Bound::Paper.exponent(tau)?, sets, worst, short })
+}
+
+/// An order with a wider bar is no order.
+const STEADY: f64 = 0.1;
+/// Part of a share that its two seminorms, asked to 1e-8, and the sums may be off by.
+const SHARE: f64 = 1e-6;
+/// Short gaps have the exponent of the limit up to terms of the size of the gap's own power.
+const LIMIT: f64 = 0.05;
+
+/// What decides: the shares and the ratios against one half, and orders against the theorem's exponent.
+pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
+    let (tau, Computed { paper, sets, worst: [nodal, midpoint], short, .. }) = (options.tau, computed);
+    let share = sets.iter().flat_map(|(_, terms, _)| terms.shares).fold(0.0, f64::max);
+    let resolved = |set: &SetTerms, fit: &Fit| fit.half_width < STEADY && set.shortest >= fit.regime.0;
+    let fits = sets.iter().flat_map(|(_, set, fits)| fits.iter().flatten().filter(|fit| resolved(set, fit)));
+    let nearest = fits.min_by(|a, b| (a.order - a.half_width).total_cmp(&(b.order - b.half_width)));
+    let ratios: Vec<(f64, f64)> = short.iter().map(|(theta, ratio)| (*theta, ratio.value)).collect();
+    let relative = short.iter().map(|(_, ratio)| ratio.relative_error()).fold(0.0, f64::max);
+    // Both ends of a decade and more: what the errors of two ratios do to their slope.
+    let fall = Exponent::fit(&ratios).ok().map(|e| (e.value, e.uncertainty + 2.0 * relative / 100f64.ln()));
+    let source = "half of h^(2 tau - 2) and both seminorms";
+    let ratio = |key: &str, cone: &str, found: &WorstGaps| {
+        let words =
+            format!("the worst {cone} segment found takes {{value}} of both seminorms, where 1/2 is allowed");
+        Finding::claim(key, words).estimate(found.ratio).at_most(0.5, source).told()
+    };
+    vec![
+        Finding::claim(
+            "half",
+            "on every segment the term is at most half of h^(2 tau - 2) and both seminorms",
+        )
+        .at_most(0.5, source)
+        .by_proof("worst_contact_set"),
+        Finding::claim("share", "no set on the edge takes more than {percent} % of that bound")
+            .number(share, SHARE * share)
+            .at_most(1.0, source)
+            .otherwise("a set takes {percent} % of the bound"),
+        ratio("nodal.ratio", "nodal", nodal),
+        ratio("midpoint.ratio", "midpoint", midpoint),
+        Finding::claim(
+            "nearest",
+            "no resolved set with a steady order comes nearer than {value} to the exponent",
+        )
+        .number_or(nearest.map(|fit| (fit.order - paper, fit.half_width)), "no set has a steady order")
+        .at_least(0.0, format!("tau^2 - 5 tau/2 + 2 = {paper:.4}"))
+        .told(),
+        Finding::sharpness("loss", "h^{value} in the square: every set has the order of both seminorms")
+            .number(2.0 * (tau - 1.0 - paper), 0.0)
+            .at_least(0.0, "2 tau - 2 against the printed exponent"),
+        Finding::remark("short.gap", "a short gap makes the term of its segment small, like theta^{value}")
+            .number_or(fall, "no three short gaps")
+            .within(LIMIT, 2.0 * tau - 3.0, "2 tau - 3, a gap beside a constant pressure"),
+    ]
+}
+
+/// Searches and sets both searches beside the exponent.
+pub fn run(options: &Options) -> Result<Headline> {
+    let computed = compute(options)?;
+    let (tau, paper, [nodal, midpoint]) = (options.tau, computed.paper, &computed.worst);
+    let claim = format!(
+        "tau = {tau}: the consistency term is at most C h^(2 x {paper:.4}); is any contact set near that?"
+    );
+    let found = findings(options, &computed);
+    let mut headline = Headline::new("Theorems 3.1, 4.1", claim, table(&computed), found);
+    headline.quote_with("worst.contact.set.nodal.ratio", nodal.ratio.value, nodal.ratio.error);
+    headline.quote_with("worst.contact.set.midpoint.ratio", midpoint.ratio.value, midpoint.ratio.error);
+    headline.quote("worst.contact.set.nodal.left", nodal.gaps[0]);
+    headline.quote("worst.contact.set.nodal.right", nodal.gaps[1]);
+    headline.draw(&options.output, "worst_contact_set", || draw(options.tolerance))?;
     Ok(headline)
+}
+
+fn table(computed: &Computed) -> Table {
+    let (three, two) = (Format::Fixed(3), Format::Significant(2));
+    let piece = "shortest gap or piece: the order counts on finer levels only";
+    let columns = vec![
+        Column::new("set", "contact set", Format::Plain, ""),
+        Column::new("shortest", "piece", Format::Scientific(0), piece),
+        Column::new("nodal", "nodal", three, "order of the root of the term, nodal cone"),
+        Column::new(
+            "nodal_half",
+            "+-",
+            three,
+            "what that order may be off by: drift between halves, scatter",
+        ),
+        Column::new("midpoint", "midpoint", three, "the same, midpoint cone"),
+        Column::new("midpoint_half", "+-", three, ""),
+        Column::new(
+            "nodal_share",
+            "share K",
+            two,
+            "largest term over h^(2tau-2) |sigma_N| |u_N'| / 2, nodal",
+        ),
+        Column::new("midpoint_share", "share M", two, "the same, midpoint cone"),
+    ];
+    let mut table = Table::new(columns);
+    for (family, terms, [nodal, midpoint]) in &computed.sets {
+        let name = match family {
+            ContactFamily::Transition { pressure } => format!("transition, sigma_N ~ r^{pressure:.2}"),
+            ContactFamily::Scene(scene) => scene.to_string(),
+        };
+        let mut row = vec![name.into(), terms.shortest.into()];
+        for fit in [nodal, midpoint] {
+            row.extend([fit.map(|fit| fit.order).into(), fit.map(|fit| fit.half_width).into()]);
+        }
+        row.extend(terms.shares.map(Into::into));
+        table.push(row);
+    }
+    table
+}
+
+/// The worst ratio against the length θ of a gap at one end for some τ, and what the second case of the proof allows, θ^{τ−2}.
+fn draw(tolerance: Tolerance) -> Result<Chart> {
+    let x = Axis::logarithmic("length of the gap at one end, over the length of the segment");
+    let y = Axis::logarithmic("term over the seminorms of sigma_N and u_N'");
+    let mut chart = Chart::new("One segment, nodal cone: the worst term for a given gap", x, y);
+    let gaps: Vec<f64> = (0..20).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k))).collect();
+    for tau in [1.55, 1.75, 1.95] {
+        let point = |&gap: &f64| Ok((gap, worst_ratio(Cone::Nodal, tau, 0.0, gap, tolerance)?.value));
+        let points = gaps.iter().map(point).collect::<Result<_>>()?;
+        chart = chart.with(Series::line_and_points(format!("tau = {tau}"), points));
+    }
+    let allowed = gaps.iter().map(|&gap| (gap, 0.5 * gap.powf(-0.25))).collect();
+    Ok(chart
+        .with(Series::dashed("1/2", gaps.iter().map(|&gap| (gap, 0.5)).collect()))
+        .with(Series::dashed("theta^(tau-2)/2, tau = 7/4", allowed)))
 }
 
 fn main() -> ExitCode {

@@ -63,7 +63,7 @@ fn the_example_confirms_the_lemma() {
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let options = falk_terms_example::Options { cone, ..falk_terms_example::Options::default() };
         let headline = falk_terms_example::run(&options).unwrap();
-        assert!(headline.verdict.is_confirmed(), "{cone}: {}", headline.verdict);
+        assert!(headline.verdict().is_confirmed(), "{cone}: {}", headline.verdict());
         let rows = headline.table.rows().len();
         for row in 0..rows {
             let constant = headline.table.number(row, "constant").unwrap();

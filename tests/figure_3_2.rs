@@ -1,8 +1,8 @@
 //! Figure 3.2: every contact segment of a computed solution is in the first or the second case.
 
 use signorini::edge::{EdgeTrace, Interval};
-use signorini::proof::Against;
-use signorini::proof::{AlternativeCase, NearVertices, Section, ThetaRule};
+
+use signorini::proof::{Against, AlternativeCase, Case, NearVertices, Section, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]
@@ -19,10 +19,11 @@ fn every_segment_of_the_block_is_in_a_case() {
     ] {
         let study =
             AlternativeCase::new(Section::Three, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
-        for row in study.rows() {
+        for row in &study.rows {
             let found = &row.classification;
-            assert_eq!(found.count("none"), 0, "{scene} tau {tau} n {}", row.n);
-            let counted: usize = ["first", "second", "both"].iter().map(|case| found.count(case)).sum();
+            assert_eq!(found.count(Case::Neither), 0, "{scene} tau {tau} n {}", row.n);
+            let counted: usize =
+                [Case::First, Case::Second, Case::Both].map(|case| found.count(case)).iter().sum();
             assert_eq!(counted, row.n, "{scene} tau {tau} n {}", row.n);
             assert!(
                 found.segments().iter().all(|s| s.term >= 0.0),
@@ -36,7 +37,7 @@ fn every_segment_of_the_block_is_in_a_case() {
 fn the_example_confirms_the_figure() {
     let options = figure_3_2_alternative::Options::default();
     let headline = figure_3_2_alternative::run(&options).unwrap();
-    assert!(headline.verdict.is_confirmed());
+    assert!(headline.verdict().is_confirmed());
     // block touches on [0, 0.33]: on 32 segments the ten inside are first cases, the rest second cases
     assert_eq!(headline.table.number(2, "first"), Some(10.0));
     assert_eq!(headline.table.number(2, "second"), Some(22.0));
@@ -94,9 +95,15 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
                 against,
                 ..AlternativeCase::new(Section::Three, source, 256, rule)
             };
-            for row in case.over_size().unwrap().rows().iter().chain(case.over_theta().unwrap().rows()) {
+            for row in case.over_size().unwrap().rows.iter().chain(&case.over_theta().unwrap().rows) {
                 let found = &row.classification;
-                assert_eq!(found.count("none"), 0, "{scene} {against} n {} theta {}", row.n, row.theta);
+                assert_eq!(
+                    found.count(Case::Neither),
+                    0,
+                    "{scene} {against} n {} theta {}",
+                    row.n,
+                    row.theta
+                );
                 assert_eq!(found.segments().len(), row.n);
                 // The nodal solution has no consistency term of its own: lambda_i u_i = 0 at every node.
                 if against == Against::Itself {
@@ -123,9 +130,9 @@ fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
         )
     };
     let study = case.over_theta().unwrap();
-    let first = |c: &signorini::proof::Classification| c.count("first") + c.count("both");
-    let second = |c: &signorini::proof::Classification| c.count("second") + c.count("both");
-    for pair in study.rows().windows(2) {
+    let first = |c: &signorini::proof::Classification| c.count(Case::First) + c.count(Case::Both);
+    let second = |c: &signorini::proof::Classification| c.count(Case::Second) + c.count(Case::Both);
+    for pair in study.rows.windows(2) {
         assert!(first(&pair[0].classification) >= first(&pair[1].classification));
         assert!(second(&pair[0].classification) <= second(&pair[1].classification));
     }
@@ -140,28 +147,28 @@ fn trace(contact: &[(f64, f64)]) -> EdgeTrace {
     EdgeTrace::new(nodes, displacement, force, 0.0).unwrap()
 }
 
-/// A name, the contact set of the edge, the expected cases.
-type Case<'a> = (&'a str, &'a [(f64, f64)], &'a str);
+/// A name, the contact set of the edge, the expected case.
+type Expected<'a> = (&'a str, &'a [(f64, f64)], Case);
 
 #[test]
 fn degenerate_segments_have_the_expected_class() {
     // the segment [1/4, 3/4], theta = 1/4: pieces of length 1/8 at the vertices
     let segment = Interval { start: 0.25, end: 0.75 };
-    let cases: [Case; 10] = [
-        ("full contact", &[(0.0, 1.0)], "first"),
-        ("no contact", &[], "second"),
-        ("contact elsewhere only", &[(0.0, 0.1875), (0.8125, 1.0)], "second"),
-        ("contact up to the left vertex, transition at a node", &[(0.0, 0.25)], "second"),
-        ("contact from the right vertex on", &[(0.75, 1.0)], "second"),
-        ("transition at either vertex", &[(0.0, 0.25), (0.75, 1.0)], "both"),
-        ("one contact point in the middle", &[(0.5, 0.5)], "second"),
-        ("two contact points, one near each vertex", &[(0.3125, 0.3125), (0.6875, 0.6875)], "first"),
-        ("contact begins exactly at distance h theta", &[(0.375, 0.75)], "second"),
-        ("contact begins one cell before that", &[(0.359375, 0.75)], "first"),
+    let cases: [Expected; 10] = [
+        ("full contact", &[(0.0, 1.0)], Case::First),
+        ("no contact", &[], Case::Second),
+        ("contact elsewhere only", &[(0.0, 0.1875), (0.8125, 1.0)], Case::Second),
+        ("contact up to the left vertex, transition at a node", &[(0.0, 0.25)], Case::Second),
+        ("contact from the right vertex on", &[(0.75, 1.0)], Case::Second),
+        ("transition at either vertex", &[(0.0, 0.25), (0.75, 1.0)], Case::Both),
+        ("one contact point in the middle", &[(0.5, 0.5)], Case::Second),
+        ("two contact points, one near each vertex", &[(0.3125, 0.3125), (0.6875, 0.6875)], Case::First),
+        ("contact begins exactly at distance h theta", &[(0.375, 0.75)], Case::Second),
+        ("contact begins one cell before that", &[(0.359375, 0.75)], Case::First),
     ];
     let rule = NearVertices::new(0.25).unwrap();
     for (name, contact, expected) in cases {
-        assert_eq!(rule.classify(&trace(contact), segment).name(), expected, "{name}");
+        assert_eq!(rule.classify(&trace(contact), segment).case(), expected, "{name}");
     }
 }
 

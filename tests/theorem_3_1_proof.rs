@@ -225,7 +225,7 @@ fn bad_profiles_are_refused() {
 #[test]
 fn the_example_finds_no_violation() {
     let headline = theorem_3_1_proof_profile::run(&theorem_3_1_proof_profile::Options::default()).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    assert!(headline.verdict().is_confirmed(), "{}", headline.verdict());
     let value = |key: &str| headline.values.iter().find(|(k, _)| k == key).unwrap().1;
     assert_eq!(value("theorem.3.1.proof.violations"), 0.0);
     assert_eq!(value("theorem.3.1.proof.printed"), 1.375);

@@ -68,7 +68,7 @@ fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
 #[test]
 fn the_example_finds_no_violation() {
     let headline = theorem_4_1_proof_profile::run(&theorem_4_1_proof_profile::Options::default()).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    assert!(headline.verdict().is_confirmed(), "{}", headline.verdict());
     let value = |key: &str| headline.values.iter().find(|(k, _)| k == key).unwrap().1;
     assert_eq!(value("theorem.4.1.proof.violations"), 0.0);
     assert!((value("theorem.4.1.proof.edge.exponent") - 1.375).abs() < 1e-9);

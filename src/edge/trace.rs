@@ -105,6 +105,12 @@ impl EdgeTrace {
         &self.contact
     }
 
+    /// Ends of the contact set inside the edge; an isolated contact point has two.
+    pub fn transitions(&self) -> usize {
+        let (start, end) = (self.nodes[0], self.nodes[self.nodes.len() - 1]);
+        self.contact.iter().map(|c| usize::from(c.start > start) + usize::from(c.end < end)).sum()
+    }
+
     /// The support of σ_N, as intervals in increasing order.
     pub fn pressed(&self) -> &[Interval] {
         &self.pressed

@@ -43,6 +43,16 @@ pub struct AlternativeCase {
     pub against: Against,
 }
 
+impl Against {
+    /// The other contact set.
+    pub fn other(self) -> Self {
+        match self {
+            Against::Reference => Against::Itself,
+            Against::Itself => Against::Reference,
+        }
+    }
+}
+
 impl AlternativeCase {
     /// Three meshes of a scene at τ = 7/4 on its fine reference.
     pub fn new(section: Section, source: impl Into<Scene>, n: usize, rule: ThetaRule) -> Self {
@@ -124,17 +134,12 @@ pub struct AlternativeRow {
 /// Classified segments for several mesh sizes or several θ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlternativeStudy {
-    pub(crate) case: AlternativeCase,
+    /// What was asked.
+    pub case: AlternativeCase,
     /// The trace of the last row.
-    pub(crate) trace: EdgeTrace,
-    pub(crate) rows: Vec<AlternativeRow>,
-}
-
-impl AlternativeStudy {
-    /// The rows: coarsest mesh first, or largest θ first.
-    pub fn rows(&self) -> &[AlternativeRow] {
-        &self.rows
-    }
+    pub trace: EdgeTrace,
+    /// Coarsest mesh first, or largest θ first.
+    pub rows: Vec<AlternativeRow>,
 }
 
 impl fmt::Display for Against {

@@ -25,14 +25,27 @@ pub struct Alternative {
     pub second: bool,
 }
 
+/// What is said of a segment: one case, the other, or both.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Case {
+    /// The first only.
+    First,
+    /// The second only.
+    Second,
+    /// Both.
+    Both,
+    /// None: would contradict the paper.
+    Neither,
+}
+
 impl Alternative {
-    /// "first", "second" or "both"; "none" would contradict the paper.
-    pub fn name(&self) -> &'static str {
+    /// Which cases hold, as one value.
+    pub fn case(&self) -> Case {
         match (self.first, self.second) {
-            (true, true) => "both",
-            (true, false) => "first",
-            (false, true) => "second",
-            (false, false) => "none",
+            (true, true) => Case::Both,
+            (true, false) => Case::First,
+            (false, true) => Case::Second,
+            (false, false) => Case::Neither,
         }
     }
 }
@@ -117,18 +130,18 @@ mod tests {
     fn section_3_names_the_cases_of_figure_3_2() {
         let quarter = NearVertices::new(0.25).unwrap();
         let cases = [
-            (vec![(0.0, 1.0)], "first"),
-            (vec![], "second"),
-            (vec![(0.0, 0.5)], "second"),
-            (vec![(0.1, 0.9)], "first"),
-            (vec![(0.0, 0.0), (1.0, 1.0)], "both"),
-            (vec![(0.5, 0.5)], "second"),
-            (vec![(0.3, 1.0)], "second"),
-            (vec![(0.2, 1.0)], "first"),
-            (vec![(0.0, 0.0)], "second"),
+            (vec![(0.0, 1.0)], Case::First),
+            (vec![], Case::Second),
+            (vec![(0.0, 0.5)], Case::Second),
+            (vec![(0.1, 0.9)], Case::First),
+            (vec![(0.0, 0.0), (1.0, 1.0)], Case::Both),
+            (vec![(0.5, 0.5)], Case::Second),
+            (vec![(0.3, 1.0)], Case::Second),
+            (vec![(0.2, 1.0)], Case::First),
+            (vec![(0.0, 0.0)], Case::Second),
         ];
         for (contact, expected) in cases {
-            assert_eq!(quarter.classify(&trace(&contact), SEGMENT).name(), expected, "{contact:?}");
+            assert_eq!(quarter.classify(&trace(&contact), SEGMENT).case(), expected, "{contact:?}");
         }
     }
 
@@ -136,15 +149,15 @@ mod tests {
     fn section_4_compares_the_diameter() {
         let half = SetDiameter::new(0.5).unwrap();
         let cases = [
-            (vec![], "first"),
-            (vec![(0.5, 0.5)], "first"),
-            (vec![(0.2, 0.3), (0.5, 0.6)], "first"),
-            (vec![(0.0, 0.5)], "both"),
-            (vec![(0.0, 0.0), (1.0, 1.0)], "second"),
-            (vec![(0.0, 1.0)], "second"),
+            (vec![], Case::First),
+            (vec![(0.5, 0.5)], Case::First),
+            (vec![(0.2, 0.3), (0.5, 0.6)], Case::First),
+            (vec![(0.0, 0.5)], Case::Both),
+            (vec![(0.0, 0.0), (1.0, 1.0)], Case::Second),
+            (vec![(0.0, 1.0)], Case::Second),
         ];
         for (contact, expected) in cases {
-            assert_eq!(half.classify(&trace(&contact), SEGMENT).name(), expected, "{contact:?}");
+            assert_eq!(half.classify(&trace(&contact), SEGMENT).case(), expected, "{contact:?}");
         }
     }
 

@@ -1,6 +1,6 @@
 //! Every contact segment of a coarse mesh, its cases, and what it adds to the consistency term.
 
-use super::alternatives::{Alternative, NearVertices, SetDiameter};
+use super::alternatives::{Alternative, Case, NearVertices, SetDiameter};
 use super::section::Section;
 use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::{Error, Result};
@@ -46,14 +46,14 @@ impl Classification {
         &self.segments
     }
 
-    /// Number of segments whose cases are exactly `name` ("first", "second", "both", "none").
-    pub fn count(&self, name: &str) -> usize {
-        self.in_case(name).count()
+    /// Number of segments of this case.
+    pub fn count(&self, case: Case) -> usize {
+        self.in_case(case).count()
     }
 
-    /// The consistency term summed over the segments whose cases are exactly `name`.
-    pub fn term(&self, name: &str) -> f64 {
-        sum(self.in_case(name).map(|s| s.term))
+    /// The consistency term summed over the segments of this case.
+    pub fn term(&self, case: Case) -> f64 {
+        sum(self.in_case(case).map(|s| s.term))
     }
 
     /// The whole consistency term.
@@ -61,13 +61,25 @@ impl Classification {
         sum(self.segments.iter().map(|s| s.term))
     }
 
-    /// The segments whose cases are exactly `name`, as intervals.
-    pub fn intervals(&self, name: &str) -> Vec<(f64, f64)> {
-        self.in_case(name).map(|s| (s.segment.start, s.segment.end)).collect()
+    /// How many segments carry more than the part `least` of the whole term.
+    pub fn carriers(&self, least: f64) -> usize {
+        let limit = least * self.total();
+        self.segments.iter().filter(|s| s.term > limit).count()
     }
 
-    fn in_case<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a ClassifiedSegment> {
-        self.segments.iter().filter(move |s| s.alternative.name() == name)
+    /// How many of the segments both have are in different cases.
+    pub fn differences(&self, other: &Classification) -> usize {
+        let pairs = self.segments.iter().zip(&other.segments);
+        pairs.filter(|(a, b)| a.alternative != b.alternative).count()
+    }
+
+    /// The segments of this case, as intervals.
+    pub fn intervals(&self, case: Case) -> Vec<(f64, f64)> {
+        self.in_case(case).map(|s| (s.segment.start, s.segment.end)).collect()
+    }
+
+    fn in_case<'a>(&self, case: Case) -> impl Iterator<Item = &ClassifiedSegment> {
+        self.segments.iter().filter(move |s| s.alternative.case() == case)
     }
 }
 
@@ -87,9 +99,9 @@ mod tests {
         let force = nodes.iter().map(|&x| if x <= 0.625 { 1.0 } else { 0.0 }).collect();
         let trace = EdgeTrace::new(nodes, displacement, force, 1e-12).unwrap();
         let classified = Classification::new(Section::Three, &trace, &[0.0, 0.5, 1.0], 0.25).unwrap();
-        assert_eq!((classified.count("first"), classified.count("second")), (1, 1));
-        assert_eq!(classified.term("first"), 0.0);
-        assert_eq!(classified.intervals("second"), vec![(0.5, 1.0)]);
+        assert_eq!((classified.count(Case::First), classified.count(Case::Second)), (1, 1));
+        assert_eq!(classified.term(Case::First), 0.0);
+        assert_eq!(classified.intervals(Case::Second), vec![(0.5, 1.0)]);
         // one force in the open segment at a quarter of its length, half a force at the shared vertex (u = 0 there)
         assert_eq!(classified.total(), 0.25);
         assert!(Classification::new(Section::Four, &trace, &[0.5, 0.5], 0.25).is_err());

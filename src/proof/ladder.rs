@@ -69,6 +69,17 @@ impl ProofProfile {
         Step::ALL.into_iter().zip(before).map(|(step, before)| rung(step, before)).collect()
     }
 
+    /// The smallest quotient of a rung and the one below, over all meshes; none where every term vanishes.
+    pub fn smallest_step(&self) -> Option<f64> {
+        let steps =
+            Step::ALL.windows(2).flat_map(|pair| self.levels.iter().map(move |l| (l, pair[0], pair[1])));
+        let quotient = |(l, below, above): (&LevelProfile, Step, Step)| {
+            let (below, above) = (l.rung(below).printed, l.rung(above).printed);
+            (below > 0.0).then(|| above / below)
+        };
+        steps.filter_map(quotient).reduce(f64::min)
+    }
+
     /// Inequalities checked, all segments and meshes.
     pub fn checks(&self) -> usize {
         self.inequalities().map(|i| i.count).sum()

@@ -73,6 +73,13 @@ pub enum Line {
     AnyContact,
 }
 
+impl Line {
+    /// Whether both sides are equal, up to rounding.
+    pub fn is_equality(self) -> bool {
+        matches!(self, Line::VertexToZero | Line::Complementarity | Line::MeanZero)
+    }
+}
+
 impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {

@@ -21,9 +21,10 @@ mod setting;
 mod step;
 mod theta;
 mod worst_pair;
+mod worst_sets;
 
 pub use alternative_study::{Against, AlternativeCase, AlternativeRow, AlternativeStudy};
-pub use alternatives::{Alternative, NearVertices, SetDiameter};
+pub use alternatives::{Alternative, Case, NearVertices, SetDiameter};
 pub use balance::{ElementBalance, WorstPair};
 pub use balance_rows::{BalanceExponents, BalanceRow, worst_of_cases};
 pub use classification::{Classification, ClassifiedSegment};
@@ -41,4 +42,5 @@ pub use section_three::section_three_checks;
 pub use setting::SegmentSetting;
 pub use step::{Step, TwoLaws};
 pub use theta::{ThetaRule, printed_theta};
-pub use worst_pair::worst_ratio;
+pub use worst_pair::{WorstGaps, worst_gaps, worst_ratio};
+pub use worst_sets::{ContactFamily, SetTerms};

@@ -20,25 +20,94 @@
 
 use crate::contact::Cone;
 use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::{FractionalOrder, Partition, gram_constants};
 use faer::Mat;
 use faer::Side;
 use faer::linalg::solvers::Solve;
 
-/// Cells of each part of the segment: 2 (layers + 1), ratio 1/4.
+/// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of its part.
 const LAYERS: usize = 9;
 const RATIO: f64 = 0.25;
+/// Every cell is halved at most so often: 320 cells in each part.
+const HALVINGS: u32 = 4;
 
 /// sup term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with gaps (0, left) and (1 − right, 1), contact between; `left` may be 0. At most ½.
 ///
+/// The value is that of conforming trial functions, so the supremum is not below it; the error is the change when every cell was
+/// halved last, which bounds what is left where the values converge at least linearly in the cell length (order 2 − 2ν > 1).
+/// For one gap of length b the nodal ratio of b is the midpoint ratio of 1 − b.
+///
 /// # Errors
-/// [`Error::OutOfRange`] for gaps that leave no contact or τ outside (3/2, 2).
-pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64) -> Result<f64> {
+/// [`Error::OutOfRange`] for gaps that leave no contact or τ outside (3/2, 2); [`Error::ToleranceNotMet`].
+pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("left gap", left, "[0, 1)", (0.0..1.0).contains(&left))?;
     Error::require("right gap", right, "(0, 1 - left)", right > 0.0 && right < 1.0 - left)?;
     let order = FractionalOrder::new(Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)? - 1.5)?;
+    let mut work = Work::default();
+    let mut lower = |halvings: u32| -> Result<f64> {
+        work += Work { factorizations: 2, ..Work::default() };
+        lower_bound(cone, order, left, right, halvings)
+    };
+    let mut before = lower(0)?;
+    let mut change = f64::INFINITY;
+    for halvings in 1..=HALVINGS {
+        let value = lower(halvings)?;
+        change = (value - before).abs();
+        before = value;
+        if change <= tolerance.relative() * value {
+            return Estimate::new(value, change, work);
+        }
+    }
+    let (what, reached) = ("worst ratio of a segment", change / before);
+    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached })
+}
+
+/// Where the worst ratio of a segment is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorstGaps {
+    /// The largest ratio found.
+    pub ratio: Estimate,
+    /// Lengths of the gaps at both ends.
+    pub gaps: [f64; 2],
+}
+
+/// Single gaps that are tried.
+const ONE_GAP: [f64; 16] =
+    [1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+/// Lengths of either gap where both ends are open.
+const TWO_GAPS: [f64; 7] = [0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8];
+/// Least contact between two gaps.
+const CONTACT: f64 = 0.01;
+
+/// The worst ratio on one segment over a grid of gaps, 10^{−5} ... 0.9 at one end, 0.05 ... 0.8 at both.
+///
+/// The grid is searched with errors below a tenth; the worst of it is then computed to the tolerance. Its value is a lower bound of
+/// the supremum over all contact sets, its error that of this one set.
+///
+/// # Errors
+/// As [`worst_ratio`].
+pub fn worst_gaps(cone: Cone, tau: f64, tolerance: Tolerance) -> Result<WorstGaps> {
+    let pairs = TWO_GAPS.iter().flat_map(|&right| TWO_GAPS.iter().map(move |&left| [left, right]));
+    let pairs = pairs.filter(|[left, right]| left <= right && left + right < 1.0 - CONTACT);
+    let mut worst = (0.0, [0.0; 2]);
+    for gaps in ONE_GAP.iter().map(|&right| [0.0, right]).chain(pairs) {
+        let ratio = worst_ratio(cone, tau, gaps[0], gaps[1], Tolerance::new(SEARCH)?)?.value;
+        if ratio > worst.0 {
+            worst = (ratio, gaps);
+        }
+    }
+    let gaps = worst.1;
+    Ok(WorstGaps { ratio: worst_ratio(cone, tau, gaps[0], gaps[1], tolerance)?, gaps })
+}
+
+/// Accuracy of the search: neighbours on the grid differ by more.
+const SEARCH: f64 = 0.1;
+
+/// The ratio of the best piecewise constants on a graded mesh, every cell halved so often.
+fn lower_bound(cone: Cone, order: FractionalOrder, left: f64, right: f64, halvings: u32) -> Result<f64> {
     let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
-    let partition = Partition::graded_to_points(&points, LAYERS, RATIO)?;
+    let partition = halved(&Partition::graded_to_points(&points, LAYERS, RATIO)?, halvings)?;
     let per_part = partition.len() / (points.len() - 1);
     let gram = gram_constants(&partition, order)?;
     let first = if left > 0.0 { per_part } else { 0 };
@@ -83,6 +152,13 @@ pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64) -> Result<f64> {
     }
 }
 
+/// Every cell cut into 2^halvings equal ones.
+fn halved(partition: &Partition, halvings: u32) -> Result<Partition> {
+    let parts = 1usize << halvings;
+    let cut = |&length: &f64| std::iter::repeat_n(length / parts as f64, parts);
+    Partition::from_lengths(partition.lengths().iter().flat_map(cut).collect())
+}
+
 /// b_i' G⁻¹ b_j, G the rows and columns `cells` of the Gram matrix.
 fn inverse_form(gram: &Mat<f64>, cells: &[usize], b: &[Vec<f64>; 2]) -> Result<[[f64; 2]; 2]> {
     // Scaled to a unit diagonal: lengths range over many decades.
@@ -103,28 +179,51 @@ fn inverse_form(gram: &Mat<f64>, cells: &[usize], b: &[Vec<f64>; 2]) -> Result<[
 mod tests {
     use super::*;
 
+    fn rough() -> Tolerance {
+        Tolerance::new(SEARCH).unwrap()
+    }
+
     #[test]
     fn no_contact_set_passes_one_half() {
         for cone in [Cone::Nodal, Cone::Midpoint] {
             for tau in [1.51, 1.75, 1.99] {
                 for right in [1e-6, 0.1, 0.5, 0.9] {
                     for left in [0.0, 1e-6, 0.05] {
-                        let ratio = worst_ratio(cone, tau, left, right).unwrap();
+                        let ratio = worst_ratio(cone, tau, left, right, rough()).unwrap().value;
                         assert!(ratio > 0.0 && ratio <= 0.5, "{cone} {tau} {left} {right}: {ratio}");
                     }
                 }
             }
         }
-        assert!(worst_ratio(Cone::Nodal, 1.75, 0.5, 0.5).is_err());
-        assert!(worst_ratio(Cone::Nodal, 2.0, 0.0, 0.5).is_err());
+        assert!(worst_ratio(Cone::Nodal, 1.75, 0.5, 0.5, rough()).is_err());
+        assert!(worst_ratio(Cone::Nodal, 2.0, 0.0, 0.5, rough()).is_err());
     }
 
     #[test]
     fn mirrored_gaps_give_the_same_ratio() {
         for cone in [Cone::Nodal, Cone::Midpoint] {
-            let a = worst_ratio(cone, 1.75, 0.1, 0.3).unwrap();
-            let b = worst_ratio(cone, 1.75, 0.3, 0.1).unwrap();
+            let a = worst_ratio(cone, 1.75, 0.1, 0.3, rough()).unwrap().value;
+            let b = worst_ratio(cone, 1.75, 0.3, 0.1, rough()).unwrap().value;
             assert!((a / b - 1.0).abs() < 1e-10, "{a} {b}");
         }
+    }
+
+    #[test]
+    fn one_gap_and_its_complement_exchange_the_cones() {
+        let tolerance = Tolerance::new(0.02).unwrap();
+        for gap in [0.1, 0.35, 0.7] {
+            let nodal = worst_ratio(Cone::Nodal, 1.75, 0.0, gap, tolerance).unwrap();
+            let midpoint = worst_ratio(Cone::Midpoint, 1.75, 0.0, 1.0 - gap, tolerance).unwrap();
+            let distance = (nodal.value - midpoint.value).abs();
+            assert!(distance <= nodal.error + midpoint.error, "gap {gap}: {nodal} {midpoint}");
+        }
+    }
+
+    #[test]
+    fn a_finer_mesh_raises_the_lower_bound_within_the_error() {
+        let coarse = worst_ratio(Cone::Nodal, 1.75, 0.0, 0.3, Tolerance::new(0.1).unwrap()).unwrap();
+        let fine = worst_ratio(Cone::Nodal, 1.75, 0.0, 0.3, Tolerance::new(0.01).unwrap()).unwrap();
+        assert!(fine.value >= coarse.value && fine.value <= coarse.value + coarse.error, "{coarse} {fine}");
+        assert!(worst_ratio(Cone::Nodal, 1.75, 0.0, 0.3, Tolerance::reference()).is_err());
     }
 }

@@ -21,6 +21,7 @@ pub mod figures;
 mod outcome;
 pub mod poincare;
 mod rates;
+pub mod shown;
 
 pub use command::{HasOutput, Output, Shown, main, progress};
 pub use error::{Error, Result};

@@ -150,8 +150,8 @@ impl Tail {
 
 #[cfg(test)]
 mod tests {
-    use crate::sobolev::{DualOf, Partition};
     use super::*;
+    use crate::sobolev::{DualOf, Partition};
     use std::f64::consts::PI;
 
     /// ‖1‖ in the dual of sines on (0, 1): 8/π² Σ_{odd k} k^{-2} (1 + k²π²)^{-ν}, the tail by the midpoint rule.

@@ -1,0 +1,4 @@
+//! Tables and figures that twins share.
+
+pub mod alternatives;
+pub mod ladder;
