@@ -1,7 +1,7 @@
-//! Lemma 6.1: ‖u − I u‖₀ ≤ h^{1+ν} |u|_{1+ν} and ‖u − I u‖₁ ≤ h^ν |u|_{1+ν} on an interval of length h, constant 1.
+//! Lemma 6.1: ‖u − I u‖₀ ≤ h^{1+ν} |u|_{1+ν} and ‖u − I u‖₁ ≤ h^ν |u|_{1+ν} on an interval of length h.
 //!
-//! Rough functions drawn at random, powers at the edge of H^ν, and the best constants beside them. The second line, with
-//! the full H¹ norm, fails with constant 1 on elements longer than h*(ν).
+//! Rough functions drawn at random, powers at the edge of H^ν, and the best constants beside them. The second
+//! line, with the full H¹ norm, fails with constant 1 on elements longer than h*(ν).
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
@@ -62,54 +62,41 @@ pub fn compute(options: &Options) -> Result<Computed> {
     Ok(Computed { rows, limit: LocalConstants::at_zero()? })
 }
 
-/// What decides: best constants against the printed 1, the full norm beside h*, functions against the best constants.
+/// What decides: best constants against the printed 1, the full norm beside h*, functions against the former.
 pub fn findings(_: &Options, Computed { rows, limit }: &Computed) -> Vec<Finding> {
     type Of = fn(&LocalConstants) -> Estimate;
     let constants = |of: Of| rows.iter().map(|row| &row.best).chain([limit]).map(of);
-    let tried = |k: usize| rows.iter().filter_map(move |row| row.tried.shares(&row.best).ok().map(|s| s[k]));
+    let shares = |k: usize| rows.iter().filter_map(move |row| Some(row.tried.shares(&row.best).ok()?[k]));
     let one = |finding: Finding, of: Of| finding.largest(constants(of)).at_most(1.0, "printed constant");
-    let claim = |key: &str, words: &str, of: Of| one(Finding::claim(key, words), of);
-    let loose = |key: &str, words: &str, of: Of| {
+    let loose = |norm: &str, words: &str, of: Of| {
         let factors = constants(of).filter_map(|constant| constant.recip().ok());
-        Finding::sharpness(key, words).smallest(factors).at_least(1.0, "printed constant").told()
+        let finding = Finding::sharpness(format!("loose.{norm}"), format!("by {{value}} or more {words}"));
+        finding.smallest(factors).at_least(1.0, "printed constant").told()
+    };
+    let tried = |norm: &str, words: &str, k: usize| {
+        let words = format!("no function tried takes more than {{percent}} % of the best constant {words}");
+        Finding::claim(format!("tried.{norm}"), words).largest(shares(k)).at_most(1.0, "best constant")
     };
     let length = format!("h* is at least {:.2}, its limit for nu -> 0", limit.longest.value);
     let fails = format!("second line, full H1 norm, for h > h*(nu), constant {{value}} just above; {length}");
-    let best = "constants C_L2(nu), C_H1(nu)";
-    vec![
-        claim("l2", "the first line holds for every h, best constant up to {value}", |c| c.l2),
-        claim("derivative", "for the derivative the second line holds for every h, {value}", |c| {
-            c.derivative
-        }),
-        claim("full.short", "with the full H1 norm it holds for h <= 1, constant up to {value}", |c| c.full),
-        claim("full.below", "with the full H1 norm it holds just below h*(nu), constant {value}", |c| {
-            c.below
-        }),
-        one(
-            Finding::printed("full", "with the full H1 norm the second line holds for every h")
-                .otherwise(fails),
-            |c| c.above,
-        ),
+    let full = Finding::printed("full", "with the full H1 norm it holds for every h").otherwise(fails);
+    let claims: [(&str, &str, Of); 4] = [
+        ("l2", "the first line holds for every h, best constant up to {value}", |c| c.l2),
+        ("derivative", "for the derivative the second line holds for every h, {value}", |c| c.derivative),
+        ("full.short", "with the full H1 norm it holds for h <= 1, constant up to {value}", |c| c.full),
+        ("full.below", "with the full H1 norm it holds just below h*(nu), {value}", |c| c.below),
+    ];
+    let others = [
+        one(full, |c| c.above),
         Finding::claim("longest", "elements of a mesh of (0, 1) are shorter than h*(nu), at least {value}")
             .smallest(constants(|c| c.longest))
             .at_least(1.0, "length of the interval"),
-        Finding::claim(
-            "tried.l2",
-            "no function tried takes more than {percent} % of the best constant in L2",
-        )
-        .largest(tried(0))
-        .at_most(1.0, best),
-        Finding::claim(
-            "tried.derivative",
-            "no function tried takes more than {percent} % of that of the derivative",
-        )
-        .largest(tried(1))
-        .at_most(1.0, best),
-        loose("loose.l2", "by a factor of at least {value} in L2 for every nu", |c| c.l2),
-        loose("loose.derivative", "by a factor of at least {value} in the derivative for every nu", |c| {
-            c.derivative
-        }),
-    ]
+        tried("l2", "in L2", 0),
+        tried("derivative", "for the derivative", 1),
+        loose("l2", "in L2, for every nu", |c| c.l2),
+        loose("derivative", "for the derivative, for every nu", |c| c.derivative),
+    ];
+    claims.map(|(key, words, of)| one(Finding::claim(key, words), of)).into_iter().chain(others).collect()
 }
 
 /// Tries the lemma on rough functions and compares its printed constant and its best ones.

@@ -1,6 +1,7 @@
-//! Remark 2: ‖u − I^h u‖ in the dual norm of H^{1/2} is no better than h^{3/2} for u ∈ H^{3/2}: Falk's route ends at h^{3/4}.
+//! Remark 2: ‖u − I^h u‖ in the dual norm of H^{1/2} is no better than h^{3/2} for u ∈ H^{3/2}: Falk's route
+//! ends at h^{3/4}.
 //!
-//! A wave per element is aliased to a constant. For comparison a smooth function, where the dual norm is of order h².
+//! A wave per element is aliased to a constant. For comparison a smooth function: its dual norm is of order h².
 
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
@@ -15,7 +16,7 @@ use std::process::ExitCode;
 const EXPONENT_TOLERANCE: f64 = 0.02;
 /// Half the limit 1/(√8 π²) of the wave's error over h^{3/2}, over C_L2(1/2) = 0.0927.
 const HALF_LIMIT: f64 = 0.193;
-/// The exponent of one function for all meshes is measured between 2^-170 and 2^-340, its waves falling like (1+j)^-0.6.
+/// One function for all meshes is measured between 2^-170 and 2^-340, its waves falling like (1+j)^-0.6.
 const ALL_WAVES: (usize, f64) = (170, 0.6);
 
 example_frame::options! {

@@ -1,7 +1,8 @@
-//! Remark 4: the P0 projection gains nothing beyond H^1: the rate of ‖φ − π^h φ‖ is min(r, 1), in the dual norm min(r, 1) + 1/2.
+//! Remark 4: the P0 projection gains nothing beyond H^1: the rate of ‖φ − π^h φ‖ is min(r, 1), in the dual
+//! norm min(r, 1) + 1/2.
 //!
-//! φ = x^{r−1/2+0.005}, barely in H^r. Lagrange interpolation of the same functions goes on to rate 2. The remark says more, that
-//! the method of Section 4 loses its optimality by this; that is not tested here.
+//! φ = x^{r−1/2+0.005}, barely in H^r. Lagrange interpolation of the same functions goes on to rate 2. The
+//! remark says more, that the method of Section 4 loses its optimality by this; that is not tested here.
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};

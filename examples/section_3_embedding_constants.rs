@@ -1,6 +1,7 @@
 //! (3.6), (3.10), (4.12), (E3): the constants C(q) of H^ν(0,1) ⊂ L^q(0,1) and C(α) of H^{3/2}(0,1) ⊂ C^{0,α}.
 //!
-//! Lower bounds by functions found by an ascent, upper bounds by an inequality on the circle; growth like √q and (1−α)^{-1/2}.
+//! Lower bounds by functions found by an ascent, upper bounds by an inequality on the circle; growth like √q
+//! and (1−α)^{-1/2}.
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
@@ -70,7 +71,8 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
 pub fn findings(_: &Options, rows: &[Row]) -> Vec<Finding> {
     let at_half = || rows.iter().filter(|row| row.hoelder.is_some());
     let growth = |row: &Row, bound: Estimate| bound.times(row.q.sqrt().recip()).ok();
-    // Where the upper bound is 1 the constant function attains it, and only rounding could tell the two apart.
+    // Where the upper bound is 1 the constant function attains it, and only rounding could tell the two
+    // apart.
     let share = |attained: bool| {
         let rows = rows.iter().filter(move |row| (row.upper.value == 1.0) == attained);
         rows.filter_map(|row| row.lower.over(row.upper).ok())

@@ -1,7 +1,7 @@
 //! (4.6) and (4.7): ‖φ − π^h φ‖₀ ≤ C h^r |φ|_r and ‖φ − π^h φ‖_{1/2,*} ≤ C h^{r+1/2} |φ|_r for 0 ≤ r ≤ 1.
 //!
-//! Best constants on one element, and rates on two roads: of one rough function, and of the supremum over all of H^r.
-//! Both roads count, in both norms.
+//! Best constants on one element, and rates on two roads: of one rough function, and of the supremum over all
+//! of H^r. Both roads count, in both norms.
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
@@ -9,7 +9,8 @@ use signorini::interpolation::{ProjectionRates, ProjectionStudy, projection_cons
 use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
-/// Distance of a rate from r or r + 1/2, its uncertainty included, that counts as agreement: a tenth of half an order.
+/// Distance of a rate from r or r + 1/2, its uncertainty included, that counts as agreement: a tenth of half
+/// an order.
 const AGREEMENT: f64 = 0.05;
 /// Part of the chain's constant that C*(r) is at least.
 const CHAIN: f64 = 0.99;

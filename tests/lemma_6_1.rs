@@ -20,7 +20,8 @@ const LIMIT_TOLERANCE: f64 = 1e-4;
 const OPTIMISER_SHARE: f64 = 0.999;
 /// The constant printed in the lemma.
 const PRINTED: f64 = 1.0;
-/// Relative distance from h* at which holding and failing are told apart; h* and the constants are known to 1e-8.
+/// Relative distance from h* at which holding and failing are told apart; h* and the constants are known to
+/// 1e-8.
 const BESIDE: f64 = 1e-4;
 
 const NORMS: [ErrorNorm; 2] = [ErrorNorm::L2, ErrorNorm::Derivative];
@@ -210,7 +211,8 @@ fn the_second_line_fails_as_printed_beyond_its_length_and_holds_up_to_it() {
         let longest = longest_element(order(nu), Tolerance::balanced()).unwrap().value;
         for (h, holds) in [(1.0 - BESIDE, true), (1.0 + BESIDE, false), (2.0, false)] {
             let h = h * longest;
-            // the full norm of the extremal function, on a reference element: length enters through the norm alone
+            // the full norm of the extremal function, on a reference element: length enters through the norm
+            // alone
             let best = element_constant(ErrorNorm::H1 { h }, order(nu), Tolerance::balanced()).unwrap();
             assert_eq!(best.value + best.error <= PRINTED, holds, "nu {nu} h {h}: {best}");
             assert_eq!(best.value - best.error > PRINTED, !holds, "nu {nu} h {h}: {best}");

@@ -10,12 +10,13 @@ const CHANGES: f64 = 3.0;
 
 /// The exponents of h = 1/N between each mesh and the one before it; none for the first.
 ///
-/// Meshes are given with their numbers of elements, coarsest first. The error of an exponent is three times its change
-/// from the one before, and what the errors of the norms leave; of the first exponent nothing else is known, and its
-/// error is the exponent itself.
+/// Meshes are given with their numbers of elements, coarsest first. The error of an exponent is three times
+/// its change from the one before, and what the errors of the norms leave; of the first exponent nothing else
+/// is known, and its error is the exponent itself.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] unless the numbers of elements rise; [`Error::NotFinite`] for errors that vanish.
+/// [`Error::CountOutOfRange`] unless the numbers of elements rise; [`Error::NotFinite`] for errors that
+/// vanish.
 pub fn observed_rates(meshes: &[(usize, Estimate)]) -> Result<Vec<Option<Estimate>>> {
     let mut rates: Vec<Option<Estimate>> = vec![None; meshes.len().min(1)];
     for pair in meshes.windows(2) {

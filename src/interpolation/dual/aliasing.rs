@@ -111,7 +111,8 @@ pub fn all_waves_mean(k: usize, p: f64) -> Result<Estimate> {
     Estimate::new(value, ROUNDING * value, Work { points: 40, ..Work::default() })
 }
 
-/// The exponent of h = 2^{-k} by which [`all_waves_mean`] falls between the levels k and 2k; it nears 3/2 like p/k.
+/// The exponent of h = 2^{-k} by which [`all_waves_mean`] falls between the levels k and 2k; it nears 3/2
+/// like p/k.
 ///
 /// Its error is three times the change from the exponent between k/2 and k.
 ///

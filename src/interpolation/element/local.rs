@@ -48,8 +48,8 @@ impl LocalConstants {
         })
     }
 
-    /// Their limits for ν → 0: since |x − y| ≤ 1 on the unit element, |v|_ν rises in ν and all constants fall, so these
-    /// bound the constants of every order, and h* from below.
+    /// Their limits for ν → 0: since |x − y| ≤ 1 on the unit element, |v|_ν rises in ν and all constants
+    /// fall, so these bound the constants of every order, and h* from below.
     ///
     /// # Errors
     /// As [`element_constant`].

@@ -60,8 +60,8 @@ pub struct EmbeddingSpace {
 }
 
 impl EmbeddingSpace {
-    /// A space that serves every exponent up to q: layers down to e^{-0.6 q}, beyond ln(1/θ) = q/2 where the extremal
-    /// function is cut off.
+    /// A space that serves every exponent up to q: layers down to e^{-0.6 q}, beyond ln(1/θ) = q/2 where the
+    /// extremal function is cut off.
     ///
     /// # Errors
     /// As [`EmbeddingSpace::new`]; [`Error::OutOfRange`] unless 2 ≤ q ≤ [`EmbeddingSpace::LARGEST`].
@@ -69,7 +69,8 @@ impl EmbeddingSpace {
         Self::new(order, layers(q)?, RATIO)
     }
 
-    /// A space for the critical exponent 2/(1−2ν): it serves exponents up to four times as large, where that is allowed.
+    /// A space for the critical exponent 2/(1−2ν): it serves exponents up to four times as large, where that
+    /// is allowed.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless ν < 1/2; as [`EmbeddingSpace::new`].

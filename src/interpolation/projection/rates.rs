@@ -1,7 +1,8 @@
 //! The rates of (4.6) and (4.7) on two roads: of one function barely in H^r, and of the supremum over H^r.
 //!
-//! The function is x^{r−1/2+0.005}, whose own rate is r + 0.005; for r = 1 it is cos(πx), since x^{0.505} nears the rate 1
-//! slowly. Beside the rates stand the constants that bound the supremum on every mesh, from above and by a wave from below.
+//! The function is x^{r−1/2+0.005}, whose own rate is r + 0.005; for r = 1 it is cos(πx), since x^{0.505}
+//! nears the rate 1 slowly. Beside the rates stand the constants that bound the supremum on every mesh, from
+//! above and by a wave from below.
 
 use super::constant::{ProjectionNorm, dual_projection_constant, projection_constant};
 use super::sample::{sample_projection_dual_error, sample_projection_error};
@@ -40,7 +41,8 @@ pub struct ProjectionRates {
     pub wave: Estimate,
 }
 
-/// Rates in the dual norm of functions in closed form, from three meshes, each with twice the elements of the one before.
+/// Rates in the dual norm of functions in closed form, from three meshes, each with twice the elements of the
+/// one before.
 #[derive(Debug, Clone)]
 pub struct DualRates {
     elements: [usize; 3],
@@ -51,7 +53,8 @@ impl DualRates {
     /// Factorizes the dual norms.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 256 of them.
+    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 256 of
+    /// them.
     pub fn new(coarsest: usize) -> Result<Self> {
         let elements = [1, 2, 4].map(|factor: usize| coarsest.saturating_mul(factor));
         let norm = |n: usize| DualNorm::new(&Partition::uniform(n.saturating_mul(CELLS), 1.0)?);
@@ -60,8 +63,8 @@ impl DualRates {
 
     /// The exponent of h between the two finer meshes.
     ///
-    /// Its error: three times the change from the coarser pair, and twice what eight cells per element in place of four
-    /// change of the coarser pair (halving the cells at least halves what they miss).
+    /// Its error: three times the change from the coarser pair, and twice what eight cells per element in
+    /// place of four change of the coarser pair (halving the cells at least halves what they miss).
     ///
     /// # Errors
     /// As [`sample_projection_dual_error`].

@@ -28,7 +28,8 @@ pub struct SupremumRate {
     /// The exponent with the constant part B taken out. Its error: what the three coarser meshes say
     /// differently, three times over, and what half as many cells per element say differently.
     pub rate: Estimate,
-    /// The exponent between the two finest meshes as it stands; its error is what half as many cells say differently.
+    /// The exponent between the two finest meshes as it stands; its error is what half as many cells say
+    /// differently.
     pub observed: Estimate,
     /// S(N) N^r, or S(N) N^{r+1/2} in the dual norm, on the finest mesh, from below.
     pub scaled: Estimate,
