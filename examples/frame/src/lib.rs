@@ -16,11 +16,16 @@
 //! Exit codes: 0 every claim holds, 1 one is refuted or undecided, 2 bad input (one clear line on stderr).
 
 mod command;
+#[cfg(feature = "contact")]
+pub mod contact;
 mod error;
 pub mod figures;
 mod outcome;
+#[cfg(feature = "contact")]
 pub mod poincare;
+#[cfg(feature = "contact")]
 pub mod rates;
+#[cfg(feature = "contact")]
 pub mod shown;
 
 pub use command::{HasOutput, Output, Shown, main, progress};
