@@ -67,6 +67,21 @@ impl FalkRow {
         self.error - 2.0 * self.second_infimum
     }
 
+    /// The first infimum over its bound |u−I^hu|² + 2∫σ_N(I^h u)_N: at most 1, since u_h minimises over a cone that holds I^h u.
+    pub fn interpolant_share(&self) -> f64 {
+        self.first_infimum() / (self.approximation + 2.0 * self.consistency)
+    }
+
+    /// The second infimum over |u−u_h|² + |u−I^hu|²: at most 0 in K^h.
+    pub fn second_share(&self) -> f64 {
+        self.second_infimum / (self.error + self.approximation)
+    }
+
+    /// Left less right side of (4.8), over |u−u_h|² + |u−I^hu|².
+    pub fn split_excess(&self) -> f64 {
+        (self.second_infimum - self.first_part - self.second_part) / (self.error + self.approximation)
+    }
+
     fn add(&mut self, other: &Self, share: f64) {
         self.n = other.n;
         self.error += share * other.error;

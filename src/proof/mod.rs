@@ -41,6 +41,6 @@ pub use section_four::section_four_checks;
 pub use section_three::section_three_checks;
 pub use setting::SegmentSetting;
 pub use step::{Step, TwoLaws};
-pub use theta::{ThetaRule, printed_theta};
+pub use theta::{ThetaRule, printed_exponent, printed_theta};
 pub use worst_pair::{WorstGaps, worst_gaps, worst_ratio};
 pub use worst_sets::{ContactFamily, SetTerms};

@@ -12,6 +12,12 @@ pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
     Ok(if tau == 2.0 { h * h } else { h.powf(2.0 * tau - 3.0) })
 }
 
+/// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the exponent of h in the squared error that θ = h^{2τ−3}
+/// gives, (3.1)-(3.2), (4.2)-(4.4).
+pub fn printed_exponent(tau: f64) -> f64 {
+    if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 * tau - 2.0 }
+}
+
 pub(super) fn checked_theta(theta: f64) -> Result<f64> {
     Error::require("theta", theta, "(0, 1)", theta > 0.0 && theta < 1.0)
 }

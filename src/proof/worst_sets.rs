@@ -12,6 +12,7 @@ use crate::edge::{consistency_terms, edge_norms};
 use crate::error::{Error, Result};
 use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{EdgeData, Sides};
+use std::fmt;
 
 /// A family of contact sets.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,6 +79,15 @@ impl ContactFamily {
                 let place = |k: usize| FIRST + SPREAD * k as f64 / POSITIONS as f64;
                 (0..POSITIONS).map(|k| powers.data(place(k), cells)).collect()
             }
+        }
+    }
+}
+
+impl fmt::Display for ContactFamily {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ContactFamily::Transition { pressure } => write!(f, "transition, sigma_N ~ r^{pressure:.2}"),
+            ContactFamily::Scene(scene) => scene.fmt(f),
         }
     }
 }
