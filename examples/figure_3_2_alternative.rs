@@ -1,7 +1,9 @@
-//! Figure 3.2, and Figure 4.1 as its twin: the case of every contact segment, and what it adds to the consistency term.
+//! Figure 3.2, and Figure 4.1 as its twin: the case of every contact segment, and what it adds to the
+//! consistency term.
 //!
 //! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --meshes 8`
-//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --over-theta`
+//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256
+//! --over-theta`
 
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
@@ -14,7 +16,8 @@ use std::process::ExitCode;
 example_frame::options! {
     /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
     pub struct Options {
-        /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3, fat-cantor, ...)
+        /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3,
+        /// fat-cantor, ...)
         #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block))]
         pub scene: Scene,
         /// Contact segments of the finest mesh classified

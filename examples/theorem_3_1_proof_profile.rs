@@ -1,4 +1,4 @@
-//! Theorem 3.1, its proof, and that of Theorem 4.1 as its twin: both sides of every inequality, and a ladder of bounds.
+//! Theorem 3.1, its proof (Theorem 4.1 is its twin): both sides of every inequality, and a ladder of bounds.
 //!
 //! `cargo run --release --example theorem_3_1_proof_profile -- --scene fat-cantor --lines`
 
@@ -12,7 +12,7 @@ use std::process::ExitCode;
 example_frame::options! {
     /// Compute both sides of every inequality of the proof on a manufactured pair (u_N, sigma_N)
     pub struct Options {
-        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or samples:FILE
+        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE
         #[arg(long, default_value_t = StripScene::transition())]
         pub scene: StripScene,
         /// Regularity the proof assumes, in (3/2, 2], for Theorem 4.1 in (3/2, 5/2)
@@ -67,7 +67,8 @@ pub fn compute(section: Section, options: &Options) -> Result<Computed> {
     Ok(Computed { profile, rungs })
 }
 
-/// Rungs that coincide, and lines that are sharp, agree up to the sums and the constants, which are good to 1e-9.
+/// Rungs that coincide, and lines that are sharp, agree up to the sums and the constants, which are good to
+/// 1e-9.
 const CONSTANTS: f64 = 1e-8;
 /// Exponents of the losses come from nine meshes, on which the zones of a transition scatter.
 const SCATTER: f64 = 0.05;
@@ -126,12 +127,9 @@ pub fn findings(options: &Options, Computed { profile, rungs }: &Computed) -> Ve
                 .told(),
         );
         findings.push(
-            Finding::remark(
-                "zone.law",
-                "with the law of the constant that is the loss of the theorem, {value}",
-            )
-            .number_or(both, "no loss")
-            .within(SCATTER, (2.0 * tau - 3.0) * (2.0 - tau), "(2 tau - 3)(2 - tau)"),
+            Finding::remark("zone.law", "with the law of its constant that is the loss of the theorem")
+                .number_or(both, "no loss")
+                .within(SCATTER, (2.0 * tau - 3.0) * (2.0 - tau), "(2 tau - 3)(2 - tau)"),
         );
     }
     findings

@@ -30,7 +30,8 @@ fn a_short_gap_makes_the_term_small_where_the_second_case_lets_it_grow() {
             .map(|&t| worst_ratio(Cone::Nodal, tau, 0.0, t, tolerance).unwrap().value)
             .collect();
         assert!(ratios.windows(2).all(|pair| pair[1] < pair[0]), "{tau}: {ratios:?}");
-        // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν} |u_N'|_ν: together θ^{2ν} = θ^{2τ−3}.
+        // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν} |u_N'|_ν:
+        // together θ^{2ν} = θ^{2τ−3}.
         let order = (ratios[1] / ratios[2]).log10();
         assert!((order - (2.0 * tau - 3.0)).abs() < 0.05, "{tau}: {order}");
     }

@@ -118,7 +118,8 @@ impl ProofProfile {
         }
     }
 
-    /// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the printed exponent of the squared error.
+    /// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the printed exponent of the
+    /// squared error.
     pub fn printed_exponent(&self) -> f64 {
         printed_exponent(self.case.tau)
     }

@@ -1,5 +1,6 @@
-//! The proofs of Theorems 3.1 and 4.1 in numbers: which case a contact segment falls into, both sides of every inequality, the
-//! ladder of bounds, the balance of θ, Falk's lemma, and the worst pairs and contact sets of one segment.
+//! The proofs of Theorems 3.1 and 4.1 in numbers: which case a contact segment falls into, both sides of
+//! every inequality, the ladder of bounds, the balance of θ, Falk's lemma, and the worst pairs and contact
+//! sets of one segment.
 
 mod alternative_study;
 mod alternatives;
