@@ -2,72 +2,167 @@
 //!
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 
-use clap::Parser;
-use example_frame::{FigureRates, figure_chart, figure_headline};
-use example_frame::{HasOutput, Output, progress};
-use signorini::report::Headline;
+use example_frame::figures::Chart;
+use example_frame::rates::{
+    HALF_WIDTH, RateRow, both_cones, complete, exponents_chart, fit_cells, largest, lowest,
+};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use signorini::Error;
+use signorini::cone::Cone;
+use signorini::convergence::{Bound, StripGroup};
 use signorini::scenes::StripScene;
 use signorini::strip::{Levels, StripKind};
-use signorini::{Error, Result};
 use std::process::ExitCode;
 
-/// Exponents over the regularity: printed, and measured with their uncertainty
-#[derive(Debug, Clone, Parser)]
-pub struct Options {
-    /// Regularities tau in (3/2, 2)
-    #[arg(long, value_delimiter = ',', default_value = "1.55,1.6,1.65,1.7,1.75,1.8,1.85,1.9,1.95")]
-    pub tau: Vec<f64>,
-    /// scalar or elastic
-    #[arg(long, default_value_t = StripKind::Scalar)]
-    pub kind: StripKind,
-    /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]] or fat-cantor[:DEPTH]
-    #[arg(long, default_value_t = StripScene::transition())]
-    pub scene: StripScene,
-    /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 32 times finer
-    #[arg(long, default_value = "3-12")]
-    pub levels: Levels,
-    /// Positions of a single transition in its cell (odd: evenly spread on all levels)
-    #[arg(long, default_value_t = 5)]
-    pub positions: usize,
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self::parse_from(["figure_3_1"])
+example_frame::options! {
+    /// Exponents over the regularity: printed, and measured with their uncertainty
+    pub struct Options {
+        /// Regularities tau in (3/2, 2)
+        #[arg(long, value_delimiter = ',', default_value = "1.55,1.6,1.65,1.7,1.75,1.8,1.85,1.9,1.95")]
+        pub tau: Vec<f64>,
+        /// scalar or elastic
+        #[arg(long, default_value_t = StripKind::Scalar)]
+        pub kind: StripKind,
+        /// A scene on the strip
+        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
+        pub scene: StripScene,
+        /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 32 times finer
+        #[arg(long, default_value = "3-12")]
+        pub levels: Levels,
+        /// Positions of a single transition in its cell (odd: evenly spread on all levels)
+        #[arg(long, default_value_t = 5)]
+        pub positions: usize,
     }
 }
 
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
-    }
+/// What is computed: the same scene at every τ in both cones, nodal first.
+pub struct Computed {
+    /// One pair per τ.
+    pub pairs: Vec<[RateRow; 2]>,
 }
 
-/// Measures the orders and sets them beside the curves.
-pub fn run(options: &Options) -> Result<Headline> {
+/// Solves all levels at every τ in both cones.
+pub fn compute(options: &Options) -> Result<Computed> {
     for &tau in &options.tau {
         Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)?;
     }
-    let finest = options.levels.cells().max().unwrap_or(2).ilog2();
-    let figure = FigureRates {
-        taus: options.tau.clone(),
-        kind: options.kind,
-        source: options.scene.clone(),
-        levels: options.levels,
-        reference: (finest + 5).min(22),
-        positions: options.positions,
-    };
-    let bar = progress(figure.steps());
-    let studies = figure.run(&mut || bar.inc(1))?;
-    bar.finish_and_clear();
-    let mut headline = figure_headline(&studies)?;
+    let reference = (32 * options.levels.finest_cells()).min(1 << 22);
+    let group = StripGroup::new(options.kind, options.levels, reference);
+    let group = group.with(&options.scene, &options.tau, options.positions)?;
+    Ok(Computed { pairs: both_cones(&group)? })
+}
+
+/// What decides: every order against the curve of the paper and against the optimal line, with its bar.
+pub fn findings(_: &Options, Computed { pairs }: &Computed) -> Vec<Finding> {
+    let rows = || pairs.iter().flatten();
+    let without = "an order is missing";
+    let ratios = |k: usize| rows().map(move |row| row.from_optimal()[k]);
+    let distances = rows().map(|row| row.above(Bound::Optimal).map(|(distance, _)| distance.abs()));
+    let beside = largest(ratios(0)).map(|_| ratios(0).filter(|r| r.is_some_and(|r| r.abs() > 1.0)).count());
+    let terms = ratios(1).filter(Option::is_some).map(|ratio| ratio.map(f64::abs));
+    let mut found = vec![
+        complete(rows().map(|row| &row.study)),
+        Finding::claim(
+            "above",
+            "every measured order lies above the curve of the paper, the nearest by {value} +- {uncertainty}",
+        )
+        .number_or(lowest(rows().map(|row| row.above(Bound::Paper))), without)
+        .at_least(0.0, "tau^2 - 5tau/2 + 2, (3.1)")
+        .otherwise("an order lies below the curve of the paper, by {value}")
+        .told(),
+        Finding::claim("optimal", "no order stays below the optimal line by more than its bar")
+            .number_or(largest(ratios(0).map(|ratio| ratio.map(|r| -r))), without)
+            .at_most(1.0, "tau - 1, Drouet & Hild 2015; in units of the bar")
+            .otherwise("an order stays below the optimal line by {value} times its bar"),
+        Finding::remark("line", "every bar meets the optimal line")
+            .number_or(beside.map(|count| (count as f64, 0.0)), without)
+            .at_most(0.0, "tau - 1")
+            .otherwise("{value} bars miss the optimal line")
+            .told(),
+        Finding::remark("distance", "no order is further than {value} from the optimal line")
+            .number_or(largest(distances), without)
+            .at_most(0.5 * SIXTEENTH, "half of 1/16, the largest gap between the curves")
+            .otherwise("an order is {value} away from the optimal line"),
+        Finding::remark("terms", "the bars of the consistency terms meet the optimal line as well")
+            .number_or(largest(terms), "no term could be fitted")
+            .at_most(1.0, "tau - 1; in units of the bar"),
+    ];
+    found.extend(rows().filter(|row| row.study.tau == 1.75).map(|row| {
+        let cone = row.study.cone;
+        Finding::remark(format!("sixteenth.{cone}"), format!("at tau = 7/4 the {cone} cone gains {{value}}"))
+            .number_or(row.above(Bound::Paper), without)
+            .within(0.5 * SIXTEENTH, SIXTEENTH, "3/4 - 11/16, Figure 3.1")
+    }));
+    found
+}
+
+/// (τ − 3/2)(2 − τ) at τ = 7/4.
+const SIXTEENTH: f64 = 1.0 / 16.0;
+
+/// Measures the orders and sets them beside the curves.
+pub fn run(options: &Options) -> Result<Headline> {
+    let computed = compute(options)?;
+    let claim = "the exponent tau^2-5tau/2+2 lies above tau/2-1/4 and below tau-1, furthest from it (1/16) at tau = 7/4";
+    let found = findings(options, &computed);
+    let mut headline = Headline::new("Figure 3.1", claim, table(&computed.pairs)?, found);
+    for row in computed.pairs.iter().flatten() {
+        for (what, fit) in [("error", row.error), ("term", row.term)] {
+            let key = format!("figure.3.1.{}.{what}.{:.0}", row.study.cone, 100.0 * row.study.tau);
+            RateRow::quote(&mut headline, &key, fit);
+        }
+    }
     if let Some(directory) = options.output.directory()? {
-        headline.figures.push(figure_chart(&studies)?.save(directory, "figure_3_1")?);
+        headline.figures.push(draw(&computed.pairs)?.save(directory, "figure_3_1")?);
     }
     Ok(headline)
+}
+
+fn table(pairs: &[[RateRow; 2]]) -> Result<Table> {
+    let three = Format::Fixed(3);
+    let mut table = Table::new(vec![
+        Column::new("tau", "tau", Format::Plain, "supremum of the tau with u in H^tau"),
+        Column::new("earlier", "(E2)", three, "tau/2 - 1/4"),
+        Column::new("paper", "(N1)", three, "tau^2 - 5tau/2 + 2"),
+        Column::new("optimal", "tau-1", three, "optimal"),
+        Column::new("nodal_error", "error K", three, "order of the error, nodal cone"),
+        Column::new("nodal_error_half", "+-", three, HALF_WIDTH),
+        Column::new("nodal_term", "term K", three, "order of the root of the consistency term, nodal cone"),
+        Column::new("nodal_term_half", "+-", three, ""),
+        Column::new("midpoint_error", "error M", three, "order of the error, midpoint cone"),
+        Column::new("midpoint_error_half", "+-", three, ""),
+        Column::new("midpoint_term", "term M", three, "order of the root of the term, midpoint cone"),
+        Column::new("midpoint_term_half", "+-", three, ""),
+        Column::new("left_out", "out", Format::Plain, "levels left out of the fits"),
+    ]);
+    for pair in pairs {
+        let tau = pair[0].study.tau;
+        let mut row: Vec<Cell> = vec![tau.into()];
+        for bound in [Bound::Earlier, Bound::Paper, Bound::Optimal] {
+            row.push(bound.exponent(tau)?.into());
+        }
+        row.extend(pair.iter().flat_map(|row| [row.error, row.term]).flat_map(fit_cells));
+        row.push(pair.iter().map(|row| row.study.left_out()).sum::<usize>().into());
+        table.push(row);
+    }
+    Ok(table)
+}
+
+/// The paper's figure with measured orders: errors and roots of the terms of both cones, side by side at each τ.
+fn draw(pairs: &[[RateRow; 2]]) -> Result<Chart> {
+    let series = |(k, is_error): (usize, bool)| {
+        let fit = |row: &RateRow| Some((row.study.tau, if is_error { row.error } else { row.term }?));
+        let what = if is_error { "error" } else { "root of the term" };
+        let name = format!("{what}, {} cone", [Cone::Nodal, Cone::Midpoint][k]);
+        (name, pairs.iter().map(|pair| fit(&pair[k])).collect())
+    };
+    let curves = [
+        ("existing: tau/2 - 1/4", Bound::Earlier, (1.5, 2.0)),
+        ("the paper: tau^2 - 5tau/2 + 2", Bound::Paper, (1.5, 2.0)),
+        ("optimal: tau - 1", Bound::Optimal, (1.5, 2.0)),
+    ];
+    let orders = [(0, true), (0, false), (1, true), (1, false)].map(series).to_vec();
+    let title = "Figure 3.1: printed exponents and measured orders";
+    exponents_chart(title, ((1.5, 2.0), (0.48, 1.02)), &curves, orders, 0.004)
 }
 
 fn main() -> ExitCode {

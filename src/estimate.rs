@@ -142,6 +142,26 @@ impl Estimate {
         if self.value == 0.0 { self.error } else { self.error / self.value.abs() }
     }
 
+    /// The quotient; its relative error adds both.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when it is infinite or 0/0.
+    pub fn over(self, other: Self) -> Result<Self> {
+        let value = self.value / other.value;
+        let error = value.abs() * (self.relative_error() + other.relative_error());
+        Self::new(value, error, self.work + other.work)
+    }
+
+    /// The one that may be largest: of largest value + error.
+    pub fn largest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        estimates.into_iter().reduce(|a, b| if b.value + b.error > a.value + a.error { b } else { a })
+    }
+
+    /// The one that may be smallest: of smallest value − error.
+    pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        estimates.into_iter().reduce(|a, b| if b.value - b.error < a.value - a.error { b } else { a })
+    }
+
     /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
     ///
     /// # Errors
@@ -173,6 +193,19 @@ mod tests {
         for bad in ["0", "nan", "1", "tight"] {
             assert!(bad.parse::<Tolerance>().is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn quotients_carry_both_errors() {
+        let number = |value, error| Estimate::new(value, error, Work::default()).unwrap();
+        let (two, four) = (number(2.0, 0.02), number(4.0, 0.04));
+        let half = two.over(four).unwrap();
+        assert!((half.value, (half.error - 0.01).abs() < 1e-15) == (0.5, true), "{half}");
+        assert!(two.over(number(0.0, 0.0)).is_err());
+        assert_eq!(
+            (Estimate::largest([two, four]), Estimate::smallest([two, four])),
+            (Some(four), Some(two))
+        );
     }
 
     #[test]

@@ -52,25 +52,36 @@
 #![warn(unreachable_pub)]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "contact"))]
 mod book;
+#[cfg(feature = "contact")]
 pub mod cone;
+#[cfg(feature = "contact")]
 pub mod contact;
+#[cfg(feature = "contact")]
 pub mod convergence;
+#[cfg(feature = "contact")]
 pub mod edge;
 pub mod error;
 pub mod estimate;
+#[cfg(feature = "contact")]
 pub mod fem;
+#[cfg(feature = "contact")]
 pub mod figures;
 pub mod interpolation;
+#[cfg(feature = "contact")]
 pub mod mesh;
 pub mod numeric;
 pub mod poincare;
+#[cfg(feature = "contact")]
 pub mod proof;
 pub mod quadrature;
+#[cfg(feature = "contact")]
 pub mod report;
+#[cfg(feature = "contact")]
 pub mod scenes;
 pub mod sobolev;
+#[cfg(feature = "contact")]
 pub mod strip;
 
 pub use error::{Error, Result};

@@ -16,7 +16,7 @@ fn errors_of_both_cones_lie_on_the_optimal_line() {
         let options =
             example::Options { tau, kind, levels: "3-11".parse().unwrap(), ..example::Options::default() };
         let headline = example::run(&options).unwrap();
-        assert!(headline.verdict.is_confirmed(), "{headline}");
+        assert!(headline.verdict().is_confirmed(), "{headline}");
         for row in 0..3 {
             let number = |key: &str| headline.table.number(row, key).unwrap();
             for cone in ["nodal_error", "midpoint_error"] {

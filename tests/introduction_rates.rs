@@ -11,7 +11,7 @@ const ORDER: f64 = 0.04;
 fn every_rate_is_reached_and_the_optimal_one_is_not_passed() {
     let options = example::Options { levels: "4-12".parse().unwrap(), ..example::Options::default() };
     let headline = example::run(&options).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{headline}");
+    assert!(headline.verdict().is_confirmed(), "{headline}");
     for row in 0..headline.table.rows().len() {
         let number = |key: &str| headline.table.number(row, key).unwrap();
         for cone in ["nodal", "midpoint"] {

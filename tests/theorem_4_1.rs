@@ -36,5 +36,5 @@ fn the_consistency_term_by_two_roads() {
 fn the_example_confirms_the_theorem() {
     let options = example::Options { tau: vec![1.75, 2.0, 2.1], ..example::Options::default() };
     let headline = example::run(&options).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{headline}");
+    assert!(headline.verdict().is_confirmed(), "{headline}");
 }

@@ -1,6 +1,7 @@
 //! Finished levels that need not be solved again: a study asks for them by what they depend on.
 
 use super::level::RateLevel;
+use super::subject::FamilyScene;
 use crate::cone::Cone;
 use crate::error::Result;
 use crate::strip::{Levels, StripKind};
@@ -12,7 +13,7 @@ pub struct LevelKey {
     /// Which strip.
     pub kind: StripKind,
     /// The family of scenes.
-    pub family: String,
+    pub family: FamilyScene,
     /// τ of the family.
     pub tau: f64,
     /// The discrete cone.

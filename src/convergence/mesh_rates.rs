@@ -8,6 +8,7 @@
 use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::study::{RateReference, RateStudy};
+use super::subject::Subject;
 use crate::cone::Cone;
 use crate::contact::{ContactProblem, ContactSolution, Solver};
 use crate::error::{Error, Result};
@@ -56,10 +57,11 @@ impl MeshRates {
         let norm = problem.energy_norm(&solution)?;
         let reference = Reference { rates: *self, hierarchy, problem, solution, norm };
         let tau = self.scene.regularity(&self.setting)?;
-        let name = match self.scene {
-            MeshScene::Corner if self.constant_load => format!("corner {} f=-1", self.setting.angle),
-            MeshScene::Corner => format!("corner {}", self.setting.angle),
-            scene => scene.to_string(),
+        let subject = match self.scene {
+            MeshScene::Corner => {
+                Subject::Corner { angle: self.setting.angle, constant_load: self.constant_load }
+            }
+            scene => Subject::Mesh(scene),
         };
         let h_r = 1.0 / (self.coarsest << (self.levels - 1 + REFERENCE_DEPTH)) as f64;
         let resolution = self.coarsest << (self.levels - 1 + REFERENCE_DEPTH);
@@ -69,8 +71,8 @@ impl MeshRates {
                 let solved = solve_levels(&reference, cone, |_| false, |_, _| Ok(()))?;
                 let judged = |level| RateLevel::of(level, resolution, 1 << REFERENCE_DEPTH);
                 let levels: Vec<RateLevel> = solved.iter().flatten().map(judged).collect();
-                let (scene, reference) = (name.clone(), RateReference::Discrete(h_r));
-                Ok(RateStudy { scene, tau, cone, norm: None, reference, planned: self.levels, levels })
+                let (subject, reference) = (subject.clone(), RateReference::Discrete(h_r));
+                Ok(RateStudy { subject, tau, cone, norm: None, reference, planned: self.levels, levels })
             })
             .collect()
     }

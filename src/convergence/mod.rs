@@ -3,13 +3,15 @@
 //! | | here |
 //! | --- | --- |
 //! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
-//! | a scene in one cone on strips and on meshes | [`RateStrip`], [`MeshRates`], [`RateStudy`] |
+//! | a scene in one cone on strips and on meshes | [`RateStrip`], [`StripGroup`], [`MeshRates`], [`RateStudy`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
 //! | the order p ± what it may be off by | [`Fit`]; the power of |ln h| at τ = 2: [`LogarithmFit`] |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
 mod bounds;
+mod family;
 mod fit;
+mod group;
 mod level;
 mod level_loop;
 mod logarithm;
@@ -19,14 +21,18 @@ mod orders;
 mod series;
 mod strip_rates;
 mod study;
+mod subject;
 
 pub use bounds::Bound;
+pub use family::SceneFamily;
 pub use fit::{Fit, Model};
+pub use group::StripGroup;
 pub use level::{Flag, RateLevel};
 pub use level_loop::{Facts, Level, LevelProblem, solve_levels};
 pub use logarithm::LogarithmFit;
 pub use memory::{LevelKey, LevelMemory, NoMemory};
 pub use mesh_rates::MeshRates;
 pub use orders::observed_orders;
-pub use strip_rates::{RateStrip, SceneFamily};
+pub use strip_rates::RateStrip;
 pub use study::{Quantity, RateReference, RateStudy};
+pub use subject::{FamilyScene, Subject};

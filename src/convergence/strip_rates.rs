@@ -4,17 +4,18 @@
 //! every scene, τ and cone. Each level starts from the coarser one. Below h_r, the mesh size of the reference grid, the data are
 //! smooth: a singularity of order p lacks a share (h_r/h)^{2p} of e²; [`RateStudy::fit`] accounts for it.
 
+use super::family::SceneFamily;
 use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::memory::{LevelKey, LevelMemory};
 use super::study::{RateReference, RateStudy};
+use super::subject::Subject;
 use crate::cone::Cone;
 use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
 use crate::estimate::Estimate;
-use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{
-    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, Sides, StripKind, StripProblem, solve_contact,
+    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, StripKind, StripProblem, solve_contact,
 };
 
 /// The reference grid is this much finer than the finest level that counts.
@@ -28,57 +29,6 @@ pub struct RateStrip {
     reference_cells: usize,
     problem: Option<StripProblem>,
     operators: Vec<(EdgeOperator, f64)>,
-}
-
-/// One family of scenes: a scene, or one at several positions whose errors are averaged.
-pub struct SceneFamily<'a> {
-    /// In words; part of the key under which levels are remembered, decides nothing.
-    pub name: String,
-    /// The supremum of the τ with u ∈ H^τ.
-    pub tau: f64,
-    /// How many members.
-    pub count: usize,
-    /// Member i on an edge of so many cells.
-    pub member: Box<dyn Fn(usize, usize) -> Result<EdgeData> + 'a>,
-}
-
-impl SceneFamily<'_> {
-    /// A named scene. One transition has a gap that is mirrored at natural sides ([`TransitionPowers`]) and is moved over `positions`
-    /// places of a cell, spread over the cells of every level when odd.
-    ///
-    /// # Errors
-    /// [`Error::CountOutOfRange`] for no position.
-    pub fn named(
-        source: &StripScene,
-        tau: f64,
-        kind: StripKind,
-        coarsest: usize,
-        positions: usize,
-    ) -> Result<Self> {
-        if positions == 0 || positions > 1024 {
-            return Err(Error::CountOutOfRange { name: "positions", value: positions, range: "[1, 1024]" });
-        }
-        let sides = kind.sides();
-        let name = source.to_string();
-        let source = source.clone();
-        Ok(match source {
-            StripScene::Transition { position } => Self {
-                name,
-                tau,
-                count: positions,
-                member: Box::new(move |i, cells| {
-                    let position = position + i as f64 / positions as f64 / coarsest as f64;
-                    match sides {
-                        Sides::Natural => TransitionPowers::of_regularity(tau).data(position, cells),
-                        Sides::Periodic => StripScene::Transition { position }.data(tau, cells, sides),
-                    }
-                }),
-            },
-            _ => {
-                Self { name, tau, count: 1, member: Box::new(move |_, cells| source.data(tau, cells, sides)) }
-            }
-        })
-    }
 }
 
 impl RateStrip {
@@ -139,8 +89,8 @@ impl RateStrip {
             })
             .collect::<Result<_>>()?;
         let reference = RateReference::Resolved(1.0 / self.reference_cells as f64);
-        let scene = format!("{} {}", self.kind, family.name);
-        Ok(RateStudy { scene, tau: family.tau, cone, norm, reference, planned, levels })
+        let subject = Subject::Strip(self.kind, family.scene.clone());
+        Ok(RateStudy { subject, tau: family.tau, cone, norm, reference, planned, levels })
     }
 
     /// The levels of member i.
@@ -155,7 +105,7 @@ impl RateStrip {
     ) -> Result<Vec<RateLevel>> {
         let key = |cells: usize| LevelKey {
             kind: self.kind,
-            family: family.name.clone(),
+            family: family.scene.clone(),
             tau: family.tau,
             cone,
             member: (i, family.count),

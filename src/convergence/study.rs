@@ -3,6 +3,7 @@
 use super::bounds::Bound;
 use super::fit::Fit;
 use super::level::RateLevel;
+use super::subject::Subject;
 use crate::cone::Cone;
 use crate::error::Result;
 
@@ -23,8 +24,8 @@ const UNRESOLVED: f64 = 0.5;
 /// The levels of one scene, coarsest first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RateStudy {
-    /// What was solved, in words for people; nothing is decided by it.
-    pub scene: String,
+    /// What was solved.
+    pub subject: Subject,
     /// The supremum of the τ with u ∈ H^τ.
     pub tau: f64,
     /// The discrete cone.
@@ -57,6 +58,11 @@ impl RateStudy {
     /// How many levels are left out.
     pub fn left_out(&self) -> usize {
         self.levels.len() - self.usable().count()
+    }
+
+    /// Largest relative uncertainty of the errors of the levels that count.
+    pub fn precision(&self) -> f64 {
+        self.usable().map(|level| level.error_bound / level.error).fold(0.0, f64::max)
     }
 
     /// How many of the planned levels have no error: never solved, left out between others that count, or not a number.

@@ -9,12 +9,13 @@
 //! | the regression line | [`line`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
-//! | extremal quotients of two quadratic forms | `pencil` |
+//! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
 //!
 //! Plain `f64`; nothing here knows a norm, a mesh or a scene.
 
 pub mod check;
 pub mod conjugate_gradients;
+pub(crate) mod eigen;
 pub mod legendre;
 pub mod line;
 pub(crate) mod pencil;

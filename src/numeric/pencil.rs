@@ -1,23 +1,27 @@
 //! Extremal quotients for a symmetric positive definite matrix A: largest eigenvalues and dual norms.
 //!
-//! A is scaled to unit diagonal and factorized by Cholesky, A = D L Lᵀ D. The largest λ with B x = λ A x is the largest
-//! eigenvalue of L⁻¹ D⁻¹ B D⁻¹ L⁻ᵀ, a symmetric matrix that is divided by its largest diagonal entry first. The value returned is
-//! the Rayleigh quotient of the eigenvector, whose error is the square of the eigenvector's: a lower bound of λ up to the
-//! rounding of A and B.
+//! A is scaled to unit diagonal and factorized by Cholesky, A = D L Lᵀ D. The largest λ with B x = λ A x is the
+//! largest eigenvalue of L⁻¹ D⁻¹ B D⁻¹ L⁻ᵀ, a symmetric matrix that is divided by its largest diagonal entry first. The
+//! value returned is the Rayleigh quotient of the eigenvector, whose error is the square of the eigenvector's: a lower
+//! bound of λ up to the rounding of A and B.
 
+use super::eigen::symmetric_eigen;
 use crate::error::{Error, Result};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltRegularization, cholesky_in_place, cholesky_in_place_scratch};
-use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, Par};
 
-/// One thread: on a few hundred rows threads would spend their time waiting for each other. Callers solve several problems at once.
+/// One thread: on a few hundred rows threads would spend their time waiting for each other. Callers solve several
+/// problems at once.
 const PAR: Par = Par::Seq;
 
 /// Rows of the reduced matrix, relative to its norm, that do not matter to the largest eigenvalue.
 const INSIGNIFICANT: f64 = 1e-13;
+
+/// What does not matter as an entry either, and would only slow the arithmetic down as a subnormal number.
+const NEGLIGIBLE: f64 = 1e-30;
 
 /// The factorized matrix.
 pub(crate) struct Factored {
@@ -43,8 +47,7 @@ impl Factored {
         let size = self.scale.len();
         let scaled = Mat::from_fn(size, size, |i, j| b[(i, j)] / self.scale[i] / self.scale[j]);
         let norm = (0..size).map(|i| scaled[(i, i)].abs()).fold(0.0, f64::max);
-        // Entries that cannot matter would only slow the arithmetic down as subnormal numbers.
-        let flushed = |value: f64| if value.abs() < 1e-30 { 0.0 } else { value };
+        let flushed = |value: f64| if value.abs() < NEGLIGIBLE { 0.0 } else { value };
         let unit = Mat::from_fn(size, size, |i, j| flushed(scaled[(i, j)] / norm));
         let mut half = unit.clone();
         solve_lower_triangular_in_place(self.lower.as_ref(), half.as_mut(), PAR);
@@ -98,15 +101,9 @@ fn cholesky(mut a: Mat<f64>) -> Option<Mat<f64>> {
 
 /// The unit eigenvector of the largest eigenvalue.
 fn dominant(a: &Mat<f64>) -> Option<Vec<f64>> {
-    let size = a.nrows();
-    let (mut values, mut vectors) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, size));
-    let wanted = ComputeEigenvectors::Yes;
-    let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(size, wanted, PAR, Default::default()));
-    let stack = MemStack::new(&mut memory);
-    let diagonal = values.as_mut().col_mut(0).as_diagonal_mut();
-    self_adjoint_evd(a.as_ref(), diagonal, Some(vectors.as_mut()), PAR, stack, Default::default()).ok()?;
-    let last = size.checked_sub(1)?;
-    Some((0..size).map(|i| vectors[(i, last)]).collect())
+    let (values, vectors) = symmetric_eigen(a)?;
+    let last = values.len().checked_sub(1)?;
+    Some((0..values.len()).map(|i| vectors[(i, last)]).collect())
 }
 
 fn indefinite(pivot: usize) -> Error {

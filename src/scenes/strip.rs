@@ -179,6 +179,11 @@ impl StripScene {
         self.clone().form().gaps
     }
 
+    /// The name without parameters: `transition`, `fat-cantor`.
+    pub fn name(&self) -> &'static str {
+        self.clone().form().name
+    }
+
     /// The scene in words: `one transition at 0.4`, `fat Cantor set of depth 15`.
     pub fn words(&self) -> String {
         self.clone().form().words

@@ -29,5 +29,6 @@ pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_
 pub use order::FractionalOrder;
 pub use partition::Partition;
 pub use piecewise::PiecewisePolynomial;
+#[cfg(feature = "contact")]
 pub(crate) use piecewise::linear_power;
 pub(crate) use root::root_of_squares;

@@ -36,7 +36,7 @@ fn strip(
 fn check(studies: &[RateStudy]) {
     for study in studies {
         let (fit, optimal) = (study.fit(Quantity::Error).unwrap(), study.tau - 1.0);
-        let name = format!("{} {} tau {}: {fit}", study.scene, study.cone, study.tau);
+        let name = format!("{} {} tau {}: {fit}", study.subject, study.cone, study.tau);
         assert_eq!(study.left_out(), 0, "{name}");
         assert!((fit.order - optimal).abs() < ORDER, "{name}");
         for quantity in [Quantity::Error, Quantity::Consistency] {
@@ -64,8 +64,8 @@ pub fn corners(cone: Cone) {
             MeshRates { scene: MeshScene::Corner, setting, constant_load: true, coarsest: 3, levels: 7 };
         let study = rates.study(&[cone]).unwrap().remove(0);
         let fit = study.fit(Quantity::Error).unwrap();
-        assert!((fit.order - 90.0 / angle).abs() < CORNER, "{}: {fit}", study.scene);
-        assert!(study.is_bounded(Quantity::Error, Bound::Paper).unwrap(), "{}: {fit}", study.scene);
+        assert!((fit.order - 90.0 / angle).abs() < CORNER, "{}: {fit}", study.subject);
+        assert!(study.is_bounded(Quantity::Error, Bound::Paper).unwrap(), "{}: {fit}", study.subject);
     }
 }
 

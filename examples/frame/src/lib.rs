@@ -20,13 +20,12 @@ mod error;
 pub mod figures;
 mod outcome;
 pub mod poincare;
-mod rates;
+pub mod rates;
 pub mod shown;
 
 pub use command::{HasOutput, Output, Shown, main, progress};
 pub use error::{Error, Result};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
-pub use rates::*;
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command line.
 ///

@@ -5,9 +5,10 @@
 //! Gauss-Legendre rule, exact for polynomials. The n-point rule is obtained from that product rule by
 //! Stieltjes' procedure.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::numeric::eigen::symmetric_eigen;
 use crate::quadrature::Rule;
-use nalgebra::{DMatrix, SymmetricEigen};
+use faer::Mat;
 
 /// Points and weights, as pairs.
 pub(crate) type Pairs = Vec<(f64, f64)>;
@@ -40,15 +41,15 @@ fn logarithmic(n: usize, p: f64, k: i32) -> Result<Pairs> {
     let inner = Rule::gauss_legendre(n + 1)?;
     let product: Pairs =
         outer.iter().flat_map(|(t, w)| inner.iter().map(move |(s, v)| (t * s, w * v * s.powi(k)))).collect();
-    Ok(gauss_of_discrete(n, &product))
+    gauss_of_discrete(n, &product)
 }
 
 /// The n-point Gauss rule of a discrete positive measure with more than n points (Stieltjes; Golub & Welsch).
-fn gauss_of_discrete(n: usize, measure: &[(f64, f64)]) -> Pairs {
+fn gauss_of_discrete(n: usize, measure: &[(f64, f64)]) -> Result<Pairs> {
     let mass: f64 = measure.iter().map(|&(_, w)| w).sum();
     let mut previous = vec![0.0; measure.len()];
     let mut current = vec![1.0 / mass.sqrt(); measure.len()];
-    let mut jacobi = DMatrix::<f64>::zeros(n, n);
+    let mut jacobi = Mat::<f64>::zeros(n, n);
     let mut below = 0.0;
     for k in 0..n {
         let moment = |f: &dyn Fn(usize) -> f64| -> f64 {
@@ -68,13 +69,9 @@ fn gauss_of_discrete(n: usize, measure: &[(f64, f64)]) -> Pairs {
         below = norm;
         previous = std::mem::replace(&mut current, next);
     }
-    let eigen = SymmetricEigen::new(jacobi);
-    (0..n)
-        .map(|j| {
-            let first = eigen.eigenvectors[(0, j)];
-            (eigen.eigenvalues[j], mass * first * first)
-        })
-        .collect()
+    let (points, vectors) =
+        symmetric_eigen(&jacobi).ok_or(Error::NotFinite { name: "Jacobi matrix", index: 0, value: mass })?;
+    Ok(points.into_iter().enumerate().map(|(j, t)| (t, mass * vectors[(0, j)].powi(2))).collect())
 }
 
 #[cfg(test)]

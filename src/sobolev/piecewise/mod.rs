@@ -5,5 +5,6 @@ mod norms;
 mod pairs;
 mod polynomial;
 
+#[cfg(feature = "contact")]
 pub(crate) use lebesgue::linear_power;
 pub use polynomial::PiecewisePolynomial;

@@ -1,13 +1,14 @@
 //! A rate study as table, CSV, JSON and figure.
 
+use super::row::RateRow;
 use super::store::level_json;
+use crate::figures::{Axis, Chart, Series};
+use crate::{Cell, Column, Format, Result, Table};
 use serde_json::{Value, json};
 use signorini::convergence::Bound;
 use signorini::convergence::{Quantity, RateStudy};
-use signorini::error::Result;
-use signorini::figures::{Axis, Chart, Series};
-use signorini::report::{Cell, Column, Format, Table};
 use std::fmt::Write as _;
+use std::path::Path;
 
 /// The candidate bounds and their keys.
 const BOUNDS: [(Bound, &str); 4] = [
@@ -74,7 +75,7 @@ pub fn level_table(study: &RateStudy) -> Result<Table> {
 ///
 /// # Errors
 /// As [`level_table`].
-pub fn csv(study: &RateStudy, header: bool) -> Result<String> {
+fn csv(study: &RateStudy, header: bool) -> Result<String> {
     let table = level_table(study)?;
     let mut text = String::new();
     if header {
@@ -91,7 +92,7 @@ pub fn csv(study: &RateStudy, header: bool) -> Result<String> {
                 Cell::List(_) | Cell::Missing => String::new(),
             })
             .collect();
-        let _ = writeln!(text, "\"{}\",{},{},{}", study.scene, study.cone, study.tau, cells.join(","));
+        let _ = writeln!(text, "\"{}\",{},{},{}", study.subject, study.cone, study.tau, cells.join(","));
     }
     Ok(text)
 }
@@ -100,7 +101,7 @@ pub fn csv(study: &RateStudy, header: bool) -> Result<String> {
 ///
 /// # Errors
 /// As [`Bound::value`].
-pub fn study_json(study: &RateStudy) -> Result<Value> {
+fn study_json(study: &RateStudy) -> Result<Value> {
     let fit = |quantity| {
         study.fit(quantity).map(|fit| {
             json!({
@@ -117,7 +118,7 @@ pub fn study_json(study: &RateStudy) -> Result<Value> {
         constants.insert(name.to_owned(), json!(study.constant(Quantity::Error, bound)?));
     }
     Ok(json!({
-        "scene": study.scene,
+        "scene": study.subject.to_string(),
         "cone": study.cone.to_string(),
         "tau": study.tau,
         "norm": study.norm,
@@ -173,4 +174,21 @@ fn bound_name(bound: Bound, tau: f64) -> Result<String> {
         Bound::Optimal => "optimal",
     };
     Ok(format!("{power}{logarithm}, {whose}"))
+}
+
+/// All levels as CSV and all studies as JSON: `name_levels.csv` and `name_levels.json`.
+///
+/// # Errors
+/// [`signorini::Error::File`] where they cannot be written; as [`Bound::value`].
+pub fn write_studies(rows: &[RateRow], directory: &Path, name: &str) -> Result<()> {
+    let studies = || rows.iter().map(|row| &row.study);
+    let csv: Vec<String> =
+        studies().enumerate().map(|(k, study)| csv(study, k == 0)).collect::<Result<_>>()?;
+    let json: Vec<String> =
+        studies().map(|study| Ok(study_json(study)?.to_string())).collect::<Result<_>>()?;
+    for (ending, text) in [("csv", csv.concat()), ("json", format!("[{}]\n", json.join(",\n")))] {
+        let path = directory.join(format!("{name}_levels.{ending}"));
+        std::fs::write(&path, text).map_err(|e| signorini::Error::file(&path, e))?;
+    }
+    Ok(())
 }

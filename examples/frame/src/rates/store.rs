@@ -26,6 +26,14 @@ impl LevelStore {
         Self::default()
     }
 
+    /// In a file of this name in the directory, or in memory only without one.
+    ///
+    /// # Errors
+    /// As [`LevelStore::open`].
+    pub fn within(directory: Option<&Path>, name: &str) -> Result<Self> {
+        directory.map_or_else(|| Ok(Self::in_memory()), |directory| Self::open(&directory.join(name)))
+    }
+
     /// The levels in `path`, which is created if need be; new ones are appended.
     ///
     /// # Errors

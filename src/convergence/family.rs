@@ -1,0 +1,69 @@
+//! Families of scenes on a strip: a scene, or one at several positions whose errors are averaged.
+
+use super::subject::FamilyScene;
+use crate::error::{Error, Result};
+use crate::scenes::{StripScene, TransitionPowers};
+use crate::strip::{EdgeData, Sides, StripKind};
+
+/// One family of scenes: a scene, or one at several positions whose errors are averaged.
+pub struct SceneFamily<'a> {
+    /// Which scene.
+    pub scene: FamilyScene,
+    /// The supremum of the τ with u ∈ H^τ.
+    pub tau: f64,
+    /// How many members.
+    pub count: usize,
+    /// Member i on an edge of so many cells.
+    pub member: Box<dyn Fn(usize, usize) -> Result<EdgeData> + 'a>,
+}
+
+impl SceneFamily<'static> {
+    /// A named scene. One transition has a gap that is mirrored at natural sides ([`TransitionPowers`]) and is moved over `positions`
+    /// places of a cell, spread over the cells of every level when odd.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for no position.
+    pub fn named(
+        source: &StripScene,
+        tau: f64,
+        kind: StripKind,
+        coarsest: usize,
+        positions: usize,
+    ) -> Result<Self> {
+        if positions == 0 || positions > 1024 {
+            return Err(Error::CountOutOfRange { name: "positions", value: positions, range: "[1, 1024]" });
+        }
+        let sides = kind.sides();
+        let scene = FamilyScene::Named(source.clone());
+        let source = source.clone();
+        Ok(match source {
+            StripScene::Transition { position } => Self {
+                scene,
+                tau,
+                count: positions,
+                member: Box::new(move |i, cells| {
+                    let position = position + i as f64 / positions as f64 / coarsest as f64;
+                    match sides {
+                        Sides::Natural => TransitionPowers::of_regularity(tau).data(position, cells),
+                        Sides::Periodic => StripScene::Transition { position }.data(tau, cells, sides),
+                    }
+                }),
+            },
+            _ => Self {
+                scene,
+                tau,
+                count: 1,
+                member: Box::new(move |_, cells| source.data(tau, cells, sides)),
+            },
+        })
+    }
+
+    /// One transition of given powers near x = 0.4, at one and at two thirds of a coarsest cell: doubling exchanges the two, so that the
+    /// mean has no phase at all.
+    pub fn at_thirds(powers: TransitionPowers, tau: f64, coarsest: usize) -> Self {
+        let cell = 1.0 / coarsest as f64;
+        let start = (0.4 / cell).floor() * cell;
+        let member = move |i: usize, cells| powers.data(start + (i + 1) as f64 / 3.0 * cell, cells);
+        Self { scene: FamilyScene::Powers(powers), tau, count: 2, member: Box::new(member) }
+    }
+}
