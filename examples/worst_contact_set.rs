@@ -85,7 +85,7 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
             .at_most(1.0, source),
         ratio("nodal.ratio", "nodal", nodal),
         ratio("midpoint.ratio", "midpoint", midpoint),
-        Finding::claim("nearest", "steady orders of resolved sets stay {value} and more above the exponent")
+        Finding::remark("nearest", "steady orders of resolved sets stay {value} and more above the exponent")
             .number_or(nearest, none)
             .at_least(0.0, format!("tau^2 - 5 tau/2 + 2 = {paper:.4}"))
             .told(),
