@@ -1,218 +1,158 @@
 //! Extremes: the hardest admissible input gets digits, the inadmissible an error that names what was wrong.
 //!
-//! [`ADMISSIBLE`] and [`INADMISSIBLE`] are the two lists. Each admissible case is computed and compared with a value found
-//! another way: a closed form, a law of scaling, the other solver.
+//! The two lists are in `cases/extremes.rs`. Each admissible case is computed and compared with a value found another way: a
+//! closed form, a law of scaling, the other solver.
 //!
 //! `cargo run --release --example extremes`
 
-use clap::Parser;
-use example_frame::{HasOutput, Output};
-use signorini::contact::{Cone, Solver};
-use signorini::figures::{Axis, Chart, Series};
-use signorini::mesh::{Part, Sides, unit_square};
-use signorini::poincare::{Condition, UniformLaw, Zone, gamma, gamma_at_point};
-use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
-use signorini::scenes::{MeshScene, Setting};
-use signorini::sobolev::{
-    FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, closed_forms,
-};
-use signorini::{Result, Tolerance};
+use cases::{ADMISSIBLE, INADMISSIBLE};
+use example_frame::figures::{Axis, Chart, Series};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use signorini::poincare::{Condition, UniformLaw, Zone, gamma};
+use signorini::sobolev::FractionalOrder;
+use signorini::{Error, Tolerance};
 use std::process::ExitCode;
 
-/// What is planted, what is answered
-#[derive(Debug, Clone, Parser, Default)]
-pub struct Options {
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
-}
+#[path = "cases/extremes.rs"]
+pub mod cases;
 
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
-    }
+example_frame::options! {
+    /// What is planted, what is answered
+    pub struct Options {}
 }
-
-/// A value and the same value found another way.
-type Pair = (f64, f64);
-/// Planted, what is computed and against what, and the computation.
-type Case<T> = (&'static str, &'static str, fn() -> Result<T>);
 
 /// A relative error above this is no digits: sums of a million terms of one sign, condition numbers up to 1e5.
 pub const DIGITS: f64 = 1e-9;
 
-/// Input that is hard and admissible.
-pub const ADMISSIBLE: [Case<Pair>; 14] = [
-    ("order 1e-300", "seminorm of x, closed form", || ramp(FractionalOrder::new(1e-300)?, 1.0, 1.0)),
-    ("order 1 - 2^-52", "seminorm of x, closed form", || {
-        ramp(FractionalOrder::new(1.0 - f64::EPSILON)?, 1.0, 1.0)
-    }),
-    ("interval of length 1e-300", "seminorm of a ramp, scaling", || {
-        ramp(FractionalOrder::new(0.3)?, 1e-300, 1.0)
-    }),
-    ("interval of length 1e300", "seminorm of a ramp, scaling", || {
-        ramp(FractionalOrder::new(0.9)?, 1e300, 1.0)
-    }),
-    ("values of size 1e150", "seminorm of a ramp, scaling", || ramp(FractionalOrder::new(0.7)?, 1.0, 1e150)),
-    ("cells of length 1e-300 beside 1", "seminorm of a hat, same over 1e-20", || {
-        Ok((hat(1e-300)?, hat(1e-20)?))
-    }),
-    ("a million cells", "seminorm of a step, closed form", million_cells),
-    ("zone of length 1e-300, order 1/2", "gamma, uniform law", short_zone),
-    ("zone 1e-300, order 3/4", "gamma, one point", || {
-        let order = FractionalOrder::new(0.75)?;
-        let zone = gamma(order, Zone::end(1e-300)?, Condition::MeanZero, Tolerance::balanced())?;
-        Ok((zone.value, gamma_at_point(order, 0.0, Tolerance::balanced())?.value))
-    }),
-    ("load of size 1e-150", "contact force, scaling", || scaled_load(1e-150)),
-    ("load of size 1e150", "contact force, scaling", || scaled_load(1e150)),
-    ("Poisson's ratio 1/2 - 1e-6", "energy, other solver", || {
-        energies(MeshScene::Incompressible, Setting { poisson: 0.5 - 1e-6, ..Setting::default() })
-    }),
-    ("contact nowhere", "energy, other solver", || energies(MeshScene::Free, Setting::default())),
-    ("contact everywhere", "contact force, other solver", || {
-        let solution = MeshScene::Closed.problem(16)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-        let other = MeshScene::Closed.problem(16)?.solve(Cone::Nodal, Solver::InteriorPoint)?;
-        Ok((solution.contact_force, other.contact_force))
-    }),
-];
-
-/// Input that has no answer.
-pub const INADMISSIBLE: [Case<f64>; 8] = [
-    ("order NaN", "any norm", || FractionalOrder::new(f64::NAN).map(FractionalOrder::value)),
-    ("a step, order 1/2", "seminorm", || {
-        let step = SingularFunction::new(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 })?;
-        Ok(step.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
-    }),
-    ("|ln x|^0.6, order 1/2", "seminorm", || {
-        let slow = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
-            0 => (-at.offset().ln()).powf(0.6),
-            _ => (-at.offset().ln_1p()).powf(0.6),
-        })?;
-        Ok(slow.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
-    }),
-    ("a function with value NaN", "seminorm", || {
-        let torn = SingularFunction::new(&[0.0, 1.0], |x: f64| if x > 0.5 { f64::NAN } else { x })?;
-        Ok(torn.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
-    }),
-    ("a node given twice", "any norm", || {
-        Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(|mesh| mesh.nodes()[0])
-    }),
-    ("a zone of length 0, order 1/2", "gamma", || {
-        Ok(gamma(FractionalOrder::HALF, Zone::end(0.0)?, Condition::MeanZero, Tolerance::fast())?.value)
-    }),
-    ("16 digits asked", "gamma", || Ok(Tolerance::new(1e-16)?.relative())),
-    ("a body that nothing holds", "displacement", || {
-        let sides =
-            Sides { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Neumann };
-        Ok(MeshScene::Block.on(unit_square(4, sides)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
-    }),
-];
-
-/// |x|_ν on (0, L), height H: H L^{1/2 − ν} / √((1−ν)(3−2ν)).
-fn ramp(order: FractionalOrder, length: f64, height: f64) -> Result<Pair> {
-    let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|v| v * height);
-    let u = PiecewisePolynomial::linears(Partition::uniform(4, length)?, &values)?;
-    let unit = (order.complement() * (1.0 + 2.0 * order.complement())).sqrt().recip();
-    let exact = height * unit * length.powf(-order.offset());
-    Ok((u.seminorm(order, Tolerance::reference())?.value, exact))
+/// An admissible case and its answer.
+#[derive(Debug, Clone)]
+pub struct Hard {
+    /// What was planted.
+    pub planted: &'static str,
+    /// What was computed, and against what.
+    pub asked: &'static str,
+    /// The value.
+    pub found: f64,
+    /// Relative, against the value found another way.
+    pub error: f64,
 }
 
-/// At ν = 1/2 the seminorm does not see scale.
-fn hat(width: f64) -> Result<f64> {
-    let mesh = Partition::from_lengths(vec![1.0, width, width, 1.0])?;
-    let u = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
-    Ok(u.seminorm(FractionalOrder::HALF, Tolerance::reference())?.value)
+/// An inadmissible case and its answer.
+#[derive(Debug, Clone)]
+pub struct Bad {
+    /// What was planted.
+    pub planted: &'static str,
+    /// What was asked.
+    pub asked: &'static str,
+    /// The answer.
+    pub answer: std::result::Result<f64, Error>,
+    /// Whether it is an error that names what is wrong.
+    pub is_named: bool,
 }
 
-fn million_cells() -> Result<Pair> {
-    let (n, order) = (1_000_000, FractionalOrder::new(0.25)?);
-    let operator = GramOperator::constants(&Partition::uniform(n, 1.0)?, order, Tolerance::reference())?;
-    let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
-    let form: f64 = step.iter().zip(operator.apply(&step)?).map(|(x, y)| x * y).sum();
-    Ok((form, closed_forms::jump(0.5, 0.5, order)?.value))
-}
-
-fn short_zone() -> Result<Pair> {
-    let (order, tolerance) = (FractionalOrder::HALF, Tolerance::new(1e-10)?);
-    let found = gamma(order, Zone::end(1e-300)?, Condition::MeanZero, tolerance)?;
-    Ok((found.value, UniformLaw::new(order, tolerance)?.gamma(1e-300)?.value))
-}
-
-fn scaled_load(load_scale: f64) -> Result<Pair> {
-    let force = |load_scale| -> Result<f64> {
-        let problem = MeshScene::Block.problem_with(16, &Setting { load_scale, ..Setting::default() })?;
-        Ok(problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force)
-    };
-    Ok((force(load_scale)?, load_scale * force(1.0)?))
-}
-
-fn energies(scene: MeshScene, setting: Setting) -> Result<Pair> {
-    let problem = scene.problem_with(16, &setting)?;
-    let energy = |solver| problem.solve(Cone::Nodal, solver).map(|solution| solution.energy);
-    Ok((energy(Solver::ActiveSet)?, energy(Solver::InteriorPoint)?))
+/// What was answered, and γ_θ(1/2) beside its law for θ down to 1e-290.
+#[derive(Debug, Clone)]
+pub struct Computed {
+    /// Hard input.
+    pub hard: Vec<Hard>,
+    /// Input without an answer.
+    pub bad: Vec<Bad>,
+    /// (θ, computed, law as θ → 0).
+    pub decades: Vec<(f64, f64, f64)>,
 }
 
 /// Plants every case.
+pub fn compute() -> Result<Computed> {
+    let mut hard = Vec::new();
+    for (planted, asked, compute) in ADMISSIBLE {
+        let (found, expected) = compute()?;
+        hard.push(Hard { planted, asked, found, error: (found / expected - 1.0).abs() });
+    }
+    let bad = INADMISSIBLE.into_iter().map(|(planted, asked, compute, names)| {
+        let answer = compute();
+        Bad { planted, asked, is_named: answer.as_ref().is_err_and(names), answer }
+    });
+    let law = UniformLaw::new(FractionalOrder::HALF, TOLERANCE)?;
+    let decade = |k: i32| -> Result<(f64, f64, f64)> {
+        let theta = 10f64.powi(-k);
+        let found = gamma(FractionalOrder::HALF, Zone::end(theta)?, Condition::MeanZero, TOLERANCE)?;
+        Ok((theta, found.value, law.gamma(theta)?.value))
+    };
+    let decades = (20..=290).step_by(45).map(decade).collect::<Result<_>>()?;
+    Ok(Computed { hard, bad: bad.collect(), decades })
+}
+
+/// Of the constants over 300 decades and of their law.
+const TOLERANCE: Tolerance = Tolerance::fast();
+
+/// What decides: errors against values found another way, what was refused and how, and the constant against its law.
+pub fn findings(computed: &Computed) -> Vec<Finding> {
+    let Computed { hard, bad, decades } = computed;
+    let worst = hard.iter().max_by(|a, b| a.error.total_cmp(&b.error));
+    let digits = format!(
+        "{} hard inputs get their value, to {{value}} at worst ({})",
+        hard.len(),
+        worst.map_or("none", |worst| worst.planted)
+    );
+    let answered = bad.iter().filter(|case| case.answer.is_ok()).count();
+    let unnamed = bad.iter().filter(|case| !case.is_named).count();
+    let apart = decades.iter().map(|(_, found, law)| ((found / law - 1.0).abs(), 0.0));
+    vec![
+        Finding::claim("digits", digits)
+            .number_or(worst.map(|worst| (worst.error, 0.0)), "nothing was planted")
+            .at_most(DIGITS, "condition numbers up to 1e5, sums of a million terms")
+            .otherwise("a hard input is {value} from its value found another way")
+            .told(),
+        Finding::claim("refused", format!("{} inputs without an answer are refused", bad.len()))
+            .number(answered as f64, 0.0)
+            .at_most(0.0, "nothing has an answer there")
+            .otherwise("{value} inputs without an answer get one")
+            .told(),
+        Finding::claim("named", "every refusal names what is wrong")
+            .number(unnamed as f64, 0.0)
+            .at_most(0.0, "the kind of error each input calls for"),
+        Finding::claim("law", "from 1e-20 to 1e-290 the constant of order 1/2 is within {value} of its law")
+            .number_or(apart.max_by(|a, b| a.0.total_cmp(&b.0)), "no zone")
+            .at_most(2.0 * TOLERANCE.relative(), "the tolerances of both"),
+    ]
+}
+
+/// Plants every case and looks at the answers.
 pub fn run(options: &Options) -> Result<Headline> {
-    let mut table = Table::new(vec![
+    let computed = compute()?;
+    let claim = "the hardest admissible input gets digits, the inadmissible an error that names it";
+    let mut headline = Headline::new("Extremes", claim, table(&computed), findings(&computed));
+    headline
+        .quote("extremes.worst.error", computed.hard.iter().fold(0.0, |worst, case| case.error.max(worst)));
+    headline.draw(&options.output, "extremes_zone", || Ok(draw(&computed.decades)))?;
+    Ok(headline)
+}
+
+fn table(computed: &Computed) -> Table {
+    let columns = vec![
         Column::words("planted", "planted", 32),
         Column::words("asked", "asked", 20),
         Column::words("answer", "answer", 30),
         Column::new("error", "error", Format::Scientific(0), "relative, against the value found another way"),
-    ]);
-    let (mut worst, mut wrong): (f64, Vec<&str>) = (0.0, Vec::new());
-    for (planted, asked, compute) in ADMISSIBLE {
-        let (found, expected) = compute()?;
-        let error = (found / expected - 1.0).abs();
-        worst = worst.max(error);
-        if error.is_nan() || error > DIGITS {
-            wrong.push(planted);
-        }
-        table.push(vec![planted.into(), asked.into(), format!("{found:.9e}").into(), error.into()]);
-    }
-    for (planted, asked, compute) in INADMISSIBLE {
-        let answer = match compute() {
-            Err(error) => format!("refused: {error}"),
-            Ok(value) => {
-                wrong.push(planted);
-                format!("{value}")
-            }
-        };
-        table.push(vec![planted.into(), asked.into(), answer.into(), Cell::Missing]);
-    }
-    let (hard, bad) = (ADMISSIBLE.len(), INADMISSIBLE.len());
-    let verdict = if wrong.is_empty() { Verdict::Holds } else { Verdict::NotConfirmed(wrong.join(", ")) };
-    let measured = format!(
-        "{hard} hard inputs, worst relative error {worst:.0e}; {bad} bad ones; {} answered wrongly",
-        wrong.len()
-    );
-    let claim = "the hardest admissible input gets digits, the inadmissible an error that names it";
-    let mut headline = Headline::new("Extremes", claim, table, measured, verdict);
-    headline.quote("extremes.worst.error", worst);
-    headline.quote("extremes.hard.count", hard as f64);
-    headline.quote("extremes.refused.count", bad as f64);
-    if let Some(directory) = options.output.directory()? {
-        headline.figures.push(three_hundred_decades()?.save(directory, "extremes_zone")?);
-    }
-    Ok(headline)
+    ];
+    let answer = |case: &Bad| match &case.answer {
+        Err(error) => format!("refused: {error}"),
+        Ok(value) => format!("{value}"),
+    };
+    let hard = computed.hard.iter().map(|case| {
+        [Cell::from(case.planted), case.asked.into(), format!("{:.9e}", case.found).into(), case.error.into()]
+    });
+    let bad = computed.bad.iter();
+    let bad = bad.map(|case| [case.planted.into(), case.asked.into(), answer(case).into(), Cell::Missing]);
+    Table::new(columns).with_rows(hard.chain(bad))
 }
 
-/// γ_θ(1/2) for zones down to the shortest admitted, beside the law that holds as θ → 0.
-fn three_hundred_decades() -> Result<Chart> {
-    let (order, tolerance) = (FractionalOrder::HALF, Tolerance::fast());
-    let law = UniformLaw::new(order, tolerance)?;
-    let (mut computed, mut expected) = (Vec::new(), Vec::new());
-    for decade in (20..=290).step_by(45) {
-        let theta = 10f64.powi(-decade);
-        let found = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
-        computed.push((theta, found.value));
-        expected.push((theta, law.gamma(theta)?.value));
-    }
+fn draw(decades: &[(f64, f64, f64)]) -> Chart {
     let x = Axis::logarithmic("θ, length of the zone (interval = 1)");
-    Ok(Chart::new("Poincaré constant of order 1/2 over 300 decades", x, Axis::linear("γ, Poincaré constant"))
-        .with(Series::points("computed", computed))
-        .with(Series::dashed("law as θ → 0", expected)))
+    let title = "Poincaré constant of order 1/2 over 300 decades";
+    Chart::new(title, x, Axis::linear("γ, Poincaré constant"))
+        .with(Series::points("computed", decades.iter().map(|d| (d.0, d.1)).collect()))
+        .with(Series::dashed("law as θ → 0", decades.iter().map(|d| (d.0, d.2)).collect()))
 }
 
 fn main() -> ExitCode {

@@ -1,184 +1,120 @@
-//! What accuracy costs: seconds against true error for every numerical function of the library.
+//! What accuracy costs: seconds and work against true error for every numerical function of the toolkit.
 //!
-//! [`CASES`] is the one list; each entry is a function that returns rows of (asked, seconds, true error). A later room adds
-//! one line to the list and one function.
+//! The one list is `cases/toolkit.rs`: a name, the value found another way, and the function of the tolerance.
+//!
+//! `cargo run --release --example speed_for_accuracy -- --case closure --repeat 10`
 
-use clap::Parser;
-use example_frame::{HasOutput, Output, progress};
-use signorini::figures::{Axis, Chart, Series};
-use signorini::interpolation::{ErrorNorm, dual_projection_constant, element_constant};
-use signorini::poincare::{Condition, Zone, gamma};
-use signorini::report::{Column, Format, Headline, Table, Verdict};
-use signorini::sobolev::{
-    DualOf, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, closed_forms,
-    gram_linears,
-};
-use signorini::{Result, Tolerance};
+use example_frame::figures::{Axis, Chart, Series};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+use signorini::Tolerance;
 use std::process::ExitCode;
 use std::time::Instant;
+use toolkit::{Case, cases};
 
-/// Seconds against true error
-#[derive(Debug, Clone, Parser)]
-pub struct Options {
-    /// Only cases whose name contains this
-    #[arg(long, default_value = "")]
-    pub case: String,
-    /// Repetitions; the fastest counts
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
-    pub repeat: u32,
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
-}
+#[path = "cases/toolkit.rs"]
+mod toolkit;
 
-impl Default for Options {
-    fn default() -> Self {
-        Self::parse_from(["speed_for_accuracy"])
-    }
-}
-
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
+example_frame::options! {
+    /// Seconds against true error
+    pub struct Options {
+        /// Only cases whose name contains this
+        #[arg(long, default_value = "")]
+        pub case: String,
+        /// Repetitions; the fastest counts
+        #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
+        pub repeat: u32,
     }
 }
 
 /// One tolerance of one case.
+#[derive(Debug, Clone, Copy)]
 pub struct Row {
     /// Relative tolerance.
     pub asked: f64,
-    /// Seconds of the fastest run.
-    pub seconds: f64,
-    /// Relative error against a value computed another way.
-    pub true_error: f64,
+    /// Seconds of the fastest and of the slowest run.
+    pub seconds: [f64; 2],
+    /// Relative distance to the value found another way, and the relative error of the estimate.
+    pub error: [f64; 2],
+    /// Points, pairs, iterations and factorizations together.
+    pub work: f64,
 }
-
-/// A case: its name and its rows, each timed as the fastest of some repetitions.
-pub type Case = (&'static str, fn(u32) -> Result<Vec<Row>>);
-
-/// Everything that is measured.
-pub const CASES: [Case; 14] = [
-    ("closure x^0.6, nu 0.25", |repeat| power(0.6, 0.25, repeat)),
-    ("closure x^0.001, nu 1/2", |repeat| power(0.001, 0.5, repeat)),
-    ("closure x^0.51, nu 0.99", |repeat| power(0.51, 0.99, repeat)),
-    ("closure |ln x|^0.25, nu 1/2", logarithm),
-    ("fast product, geometric 1e-30, N 2000", fast_product),
-    ("hat on 1000 elements, nu 1/2", hat),
-    ("dual norm of a constant", dual),
-    ("interpolation C_L2, nu 1/2", |repeat| {
-        interpolation(ErrorNorm::L2, 0.5, 0.092_742_524_652_174_63, repeat)
-    }),
-    ("interpolation C_H1, nu 0.99", |repeat| {
-        interpolation(ErrorNorm::Derivative, 0.99, 0.032_024_593_023_715_79, repeat)
-    }),
-    ("projection C*, r 1/2", dual_projection),
-    ("gamma, nu 0.25, theta 0.01", |repeat| poincare(0.25, Zone::end(1e-2)?, 1.656_712_117_564_16, repeat)),
-    ("gamma, nu 0.49, theta 1e-300", |repeat| {
-        poincare(0.49, Zone::end(1e-300)?, 2_758.865_095_337_738_5, repeat)
-    }),
-    ("gamma, nu 1/2, theta 1e-40", |repeat| poincare(0.5, Zone::end(1e-40)?, 3.738_285_316_256_439, repeat)),
-    ("gamma, nu 0.99, theta 1e-4", |repeat| {
-        poincare(0.99, Zone::end(1e-4)?, 0.064_321_434_320_780_88, repeat)
-    }),
-];
 
 const TOLERANCES: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
+/// What the values found another way may be off by: closed forms of some hundred operations, or 16 printed digits.
+const REFERENCE: f64 = 1e-14;
 
-/// The value and the seconds of the fastest of `repeat` runs.
-fn fastest<T>(repeat: u32, mut run: impl FnMut() -> Result<T>) -> Result<(T, f64)> {
-    let mut seconds = f64::INFINITY;
-    let mut timed = || -> Result<T> {
-        let start = Instant::now();
-        let value = run()?;
-        seconds = seconds.min(start.elapsed().as_secs_f64());
-        Ok(value)
+/// The rows of every case that was asked for.
+pub fn compute(options: &Options) -> Result<Vec<(&'static str, Vec<Row>)>> {
+    let chosen: Vec<Case> = cases()?.into_iter().filter(|case| case.0.contains(&options.case)).collect();
+    let bar = progress(chosen.len() as u64);
+    let measure = |(name, exact, compute): &Case| -> Result<(&'static str, Vec<Row>)> {
+        let row = |&asked: &f64| -> Result<Row> {
+            let mut seconds = [f64::INFINITY, 0.0];
+            let mut found = None;
+            for _ in 0..options.repeat {
+                let start = Instant::now();
+                found = Some(compute(Tolerance::new(asked)?)?);
+                let passed = start.elapsed().as_secs_f64();
+                seconds = [passed.min(seconds[0]), passed.max(seconds[1])];
+            }
+            let error =
+                found.map_or([f64::NAN; 2], |u| [(u.value / exact - 1.0).abs(), u.error / exact.abs()]);
+            Ok(Row { asked, seconds, error, work: found.map_or(0.0, |found| found.work.total() as f64) })
+        };
+        let rows = TOLERANCES.iter().map(row).collect::<Result<_>>()?;
+        bar.inc(1);
+        Ok((*name, rows))
     };
-    let mut value = timed()?;
-    for _ in 1..repeat {
-        value = timed()?;
-    }
-    Ok((value, seconds))
+    chosen.iter().map(measure).collect()
 }
 
-/// Rows of a function of the tolerance whose exact value is known.
-fn rows(repeat: u32, exact: f64, value: impl Fn(Tolerance) -> Result<f64>) -> Result<Vec<Row>> {
-    TOLERANCES
-        .iter()
-        .map(|&asked| {
-            let tolerance = Tolerance::new(asked)?;
-            let (value, seconds) = fastest(repeat, || value(tolerance))?;
-            Ok(Row { asked, seconds, true_error: (value / exact - 1.0).abs() })
-        })
-        .collect()
-}
-
-fn power(a: f64, nu: f64, repeat: u32) -> Result<Vec<Row>> {
-    let order = FractionalOrder::new(nu)?;
-    let exact = closed_forms::power(a, order)?.value.sqrt();
-    let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(a))?;
-    rows(repeat, exact, |tolerance| Ok(u.seminorm(order, tolerance)?.value))
-}
-
-fn logarithm(repeat: u32) -> Result<Vec<Row>> {
-    let exact = closed_forms::log_power(0.25)?.value.sqrt();
-    let u = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
-        0 => (-at.offset().ln()).powf(0.25),
-        _ => (-at.offset().ln_1p()).powf(0.25),
-    })?;
-    rows(repeat, exact, |tolerance| Ok(u.seminorm(FractionalOrder::HALF, tolerance)?.value))
-}
-
-fn fast_product(repeat: u32) -> Result<Vec<Row>> {
-    let n = 2000;
-    let partition = Partition::geometric(n - 1, 1e-30f64.powf(1.0 / (n - 1) as f64), 1.0)?;
-    let x: Vec<f64> = (0..=n).map(|i| ((i * 7919) % 1000) as f64 / 1000.0).collect();
-    let matrix = gram_linears(&partition, FractionalOrder::HALF);
-    let exact: Vec<f64> = (0..=n).map(|i| (0..=n).map(|j| matrix[(i, j)] * x[j]).sum()).collect();
-    let largest = exact.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    let row = |&asked: &f64| {
-        let operator = GramOperator::linears(&partition, FractionalOrder::HALF, Tolerance::new(asked)?)?;
-        let (y, seconds) = fastest(repeat, || operator.apply(&x))?;
-        let worst = y.iter().zip(&exact).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
-        Ok(Row { asked, seconds, true_error: worst / largest })
-    };
-    TOLERANCES.iter().map(row).collect()
-}
-
-fn hat(repeat: u32) -> Result<Vec<Row>> {
-    let values: Vec<f64> = (0..=1000).map(|i| f64::from(500 - (i - 500i32).abs()) / 500.0).collect();
-    let u = PiecewisePolynomial::linears(Partition::uniform(1000, 1.0)?, &values)?;
-    let exact = closed_forms::hat(0.0, 0.5, 0.5, 0.0, FractionalOrder::HALF)?.value.sqrt();
-    rows(repeat, exact, |tolerance| Ok(u.seminorm(FractionalOrder::HALF, tolerance)?.value))
-}
-
-fn dual(repeat: u32) -> Result<Vec<Row>> {
-    let u = PiecewisePolynomial::constants(Partition::uniform(8, 1.0)?, &[1.0; 8])?;
-    rows(repeat, 1.0, |tolerance| {
-        Ok(u.dual_norm(DualOf::Slobodeckij, FractionalOrder::HALF, tolerance)?.value)
-    })
-}
-
-/// Best constants of Lemma 6.1 against values from hp functions in ball arithmetic.
-fn interpolation(norm: ErrorNorm, nu: f64, exact: f64, repeat: u32) -> Result<Vec<Row>> {
-    let order = FractionalOrder::new(nu)?;
-    rows(repeat, exact, |tolerance| Ok(element_constant(norm, order, tolerance)?.value))
-}
-
-/// (4.7) at r = 1/2, where the best constant is γ₁(1/2)².
-fn dual_projection(repeat: u32) -> Result<Vec<Row>> {
-    let whole: f64 = 0.291_564_029_207_657_16;
-    rows(repeat, whole * whole, |tolerance| Ok(dual_projection_constant(0.5, tolerance)?.value))
-}
-
-/// Lemma 5.2: γ_θ(ν) against values of Galerkin methods in ball arithmetic.
-fn poincare(nu: f64, zone: Zone, exact: f64, repeat: u32) -> Result<Vec<Row>> {
-    let order = FractionalOrder::new(nu)?;
-    rows(repeat, exact, |tolerance| Ok(gamma(order, zone, Condition::MeanZero, tolerance)?.value))
+/// What decides: true errors against what was asked and promised; work and seconds against those of more digits.
+pub fn findings(cases: &[(&'static str, Vec<Row>)]) -> Vec<Finding> {
+    let rows = || cases.iter().flat_map(|case| &case.1);
+    let worst = |share: &dyn Fn(&Row) -> (f64, f64)| rows().map(share).max_by(|a, b| a.0.total_cmp(&b.0));
+    let pairs = cases.iter().flat_map(|case| case.1.windows(2)).filter(|pair| pair[1].work > 0.0);
+    let dearer = pairs.map(|pair| (pair[0].work / pair[1].work, 0.0)).max_by(|a, b| a.0.total_cmp(&b.0));
+    let sum = |row: usize, run: usize| cases.iter().map(|case| case.1[row].seconds[run]).sum::<f64>();
+    let [loose, tight, spread] =
+        [sum(0, 0), sum(4, 0), sum(0, 1) / sum(0, 0) - 1.0 + sum(4, 1) / sum(4, 0) - 1.0];
+    let mut shares: Vec<f64> = rows().map(|row| row.error[0] / row.asked).collect();
+    shares.sort_by(f64::total_cmp);
+    let median = shares.get(shares.len() / 2).map(|&share| (share, 0.0));
+    let none = "no case has a name like that";
+    vec![
+        Finding::claim("met", "every tolerance is met, with a true error of at most {percent} % of it")
+            .number_or(worst(&|row| (row.error[0] / row.asked, REFERENCE / row.asked)), none)
+            .at_most(1.0, "the tolerance")
+            .otherwise("a true error is {percent} % of the tolerance")
+            .told(),
+        Finding::claim("promise", "no true error passes its estimate, the largest is {percent} % of it")
+            .number_or(worst(&|row| (row.error[0] / row.error[1], REFERENCE / row.error[1])), none)
+            .at_most(1.0, "the estimate")
+            .otherwise("a true error is {percent} % of its estimate"),
+        Finding::claim("work", "no looser tolerance takes more points, pairs, iterations and factorizations")
+            .number_or(dearer, none)
+            .at_most(1.0, "the work of the next tighter tolerance")
+            .otherwise("a looser tolerance takes {value} times the work"),
+        Finding::remark("spare", "half of the true errors are below {percent} % of the tolerance")
+            .number_or(median, none)
+            .at_most(1.0, "the tolerance"),
+        Finding::remark("seconds", "1e-11 takes {value} times the seconds of 1e-3, all cases together")
+            .number_or((!cases.is_empty()).then_some((tight / loose, spread * tight / loose)), none)
+            .at_least(1.0, "equal cost"),
+    ]
 }
 
 /// Measures every case.
 pub fn run(options: &Options) -> Result<Headline> {
-    let mut table = Table::new(vec![
+    let cases = compute(options)?;
+    let claim = "a looser tolerance costs less, and every tolerance is met";
+    let mut headline = Headline::new("Speed for accuracy", claim, table(&cases), findings(&cases));
+    headline.draw(&options.output, "speed_for_accuracy_seconds", || Ok(draw(&cases)))?;
+    Ok(headline)
+}
+
+fn table(cases: &[(&'static str, Vec<Row>)]) -> Table {
+    let columns = vec![
         Column::new("case", "case", Format::Significant(6), ""),
         Column::new("asked", "asked", Format::Scientific(0), "relative tolerance"),
         Column::new("seconds", "seconds", Format::Scientific(2), "fastest run"),
@@ -188,45 +124,22 @@ pub fn run(options: &Options) -> Result<Headline> {
             Format::Scientific(1),
             "relative, against a value computed another way",
         ),
-    ]);
-    let chosen: Vec<&Case> = CASES.iter().filter(|(name, _)| name.contains(&options.case)).collect();
-    let mut chart = Chart::new(
-        "What accuracy costs",
-        Axis::logarithmic("seconds"),
-        Axis::logarithmic("true relative error"),
-    );
-    let bar = progress(chosen.len() as u64);
-    let (mut met, mut count) = (0, 0);
-    for (name, measure) in chosen {
-        let rows = measure(options.repeat)?;
-        for row in &rows {
-            (met, count) = (met + usize::from(row.true_error <= row.asked), count + 1);
-            table.push(vec![(*name).into(), row.asked.into(), row.seconds.into(), row.true_error.into()]);
-        }
-        // An error of zero is drawn where binary64 ends.
-        let points = rows.iter().map(|row| (row.seconds, row.true_error.max(f64::EPSILON))).collect();
-        chart = chart.with(Series::line_and_points(*name, points));
-        bar.inc(1);
-    }
-    let verdict = if count == 0 {
-        Verdict::NotConfirmed("no case has a name like that".into())
-    } else if met == count {
-        Verdict::Holds
-    } else {
-        Verdict::NotConfirmed(format!("{} of {count} rows miss their tolerance", count - met))
+    ];
+    let cells = |name: &'static str, row: &Row| {
+        [Cell::from(name), row.asked.into(), row.seconds[0].into(), row.error[0].into()]
     };
-    let claim = "a looser tolerance costs less, and every tolerance is met";
-    let mut headline = Headline::new(
-        "Speed for accuracy",
-        claim,
-        table,
-        format!("{met} of {count} rows meet their tolerance"),
-        verdict,
-    );
-    if let Some(directory) = options.output.directory()? {
-        headline.figures.push(chart.save(directory, "speed_for_accuracy_seconds")?);
-    }
-    Ok(headline)
+    Table::new(columns)
+        .with_rows(cases.iter().flat_map(|(name, rows)| rows.iter().map(|row| cells(name, row))))
+}
+
+fn draw(cases: &[(&'static str, Vec<Row>)]) -> Chart {
+    let axes = [Axis::logarithmic("seconds"), Axis::logarithmic("true relative error")];
+    let [x, y] = axes;
+    cases.iter().fold(Chart::new("What accuracy costs", x, y), |chart, (name, rows)| {
+        // An error of zero is drawn where binary64 ends.
+        let points = rows.iter().map(|row| (row.seconds[0], row.error[0].max(f64::EPSILON))).collect();
+        chart.with(Series::line_and_points(*name, points))
+    })
 }
 
 fn main() -> ExitCode {

@@ -1,7 +1,8 @@
 //! The speed-accuracy knob: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
 //!
-//! A tolerance τ is *relative*: the value v returned for the exact value v* should satisfy |v − v*| ≤ τ |v*|. The
-//! `error` of an estimate is *absolute*: an honest estimate of |v − v*|, never below the rounding of v itself.
+//! A tolerance τ is *relative*: the value v returned for the exact value v* should satisfy |v − v*| ≤ τ |v*|.
+//! The `error` of an estimate is *absolute*: an honest estimate of |v − v*|, never below the rounding of v
+//! itself.
 
 use crate::error::{Error, Result};
 use std::fmt;
@@ -93,6 +94,13 @@ pub struct Work {
     pub factorizations: u64,
 }
 
+impl Work {
+    /// All counts together: only for comparing a function with itself.
+    pub fn total(&self) -> u64 {
+        self.points + self.pairs + self.iterations + self.factorizations
+    }
+}
+
 impl Add for Work {
     type Output = Self;
 
@@ -127,7 +135,8 @@ impl Estimate {
     /// A value with its absolute error; the error is raised to the rounding of the value.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when the value or the error is NaN or infinite: no NaN leaves the library as an answer.
+    /// [`Error::NotFinite`] when the value or the error is NaN or infinite: no NaN leaves the library as an
+    /// answer.
     pub fn new(value: f64, error: f64, work: Work) -> Result<Self> {
         for (index, number) in [value, error].into_iter().enumerate() {
             if !number.is_finite() {
@@ -140,6 +149,33 @@ impl Estimate {
     /// error / |value|, or the absolute error when the value is zero.
     pub fn relative_error(&self) -> f64 {
         if self.value == 0.0 { self.error } else { self.error / self.value.abs() }
+    }
+
+    /// (distance to a value found another way, what that value may itself be off by), both relative to it;
+    /// absolute where it is 0.
+    pub fn relative_distance(&self, exact: &Self) -> (f64, f64) {
+        let size = if exact.value == 0.0 { 1.0 } else { exact.value.abs() };
+        ((self.value - exact.value).abs() / size, exact.error / size)
+    }
+
+    /// The quotient; its relative error adds both.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when it is infinite or 0/0.
+    pub fn over(self, other: Self) -> Result<Self> {
+        let value = self.value / other.value;
+        let error = value.abs() * (self.relative_error() + other.relative_error());
+        Self::new(value, error, self.work + other.work)
+    }
+
+    /// The one that may be largest: of largest value + error.
+    pub fn largest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        estimates.into_iter().reduce(|a, b| if b.value + b.error > a.value + a.error { b } else { a })
+    }
+
+    /// The one that may be smallest: of smallest value − error.
+    pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        estimates.into_iter().reduce(|a, b| if b.value - b.error < a.value - a.error { b } else { a })
     }
 
     /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
@@ -173,6 +209,19 @@ mod tests {
         for bad in ["0", "nan", "1", "tight"] {
             assert!(bad.parse::<Tolerance>().is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn quotients_carry_both_errors() {
+        let number = |value, error| Estimate::new(value, error, Work::default()).unwrap();
+        let (two, four) = (number(2.0, 0.02), number(4.0, 0.04));
+        let half = two.over(four).unwrap();
+        assert!((half.value, (half.error - 0.01).abs() < 1e-15) == (0.5, true), "{half}");
+        assert!(two.over(number(0.0, 0.0)).is_err());
+        assert_eq!(
+            (Estimate::largest([two, four]), Estimate::smallest([two, four])),
+            (Some(four), Some(two))
+        );
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Lemma 5.2: the Poincaré constants against values computed independently, the three laws, and bounds in all cases.
 
+use example_frame::{Outcome, Verdict};
 use signorini::poincare::{
     Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, dual_norm, end_limit, extremal, gamma,
     gamma_at_point, gamma_whole, growth, interior_limit, printed_growth, two_sided,
@@ -331,13 +332,39 @@ fn inadmissible_zones_and_orders_are_errors_that_carry_the_value() {
 fn scaling_example_confirms_its_claim() {
     let options = scaling::Options { theta: vec![1e-1, 1e-6], ..scaling::Options::default() };
     let headline = scaling::run(&options).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{headline}");
+    assert!(headline.verdict().is_confirmed(), "{headline}");
     assert_eq!(headline.table.rows().len(), 6);
+    for key in ["sides", "bound.nu0.25", "bound.nu0.5", "bound.nu0.75", "loose.nu0.5"] {
+        assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {headline}");
+    }
+    assert_eq!(headline.finding("near.one.nu0.5").unwrap().outcome(), Outcome::Refuted, "{headline}");
+}
+
+#[test]
+fn a_constant_off_by_a_millionth_is_not_confirmed() {
+    // For ν > 1/2 and a very short zone γ is its explicit bound γ₀ to all digits.
+    let (nu, theta) = (vec![order(0.75)], vec![1e-30]);
+    let options = scaling::Options { nu, theta, ..scaling::Options::default() };
+    let mut computed = scaling::compute(&options).unwrap();
+    assert!(Verdict::of(&scaling::findings(&options, &computed)).is_confirmed());
+    computed[0].points[0].0.share.as_mut().unwrap().value *= 1.0 + 1e-6;
+    assert!(!Verdict::of(&scaling::findings(&options, &computed)).is_confirmed());
 }
 
 #[test]
 fn induction_example_confirms_its_claim() {
     let options = induction::Options { steps: 2, ..induction::Options::default() };
     let headline = induction::run(&options).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{headline}");
+    assert!(headline.verdict().is_confirmed(), "{headline}");
+    // Two steps are too few to say by which factor the induction is loose.
+    assert_ne!(headline.finding("given.half").unwrap().outcome(), Outcome::Holds, "{headline}");
+    let mut chains = induction::compute(&options).unwrap();
+    chains[0].steps[0].share.value = 1.01;
+    assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
+}
+
+#[test]
+fn the_induction_gives_away_sqrt_two_per_step_at_one_half() {
+    let headline = induction::run(&induction::Options::default()).unwrap();
+    assert_eq!(headline.finding("given.half").unwrap().outcome(), Outcome::Holds, "{headline}");
 }

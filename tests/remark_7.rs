@@ -1,11 +1,47 @@
-//! The example `remark_7_zone_location` confirms its statement.
+//! Remark 7: the example confirms its statement, the printed step fails with any constant, and spoiled numbers turn both.
+
+use example_frame::{Outcome, Verdict};
+use signorini::Tolerance;
+use signorini::poincare::{trial_quotient, truncated_logarithm};
+use signorini::sobolev::FractionalOrder;
 
 #[path = "../examples/remark_7_zone_location.rs"]
 #[allow(dead_code)]
 mod example;
 
 #[test]
-fn statement_is_confirmed() {
+fn statement_is_confirmed_and_the_printed_step_is_not() {
     let headline = example::run(&example::Options::default()).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{headline}");
+    assert!(matches!(headline.verdict(), Verdict::PrintedFormFails(_)), "{headline}");
+    for key in ["end", "repair", "step"] {
+        assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {headline}");
+    }
+    for key in ["sign.nu0.25", "ramp.nu0.5"] {
+        assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Refuted, "{key}: {headline}");
+    }
+}
+
+#[test]
+fn above_one_half_a_finite_factor_refutes_nothing() {
+    let nu = vec![FractionalOrder::new(0.75).unwrap()];
+    let headline = example::run(&example::Options { nu, ..example::Options::default() }).unwrap();
+    assert_eq!(headline.verdict(), Verdict::Holds, "{headline}");
+}
+
+#[test]
+fn odd_ramps_need_a_constant_that_grows() {
+    // Computed independently for inner radii 1e-4, 1e-8, 1e-16, to three digits.
+    for (radius, expected) in [(1e-4f64, 1.08), (1e-8, 1.60), (1e-16, 2.30)] {
+        let ramp = truncated_logarithm(1.0, -(2.0 * radius).ln()).unwrap();
+        let found = trial_quotient(&ramp, FractionalOrder::HALF, Tolerance::balanced()).unwrap();
+        assert!((found.value - expected).abs() <= 0.006, "radius {radius:e}: {found} against {expected}");
+    }
+}
+
+#[test]
+fn a_zone_inside_that_were_worse_is_not_confirmed() {
+    let options = example::Options::default();
+    let mut places = example::compute(&options).unwrap();
+    places[0].zones[2].ratio.value = 1.000_001;
+    assert!(!Verdict::of(&example::findings(&options, &places)).is_confirmed());
 }

@@ -1,16 +1,18 @@
 //! Section 2 on a strip: random loads against a dense solver, extreme data, bad input.
 
 use clap::Parser;
+use example_frame::{Outcome, Verdict};
 use faer::Mat;
 use proptest::prelude::*;
-use signorini::contact::{Cone, ContactSet, EdgeProblem, solve_on_edge};
+use signorini::Error;
+use signorini::cone::{Cone, ContactSet, Status};
+use signorini::contact::{EdgeProblem, solve_on_edge};
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{
-    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, Sides,
+    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Level, Levels, Reference, ScalarStrip, Sides,
     solve_contact,
 };
-use signorini::{Error, Result};
 
 #[path = "../examples/section_2_strip.rs"]
 #[allow(dead_code)]
@@ -124,7 +126,10 @@ fn no_contact_and_full_contact() {
     assert!(solve(smallest.operator(), vec![1.0, -1.0, 0.5], Cone::Midpoint).judgement.worst() < 1e-12);
 }
 
-fn refused<T: std::fmt::Debug>(outcome: Result<T>, words: &str) {
+fn refused<T: std::fmt::Debug, E: std::fmt::Display + std::fmt::Debug>(
+    outcome: std::result::Result<T, E>,
+    words: &str,
+) {
     let text = outcome.unwrap_err().to_string();
     assert!(text.contains(words), "'{text}' does not say '{words}'");
 }
@@ -176,7 +181,7 @@ fn samples_are_read_or_refused_by_line() {
     refused(EdgeData::from_samples("0 inf\n0 0\n0 0\n", Sides::Natural), "not finite");
 }
 
-fn run(arguments: &[&str]) -> Result<signorini::report::Headline> {
+fn run(arguments: &[&str]) -> example_frame::Result<example_frame::Headline> {
     let words = std::iter::once("section_2_strip").chain(arguments.iter().copied());
     example::run(&example::Options::try_parse_from(words).unwrap())
 }
@@ -196,15 +201,16 @@ fn example_runs_and_refuses() {
         vec!["--levels", "1-6", "--kind", "elastic"],
     ] {
         let headline = run(&arguments).unwrap();
-        assert!(headline.verdict.is_confirmed(), "{arguments:?}: {}", headline.verdict);
+        assert!(headline.verdict().is_confirmed(), "{arguments:?}: {}", headline.verdict());
         assert!(headline.table.number(1, "error").unwrap() > 0.0);
         assert!(headline.claim.len() <= 100, "{}", headline.claim);
         assert!(
-            headline.values.iter().all(|(_, value)| value.is_finite()) && !headline.measured.contains("NaN")
+            headline.values.iter().all(|(_, value)| value.is_finite())
+                && !headline.measured().contains("NaN")
         );
     }
     // Three orders at one place of the transition may all be on the low side of the alternation: not confirmed, and why.
-    let one_place = run(&["--levels", "3-7"]).unwrap().verdict;
+    let one_place = run(&["--levels", "3-7"]).unwrap().verdict();
     assert!(one_place.is_confirmed() || one_place.to_string().contains("--positions"), "{one_place}");
     nothing_is_hidden();
     refused(run(&["--tau", "1.2"]), "tau");
@@ -240,31 +246,61 @@ fn example_runs_and_refuses() {
 fn nothing_is_hidden() {
     let fat = run(&["--levels", "3-9", "--scene", "fat-cantor:8"]).unwrap();
     assert!(fat.claim.contains("(127 of 255 gaps)"), "{}", fat.claim);
-    assert!(
-        fat.measured.contains("128 gaps left out") && fat.measured.contains("32768 cells"),
-        "{}",
-        fat.measured
-    );
+    let measured = fat.measured();
+    assert!(measured.contains("128 gaps left out") && measured.contains("32768 cells"), "{measured}");
     assert!(run(&["--levels", "3-7"]).unwrap().claim.contains("(1 gap)"));
     let path = std::env::temp_dir().join(format!("signorini-samples-{}", std::process::id()));
     std::fs::write(&path, "0 0\n".repeat(257)).unwrap();
     let scene = format!("samples:{}", path.display());
     let closed = run(&["--levels", "3-8", "--scene", &scene]).unwrap();
-    assert!(closed.measured.contains("error 0 on every level"), "{}", closed.measured);
+    assert!(closed.measured().contains("error 0 on every level"), "{}", closed.measured());
     assert!(closed.claim.contains("no rate is claimed"), "{}", closed.claim);
     refused(run(&["--levels", "3-9", "--scene", &scene]), "lower the finest of --levels");
     std::fs::remove_file(&path).unwrap();
 }
 
+/// The default outcome with other errors, beside a bound that is constant.
+fn with_errors(errors: impl Fn(i32) -> f64) -> Verdict {
+    let options = example::Options::default();
+    let mut computed = example::compute(&options).unwrap();
+    let levels = || (3..15).map(|i| (0.5f64.powi(i), errors(i)));
+    computed.errors = levels().collect();
+    computed.bounds = vec![levels().map(|(h, _)| (h, 1.0)).collect(); 2];
+    Verdict::of(&example::findings(&options, &computed))
+}
+
 #[test]
 fn growth_is_told_from_alternation() {
-    let study = |order: f64, alternation: f64| -> Vec<f64> {
-        let sign = |i: i32| if i % 2 == 0 { 1.0 } else { -1.0 };
-        (3..15).map(|i| 2f64.powf(-f64::from(i) * order) * (1.0 + alternation * sign(i))).collect()
-    };
     for alternation in [0.0, 0.1] {
-        assert!(example::boundedness(&study(0.0, alternation)).is_confirmed());
-        assert!(example::boundedness(&study(0.0625, alternation)).to_string().contains("loose by h^0.0"));
-        assert!(!example::boundedness(&study(-0.1, alternation)).is_confirmed());
+        let series = |order: f64| {
+            let sign = |i: i32| if i % 2 == 0 { 1.0 } else { -1.0 };
+            move |i: i32| 2f64.powf(-f64::from(i) * order) * (1.0 + alternation * sign(i))
+        };
+        assert!(with_errors(series(0.0)).is_confirmed());
+        // An alternation by a tenth hides an order of 1/16, not one of 1/4.
+        assert_eq!(with_errors(series(0.0625)).to_string().contains("loose: h^0.06"), alternation == 0.0);
+        assert!(with_errors(series(0.25)).to_string().contains("loose: h^0.2"));
+        assert!(!with_errors(series(-0.1)).is_confirmed());
     }
+}
+
+#[test]
+fn planted_faults_turn_the_verdict() {
+    let options = example::Options::default();
+    let sound = example::compute(&options).unwrap();
+    let turned = |spoil: &dyn Fn(&mut Vec<Level>), key: &str| {
+        let mut study = sound.study.clone();
+        spoil(&mut study.studies[0]);
+        let computed =
+            example::Computed { study, errors: sound.errors.clone(), bounds: sound.bounds.clone() };
+        let found = example::findings(&options, &computed);
+        assert!(!Verdict::of(&found).is_confirmed(), "{key}");
+        let refuted: Vec<&str> =
+            found.iter().filter(|f| f.outcome() == Outcome::Refuted).map(|f| f.key()).collect();
+        assert_eq!(refuted, [key]);
+    };
+    assert!(Verdict::of(&example::findings(&options, &sound)).is_confirmed());
+    turned(&|levels| levels[4].kkt = 1e-9, "kkt");
+    turned(&|levels| levels[0].status = Status::StepLimit { steps: 200 }, "converged");
+    turned(&|levels| levels[11].inner_iterations.push(31), "inner");
 }

@@ -25,6 +25,31 @@ impl Bound {
         Ok(h.powf(self.exponent(tau)?) * h.ln().abs().powf(self.logarithm(tau)))
     }
 
+    /// The formula in characters: `h^0.6875`, `h |ln h|^1/2`.
+    ///
+    /// # Errors
+    /// As [`Bound::exponent`].
+    pub fn law(self, tau: f64) -> Result<String> {
+        let exponent = self.exponent(tau)?;
+        let power = if exponent == 1.0 { "h".to_owned() } else { format!("h^{exponent:.4}") };
+        let logarithm = self.logarithm(tau);
+        Ok(if logarithm > 0.0 { format!("{power} |ln h|^1/{}", 1.0 / logarithm) } else { power })
+    }
+
+    /// (h, C bound(h)) for the given h, C such that the bound passes through the given point (h₀, e₀).
+    ///
+    /// # Errors
+    /// As [`Bound::value`].
+    pub fn through(
+        self,
+        (start, error): (f64, f64),
+        mesh_sizes: impl Iterator<Item = f64>,
+        tau: f64,
+    ) -> Result<Vec<(f64, f64)>> {
+        let constant = error / self.value(start, tau)?;
+        mesh_sizes.map(|h| Ok((h, constant * self.value(h, tau)?))).collect()
+    }
+
     /// The exponent of h, 1 < τ ≤ 5/2. Beyond τ = 2 every bound is h: (E4), (4.4); up to τ = 3/2 every bound is h^{τ−1}: (E1).
     ///
     /// # Errors

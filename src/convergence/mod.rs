@@ -5,7 +5,7 @@
 //! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
 //! | a scene in one cone on strips and on meshes | [`RateStrip`], [`StripGroup`], [`MeshRates`], [`RateStudy`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
-//! | the order p ± what it may be off by | [`Fit`]; the power of |ln h| at τ = 2: [`LogarithmFit`] |
+//! | the order p ± what it may be off by | [`Fit`]; the power of |ln h| at τ = 2: [`LogarithmFit`]; of an alternating series: [`Trend`] |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
 mod bounds;
@@ -22,6 +22,7 @@ mod series;
 mod strip_rates;
 mod study;
 mod subject;
+mod trend;
 
 pub use bounds::Bound;
 pub use family::SceneFamily;
@@ -36,3 +37,4 @@ pub use orders::observed_orders;
 pub use strip_rates::RateStrip;
 pub use study::{Quantity, RateReference, RateStudy};
 pub use subject::{FamilyScene, Subject};
+pub use trend::Trend;

@@ -6,8 +6,8 @@ use faer::{Mat, Par};
 
 /// (eigenvalues, increasing; unit eigenvectors as columns) of the symmetric matrix whose lower half is given.
 ///
-/// One thread: on a few hundred rows threads would spend their time waiting for each other. `None` where the iteration
-/// does not converge, as for entries that are not finite. Cost O(n³).
+/// One thread: on a few hundred rows threads would spend their time waiting for each other. `None` where the
+/// iteration does not converge, as for entries that are not finite. Cost O(n³).
 pub(crate) fn symmetric_eigen(a: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let size = a.nrows();
     let (mut values, mut vectors) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, size));

@@ -1,9 +1,9 @@
 //! Extremal quotients for a symmetric positive definite matrix A: largest eigenvalues and dual norms.
 //!
-//! A is scaled to unit diagonal and factorized by Cholesky, A = D L Lᵀ D. The largest λ with B x = λ A x is the
-//! largest eigenvalue of L⁻¹ D⁻¹ B D⁻¹ L⁻ᵀ, a symmetric matrix that is divided by its largest diagonal entry first. The
-//! value returned is the Rayleigh quotient of the eigenvector, whose error is the square of the eigenvector's: a lower
-//! bound of λ up to the rounding of A and B.
+//! A is scaled to unit diagonal and factorized by Cholesky, A = D L Lᵀ D. The largest λ with B x = λ A x is
+//! the largest eigenvalue of L⁻¹ D⁻¹ B D⁻¹ L⁻ᵀ, a symmetric matrix that is divided by its largest diagonal
+//! entry first. The value returned is the Rayleigh quotient of the eigenvector, whose error is the square of
+//! the eigenvector's: a lower bound of λ up to the rounding of A and B.
 
 use super::eigen::symmetric_eigen;
 use crate::error::{Error, Result};
@@ -13,8 +13,8 @@ use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, Par};
 
-/// One thread: on a few hundred rows threads would spend their time waiting for each other. Callers solve several
-/// problems at once.
+/// One thread: on a few hundred rows threads would spend their time waiting for each other. Callers solve
+/// several problems at once.
 const PAR: Par = Par::Seq;
 
 /// Rows of the reduced matrix, relative to its norm, that do not matter to the largest eigenvalue.

@@ -1,6 +1,8 @@
-//! Units that are powers of two: dividing by them is exact, and squares of what is left neither overflow nor underflow.
+//! Units that are powers of two: dividing by them is exact, and squares of what is left neither overflow nor
+//! underflow.
 
-/// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x = 0.
+/// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x
+/// = 0.
 pub fn power_of_two(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { libm::ldexp(1.0, libm::ilogb(x).max(-1000)) }
 }

@@ -1,6 +1,7 @@
 //! Searches in one variable: a sign change by halving, a minimum by golden sections.
 
-/// (last point of the sign of the start, first of the other) around a change of `is_beyond` from false to true in (low, high).
+/// (last point of the sign of the start, first of the other) around a change of `is_beyond` from false to
+/// true in (low, high).
 ///
 /// Halves until the bracket is at most `width` wide or holds no number between its ends.
 pub fn sign_change(
@@ -33,7 +34,8 @@ pub fn golden_section(low: f64, high: f64, width: f64, mut f: impl FnMut(f64) ->
     0.5 * (a + b)
 }
 
-/// The index k of the smallest f at low + k (high − low)/steps, 0 ≤ k ≤ steps, and its neighbours' places: a bracket for
+/// The index k of the smallest f at low + k (high − low)/steps, 0 ≤ k ≤ steps, and its neighbours' places: a
+/// bracket for
 /// [`golden_section`] when k is inside.
 pub fn smallest_on_grid(
     low: f64,

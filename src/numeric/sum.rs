@@ -2,7 +2,8 @@
 
 use super::scale::power_below;
 
-/// A running sum with Neumaier's compensation (ZAMM 54, 1974): error about 1 ulp of Σ|terms| ε² n, whatever the count.
+/// A running sum with Neumaier's compensation (ZAMM 54, 1974): error about 1 ulp of Σ|terms| ε² n, whatever
+/// the count.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct RunningSum {
     sum: f64,

@@ -8,22 +8,34 @@ mod constant;
 mod continuation;
 mod discrete;
 mod extremal;
+mod induction;
 mod law;
 mod limits;
+mod location;
 mod mellin;
 mod mesh;
 mod scaling;
 pub(crate) mod slopes;
+mod trial;
 mod two_sided;
 mod uniform;
 mod zone;
 
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
+pub use induction::{InductionStep, induction};
 pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
+pub use location::{Placed, Places};
 pub use mellin::end_limit;
-pub use scaling::{ExplicitBound, growth};
+pub use scaling::{
+    ExplicitBound, Scaling, ScalingPoint, growth, growth_limit, last_exponent, looseness_at_half,
+    printed_exponent_near_one,
+};
+pub use trial::{
+    BothSides, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
+    truncated_logarithm,
+};
 pub use two_sided::{TwoSided, two_sided};
 pub use uniform::UniformLaw;
 pub use zone::{Condition, Place, Zone};

@@ -1,9 +1,11 @@
 //! Lemma 5.2 over a sequence of zones: how fast the constants grow, and bounds with explicit constants.
 
-use super::constant::{gamma_at_point, gamma_whole};
-use super::limits::END_SLOPE;
+use super::constant::{gamma, gamma_at_point, gamma_whole};
+use super::law::LimitLaw;
+use super::limits::{END_SLOPE, INTERIOR_SLOPE, printed_growth};
 use super::mellin::end_limit;
-use super::zone::Condition;
+use super::two_sided::{TwoSided, two_sided};
+use super::zone::{Condition, Place, Zone};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
@@ -28,23 +30,66 @@ pub fn growth(order: FractionalOrder, zones: &[(f64, Estimate)]) -> Result<Optio
     for pair in zones.windows(2) {
         Error::require("theta", pair[1].0, "a shorter zone than before", pair[1].0 < pair[0].0)?;
     }
-    let between = |pair: &[(f64, Estimate)]| -> (f64, f64) {
-        let [(longer, a), (shorter, b)] = [pair[0], pair[1]];
+    if order.offset() != 0.0 {
+        return last_exponent(zones);
+    }
+    last_of(zones, |(longer, a), (shorter, b)| {
         let logarithm = (longer / shorter).ln();
-        if order.offset() == 0.0 {
-            let error = 2.0 * (a.value * a.error + b.value * b.error);
-            ((b.value * b.value - a.value * a.value) / logarithm, error / logarithm)
-        } else {
-            let error = a.relative_error() + b.relative_error();
-            (-(b.value / a.value).ln() / logarithm, error / logarithm)
-        }
-    };
-    let mut windows = zones.windows(2).rev().map(between);
+        let error = 2.0 * (a.value * a.error + b.value * b.error);
+        ((b.value * b.value - a.value * a.value) / logarithm, error / logarithm)
+    })
+}
+
+/// To what [`growth`] tends as θ → 0 at fixed ν: ν − 1/2; at ν = 1/2 the slope 3/(2π²) at an end, 1/(2π²) inside; 0.
+pub fn growth_limit(order: FractionalOrder, place: Place) -> f64 {
+    match place {
+        _ if order.is_below_half() => order.offset(),
+        _ if order.offset() > 0.0 => 0.0,
+        Place::End => END_SLOPE,
+        Place::Centre | Place::At(_) => INTERIOR_SLOPE,
+    }
+}
+
+/// The exponent p of y ~ x^p between the last two of the points (x, y), y > 0. The error adds those of the values
+/// to the change from the two points before, where there are three. `None` for fewer than two points.
+///
+/// # Errors
+/// [`Error::NotFinite`] when points coincide.
+pub fn last_exponent(points: &[(f64, Estimate)]) -> Result<Option<Estimate>> {
+    last_of(points, |(x, a), (y, b)| {
+        let logarithm = (y / x).ln();
+        ((b.value / a.value).ln() / logarithm, (a.relative_error() + b.relative_error()) / logarithm.abs())
+    })
+}
+
+type Point = (f64, Estimate);
+
+/// What `between` finds for the last two points, with its error, and the change from the two before.
+fn last_of(points: &[Point], between: impl Fn(Point, Point) -> (f64, f64)) -> Result<Option<Estimate>> {
+    let mut windows = points.windows(2).rev().map(|pair| between(pair[0], pair[1]));
     let Some((last, error)) = windows.next() else {
         return Ok(None);
     };
     let change = windows.next().map_or(0.0, |(before, _)| (last - before).abs());
     Estimate::new(last, error + change, Work::default()).map(Some)
+}
+
+/// Distances 1 − θ at which the printed growth is tried near θ = 1.
+const NEAR_ONE: [f64; 3] = [1e-2, 1e-3, 1e-4];
+
+/// The exponent p in γ_θ(1/2) / ln(1/θ) ~ (1 − θ)^p as θ → 1. The bound (5.2) with one constant needs p ≥ 0.
+///
+/// # Errors
+/// As [`gamma`].
+pub fn printed_exponent_near_one(tolerance: Tolerance) -> Result<Option<Estimate>> {
+    let order = FractionalOrder::HALF;
+    let point = |distance: f64| -> Result<Point> {
+        let theta = 1.0 - distance;
+        let found = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        let printed = printed_growth(order, theta);
+        Ok((distance, Estimate::new(found.value / printed, found.error / printed, found.work)?))
+    };
+    last_exponent(&NEAR_ONE.into_iter().map(point).collect::<Result<Vec<Point>>>()?)
 }
 
 /// An upper bound of γ_θ(ν) for all zones of length θ with an explicit constant; found here and tested, not
@@ -117,4 +162,91 @@ impl ExplicitBound {
             Self::Constant(point) => Ok(point),
         }
     }
+}
+
+/// What γ_θ of one order is compared with, and zones compared with it.
+#[derive(Debug, Clone)]
+pub struct Scaling {
+    order: FractionalOrder,
+    place: Place,
+    condition: Condition,
+    tolerance: Tolerance,
+    law: Option<LimitLaw>,
+    bound: Option<ExplicitBound>,
+}
+
+/// One zone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScalingPoint {
+    /// The order ν.
+    pub order: FractionalOrder,
+    /// Its length θ.
+    pub theta: f64,
+    /// The zone.
+    pub zone: Zone,
+    /// γ with its bounds.
+    pub found: TwoSided,
+    /// γ over its upper bound.
+    pub side: Estimate,
+    /// γ over the explicit bound, where there is one.
+    pub share: Option<Estimate>,
+    /// The limit law at θ, where there is one and it reaches.
+    pub law: Option<Estimate>,
+    /// γ over the law.
+    pub over_law: Option<Estimate>,
+    /// γ over the printed growth θ^{ν−1/2}, ln(1/θ), 1; none at θ = 1.
+    pub over_printed: Option<f64>,
+}
+
+impl Scaling {
+    /// The limit law and the explicit bound of an order.
+    ///
+    /// # Errors
+    /// Those of [`LimitLaw::new`] and [`ExplicitBound::new`].
+    pub fn new(
+        order: FractionalOrder,
+        place: Place,
+        condition: Condition,
+        tolerance: Tolerance,
+    ) -> Result<Self> {
+        let law = LimitLaw::new(order, place, condition, tolerance)?;
+        let bound = ExplicitBound::new(order, condition, tolerance)?;
+        Ok(Self { order, place, condition, tolerance, law, bound })
+    }
+
+    /// The zone of length θ.
+    ///
+    /// # Errors
+    /// Those of [`two_sided`] and [`Place::zone`].
+    pub fn point(&self, theta: f64) -> Result<ScalingPoint> {
+        let zone = self.place.zone(theta)?;
+        let found = two_sided(self.order, zone, self.condition, self.tolerance)?;
+        let gamma = found.gamma;
+        // The law through 1/2 does not reach θ near 1.
+        let law = self.law.as_ref().and_then(|law| law.gamma(theta).ok());
+        let share = self.bound.map(|bound| gamma.over(bound.at(theta)?)).transpose()?;
+        Ok(ScalingPoint {
+            order: self.order,
+            theta,
+            zone,
+            found,
+            side: gamma.over(Estimate::new(found.upper, 0.0, Work::default())?)?,
+            share,
+            law,
+            over_law: law.map(|law| gamma.over(law)).transpose()?,
+            over_printed: (theta < 1.0).then(|| gamma.value / printed_growth(self.order, theta)),
+        })
+    }
+}
+
+/// By which factor (5.2) with C from θ = 1/2 is loose at the constant γ of a shorter zone at an end.
+///
+/// # Errors
+/// As [`gamma`].
+pub fn looseness_at_half(theta: f64, shorter: Estimate, tolerance: Tolerance) -> Result<Estimate> {
+    let order = FractionalOrder::HALF;
+    let middle = gamma(order, Zone::end(0.5)?, Condition::MeanZero, tolerance)?;
+    let printed = printed_growth(order, theta) / printed_growth(order, 0.5);
+    let loose = middle.over(shorter)?;
+    Estimate::new(loose.value * printed, loose.error * printed, loose.work)
 }

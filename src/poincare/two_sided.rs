@@ -71,6 +71,16 @@ pub fn two_sided(
 }
 
 impl TwoSided {
+    /// (γ₁² + N²)^{1/2}, the bound of the short proof.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite) on overflow.
+    pub fn simple_bound(&self) -> Result<Estimate> {
+        let value = self.whole.value.hypot(self.dual_norm.value);
+        let error = self.whole.error.hypot(self.dual_norm.error);
+        Estimate::new(value, error, self.whole.work + self.dual_norm.work)
+    }
+
     /// Where no function of the space has digits of its own: γ less its error, and √(γ₁² + N²) with their
     /// errors.
     fn of_estimates(gamma: Estimate, whole: Estimate, dual_norm: Estimate) -> Self {

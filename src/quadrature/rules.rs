@@ -1,9 +1,9 @@
 //! Gauss-Legendre and Gauss-Jacobi rules on (0, 1).
 //!
 //! ∫₀¹ (1−t)^α t^β f(t) dt ≈ Σ wᵢ f(tᵢ), exact for polynomials of degree 2n − 1; α, β > −1.
-//! Legendre (α = β = 0) by Newton's method on the recurrence, kept up to 64 points. Jacobi: eigenvalues of the Jacobi
-//! matrix (Golub & Welsch, Math. Comp. 23 (1969) 221-230), polished by Newton steps on the three-term recurrence in t
-//! itself. Cost O(n²) for Legendre, O(n³) for Jacobi.
+//! Legendre (α = β = 0) by Newton's method on the recurrence, kept up to 64 points. Jacobi: eigenvalues of
+//! the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969) 221-230), polished by Newton steps on the
+//! three-term recurrence in t itself. Cost O(n²) for Legendre, O(n³) for Jacobi.
 
 use crate::error::{Error, Result};
 use crate::numeric::eigen::symmetric_eigen;
@@ -38,7 +38,8 @@ impl Rule {
         }
     }
 
-    /// n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their size.
+    /// n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
+    /// size.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for n = 0, [`Error::OutOfRange`] unless α, β > −1 and finite.
@@ -95,10 +96,11 @@ static KNOWN: [OnceLock<Rule>; 65] = [const { OnceLock::new() }; 65];
 /// Newton steps at most from Tricomi's guess, which four or five bring to the last digit.
 const NEWTON: usize = 12;
 
-/// The Gauss-Legendre rule on (0, 1): points up to 1/2 by Newton's method, accurate relative to their size, then mirrored.
+/// The Gauss-Legendre rule on (0, 1): points up to 1/2 by Newton's method, accurate relative to their size,
+/// then mirrored.
 ///
-/// Q_k(t) = P_k(1 − 2t) by differences d_k = Q_{k+1} − Q_k, (k+1) d_k = k d_{k−1} − 2(2k+1) t Q_k, which cancel nowhere near
-/// t = 0; 2t(1−t) Q_n' = n (d_{n−1} − 2t Q_n), and the weight is 1/(t(1−t) Q_n'²).
+/// Q_k(t) = P_k(1 − 2t) by differences d_k = Q_{k+1} − Q_k, (k+1) d_k = k d_{k−1} − 2(2k+1) t Q_k, which
+/// cancel nowhere near t = 0; 2t(1−t) Q_n' = n (d_{n−1} − 2t Q_n), and the weight is 1/(t(1−t) Q_n'²).
 fn legendre_rule(n: usize) -> Rule {
     let count = n as f64;
     let newton = |t: f64| {
@@ -204,7 +206,8 @@ impl Recurrence {
         Evaluation { value, derivative, square_sum }
     }
 
-    /// Newton's method from an eigenvalue good to about 1e-15 absolutely: three steps square away what is left.
+    /// Newton's method from an eigenvalue good to about 1e-15 absolutely: three steps square away what is
+    /// left.
     fn polish(&self, start: f64) -> f64 {
         let mut t = start.clamp(f64::MIN_POSITIVE, 1.0);
         for _ in 0..3 {

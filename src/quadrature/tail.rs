@@ -1,11 +1,12 @@
 //! Limits of partial integrals S_k = ∫₀^{t_k} ℓ(t) dt of an integrand that decays slowly.
 //!
-//! - Levin & Sidi's D-transform (Appl. Math. Comput. 9 (1981) 175-215): S_k = S + t_k ℓ(t_k) (c_0 + c_1/t_k + ...), exact in the limit for
-//!   algebraic decay t^{-p} with corrections in 1/t, and for one exponential.
-//! - Wynn's ε-algorithm (MTAC 10 (1956) 91-96): exact for sums of exponentials; applied to an equidistant end of the sequence.
+//! - Levin & Sidi's D-transform (Appl. Math. Comput. 9 (1981) 175-215): S_k = S + t_k ℓ(t_k) (c_0 + c_1/t_k +
+//!   ...), exact in the limit for algebraic decay t^{-p} with corrections in 1/t, and for one exponential.
+//! - Wynn's ε-algorithm (MTAC 10 (1956) 91-96): exact for sums of exponentials; applied to an equidistant end
+//!   of the sequence.
 //!
-//! Each gives a sequence of limits; the better one is the one that has settled more, and its error is judged by its last two
-//! changes and by the rounding of the S_k as the transform amplifies it. Cost O(m²).
+//! Each gives a sequence of limits; the better one is the one that has settled more, and its error is judged
+//! by its last two changes and by the rounding of the S_k as the transform amplifies it. Cost O(m²).
 
 /// A limit and its estimated absolute error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,7 +21,8 @@ const MAX_LEVIN_ORDER: usize = 11;
 /// Quotient of neighbouring t_k in the D-transform.
 const SPACING: f64 = 0.75;
 
-/// The limit of S_k at increasing t_k > 0 with integrand values ℓ(t_k), each S_k with absolute error `noise`, ℓ > 0.
+/// The limit of S_k at increasing t_k > 0 with integrand values ℓ(t_k), each S_k with absolute error `noise`,
+/// ℓ > 0.
 ///
 /// None with fewer than 5 values.
 pub(crate) fn extrapolate(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<Limit> {
@@ -51,7 +53,8 @@ fn equidistant(t: &[f64], partial: &[f64]) -> Vec<f64> {
     chosen
 }
 
-/// Transforms of growing order on t_k that shrink geometrically from the last one, which keeps rounding from being amplified.
+/// Transforms of growing order on t_k that shrink geometrically from the last one, which keeps rounding from
+/// being amplified.
 fn levin(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<Limit> {
     let mut chosen = vec![t.len() - 1];
     while chosen.len() <= MAX_LEVIN_ORDER {
@@ -124,7 +127,8 @@ fn wynn(partial: &[f64], noise: f64) -> Option<Limit> {
     best_settled(&limits)
 }
 
-/// The limit at which the changes are smallest: the last one, but never less than a third of the one before, twice, and rounding.
+/// The limit at which the changes are smallest: the last one, but never less than a third of the one before,
+/// twice, and rounding.
 fn best_settled(limits: &[Limit]) -> Option<Limit> {
     limits
         .windows(3)

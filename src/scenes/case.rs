@@ -100,7 +100,27 @@ impl StripCase {
     }
 }
 
+/// How all levels of a case were solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solved {
+    /// The worst KKT figure.
+    pub worst_kkt: f64,
+    /// Number of levels whose iteration did not converge.
+    pub unsolved: f64,
+    /// The most inner iterations of a step.
+    pub most_inner: f64,
+}
+
 impl CaseStudy {
+    /// How the levels were solved, over all positions.
+    pub fn solved(&self) -> Solved {
+        Solved {
+            worst_kkt: self.levels().fold(0.0, |worst: f64, level| worst.max(level.kkt)),
+            unsolved: self.levels().filter(|level| !level.status.is_converged()).count() as f64,
+            most_inner: self.levels().map(Level::most_inner).max().unwrap_or(0) as f64,
+        }
+    }
+
     /// The gaps in words: `1 gap`, or `15 of 255 gaps` where the grid holds fewer than the construction has.
     pub fn gaps_text(&self) -> String {
         let plural = |count: u64| if count == 1 { "gap" } else { "gaps" };
@@ -117,6 +137,24 @@ impl CaseStudy {
         let missing = self.planned_gaps?.checked_sub(self.gaps as u64).filter(|&count| count > 0)?;
         let cells = self.scene_cells;
         Some(format!("{missing} gaps left out, under 2 cells wide or too near on the grid of {cells} cells"))
+    }
+
+    /// One row of numbers per level, of the first position but for the errors: n, unknowns, |u − u_h|_a, what it may be off by,
+    /// log₂ of the ratio of errors, contact runs, linear problems, most inner iterations in one, worst KKT figure, seconds, seconds
+    /// for the error. What does not exist is NaN.
+    pub fn rows(&self) -> Vec<[f64; 11]> {
+        let order = |i: usize| {
+            let order = i.checked_sub(1).map(|k| (self.errors[k].value / self.errors[i].value).log2());
+            order.filter(|order| order.is_finite()).unwrap_or(f64::NAN)
+        };
+        let row = |(i, level): (usize, &Level)| {
+            let (n, error) = (level.cells as f64, self.errors[i]);
+            let counts = [level.contact_runs, level.inner_iterations.len(), level.most_inner()];
+            let [runs, steps, inner] = counts.map(|count| count as f64);
+            let Level { virtual_unknowns: unknowns, kkt, seconds, error_seconds, .. } = *level;
+            [n, unknowns, error.value, error.error, order(i), runs, steps, inner, kkt, seconds, error_seconds]
+        };
+        self.studies[0].iter().enumerate().map(row).collect()
     }
 
     /// All levels at all positions.

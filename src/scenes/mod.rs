@@ -23,7 +23,7 @@ mod strip;
 mod study;
 mod transition_powers;
 
-pub use case::{CaseStudy, StripCase, mean_errors};
+pub use case::{CaseStudy, Solved, StripCase, mean_errors};
 pub use mesh::{MeshScene, Setting};
 pub use regularity::clamped_free_exponent;
 pub use scene::Scene;

@@ -7,7 +7,8 @@
 //! | [`hat`]: piecewise linear hat | an interval around it | 0 < ν < 1 |
 //! | [`log_power`]: \|ln x\|^α | (0, 1) | ν = 1/2, 0 < α < 1/2 |
 //!
-//! Every value is the *squared* seminorm; all are sums of positive terms or differences of well separated ones.
+//! Every value is the *squared* seminorm; all are sums of positive terms or differences of well separated
+//! ones.
 
 use super::gram::dense::{diagonal_linear, require_constants_finite};
 use super::kernel::cells::CellPairs;
@@ -22,14 +23,16 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// |x^a|²_ν on (0, 1) = 2/(2a−2ν+1) [B(1,−2ν) − 2B(a+1,−2ν) + B(2a+1,−2ν)], B the continued Beta function.
 ///
 /// The bracket is ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. It is split at ε = max(1/2, 1 − 1/(1+a)); with E = ε^a − 1,
-/// - below: Σ_k (1+2ν)_k/k! ε^{k+1} [2a²/((k+1)(k+1+a)(k+1+2a)) − 2aE/((k+1+a)(k+1+2a)) + E²/(k+1+2a)], all terms positive;
+/// - below: Σ_k (1+2ν)_k/k! ε^{k+1} [2a²/((k+1)(k+1+a)(k+1+2a)) − 2aE/((k+1+a)(k+1+2a)) + E²/(k+1+2a)], all
+///   terms positive;
 /// - above: the power series of ((1−(1−τ)^a)/τ)² in τ = 1 − t, integrated against τ^{1-2ν}.
 ///
 /// Neither cancels at ν = 1/2, a = 0 or ν = 1. Cost about 100 terms, 40 (1 + a) for large a.
 ///
 /// ```
 /// use signorini::sobolev::{FractionalOrder, closed_forms};
-/// let squared = closed_forms::power(1.0, FractionalOrder::HALF)?; // |x - y|^2 / |x - y|^2 over the unit square
+/// // |x - y|^2 / |x - y|^2 over the unit square
+/// let squared = closed_forms::power(1.0, FractionalOrder::HALF)?;
 /// assert!((squared.value - 1.0).abs() < 1e-14);
 /// # Ok::<(), signorini::Error>(())
 /// ```
@@ -95,7 +98,8 @@ fn power_above(a: f64, order: FractionalOrder, end: f64) -> (f64, u64) {
     (sum * end.powf(exponent), series.len() as u64)
 }
 
-/// |u|²_ν on (0, p+q) for u = 0 on (0, p), 1 on (p, p+q): 2 [p^{1-2ν} + q^{1-2ν} − (p+q)^{1-2ν}] / (2ν(1−2ν)).
+/// |u|²_ν on (0, p+q) for u = 0 on (0, p), 1 on (p, p+q):
+/// 2 [p^{1-2ν} + q^{1-2ν} − (p+q)^{1-2ν}] / (2ν(1−2ν)).
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Partition::from_lengths`] for bad lengths.
@@ -106,7 +110,7 @@ pub fn jump(p: f64, q: f64, order: FractionalOrder) -> Result<Estimate> {
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 
-/// |φ|²_ν for the hat φ that rises over `rise`, falls over `fall`, and vanishes on `before` and `after` beside it.
+/// |φ|²_ν for the hat φ that rises over `rise`, falls over `fall`, and vanishes on `before` and `after`.
 ///
 /// `before` and `after` may be zero: the hat then touches the end of the interval.
 ///
@@ -129,8 +133,9 @@ pub fn hat(before: f64, rise: f64, fall: f64, after: f64, order: FractionalOrder
 
 /// ||ln x|^α|²_{1/2} on (0, 1) = 2 ζ(1+2α) [Γ(1+α)²/cos(πα) − Γ(1+2α)].
 ///
-/// In t = −ln x the form is ∫∫ (s^α−t^α)² / (4 sinh²((s−t)/2)); with r = s − t it factors into ∫ r^{2α+1}/(4 sinh²(r/2)) dr =
-/// Γ(2α+2) ζ(2α+1) and κ(α) = ∫₀^∞ ((1+t)^α − t^α)² dt, the constant of Mandelbrot & Van Ness (SIAM Rev. 10 (1968) 422-437).
+/// In t = −ln x the form is ∫∫ (s^α−t^α)² / (4 sinh²((s−t)/2)); with r = s − t it factors into
+/// ∫ r^{2α+1}/(4 sinh²(r/2)) dr = Γ(2α+2) ζ(2α+1) and κ(α) = ∫₀^∞ ((1+t)^α − t^α)² dt, the constant of Mandelbrot & Van
+/// Ness (SIAM Rev. 10 (1968) 422-437).
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for α ≥ 1/2, [`Error::OutOfRange`] for α ≤ 0 or NaN.

@@ -1,7 +1,7 @@
-//! Functions whose norms are worth knowing, by name: `power:0.3`, `step:0.4`, `hat`, `log:0.25`, `samples:FILE`.
+//! Functions whose norms are worth knowing, by name: `power:0.3`, `step:0.4`, `hat`, `log:0.25`,
+//! `samples:FILE`.
 //!
-//! All but samples live on (0, 1). |u|_ν is finite exactly for ν below the critical order: a + 1/2 for x^a, 1/2 for a step, 1 for the hat
-//! (a kink is in H^{3/2−ε}), and up to 1/2 included for |ln x|^α, α < 1/2.
+//! All but samples live on (0, 1). Where |u|_ν is finite, [`GalleryFunction::is_in`] says.
 
 use super::closed_forms;
 use super::functions::{Position, SingularFunction};
@@ -11,7 +11,7 @@ use super::piecewise::PiecewisePolynomial;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// A function by name.
@@ -38,9 +38,20 @@ impl GalleryFunction {
     /// # Errors
     /// [`Error::InfiniteNorm`] above the critical order, [`Error::ToleranceNotMet`], [`Error::File`].
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        match self.sampled()? {
-            Some(samples) => samples.seminorm(order, tolerance),
-            None => self.closure()?.seminorm(order, tolerance),
+        match self.evaluated()? {
+            Evaluated::Samples(u) => u.seminorm(order, tolerance),
+            Evaluated::Closure(u) => u.seminorm(order, tolerance),
+        }
+    }
+
+    /// |u|_ν, none where it is found to be infinite.
+    ///
+    /// # Errors
+    /// As [`GalleryFunction::seminorm`] otherwise.
+    pub fn finite_seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Option<Estimate>> {
+        match self.seminorm(order, tolerance) {
+            Err(Error::InfiniteNorm { .. }) => Ok(None),
+            outcome => outcome.map(Some),
         }
     }
 
@@ -49,9 +60,9 @@ impl GalleryFunction {
     /// # Errors
     /// As [`GalleryFunction::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        match self.sampled()? {
-            Some(samples) => samples.norm(order, tolerance),
-            None => self.closure()?.norm(order, tolerance),
+        match self.evaluated()? {
+            Evaluated::Samples(u) => u.norm(order, tolerance),
+            Evaluated::Closure(u) => u.norm(order, tolerance),
         }
     }
 
@@ -70,19 +81,19 @@ impl GalleryFunction {
         squared.sqrt().map(Some)
     }
 
-    /// The order from which the seminorm is infinite; `None` for samples, whose slopes alone are infinite at 3/2.
-    pub fn critical_order(&self) -> Option<f64> {
-        match self {
-            // A polynomial is smooth; x^a with a > 1/2 outlives every ν < 1.
-            Self::Power(a) => Some(if *a == 0.0 { 1.0 } else { (a + 0.5).min(1.0) }),
-            Self::Step(_) | Self::Log(_) => Some(0.5),
-            Self::Hat => Some(1.0),
-            Self::Samples(_) => None,
+    /// Whether |u|_ν < ∞: x^a for ν < a + 1/2 (every ν at a = 0), a step for ν < 1/2, |ln x|^α for ν < 1/2,
+    /// and at ν = 1/2 for α < 1/2; piecewise linear functions always.
+    pub fn is_in(&self, order: FractionalOrder) -> bool {
+        match *self {
+            Self::Power(a) => a == 0.0 || order.offset() < a,
+            Self::Step(_) => order.is_below_half(),
+            Self::Log(alpha) => order.is_below_half() || order.offset() == 0.0 && alpha < 0.5,
+            Self::Hat | Self::Samples(_) => true,
         }
     }
 
-    fn closure(&self) -> Result<SingularFunction<'_>> {
-        match *self {
+    fn evaluated(&self) -> Result<Evaluated<'_>> {
+        let closure = match *self {
             Self::Power(a) => SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
                 0 => at.offset().powf(a),
                 _ => (a * at.offset().ln_1p()).exp(),
@@ -101,35 +112,42 @@ impl GalleryFunction {
                     _ => (-at.offset().ln_1p()).powf(alpha),
                 })
             }
-            Self::Samples(_) => Err(unknown(&self.to_string())),
-        }
+            Self::Samples(ref path) => return read_samples(path).map(Evaluated::Samples),
+        };
+        closure.map(Evaluated::Closure)
     }
+}
 
-    fn sampled(&self) -> Result<Option<PiecewisePolynomial>> {
-        let Self::Samples(path) = self else { return Ok(None) };
-        let text = std::fs::read_to_string(path).map_err(|e| Error::file(path, e))?;
-        let (mut nodes, mut values) = (Vec::new(), Vec::new());
-        for (number, line) in text.lines().enumerate() {
-            let line = line.trim();
-            if line.is_empty() || line.starts_with('#') {
-                continue;
-            }
-            let columns: Vec<f64> = line
-                .split(|c: char| c.is_whitespace() || c == ',')
-                .filter(|word| !word.is_empty())
-                .map_while(|word| word.parse().ok())
-                .collect();
-            let [x, value] = columns[..] else {
-                return Err(Error::file(path, format!("line {} is not two numbers: {line}", number + 1)));
-            };
-            nodes.push(x);
-            values.push(value);
+/// A function of the gallery, ready to be measured.
+enum Evaluated<'a> {
+    Closure(SingularFunction<'a>),
+    Samples(PiecewisePolynomial),
+}
+
+/// The piecewise linear function through the rows (x, value) of a file.
+fn read_samples(path: &Path) -> Result<PiecewisePolynomial> {
+    let text = std::fs::read_to_string(path).map_err(|e| Error::file(path, e))?;
+    let (mut nodes, mut values) = (Vec::new(), Vec::new());
+    for (number, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
         }
-        if nodes.len() < 2 {
-            return Err(Error::file(path, "fewer than two rows of x, value"));
-        }
-        PiecewisePolynomial::linears(Partition::from_nodes(&nodes)?, &values).map(Some)
+        let columns: Vec<f64> = line
+            .split(|c: char| c.is_whitespace() || c == ',')
+            .filter(|word| !word.is_empty())
+            .map_while(|word| word.parse().ok())
+            .collect();
+        let [x, value] = columns[..] else {
+            return Err(Error::file(path, format!("line {} is not two numbers: {line}", number + 1)));
+        };
+        nodes.push(x);
+        values.push(value);
     }
+    if nodes.len() < 2 {
+        return Err(Error::file(path, "fewer than two rows of x, value"));
+    }
+    PiecewisePolynomial::linears(Partition::from_nodes(&nodes)?, &values)
 }
 
 impl fmt::Display for GalleryFunction {

@@ -1,12 +1,13 @@
 //! Section 1: fractional Sobolev spaces on intervals.
 //!
-//! The seminorm is |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν} dx dy over the square of the interval, 0 < ν < 1, (1.1) of the paper; the norm of order
-//! m + ν adds the L² norms of the derivatives up to m.
+//! The seminorm is |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν} dx dy over the square of the interval, 0 < ν < 1,
+//! (1.1) of the paper; the norm of order m + ν adds the L² norms of the derivatives up to m.
 //!
 //! | what | where |
 //! | --- | --- |
 //! | orders and meshes | [`FractionalOrder`], [`Partition`] |
-//! | norms of piecewise polynomials, of closures, of named functions | [`PiecewisePolynomial`], [`SingularFunction`], [`GalleryFunction`] |
+//! | norms of piecewise polynomials and of closures | [`PiecewisePolynomial`], [`SingularFunction`] |
+//! | norms of named functions | [`GalleryFunction`] |
 //! | Gram matrices, dense and as fast operators | [`gram_constants`], [`gram_linears`], [`GramOperator`] |
 //! | dual norms | [`dual_norm_of_functional`], [`PiecewisePolynomial::dual_norm`], [`DualOf`] |
 //! | exact values | [`closed_forms`] |

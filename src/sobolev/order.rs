@@ -1,7 +1,8 @@
 //! The order ν of a fractional Sobolev space, 0 < ν < 1.
 //!
-//! Formulas switch character at ν = 1/2 (traces, logarithms), and most of them hold 1 − 2ν in an exponent or a denominator.
-//! The offset δ = ν − 1/2 is therefore kept beside ν: orders such as 1/2 + 1e-20, whose ν rounds to 1/2, are admissible.
+//! Formulas switch character at ν = 1/2 (traces, logarithms), and most of them hold 1 − 2ν in an exponent or
+//! a denominator. The offset δ = ν − 1/2 is therefore kept beside ν: orders such as 1/2 + 1e-20, whose ν
+//! rounds to 1/2, are admissible.
 
 use crate::error::{Error, Result};
 use std::fmt;

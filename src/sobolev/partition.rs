@@ -1,8 +1,9 @@
 //! Partitions of an interval given by the *lengths* of their elements.
 //!
-//! Distances between elements are sums of lengths, never differences of coordinates: an element of length 1e-300 may sit
-//! beside one of length 1 anywhere in the interval, and every distance keeps full relative accuracy. Coordinates exist
-//! only for evaluation and plotting. Sums are compensated (Neumaier 1974), relative error about 1 ulp whatever the count.
+//! Distances between elements are sums of lengths, never differences of coordinates: an element of length
+//! 1e-300 may sit beside one of length 1 anywhere in the interval, and every distance keeps full relative
+//! accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
+//! relative error about 1 ulp whatever the count.
 
 use crate::error::{Error, Result};
 use crate::numeric::sum::RunningSum;
@@ -27,8 +28,9 @@ impl Partition {
     /// The partition with the given element lengths, left end at 0.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] without elements, [`Error::OutOfRange`] for a length that is not positive and finite,
-    /// for a total length that overflows, or when the total length exceeds 1e303 times the shortest element.
+    /// [`Error::CountOutOfRange`] without elements, [`Error::OutOfRange`] for a length that is not positive
+    /// and finite, for a total length that overflows, or when the total length exceeds 1e303 times the
+    /// shortest element.
     pub fn from_lengths(lengths: Vec<f64>) -> Result<Self> {
         Self::at(0.0, lengths)
     }
@@ -51,7 +53,8 @@ impl Partition {
         Self::from_lengths(vec![length / count.max(1) as f64; count])
     }
 
-    /// Nodes 0, L σ^{m}, ..., L σ, L: lengths shrink by σ towards the left end, where the first element has length L σ^m.
+    /// Nodes 0, L σ^{m}, ..., L σ, L: lengths shrink by σ towards the left end, where the first element has
+    /// length L σ^m.
     ///
     /// ```
     /// use signorini::sobolev::Partition;

@@ -3,7 +3,8 @@
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// Relative rounding of one entry of a Gram matrix or of one pair of elements: a few dozen operations of one sign.
+/// Relative rounding of one entry of a Gram matrix or of one pair of elements: a few dozen operations of one
+/// sign.
 pub(super) const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// The estimate times a power of two.

@@ -15,7 +15,6 @@
 
 mod edge_data;
 mod exact;
-mod listing;
 mod operator;
 mod sides;
 mod solver;
@@ -23,7 +22,6 @@ mod transfer;
 
 pub use edge_data::EdgeData;
 pub use exact::{ExactEdge, ExactElastic, Level, Levels, Reference, StripKind, StripProblem, study};
-pub use listing::{level_table, mean_order};
 pub use operator::edge::EdgeOperator;
 pub use operator::elastic::{ElasticLoad, ElasticStrip};
 pub use operator::load::EdgeLoad;

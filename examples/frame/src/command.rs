@@ -86,6 +86,7 @@ impl Shown for Headline {
     }
 }
 
+#[cfg(feature = "contact")]
 impl Shown for signorini::report::Headline {
     fn text(&self) -> String {
         self.to_string()

@@ -19,8 +19,11 @@ mod command;
 mod error;
 pub mod figures;
 mod outcome;
+#[cfg(feature = "contact")]
 pub mod poincare;
+#[cfg(feature = "contact")]
 pub mod rates;
+#[cfg(feature = "contact")]
 pub mod shown;
 
 pub use command::{HasOutput, Output, Shown, main, progress};

@@ -1,10 +1,11 @@
 //! Pictures of Lemma 5.2, one frame per value of a parameter: extremal functions as the zone shrinks, growth
 //! of the constant as the order passes 1/2. All frames of one sequence share their axes.
 
-use signorini::figures::{Axis, Chart, PALETTE, Series};
-use signorini::poincare::{Condition, Zone, extremal, gamma, printed_growth};
+use crate::figures::{Axis, Chart, PALETTE, Series};
+use crate::{Cell, Column, Format, Headline, Output, Result, Table};
+use signorini::Tolerance;
+use signorini::poincare::{Condition, ScalingPoint, Zone, extremal, gamma, printed_growth};
 use signorini::sobolev::FractionalOrder;
-use signorini::{Result, Tolerance};
 
 /// Points per cell of the graded mesh: the pictures resolve every scale between θ and 1.
 const PER_CELL: usize = 6;
@@ -22,7 +23,7 @@ const NEAREST: f64 = 1e-8;
 /// use signorini::{Tolerance, sobolev::FractionalOrder};
 /// let chart = extremal_chart(&[FractionalOrder::HALF], 1e-2, Tolerance::fast())?;
 /// assert!(chart.svg()?.contains("γ = 0.8428"));
-/// # Ok::<(), signorini::Error>(())
+/// # Ok::<(), example_frame::Error>(())
 /// ```
 pub fn extremal_chart(orders: &[FractionalOrder], theta: f64, tolerance: Tolerance) -> Result<Chart> {
     let x = Axis::logarithmic("x, distance from the end of the zone (interval = 1)").range(NEAREST, 1.0);
@@ -63,4 +64,84 @@ pub fn growth_chart(order: FractionalOrder, lengths: &[f64], tolerance: Toleranc
     Ok(Chart::new(format!("Poincaré constant of order ν = {order}"), x, y)
         .with(Series::points("computed", computed))
         .with(Series::dashed(format!("{law}, through the first point"), printed)))
+}
+
+/// Orders of the frames of the growth: both regimes and the border between them.
+const FRAMES: [f64; 9] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+
+/// Saves extremal functions, one frame per θ < 1, and the growth of the constant, one frame per order.
+///
+/// # Errors
+/// Those of the charts and of their files.
+pub fn frames(
+    headline: &mut Headline,
+    output: &Output,
+    orders: &[FractionalOrder],
+    lengths: &[f64],
+) -> Result<()> {
+    for &theta in lengths.iter().filter(|&&theta| theta < 1.0) {
+        let chart = || extremal_chart(orders, theta, Tolerance::fast());
+        headline.draw(output, &format!("lemma_5_2_extremal_{theta:e}"), chart)?;
+    }
+    for nu in FRAMES {
+        let chart = || growth_chart(FractionalOrder::new(nu)?, lengths, Tolerance::fast());
+        headline.draw(output, &format!("lemma_5_2_growth_{nu}"), chart)?;
+    }
+    Ok(())
+}
+
+/// γ_θ(ν) against θ, the points of one order together: computed, and dashed the law that holds as θ → 0.
+pub fn curves_chart(points: &[(ScalingPoint, f64)]) -> Chart {
+    let x = Axis::logarithmic("θ, length of the zone (interval = 1)");
+    let mut chart =
+        Chart::new("Poincaré constants of Lemma 5.2", x, Axis::logarithmic("γ, Poincaré constant"));
+    for (k, same) in points.chunk_by(|(a, _), (b, _)| a.order == b.order).enumerate() {
+        let (order, colour) = (same[0].0.order, PALETTE[k % PALETTE.len()]);
+        let computed = same.iter().map(|(p, _)| (p.theta, p.found.gamma.value)).collect();
+        let law: Vec<(f64, f64)> = same.iter().filter_map(|(p, _)| Some((p.theta, p.law?.value))).collect();
+        chart = chart.with(Series::points(format!("ν = {order}, computed"), computed).colour(colour));
+        if !law.is_empty() {
+            chart = chart.with(Series::dashed(format!("ν = {order}, law as θ → 0"), law).colour(colour));
+        }
+    }
+    chart
+}
+
+/// The file of [`curves_chart`]; with one order only its name carries the order.
+pub fn figure_name(orders: &[FractionalOrder]) -> String {
+    match orders {
+        [one] => format!("lemma_5_2_gamma_{one}").replace(['/', '.'], "_"),
+        _ => "lemma_5_2_gamma".to_owned(),
+    }
+}
+
+/// One row per zone: the constant, its bounds, and its quotients by both laws.
+pub fn scaling_table(points: &[(ScalingPoint, f64)]) -> Table {
+    Table::new(columns()).with_rows(points.iter().map(|(p, seconds)| {
+        let mut row: Vec<Cell> = vec![p.order.value().into(), p.theta.into(), p.zone.to_string().into()];
+        row.extend([p.found.gamma.value, p.found.gamma.error, p.found.lower, p.found.upper].map(Cell::from));
+        row.extend([p.over_printed.into(), p.over_law.map(|e| e.value).into(), (*seconds).into()]);
+        row
+    }))
+}
+
+fn columns() -> Vec<Column> {
+    let seven = Format::Significant(7);
+    vec![
+        Column::new("nu", "nu", Format::Plain, ""),
+        Column::new("theta", "theta", Format::Plain, ""),
+        Column::hidden("zone"),
+        Column::new("gamma", "gamma", Format::Significant(11), "computed constant"),
+        Column::new("error", "error", Format::Scientific(0), "its estimated error"),
+        Column::new("lower", "lower", seven, "quotient of a function"),
+        Column::new("upper", "upper", seven, "from gamma_1 and a dual norm, no eigenproblem"),
+        Column::new(
+            "printed",
+            "/printed",
+            Format::Significant(4),
+            "gamma / (theta^(nu-1/2), ln(1/theta), 1)",
+        ),
+        Column::new("law", "/limit law", seven, "gamma / (law of the limit theta -> 0)"),
+        Column::hidden("seconds"),
+    ]
 }

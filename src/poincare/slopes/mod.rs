@@ -2,8 +2,7 @@
 //!
 //! Unknowns are the slopes of u, so that constants, the kernel of the seminorm, do not appear at all and no
 //! position is ever subtracted from another. See [`cell`] for the parametrizations, [`gram`] for |u|_ν²,
-//! [`mass`] for ‖u‖₀² under a condition that fixes the constant, [`local`] for short zones inside, [`pencil`]
-//! for the extremal quotient.
+//! [`mass`] for ‖u‖₀² under a condition that fixes the constant, [`local`] for short zones inside.
 
 mod adjacent;
 pub(crate) mod cell;

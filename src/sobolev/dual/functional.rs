@@ -2,14 +2,17 @@
 //!
 //! | [`DualOf`] | ||v||² | space |
 //! | --- | --- | --- |
-//! | `Slobodeckij` | ∥v∥²_0 + \|v\|²_ν, (1.1) of the paper; ν = 1/2: the norm ∥·∥_{1/2,*} of (4.7) and Remark 2 | H^ν(I) |
-//! | `Interpolation` | Σ_k (1+λ_k)^ν v_k², λ_k = (kπ/L)², v_k cosine coefficients: \[L², H¹\]_ν by eigenpairs | H^ν(I) |
-//! | `InterpolationZero` | Σ_k (1+λ_k)^ν v_k² with sines: \[L², H¹_0\]_ν | H^ν for ν < 1/2, H^{1/2}_{00} at ν = 1/2, H^ν_0 above |
+//! | `Slobodeckij` | ∥v∥²_0 + \|v\|²_ν, (1.1) of the paper | H^ν(I) |
+//! | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k cosine coefficients | H^ν(I) |
+//! | `InterpolationZero` | the same with sines | H^ν, H^{1/2}_{00}, H^ν_0 for ν below, at, above 1/2 |
 //!
-//! The first two are equivalent norms of one space, with different constants; the third is larger than the second and belongs to a smaller
-//! space at ν ≥ 1/2, so that its dual norm is smaller than the second's. A functional on a mesh (its values on hats) is measured by one SPD solve with M + A: the
-//! supremum over the piecewise linears of that mesh, a lower bound. For a function the mesh is halved until the
-//! limit is known.
+//! λ_k = (kπ/L)². The first at ν = 1/2 is the norm ∥·∥_{1/2,*} of (4.7) and Remark 2; the others are \[L², H¹\]_ν and
+//! \[L², H¹_0\]_ν by eigenpairs.
+//!
+//! The first two are equivalent norms of one space, with different constants; the third is larger than the
+//! second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's. A
+//! functional on a mesh (its values on hats) is measured by one SPD solve with M + A: the supremum over the
+//! piecewise linears of that mesh, a lower bound. For a function the mesh is halved until the limit is known.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -42,10 +45,12 @@ const DENSE: usize = 300;
 /// Halvings of the mesh, and the largest number of elements, of a dual norm of a function.
 const MAX_HALVINGS: usize = 12;
 const MAX_ELEMENTS: usize = 40_000;
-/// sup ⟨f, v⟩/||v||_ν (Slobodeckij) over the piecewise linears of a mesh, from the values ⟨f, φ_i⟩ on its N + 1 hats.
+/// sup ⟨f, v⟩/||v||_ν (Slobodeckij) over the piecewise linears of a mesh, from the values ⟨f, φ_i⟩ on its N +
+/// 1 hats.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::NotPositiveDefinite`], [`Error::ToleranceNotMet`].
+/// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::NotPositiveDefinite`],
+/// [`Error::ToleranceNotMet`].
 pub fn dual_norm_of_functional(
     partition: &Partition,
     order: FractionalOrder,
@@ -218,7 +223,8 @@ const SETTLED: usize = 20;
 
 /// bᵀ (M + A)⁻¹ b by conjugate gradients on the fast product, with the diagonal as preconditioner.
 ///
-/// bᵀx grows monotonically by the steps' contributions; it has settled when the last 20 of them add less than the tolerance.
+/// bᵀx grows monotonically by the steps' contributions; it has settled when the last 20 of them add less than
+/// the tolerance.
 fn solve_iteratively(
     partition: &Partition,
     order: FractionalOrder,

@@ -1,9 +1,10 @@
 //! Dual norms as spectral sums, Σ (1+λ_k)^{-ν} f_k² with cosines or sines, λ_k = (kπ/L)².
 //!
-//! The spectral sums: what K coefficients leave of ∥f∥²_0, ρ_K, is known by Parseval, so that the tail lies between 0 and
-//! (1+λ_K)^{-ν} ρ_K, a rigorous bound that shrinks like 1/K for a jump. Where ρ_K is seen to fall like K^{-s} at two doublings in a row,
-//! the tail is ρ_K ∫_K^∞ s K^s k^{-s-1} (1+λ_k)^{-ν} dk ≈ (1+λ_K)^{-ν} ρ_K s/(s+2ν), and the error is that of three successive doublings.
-//! Cost: O(1) per coefficient and element for piecewise linears, by parts; O(k) points otherwise.
+//! The spectral sums: what K coefficients leave of ∥f∥²_0, ρ_K, is known by Parseval, so that the tail lies
+//! between 0 and (1+λ_K)^{-ν} ρ_K, a rigorous bound that shrinks like 1/K for a jump. Where ρ_K is seen to
+//! fall like K^{-s} at two doublings in a row, the tail is ρ_K ∫_K^∞ s K^s k^{-s-1} (1+λ_k)^{-ν} dk ≈
+//! (1+λ_K)^{-ν} ρ_K s/(s+2ν), and the error is that of three successive doublings. Cost: O(1) per coefficient
+//! and element for piecewise linears, by parts; O(k) points otherwise.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -15,7 +16,8 @@ use crate::sobolev::piecewise::PiecewisePolynomial;
 /// Coefficients of a spectral sum at most, and values of the function at most: a second or two.
 const MAX_MODES: usize = 1 << 15;
 const MAX_VALUES: u64 = 1 << 26;
-/// Exponents s of the tail that agree so far are taken for its law; below the smallest nothing is seen to fall.
+/// Exponents s of the tail that agree so far are taken for its law; below the smallest nothing is seen to
+/// fall.
 const SAME_EXPONENT: f64 = 0.2;
 const SMALLEST_EXPONENT: f64 = 0.5;
 
@@ -69,7 +71,8 @@ impl PiecewisePolynomial {
             let (start, h) = (self.partition().from_left()[i] / total, length / total);
             let waves = frequency * h / std::f64::consts::PI;
             if piece.bubbles.is_empty() && waves > 1.0 {
-                // By parts: [u S − u' C'] with S the primitive of the wave; no cancellation beyond half a wave.
+                // By parts: [u S − u' C'] with S the primitive of the wave; no cancellation beyond half a
+                // wave.
                 let end = start + h;
                 let (left, right) = (piece.left / scale, piece.right / scale);
                 let slope = (right - left) / (h * frequency);
@@ -154,7 +157,8 @@ mod tests {
     use crate::sobolev::{DualOf, Partition};
     use std::f64::consts::PI;
 
-    /// ‖1‖ in the dual of sines on (0, 1): 8/π² Σ_{odd k} k^{-2} (1 + k²π²)^{-ν}, the tail by the midpoint rule.
+    /// ‖1‖ in the dual of sines on (0, 1): 8/π² Σ_{odd k} k^{-2} (1 + k²π²)^{-ν}, the tail by the midpoint
+    /// rule.
     fn one_exactly(nu: f64) -> f64 {
         const LAST: f64 = 200_000.0;
         let term = |k: f64| 8.0 / (PI * k).powi(2) * (PI * k).hypot(1.0).powf(-2.0 * nu);

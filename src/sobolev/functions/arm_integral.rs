@@ -1,8 +1,9 @@
 //! ∫₀^∞ ℓ(t) dt along an arm, for integrands that decay like exponentials or like powers of t.
 //!
-//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink geometrically.
-//! The cells go on until what is left is small against the tolerance; where ℓ decays too slowly for that, wide cells down to the
-//! depth of the arm feed [`crate::quadrature::extrapolate`], or a [`DeepTail`] is added. An integral that does not converge is recognised by its integrand.
+//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink
+//! geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays too
+//! slowly for that, wide cells down to the depth of the arm feed [`crate::quadrature::extrapolate`], or a
+//! [`DeepTail`] is added. An integral that does not converge is recognised by its integrand.
 
 use super::deep_tail::DeepTail;
 use super::level::{ArmValue, Density, Level};
@@ -51,7 +52,8 @@ impl ArmIntegral {
         })
     }
 
-    /// The integral; `scale` is what else the result will be added to, `tail` the end of the arm where it is known.
+    /// The integral; `scale` is what else the result will be added to, `tail` the end of the arm where it is
+    /// known.
     pub(crate) fn integrate(
         &self,
         depth: f64,

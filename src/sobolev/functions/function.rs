@@ -1,9 +1,10 @@
 //! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
 //!
-//! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one break. A point
-//! of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of the distance to the break is a
-//! smooth function, and double integrals are taken over pairs (t, t′) ([`super::log_energy`]). A closure of x alone knows
-//! its distance to a break c ≠ 0 only to an ulp of c; one that takes a [`Position`] sees the distance itself, or its logarithm.
+//! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
+//! break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
+//! the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
+//! ([`super::log_energy`]). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
+//! that takes a [`Position`] sees the distance itself, or its logarithm.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
@@ -69,8 +70,8 @@ impl<'a> SingularFunction<'a> {
     /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::OutOfRange`] unless they increase strictly, are finite and
-    /// lie at least 1e-290 and 1e-290 of the interval apart.
+    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::OutOfRange`] unless they increase
+    /// strictly, are finite and lie at least 1e-290 and 1e-290 of the interval apart.
     pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
@@ -97,9 +98,11 @@ impl<'a> SingularFunction<'a> {
     }
 
     /// As [`SingularFunction::from_positions`] for a function that is right also where offsets underflow, by
-    /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln x|^α at ν = 1/2.
+    /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln
+    /// x|^α at ν = 1/2.
     ///
-    /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d| are.
+    /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
+    /// are.
     ///
     /// # Errors
     /// As [`SingularFunction::new`].
@@ -143,8 +146,8 @@ impl<'a> SingularFunction<'a> {
         self.breaks[self.breaks.len() - 1] - self.breaks[0]
     }
 
-    /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and powers of u/S
-    /// neither over- nor underflow; S = 1 where all of them vanish.
+    /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and
+    /// powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
     pub(crate) fn of_moderate_size(&self) -> Result<(f64, SingularFunction<'_>)> {
         let mut largest = 0.0_f64;
         for arm in self.arms() {

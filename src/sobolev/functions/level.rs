@@ -10,7 +10,8 @@ pub(crate) struct Level {
     pub(crate) width: f64,
 }
 
-/// A value of ℓ and its rounding error; errors of different terms are independent, so that they add as squares do.
+/// A value of ℓ and its rounding error; errors of different terms are independent, so that they add as
+/// squares do.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Density {
     pub(crate) value: f64,

@@ -1,11 +1,13 @@
 //! |u|²_ν of a function with break points, in logarithmic coordinates along its arms.
 //!
 //! Of two points the deeper one (larger t) is the outer variable:
-//! |u|²_ν = 2 Σ_a ∫₀^∞ ℓ_a(t) dt,  ℓ_a(t) = δ Σ_b ∫₀^t ε (u(x)−u(y))² |x−y|^{-1-2ν} dt′,  x = c_a ± δ(t), y = c_b ± ε(t′).
+//! |u|²_ν = 2 Σ_a ∫₀^∞ ℓ_a(t) dt,  ℓ_a(t) = δ Σ_b ∫₀^t ε (u(x)−u(y))² |x−y|^{-1-2ν} dt′,
+//! x = c_a ± δ(t), y = c_b ± ε(t′).
 //!
-//! On the own arm t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with the difference quotient; all other
-//! pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0 and decays as its break point allows ([`super::arm_integral`]).
-//! Distances keep their digits: δ(e^s − 1) on one arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
+//! On the own arm t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with the
+//! difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0 and
+//! decays as its break point allows ([`super::arm_integral`]). Distances keep their digits: δ(e^s − 1) on one
+//! arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
 
 use super::arm_integral::ArmIntegral;
 use super::deep_tail::DeepTail;
@@ -36,7 +38,8 @@ pub(crate) struct LogEnergy<'a> {
     kernel: PowerKernel,
     rule: Rule,
     near: PowerWeightRule,
-    /// away from the other breaks, whose distance is e^t δ: fewer points, not so close to s = 0, lose fewer digits
+    /// away from the other breaks, whose distance is e^t δ: fewer points, not so close to s = 0, lose fewer
+    /// digits
     near_deep: PowerWeightRule,
     level: Level,
     /// S in which all lengths are measured: the longest arm
@@ -220,7 +223,8 @@ impl<'a> LogEnergy<'a> {
         } else if x.arm / 2 == other / 2 {
             a.length * -((-x.t).exp_m1() + (-t).exp_m1())
         } else {
-            // Arms of one break or one interval are treated above; between others lies at least half an interval.
+            // Arms of one break or one interval are treated above; between others lies at least half an
+            // interval.
             let (left, left_delta, right, right_delta) =
                 if a.anchor < b.anchor { (a, x.delta, b, epsilon) } else { (b, epsilon, a, x.delta) };
             self.between(left.anchor, right.anchor) - left.sign * left_delta + right.sign * right_delta

@@ -1,8 +1,9 @@
 //! Norms of functions with declared break points.
 //!
-//! Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules in logarithmic coordinates.
-//! The error of the finer one is estimated by their difference (the error of the *coarser* one), plus what the limits along
-//! the arms and rounding leave. Cost: a seminorm takes about (arms)² 10⁵ kernel values at 1e-8.
+//! Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules in
+//! logarithmic coordinates. The error of the finer one is estimated by their difference (the error of the
+//! *coarser* one), plus what the limits along the arms and rounding leave. Cost: a seminorm takes about
+//! (arms)² 10⁵ kernel values at 1e-8.
 
 use super::arm_integral::ArmIntegral;
 use super::function::SingularFunction;
@@ -13,7 +14,8 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{root_of_squares, scaled};
 
-/// Orders and widths, each more accurate than the one before: one decade and a half per step for functions analytic up to their breaks.
+/// Orders and widths, each more accurate than the one before: one decade and a half per step for functions
+/// analytic up to their breaks.
 const LEVELS: [Level; 11] = [
     Level { points: 4, width: 1.5 },
     Level { points: 6, width: 1.4 },
@@ -64,7 +66,8 @@ impl SingularFunction<'_> {
     /// The norm ||u||_{1+ν} of a function and its derivative.
     ///
     /// # Errors
-    /// As [`SingularFunction::seminorm`]; [`Error::OutOfRange`] when the two live on intervals of different length.
+    /// As [`SingularFunction::seminorm`]; [`Error::OutOfRange`] when the two live on intervals of different
+    /// length.
     pub fn norm_with_derivative(
         &self,
         derivative: &SingularFunction,
@@ -153,8 +156,8 @@ impl SingularFunction<'_> {
     }
 }
 
-/// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so that the number made
-/// of it meets the tolerance.
+/// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so
+/// that the number made of it meets the tolerance.
 fn refine(
     what: &'static str,
     asked: Tolerance,
@@ -178,7 +181,8 @@ fn refine(
                 + 64.0 * f64::EPSILON * current.value.abs();
             let work = Work { points, ..Work::default() };
             let estimate = Estimate::new(current.value, error, work)?;
-            // The function is of size 1: an integral within a few ulps of zero is that of a function without variation.
+            // The function is of size 1: an integral within a few ulps of zero is that of a function without
+            // variation.
             if estimate.error.max(estimate.value.abs()) <= ZERO || estimate.relative_error() <= tolerance {
                 return Ok(estimate);
             }

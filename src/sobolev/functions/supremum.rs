@@ -1,8 +1,9 @@
 //! max |u| of a function with break points, by samples in the logarithm of the distance to the breaks.
 //!
-//! Along an arm |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is improved by golden sections; steps are
-//! halved until two agree. What lies beyond the depth of the arm is the limit of the values at depth/4, depth/2 and depth where
-//! their differences fall, and infinite where they do not. Cost: 700 values per arm and unit of 1/step.
+//! Along an arm |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is improved by golden
+//! sections; steps are halved until two agree. What lies beyond the depth of the arm is the limit of the
+//! values at depth/4, depth/2 and depth where their differences fall, and infinite where they do not. Cost:
+//! 700 values per arm and unit of 1/step.
 
 use super::function::{Arm, SingularFunction};
 use crate::error::{Error, Result};

@@ -1,4 +1,5 @@
-//! The entries of a Gram matrix that come from single elements, neighbours and the exterior: at most two off-diagonals.
+//! The entries of a Gram matrix that come from single elements, neighbours and the exterior: at most two
+//! off-diagonals.
 
 use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
 use crate::sobolev::kernel::cells::CellPairs;

@@ -1,4 +1,5 @@
-//! Products with symmetric circulants, by one real transform while it fits the cache, else by blocks ([`super::six_step`]).
+//! Products with symmetric circulants, by one real transform while it fits the cache, else by blocks
+//! ([`super::six_step`]).
 
 use super::six_step::{SixStep, SixStepWorkspace};
 use crate::error::{Error, Result};
@@ -77,7 +78,11 @@ impl Circulant {
                 y.iter_mut().zip(signal.iter()).for_each(|(y, s)| *y += s);
             }
             // A workspace is made by the transform that takes it.
-            _ => return Ok(()),
+            _ => {
+                return Err(Error::Solver {
+                    reason: "Fourier transform: buffers of another length".to_owned(),
+                });
+            }
         }
         if let Ok(mut free) = self.workspaces.lock() {
             free.push(space);
@@ -130,15 +135,9 @@ fn smooth_length(n: usize) -> usize {
     if with_three >= n { with_three } else { power }
 }
 
-/// Buffers come from the plans themselves; a wrong length would be theirs.
+/// What the transform says of its buffers, which come from the plans themselves, or of values that are not finite.
 fn fourier(error: realfft::FftError) -> Error {
-    let (expected, given) = match error {
-        realfft::FftError::InputBuffer(expected, given)
-        | realfft::FftError::OutputBuffer(expected, given)
-        | realfft::FftError::ScratchBuffer(expected, given) => (expected, given),
-        realfft::FftError::InputValues(..) => (0, 0),
-    };
-    Error::LengthMismatch { name: "Fourier buffer", given, expected }
+    Error::Solver { reason: format!("Fourier transform: {error}") }
 }
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
-//! A binary tree of clusters of consecutive elements, and the pairs of clusters into which the square of the interval is cut.
+//! A binary tree of clusters of consecutive elements, and the pairs of clusters into which the square of the
+//! interval is cut.
 //!
-//! Two clusters are *admissible* when neither is longer than the gap between them: there t^{-1-2ν} is interpolated in both
-//! variables with the relative error ρ^{-m}, ρ = 3 + √8, on m Chebyshev points each. All lengths and gaps are sums of element
-//! lengths, so that the construction holds on any grading.
+//! Two clusters are *admissible* when neither is longer than the gap between them: there t^{-1-2ν} is
+//! interpolated in both variables with the relative error ρ^{-m}, ρ = 3 + √8, on m Chebyshev points each. All
+//! lengths and gaps are sums of element lengths, so that the construction holds on any grading.
 
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::partition::Partition;

@@ -1,10 +1,11 @@
-//! Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linears, dense.
+//! Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linears,
+//! dense.
 //!
-//! a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the paper: both orders
-//! of x and y are counted. Every entry is a sum of a few integrals of one sign, in closed form or by rules exact to
-//! rounding ([`crate::sobolev::kernel::cells`]); only the entries of neighbouring hats mix signs, by a bounded factor. Nothing is
-//! subtracted from the diagonal to enforce zero row sums, so that the row sums are a check.
-//! Cost O(N²); the entries of separate hats cost about 16 kernel values.
+//! a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the
+//! paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in closed
+//! form or by rules exact to rounding ([`crate::sobolev::kernel::cells`]); only the entries of neighbouring
+//! hats mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row sums, so
+//! that the row sums are a check. Cost O(N²); the entries of separate hats cost about 16 kernel values.
 
 use crate::error::{Error, Result};
 use crate::numeric::sum::RunningSum;

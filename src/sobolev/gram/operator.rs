@@ -5,7 +5,8 @@
 //! | uniform | circulant embedding ([`super::toeplitz`]) | O(N log N) | about 10 N numbers |
 //! | any | H²-matrix ([`super::hierarchical`]) | O(N log²(1/ε)) | about 60 N numbers |
 //!
-//! Constants are removed from x before the product, since A maps them to zero: the error is relative to |A| |x − mean|.
+//! Constants are removed from x before the product, since A maps them to zero: the error is relative to |A|
+//! |x − mean|.
 
 use super::band::Band;
 use super::dense::require_constants_finite;

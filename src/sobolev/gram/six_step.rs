@@ -1,16 +1,17 @@
 //! Products with long symmetric circulants: a blocked transform that stays in the cache.
 //!
-//! y = C x, C of even length 2n with eigenvalues S_k = S_{2n−k} (real, since C is symmetric). Even and odd samples are packed,
-//! z_j = x_{2j} + i x_{2j+1}, and with Z the transform of z, w = e^{−πik/n},
-//! E = (Z_k + Z̄_{n−k})/2, O = (Z_k − Z̄_{n−k})/(2i), the product is
-//! Z_k ← P_k Z_k + Q_k (w O + i w̄ E),  P_k = (S_k + S_{n+k})/2 = P_{n−k},  Q_k = (S_k − S_{n+k})/2 = −Q_{n−k}.
+//! y = C x, C of even length 2n with eigenvalues S_k = S_{2n−k} (real, since C is symmetric). Even and odd
+//! samples are packed, z_j = x_{2j} + i x_{2j+1}, and with Z the transform of z, w = e^{−πik/n}, E = (Z_k +
+//! Z̄_{n−k})/2, O = (Z_k − Z̄_{n−k})/(2i), the product is Z_k ← P_k Z_k + Q_k (w O + i w̄ E),  P_k = (S_k +
+//! S_{n+k})/2 = P_{n−k},  Q_k = (S_k − S_{n+k})/2 = −Q_{n−k}.
 //!
-//! Z itself is Bailey's transform (FFTs in external or hierarchical memory, J. Supercomputing 4 (1990) 23-35): with n = n₁n₂,
-//! j = j₁n₂ + j₂, k = k₁ + n₁k₂,
-//! Z_k = Σ_{j₂} e^{−2πi j₂k₂/n₂} [ e^{−2πi j₂k₁/n} Σ_{j₁} z_j e^{−2πi j₁k₁/n₁} ].
-//! Three passes over memory: columns (eight at a time, transposed into a buffer) with the twiddles; pairs of rows k₁, n₁−k₁, each
-//! transformed, multiplied and transformed back while in the cache; columns backwards. Nothing is reordered in between, as a product
-//! needs no order of frequencies. Twiddles are products of two factors from tables of O(√n). Cost O(n log n), memory 6n numbers.
+//! Z itself is Bailey's transform (FFTs in external or hierarchical memory, J. Supercomputing 4 (1990)
+//! 23-35): with n = n₁n₂, j = j₁n₂ + j₂, k = k₁ + n₁k₂, Z_k = Σ_{j₂} e^{−2πi j₂k₂/n₂} [ e^{−2πi j₂k₁/n}
+//! Σ_{j₁} z_j e^{−2πi j₁k₁/n₁} ]. Three passes over memory: columns (eight at a time, transposed into a
+//! buffer) with the twiddles; pairs of rows k₁, n₁−k₁, each transformed, multiplied and transformed back
+//! while in the cache; columns backwards. Nothing is reordered in between, as a product needs no order of
+//! frequencies. Twiddles are products of two factors from tables of O(√n). Cost O(n log n), memory 6n
+//! numbers.
 
 use rayon::prelude::*;
 use realfft::num_complex::Complex;

@@ -1,9 +1,9 @@
 //! y = A x on uniform meshes by the fast Fourier transform.
 //!
-//! On elements of equal length the entries of two hats (or indicators) that are apart depend on i − j alone; the half hats at
-//! the two ends have rows of their own; the diagonal and its neighbours feel the distance to the ends and are kept as they are.
-//! The Toeplitz part is embedded in a circulant ([`super::circulant`]). Setup O(N) integrals; product O(N log N), memory about
-//! 12 N numbers.
+//! On elements of equal length the entries of two hats (or indicators) that are apart depend on i − j alone;
+//! the half hats at the two ends have rows of their own; the diagonal and its neighbours feel the distance to
+//! the ends and are kept as they are. The Toeplitz part is embedded in a circulant ([`super::circulant`]).
+//! Setup O(N) integrals; product O(N log N), memory about 12 N numbers.
 
 use super::circulant::Circulant;
 use crate::error::Result;

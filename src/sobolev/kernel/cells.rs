@@ -1,16 +1,19 @@
-//! Double integrals of |x − y|^{-1-2ν} over two elements (cells) of lengths p, q at distance d, against hat functions.
+//! Double integrals of |x − y|^{-1-2ν} over two elements (cells) of lengths p, q at distance d, against hat
+//! functions.
 //!
-//! Every integrand below has one sign, so every value has full relative accuracy, whatever p, q, d ≥ 1e-303 of each other.
-//! Coordinates s, t run from the ends that face each other, so that |x − y| = d + s + t.
+//! Every integrand below has one sign, so every value has full relative accuracy, whatever p, q, d ≥ 1e-303
+//! of each other. Coordinates s, t run from the ends that face each other, so that |x − y| = d + s + t.
 //!
-//! - separate cells (d > 0): the inner integral in closed form ([`PowerKernel::hats`]), the outer one by Gauss rules on pieces
-//!   that grow away from the other cell; a tensor rule when both cells are shorter than d;
-//! - touching cells (d = 0): the integrand is homogeneous of degree m = 1 − 2ν (quadratic numerator), so over the two
-//!   triangles of the rectangle (Duffy 1982) the radial integral is 1/(m + 2) = 1/(3 − 2ν) and one closed 1D integral is left:
-//!   ∫₀^p∫₀^q f(s,t) = pq/(m+2) [∫₀¹ f(p, qη) dη + ∫₀¹ f(pη, q) dη].
+//! - separate cells (d > 0): the inner integral in closed form ([`PowerKernel::hats`]), the outer one by
+//!   Gauss rules on pieces that grow away from the other cell; a tensor rule when both cells are shorter than
+//!   d;
+//! - touching cells (d = 0): the integrand is homogeneous of degree m = 1 − 2ν (quadratic numerator), so over
+//!   the two triangles of the rectangle (Duffy 1982) the radial integral is 1/(m + 2) = 1/(3 − 2ν) and one
+//!   closed 1D integral is left: ∫₀^p∫₀^q f(s,t) = pq/(m+2) [∫₀¹ f(p, qη) dη + ∫₀¹ f(pη, q) dη].
 //!
-//! Everything is computed in units of a power of two S near the geometric mean of the smallest and the largest scale of the
-//! integral, so that t^{-2ν} stays inside binary64 over 300 decades of t, and scaled back by S^{1-2ν}.
+//! Everything is computed in units of a power of two S near the geometric mean of the smallest and the
+//! largest scale of the integral, so that t^{-2ν} stays inside binary64 over 300 decades of t, and scaled
+//! back by S^{1-2ν}.
 
 use super::power::{PowerKernel, gauss_for, graded_gauss};
 use crate::numeric::scale::power_between;
@@ -51,7 +54,8 @@ impl CellPairs {
         f(lengths.map(|length| length / scale)).times(self.kernel.scaling(scale))
     }
 
-    /// ∫∫ λ_a(s) μ_b(t) (d+s+t)^{-1-2ν}, index 0 for the hat that is 1 at the facing end, 1 at the other; d > 0.
+    /// ∫∫ λ_a(s) μ_b(t) (d+s+t)^{-1-2ν}, index 0 for the hat that is 1 at the facing end, 1 at the other; d >
+    /// 0.
     pub(crate) fn separate(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
         self.scaled([d, d.max(p).max(q)], [p, q, d], |[p, q, d]| {
             if p <= d && q <= d {
@@ -145,7 +149,8 @@ impl CellPairs {
         })
     }
 
-    /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat that vanishes at the common point against a constant.
+    /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat that vanishes at the common point against a
+    /// constant.
     pub(crate) fn touching_square_constant(&self, p: f64, q: f64) -> f64 {
         self.scaled([p, q], [p, q], |[p, q]| {
             let along_q = self.kernel.whole(p, q);

@@ -1,9 +1,10 @@
 //! Integrals of the kernel t^{-1-2ν} against polynomials along a line, without cancellation.
 //!
 //! With L = ln(1 + ℓ/x) and α = k − 2ν:
-//! ∫_x^{x+ℓ} τ^{k-1-2ν} dτ = x^α (e^{αL} − 1)/α, where expm1 and log1p make α = 0 (ν = 1/2, k = 1) a removable limit and
-//! ℓ ≪ x harmless. Moments about t = 0 (τ = x + t) subtract these; they do so only for ℓ > 2x, where at most a digit is
-//! lost. For ℓ ≤ 2x the integrand is analytic in an ellipse of known size and a Gauss rule of known order is exact to rounding.
+//! ∫_x^{x+ℓ} τ^{k-1-2ν} dτ = x^α (e^{αL} − 1)/α, where expm1 and log1p make α = 0 (ν = 1/2, k = 1) a
+//! removable limit and ℓ ≪ x harmless. Moments about t = 0 (τ = x + t) subtract these; they do so only for ℓ
+//! > 2x, where at most a digit is lost. For ℓ ≤ 2x the integrand is analytic in an ellipse of known size and
+//! a Gauss rule of known order is exact to rounding.
 
 use crate::quadrature::Rule;
 use crate::sobolev::order::FractionalOrder;
@@ -37,12 +38,14 @@ fn gauss_table() -> &'static GaussTable {
     })
 }
 
-/// Points and weights on (0, 1) of the Gauss rule exact to rounding for (x + ℓη)^{-1-2ν} times a quadratic, ratio = ℓ/x ≤ 2.
+/// Points and weights on (0, 1) of the Gauss rule exact to rounding for (x + ℓη)^{-1-2ν} times a quadratic,
+/// ratio = ℓ/x ≤ 2.
 pub(crate) fn gauss_for(ratio: f64) -> (&'static [f64], &'static [f64]) {
     gauss_for_degree(ratio, 1)
 }
 
-/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree`: that many points more than the kernel needs.
+/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree`: that many points more than the
+/// kernel needs.
 pub(crate) fn gauss_for_degree(ratio: f64, degree: usize) -> (&'static [f64], &'static [f64]) {
     let table = gauss_table();
     let needed = table.reach.partition_point(|&reach| reach < ratio) + degree;
@@ -159,7 +162,8 @@ impl PowerKernel {
         [(1.0 + ratio) * whole - first, first - ratio * whole]
     }
 
-    /// ∫_0^ℓ w(t) (x+t)^{-1-2ν} dt for w = (1 − t/ℓ)², 2 (t/ℓ)(1 − t/ℓ), (t/ℓ)²; they sum to [`PowerKernel::whole`].
+    /// ∫_0^ℓ w(t) (x+t)^{-1-2ν} dt for w = (1 − t/ℓ)², 2 (t/ℓ)(1 − t/ℓ), (t/ℓ)²; they sum to
+    /// [`PowerKernel::whole`].
     pub(crate) fn squares(&self, x: f64, length: f64) -> [f64; 3] {
         if length <= GAUSS_REACH * x {
             let (points, weights) = gauss_for(length / x);

@@ -1,8 +1,8 @@
 //! Means and L^q norms of piecewise polynomials.
 //!
-//! Mean = (1/|I|) ∫ u. ||u||_q = (∫ |u|^q)^{1/q}, 1 ≤ q < ∞, and q = ∞. On an element where u is linear from a to b,
-//! ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a ≈ b. Elements of higher degree
-//! are bisected until a Gauss rule and its two halves agree. Cost O(N).
+//! Mean = (1/|I|) ∫ u. ||u||_q = (∫ |u|^q)^{1/q}, 1 ≤ q < ∞, and q = ∞. On an element where u is linear from
+//! a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a ≈ b.
+//! Elements of higher degree are bisected until a Gauss rule and its two halves agree. Cost O(N).
 
 use super::polynomial::{Piece, PiecewisePolynomial};
 use crate::error::{Error, Result};
@@ -67,7 +67,8 @@ impl PiecewisePolynomial {
         accept("L^q norm", Estimate::new(value, value * relative, work)?, tolerance)
     }
 
-    /// max |u|: exact at element ends; inside elements of higher degree by sampling between derivative bounds.
+    /// max |u|: exact at element ends; inside elements of higher degree by sampling between derivative
+    /// bounds.
     fn largest(&self) -> Result<Estimate> {
         let mut largest = 0.0f64;
         let mut error = 0.0f64;

@@ -1,13 +1,15 @@
-//! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments as for functions.
+//! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments as for
+//! functions.
 //!
 //! |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m = 0, 1.
 //!
-//! Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which
-//! uses that constants have seminorm zero and so keeps its digits when u is nearly constant; other degrees are integrated
-//! pair by pair ([`super::pairs`]). Everything is exact to rounding; the [`Tolerance`] is what the rounding is
-//! held against. Cost O(N²) kernel values, without a stored matrix; beyond 3000 elements constants and linears take the fast
-//! product xᵀAx, whose rounding is relative to Σ a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds)
-//! where that rounding exceeds the tolerance.
+//! Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j} a_ij
+//! (u_i−u_j)², which uses that constants have seminorm zero and so keeps its digits when u is nearly
+//! constant; other degrees are integrated pair by pair ([`super::pairs`]). Everything is exact to rounding;
+//! the [`Tolerance`] is what the rounding is held against. Cost O(N²) kernel values, without a stored matrix;
+//! beyond 3000 elements constants and linears take the fast product xᵀAx, whose rounding is relative to Σ
+//! a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds) where that rounding exceeds
+//! the tolerance.
 
 use super::pairs::{Cell, PairSum, PolynomialPairs};
 use super::polynomial::PiecewisePolynomial;
@@ -36,7 +38,8 @@ impl PiecewisePolynomial {
     /// The seminorm |u|_ν.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
+    /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
+    /// tolerance.
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
@@ -224,7 +227,8 @@ fn fast_form(operator: &GramOperator, x: &[f64]) -> Result<Estimate> {
     Estimate::new(sum.value(), FAST_ROUNDING * absolute, Work { points: x.len() as u64, ..Work::default() })
 }
 
-/// True when the square of the seminorm is known to twice the tolerance, or the pairs are too many to do better.
+/// True when the square of the seminorm is known to twice the tolerance, or the pairs are too many to do
+/// better.
 fn is_enough(squared: &Estimate, n: usize, tolerance: Tolerance) -> bool {
     n > PATIENT || squared.relative_error() <= 2.0 * tolerance.relative()
 }

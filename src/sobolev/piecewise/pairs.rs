@@ -1,8 +1,9 @@
 //! ∫∫ (u(x)−u(y))² |x−y|^{-1-2ν} over pairs of elements for polynomials of any degree, as sums of squares.
 //!
-//! - own element: x − y = hζ gives 2 h^{1-2ν} ∫₀¹ ζ^{1-2ν} ∫ q² dt dζ with the difference quotient q, a polynomial computed as
-//!   the mean of u' over (t, t+ζ);
-//! - touching elements, jump J: u(x)−u(y) = J + ξD in Duffy's coordinates, D from quotients that hold the common value exactly;
+//! - own element: x − y = hζ gives 2 h^{1-2ν} ∫₀¹ ζ^{1-2ν} ∫ q² dt dζ with the difference quotient q, a
+//!   polynomial computed as the mean of u' over (t, t+ζ);
+//! - touching elements, jump J: u(x)−u(y) = J + ξD in Duffy's coordinates, D from quotients that hold the
+//!   common value exactly;
 //! - separate elements: Gauss rules on pieces that grow away from the other element.
 
 use super::polynomial::Piece;
@@ -66,7 +67,8 @@ impl PolynomialPairs {
         sum
     }
 
-    /// Over two neighbours, both orders; `jump` = value of the right one minus value of the left one at the common node.
+    /// Over two neighbours, both orders; `jump` = value of the right one minus value of the left one at the
+    /// common node.
     pub(crate) fn touching(&self, left: Cell, right: Cell, jump: f64) -> PairSum {
         let (p, q) = (left.length, right.length);
         let scale = power_between(p, q);

@@ -1,8 +1,8 @@
 //! Piecewise polynomials on a [`Partition`].
 //!
 //! On an element of length h, with t ∈ (0, 1) from left to right,
-//! u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is then a
-//! statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
+//! u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
+//! then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite_at, require_length};
@@ -94,8 +94,9 @@ impl PiecewisePolynomial {
         Ok(Self { partition, pieces })
     }
 
-    /// The polynomial of the given degree on every element that agrees with f at the nodes and whose bubbles are
-    /// the L²(t(1−t)) projection of the rest; continuous. f is called with the distance from the left end.
+    /// The polynomial of the given degree on every element that agrees with f at the nodes and whose bubbles
+    /// are the L²(t(1−t)) projection of the rest; continuous. f is called with the distance from the left
+    /// end.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
@@ -241,7 +242,8 @@ impl Piece {
     }
 }
 
-/// Coefficients of (f − linear part)/(t(1−t)) in P_0 ... P_{degree−2}: exact when f is a polynomial of that degree.
+/// Coefficients of (f − linear part)/(t(1−t)) in P_0 ... P_{degree−2}: exact when f is a polynomial of that
+/// degree.
 fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
     let count = degree.saturating_sub(1);
     let mut coefficients = vec![0.0; count];

@@ -32,9 +32,27 @@ impl Levels {
         Ok(Self { coarsest, finest })
     }
 
+    /// Fails unless there are at least `least` levels; `range` says so.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`].
+    pub fn require_count(self, least: usize, range: &'static str) -> Result<()> {
+        let value = self.cells().count();
+        if value >= least {
+            Ok(())
+        } else {
+            Err(Error::CountOutOfRange { name: "number of levels", value, range })
+        }
+    }
+
     /// The numbers of cells, coarsest first.
     pub fn cells(self) -> impl Iterator<Item = usize> {
         (self.coarsest..=self.finest).map(|level| 1 << level)
+    }
+
+    /// h = 1/n, coarsest first.
+    pub fn mesh_sizes(self) -> impl Iterator<Item = f64> {
+        self.cells().map(|n| 1.0 / n as f64)
     }
 
     /// Cells of the coarsest level.

@@ -35,6 +35,13 @@ pub struct Level {
     pub error_seconds: f64,
 }
 
+impl Level {
+    /// The most inner iterations of a step.
+    pub fn most_inner(&self) -> usize {
+        self.inner_iterations.iter().copied().max().unwrap_or(0)
+    }
+}
+
 /// Solves all levels, each from the coarser one; `report` is called after each.
 ///
 /// # Errors

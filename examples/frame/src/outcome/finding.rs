@@ -164,6 +164,12 @@ impl Finding {
         self
     }
 
+    /// The number of an estimate that may not exist; `why` says why it does not.
+    #[must_use]
+    pub fn estimate_or(self, estimate: Option<signorini::Estimate>, why: impl Into<String>) -> Self {
+        self.number_or(estimate.map(|e| (e.value, e.error)), why)
+    }
+
     /// Holds when the number is at most `bound`; `source` says where the bound comes from.
     #[must_use]
     pub fn at_most(self, bound: f64, source: impl Into<String>) -> Self {

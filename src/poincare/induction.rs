@@ -1,0 +1,117 @@
+//! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
+//!
+//! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}). With u the extremal function of V_{θ²} in the variable x/θ, I the
+//! stretched interval and c the mean of u over (0,1), (5.7) is |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I}.
+
+use super::constant::extremal;
+use super::extremal::ExtremalFunction;
+use super::zone::{Condition, Zone};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance};
+use crate::sobolev::FractionalOrder;
+
+/// The extremal function is interpolated by polynomials of this degree on its cells, each cut into pieces.
+const DEGREE: usize = 2;
+const PIECES: usize = 6;
+/// Nodes this close to θ, relative, are θ.
+const AT_THETA: f64 = 1e-12;
+
+/// One step from θ to θ².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InductionStep {
+    /// θ² after the step.
+    pub theta: f64,
+    /// γ after the step.
+    pub gamma: Estimate,
+    /// γ after the step over γ before it.
+    pub factor: Estimate,
+    /// Its bound 1 + θ^{ν−1/2} (5.8).
+    pub bound: f64,
+    /// The factor over its bound.
+    pub share: Estimate,
+    /// |c| / ‖u‖_{0,(0,1)}.
+    pub mean: Estimate,
+    /// ‖u‖_{0,(0,1)} / (γ_θ |u|_{ν,(0,1)}).
+    pub poincare: Estimate,
+    /// |u|_{ν,(0,1)} / |u|_{ν,I}.
+    pub restriction: Estimate,
+    /// γ over its bound by γ of the first zone and the product of all factors so far (5.9).
+    pub product: Estimate,
+}
+
+/// Squares θ `steps` times. The errors of (5.7) hold for the interpolated function; what its mean over the zone
+/// misses of zero is added to that of the Poincaré quotient.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < θ < 1 and θ^(2^steps) ≥ 1e-300; those of [`extremal`].
+///
+/// ```
+/// use signorini::{Tolerance, poincare::induction, sobolev::FractionalOrder};
+/// let steps = induction(FractionalOrder::HALF, 0.1, 1, Tolerance::fast())?;
+/// assert!(steps[0].bound == 2.0 && steps[0].factor.value < 1.5);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+pub fn induction(
+    order: FractionalOrder,
+    theta: f64,
+    steps: u32,
+    tolerance: Tolerance,
+) -> Result<Vec<InductionStep>> {
+    Error::require("steps", f64::from(steps), "[1, 9]", (1..=9).contains(&steps))?;
+    // θ^(2^steps) is the shortest zone; on the whole interval no function is restricted.
+    let admissible = theta > 0.0 && theta < 1.0 && theta.powf(2f64.powi(steps as i32)) >= 1e-300;
+    let mut theta = Error::require("theta", theta, "(0, 1), its powers above 1e-300", admissible)?;
+    let solve = |theta: f64| extremal(order, Zone::end(theta)?, Condition::MeanZero, tolerance);
+    let mut before = solve(theta)?.0;
+    let mut bound = before;
+    let mut found = Vec::new();
+    for _ in 0..steps {
+        let (gamma, function) = solve(theta * theta)?;
+        let step = 1.0 + theta.powf(order.offset());
+        bound = Estimate::new(bound.value * step, bound.error * step, bound.work)?;
+        let [mean, poincare, restriction] = restricted(order, theta, before, &function)?;
+        let (factor, product) = (gamma.over(before)?, gamma.over(bound)?);
+        let share = Estimate::new(factor.value / step, factor.error / step, factor.work)?;
+        theta *= theta;
+        found.push(InductionStep {
+            theta,
+            gamma,
+            factor,
+            bound: step,
+            share,
+            mean,
+            poincare,
+            restriction,
+            product,
+        });
+        before = gamma;
+    }
+    Ok(found)
+}
+
+/// The three quotients of (5.7) for the extremal function of V_{θ²}, in the variable x/θ.
+fn restricted(
+    order: FractionalOrder,
+    theta: f64,
+    gamma: Estimate,
+    u: &ExtremalFunction,
+) -> Result<[Estimate; 3]> {
+    let whole = u.interpolate(DEGREE, PIECES, &[theta * theta, theta])?;
+    let nodes = whole.partition().nodes();
+    let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + AT_THETA)).count() - 1;
+    let (zone, part) = (whole.restrict(0..before(theta * theta))?, whole.restrict(0..before(theta))?);
+    // (5.5): |u|_I = θ^{ν−1/2} |ũ|, ‖u‖ = θ^{−1/2} ‖ũ‖
+    let scale = theta.powf(order.offset());
+    let scaled = |e: Estimate, factor: f64| Estimate::new(e.value * factor, e.error * factor, e.work);
+    let seminorm = scaled(part.seminorm(order, Tolerance::fast())?, scale)?;
+    let everywhere = scaled(whole.seminorm(order, Tolerance::fast())?, scale)?;
+    let norm = scaled(part.l2_norm(Tolerance::reference())?, theta.sqrt().recip())?;
+    let mean = part.mean(Tolerance::reference())?;
+    let poincare = norm.over(seminorm)?.over(gamma)?;
+    let missed = zone.mean(Tolerance::reference())?.value.abs() / norm.value * poincare.value;
+    Ok([
+        Estimate::new(mean.value.abs(), mean.error, mean.work)?.over(norm)?,
+        Estimate::new(poincare.value, poincare.error + missed, poincare.work)?,
+        seminorm.over(everywhere)?,
+    ])
+}

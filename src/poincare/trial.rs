@@ -1,0 +1,162 @@
+//! Trial functions: quotients below the best constant, the family of Remark 5, and the cut of Remark 7.
+
+use super::scaling::last_exponent;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance};
+use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
+
+/// Ratio of neighbouring layers of a truncated logarithm, in ln x.
+const LAYER: f64 = 0.35;
+/// Layers there are at least, and layers towards x = 1, each half as long as the one before.
+const LEAST_LAYERS: f64 = 8.0;
+const LAYERS_AT_ONE: i32 = 40;
+/// Nodes this close, relative, are the same.
+const ONE_NODE: f64 = 1e-12;
+/// Degree of the interpolants.
+const DEGREE: usize = 2;
+
+/// w = 1 − min(|ln x|, L)^α / L^α: zero on (0, e^{−L}), one at x = 1; piecewise quadratic on layers graded
+/// towards 0 and 1, hence a function of H^{1/2} in its own right. Remark 5 takes α < 1/2; α = 1 is the ramp.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < α ≤ 1 and 1 ≤ L ≤ 690.
+///
+/// ```
+/// use signorini::poincare::{trial_quotient, truncated_logarithm};
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// let [short, shorter] = [16.0, 64.0].map(|log| {
+///     trial_quotient(&truncated_logarithm(0.4, log)?, FractionalOrder::HALF, Tolerance::fast())
+/// });
+/// assert!(shorter?.value > 1.5 * short?.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<PiecewisePolynomial> {
+    Error::require("alpha", alpha, "(0, 1]", alpha > 0.0 && alpha <= 1.0)?;
+    Error::require("L", log, "[1, 690]", (1.0..=690.0).contains(&log))?;
+    let layers = (log / LAYER).ceil().max(LEAST_LAYERS);
+    let mut nodes = vec![0.0];
+    nodes.extend((0..=layers as usize).map(|k| (-log * (1.0 - k as f64 / layers)).exp()));
+    nodes.pop();
+    let last = nodes[nodes.len() - 1];
+    nodes.extend((1..LAYERS_AT_ONE).map(|k| 1.0 - (1.0 - last) * 0.5f64.powi(k)));
+    nodes.push(1.0);
+    let value = |x: f64| {
+        if x <= 0.0 { 0.0 } else { 1.0 - (-x.ln()).min(log).max(0.0).powf(alpha) / log.powf(alpha) }
+    };
+    PiecewisePolynomial::interpolate(Partition::from_nodes(&nodes)?, DEGREE, value)
+}
+
+/// The functions [`truncated_logarithm`] of one α beside the constants of the zones on which they vanish.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TruncatedFamily {
+    /// The exponent α.
+    pub alpha: f64,
+    /// (L, ‖w‖₀ / |w|_{1/2}).
+    pub quotients: Vec<(f64, Estimate)>,
+    /// The quotients over the constants.
+    pub shares: Vec<Estimate>,
+    /// |w| over the seminorm of |ln x|^α / L^α, which truncation lowers.
+    pub truncation: Vec<f64>,
+    /// The exponent of L in the quotient between the last two zones; see [`last_exponent`].
+    pub growth: Option<Estimate>,
+}
+
+impl TruncatedFamily {
+    /// The functions for the given (L, constant of the zone).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < α < 1/2; those of [`truncated_logarithm`].
+    pub fn new(alpha: f64, constants: &[(f64, Estimate)], tolerance: Tolerance) -> Result<Self> {
+        let full = closed_forms::log_power(alpha)?.value.sqrt();
+        let (mut quotients, mut shares, mut truncation) = (Vec::new(), Vec::new(), Vec::new());
+        for &(log, gamma) in constants {
+            let w = truncated_logarithm(alpha, log)?;
+            let seminorm = w.seminorm(FractionalOrder::HALF, tolerance)?;
+            let quotient = w.l2_norm(Tolerance::reference())?.over(seminorm)?;
+            truncation.push(seminorm.value * log.powf(alpha) / full);
+            shares.push(quotient.over(gamma)?);
+            quotients.push((log, quotient));
+        }
+        let growth = last_exponent(&quotients)?;
+        Ok(Self { alpha, quotients, shares, truncation, growth })
+    }
+}
+
+/// ‖u‖₀ / |u|_ν: a lower bound of the constant of any condition that u satisfies.
+///
+/// # Errors
+/// Those of [`PiecewisePolynomial::seminorm`]; [`Error::NotFinite`] for a constant.
+pub fn trial_quotient(
+    u: &PiecewisePolynomial,
+    order: FractionalOrder,
+    tolerance: Tolerance,
+) -> Result<Estimate> {
+    u.l2_norm(Tolerance::reference())?.over(u.seminorm(order, tolerance)?)
+}
+
+/// ‖u − m‖₀ / |u|_ν, m the mean of u over the elements up to θ, a node of its partition of (0,1): a lower bound of
+/// γ_θ.
+///
+/// # Errors
+/// As [`trial_quotient`]; [`Error::OutOfRange`] when θ is no node.
+pub fn mean_free_quotient(
+    u: &PiecewisePolynomial,
+    theta: f64,
+    order: FractionalOrder,
+    tolerance: Tolerance,
+) -> Result<Estimate> {
+    let near = |x: f64| (x - theta).abs() <= ONE_NODE * theta;
+    let node = u.partition().nodes().iter().position(|&x| near(x)).filter(|&k| k > 0);
+    let elements = node.ok_or(Error::OutOfRange { name: "theta", value: theta, range: "the nodes" })?;
+    let (zone, whole) =
+        (u.restrict(0..elements)?.mean(Tolerance::reference())?, u.mean(Tolerance::reference())?);
+    // ‖u − m‖₀² = ‖u − mean u‖₀² + (mean u − m)²
+    let norm = u.l2_norm(Tolerance::reference())?;
+    let centred = (norm.value * norm.value - whole.value * whole.value).max(0.0);
+    let square = centred + (whole.value - zone.value).powi(2);
+    let error = 2.0 * (norm.value * norm.error + whole.value.abs() * whole.error)
+        + 2.0 * (whole.value - zone.value).abs() * (whole.error + zone.error);
+    Estimate::new(square, error, norm.work)?.sqrt()?.over(u.seminorm(order, tolerance)?)
+}
+
+/// Both sides of a bound, with errors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BothSides {
+    /// What is bounded.
+    pub left: Estimate,
+    /// What bounds it, without its constant.
+    pub right: Estimate,
+}
+
+/// Remark 7 cuts the interval after the first `elements` of the partition of u: ‖u‖₀ and
+/// (Σ_k |I_k|^{2ν} |u|²_{ν,I_k})^{1/2} over the two pieces, which the printed step compares.
+///
+/// # Errors
+/// Those of [`PiecewisePolynomial::restrict`] and [`PiecewisePolynomial::seminorm`].
+pub fn cut_in_two(
+    u: &PiecewisePolynomial,
+    elements: usize,
+    order: FractionalOrder,
+    tolerance: Tolerance,
+) -> Result<BothSides> {
+    let (mut square, mut error) = (0.0, 0.0);
+    let left = u.l2_norm(Tolerance::reference())?;
+    for range in [0..elements, elements..u.partition().len()] {
+        let piece = u.restrict(range)?;
+        let seminorm = piece.seminorm(order, tolerance)?;
+        let scale = piece.partition().total().powf(2.0 * order.value());
+        square += scale * seminorm.value * seminorm.value;
+        error += 2.0 * scale * seminorm.value * seminorm.error;
+    }
+    Ok(BothSides { left, right: Estimate::new(square, error, left.work)?.sqrt()? })
+}
+
+/// Lemma 5.1 for the spaces of Lemma 5.2: α = (1 + γ²)^{−1/2}, the largest with α (‖u‖₀² + |u|_ν²)^{1/2} ≤ |u|_ν. With
+/// the quotient of one function in place of γ, |u|_ν over that norm.
+///
+/// # Errors
+/// [`Error::NotFinite`] never for an estimate that was made by [`Estimate::new`].
+pub fn peetre_tartar(gamma: Estimate) -> Result<Estimate> {
+    let alpha = 1.0 / gamma.value.hypot(1.0);
+    Estimate::new(alpha, alpha.powi(3) * gamma.value.abs() * gamma.error, gamma.work)
+}
