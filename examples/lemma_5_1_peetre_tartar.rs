@@ -1,9 +1,9 @@
 //! Lemma 5.1 (Peetre-Tartar): the constant α in α ‖u‖_ν ≤ |u|_ν for the spaces of Lemma 5.2.
 //!
-//! With X = V_θ, A u the difference quotient and T the embedding into L², ‖u‖_ν² = ‖u‖₀² + |u|_ν², so the best
-//! constant is α = (1 + γ_θ²)^{−1/2}. γ is an eigenvalue on a slope space; what is compared with it is the quotient
-//! |u|_ν / ‖u‖_ν of piecewise polynomials, norms and seminorm from other matrices: of the extremal function, which
-//! should attain α, and of other functions with mean zero on the zone, which should not go below it.
+//! With X = V_θ, A u the difference quotient and T the embedding into L², ‖u‖_ν² = ‖u‖₀² + |u|_ν², so the
+//! best constant is α = (1 + γ_θ²)^{−1/2}. γ² is an eigenvalue on a slope space; beside it, quotients
+//! |u|_ν / ‖u‖_ν of piecewise polynomials, from other matrices: of the extremal function, which should attain
+//! α, and of others with mean zero on the zone, which should not go below it.
 //!
 //! `cargo run --release --example lemma_5_1_peetre_tartar`
 

@@ -1,8 +1,9 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, every factor beside its bound.
 //!
-//! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}), hence γ at θ₀^{2ⁿ} is at most γ_{θ₀} times a product. (5.7) is followed
-//! on the extremal function u of V_{θ²}: |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I} in the variable x/θ, c
-//! its mean over (0,1). The first is Cauchy-Schwarz, the last is plain; the middle one can fail.
+//! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}), hence γ at θ₀^{2ⁿ} is at most γ_{θ₀} times a product. (5.7) is
+//! followed on the extremal function u of V_{θ²}: |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I} in
+//! the variable x/θ, c its mean over (0,1). The first is Cauchy-Schwarz, the last is plain; the middle one
+//! can fail.
 //!
 //! `cargo run --release --example lemma_5_2_induction`
 

@@ -1,7 +1,7 @@
 //! Lemma 5.2: the Poincaré constant γ_θ(ν) against the printed laws and the true ones.
 //!
-//! (5.1)-(5.3) bound γ_θ by C θ^{ν−1/2}, C ln(1/θ) and C. The first and the third are the true orders as θ → 0; at
-//! ν = 1/2 the true growth is √(3/(2π²) ln(1/θ)), and as θ → 1 the printed bound tends to zero while γ does not.
+//! (5.1)-(5.3) bound γ_θ by C θ^{ν−1/2}, C ln(1/θ), C. As θ → 0 the first and the third are true orders;
+//! at ν = 1/2 that is √(3/(2π²) ln(1/θ)), and as θ → 1 the printed bound tends to zero while γ does not.
 //!
 //! `cargo run --release --example lemma_5_2_poincare_scaling -- --nu 0.3,1/2 --theta 1e-300 --zone centre`
 
@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 example_frame::options! {
-    /// The Poincare constant of a zone of length theta in three regimes of nu, printed law and true law side by side
+    /// The Poincare constant of a zone of length theta in three regimes of nu, beside printed and true law
     pub struct Options {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
@@ -75,11 +75,10 @@ pub fn compute(options: &Options) -> Result<Vec<Computed>> {
     Ok(orders)
 }
 
-/// How near to its limit the growth between the last two zones, and the constant over its limit law, have to be.
+/// How near to their limits growth and constant over its law have to be.
 const NEAR: f64 = 0.01;
 
-/// What decides: the bounds of the lemma with explicit constants, an upper bound on another road, and at ν = 1/2 the
-/// printed bound as θ → 1 and as θ → 0.
+/// What decides: bounds with explicit constants, an upper bound on another road, (5.2) as θ → 1 and as θ → 0.
 pub fn findings(options: &Options, orders: &[Computed]) -> Vec<Finding> {
     // Both sides are known to the tolerance only, and near ν = 1 they agree to many digits.
     let allowed = 1.0 + 4.0 * options.tolerance.relative();

@@ -1,8 +1,8 @@
 //! Remark 5: (5.3) fails at ν = 1/2. Truncations of |ln x|^α, 0 < α < 1/2.
 //!
-//! w = 1 − min(|ln x|^α, n)/n vanishes on (0, θ), θ = exp(−n^{1/α}), ‖w‖₀ ≥ 1 − O(1/n) and |w|_{1/2} ≤ C/n. With
-//! L = ln(1/θ) the quotient grows at least like L^α in the end; over the zones computed it grows faster than that where
-//! α is small. The constant of the zone grows like √L, the printed (5.2) like L.
+//! w = 1 − min(|ln x|^α, n)/n vanishes on (0, θ), θ = exp(−n^{1/α}), ‖w‖₀ ≥ 1 − O(1/n) and |w|_{1/2} ≤ C/n.
+//! With L = ln(1/θ) the quotient grows at least like L^α in the end; over the zones computed it grows faster
+//! than that where α is small. The constant of the zone grows like √L, the printed (5.2) like L.
 //!
 //! `cargo run --release --example remark_5_log_counterexample`
 

@@ -1,8 +1,8 @@
 //! Remark 6: for ν > 1/2 it is enough that u vanishes at one point.
 //!
 //! γ₀(ν) = sup ‖u‖₀/|u|_ν over u(a) = 0, the limit of γ_θ as the zone shrinks to the point. It blows up like
-//! (2ν−1)^{−1/2} at ν = 1/2: the uniform formula gives (2ν−1) γ₀² → 3/(2π²) at an end, and the inside of the interval is
-//! the better place.
+//! (2ν−1)^{−1/2} at ν = 1/2: the uniform formula gives (2ν−1) γ₀² → 3/(2π²) at an end, and the inside of the
+//! interval is the better place.
 //!
 //! `cargo run --release --example remark_6_point_condition`
 
@@ -61,7 +61,8 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     options.nu.iter().map(row).collect()
 }
 
-/// What decides: short zones have smaller constants that tend to γ₀, the end is the worst point, and how γ₀ blows up.
+/// What decides: short zones have smaller constants that tend to γ₀, the end is the worst point, and how γ₀
+/// blows up.
 pub fn findings(options: &Options, rows: &[Row]) -> Vec<Finding> {
     // Both constants are known to the tolerance, and near ν = 1 they agree to many digits.
     let allowed = 1.0 + 4.0 * options.tolerance.relative();

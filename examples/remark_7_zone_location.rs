@@ -1,11 +1,13 @@
 //! Remark 7: the constants hold wherever the zone lies.
 //!
-//! The statement: γ for (a, a+θ) is never above γ for (0, θ), hence of the same order. The printed proof cuts the
-//! interval inside the zone and uses Lemma 5.2 on both pieces, as if the mean over each part of the zone were zero. With
-//! u odd about the middle of a zone in the middle, the mean over the zone is zero whatever u is on the left half:
+//! The statement: γ for (a, a+θ) is never above γ for (0, θ), hence of the same order. The printed proof cuts
+//! the interval inside the zone and uses Lemma 5.2 on both pieces, as if the mean over each part of the zone
+//! were zero. With u odd about the middle of a zone in the middle, the mean over the zone is zero whatever u
+//! is on the left half:
 //! * ν < 1/2: u = sgn(x − 1/2) has no seminorm on either piece, the step reads 1 ≤ 0 with any constant;
 //! * ν = 1/2: the odd ramp in ln|x − 1/2| needs a constant that grows as its inner radius shrinks;
-//! * ν > 1/2: the step is true with another constant; how much larger than γ_θ at least, an extremal function says.
+//! * ν > 1/2: the step is true with another constant; how much larger than γ_θ at least, an extremal function
+//!   says.
 //!
 //! Repair: with m the mean of u over (0,1), ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²)|u|_ν², N the dual norm of
 //! 1_E/|E| − 1, of order θ^{ν−1/2}, √ln(1/θ), 1 by Hölder and Sobolev for any set E.

@@ -1,4 +1,5 @@
-//! Lemma 5.2: the Poincaré constants against values computed independently, the three laws, and bounds in all cases.
+//! Lemma 5.2: the Poincaré constants against values computed independently, the three laws, and bounds in all
+//! cases.
 
 use example_frame::{Outcome, Verdict};
 use signorini::poincare::{
@@ -85,7 +86,8 @@ fn limits_agree_with_the_reference() {
 
 #[test]
 fn gamma_approaches_its_limits_below_one_half() {
-    // The first correction is θ^{1−2ν} (ν > 1/4) or θ^{2ν} (ν < 1/4): 1e-50 at ν = 1/4, 1e-20 at ν = 0.1, 1e-30 at ν = 0.4.
+    // The first correction is θ^{1−2ν} (ν > 1/4) or θ^{2ν} (ν < 1/4): 1e-50 at ν = 1/4, 1e-20 at ν = 0.1,
+    // 1e-30 at ν = 0.4.
     for (nu, theta) in [(0.25, 1e-100), (0.1, 1e-100), (0.4, 1e-150)] {
         let scaled = constant(nu, Zone::end(theta).unwrap(), 1e-10) * theta.powf(0.5 - nu);
         let limit = end_limit(order(nu), Tolerance::new(1e-11).unwrap()).unwrap().value;
@@ -113,8 +115,9 @@ fn gamma_grows_like_sqrt_log_at_one_half() {
 
 #[test]
 fn uniform_law_passes_smoothly_through_one_half() {
-    // λ = N² + d/λ + e/λ² + f/λ³ + ...; the moments fall at least by ‖T‖ = γ₁², so that what the law neglects is at most
-    // e γ₁²/λ³ / (1 − γ₁²/λ), and γ is off relatively by half of that over λ. Five numbers are known to 1e-8.
+    // λ = N² + d/λ + e/λ² + f/λ³ + ...; the moments fall at least by ‖T‖ = γ₁², so that what the law neglects
+    // is at most e γ₁²/λ³ / (1 − γ₁²/λ), and γ is off relatively by half of that over λ. Five numbers are
+    // known to 1e-8.
     const KNOWN: f64 = 5e-8;
     for nu in ["0.48", "1/2-1e-9", "1/2-1e-12", "1/2", "1/2+1e-9", "0.52"] {
         let nu: FractionalOrder = nu.parse().unwrap();
@@ -158,7 +161,8 @@ fn extreme_orders_agree_between_two_discretisations() {
 
 #[test]
 fn orders_without_digits_of_their_own_are_continued() {
-    // γ₁(0) = 1/2: the form with 1/|x−y| has Legendre eigenfunctions with eigenvalues 4 H_n, the smallest of which is 4.
+    // γ₁(0) = 1/2: the form with 1/|x−y| has Legendre eigenfunctions with eigenvalues 4 H_n, the smallest of
+    // which is 4.
     for nu in [1e-300, 1e-15] {
         let found = gamma_whole(order(nu), Tolerance::new(1e-10).unwrap()).unwrap();
         assert!((found.value - 0.5).abs() <= found.error.max(1e-14), "nu {nu:e}: {found}");
@@ -227,7 +231,8 @@ fn bounds_hold_in_a_sweep() {
 
 #[test]
 fn gamma_decreases_with_the_length_of_the_zone() {
-    // Not needed by the short proof (reading of the paper: its own proof uses it, and the spaces V_θ are not nested).
+    // Not needed by the short proof (reading of the paper: its own proof uses it, and the spaces V_θ are not
+    // nested).
     for nu in [0.1, 0.3, 0.5, 0.7, 0.9] {
         let lengths: Vec<f64> = (0..80).map(|k| 10f64.powf(-0.1 * f64::from(k))).collect();
         let values: Vec<f64> =

@@ -1,4 +1,5 @@
-//! Remark 7: the example confirms its statement, the printed step fails with any constant, and spoiled numbers turn both.
+//! Remark 7: the example confirms its statement, the printed step fails with any constant, and spoiled
+//! numbers turn both.
 
 use example_frame::{Outcome, Verdict};
 use signorini::Tolerance;

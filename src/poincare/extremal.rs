@@ -13,7 +13,8 @@ const MAKES_WAY: f64 = 1e-5;
 /// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
 #[derive(Debug, Clone)]
 pub struct ExtremalFunction {
-    /// One function of a slope space; several with their weights where the order is continued from larger ones.
+    /// One function of a slope space; several with their weights where the order is continued from larger
+    /// ones.
     terms: Vec<(f64, SlopeFunction)>,
 }
 
@@ -34,8 +35,8 @@ impl ExtremalFunction {
         Self { terms }
     }
 
-    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture that
-    /// resolves all scales.
+    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture
+    /// that resolves all scales.
     pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
         match self.terms.as_slice() {
             [] => Vec::new(),
@@ -54,7 +55,7 @@ impl ExtremalFunction {
         let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
         let mut nodes: Vec<f64> = self.profile(pieces).into_iter().map(|(x, _)| x).collect();
         nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
-        nodes.extend(breaks);
+        nodes.extend(breaks.iter().filter(|&&b| b < 1.0 - ONE_NODE));
         nodes.sort_by(f64::total_cmp);
         nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
         nodes.push(1.0);

@@ -1,7 +1,8 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
 //!
-//! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}). With u the extremal function of V_{θ²} in the variable x/θ, I the
-//! stretched interval and c the mean of u over (0,1), (5.7) is |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I}.
+//! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}). With u the extremal function of V_{θ²} in the variable x/θ, I
+//! the stretched interval and c the mean of u over (0,1), (5.7) is
+//! |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I}.
 
 use super::constant::extremal;
 use super::extremal::ExtremalFunction;
@@ -39,8 +40,8 @@ pub struct InductionStep {
     pub product: Estimate,
 }
 
-/// Squares θ `steps` times. The errors of (5.7) hold for the interpolated function; what its mean over the zone
-/// misses of zero is added to that of the Poincaré quotient.
+/// Squares θ `steps` times. The errors of (5.7) hold for the interpolated function; what its mean over the
+/// zone misses of zero is added to that of the Poincaré quotient.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ < 1 and θ^(2^steps) ≥ 1e-300; those of [`extremal`].

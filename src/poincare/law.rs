@@ -29,8 +29,8 @@ pub enum LimitLaw {
 }
 
 impl LimitLaw {
-    /// The law for zones at a place; `None` where none is known: for vanishing functions when ν ≤ 1/2, and at or
-    /// near 1/2 for a zone inside.
+    /// The law for zones at a place; `None` where none is known: for vanishing functions when ν ≤ 1/2, and at
+    /// or near 1/2 for a zone inside.
     ///
     /// # Errors
     /// Those of [`gamma_at_point`], [`end_limit`] and [`UniformLaw::new`].

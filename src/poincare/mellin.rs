@@ -79,8 +79,8 @@ const ROUNDING: f64 = 1e-14;
 /// B(ν) for ν < 1/2.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`] when
-/// the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
+/// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]
+/// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
 pub fn end_limit(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     let reached = limit.relative_error();

@@ -40,7 +40,8 @@ pub fn growth(order: FractionalOrder, zones: &[(f64, Estimate)]) -> Result<Optio
     })
 }
 
-/// To what [`growth`] tends as θ → 0 at fixed ν: ν − 1/2; at ν = 1/2 the slope 3/(2π²) at an end, 1/(2π²) inside; 0.
+/// To what [`growth`] tends as θ → 0 at fixed ν: ν − 1/2; at ν = 1/2 the slope 3/(2π²) at an end, 1/(2π²)
+/// inside; 0.
 pub fn growth_limit(order: FractionalOrder, place: Place) -> f64 {
     match place {
         _ if order.is_below_half() => order.offset(),
@@ -50,8 +51,8 @@ pub fn growth_limit(order: FractionalOrder, place: Place) -> f64 {
     }
 }
 
-/// The exponent p of y ~ x^p between the last two of the points (x, y), y > 0. The error adds those of the values
-/// to the change from the two points before, where there are three. `None` for fewer than two points.
+/// The exponent p of y ~ x^p between the last two of the points (x, y), y > 0. The error adds those of the
+/// values to the change from the two points before, where there are three. `None` for fewer than two points.
 ///
 /// # Errors
 /// [`Error::NotFinite`] when points coincide.
@@ -97,8 +98,8 @@ pub fn printed_exponent_near_one(tolerance: Tolerance) -> Result<Option<Estimate
 ///
 /// * ν < 1/2: (γ₁ + B) θ^{ν−1/2}, B the limit of γ θ^{1/2−ν} at an end;
 /// * ν = 1/2: γ₁ + (A ln(1/θ))^{1/2}, A = 3/(2π²);
-/// * ν > 1/2: γ₀, the constant of functions that vanish at an end; where f64 does not reach it, just above 1/2,
-///   the bound at 1/2, since |u|_ν grows with ν.
+/// * ν > 1/2: γ₀, the constant of functions that vanish at an end; where f64 does not reach it, just above
+///   1/2, the bound at 1/2, since |u|_ν grows with ν.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ExplicitBound {
     /// C θ^{ν−1/2}.

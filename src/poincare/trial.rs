@@ -94,8 +94,8 @@ pub fn trial_quotient(
     u.l2_norm(Tolerance::reference())?.over(u.seminorm(order, tolerance)?)
 }
 
-/// ‖u − m‖₀ / |u|_ν, m the mean of u over the elements up to θ, a node of its partition of (0,1): a lower bound of
-/// γ_θ.
+/// ‖u − m‖₀ / |u|_ν, m the mean of u over the elements up to θ, a node of its partition of (0,1): a lower
+/// bound of γ_θ.
 ///
 /// # Errors
 /// As [`trial_quotient`]; [`Error::OutOfRange`] when θ is no node.
@@ -151,8 +151,8 @@ pub fn cut_in_two(
     Ok(BothSides { left, right: Estimate::new(square, error, left.work)?.sqrt()? })
 }
 
-/// Lemma 5.1 for the spaces of Lemma 5.2: α = (1 + γ²)^{−1/2}, the largest with α (‖u‖₀² + |u|_ν²)^{1/2} ≤ |u|_ν. With
-/// the quotient of one function in place of γ, |u|_ν over that norm.
+/// Lemma 5.1 for the spaces of Lemma 5.2: α = (1 + γ²)^{−1/2}, the largest with α (‖u‖₀² + |u|_ν²)^{1/2} ≤
+/// |u|_ν. With the quotient of one function in place of γ, |u|_ν over that norm.
 ///
 /// # Errors
 /// [`Error::NotFinite`] never for an estimate that was made by [`Estimate::new`].

@@ -93,8 +93,8 @@ impl UniformLaw {
         Ok(law)
     }
 
-    /// γ_θ by the law. Its error adds those of the constants, the terms of the resolvent beyond the second, and
-    /// the remainder seen at θ = 1e-3, scaled by its order.
+    /// γ_θ by the law. Its error adds those of the constants, the terms of the resolvent beyond the second,
+    /// and the remainder seen at θ = 1e-3, scaled by its order.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2 and λ > γ₁².
