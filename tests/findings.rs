@@ -55,7 +55,11 @@ fn every_finding_turns(headline: &Headline) {
             assert_eq!(moved.outcome(), wanted, "{label}: {}", moved.comparison());
             let words = moved.words();
             let changed = with(headline, at, moved);
-            assert!(follows(finding.role(), wanted, &changed, &words), "{label}: {wanted}: {}", changed.verdict());
+            assert!(
+                follows(finding.role(), wanted, &changed, &words),
+                "{label}: {wanted}: {}",
+                changed.verdict()
+            );
             said.insert(words);
         }
         assert_eq!(said.len(), 3, "the same words for different outcomes: {label}: {said:?}");
