@@ -1,106 +1,158 @@
-//! Section 2: elastic Signorini problems, by two unrelated solvers, judged by one function.
+//! Section 2: Signorini problems on meshes, by two unrelated solvers, judged by one function. Elastic scenes here;
+//! the scalar ones of Remark 1 are the same argument, launched by `section_2_scalar_contact`.
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
-use clap::Parser;
-use example_frame::{HasOutput, Output};
-use signorini::contact::{Cone, Solver};
-use signorini::report::Headline;
-use signorini::scenes::{MeshScene, SceneStudy, Setting};
-use signorini::{Error, Result};
-use std::path::{Path, PathBuf};
+use example_frame::{Error, Finding, Headline, Result, contact};
+use signorini::contact::{Cone, Judgement, NOISE, Solver};
+use signorini::scenes::{MeshScene, SceneRun, SceneStudy, Setting, energies_apart, sets_apart};
 use std::process::ExitCode;
 
-/// Solve an elastic scene in one of the paper's two cones, on one mesh or on nested ones
-#[derive(Debug, Clone, Parser)]
-pub struct Options {
-    /// block, incompressible, free or closed
-    #[arg(long, default_value_t = MeshScene::Block)]
-    pub scene: MeshScene,
-    /// Cells along each side of the coarsest mesh
-    #[arg(long, default_value_t = 32)]
-    pub n: usize,
-    /// Number of meshes n, 2n, 4n, ...
-    #[arg(long, default_value_t = 1)]
-    pub levels: usize,
-    /// Discrete cone: nodal (2.9) or midpoint (4.1)
-    #[arg(long, default_value_t = Cone::Nodal)]
-    pub cone: Cone,
-    /// active-set or interior-point; both unless given
-    #[arg(long)]
-    pub solver: Option<Solver>,
-    /// Poisson's ratio of `incompressible`
-    #[arg(long, default_value_t = Setting::default().poisson)]
-    pub poisson: f64,
-    /// Factor on the load
-    #[arg(long, default_value_t = 1.0)]
-    pub load_scale: f64,
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        let Setting { poisson, load_scale, .. } = Setting::default();
-        let (cone, solver) = (Cone::Nodal, None);
-        let (scene, output) = (MeshScene::Block, Output::default());
-        Self { scene, n: 32, levels: 1, cone, solver, poisson, load_scale, output }
+example_frame::options! {
+    /// Solve a scene in one of the paper's two cones, on one mesh or on nested ones
+    pub struct Options {
+        /// The scene
+        #[arg(long, help = format!("A scene of {}", MeshScene::names()))]
+        pub scene: Option<MeshScene>,
+        /// Cells along each side of the coarsest mesh
+        #[arg(long, default_value_t = 32)]
+        pub n: usize,
+        /// Number of meshes n, 2n, 4n, ...
+        #[arg(long, default_value_t = 1)]
+        pub levels: usize,
+        /// Discrete cone: nodal (2.9) or midpoint (4.1)
+        #[arg(long, default_value_t = Cone::Nodal)]
+        pub cone: Cone,
+        /// active-set or interior-point; both unless given
+        #[arg(long)]
+        pub solver: Option<Solver>,
+        /// Poisson's ratio of `incompressible`
+        #[arg(long, default_value_t = Setting::default().poisson)]
+        pub poisson: f64,
+        /// Opening of the corner at the left end of the contact edge of `corner`, degrees
+        #[arg(long, default_value_t = Setting::default().angle)]
+        pub angle: f64,
+        /// Factor on the load
+        #[arg(long, default_value_t = 1.0)]
+        pub load_scale: f64,
     }
 }
 
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
-    }
+/// Which problem: (2.1)-(2.7) or Remark 1; each has its scenes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Problem {
+    /// A displacement field.
+    Elastic,
+    /// One unknown.
+    Scalar,
 }
 
-/// Solves the scene and says how well the discrete conditions are met.
-pub fn run(options: &Options) -> Result<Headline> {
-    if !options.scene.is_elastic() {
-        let given = options.scene.to_string();
-        return Err(Error::UnknownName {
-            what: "elastic scene",
-            given,
-            expected: "block, incompressible, free or closed",
-        });
-    }
-    let study = SceneStudy {
-        scene: options.scene,
-        setting: Setting { poisson: options.poisson, load_scale: options.load_scale, ..Setting::default() },
-        cone: options.cone,
-        solver: options.solver,
-        n: options.n,
-        levels: options.levels,
+/// What is computed: every solution, coarsest mesh first, on each mesh the active set before the interior point.
+pub struct Computed {
+    study: SceneStudy,
+    /// All of them.
+    pub runs: Vec<SceneRun>,
+}
+
+/// Solves the scene on every mesh.
+pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
+    let Options { n, levels, cone, solver, poisson, angle, load_scale, .. } = *options;
+    let (default, other) = match problem {
+        Problem::Elastic => (MeshScene::Block, "section_2_scalar_contact"),
+        Problem::Scalar => (MeshScene::Membrane, "section_2_elastic_contact"),
     };
-    let runs = study.run()?;
-    let mut headline = study.headline(&runs)?;
-    let finest = runs.iter().map(|run| run.n).max();
-    if let (Some(directory), Some(last)) =
-        (options.output.directory()?, runs.iter().find(|run| Some(run.n) == finest))
-    {
-        let title = format!("Scene {}", options.scene);
-        let name = |what: &str| format!("section_2_{}_{what}_{}", options.scene, options.cone);
-        headline.figures.push(last.solution.save_body(&last.problem, &title, directory, &name("body"))?);
-        headline.figures.push(last.solution.save_edge(&last.problem, &title, directory, &name("edge"))?);
-        let history = last.solution.save_history(&last.problem, &title, directory, &name("history"))?;
-        headline.figures.extend(history);
-        headline.figures.extend(coarser(&study, &title, directory)?);
+    let scene = options.scene.unwrap_or(default);
+    if scene.is_elastic() != (problem == Problem::Elastic) {
+        return Err(Error::Option(format!("scene {scene} belongs to the example {other}")));
     }
-    Ok(headline)
+    let setting = Setting { angle, poisson, load_scale };
+    let study = SceneStudy { scene, setting, cone, solver, n, levels };
+    Ok(Computed { study, runs: study.run()? })
 }
 
-/// The body on meshes two, four and eight times coarser, for a picture that moves with h.
-fn coarser(study: &SceneStudy, title: &str, directory: &Path) -> Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
-    for n in [study.n / 8, study.n / 4, study.n / 2].into_iter().filter(|&n| n >= 2) {
-        let runs = SceneStudy { n, levels: 1, solver: Some(Solver::ActiveSet), ..*study }.run()?;
-        for run in &runs {
-            let name = format!("section_2_{}_body_{}_{n}", study.scene, study.cone);
-            files.push(run.solution.save_body(&run.problem, title, directory, &name)?);
-        }
+/// A scaled condition may be violated by this: a duality gap of 1e-13 summed over the unknowns of a mesh of n = 32.
+const JUDGED: f64 = 1e-10;
+/// What a sum over all nodes, or a second solver, must confirm.
+const EIGHT_DIGITS: f64 = 1e-8;
+/// The packages agree among themselves to 12 digits or more.
+const PACKAGES: f64 = 1e-11;
+/// Karush, Kuhn and Tucker, each scaled by the size of what it compares: key, words if met, words if not, figure.
+const CONDITIONS: [(&str, &str, &str, fn(&Judgement) -> f64); 4] = [
+    ("balance", "forces balance at every node", "a node is off balance by {value}", |j| j.balance),
+    ("sign", "the foundation only pushes", "the foundation pulls, {value} of its force", |j| j.sign),
+    ("cone", "no solution leaves the cone", "a solution leaves the cone by {value}", |j| j.gap),
+    ("gaps", "a force closes its gap", "a force keeps a gap, {value}", |j| j.complementarity),
+];
+
+/// What decides: every solution meets the four conditions, forces add up, both solvers and other packages agree.
+pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
+    let Computed { study, runs } = computed;
+    let judged: Option<Vec<Judgement>> = runs.iter().map(|run| run.judged().ok()).collect();
+    let sum = contact::worst(runs.iter().map(|run| run.solution.balance));
+    let force = runs.last().map(|run| run.solution.contact_force).map(|f| (f, sum * f.abs()));
+    let stalled = runs.iter().filter(|run| !run.solution.status.is_converged()).count();
+    let mut found = vec![
+        Finding::claim("forces", "loads, reactions and contact force add up to zero")
+            .number(sum, NOISE)
+            .at_most(EIGHT_DIGITS, "eight digits of a sum over all nodes")
+            .otherwise("too few digits: loads, reactions and contact force add up to {value}"),
+        Finding::claim("push", "the foundation pushes with {value}")
+            .number_or(force, "no solution")
+            .at_least(0.0, "sigma_N <= 0")
+            .otherwise("the foundation pulls, {value}")
+            .told(),
+        Finding::claim("converged", "every iteration came to its end")
+            .number(stalled as f64, 0.0)
+            .at_most(0.0, "no solver stalled or cycled"),
+        Finding::claim("unique", "there is one solution").by_proof("section_2_elastic_contact"),
+    ];
+    for (key, holds, fails, figure) in CONDITIONS {
+        let worst = judged.as_ref().map(|all| (contact::worst(all.iter().map(figure)), NOISE));
+        let condition = Finding::claim(key, holds).number_or(worst, "a force or a gap is not a number");
+        found.push(condition.at_most(JUDGED, "a duality gap of 1e-13 over 1000 unknowns").otherwise(fails));
     }
-    Ok(files)
+    if options.solver.is_none() {
+        let sets = sets_apart(runs).map(|(apart, weak)| (apart as f64, weak as f64));
+        found.push(
+            Finding::claim("solvers", "two solvers without a common line agree in J, apart by {value}")
+                .number_or(energies_apart(runs), "no mesh was solved twice")
+                .at_most(EIGHT_DIGITS, "eight digits")
+                .otherwise("two solvers are apart by {value} in J")
+                .told(),
+        );
+        found.push(
+            Finding::remark("sets", "both find the same contact set")
+                .number_or(sets, "no mesh was solved twice")
+                .at_most(0.0, "as many constraints differ as are weak"),
+        );
+    }
+    if let Some((run, j)) = runs.last().and_then(|run| Some((run, study.known_energy(run.n)?))) {
+        found.push(
+            Finding::claim("packages", "five other packages find the same J = {value}")
+                .number(run.solution.energy, run.solution.energy_rounding)
+                .within(PACKAGES * j.abs(), j, "tests/reference, signorini_square.json")
+                .told(),
+        );
+    }
+    found
+}
+
+/// Solves an elastic scene and says how well the discrete conditions are met.
+pub fn run(options: &Options) -> Result<Headline> {
+    show(Problem::Elastic, options)
+}
+
+/// Solves a scene of either problem; quoted and drawn is the solution on the finest mesh.
+pub fn show(problem: Problem, options: &Options) -> Result<Headline> {
+    let computed = compute(problem, options)?;
+    let Computed { study: SceneStudy { cone, .. }, runs } = &computed;
+    let kind = if problem == Problem::Elastic { "elastic" } else { "scalar" };
+    let section = if *cone == Cone::Nodal { "Section 2, (2.9)" } else { "Section 4, (4.1)" };
+    let claim = format!("the {kind} problem in the {cone} cone is solved: one minimum, every condition met");
+    let (label, found) = (format!("{section}, {kind}"), findings(options, &computed));
+    let mut headline = Headline::new(label, claim, contact::table(runs), found);
+    contact::quote_and_draw(&mut headline, &computed.study, runs, &options.output)?;
+    Ok(headline)
 }
 
 fn main() -> ExitCode {

@@ -1,9 +1,13 @@
 //! Section 2: scenes with known solutions, regularity or limits.
 
+#[allow(dead_code)]
+#[path = "../examples/section_2_scalar_contact.rs"]
+mod section_2_scalar_contact;
+
 use signorini::contact::{Cone, ContactProblem, ContactSolution, Solver};
 use signorini::fem::{Cubature, Field, error_norms};
 use signorini::mesh::Hierarchy;
-use signorini::scenes::{MeshScene, SceneStudy, Setting, manufactured};
+use signorini::scenes::{MeshScene, Setting, manufactured};
 
 fn solved(scene: MeshScene, n: usize, cone: Cone) -> (ContactProblem, ContactSolution) {
     let problem = scene.problem(n).unwrap();
@@ -116,20 +120,14 @@ fn nearly_incompressible_blocks_lock_and_both_solvers_say_the_same() {
 
 #[test]
 fn reaction_problem_agrees_with_the_interior_point_method() {
-    let study = SceneStudy {
-        scene: MeshScene::MembraneReaction,
-        setting: Setting::default(),
-        cone: Cone::Nodal,
-        solver: None,
-        n: 8,
-        levels: 3,
-    };
-    let runs = study.run().unwrap();
-    assert_eq!(runs.len(), 6);
-    let headline = study.headline(&runs).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{headline}");
+    let scene = Some(MeshScene::MembraneReaction);
+    let options = section_2_scalar_contact::Options { scene, n: 8, levels: 3, ..Default::default() };
+    assert_eq!(section_2_scalar_contact::compute(&options).unwrap().runs.len(), 6);
+    let headline = section_2_scalar_contact::run(&options).unwrap();
+    assert!(headline.verdict().is_confirmed(), "{headline}");
     // The midpoint cone on a closed chain has no unique multiplier; it is refused, not guessed.
-    assert!(SceneStudy { cone: Cone::Midpoint, ..study }.run().is_err());
+    let options = section_2_scalar_contact::Options { cone: Cone::Midpoint, ..options };
+    assert!(section_2_scalar_contact::run(&options).is_err());
 }
 
 #[test]

@@ -1,15 +1,14 @@
-//! A scene on one mesh or on nested ones, by one solver or by both: what the examples of Section 2 print.
+//! A scene on one mesh or on nested ones, by one solver or by both, and how far two solutions are apart.
 
-use super::{MeshScene, Setting};
-use crate::contact::{Cone, ContactProblem, ContactSolution, NOISE, Solver};
+use super::mesh::{MeshScene, Setting};
+use crate::cone::{Cone, Evidence, Judgement, NOISE};
+use crate::contact::{ContactProblem, ContactSolution, Solver};
 use crate::error::{Error, Result};
-use crate::report::{Headline, Table, Verdict};
 
-/// Both solvers must agree in J to this, relative.
-pub const AGREEMENT: f64 = 1e-8;
-
-/// Every scaled KKT figure must be below this.
-pub const JUDGED: f64 = 1e-10;
+/// Both force and gap below this, relative to their largest: √(duality gap) of the interior-point method.
+const WEAK: f64 = 1e-6;
+/// Most meshes of a study.
+const LEVELS: usize = 12;
 
 /// What to solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,12 +41,17 @@ pub struct SceneRun {
 }
 
 impl SceneStudy {
+    /// J on n × n squares as other packages have found it ([`MeshScene::known_energy`]); `None` for another setting.
+    pub fn known_energy(&self, n: usize) -> Option<f64> {
+        self.scene.known_energy(self.cone, n).filter(|_| self.setting == Setting::default())
+    }
+
     /// Solves on every level, coarsest first, the active set before the interior point.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without levels; whatever meshes, problems and solvers return.
     pub fn run(&self) -> Result<Vec<SceneRun>> {
-        if !(1..=12).contains(&self.levels) {
+        if !(1..=LEVELS).contains(&self.levels) {
             return Err(Error::CountOutOfRange { name: "levels", value: self.levels, range: "[1, 12]" });
         }
         let solvers =
@@ -70,75 +74,64 @@ impl SceneStudy {
         }
         Ok(runs)
     }
+}
 
-    /// Table, verdict and quoted numbers of the runs. The numbers are those of the finest level.
-    pub fn headline(&self, runs: &[SceneRun]) -> Result<Headline> {
-        let mut table = Table::new(ContactSolution::columns());
-        for run in runs {
-            table.push(run.solution.row(run.n, &run.problem, run.cold_steps));
-        }
-        let finest = runs.iter().map(|run| run.n).max().unwrap_or(0);
-        let Some(last) = runs.iter().find(|run| run.n == finest) else {
-            return Err(Error::CountOutOfRange { name: "runs", value: 0, range: "[1, inf)" });
+impl SceneRun {
+    /// The Karush-Kuhn-Tucker figures of multipliers and gaps as they stand; the balance is that of the solution.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] where a multiplier or a gap is not a number.
+    pub fn judged(&self) -> Result<Judgement> {
+        let solution = &self.solution;
+        let evidence = Evidence {
+            residual: &[],
+            multiplier: &solution.multiplier,
+            gap: &solution.gap,
+            force: solution.force_scale,
+            displacement: solution.displacement_scale,
         };
-        let worst = runs.iter().fold(0.0, |w: f64, run| w.max(run.solution.judgement.worst()));
-        let apart = disagreement(runs);
-        let solution = &last.solution;
-        let measured = format!(
-            "J = {:.12e} ± {:.0e}, {} of {} constraints active, contact force {:.8e}, KKT {worst:.0e}",
-            solution.energy,
-            solution.energy_rounding,
-            solution.contact_set.count(),
-            solution.contact_set.constraints(),
-            solution.contact_force,
-        );
-        let converged = runs.iter().all(|run| run.solution.status.is_converged());
-        let balance = runs.iter().fold(0.0, |w: f64, run| w.max(run.solution.balance));
-        let verdict = if !converged || worst > JUDGED || apart > AGREEMENT || apart.is_nan() {
-            Verdict::NotConfirmed(format!("KKT {worst:.1e}, energies apart by {apart:.1e}"))
-        } else if balance > AGREEMENT {
-            Verdict::NotConfirmed(format!("too few digits: forces balance to {balance:.0e} only"))
-        } else {
-            Verdict::Holds
-        };
-        let kind = if self.scene.is_elastic() { "elastic" } else { "scalar" };
-        let claim = if self.solver.is_some() {
-            format!(
-                "a solution of the {kind} problem in the {} cone meets every discrete condition",
-                self.cone
-            )
-        } else {
-            format!(
-                "the {kind} problem in the {} cone has one solution; two unrelated solvers find it",
-                self.cone
-            )
-        };
-        let label = match self.cone {
-            Cone::Nodal => format!("Section 2, (2.9), {kind}"),
-            Cone::Midpoint => format!("Section 4, (4.1), {kind}"),
-        };
-        let mut headline = Headline::new(label, claim, table, measured, verdict);
-        for (key, value) in [
-            ("energy", solution.energy),
-            ("force", solution.contact_force),
-            ("active", solution.contact_set.count() as f64),
-            ("kkt", worst),
-        ] {
-            headline.quote(format!("section.2.{}.{}.{key}", self.scene, self.cone), value);
-        }
-        Ok(headline)
+        Ok(Judgement { balance: solution.judgement.balance, ..evidence.judge()? })
+    }
+
+    /// How many constraints are weak: force and gap both below [`WEAK`], so that no solver can tell contact from none.
+    pub fn weak_constraints(&self) -> usize {
+        let solution = &self.solution;
+        let force = solution.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
+        let is_weak =
+            |(l, g): &(&f64, &f64)| l.abs() <= WEAK * force && g.abs() <= WEAK * solution.displacement_scale;
+        solution.multiplier.iter().zip(&solution.gap).filter(is_weak).count()
     }
 }
 
-/// The largest difference in J between solutions on the same mesh, relative. Not a number if J is not.
-fn disagreement(runs: &[SceneRun]) -> f64 {
-    runs.windows(2)
-        .filter(|pair| pair[0].n == pair[1].n)
-        .map(|pair| {
-            let difference = (pair[0].solution.energy - pair[1].solution.energy).abs();
-            if difference == 0.0 { 0.0 } else { difference / energy_scale(&pair[0].solution) }
+/// Pairs of solutions on the same mesh.
+fn pairs(runs: &[SceneRun]) -> impl Iterator<Item = [&SceneRun; 2]> {
+    runs.windows(2).filter(|pair| pair[0].n == pair[1].n).map(|pair| [&pair[0], &pair[1]])
+}
+
+/// The largest difference in J between two solutions on the same mesh, relative, and what rounding leaves uncertain in
+/// it. `None` without two solutions on a mesh; not a number if a J is not.
+pub fn energies_apart(runs: &[SceneRun]) -> Option<(f64, f64)> {
+    pairs(runs)
+        .map(|[a, b]| {
+            let difference = (a.solution.energy - b.solution.energy).abs();
+            let rounding = a.solution.energy_rounding + b.solution.energy_rounding;
+            let scale = energy_scale(&a.solution);
+            let share = |part: f64| if part == 0.0 { 0.0 } else { part / scale };
+            (share(difference), share(rounding))
         })
-        .fold(0.0, |worst: f64, apart| if apart.is_nan() { apart } else { worst.max(apart) })
+        .reduce(|worst, apart| if worst.0 >= apart.0 || worst.0.is_nan() { worst } else { apart })
+}
+
+/// The largest number of constraints that are active in one of two solutions on the same mesh only, and how many are
+/// weak there. `None` without two solutions on a mesh.
+pub fn sets_apart(runs: &[SceneRun]) -> Option<(usize, usize)> {
+    pairs(runs)
+        .map(|[a, b]| {
+            let (one, other) = (a.solution.contact_set.indices(), b.solution.contact_set.indices());
+            let common = one.iter().filter(|i| other.binary_search(i).is_ok()).count();
+            (one.len() + other.len() - 2 * common, a.weak_constraints().max(b.weak_constraints()))
+        })
+        .max()
 }
 
 /// |J|; where contact prevents every displacement J is rounding, and force times displacement is its scale.

@@ -16,6 +16,8 @@
 //! Exit codes: 0 every claim holds, 1 one is refuted or undecided, 2 bad input (one clear line on stderr).
 
 mod command;
+#[cfg(feature = "contact")]
+pub mod contact;
 mod error;
 pub mod figures;
 mod outcome;
