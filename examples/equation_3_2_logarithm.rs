@@ -84,19 +84,12 @@ pub fn findings(_: &Options, Computed { rows }: &Computed) -> Vec<Finding> {
                     .number_or(growth(study, Bound::Optimal), few)
                     .at_least(1.0, format!("order h; {last}")),
             ]);
-        } else {
-            found.push(
-                Finding::remark(key("kink"), format!("{of}, outside H^2: |ln h|^(q/2), q = {{value}}"))
-                    .number_or(q, few)
-                    .at_least(0.0, "q > 0")
-                    .told(),
-            );
         }
-        found.push(
-            Finding::remark(key("power"), format!("{of}: q is {{bound}} within its uncertainty"))
-                .number_or(q.map(|(power, _)| (power, 0.0)), few)
-                .within(q.map_or(0.0, |(_, u)| u), 1.0 - 2.0 * alpha, "1 - 2 alpha, sum over cells"),
-        );
+        let power = Finding::remark(key("power"), format!("{of}: (e/h)^2 ~ |ln h|^q, q = {{bound}}"))
+            .number_or(q.map(|(power, _)| (power, 0.0)), few)
+            .within(q.map_or(0.0, |(_, u)| u), 1.0 - 2.0 * alpha, "1 - 2 alpha, sum over cells")
+            .otherwise(format!("{of}: q = {{value}} is not {{bound}} within its uncertainty"));
+        found.push(if *alpha > 0.5 { power } else { power.told() });
     }
     let in_h2 = rows.iter().filter(|row| row.0 > 0.5);
     found.push(

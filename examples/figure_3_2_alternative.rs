@@ -1,18 +1,23 @@
-//! Figure 3.2, and Figure 4.1 as its twin: the case of every contact segment, and what it adds to the consistency term.
+//! Figure 3.2, and Figure 4.1 as its twin: the case of every contact segment, and what it adds to the
+//! consistency term.
 //!
 //! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --meshes 8`
-//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --over-theta`
+//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256
+//! --over-theta`
 
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
-use signorini::proof::{Against, AlternativeCase, AlternativeStudy, Case, Exponent, Section, ThetaRule};
+use signorini::proof::{
+    Against, AlternativeCase, AlternativeStudy, Case, Exponent, Section, ThetaRule, printed_exponent,
+};
 use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;
 
 example_frame::options! {
     /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
     pub struct Options {
-        /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3, fat-cantor, ...)
+        /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3,
+        /// fat-cantor, ...)
         #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block))]
         pub scene: Scene,
         /// Contact segments of the finest mesh classified
@@ -66,18 +71,15 @@ const CARRIES: f64 = 1e-12;
 
 /// What decides: which segments carry the term, and whether the discrete contact set says the same.
 pub fn findings(section: Section, options: &Options, Computed { study, other }: &Computed) -> Vec<Finding> {
-    let (last, tau) = (study.rows.last(), options.tau);
+    let last = study.rows.last();
     let ends = study.trace.transitions() as f64;
     let carriers = last.map(|row| (row.classification.carriers(CARRIES) as f64, 0.0));
-    let moved = last
-        .zip(other.rows.last())
-        .map(|(a, b)| (a.classification.differences(&b.classification) as f64, 0.0));
-    let carried =
-        last.map(|row| (row.classification.term(Case::Second) / row.classification.total(), CARRIES));
+    let pair = last.zip(other.rows.last()).map(|(a, b)| (&a.classification, &b.classification));
+    let moved = pair.map(|(a, b)| (a.differences(b) as f64, 0.0));
+    let carried = last.map(|row| row.classification.term(Case::Second) / row.classification.total());
     let totals: Vec<(f64, f64)> =
         study.rows.iter().map(|r| (1.0 / r.n as f64, r.classification.total())).collect();
     let order = Exponent::fit(&totals).ok().filter(|_| !options.over_theta).map(|e| (e.value, e.uncertainty));
-    let bound = if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 };
     let none = "no mesh was classified";
     let mut findings = vec![
         Finding::claim("cases", "every segment is in a case, for every theta").by_proof(page(section)),
@@ -89,32 +91,23 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
         Finding::claim("discrete", "u_h puts all but {value} segments in the cases of the reference")
             .number_or(moved, none)
             .at_most(ends, "one segment per transition point")
-            .otherwise(
-                "u_h puts {value} segments into other cases than the reference, more than transition points",
-            ),
+            .otherwise("u_h puts {value} segments into other cases, more than transition points"),
         Finding::remark("second.carries", "the second case alone carries {percent} % of the term")
-            .number_or(carried, none)
+            .number_or(carried.map(|share| (share, CARRIES)), none)
             .at_least(0.5, "half of the term")
             .otherwise("the second case alone carries {percent} % of the term, the first or both the rest")
             .told(),
         Finding::remark("order", "the term falls like h^{value}, not more slowly than the theorem says")
             .number_or(order, "fewer than three meshes with a positive term")
-            .at_least(bound, "2 tau^2 - 5 tau + 4, 2 at tau = 2"),
+            .at_least(printed_exponent(options.tau), "2 tau^2 - 5 tau + 4, 2 at tau = 2"),
     ];
     if section == Section::Three {
-        let own = [study, other]
-            .into_iter()
-            .find(|s| s.case.against == Against::Itself)
-            .and_then(|s| s.rows.last());
-        let own = own.zip(last).map(|(own, row)| (own.classification.total(), row.classification.total()));
-        let own = own.map(|(own, term)| (if own == 0.0 { 0.0 } else { own / term }, 0.0));
+        let own = if study.case.against == Against::Itself { study } else { other };
+        let own = own.rows.last().map(|row| row.classification.total());
         findings.push(
-            Finding::claim(
-                "own.term",
-                "u_h has no such term of its own: its force times its gap vanishes at every node",
-            )
-            .number_or(own, none)
-            .at_most(CARRIES, "0, complementarity at the nodes"),
+            Finding::claim("own.term", "u_h has no such term of its own: force times gap is 0 at every node")
+                .number_or(own.map(|own| (own, 0.0)), none)
+                .at_most(0.0, "complementarity at the nodes"),
         );
     }
     findings

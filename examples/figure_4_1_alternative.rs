@@ -1,6 +1,8 @@
-//! Figure 4.1: the contact set of every segment against h_e theta. The argument is that of Figure 3.2, its twin.
+//! Figure 4.1: the contact set of every segment against h_e theta. The argument is that of Figure 3.2, its
+//! twin.
 //!
-//! `cargo run --release --example figure_4_1_alternative -- --scene fat-cantor --tau 1.7 --n 256 --over-theta`
+//! `cargo run --release --example figure_4_1_alternative -- --scene fat-cantor --tau 1.7 --n 256
+//! --over-theta`
 
 #[allow(dead_code)]
 #[path = "figure_3_2_alternative.rs"]

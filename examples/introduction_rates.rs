@@ -49,29 +49,18 @@ const PRINTED: [Printed; 11] = [
     ("e4.natural", "(E4)", 2.5, Shape::Transition, "", "h", 1.0),
 ];
 
-/// What is computed: the scenes of all printed rates, each once, in both cones, nodal first.
+/// What is computed: each printed rate with its scene in both cones, nodal first.
 pub struct Computed {
-    /// Scene and its two rows.
-    pub scenes: Vec<(Shape, [RateRow; 2])>,
+    /// In the order of the table.
+    pub rows: Vec<(Printed, [RateRow; 2])>,
 }
 
-impl Computed {
-    /// The scene that stands for a printed rate.
-    fn of(&self, printed: &Printed) -> Option<&[RateRow; 2]> {
-        let is =
-            |(shape, pair): &&(Shape, [RateRow; 2])| *shape == printed.3 && pair[0].study.tau == printed.2;
-        self.scenes.iter().find(is).map(|(_, pair)| pair)
-    }
-}
-
-/// Solves each scene in both cones.
+/// Solves the scene of each printed rate in both cones; scenes that come twice are solved once.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let mut wanted: Vec<(Shape, f64)> = PRINTED.iter().map(|printed| (printed.3, printed.2)).collect();
-    wanted = wanted.iter().enumerate().filter(|(k, w)| !wanted[..*k].contains(w)).map(|(_, w)| *w).collect();
     let coarsest = options.levels.coarsest_cells();
     let named = |scene: StripScene, tau| SceneFamily::named(&scene, tau, StripKind::Scalar, coarsest, 1);
     let in_h2 = TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: 1.0 };
-    let family = |&(shape, tau): &(Shape, f64)| match shape {
+    let family = |&(_, _, tau, shape, ..): &Printed| match shape {
         Shape::Transition => Ok(SceneFamily::at_thirds(TransitionPowers::of_regularity(tau), tau, coarsest)),
         Shape::InH2 => Ok(SceneFamily::at_thirds(in_h2, tau, coarsest)),
         Shape::Many => named(StripScene::Transitions { gaps: 11 }, tau),
@@ -79,9 +68,8 @@ pub fn compute(options: &Options) -> Result<Computed> {
     };
     let reference = (16 * options.levels.finest_cells()).min(1 << 22);
     let mut group = StripGroup::new(StripKind::Scalar, options.levels, reference);
-    group.families = wanted.iter().map(family).collect::<signorini::Result<_>>()?;
-    let shapes = wanted.into_iter().map(|(shape, _)| shape);
-    Ok(Computed { scenes: shapes.zip(both_cones(&group)?).collect() })
+    group.families = PRINTED.iter().map(family).collect::<signorini::Result<_>>()?;
+    Ok(Computed { rows: PRINTED.into_iter().zip(both_cones(&group)?).collect() })
 }
 
 /// An order that is read off a finite series may stay this far below the exponent it tends to; |ln h|^{1/2} alone takes
@@ -90,12 +78,11 @@ const SERIES: f64 = 0.1;
 
 /// What decides: each measured order against the printed exponent, and against min(τ − 1, 1).
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
-    let rows = || computed.scenes.iter().flat_map(|(_, pair)| pair);
+    let rows = || computed.rows.iter().flat_map(|(_, pair)| pair);
     let without = "an order is missing";
     let mut found = vec![complete(rows().map(|row| &row.study))];
-    for printed in &PRINTED {
-        let (key, label, exponent) = (printed.0, printed.1, printed.6);
-        for row in computed.of(printed).into_iter().flatten() {
+    for (&(key, label, .., exponent), pair) in computed.rows.iter().map(|(printed, pair)| (printed, pair)) {
+        for row in pair {
             // A printed rate that is the optimal one is approached, not passed.
             let less = if exponent >= (row.study.tau - 1.0).min(1.0) { SERIES } else { 0.0 };
             let words = format!("reached in the {} cone, {}: order {{value}}", row.study.cone, row.words());
@@ -112,13 +99,10 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let above = largest(off().map(|number| number.map(|(distance, u)| distance - u)));
     let gains = rows().filter(|row| row.study.tau == 1.75).map(|row| row.above(Bound::Paper));
     found.extend([
-        Finding::sharpness(
-            "gain",
-            "at tau = 7/4 the order nearest to (N1) lies {value} +- {uncertainty} above it",
-        )
-        .number_or(lowest(gains), without)
-        .at_least(0.0, "11/16, (N1); fat Cantor sets included")
-        .told(),
+        Finding::sharpness("gain", "at tau = 7/4 the nearest order is {value} +- {uncertainty} above (N1)")
+            .number_or(lowest(gains), without)
+            .at_least(0.0, "11/16, (N1); fat Cantor sets included")
+            .told(),
         Finding::remark("bars", "every bar holds min(tau - 1, 1), whatever the contact set")
             .number_or(missed.map(|count| (count, 0.0)), without)
             .at_most(0.0, "the optimal exponent; orders of the scenes in both cones")
@@ -137,8 +121,8 @@ pub fn run(options: &Options) -> Result<Headline> {
     let claim = "(E1)-(E4) known before, (N1), (N2) new: the printed rates are reached by every scene";
     let found = findings(options, &computed);
     let mut headline = Headline::new("Introduction", claim, table(&computed), found);
-    for (k, printed) in PRINTED.iter().enumerate() {
-        for row in computed.of(printed).into_iter().flatten() {
+    for (k, (_, pair)) in computed.rows.iter().enumerate() {
+        for row in pair {
             let key = format!("introduction.{}.{}", k + 1, row.study.cone);
             RateRow::quote(&mut headline, &key, row.error);
         }
@@ -149,7 +133,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     Ok(headline)
 }
 
-fn table(computed: &Computed) -> Table {
+fn table(Computed { rows }: &Computed) -> Table {
     let three = Format::Fixed(3);
     let mut table = Table::new(vec![
         Column::new("label", "label", Format::Plain, ""),
@@ -164,12 +148,12 @@ fn table(computed: &Computed) -> Table {
         Column::new("midpoint_half", "+-", three, ""),
         Column::new("left_out", "out", Format::Plain, "levels left out"),
     ]);
-    for printed in &PRINTED {
-        let Some(pair) = computed.of(printed) else { continue };
-        let (_, label, tau, shape, finite, rate, exponent) = *printed;
+    for (&(_, label, tau, shape, finite, rate, exponent), pair) in rows.iter().map(|(p, pair)| (p, pair)) {
         let scene = match shape {
-            Shape::InH2 => "transition in H^2".to_owned(),
-            _ => pair[0].study.subject.name().replace("scalar ", ""),
+            Shape::Transition => "transition",
+            Shape::InH2 => "transition in H^2",
+            Shape::Many => "transitions",
+            Shape::FatCantor => "fat-cantor",
         };
         let mut row: Vec<Cell> = vec![label.into(), tau.into(), finite.into()];
         row.extend([rate.into(), exponent.into(), scene.into()]);
@@ -181,7 +165,7 @@ fn table(computed: &Computed) -> Table {
 }
 
 /// Printed exponents over τ, and measured orders with bars.
-fn draw(Computed { scenes }: &Computed) -> Result<Chart> {
+fn draw(Computed { rows }: &Computed) -> Result<Chart> {
     let curves = [
         ("(E1)", Bound::Optimal, (1.0, 1.5)),
         ("(E2)", Bound::Earlier, (1.5, 2.0)),
@@ -190,7 +174,7 @@ fn draw(Computed { scenes }: &Computed) -> Result<Chart> {
         ("(E4)", Bound::Optimal, (2.0, 2.5)),
     ];
     let fit = |row: &RateRow| Some((row.study.tau, row.error?));
-    let of_cone = |k: usize| scenes.iter().map(|(_, pair)| fit(&pair[k])).collect();
+    let of_cone = |k: usize| rows.iter().map(|(_, pair)| fit(&pair[k])).collect();
     let names = ["measured, nodal cone", "measured, midpoint cone"].map(str::to_owned);
     let orders = names.into_iter().zip([of_cone(0), of_cone(1)]).collect();
     let title = "Rates of the introduction, printed and measured";

@@ -1,223 +1,153 @@
-//! Lemma 6.1: ‖u − I u‖₀ ≤ h^{1+ν} |u|_{1+ν} and ‖u − I u‖₁ ≤ h^ν |u|_{1+ν} on an interval of length h, with constant 1.
+//! Lemma 6.1: ‖u − I u‖₀ ≤ h^{1+ν} |u|_{1+ν} and ‖u − I u‖₁ ≤ h^ν |u|_{1+ν} on an interval of length h.
 //!
-//! Rough functions drawn at random, powers at the edge of H^ν, and the best constants beside them. The second line, with the full H¹ norm,
-//! fails with constant 1 on elements longer than h*(ν). All best constants fall in ν, since |x−y| ≤ 1 on the unit element makes |v|_ν rise
-//! in ν: the limits ν → 0 bound them for every order.
+//! Rough functions drawn at random, powers at the edge of H^ν, and the best constants beside them. The second
+//! line, with the full H¹ norm, fails with constant 1 on elements longer than h*(ν).
 
-use clap::Parser;
-use example_frame::{HasOutput, Output, progress};
-use signorini::figures::{Axis, Chart, Series};
-use signorini::interpolation::{
-    ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, element_constant, limits, longest_element,
-    power_slope,
-};
-use signorini::report::{Column, Format, Headline, Table, Verdict};
+use example_frame::figures::{Axis, Chart, Series};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use signorini::interpolation::{LocalConstants, WorstRatios, worst_ratios};
 use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Result, Tolerance};
+use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
-/// Exponents of the powers tried, above the critical nu - 1/2
-const GAPS: [f64; 7] = [1e-6, 1e-2, 0.1, 0.4, 0.8, 1.3, 2.0];
-
-/// Stands for the limit ν → 0 of h*(ν); the constants differ from their limits by less than this
-const NEAR_ZERO: f64 = 1e-300;
-/// h* is computed to 1e-5; the printed constant is tried this far from it on both sides
-const BESIDE: f64 = 1e-3;
-
-/// Local interpolation estimate: ratios of rough functions and the best constants
-#[derive(Debug, Clone, Parser)]
-pub struct Options {
-    /// Orders nu in (0, 1), comma separated
-    #[arg(long, value_delimiter = ',', default_values = ["0.01", "0.1", "0.25", "0.5", "0.75", "0.9", "0.99"])]
-    pub nu: Vec<FractionalOrder>,
-    /// Random functions per family and order; with 0 only powers are tried
-    #[arg(long, default_value_t = 60)]
-    pub functions: usize,
-    /// Seed of the random functions
-    #[arg(long, default_value_t = 1)]
-    pub seed: u64,
-    /// Relative tolerance of the best constants: fast, balanced, reference or a number
-    #[arg(long, default_value = "1e-10")]
-    pub tolerance: Tolerance,
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self::parse_from(["lemma_6_1_local_estimate"])
+example_frame::options! {
+    /// Local interpolation estimate: ratios of rough functions and the best constants
+    pub struct Options {
+        /// Orders nu in (0, 1), comma separated
+        #[arg(long, value_delimiter = ',', default_values = ["0.01", "0.1", "0.25", "0.5", "0.75", "0.9", "0.99"])]
+        pub nu: Vec<FractionalOrder>,
+        /// Random functions per family and order; with 0 only powers are tried
+        #[arg(long, default_value_t = 60)]
+        pub functions: usize,
+        /// Seed of the random functions
+        #[arg(long, default_value_t = 1)]
+        pub seed: u64,
+        /// Relative tolerance of the best constants: fast, balanced, reference or a number
+        #[arg(long, default_value = "1e-10")]
+        pub tolerance: Tolerance,
     }
 }
 
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
-    }
+/// What is computed for one order.
+pub struct Row {
+    /// Order of the lemma.
+    pub nu: f64,
+    /// Best constants.
+    pub best: LocalConstants,
+    /// Largest ratios found.
+    pub tried: WorstRatios,
 }
 
-/// Largest (L2, derivative) ratio over random functions and powers.
-fn worst_ratios(options: &Options, order: FractionalOrder) -> Result<(f64, f64)> {
-    let mut worst = (0.0f64, 0.0f64);
-    let mut try_on = |error: InterpolationError| -> Result<()> {
-        worst = (worst.0.max(error.l2_ratio()?.value), worst.1.max(error.derivative_ratio()?.value));
-        Ok(())
-    };
-    for family in RoughFamily::admissible(order) {
-        let mut slopes = RoughSlopes::new(family, order, options.seed);
-        for _ in 0..options.functions {
-            try_on(InterpolationError::of_slope(&slopes.draw()?, order, Tolerance::balanced())?)?;
-        }
-    }
-    for exponent in GAPS.map(|gap| order.offset() + gap).into_iter().filter(|a| *a != 0.0) {
-        try_on(power_slope(exponent, order)?)?;
-    }
-    Ok(worst)
+/// Rows per order, and the limits of the constants for ν → 0, which bound those of all orders.
+pub struct Computed {
+    /// Per order.
+    pub rows: Vec<Row>,
+    /// The limits.
+    pub limit: LocalConstants,
 }
 
-/// One order: what the functions reach, the best constants, and the length h* with what the full norm does beside it.
-struct Found {
-    nu: f64,
-    found: (f64, f64),
-    l2: Estimate,
-    derivative: Estimate,
-    longest: f64,
-    /// Constants of the full H¹ norm a little below and a little above h*
-    beside: [f64; 2],
-}
-
-impl Found {
-    fn new(options: &Options, order: FractionalOrder) -> Result<Self> {
-        let best = |norm| element_constant(norm, order, options.tolerance);
-        let longest = longest_element(order, Tolerance::fast())?.value;
-        let full = |share: f64| Ok(best(ErrorNorm::H1 { h: share * longest })?.value);
-        Ok(Found {
+/// Best constants and what a search by hand finds, for every order.
+pub fn compute(options: &Options) -> Result<Computed> {
+    let bar = progress(options.nu.len() as u64);
+    let mut rows = Vec::new();
+    for &order in &options.nu {
+        let best = LocalConstants::new(order, options.tolerance)?;
+        rows.push(Row {
             nu: order.value(),
-            found: worst_ratios(options, order)?,
-            l2: best(ErrorNorm::L2)?,
-            derivative: best(ErrorNorm::Derivative)?,
-            longest,
-            beside: [full(1.0 - BESIDE)?, full(1.0 + BESIDE)?],
-        })
+            best,
+            tried: worst_ratios(order, options.functions, options.seed)?,
+        });
+        bar.inc(1);
     }
-
-    /// A function above the best constant would refute the computation.
-    fn exceeded(&self) -> bool {
-        let above = |found: f64, best: Estimate| found > best.value * (1.0 + 1e-9) + best.error;
-        above(self.found.0, self.l2) || above(self.found.1, self.derivative)
-    }
-
-    /// L2, derivative and full norm up to h* with the printed constant 1.
-    fn printed_holds(&self) -> bool {
-        let one = |best: Estimate| best.value + best.error <= 1.0;
-        one(self.l2) && one(self.derivative) && self.beside[0] <= 1.0
-    }
-
-    fn cells(&self) -> [f64; 8] {
-        let (l2, derivative) = (self.l2, self.derivative);
-        let found = self.found;
-        [self.nu, found.0, l2.value, l2.error, found.1, derivative.value, derivative.error, self.longest]
-    }
+    Ok(Computed { rows, limit: LocalConstants::at_zero()? })
 }
 
-fn columns(options: &Options) -> Vec<Column> {
-    let tried = match options.functions {
-        0 => "the powers".to_owned(),
-        count => format!("the powers and {count} random functions of each family"),
+/// What decides: best constants against the printed 1, the full norm beside h*, functions against the former.
+pub fn findings(_: &Options, Computed { rows, limit }: &Computed) -> Vec<Finding> {
+    type Of = fn(&LocalConstants) -> Estimate;
+    let constants = |of: Of| rows.iter().map(|row| &row.best).chain([limit]).map(of);
+    let shares = |k: usize| rows.iter().filter_map(move |row| Some(row.tried.shares(&row.best).ok()?[k]));
+    let one = |finding: Finding, of: Of| finding.largest(constants(of)).at_most(1.0, "printed constant");
+    let loose = |norm: &str, words: &str, of: Of| {
+        let factors = constants(of).filter_map(|constant| constant.recip().ok());
+        let finding = Finding::sharpness(format!("loose.{norm}"), format!("by {{value}} or more {words}"));
+        finding.smallest(factors).at_least(1.0, "printed constant").told()
     };
-    let number = |key, title: &str, format, meaning: &str| Column::new(key, title, format, meaning);
-    let found_l2 = format!("largest |u - Iu|_0 / (h^(1+nu) |u'|_nu) among {tried}");
-    let longest =
-        "the second line, with the full H1 norm, holds with constant 1 for h <= h* and fails for h > h*";
-    vec![
-        number("nu", "nu", Format::Plain, ""),
-        number("worst_l2", "found L2", Format::Fixed(4), &found_l2),
-        number("best_l2", "best L2", Format::Fixed(10), "best constant in place of 1"),
-        number("error_l2", "+- L2", Format::Scientific(0), "error of the best constant in L2"),
-        number(
-            "worst_derivative",
-            "found deriv.",
-            Format::Fixed(4),
-            "largest |(u - Iu)'|_0 / (h^nu |u'|_nu)",
-        ),
-        number("best_derivative", "best deriv.", Format::Fixed(10), "best constant, gamma_1(nu)"),
-        number(
-            "error_derivative",
-            "+- deriv.",
-            Format::Scientific(0),
-            "error of the best constant for the derivative",
-        ),
-        number("longest", "h*", Format::Fixed(3), longest),
-    ]
-}
-
-/// What is said of both printed lines; beside the rows the limits for nu -> 0 of the constants (L2, derivative) and of h*.
-fn verdict(rows: &[Found], [l2, derivative, shortest]: [f64; 3]) -> Verdict {
-    if rows.iter().any(Found::exceeded) {
-        return Verdict::NotConfirmed("a function exceeds the best constant".into());
-    }
-    if !rows.iter().all(Found::printed_holds) {
-        return Verdict::PrintedFormFails("a best constant is above 1 where none is expected to be".into());
-    }
-    let loose = format!(
-        "factors of at least {:.2} in L2 and {:.2} in the derivative for every nu",
-        1.0 / l2,
-        1.0 / derivative
-    );
-    if rows.iter().all(|row| row.beside[1] > 1.0) {
-        Verdict::PrintedFormFails(format!(
-            "second line, full H1 norm, for h > h*(nu), where h* > {shortest:.2}, its limit for nu -> 0; it holds for h <= h*, \
-             and for the derivative at every h; loose by {loose}"
-        ))
-    } else {
-        Verdict::HoldsLoose(loose)
-    }
+    let tried = |norm: &str, words: &str, k: usize| {
+        let words = format!("no function tried takes more than {{percent}} % of the best constant {words}");
+        Finding::claim(format!("tried.{norm}"), words).largest(shares(k)).at_most(1.0, "best constant")
+    };
+    let length = format!("h* is at least {:.2}, its limit for nu -> 0", limit.longest.value);
+    let fails = format!("second line, full H1 norm, for h > h*(nu), constant {{value}} just above; {length}");
+    let full = Finding::printed("full", "with the full H1 norm it holds for every h").otherwise(fails);
+    let claims: [(&str, &str, Of); 4] = [
+        ("l2", "the first line holds for every h, best constant up to {value}", |c| c.l2),
+        ("derivative", "for the derivative the second line holds for every h, {value}", |c| c.derivative),
+        ("full.short", "with the full H1 norm it holds for h <= 1, constant up to {value}", |c| c.full),
+        ("full.below", "with the full H1 norm it holds just below h*(nu), {value}", |c| c.below),
+    ];
+    let others = [
+        one(full, |c| c.above),
+        Finding::claim("longest", "elements of a mesh of (0, 1) are shorter than h*(nu), at least {value}")
+            .smallest(constants(|c| c.longest))
+            .at_least(1.0, "length of the interval"),
+        tried("l2", "in L2", 0),
+        tried("derivative", "for the derivative", 1),
+        loose("l2", "in L2, for every nu", |c| c.l2),
+        loose("derivative", "for the derivative, for every nu", |c| c.derivative),
+    ];
+    claims.map(|(key, words, of)| one(Finding::claim(key, words), of)).into_iter().chain(others).collect()
 }
 
 /// Tries the lemma on rough functions and compares its printed constant and its best ones.
 pub fn run(options: &Options) -> Result<Headline> {
-    let bar = progress(options.nu.len() as u64);
-    let mut rows = Vec::new();
-    let mut table = Table::new(columns(options));
-    for &order in &options.nu {
-        let row = Found::new(options, order)?;
-        table.push(row.cells().map(Into::into).to_vec());
-        rows.push(row);
-        bar.inc(1);
-    }
-    let [l2, derivative] = [ErrorNorm::L2, ErrorNorm::Derivative].map(limits::at_zero);
-    let shortest = longest_element(FractionalOrder::new(NEAR_ZERO)?, Tolerance::balanced())?.value;
-    let at_zero = [l2?.value, derivative?.value, shortest];
-    let measured = format!(
-        "best constants below {:.4} (L2) and {:.4} (derivative), their limits",
-        at_zero[0], at_zero[1]
-    );
+    let computed = compute(options)?;
     let claim =
-        "|u - Iu|_0 <= h^(1+nu) |u|_(1+nu) and |u - Iu|_1 <= h^nu |u|_(1+nu) on an interval of length h > 0";
-    let verdict = verdict(&rows, at_zero);
-    let mut headline = Headline::new("Lemma 6.1", claim, table, measured, verdict);
-    for row in &rows {
-        headline.quote(format!("lemma_6_1.best_l2.nu_{}", row.nu), row.l2.value);
-        headline.quote(format!("lemma_6_1.best_derivative.nu_{}", row.nu), row.derivative.value);
+        "|u - Iu|_0 <= h^(1+nu) |u|_(1+nu), |u - Iu|_1 <= h^nu |u|_(1+nu) on an interval of length h > 0";
+    let found = findings(options, &computed);
+    let Computed { rows, limit } = &computed;
+    let mut headline = Headline::new("Lemma 6.1", claim, table(options, rows), found);
+    for Row { nu, best, .. } in rows {
+        headline.quote(format!("lemma_6_1.best_l2.nu_{nu}"), best.l2.value);
+        headline.quote(format!("lemma_6_1.best_derivative.nu_{nu}"), best.derivative.value);
     }
-    headline.quote("lemma_6_1.limit_l2", at_zero[0]);
-    headline.quote("lemma_6_1.limit_derivative", at_zero[1]);
-    headline.quote("lemma_6_1.longest_element", shortest);
-    if let Some(directory) = options.output.directory()? {
-        headline.figures.push(chart(&rows).save(directory, "lemma_6_1_local_estimate")?);
-    }
+    headline.quote("lemma_6_1.limit_l2", limit.l2.value);
+    headline.quote("lemma_6_1.limit_derivative", limit.derivative.value);
+    headline.quote("lemma_6_1.longest_element", limit.longest.value);
+    headline.draw(&options.output, "lemma_6_1_local_estimate", || Ok(draw(rows)))?;
     Ok(headline)
 }
 
-fn chart(rows: &[Found]) -> Chart {
-    let points = |k: usize| rows.iter().map(|row| (row.nu, row.cells()[k])).collect::<Vec<_>>();
-    let title = "Lemma 6.1: the constant 1 and the best ones";
-    Chart::new(title, Axis::linear("nu, order"), Axis::linear("error over its bound with constant 1"))
-        .with(Series::dashed("printed: 1", rows.iter().map(|row| (row.nu, 1.0)).collect()))
-        .with(Series::line("best, derivative", points(5)))
-        .with(Series::points("rough functions, derivative", points(4)))
-        .with(Series::line("best, L2", points(2)))
-        .with(Series::points("rough functions, L2", points(1)))
+fn table(options: &Options, rows: &[Row]) -> Table {
+    let (ratio, digits, error) = (Format::Fixed(4), Format::Fixed(10), Format::Scientific(0));
+    let tried = format!("among powers and {} random functions of each family", options.functions);
+    let found = format!("largest |u - Iu|_0 / (h^(1+nu) |u'|_nu) {tried}");
+    Table::new(vec![
+        Column::new("nu", "nu", Format::Plain, ""),
+        Column::new("worst_l2", "found L2", ratio, found),
+        Column::new("best_l2", "best L2", digits, "best constant in place of 1"),
+        Column::new("error_l2", "+- L2", error, "error of the best constant in L2: truncation and rounding"),
+        Column::new("worst_derivative", "found deriv.", ratio, "largest |(u - Iu)'|_0 / (h^nu |u'|_nu)"),
+        Column::new("best_derivative", "best deriv.", digits, "best constant, gamma_1(nu)"),
+        Column::new("error_derivative", "+- deriv.", error, "error of the best constant for the derivative"),
+        Column::new("longest", "h*", Format::Fixed(3), "constant 1 serves the full H1 norm for h <= h*"),
+    ])
+    .with_rows(rows.iter().map(|Row { nu, best, tried }| {
+        let of = |tried: Estimate, best: Estimate| [tried.value, best.value, best.error];
+        let [l2, derivative] = [of(tried.l2, best.l2), of(tried.derivative, best.derivative)];
+        [[*nu].as_slice(), &l2, &derivative, &[best.longest.value]].concat()
+    }))
+}
+
+fn draw(rows: &[Row]) -> Chart {
+    let points = |of: fn(&Row) -> f64| rows.iter().map(|row| (row.nu, of(row))).collect::<Vec<_>>();
+    let y = Axis::linear("error over its bound with constant 1");
+    Chart::new("Lemma 6.1: the constant 1 and the best ones", Axis::linear("nu, order"), y)
+        .with(Series::dashed("printed: 1", points(|_| 1.0)))
+        .with(Series::line("best, derivative", points(|row| row.best.derivative.value)))
+        .with(Series::points("rough functions, derivative", points(|row| row.tried.derivative.value)))
+        .with(Series::line("best, L2", points(|row| row.best.l2.value)))
+        .with(Series::points("rough functions, L2", points(|row| row.tried.l2.value)))
 }
 
 fn main() -> ExitCode {

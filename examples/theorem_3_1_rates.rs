@@ -69,9 +69,6 @@ pub fn compute(cone: Cone, options: &Options) -> Result<Computed> {
 /// Beyond τ = 2 orders creep up to one from below: they need to have come this near.
 const NEAR_ONE: f64 = 0.1;
 
-/// Fat Cantor sets are apart: see [`is_fat`].
-const NEAREST: &str = "for tau < 2 the order nearest to the theorem's lies {value} +- {uncertainty} above it";
-
 /// What decides: each order against the theorem's exponent; all of them against τ − 1, which is true (Drouet and Hild 2015).
 pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Finding> {
     let mut found = vec![complete(rows.iter().map(|row| &row.study))];
@@ -84,13 +81,16 @@ pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Find
     let terms = ratios(1).filter(Option::is_some).map(|ratio| ratio.map(f64::abs));
     let silent = ratios(1).filter(Option::is_none).count() as f64;
     found.extend([
-        Finding::sharpness("loss", NEAREST)
-            .number_or(
-                lowest(below.iter().filter(|row| !is_fat(row)).map(|row| row.above(Bound::Paper))),
-                "an order is missing",
-            )
-            .at_least(0.0, "the exponent of the theorem")
-            .told(),
+        Finding::sharpness(
+            "loss",
+            "for tau < 2 the nearest order is {value} +- {uncertainty} above the theorem's",
+        )
+        .number_or(
+            lowest(below.iter().filter(|row| !is_fat(row)).map(|row| row.above(Bound::Paper))),
+            "an order is missing",
+        )
+        .at_least(0.0, "the exponent of the theorem")
+        .told(),
         Finding::claim("optimal", "for tau < 2 no order stays below tau - 1 by more than its uncertainty")
             .number_or(largest(ratios(0).map(|ratio| ratio.map(|r| -r))), "an order is missing")
             .at_most(1.0, "h^(tau-1), Drouet & Hild 2015; in units of +-")

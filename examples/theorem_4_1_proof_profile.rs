@@ -1,4 +1,5 @@
-//! Theorem 4.1, its proof: both sides of every inequality, and a ladder of bounds. The argument is that of Theorem 3.1, its twin.
+//! Theorem 4.1, its proof: both sides of every inequality, and a ladder of bounds. The argument is that of
+//! Theorem 3.1, its twin.
 //!
 //! `cargo run --release --example theorem_4_1_proof_profile -- --tau 2.25`
 

@@ -2,23 +2,21 @@
 //!
 //! `cargo run --release --example tour -- --out out`
 
-use clap::Parser;
-use example_frame::{HasOutput, Output, Result, progress};
-use signorini::contact::Cone;
-use signorini::report::{Cell, Column, Format, Headline, Table, Verdict};
+use example_frame::{
+    Cell, Column, Finding, Format, Headline, Outcome, Output, Result, Role, Table, progress,
+};
+use signorini::cone::Cone;
 use signorini::sobolev::FractionalOrder;
 use std::process::ExitCode;
 use std::time::Instant;
 
-/// The main arguments of the paper: claim, measured, verdict, seconds
-#[derive(Debug, Clone, Default, Parser)]
-pub struct Options {
-    /// Smaller meshes and fewer values: a few seconds instead of up to a minute
-    #[arg(long)]
-    pub quick: bool,
-    /// Where the outcome goes
-    #[command(flatten)]
-    pub output: Output,
+example_frame::options! {
+    /// The main arguments of the paper: claim, measured, verdict, how many findings hold, seconds
+    pub struct Options {
+        /// Smaller meshes and fewer values: a few seconds instead of up to a minute
+        #[arg(long)]
+        pub quick: bool,
+    }
 }
 
 impl Options {
@@ -43,12 +41,6 @@ impl Options {
     }
 }
 
-impl HasOutput for Options {
-    fn output(&self) -> &Output {
-        &self.output
-    }
-}
-
 /// The examples are the rows: each file is loaded here, so that tour, example, test and book cannot disagree.
 macro_rules! example {
     ($name:ident, $file:literal) => {
@@ -66,108 +58,90 @@ example!(lemma_6_1_local_estimate, "lemma_6_1_local_estimate.rs");
 example!(theorem_3_1_rates, "theorem_3_1_rates.rs");
 example!(theorem_4_1_rates, "theorem_4_1_rates.rs");
 
-/// What an example says, as far as a row needs it.
-struct Told {
-    words: [String; 4],
-    confirmed: bool,
-    misprinted: bool,
-    figures: Vec<std::path::PathBuf>,
-    values: Vec<(String, f64)>,
-}
-
-impl From<Headline> for Told {
-    fn from(headline: Headline) -> Self {
-        let confirmed = headline.verdict.is_confirmed();
-        let misprinted = matches!(headline.verdict, Verdict::PrintedFormFails(_));
-        let words = [headline.label, headline.claim, headline.measured, headline.verdict.to_string()];
-        Self { words, confirmed, misprinted, figures: headline.figures, values: headline.values }
-    }
-}
-
-impl From<example_frame::Headline> for Told {
-    fn from(headline: example_frame::Headline) -> Self {
-        let (verdict, measured) = (headline.verdict(), headline.measured());
-        let misprinted = matches!(verdict, example_frame::Verdict::PrintedFormFails(_));
-        let words = [headline.label, headline.claim, measured, verdict.to_string()];
-        let confirmed = verdict.is_confirmed();
-        Self { words, confirmed, misprinted, figures: headline.figures, values: headline.values }
-    }
-}
-
-/// One row: how to compute it.
-type Row = Box<dyn Fn(&Options) -> Result<Told>>;
+/// One row: its name and how to compute it.
+type Row = (&'static str, Box<dyn Fn(&Options) -> Result<Headline>>);
 
 /// A row that runs an example with some of its options set from those of the tour.
 macro_rules! row {
-    ($tour:ident: $example:ident $(, $field:ident = $value:expr)*) => {
-        Box::new(|$tour: &Options| {
+    ($name:literal, $tour:ident: $example:ident $(, $field:ident = $value:expr)*) => {
+        ($name, Box::new(|$tour: &Options| {
             let output = Output { values: None, ..$tour.output.clone() };
             #[allow(clippy::needless_update, reason = "some examples have no other option")]
             let options = $example::Options { $($field: $value,)* output, ..Default::default() };
-            Ok(Told::from($example::run(&options)?))
-        })
+            Ok($example::run(&options)?)
+        }))
     };
 }
 
 fn rows() -> Vec<Row> {
     vec![
-        row!(tour: section_2_elastic_contact, n = tour.size()),
-        row!(tour: section_2_scalar_contact, n = tour.size()),
-        row!(tour: section_2_elastic_contact, n = tour.size(), cone = Cone::Midpoint),
-        row!(tour: section_2_scalar_contact, n = tour.size(), cone = Cone::Midpoint),
-        row!(tour: figure_3_2_alternative, n = tour.size()),
-        row!(tour: figure_4_1_alternative, n = tour.size()),
-        row!(tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.25)?], theta = tour.zones()),
-        row!(tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::HALF], theta = tour.zones()),
-        row!(tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.75)?], theta = tour.zones()),
-        row!(tour: lemma_6_1_local_estimate, functions = tour.functions()),
-        row!(tour: theorem_3_1_rates, tau = tour.regularities()),
-        row!(tour: theorem_4_1_rates, tau = tour.regularities()),
+        row!("elastic.nodal", tour: section_2_elastic_contact, n = tour.size()),
+        row!("scalar.nodal", tour: section_2_scalar_contact, n = tour.size()),
+        row!("elastic.midpoint", tour: section_2_elastic_contact, n = tour.size(), cone = Cone::Midpoint),
+        row!("scalar.midpoint", tour: section_2_scalar_contact, n = tour.size(), cone = Cone::Midpoint),
+        row!("figure.3.2", tour: figure_3_2_alternative, n = tour.size()),
+        row!("figure.4.1", tour: figure_4_1_alternative, n = tour.size()),
+        row!("lemma.5.2.below", tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.25)?], theta = tour.zones()),
+        row!("lemma.5.2.half", tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::HALF], theta = tour.zones()),
+        row!("lemma.5.2.above", tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.75)?], theta = tour.zones()),
+        row!("lemma.6.1", tour: lemma_6_1_local_estimate, functions = tour.functions()),
+        row!("theorem.3.1", tour: theorem_3_1_rates, tau = tour.regularities()),
+        row!("theorem.4.1", tour: theorem_4_1_rates, tau = tour.regularities()),
     ]
+}
+
+/// One finding a row: none of its claims is refuted or undecided.
+fn finding(name: &str, headline: &Headline) -> Finding {
+    let claims = headline.findings.iter().filter(|f| f.role() == Role::Claim);
+    let failed = claims.filter(|f| !matches!(f.outcome(), Outcome::Holds | Outcome::ByProof)).count();
+    Finding::claim(name, format!("{}: every claim holds", headline.label))
+        .number(failed as f64, 0.0)
+        .at_most(0.0, "claims refuted or undecided")
+        .otherwise(format!("{}: {{value}} claims are refuted or undecided", headline.label))
 }
 
 /// Runs every row and gathers their headlines.
 pub fn run(options: &Options) -> Result<Headline> {
+    let count = |key, title| Column::new(key, title, Format::Plain, "");
     let mut table = Table::new(vec![
         Column::words("label", "label", 12),
-        Column::words("claim", "claim", 26),
-        Column::words("measured", "measured", 27),
+        Column::words("claim", "claim", 22),
+        Column::words("measured", "measured", 26),
         Column::words("verdict", "verdict", 17),
+        count("holds", "hold"),
+        count("refuted", "ref."),
+        count("undecided", "und."),
         Column::new("seconds", "s", Format::Significant(2), ""),
     ]);
-    let (mut figures, mut values) = (Vec::new(), Vec::new());
-    let (mut unconfirmed, mut misprinted) = (Vec::new(), Vec::new());
+    let (mut figures, mut values, mut findings) = (Vec::new(), Vec::new(), Vec::new());
     let rows = rows();
     let (bar, started) = (progress(rows.len() as u64), Instant::now());
-    for row in &rows {
+    for (name, row) in &rows {
         let row_started = Instant::now();
-        let told = row(options)?;
+        let headline = row(options)?;
         let seconds = row_started.elapsed().as_secs_f64();
-        let label = told.words[0].clone();
-        bar.set_message(label.clone());
+        bar.set_message(headline.label.clone());
         bar.inc(1);
-        if !told.confirmed {
-            unconfirmed.push(label.clone());
-        }
-        if told.misprinted {
-            misprinted.push(label);
-        }
-        let words = told.words.map(Cell::Text);
-        table.push(words.into_iter().chain([Cell::Number(seconds)]).collect());
-        figures.extend(told.figures);
-        values.extend(told.values);
+        findings.push(finding(name, &headline));
+        let counts = [Outcome::Holds, Outcome::Refuted, Outcome::Undecided].map(|o| headline.count(o));
+        let (measured, verdict) = (headline.measured(), headline.verdict().to_string());
+        let words = [headline.label, headline.claim, measured, verdict].map(Cell::Text);
+        table.push(words.into_iter().chain(counts.map(Cell::from)).chain([seconds.into()]).collect());
+        figures.extend(headline.figures);
+        values.extend(headline.values);
     }
     bar.finish_and_clear();
-    let mut measured = format!("{} arguments in {:.0} s", rows.len(), started.elapsed().as_secs_f64());
-    if !misprinted.is_empty() {
-        measured += &format!(", the printed form fails in {}", misprinted.join(", "));
-    }
-    let verdict =
-        if unconfirmed.is_empty() { Verdict::Holds } else { Verdict::NotConfirmed(unconfirmed.join(", ")) };
+    let total = table.rows().len();
+    findings.push(
+        Finding::remark("seconds", format!("{total} arguments in {{value}} s"))
+            .number(started.elapsed().as_secs_f64().round(), 0.5)
+            .at_most(60.0, "what a reader waits for")
+            .otherwise(format!("{total} arguments took {{value}} s"))
+            .told(),
+    );
     let claim = "an a priori error analysis for Signorini's problem, argument by argument";
-    let mut headline = Headline::new("Hild & Renard 2012", claim, table, measured, verdict);
-    headline.figures = figures;
-    headline.values = values;
+    let mut headline = Headline::new("Hild & Renard 2012", claim, table, findings);
+    (headline.figures, headline.values) = (figures, values);
     Ok(headline)
 }
 

@@ -165,12 +165,6 @@ pub enum Error {
         /// What the system said.
         reason: String,
     },
-    /// A figure could not be drawn.
-    #[error("figure: {reason}")]
-    Figure {
-        /// What went wrong.
-        reason: String,
-    },
 }
 
 impl Error {

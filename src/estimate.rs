@@ -158,26 +158,6 @@ impl Estimate {
         ((self.value - exact.value).abs() / size, exact.error / size)
     }
 
-    /// The quotient; its relative error adds both.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] when it is infinite or 0/0.
-    pub fn over(self, other: Self) -> Result<Self> {
-        let value = self.value / other.value;
-        let error = value.abs() * (self.relative_error() + other.relative_error());
-        Self::new(value, error, self.work + other.work)
-    }
-
-    /// The one that may be largest: of largest value + error.
-    pub fn largest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
-        estimates.into_iter().reduce(|a, b| if b.value + b.error > a.value + a.error { b } else { a })
-    }
-
-    /// The one that may be smallest: of smallest value − error.
-    pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
-        estimates.into_iter().reduce(|a, b| if b.value - b.error < a.value - a.error { b } else { a })
-    }
-
     /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
     ///
     /// # Errors
@@ -189,6 +169,56 @@ impl Estimate {
         let root = self.value.max(0.0).sqrt();
         let error = if self.value > self.error { self.error / (2.0 * root) } else { self.error.sqrt() };
         Self::new(root, error, self.work)
+    }
+
+    /// The quotient of two estimates, relative errors added; both works count.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the divisor is zero or the quotient beyond the range of binary64.
+    pub fn over(self, divisor: Self) -> Result<Self> {
+        let value = self.value / divisor.value;
+        let error = self.error / divisor.value.abs() + value.abs() * divisor.error / divisor.value.abs();
+        Self::new(value, error, self.work + divisor.work)
+    }
+
+    /// The estimate times a number that is known.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the product is not finite.
+    pub fn times(self, factor: f64) -> Result<Self> {
+        Self::new(self.value * factor, self.error * factor, self.work)
+    }
+
+    /// How far the value is from a number that is known, with the same error.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when that number is not finite.
+    pub fn off(self, exact: f64) -> Result<Self> {
+        Self::new((self.value - exact).abs(), self.error, self.work)
+    }
+
+    /// 1/v with error e/v².
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for zero.
+    pub fn recip(self) -> Result<Self> {
+        Self::new(1.0, 0.0, Work::default())?.over(self)
+    }
+
+    /// The largest of several: the true largest value lies within the error returned. `None` of none.
+    pub fn largest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        estimates.into_iter().reduce(|a, b| {
+            let value = a.value.max(b.value);
+            let high = (a.value + a.error).max(b.value + b.error) - value;
+            let low = value - (a.value - a.error).max(b.value - b.error);
+            Self { value, error: high.max(low), work: a.work + b.work }
+        })
+    }
+
+    /// The smallest of several: the true smallest value lies within the error returned. `None` of none.
+    pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let negated = |e: Self| Self { value: -e.value, ..e };
+        Self::largest(estimates.into_iter().map(negated)).map(negated)
     }
 }
 
@@ -212,16 +242,17 @@ mod tests {
     }
 
     #[test]
-    fn quotients_carry_both_errors() {
-        let number = |value, error| Estimate::new(value, error, Work::default()).unwrap();
-        let (two, four) = (number(2.0, 0.02), number(4.0, 0.04));
-        let half = two.over(four).unwrap();
-        assert!((half.value, (half.error - 0.01).abs() < 1e-15) == (0.5, true), "{half}");
-        assert!(two.over(number(0.0, 0.0)).is_err());
-        assert_eq!(
-            (Estimate::largest([two, four]), Estimate::smallest([two, four])),
-            (Some(four), Some(two))
-        );
+    fn quotients_and_largest_values_carry_their_errors() {
+        let of = |value, error| Estimate::new(value, error, Work::default()).unwrap();
+        let quotient = of(1.0, 0.1).over(of(-4.0, 0.4)).unwrap();
+        assert_eq!(quotient.value, -0.25);
+        assert!((quotient.error - 0.05).abs() < 1e-15);
+        assert!(of(1.0, 0.1).over(of(0.0, 0.0)).is_err());
+        let largest = Estimate::largest([of(1.0, 0.5), of(1.2, 0.1), of(0.3, 0.1)]).unwrap();
+        assert_eq!(largest.value, 1.2);
+        // The true values may be as large as 1.5 and the largest is at least 1.1.
+        assert!((largest.error - 0.3).abs() < 1e-15);
+        assert_eq!(Estimate::largest([]), None);
     }
 
     #[test]

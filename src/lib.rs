@@ -66,8 +66,6 @@ pub mod error;
 pub mod estimate;
 #[cfg(feature = "contact")]
 pub mod fem;
-#[cfg(feature = "contact")]
-pub mod figures;
 pub mod interpolation;
 #[cfg(feature = "contact")]
 pub mod mesh;
@@ -76,8 +74,6 @@ pub mod poincare;
 #[cfg(feature = "contact")]
 pub mod proof;
 pub mod quadrature;
-#[cfg(feature = "contact")]
-pub mod report;
 #[cfg(feature = "contact")]
 pub mod scenes;
 pub mod sobolev;

@@ -1,4 +1,5 @@
-//! Interpolation, projection and embedding constants where arithmetic is hardest: digits or an error, never NaN.
+//! Interpolation, projection and embedding constants where arithmetic is hardest: digits or an error, never
+//! NaN.
 
 use signorini::interpolation::{
     DualNorm, ElementMesh, EmbeddingSpace, ErrorNorm, InterpolationError, SampleSlope, ascend,
@@ -125,7 +126,8 @@ fn dual_norms_keep_their_digits_at_any_size() {
         } else {
             assert!(matches!(constant, Err(Error::NotFinite { .. })), "{constant:?}");
         }
-        // A sawtooth of mean zero scales like v h on a short interval; the rounding of its mean weighs h^{-1/2} times more.
+        // A sawtooth of mean zero scales like v h on a short interval; the rounding of its mean weighs
+        // h^{-1/2} times more.
         if length <= 1e-60 && length * height > 1e-290 {
             let saw =
                 |dual: &DualNorm, unit: f64| dual.of(|i, _| if i % 2 == 0 { unit } else { -unit }).unwrap();

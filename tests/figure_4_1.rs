@@ -11,7 +11,8 @@ mod figure_4_1_alternative;
 
 #[test]
 fn first_cases_carry_no_pressure_far_from_the_contact_set() {
-    // In the first case the term is at most the whole force of a set of diameter h_e θ; in an open segment it is 0.
+    // In the first case the term is at most the whole force of a set of diameter h_e θ; in an open segment it
+    // is 0.
     for (scene, tau) in [(MeshScene::Block, 1.75), (MeshScene::Membrane, 2.0)] {
         let study =
             AlternativeCase::new(Section::Four, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();

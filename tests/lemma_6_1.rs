@@ -20,7 +20,8 @@ const LIMIT_TOLERANCE: f64 = 1e-4;
 const OPTIMISER_SHARE: f64 = 0.999;
 /// The constant printed in the lemma.
 const PRINTED: f64 = 1.0;
-/// Relative distance from h* at which holding and failing are told apart; h* and the constants are known to 1e-8.
+/// Relative distance from h* at which holding and failing are told apart; h* and the constants are known to
+/// 1e-8.
 const BESIDE: f64 = 1e-4;
 
 const NORMS: [ErrorNorm; 2] = [ErrorNorm::L2, ErrorNorm::Derivative];
@@ -210,7 +211,8 @@ fn the_second_line_fails_as_printed_beyond_its_length_and_holds_up_to_it() {
         let longest = longest_element(order(nu), Tolerance::balanced()).unwrap().value;
         for (h, holds) in [(1.0 - BESIDE, true), (1.0 + BESIDE, false), (2.0, false)] {
             let h = h * longest;
-            // the full norm of the extremal function, on a reference element: length enters through the norm alone
+            // the full norm of the extremal function, on a reference element: length enters through the norm
+            // alone
             let best = element_constant(ErrorNorm::H1 { h }, order(nu), Tolerance::balanced()).unwrap();
             assert_eq!(best.value + best.error <= PRINTED, holds, "nu {nu} h {h}: {best}");
             assert_eq!(best.value - best.error > PRINTED, !holds, "nu {nu} h {h}: {best}");
@@ -243,8 +245,8 @@ fn one_function_breaks_the_second_line_on_a_long_element() {
 #[test]
 fn the_example_finds_the_printed_form_failing_and_says_how_loose_the_rest_is() {
     let headline = example::run(&example::Options { functions: 5, ..example::Options::default() }).unwrap();
-    let verdict = headline.verdict.to_string();
-    assert!(matches!(headline.verdict, signorini::report::Verdict::PrintedFormFails(_)), "{verdict}");
+    let verdict = headline.verdict().to_string();
+    assert!(matches!(headline.verdict(), example_frame::Verdict::PrintedFormFails(_)), "{verdict}");
     assert!(verdict.contains("second line, full H1 norm"), "{verdict}");
     for row in 0..headline.table.rows().len() {
         let number = |key| headline.table.number(row, key).unwrap();
@@ -254,6 +256,35 @@ fn the_example_finds_the_printed_form_failing_and_says_how_loose_the_rest_is() {
             number("best_l2") < PRINTED && number("best_derivative") < PRINTED && number("longest") > 1.0
         );
     }
+}
+
+#[test]
+fn spoiled_constants_and_functions_turn_the_verdict() {
+    let options = example::Options { functions: 2, nu: vec![order(0.3)], ..example::Options::default() };
+    let computed = || example::compute(&options).unwrap();
+    let verdict =
+        |computed: &example::Computed| example_frame::Verdict::of(&example::findings(&options, computed));
+    assert!(verdict(&computed()).is_confirmed());
+    // A best constant one per cent too small: the worst of the functions passes it.
+    let mut small = computed();
+    small.rows[0].best.derivative.value *= 0.99;
+    assert!(!verdict(&small).is_confirmed());
+    // A best constant above the printed one.
+    let mut large = computed();
+    large.rows[0].best.l2.value = 1.01;
+    assert!(!verdict(&large).is_confirmed());
+    // h* below the lengths of a mesh of (0, 1), and the full norm failing below it.
+    let mut short = computed();
+    short.rows[0].best.longest.value = 0.9;
+    assert!(!verdict(&short).is_confirmed());
+    let mut below = computed();
+    below.rows[0].best.below.value = 1.0 + 1e-6;
+    assert!(!verdict(&below).is_confirmed());
+    // Without the failure above h* the printed form stands.
+    let mut above = computed();
+    above.rows[0].best.above.value = 0.999;
+    above.limit.above.value = 0.999;
+    assert!(matches!(verdict(&above), example_frame::Verdict::HoldsLoose(_)), "{}", verdict(&above));
 }
 
 #[test]

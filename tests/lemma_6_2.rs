@@ -6,7 +6,7 @@ mod example;
 
 use signorini::interpolation::{
     ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, SampleSlope, ascend,
-    element_constant, mesh_constant_on_cells,
+    element_constant, longest_element, mesh_constant, mesh_constant_on_cells,
 };
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Error, Tolerance};
@@ -162,7 +162,56 @@ fn a_million_elements_and_a_constant_slope_are_answered() {
 fn the_example_confirms_the_lemma() {
     let options = example::Options { elements: vec![1, 4, 64], ..example::Options::default() };
     let headline = example::run(&options).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    let verdict = headline.verdict();
+    assert!(verdict.is_confirmed(), "{verdict}");
+    assert!(matches!(verdict, example_frame::Verdict::PrintedFormFails(_)), "{verdict}");
     let constant = example::Options { function: SampleSlope::Constant, ..options };
     assert!(example::run(&constant).is_err());
+}
+
+#[test]
+fn the_second_line_fails_on_meshes_of_long_elements_and_holds_up_to_length_one() {
+    for nu in [0.1, 0.5, 0.9] {
+        let nu = order(nu);
+        let longest = longest_element(nu, Tolerance::balanced()).unwrap().value;
+        for elements in [1, 4, 16] {
+            let full = |h: f64| mesh_constant_on_cells(ErrorNorm::H1 { h }, nu, elements, 8).unwrap();
+            // A lower bound above the printed constant: a function breaks the line.
+            assert!(full(2.0 * longest).value > 1.0, "{nu:?} {elements}: {}", full(2.0 * longest));
+            let short = full(1.0);
+            assert!(short.value + short.error <= 1.0, "{nu:?} {elements}: {short}");
+        }
+        assert!(best(ErrorNorm::H1 { h: 1.0 }, nu) <= 1.0);
+    }
+}
+
+#[test]
+fn spoiled_ratios_turn_the_verdict() {
+    let options = example::Options { elements: vec![1, 4], ..example::Options::default() };
+    let rows = || example::compute(&options).unwrap();
+    let verdict = |rows: &[example::Row]| example_frame::Verdict::of(&example::findings(&options, rows));
+    assert!(verdict(&rows()).is_confirmed());
+    // The full norm of u above the constant of an element of length 1, and that constant above 1.
+    let mut function = rows();
+    function[0].function[2].value = 1.01 * function[0].element[2].value;
+    assert!(!verdict(&function).is_confirmed());
+    let mut element = rows();
+    element[0].element[2].value = 1.01;
+    assert!(!verdict(&element).is_confirmed());
+    // Long elements on which nothing fails: the printed form would stand.
+    let mut long = rows();
+    long.iter_mut().for_each(|row| row.mesh.as_mut().unwrap()[2].value = 0.5);
+    assert!(!matches!(verdict(&long), example_frame::Verdict::PrintedFormFails(_)));
+}
+
+#[test]
+fn constants_on_a_mesh_meet_the_tolerance_or_say_what_was_reached() {
+    for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
+        let constant = |digits: f64| mesh_constant(norm, order(0.5), 2, Tolerance::new(digits).unwrap());
+        let (rough, fine) = (constant(0.05).unwrap(), constant(1e-3).unwrap());
+        assert!(rough.relative_error() <= 0.05 && fine.relative_error() <= 1e-3, "{rough} {fine}");
+        assert!((rough.value..=rough.value + rough.error).contains(&fine.value), "{norm:?}: {rough} {fine}");
+    }
+    assert!(mesh_constant(ErrorNorm::L2, order(0.5), 0, Tolerance::fast()).is_err());
+    assert!(mesh_constant(ErrorNorm::L2, order(0.5), 2000, Tolerance::fast()).is_err());
 }

@@ -41,7 +41,7 @@ fn one_function_is_no_better_on_all_meshes() {
 #[test]
 fn the_example_measures_both_exponents() {
     let headline = example::run(&example::Options::default()).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    assert!(headline.verdict().is_confirmed(), "{}", headline.verdict());
     let last = headline.table.rows().len() - 1;
     let number = |key| headline.table.number(last, key).unwrap();
     assert!((number("wave_rate") - 1.5).abs() < EXPONENT_TOLERANCE);
@@ -51,4 +51,21 @@ fn the_example_measures_both_exponents() {
         let options = example::Options { elements: bad.0, meshes: bad.1, ..example::Options::default() };
         assert!(example::run(&options).is_err(), "{bad:?}");
     }
+}
+
+#[test]
+fn spoiled_errors_turn_the_verdict_and_two_meshes_decide_nothing() {
+    let options = example::Options { meshes: 4, ..example::Options::default() };
+    let computed = || example::compute(&options).unwrap();
+    let verdict =
+        |computed: &example::Computed| example_frame::Verdict::of(&example::findings(&options, computed));
+    assert!(verdict(&computed()).is_confirmed());
+    let mut better = computed();
+    better.wave.rates.last_mut().unwrap().as_mut().unwrap().value = 1.6;
+    assert!(!verdict(&better).is_confirmed(), "an order better than the remark says");
+    let mut above = computed();
+    above.wave.errors[0].value = 1.01 * above.bounds[0].value;
+    assert!(!verdict(&above).is_confirmed(), "a wave above the bound of all functions");
+    let two = example::run(&example::Options { meshes: 2, ..example::Options::default() }).unwrap();
+    assert!(matches!(two.verdict(), example_frame::Verdict::Undecided(_)), "{}", two.verdict());
 }

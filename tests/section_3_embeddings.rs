@@ -131,5 +131,34 @@ fn exponents_outside_the_embedding_are_errors() {
 fn the_example_confirms_the_growth() {
     let options = example::Options { q: vec![2.0, 16.0, 100.0], nu: vec![order(0.3)], ..Default::default() };
     let headline = example::run(&options).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{}", headline.verdict);
+    assert!(headline.verdict().is_confirmed(), "{}", headline.verdict());
+}
+
+#[test]
+fn spoiled_bounds_turn_the_verdict() {
+    let options = example::Options { q: vec![4.0, 100.0], nu: vec![order(0.3)], ..Default::default() };
+    let rows = || example::compute(&options).unwrap();
+    let verdict = |rows: &[example::Row]| example_frame::Verdict::of(&example::findings(&options, rows));
+    assert!(verdict(&rows()).is_confirmed(), "{}", verdict(&rows()));
+    // A function above the upper bound, an upper bound too large, a constant function that is not attained.
+    let mut above = rows();
+    above[1].lower.value = 1.01 * above[1].upper.value;
+    assert!(!verdict(&above).is_confirmed());
+    let mut grown = rows();
+    grown[1].upper.value = 0.71 * 100f64.sqrt();
+    assert!(!verdict(&grown).is_confirmed());
+    let mut missed = rows();
+    missed[0].lower.value -= 1e-5;
+    assert!(!verdict(&missed).is_confirmed());
+    let mut hoelder = rows();
+    hoelder[1].hoelder.as_mut().unwrap().value *= 0.9;
+    assert!(!verdict(&hoelder).is_confirmed());
+}
+
+#[test]
+fn the_upper_bound_says_how_sharp_it_is() {
+    for (nu, q) in [(0.5, 16.0), (0.5, 200.0), (0.3, 5.0), (0.49, 100.0)] {
+        let bound = embedding_upper_bound(order(nu), q).unwrap();
+        assert!(bound.relative_error() < 1e-3 && bound.work.points <= 100_000, "{nu} {q}: {bound}");
+    }
 }

@@ -18,7 +18,8 @@ mod theorem_3_1_proof_profile;
 use proof_cases::{RUNG, all_cases};
 
 const SECTION: Section = Section::Three;
-/// The two roads to a seminorm: what is asked of the quadrature, with a factor for the cancellation in nearly constant traces.
+/// The two roads to a seminorm: what is asked of the quadrature, with a factor for the cancellation in nearly
+/// constant traces.
 const ROADS: f64 = 1e-8;
 
 #[test]
@@ -86,7 +87,8 @@ fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
     assert!((losses - distance).abs() <= uncertainty.min(1e-6), "{losses} and {distance}");
     // One transition: the term falls like h^(2 tau - 2), within the scatter of its position in the cell.
     assert!((ladder[0].exponent.value - 1.5).abs() < 0.05, "{:?}", ladder[0].exponent);
-    // The eighth lost in the square is lost where the zone is taken as short as h_e theta: (2 tau - 3)(2 - tau).
+    // The eighth lost in the square is lost where the zone is taken as short as h_e theta: (2 tau - 3)(2 -
+    // tau).
     let zone = ladder[4].loss.unwrap();
     let law = ladder[5].loss.unwrap();
     let together = zone.uncertainty + law.uncertainty;

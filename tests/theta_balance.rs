@@ -1,4 +1,5 @@
-//! Section 3, "Globally": the bounds of both cases over θ against the worst complementary pair of one element.
+//! Section 3, "Globally": the bounds of both cases over θ against the worst complementary pair of one
+//! element.
 
 use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
 use signorini::proof::ElementBalance;
@@ -8,8 +9,8 @@ use signorini::strip::{EdgeData, Levels, Sides};
 #[path = "../examples/theta_balance.rs"]
 mod theta_balance;
 
-/// The contact intervals of the optimisation lie on a grid of powers of 1/2 and its traces on a graded mesh: the true supremum
-/// lies above the largest value found, by less than this.
+/// The contact intervals of the optimisation lie on a grid of powers of 1/2 and its traces on a graded mesh:
+/// the true supremum lies above the largest value found, by less than this.
 const GRID: f64 = 0.05;
 /// Bisection of the crossing in ln θ.
 const CROSSING: f64 = 1e-12;

@@ -7,6 +7,6 @@ mod tour;
 #[test]
 fn the_quick_tour_confirms_every_row() {
     let headline = tour::run(&tour::Options { quick: true, ..Default::default() }).unwrap();
-    assert!(headline.verdict.is_confirmed(), "{headline}");
+    assert!(headline.verdict().is_confirmed(), "{headline}");
     assert_eq!(headline.table.rows().len(), 12, "{headline}");
 }

@@ -23,14 +23,15 @@ fn no_set_is_bad() {
 
 #[test]
 fn a_short_gap_makes_the_term_small_where_the_second_case_lets_it_grow() {
-    let tolerance = Tolerance::new(0.02).unwrap();
+    let tolerance = Tolerance::new(0.05).unwrap();
     for tau in [1.6, 1.75, 1.9] {
         let ratios: Vec<f64> = [1e-2, 1e-4, 1e-5]
             .iter()
             .map(|&t| worst_ratio(Cone::Nodal, tau, 0.0, t, tolerance).unwrap().value)
             .collect();
         assert!(ratios.windows(2).all(|pair| pair[1] < pair[0]), "{tau}: {ratios:?}");
-        // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν} |u_N'|_ν: together θ^{2ν} = θ^{2τ−3}.
+        // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν} |u_N'|_ν:
+        // together θ^{2ν} = θ^{2τ−3}.
         let order = (ratios[1] / ratios[2]).log10();
         assert!((order - (2.0 * tau - 3.0)).abs() < 0.05, "{tau}: {order}");
     }

@@ -2,7 +2,8 @@
 //!
 //! Section 3: ∫_T σ_N (I^h u)_N dΓ = −Σ λᵢ (I^h u)_N(xᵢ), I^h the Lagrange interpolant on the segment.
 //! Section 4: ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ = (1/h_e) ∫_T σ_N dΓ ∫_T u_N dΓ, because σ_N u_N = 0 and
-//! π^h is the mean over the segment. Both are ≥ 0. A force at a vertex shared by two segments counts half in each.
+//! π^h is the mean over the segment. Both are ≥ 0. A force at a vertex shared by two segments counts half in
+//! each.
 
 use super::trace::{EdgeTrace, Interval};
 
@@ -17,7 +18,8 @@ pub fn nodal_term(trace: &EdgeTrace, segment: Interval) -> f64 {
         .fold(0.0, |sum, term| sum + term)
 }
 
-/// ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ over one segment. Cost: the number of nodes of the trace in the segment.
+/// ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ over one segment. Cost: the number of nodes of the trace in the
+/// segment.
 pub fn midpoint_term(trace: &EdgeTrace, segment: Interval) -> f64 {
     let force: f64 = forces_in(trace, segment).map(|(_, force)| force).sum();
     0.0 - force * integral(trace, segment) / segment.length()
@@ -55,7 +57,8 @@ fn integral(trace: &EdgeTrace, segment: Interval) -> f64 {
 mod tests {
     use super::*;
 
-    /// u_N = −x on [0, 1/2] mirrored, contact at the ends; forces 1 and 3 at the ends, coarse segments of length 1/2.
+    /// u_N = −x on [0, 1/2] mirrored, contact at the ends; forces 1 and 3 at the ends, coarse segments of
+    /// length 1/2.
     fn trace() -> EdgeTrace {
         let nodes = vec![0.0, 0.25, 0.5, 0.75, 1.0];
         EdgeTrace::new(nodes, vec![0.0, -0.25, -0.5, 0.0, 0.0], vec![1.0, 0.0, 0.0, 3.0, 2.0], 0.0).unwrap()

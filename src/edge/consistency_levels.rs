@@ -2,7 +2,8 @@
 //!
 //! Both depend on the exact u_N and σ_N = −λ alone, no discrete problem is solved:
 //!
-//! * nodal cone: ∫ σ_N (I^h u)_N dΓ = −Σ_j (P'λ)_j u_N(x_j), P' the restriction of forces to the coarse nodes;
+//! * nodal cone: ∫ σ_N (I^h u)_N dΓ = −Σ_j (P'λ)_j u_N(x_j), P' the restriction of forces to the coarse
+//!   nodes;
 //! * midpoint cone: ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ = −Σ_T (1/h_e) ∫_T λ ∫_T u_N, because λ u_N = 0.
 //!
 //! Both are ≥ 0, sums of nonnegative terms. Cost: O(N) for all grids together.
@@ -10,7 +11,8 @@
 use crate::cone::Cone;
 use crate::strip::{EdgeData, Sides, restrict};
 
-/// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far as it halves.
+/// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far
+/// as it halves.
 pub fn consistency_terms(scene: &EdgeData, cone: Cone) -> Vec<(usize, f64)> {
     match cone {
         Cone::Nodal => nodal(scene),
@@ -63,8 +65,8 @@ mod tests {
 
     #[test]
     fn one_kink_against_the_integrals() {
-        // λ = 1 left of a, u_N = −(x − a) right of it, a = 3/8 + t/8 in the cell (3/8, 1/2) of length h = 1/8:
-        // nodal ½ t²(1−t) h², midpoint t · ½(1−t)² h².
+        // λ = 1 left of a, u_N = −(x − a) right of it, a = 3/8 + t/8 in the cell (3/8, 1/2) of length h =
+        // 1/8: nodal ½ t²(1−t) h², midpoint t · ½(1−t)² h².
         let (cells, h, t) = (1 << 16, 0.125, 0.3);
         let kind = StripScene::Transition { position: 0.375 + t * h };
         let scene = kind.data(2.0, cells, Sides::Natural).unwrap();

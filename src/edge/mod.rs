@@ -1,5 +1,5 @@
-//! The contact edge of a solution: its trace, the pair (u_N, σ_N) as functions, segments with every norm the proofs name,
-//! and the consistency terms of Sections 3 and 4.
+//! The contact edge of a solution: its trace, the pair (u_N, σ_N) as functions, segments with every norm the
+//! proofs name, and the consistency terms of Sections 3 and 4.
 //!
 //! | paper | here |
 //! | --- | --- |

@@ -1,9 +1,10 @@
 //! The norms on the right-hand side of the theorems, on the contact edge.
 //!
-//! The proofs of Sections 3 and 4 use u only through ‖u_N‖_{τ−1/2} and ‖σ_N‖_{τ−3/2} on Γ_C. For 3/2 < τ < 2 both have order
-//! ν = τ − 3/2 < 1/2 after one derivative of u_N, so the piecewise constant slopes of u_N and densities of σ_N on the grid of the scene
-//! have finite norms, which are exact for the data that are solved: seminorms by a Gram matrix of constants, O(N log N).
-//! Powers of regularity exactly τ are not in H^τ; their norms on a grid of N cells grow like (ln N)^{1/2}.
+//! The proofs of Sections 3 and 4 use u only through ‖u_N‖_{τ−1/2} and ‖σ_N‖_{τ−3/2} on Γ_C. For 3/2 < τ < 2
+//! both have order ν = τ − 3/2 < 1/2 after one derivative of u_N, so the piecewise constant slopes of u_N and
+//! densities of σ_N on the grid of the scene have finite norms, which are exact for the data that are solved:
+//! seminorms by a Gram matrix of constants, O(N log N). Powers of regularity exactly τ are not in H^τ; their
+//! norms on a grid of N cells grow like (ln N)^{1/2}.
 
 use crate::error::Result;
 use crate::estimate::Tolerance;
@@ -32,7 +33,8 @@ pub fn edge_norm(scene: &EdgeData, tau: f64) -> Result<f64> {
 /// Norm and seminorms, 3/2 < τ < 2.
 ///
 /// # Errors
-/// [`crate::Error::OutOfRange`] for τ ≤ 3/2, [`crate::Error::InfiniteNorm`] for τ ≥ 2: then slopes with jumps have no norm.
+/// [`crate::Error::OutOfRange`] for τ ≤ 3/2, [`crate::Error::InfiniteNorm`] for τ ≥ 2: then slopes with jumps
+/// have no norm.
 pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let order = FractionalOrder::from_offset(tau - 2.0)?;
     let (values, cells) = (scene.values(), scene.cells());
@@ -65,7 +67,8 @@ mod tests {
 
     #[test]
     fn the_grid_gives_the_norm_of_the_powers() {
-        // τ = 1.9 scene measured at 1.75: u_N = −(x − a)^{0.9}, λ = (a − x)^{−0.1}, by quadrature of the functions themselves.
+        // τ = 1.9 scene measured at 1.75: u_N = −(x − a)^{0.9}, λ = (a − x)^{−0.1}, by quadrature of the
+        // functions themselves.
         let (a, tau, at) = (0.4, 1.9, 1.75);
         let order = FractionalOrder::new(at - 1.5).unwrap();
         let power = |sign: f64, p: f64| {
@@ -91,7 +94,8 @@ mod tests {
         let u_norm = u.norm_with_derivative(&slope, order, tolerance).unwrap().value;
         let pressure = power(-1.0, tau - 2.0).norm(order, tolerance).unwrap().value;
         let exact = u_norm.hypot(pressure);
-        // What the grid does not resolve falls like N^{−2(1.9 − 1.75)} in the squares: extrapolated, the next terms are left.
+        // What the grid does not resolve falls like N^{−2(1.9 − 1.75)} in the squares: extrapolated, the next
+        // terms are left.
         let square = |cells: usize| {
             let scene = TransitionPowers::of_regularity(tau).data(a, cells).unwrap();
             edge_norm(&scene, at).unwrap().powi(2)

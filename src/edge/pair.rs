@@ -1,21 +1,25 @@
 //! A complementary pair (u_N, σ_N) on the contact edge as functions, not only as nodal numbers.
 //!
-//! What the inequalities of Sections 3 and 4 say needs functions of finite norm. On N equal cells of the edge (0, 1):
+//! What the inequalities of Sections 3 and 4 say needs functions of finite norm. On N equal cells of the edge
+//! (0, 1):
 //!
 //! | traces | u_N | u_N' | σ_N | finite |
 //! | --- | --- | --- | --- | --- |
 //! | [`Traces::Constants`] | continuous piecewise linear | constant on cells | constant on cells | \|u_N'\|_ν, \|σ_N\|_ν for ν < 1/2 (τ < 2) |
 //! | [`Traces::Linears`] | piecewise quadratic, C¹ | continuous piecewise linear | continuous piecewise linear | ν < 3/2; used for 1/2 ≤ ν < 1 (2 ≤ τ < 5/2) |
 //!
-//! *Constants.* u_N interpolates the nodal values. A nodal force λ_i is spread evenly over the one or two cells at its node whose both
-//! ends are in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0 or σ_N = 0.
+//! *Constants.* u_N interpolates the nodal values. A nodal force λ_i is spread evenly over the one or two
+//! cells at its node whose both ends are in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0 or σ_N
+//! = 0.
 //!
-//! *Linears.* u_N' has the nodal values (u_{i+1} − u_{i−1})/(2δ), hence u_N(x_i) = (u_{i−1} + 2u_i + u_{i+1})/4: the quadratic spline of
-//! the data, which is ≤ 0 and vanishes on a cell only when four nodal values do (at the ends of the edge the data are continued
-//! linearly). σ_N keeps the nodal densities where both cells at a node are in contact, and is 0 at all others.
+//! *Linears.* u_N' has the nodal values (u_{i+1} − u_{i−1})/(2δ), hence u_N(x_i) = (u_{i−1} + 2u_i +
+//! u_{i+1})/4: the quadratic spline of the data, which is ≤ 0 and vanishes on a cell only when four nodal
+//! values do (at the ends of the edge the data are continued linearly). σ_N keeps the nodal densities where
+//! both cells at a node are in contact, and is 0 at all others.
 //!
-//! In both, u_N ≤ 0, σ_N ≤ 0 and σ_N u_N = 0 hold at every point, exactly: the pair is a legitimate solution of its own
-//! contact problem on a strip, and every inequality of the proof applies to it with its continuous norms.
+//! In both, u_N ≤ 0, σ_N ≤ 0 and σ_N u_N = 0 hold at every point, exactly: the pair is a legitimate solution
+//! of its own contact problem on a strip, and every inequality of the proof applies to it with its continuous
+//! norms.
 
 use crate::error::{Error, Result};
 use crate::strip::{EdgeData, Sides};

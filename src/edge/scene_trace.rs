@@ -5,8 +5,9 @@
 //! | the fine reference | nodal solution on 8n × 8n squares | (u_N, σ_N) as manufactured, at least 64 cells per segment |
 //! | u_h itself | the discrete solution on n × n squares | the discrete solution on n cells (scalar, height 1) |
 //!
-//! u_h is the nodal solution for Section 3, the midpoint solution for Section 4. The midpoint cone lets u_h,N be positive:
-//! there, and on segments whose constraint is active, the gap counts as closed. Cost: that of the solvers.
+//! u_h is the nodal solution for Section 3, the midpoint solution for Section 4. The midpoint cone lets u_h,N
+//! be positive: there, and on segments whose constraint is active, the gap counts as closed. Cost: that of
+//! the solvers.
 
 use super::trace::EdgeTrace;
 use crate::contact::{Cone, ContactSet, Solver};
@@ -16,7 +17,8 @@ use crate::strip::{
     EdgeData, EdgeOperator, ExactEdge, Reference, Sides, StripKind, StripProblem, solve_contact,
 };
 
-/// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a segment.
+/// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a
+/// segment.
 const MESH_FACTOR: usize = 8;
 /// Most segments on a mesh: a reference with 2048 squares along each side.
 const MESH_LARGEST: usize = 256;
@@ -26,7 +28,8 @@ const STRIP_LARGEST: usize = 1 << 14;
 const STRIP_CELLS: usize = 1 << 16;
 /// Fewest of its cells per segment: lengths h_e θ are known to h_e/64.
 const STRIP_FACTOR: usize = 64;
-/// u_N counts as zero below this, relative to its largest value: far above rounding, far below one cell's opening.
+/// u_N counts as zero below this, relative to its largest value: far above rounding, far below one cell's
+/// opening.
 const ZERO: f64 = 1e-12;
 
 impl EdgeTrace {
@@ -54,7 +57,8 @@ impl EdgeTrace {
         EdgeTrace::new(nodes, values, forces, 0.0)
     }
 
-    /// The fine trace that stands for u on meshes of up to n segments; `tau` is the regularity of a strip scene.
+    /// The fine trace that stands for u on meshes of up to n segments; `tau` is the regularity of a strip
+    /// scene.
     ///
     /// # Errors
     /// Those of the scenes.

@@ -1,7 +1,7 @@
 //! Every norm of a pair (u_N, σ_N) on one contact segment that the proofs of Theorems 3.1 and 4.1 name.
 //!
-//! Traces are polynomials on cells, so all integrals of products are exact (three Gauss points per cell); L^q norms in closed
-//! form; seminorms by [`SeminormForm`]. Cost: O(K log K) for a segment of K cells.
+//! Traces are polynomials on cells, so all integrals of products are exact (three Gauss points per cell); L^q
+//! norms in closed form; seminorms by [`SeminormForm`]. Cost: O(K log K) for a segment of K cells.
 
 use super::pair::Segment;
 use super::seminorm::SeminormForm;

@@ -1,14 +1,16 @@
 //! |v|²_ν of a trace on a contact segment, by two roads.
 //!
-//! *Closed form.* The Gram matrix of a uniform mesh as a fast product; one [`SeminormForm`] serves all segments of a mesh,
-//! because |v|²_{ν,T} = h_e^{1−2ν} |ṽ|²_ν on the reference interval. Cost O(K log K) for K cells.
+//! *Closed form.* The Gram matrix of a uniform mesh as a fast product; one [`SeminormForm`] serves all
+//! segments of a mesh, because |v|²_{ν,T} = h_e^{1−2ν} |ṽ|²_ν on the reference interval. Cost O(K log K) for
+//! K cells.
 //!
 //! *Adaptive quadrature*, [`seminorm_by_quadrature`], unrelated to it:
 //!
 //! |v|²_ν = 2 ∫₀^h t^{−1−2ν} D(t) dt,  D(t) = ∫₀^{h−t} (v(x+t) − v(x))² dx,
 //!
-//! D by evaluating v at points, the outer integral by bisection with two Gauss rules. D(t) = O(t) for jumps and O(t²) for
-//! continuous traces, so the first cell is taken in the variable s = t^{1−2ν} or t^{2−2ν}. Cost O(K²).
+//! D by evaluating v at points, the outer integral by bisection with two Gauss rules. D(t) = O(t) for jumps
+//! and O(t²) for continuous traces, so the first cell is taken in the variable s = t^{1−2ν} or t^{2−2ν}. Cost
+//! O(K²).
 
 use super::pair::{Segment, Traces};
 use crate::error::{Error, Result};
@@ -115,7 +117,8 @@ pub fn seminorm_by_quadrature(
         let mut sum = 0.0;
         let at = |e: [f64; 2], z: f64| e[0] + z * (e[1] - e[0]);
         for i in 0..cells.saturating_sub(whole) {
-            // x + t lies in the cell `whole` further on, then in the next one; short lengths are not differences.
+            // x + t lies in the cell `whole` further on, then in the next one; short lengths are not
+            // differences.
             let (here, there, rest) = (ends[i], ends[i + whole], 1.0 - part);
             sum += rest
                 * inner.integrate(|s| {

@@ -44,12 +44,12 @@ pub struct EdgeTrace {
 impl EdgeTrace {
     /// Nodes in increasing order, u_N at the nodes, forces λ ≥ 0 at the nodes.
     ///
-    /// A node is in contact where u_N = 0 to within `rounding` (absolute, of u_N), pressed where λ exceeds `rounding`
-    /// times the largest force relative to the largest displacement.
+    /// A node is in contact where u_N = 0 to within `rounding` (absolute, of u_N), pressed where λ exceeds
+    /// `rounding` times the largest force relative to the largest displacement.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], and [`Error::OutOfRange`] when nodes do not increase, when u_N
-    /// exceeds `rounding`, or when fewer than two nodes are given ([`Error::CountOutOfRange`]).
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], and [`Error::OutOfRange`] when nodes do not increase,
+    /// when u_N exceeds `rounding`, or when fewer than two nodes are given ([`Error::CountOutOfRange`]).
     pub fn new(nodes: Vec<f64>, displacement: Vec<f64>, force: Vec<f64>, rounding: f64) -> Result<Self> {
         if nodes.len() < 2 {
             return Err(Error::CountOutOfRange {
@@ -116,7 +116,8 @@ impl EdgeTrace {
         &self.pressed
     }
 
-    /// The parts of the contact set in a segment, in order; touching a vertex counts. Cost: logarithmic, and those parts.
+    /// The parts of the contact set in a segment, in order; touching a vertex counts. Cost: logarithmic, and
+    /// those parts.
     pub fn contact_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
         parts_in(&self.contact, segment)
     }

@@ -6,15 +6,17 @@
 //! | I^h u, Lagrange interpolation of degree one | affine on each element, equal to u at the nodes |
 //! | e = u − I^h u, e' = u' − (mean of u' on the element) | everything is written in the slope v = u' |
 //! | \|u\|_{1+ν} = \|u'\|_ν | [`crate::sobolev`], double integral over both orders of x and y |
-//! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|_{1+ν} | best constants: [`element_constant`] |
+//! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|_{1+ν} | [`element_constant`], [`LocalConstants`] |
 //! | Lemma 6.1 for one u | [`InterpolationError`], [`power_slope`] |
 //! | Lemma 6.2: for one u on a mesh, best constants on a mesh | [`InterpolationError`], [`mesh_constant`] |
-//! | functions to try, and an optimiser | [`RoughSlopes`], [`ascend`] |
+//! | functions to try, and an optimiser | [`RoughSlopes`], [`worst_ratios`], [`ascend`] |
+//! | exponents of h, and how far they may be off | [`observed_rate`] |
 //! | π^h v, mean on each element; π^h(u') = (I^h u)' | [`ElementMesh`]; (4.6) is Lemma 6.2 for φ = u' |
 //! | (4.6), (4.7): best constants | [`projection_constant`], [`dual_projection_constant`] |
 //! | (4.6), (4.7): on a mesh | [`projection_norm_on_mesh`] |
 //! | (4.6), (4.7): their rates for all of H^r, from both sides | [`supremum_rate`], [`wave_constant`] |
-//! | Remark 2 | [`AliasedWave`], [`all_waves_mean`] |
+//! | Remark 4 | [`saturation_quotient`], [`power_lagrange_rate`] |
+//! | Remark 2 | [`AliasedWave`], [`all_waves_mean`], [`smooth_dual_error`] |
 //! | ‖·‖_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
 //! | C(q) in (3.6), (3.10), (4.12), from both sides | [`embedding_upper_bound`], [`EmbeddingSpace`] |
 //! | C(α) in (E3) | [`EndIncrements`] |
@@ -31,18 +33,25 @@ mod extremal;
 mod forms;
 mod mesh;
 mod projection;
+mod rate;
 mod trial;
 
-pub use dual::{AliasedWave, DualNorm, all_waves_mean};
-pub use element::{ElementExtremal, ErrorNorm, element_constant, element_extremal, limits, longest_element};
+pub use dual::{AliasedWave, DualNorm, all_waves_mean, all_waves_rate, smooth_dual_error};
+pub use element::{
+    ElementExtremal, ErrorNorm, LocalConstants, element_constant, element_extremal, limits, longest_element,
+};
 pub use elements::{ElementMesh, lagrange};
 pub use embedding::{
-    EmbeddingSpace, EmbeddingTrial, EndIncrements, critical_exponent, embedding_upper_bound,
+    EMBEDDING_GROWTH, EmbeddingSpace, EmbeddingTrial, EndIncrements, critical_exponent, embedding_upper_bound,
 };
 pub use mesh::{ascend, mesh_constant, mesh_constant_on_cells};
 pub use projection::{
-    ProjectionNorm, SupremumRate, dual_projection_constant, projection_constant, projection_norm_on_cells,
-    projection_norm_on_mesh, sample_projection_dual_error, sample_projection_error, supremum_rate,
-    wave_constant,
+    DualRates, ProjectionNorm, ProjectionRates, ProjectionStudy, SupremumRate, dual_projection_constant,
+    power_lagrange_rate, projection_constant, projection_norm_on_cells, projection_norm_on_mesh,
+    sample_projection_dual_error, sample_projection_error, sample_projection_rate, saturation_quotient,
+    supremum_rate, wave_constant,
 };
-pub use trial::{InterpolationError, RoughFamily, RoughSlopes, SampleSlope, power_slope};
+pub use rate::{observed_rate, observed_rates};
+pub use trial::{
+    InterpolationError, RoughFamily, RoughSlopes, SampleSlope, WorstRatios, power_slope, worst_ratios,
+};

@@ -2,13 +2,13 @@
 //!
 //! Let T ∩ Γ_C = [a, b], h_e = b − a, 0 < θ < 1.
 //!
-//! Section 3 (K^h): *first case* when u_N has a zero within h_e θ of **both** vertices; *second case* when σ_N = 0 on
-//! a piece of length h_e θ at one vertex. Every segment is in at least one case: without a zero near a vertex, u_N < 0
-//! on that piece, hence σ_N = 0 there. A segment may be in both.
+//! Section 3 (K^h): *first case* when u_N has a zero within h_e θ of **both** vertices; *second case* when
+//! σ_N = 0 on a piece of length h_e θ at one vertex. Every segment is in at least one case: without a zero
+//! near a vertex, u_N < 0 on that piece, hence σ_N = 0 there. A segment may be in both.
 //!
-//! Section 4 (midpoint cone): C_T = {u_N = 0} ∩ [a, b]; *first case* when diam C_T ≤ h_e θ, *second case* when
-//! diam C_T ≥ h_e θ. The paper leaves equality open; here it belongs to both, and the empty C_T (no contact, nothing to
-//! estimate) to the first.
+//! Section 4 (midpoint cone): C_T = {u_N = 0} ∩ [a, b]; *first case* when diam C_T ≤ h_e θ, *second case*
+//! when diam C_T ≥ h_e θ. The paper leaves equality open; here it belongs to both, and the empty C_T (no
+//! contact, nothing to estimate) to the first.
 //!
 //! "Within" is strict and "on a piece" is up to single points, as measure zero does not matter for σ_N in L².
 

@@ -1,32 +1,35 @@
-//! The true worst case of one element of length h, and the bounds of both cases as functions of θ (Section 3, "Globally").
+//! The true worst case of one element of length h, and the bounds of both cases as functions of θ (Section 3,
+//! "Globally").
 //!
 //! For a contact set E ⊂ [0, 1] of the element (in units of h) let
 //!
 //! W(E) = sup ∫ σ_N (I^h u)_N / (‖σ_N‖_ν ‖u_N'‖_ν)  over u_N ≤ 0, u_N = 0 on E, σ_N ≤ 0, σ_N = 0 off E,
 //!
-//! norms (1.1) of the element of length h, ν = τ − 3/2. *The worst set is an interval*: the term sees u_N only through its values at
-//! the two vertices; filling the gaps between the first and the last contact point, E = [a, 1 − b], leaves these free and allows
-//! more σ_N. *On an interval the problem is a matrix of two rows*: with α = −u_N(0), β = −u_N(1),
+//! norms (1.1) of the element of length h, ν = τ − 3/2. *The worst set is an interval*: the term sees u_N
+//! only through its values at the two vertices; filling the gaps between the first and the last contact
+//! point, E = [a, 1 − b], leaves these free and allows more σ_N. *On an interval the problem is a matrix of
+//! two rows*: with α = −u_N(0), β = −u_N(1),
 //!
 //! ∫ σ_N (I^h u)_N = h ∫_E |σ_N| (α(1−x) + βx),  W² = max over (α, β) ≥ 0 of cᵀSc / cᵀU⁻¹c, c = (α, β),
 //!
-//! S the dual products of 1−x and x over functions supported in E, U those of u_N ↦ −u_N(0), −u_N(1) over slopes supported off E.
-//! Gram matrices of indicators have no positive entry off the diagonal, so that their inverses have no negative one: the best σ_N
-//! has one sign by itself. Slopes of the left piece likewise when b = 0; with both ends open, dropping the sign of u_N between
-//! vertex and contact can only raise W.
+//! S the dual products of 1−x and x over functions supported in E, U those of u_N ↦ −u_N(0), −u_N(1) over
+//! slopes supported off E. Gram matrices of indicators have no positive entry off the diagonal, so that their
+//! inverses have no negative one: the best σ_N has one sign by itself. Slopes of the left piece likewise when
+//! b = 0; with both ends open, dropping the sign of u_N between vertex and contact can only raise W.
 //!
-//! Trial functions: constants (τ < 2) or continuous linears (τ = 2) on meshes graded to all ends of E. They are conforming, so W is
-//! a lower bound up to rounding. Cost O(K³) for K ≈ 40 cells in E, per set and h.
+//! Trial functions: constants (τ < 2) or continuous linears (τ = 2) on meshes graded to all ends of E. They
+//! are conforming, so W is a lower bound up to rounding. Cost O(K³) for K ≈ 40 cells in E, per set and h.
 //!
 //! | bound | first case, zeros within θ of both vertices | second case, σ_N = 0 on θ |
 //! | --- | --- | --- |
 //! | printed (3.9), (3.14), (3.10), (3.15) | C(q) h θ^{1−1/q} | C_P θ^{τ−2} C_L2 h^{2τ−2}, ln(1/θ) at τ = 2 |
 //! | sharpened | C' h^{1+ν} θ^{1−1/q}, θ ≤ 1/4 | the same, √ln(1/θ) at τ = 2 |
 //!
-//! *Sharpened first case.* u_N' has mean zero between the two zeros, a zone of at least h/2, so ‖ũ'‖₀ ≤ γ_{1/2}(ν) |ũ'|_ν on the
-//! reference interval and (3.7) may keep the seminorm alone: ‖u_N'‖_{L^q} ≤ C' h^{1/q−1/2+ν} |u_N'|_ν, C' = C(q)(1 + γ_{1/2}²)^{1/2}, a factor h^ν
-//! better than (3.8). At τ < 2 the balance moves to θ = h^{τ−3/2} and the bound to h^{2τ−2−(τ−3/2)(2−τ)}: half of what the
-//! printed proof loses is a matter of (3.7).
+//! *Sharpened first case.* u_N' has mean zero between the two zeros, a zone of at least h/2, so ‖ũ'‖₀ ≤
+//! γ_{1/2}(ν) |ũ'|_ν on the reference interval and (3.7) may keep the seminorm alone: ‖u_N'‖_{L^q} ≤ C'
+//! h^{1/q−1/2+ν} |u_N'|_ν, C' = C(q)(1 + γ_{1/2}²)^{1/2}, a factor h^ν better than (3.8). At τ < 2 the
+//! balance moves to θ = h^{τ−3/2} and the bound to h^{2τ−2−(τ−3/2)(2−τ)}: half of what the printed proof
+//! loses is a matter of (3.7).
 
 use super::constants::ProofConstants;
 use crate::edge::Traces;
@@ -275,7 +278,8 @@ impl ElementBalance {
         [law.printed * scale, law.corrected * scale]
     }
 
-    /// The θ at which the bounds of both cases agree, printed or sharpened: the first rises, the second falls with θ.
+    /// The θ at which the bounds of both cases agree, printed or sharpened: the first rises, the second falls
+    /// with θ.
     pub fn crossing(&self, h: f64, sharpened: bool) -> f64 {
         let excess = |t: f64| {
             let theta = t.exp();

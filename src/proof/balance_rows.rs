@@ -1,4 +1,5 @@
-//! The balance of θ over element lengths: the bounds at the printed θ and where they cross, beside the worst pairs there are.
+//! The balance of θ over element lengths: the bounds at the printed θ and where they cross, beside the worst
+//! pairs there are.
 
 use super::balance::{ElementBalance, WorstPair};
 use super::exponent::Exponent;
@@ -24,7 +25,8 @@ pub struct BalanceRow {
     pub pairs: Vec<WorstPair>,
 }
 
-/// W over the contact sets [a, 1 − b] of the first case, max(a, b) ≤ θ, and of the second, max(a, b) ≥ θ; zero without any.
+/// W over the contact sets [a, 1 − b] of the first case, max(a, b) ≤ θ, and of the second, max(a, b) ≥ θ;
+/// zero without any.
 pub fn worst_of_cases(pairs: &[WorstPair], theta: f64) -> [f64; 2] {
     let worst = |keep: &dyn Fn(f64) -> bool| {
         let kept = pairs.iter().filter(|p| keep(p.ends[0].max(p.ends[1])));
@@ -61,8 +63,8 @@ impl ElementBalance {
         })
     }
 
-    /// The largest W(E) over the bound of its own case at θ = max(a, b), the sharper one where two are known, over all contact
-    /// intervals of all rows: at most one unless a bound fails.
+    /// The largest W(E) over the bound of its own case at θ = max(a, b), the sharper one where two are known,
+    /// over all contact intervals of all rows: at most one unless a bound fails.
     ///
     /// The second case has a bound for θ ≤ 1/2 only.
     pub fn largest_share(&self, rows: &[BalanceRow]) -> f64 {

@@ -102,7 +102,8 @@ mod tests {
         assert_eq!((classified.count(Case::First), classified.count(Case::Second)), (1, 1));
         assert_eq!(classified.term(Case::First), 0.0);
         assert_eq!(classified.intervals(Case::Second), vec![(0.5, 1.0)]);
-        // one force in the open segment at a quarter of its length, half a force at the shared vertex (u = 0 there)
+        // one force in the open segment at a quarter of its length, half a force at the shared vertex (u = 0
+        // there)
         assert_eq!(classified.total(), 0.25);
         assert!(Classification::new(Section::Four, &trace, &[0.5, 0.5], 0.25).is_err());
     }

@@ -41,11 +41,11 @@ pub struct ProofConstants {
 }
 
 impl ProofConstants {
-    /// For 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always among them; q ≥ 2 is used at τ = 2
-    /// only (2 in the paper), q = 1/(2 − τ) below.
+    /// For 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always among them; q ≥
+    /// 2 is used at τ = 2 only (2 in the paper), q = 1/(2 − τ) below.
     ///
-    /// The constants C of the laws are the largest quotients over all these zones: whatever is asked later, they do not change.
-    /// Cost: one eigenproblem per zone.
+    /// The constants C of the laws are the largest quotients over all these zones: whatever is asked later,
+    /// they do not change. Cost: one eigenproblem per zone.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside these ranges; [`Error::ToleranceNotMet`] from the constants.
@@ -129,7 +129,8 @@ impl ProofConstants {
         self.gamma(theta)
     }
 
-    /// The laws of γ_θ with their constants: C θ^{τ−2}; at τ = 2 C ln(1/θ) as printed, C √ln(1/θ) as it holds; C above.
+    /// The laws of γ_θ with their constants: C θ^{τ−2}; at τ = 2 C ln(1/θ) as printed, C √ln(1/θ) as it
+    /// holds; C above.
     pub fn law(&self, theta: f64) -> TwoLaws {
         let TwoLaws { printed, corrected } = self.factors;
         match self.tau {

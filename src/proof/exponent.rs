@@ -5,8 +5,8 @@ use crate::numeric::line::Line;
 
 /// An exponent of h by least squares, with its uncertainty.
 ///
-/// The uncertainty is the larger of twice the standard error of the slope and half the difference of the slopes over the coarser
-/// and the finer half of the meshes: scatter and curvature (logarithms) both count.
+/// The uncertainty is the larger of twice the standard error of the slope and half the difference of the
+/// slopes over the coarser and the finer half of the meshes: scatter and curvature (logarithms) both count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exponent {
     /// Slope of ln(value) against ln h.

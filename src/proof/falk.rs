@@ -5,17 +5,22 @@
 //! |u − u_h|² ≤ |u − v_h|² + 2 ∫ σ_N (v_h − u)_N                                        (K^h ⊂ K, Section 3),
 //! |u − ū_h|² ≤ |u − v_h|² + 2 ∫ σ_N (v_h − u)_N + 2 inf_{v ∈ K} ∫ σ_N (v − ū_h)_N      (4.5).
 //!
-//! Proof: |u−u_h|² = a(u−u_h, u−v_h) + a(u−u_h, v_h−u_h), the last is at most ∫σ_N(v_h−u_h)_N by both variational statements;
-//! Young with weights 1/2, 1/2. Hence the constant of the lemma is at most 2 when, as in the paper, the integrals have no factor 2.
+//! Proof: |u−u_h|² = a(u−u_h, u−v_h) + a(u−u_h, v_h−u_h), the last is at most ∫σ_N(v_h−u_h)_N by both
+//! variational statements; Young with weights 1/2, 1/2. Hence the constant of the lemma is at most 2 when, as
+//! in the paper, the integrals have no factor 2.
 //!
-//! * v_h = I^h u: its values on the edge, continued with least energy, so |u − v_h| is at most that of the Lagrange interpolant.
-//! * *The first infimum is known*: ½|u−v|² + ∫σ_N(v−u)_N = J(v) − J(u), which u_h minimises over its cone. It equals
-//!   |u−u_h|² + 2∫σ_N u_{h,N}: with it (4.5) is an equality for K̄^h, and for K^h it exceeds |u−u_h|² by 2∫σ_N u_{h,N} ≥ 0.
-//! * *The second infimum is known*: ∫σ_N v_N ≥ 0 on K, so v = 0 attains it, −∫σ_N ū_{h,N}; negative where ū_h stays open under stress.
-//! * (4.8): −∫σ_N ū_h ≤ −∫(σ_N − π^hσ_N)(ū_h − u)_N − ∫(σ_N − π^hσ_N)u_N, since π^hσ_N ≤ 0 has ∫π^hσ_N ū_h ≥ 0.
+//! * v_h = I^h u: its values on the edge, continued with least energy, so |u − v_h| is at most that of the
+//!   Lagrange interpolant.
+//! * *The first infimum is known*: ½|u−v|² + ∫σ_N(v−u)_N = J(v) − J(u), which u_h minimises over its cone. It
+//!   equals |u−u_h|² + 2∫σ_N u_{h,N}: with it (4.5) is an equality for K̄^h, and for K^h it exceeds |u−u_h|²
+//!   by 2∫σ_N u_{h,N} ≥ 0.
+//! * *The second infimum is known*: ∫σ_N v_N ≥ 0 on K, so v = 0 attains it, −∫σ_N ū_{h,N}; negative where ū_h
+//!   stays open under stress.
+//! * (4.8): −∫σ_N ū_h ≤ −∫(σ_N − π^hσ_N)(ū_h − u)_N − ∫(σ_N − π^hσ_N)u_N, since π^hσ_N ≤ 0 has ∫π^hσ_N ū_h ≥
+//!   0.
 //!
-//! σ_N is given by nodal forces of the fine edge; a force at a vertex counts half in each of its segments. Cost: one contact
-//! problem and two transforms of the fine edge per mesh.
+//! σ_N is given by nodal forces of the fine edge; a force at a vertex counts half in each of its segments.
+//! Cost: one contact problem and two transforms of the fine edge per mesh.
 
 use crate::contact::Cone;
 use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
@@ -23,7 +28,8 @@ use crate::error::Result;
 use crate::scenes::StripCase;
 use crate::strip::{EdgeSolution, StripProblem, solve_contact};
 
-/// The terms on one mesh, mean over the positions of the scene; all squared, as in the lemma, integrals without the factor 2.
+/// The terms on one mesh, mean over the positions of the scene; all squared, as in the lemma, integrals
+/// without the factor 2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FalkRow {
     /// Segments n; h = 1/n.
@@ -67,6 +73,22 @@ impl FalkRow {
         self.error - 2.0 * self.second_infimum
     }
 
+    /// The first infimum over its bound |u−I^hu|² + 2∫σ_N(I^h u)_N: at most 1, since u_h minimises over a
+    /// cone that holds I^h u.
+    pub fn interpolant_share(&self) -> f64 {
+        self.first_infimum() / (self.approximation + 2.0 * self.consistency)
+    }
+
+    /// The second infimum over |u−u_h|² + |u−I^hu|²: at most 0 in K^h.
+    pub fn second_share(&self) -> f64 {
+        self.second_infimum / (self.error + self.approximation)
+    }
+
+    /// Left less right side of (4.8), over |u−u_h|² + |u−I^hu|².
+    pub fn split_excess(&self) -> f64 {
+        (self.second_infimum - self.first_part - self.second_part) / (self.error + self.approximation)
+    }
+
     fn add(&mut self, other: &Self, share: f64) {
         self.n = other.n;
         self.error += share * other.error;
@@ -79,7 +101,8 @@ impl FalkRow {
     }
 }
 
-/// The terms of Falk's lemma for a case of the strip, coarsest mesh first; `report` is called after each mesh.
+/// The terms of Falk's lemma for a case of the strip, coarsest mesh first; `report` is called after each
+/// mesh.
 ///
 /// # Errors
 /// Those of the scenes and of the contact iteration.

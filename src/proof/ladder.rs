@@ -5,6 +5,7 @@ use super::inequality::InequalityProfile;
 use super::line::Line;
 use super::profile::{LevelProfile, ProofProfile};
 use super::step::{Step, TwoLaws};
+use super::theta::printed_exponent;
 use crate::error::{Error, Result};
 
 /// A rung over all meshes.
@@ -117,9 +118,9 @@ impl ProofProfile {
         }
     }
 
-    /// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the printed exponent of the squared error.
+    /// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the printed exponent of the
+    /// squared error.
     pub fn printed_exponent(&self) -> f64 {
-        let tau = self.case.tau;
-        if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 * tau - 2.0 }
+        printed_exponent(self.case.tau)
     }
 }

@@ -1,5 +1,6 @@
-//! The proofs of Theorems 3.1 and 4.1 in numbers: which case a contact segment falls into, both sides of every inequality, the
-//! ladder of bounds, the balance of θ, Falk's lemma, and the worst pairs and contact sets of one segment.
+//! The proofs of Theorems 3.1 and 4.1 in numbers: which case a contact segment falls into, both sides of
+//! every inequality, the ladder of bounds, the balance of θ, Falk's lemma, and the worst pairs and contact
+//! sets of one segment.
 
 mod alternative_study;
 mod alternatives;
@@ -41,6 +42,6 @@ pub use section_four::section_four_checks;
 pub use section_three::section_three_checks;
 pub use setting::SegmentSetting;
 pub use step::{Step, TwoLaws};
-pub use theta::{ThetaRule, printed_theta};
+pub use theta::{ThetaRule, printed_exponent, printed_theta};
 pub use worst_pair::{WorstGaps, worst_gaps, worst_ratio};
 pub use worst_sets::{ContactFamily, SetTerms};

@@ -1,10 +1,12 @@
-//! Both sides of every inequality over mesh sizes: the proofs of Theorems 3.1 and 4.1 line by line on computed pairs (u_N, σ_N).
+//! Both sides of every inequality over mesh sizes: the proofs of Theorems 3.1 and 4.1 line by line on
+//! computed pairs (u_N, σ_N).
 //!
-//! Let T ∩ Γ_C = [a₁, a₂] have length h = h_e ≤ 1, ν = τ − 3/2, and let (u_N, σ_N) be a [`ContactPair`]: functions with
-//! u_N ≤ 0, σ_N ≤ 0, σ_N u_N = 0 at every point, whose norms of order ν (of σ_N and of u_N') are finite. For τ < 2 both are
-//! constant on fine cells, q = 1/(2 − τ) = 2/(1 − 2ν); for τ ≥ 2 continuous and piecewise linear, q ≥ 2 free at τ = 2. The
-//! vanishing zones are unions of fine cells. Norms are (1.1) on the segment, ‖v‖²_ν = ‖v‖₀² + |v|²_ν,
-//! ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖²_ν. Every line is then a statement about one segment with an explicit constant:
+//! Let T ∩ Γ_C = [a₁, a₂] have length h = h_e ≤ 1, ν = τ − 3/2, and let (u_N, σ_N) be a [`ContactPair`]:
+//! functions with u_N ≤ 0, σ_N ≤ 0, σ_N u_N = 0 at every point, whose norms of order ν (of σ_N and of u_N')
+//! are finite. For τ < 2 both are constant on fine cells, q = 1/(2 − τ) = 2/(1 − 2ν); for τ ≥ 2 continuous
+//! and piecewise linear, q ≥ 2 free at τ = 2. The vanishing zones are unions of fine cells. Norms are (1.1)
+//! on the segment, ‖v‖²_ν = ‖v‖₀² + |v|²_ν, ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖²_ν. Every line is then a
+//! statement about one segment with an explicit constant:
 //!
 //! | line | left | right |
 //! | --- | --- | --- |
@@ -21,13 +23,15 @@
 //! | (4.10), (4.12) | the same term; ‖u_N − π^hu_N‖_{L^∞}; ‖σ_N‖_{L¹(S)}; ‖σ_N‖_{L^q} | ‖σ_N‖_{L¹}‖u_N − π^hu_N‖_{L^∞}; h^{1/2}‖u_N'‖₀/√3; (hθ)^{1−1/q}‖σ_N‖_{L^q}; C(q)h^{1/q−1/2}‖σ_N‖_ν |
 //! | (4.11), (4.13), (4.14) | the same term; ‖σ_N − π^hσ_N‖₀; ‖u_N − π^hu_N‖₀; ‖u_N'‖₀ | the product; γ₁h^ν\|σ_N\|_ν; (h/π)‖u_N'‖₀; γ_θ h^ν\|u_N'\|_ν |
 //!
-//! C(q), C_L2, γ₁, γ_θ and the 1/√3 of (6.2) are best constants or upper bounds of them ([`ProofConstants`]). In (4.14),
-//! τ > 2, γ is the constant of functions that vanish at a point: u_N' does at an interior contact point.
+//! C(q), C_L2, γ₁, γ_θ and the 1/√3 of (6.2) are best constants or upper bounds of them ([`ProofConstants`]).
+//! In (4.14), τ > 2, γ is the constant of functions that vanish at a point: u_N' does at an interior contact
+//! point.
 //!
-//! The *ladder* of one mesh is the sum over its segments of successive bounds of the consistency term ([`super::ladder::Rung`]), each segment in its
-//! own case (the first where both hold). Its steps: Hölder's inequality; interpolation and the distance to a zero; embedding and
-//! Poincaré for the zone the segment *has*; the same as if every zone were as short as h_e θ; the printed law of γ_θ; Young and
-//! norms of the whole edge. Exponents are slopes of least squares over the meshes; each loss is the slope of a quotient of
+//! The *ladder* of one mesh is the sum over its segments of successive bounds of the consistency term
+//! ([`super::ladder::Rung`]), each segment in its own case (the first where both hold). Its steps: Hölder's
+//! inequality; interpolation and the distance to a zero; embedding and Poincaré for the zone the segment
+//! *has*; the same as if every zone were as short as h_e θ; the printed law of γ_θ; Young and norms of the
+//! whole edge. Exponents are slopes of least squares over the meshes; each loss is the slope of a quotient of
 //! two rungs, so the losses add up to what lies between the first and the last.
 
 use super::constants::ProofConstants;
@@ -60,7 +64,8 @@ pub struct ProofCase {
     pub source: StripScene,
     /// The regularity the proof assumes, 3/2 < τ < 5/2 (at most 2 in Section 3).
     pub tau: f64,
-    /// The regularity the pair is built with: its norms of order τ are the better resolved the larger the difference.
+    /// The regularity the pair is built with: its norms of order τ are the better resolved the larger the
+    /// difference.
     pub scene_tau: f64,
     /// Mesh sizes.
     pub levels: Levels,
@@ -120,7 +125,8 @@ pub struct ProofProfile {
 }
 
 impl ProofCase {
-    /// τ = 7/4, one transition at nine positions, h = 1/8 ... 1/2048 with 128 cells per segment, θ = h^{2τ−3}.
+    /// τ = 7/4, one transition at nine positions, h = 1/8 ... 1/2048 with 128 cells per segment, θ =
+    /// h^{2τ−3}.
     ///
     /// # Errors
     /// None: the levels are valid.
@@ -137,12 +143,12 @@ impl ProofCase {
         })
     }
 
-    /// Both sides of every inequality and the rungs on every mesh. `constants` must be made for the case's τ and zones
-    /// ([`ProofCase::zones`]).
+    /// Both sides of every inequality and the rungs on every mesh. `constants` must be made for the case's τ
+    /// and zones ([`ProofCase::zones`]).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ, θ or constants of another τ; [`Error::CountOutOfRange`] for positions or a resolution
-    /// out of range; those of the scenes.
+    /// [`Error::OutOfRange`] for τ, θ or constants of another τ; [`Error::CountOutOfRange`] for positions or
+    /// a resolution out of range; those of the scenes.
     pub fn profile(&self, constants: &ProofConstants) -> Result<ProofProfile> {
         self.check(constants)?;
         let traces = Traces::for_regularity(self.tau);
@@ -174,7 +180,8 @@ impl ProofCase {
         Ok(ProofProfile { case: self.clone(), levels })
     }
 
-    /// The zones whose Poincaré constants the profile needs: θ of every mesh, and the powers of 1/2 down to a fine cell.
+    /// The zones whose Poincaré constants the profile needs: θ of every mesh, and the powers of 1/2 down to a
+    /// fine cell.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for τ or θ outside their ranges.

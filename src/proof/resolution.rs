@@ -6,9 +6,10 @@ use std::str::FromStr;
 
 /// Fine cells of the pair.
 ///
-/// A pair of regularity exactly τ has norms of order τ that grow like the root of a logarithm of the resolution. With the same
-/// number of cells per segment on every mesh the norms of a segment scale without that logarithm; with one grid for all meshes u is the same
-/// function for all of them and the logarithm shows in the exponents.
+/// A pair of regularity exactly τ has norms of order τ that grow like the root of a logarithm of the
+/// resolution. With the same number of cells per segment on every mesh the norms of a segment scale without
+/// that logarithm; with one grid for all meshes u is the same function for all of them and the logarithm
+/// shows in the exponents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Resolution {
     /// 2^k cells per segment on every mesh; the norms of the whole edge are those of the finest.

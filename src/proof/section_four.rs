@@ -78,7 +78,8 @@ pub(super) fn second_factor(h: f64, constants: &ProofConstants, gamma: f64) -> f
     gamma * constants.projection * constants.wirtinger * h.powf(1.0 + 2.0 * constants.order().value())
 }
 
-/// Successive bounds of ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) on one segment, the last rung apart; second column with the corrected law.
+/// Successive bounds of ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) on one segment, the last rung apart; second column
+/// with the corrected law.
 pub(super) fn chain(
     norms: &SegmentNorms,
     constants: &ProofConstants,

@@ -106,7 +106,8 @@ fn squares(norms: &SegmentNorms) -> f64 {
     0.5 * (norms.stress.norm_squared() + norms.displacement_norm_squared())
 }
 
-/// Successive bounds of ∫ σ_N (I^h u)_N on one segment, the last rung apart; second column with the corrected law.
+/// Successive bounds of ∫ σ_N (I^h u)_N on one segment, the last rung apart; second column with the corrected
+/// law.
 pub(super) fn chain(
     norms: &SegmentNorms,
     constants: &ProofConstants,

@@ -35,7 +35,8 @@ impl Step {
     ];
 }
 
-/// A rung with the printed law of γ_θ, and with the one that holds; they differ at τ = 2 from [`Step::Law`] on.
+/// A rung with the printed law of γ_θ, and with the one that holds; they differ at τ = 2 from [`Step::Law`]
+/// on.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TwoLaws {
     /// C ln(1/θ) at τ = 2, C θ^{τ−2} below.

@@ -2,7 +2,8 @@
 
 use crate::error::{Error, Result};
 
-/// θ = h^{2τ−3} for 3/2 < τ < 2 and θ = h² for τ = 2: the choice that balances both cases ("Globally", Section 3).
+/// θ = h^{2τ−3} for 3/2 < τ < 2 and θ = h² for τ = 2: the choice that balances both cases ("Globally",
+/// Section 3).
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < h < 1 and 3/2 < τ ≤ 2.
@@ -10,6 +11,12 @@ pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
     Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
     Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
     Ok(if tau == 2.0 { h * h } else { h.powf(2.0 * tau - 3.0) })
+}
+
+/// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the exponent of h in the squared error
+/// that θ = h^{2τ−3} gives, (3.1)-(3.2), (4.2)-(4.4).
+pub fn printed_exponent(tau: f64) -> f64 {
+    if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 * tau - 2.0 }
 }
 
 pub(super) fn checked_theta(theta: f64) -> Result<f64> {

@@ -1,22 +1,25 @@
 //! Why no contact set is bad: the consistency term on one segment, over all contact sets.
 //!
-//! T = (0, 1) after scaling, ν = τ − 3/2, E = {u_N = 0}, N its complement; σ_N = 0 on N, u_N' = 0 almost everywhere on E. The seminorm alone
-//! controls functions that vanish on a set: restricting the double integral to pairs with one point in the set, and |x − y| ≤ 1,
+//! T = (0, 1) after scaling, ν = τ − 3/2, E = {u_N = 0}, N its complement; σ_N = 0 on N, u_N' = 0 almost
+//! everywhere on E. The seminorm alone controls functions that vanish on a set: restricting the double
+//! integral to pairs with one point in the set, and |x − y| ≤ 1,
 //!
 //! 2|N| ‖σ_N‖² ≤ |σ_N|²_ν,  2|E| ‖u_N'‖² ≤ |u_N'|²_ν.
 //!
-//! Hence ‖σ_N‖_{L¹} ≤ (|E|/2|N|)^{1/2} |σ_N|_ν and, as u_N vanishes somewhere, max|u_N| ≤ ‖u_N'‖_{L¹} ≤ (|N|/2|E|)^{1/2} |u_N'|_ν. In the product the
-//! measures cancel:
+//! Hence ‖σ_N‖_{L¹} ≤ (|E|/2|N|)^{1/2} |σ_N|_ν and, as u_N vanishes somewhere, max|u_N| ≤ ‖u_N'‖_{L¹} ≤
+//! (|N|/2|E|)^{1/2} |u_N'|_ν. In the product the measures cancel:
 //!
 //! ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_{τ−3/2,T} |u_N'|_{τ−3/2,T},
 //!
-//! and the same for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, whatever E is and for 3/2 < τ ≤ 2: the optimal rate with no case, no θ and no
-//! logarithm. (The idea of using both measures is that of Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds
-//! each factor by itself, and pays θ^{τ−2} for the first.
+//! and the same for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, whatever E is and for 3/2 < τ ≤
+//! 2: the optimal rate with no case, no θ and no logarithm. (The idea of using both measures is that of
+//! Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor by itself, and
+//! pays θ^{τ−2} for the first.
 //!
-//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u, and closing the others enlarges the
-//! space of σ_N: the worst set is the complement of (0, a) and (1 − b, 1). For given a, b the best σ_N and u_N come from two linear solves with Gram
-//! matrices of piecewise constants, graded to all ends; the value is a lower bound of the supremum. Cost: O(cells³) per set.
+//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u, and closing the
+//! others enlarges the space of σ_N: the worst set is the complement of (0, a) and (1 − b, 1). For given a, b
+//! the best σ_N and u_N come from two linear solves with Gram matrices of piecewise constants, graded to all
+//! ends; the value is a lower bound of the supremum. Cost: O(cells³) per set.
 
 use crate::contact::Cone;
 use crate::error::{Error, Result};
@@ -26,17 +29,20 @@ use faer::Mat;
 use faer::Side;
 use faer::linalg::solvers::Solve;
 
-/// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of its part.
+/// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of
+/// its part.
 const LAYERS: usize = 9;
 const RATIO: f64 = 0.25;
 /// Every cell is halved at most so often: 320 cells in each part.
 const HALVINGS: u32 = 4;
 
-/// sup term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with gaps (0, left) and (1 − right, 1), contact between; `left` may be 0. At most ½.
+/// sup term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with gaps (0, left) and (1 − right, 1), contact between; `left`
+/// may be 0. At most ½.
 ///
-/// The value is that of conforming trial functions, so the supremum is not below it; the error is the change when every cell was
-/// halved last, which bounds what is left where the values converge at least linearly in the cell length (order 2 − 2ν > 1).
-/// For one gap of length b the nodal ratio of b is the midpoint ratio of 1 − b.
+/// The value is that of conforming trial functions, so the supremum is not below it; the error is the change
+/// when every cell was halved last, which bounds what is left where the values converge at least linearly in
+/// the cell length (order 2 − 2ν > 1). For one gap of length b the nodal ratio of b is the midpoint ratio of
+/// 1 − b.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for gaps that leave no contact or τ outside (3/2, 2); [`Error::ToleranceNotMet`].
@@ -82,8 +88,8 @@ const CONTACT: f64 = 0.01;
 
 /// The worst ratio on one segment over a grid of gaps, 10^{−5} ... 0.9 at one end, 0.05 ... 0.8 at both.
 ///
-/// The grid is searched with errors below a tenth; the worst of it is then computed to the tolerance. Its value is a lower bound of
-/// the supremum over all contact sets, its error that of this one set.
+/// The grid is searched with errors below a tenth; the worst of it is then computed to the tolerance. Its
+/// value is a lower bound of the supremum over all contact sets, its error that of this one set.
 ///
 /// # Errors
 /// As [`worst_ratio`].
@@ -118,7 +124,8 @@ fn lower_bound(cone: Cone, order: FractionalOrder, left: f64, right: f64, halvin
     let is_left = |k: usize| k < first;
     match cone {
         Cone::Nodal => {
-            // σ against 1 − x and x; u(0) = −∫ over the left gap, u(1) = ∫ over the right one: a singular value of 2 × 2 matrices.
+            // σ against 1 − x and x; u(0) = −∫ over the left gap, u(1) = ∫ over the right one: a singular
+            // value of 2 × 2 matrices.
             let weights = [
                 contact.iter().map(|&k| length(k) * (1.0 - middle(k))).collect::<Vec<_>>(),
                 contact.iter().map(|&k| length(k) * middle(k)).collect(),

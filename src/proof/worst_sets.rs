@@ -1,17 +1,19 @@
 //! Consistency terms over families of contact sets at one τ: is any set near the exponent of the theorems?
 //!
-//! The terms are those of the exact data on the meshes 2^3 ... N/32; no discrete problem is solved. Beside each stands its share of
-//! ½ h^{2τ−2} |σ_N|_{τ−3/2} |u_N'|_{τ−3/2}, which bounds every term ([`super::worst_ratio`]).
+//! The terms are those of the exact data on the meshes 2^3 ... N/32; no discrete problem is solved. Beside
+//! each stands its share of ½ h^{2τ−2} |σ_N|_{τ−3/2} |u_N'|_{τ−3/2}, which bounds every term
+//! ([`super::worst_ratio`]).
 //!
-//! A set shows its order only on meshes finer than its smallest piece. On coarser ones a Cantor set with σ_N = −1 on short pieces
-//! looks like point forces, of order below the theorem's exponent; its norm |σ_N|_{τ−3/2} is as large, so that the share tells
-//! the truth there. Cost: O(N log N) per set.
+//! A set shows its order only on meshes finer than its smallest piece. On coarser ones a Cantor set with σ_N
+//! = −1 on short pieces looks like point forces, of order below the theorem's exponent; its norm
+//! |σ_N|_{τ−3/2} is as large, so that the share tells the truth there. Cost: O(N log N) per set.
 
 use crate::contact::Cone;
 use crate::edge::{consistency_terms, edge_norms};
 use crate::error::{Error, Result};
 use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{EdgeData, Sides};
+use std::fmt;
 
 /// A family of contact sets.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +48,8 @@ const COARSEST: usize = 8;
 const CELLS_PER_SEGMENT: usize = 32;
 
 impl ContactFamily {
-    /// Transitions with three densities of σ_N, many transitions, Cantor sets of several ratios and depths, fat Cantor sets.
+    /// Transitions with three densities of σ_N, many transitions, Cantor sets of several ratios and depths,
+    /// fat Cantor sets.
     pub fn all(tau: f64) -> Vec<Self> {
         let transitions = [tau - 2.0, 0.0, 0.5].map(|pressure| ContactFamily::Transition { pressure });
         let many = [3, 11, 47].map(|gaps| StripScene::Transitions { gaps });
@@ -78,6 +81,15 @@ impl ContactFamily {
                 let place = |k: usize| FIRST + SPREAD * k as f64 / POSITIONS as f64;
                 (0..POSITIONS).map(|k| powers.data(place(k), cells)).collect()
             }
+        }
+    }
+}
+
+impl fmt::Display for ContactFamily {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ContactFamily::Transition { pressure } => write!(f, "transition, sigma_N ~ r^{pressure:.2}"),
+            ContactFamily::Scene(scene) => scene.fmt(f),
         }
     }
 }

@@ -67,7 +67,8 @@ pub fn all_cases(section: Section, taus: &[f64]) -> (usize, usize) {
     (cases, checks)
 }
 
-/// No inequality fails, every segment is in a case, every rung bounds the one before; returns the inequalities.
+/// No inequality fails, every segment is in a case, every rung bounds the one before; returns the
+/// inequalities.
 fn checked(case: &ProofCase, constants: &ProofConstants) -> usize {
     let profile = case.profile(constants).unwrap();
     let (level, name) = (&profile.levels[0], format!("{}, tau {}", case.source, case.tau));

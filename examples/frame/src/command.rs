@@ -1,6 +1,6 @@
 //! The command line of an example: options for output, exit codes, progress.
 
-use crate::{Error, Headline, Result};
+use crate::{Headline, Result};
 use clap::{Args, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use signorini::Error as LibraryError;
@@ -56,62 +56,8 @@ pub trait HasOutput {
     fn output(&self) -> &Output;
 }
 
-/// What an example returns, as far as the command line needs it.
-pub trait Shown {
-    /// For people.
-    fn text(&self) -> String;
-    /// For programs: one JSON object per line.
-    fn json_lines(&self) -> String;
-    /// Everything as one JSON object.
-    fn json(&self) -> String;
-    /// 0 confirmed, 1 not.
-    fn exit_code(&self) -> u8;
-}
-
-impl Shown for Headline {
-    fn text(&self) -> String {
-        self.to_string()
-    }
-
-    fn json_lines(&self) -> String {
-        self.json_lines()
-    }
-
-    fn json(&self) -> String {
-        self.json()
-    }
-
-    fn exit_code(&self) -> u8 {
-        self.exit_code()
-    }
-}
-
-#[cfg(feature = "contact")]
-impl Shown for signorini::report::Headline {
-    fn text(&self) -> String {
-        self.to_string()
-    }
-
-    fn json_lines(&self) -> String {
-        self.table.json_rows().join("\n") + "\n"
-    }
-
-    fn json(&self) -> String {
-        self.json()
-    }
-
-    fn exit_code(&self) -> u8 {
-        u8::from(!self.verdict.is_confirmed())
-    }
-}
-
 /// Parses the command line, runs the example and prints its headline.
-pub fn main<O, H, E>(run: impl FnOnce(&O) -> std::result::Result<H, E>) -> ExitCode
-where
-    O: Parser + HasOutput,
-    H: Shown,
-    Error: From<E>,
-{
+pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> ExitCode {
     let options = match parse::<O>() {
         Ok(options) => options,
         Err(error) => return report_usage(&error),
@@ -126,20 +72,14 @@ where
 }
 
 /// Runs the example, writes what was asked for and returns the exit code.
-fn show<O: HasOutput, H: Shown, E>(
-    options: &O,
-    run: impl FnOnce(&O) -> std::result::Result<H, E>,
-) -> Result<u8>
-where
-    Error: From<E>,
-{
+fn show<O: HasOutput>(options: &O, run: impl FnOnce(&O) -> Result<Headline>) -> Result<u8> {
     let output = options.output();
     output.check()?;
     let headline = run(options)?;
     if let Some(file) = output.values.as_deref() {
         std::fs::write(file, headline.json()).map_err(|e| LibraryError::file(file, e))?;
     }
-    let text = if output.json { headline.json_lines() } else { headline.text() };
+    let text = if output.json { headline.json_lines() } else { headline.to_string() };
     // A closed pipe (`| head`) is the reader's choice, not a failure.
     let _ = std::io::stdout().write_all(text.as_bytes());
     Ok(headline.exit_code())

@@ -28,7 +28,7 @@ pub mod rates;
 #[cfg(feature = "contact")]
 pub mod shown;
 
-pub use command::{HasOutput, Output, Shown, main, progress};
+pub use command::{HasOutput, Output, main, progress};
 pub use error::{Error, Result};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
 

@@ -111,6 +111,25 @@ pub fn all_waves_mean(k: usize, p: f64) -> Result<Estimate> {
     Estimate::new(value, ROUNDING * value, Work { points: 40, ..Work::default() })
 }
 
+/// The exponent of h = 2^{-k} by which [`all_waves_mean`] falls between the levels k and 2k; it nears 3/2
+/// like p/k.
+///
+/// Its error is three times the change from the exponent between k/2 and k.
+///
+/// # Errors
+/// As [`all_waves_mean`], for the level 2k.
+pub fn all_waves_rate(k: usize, p: f64) -> Result<Estimate> {
+    if k < 2 {
+        return Err(Error::CountOutOfRange { name: "level k", value: k, range: "2 ..= 300" });
+    }
+    let [first, middle, last] = [k / 2, k, 2 * k].map(|level| all_waves_mean(level, p));
+    let (first, middle, last) = (first?, middle?, last?);
+    let rate =
+        |coarse: Estimate, fine: Estimate, levels: usize| (coarse.value / fine.value).log2() / levels as f64;
+    let (before, value) = (rate(first, middle, k - k / 2), rate(middle, last, k));
+    Estimate::new(value, 3.0 * (value - before).abs(), first.work + middle.work + last.work)
+}
+
 /// Si(x) = ∫₀^x sin t / t dt for x ≥ 2.
 fn sine_integral(x: f64) -> f64 {
     FRAC_PI_2 + exponential_integral(x).1

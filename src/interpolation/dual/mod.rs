@@ -2,6 +2,8 @@
 
 mod aliasing;
 mod norm;
+mod smooth;
 
-pub use aliasing::{AliasedWave, all_waves_mean};
+pub use aliasing::{AliasedWave, all_waves_mean, all_waves_rate};
 pub use norm::DualNorm;
+pub use smooth::smooth_dual_error;

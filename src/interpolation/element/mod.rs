@@ -4,6 +4,8 @@
 mod constant;
 mod legendre;
 pub mod limits;
+mod local;
 
 pub use constant::{ElementExtremal, ErrorNorm, element_constant, element_extremal, longest_element};
 pub(super) use legendre::{converge, odd_degrees, seminorm_gram, stiffness_gram};
+pub use local::LocalConstants;

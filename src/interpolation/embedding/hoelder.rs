@@ -9,6 +9,7 @@
 //! Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) →
 //! 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
 
+use super::trial::graded;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::interpolation::forms::mass_form;
@@ -50,6 +51,14 @@ impl EndIncrements {
             .map(|k| (0..size).map(|i| functionals[(i, k)] * solved[(i, k)]).sum::<f64>().sqrt())
             .collect();
         Ok(Self { nodes, norms })
+    }
+
+    /// On a mesh that serves every α up to 1 − 1/q.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 2 ≤ q ≤ 1000.
+    pub fn for_exponents_up_to(q: f64) -> Result<Self> {
+        Self::new(&graded(q)?)
     }
 
     /// The nodes θ and N(0, θ)/θ.

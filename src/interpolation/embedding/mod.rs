@@ -6,5 +6,5 @@ mod trial;
 mod upper;
 
 pub use hoelder::EndIncrements;
-pub use trial::{EmbeddingSpace, EmbeddingTrial};
+pub use trial::{EMBEDDING_GROWTH, EmbeddingSpace, EmbeddingTrial};
 pub use upper::{critical_exponent, embedding_upper_bound};

@@ -21,6 +21,26 @@ const RISE: f64 = 1e-12;
 /// Gauss points per cell in the ascent; the quotient that is returned is integrated anew, to its tolerance.
 const POINTS: usize = 12;
 
+/// lim C(q)/√q for q → ∞ at ν = 1/2: (3/(4π²e))^{1/2}, from the logarithm cut off at ln(1/θ) = q/2.
+pub const EMBEDDING_GROWTH: f64 = 0.167_198_939_329_408_5;
+
+/// Largest exponent that a space for a critical exponent is made for.
+const LARGEST_CRITICAL: f64 = 800.0;
+
+/// Grading towards the end of the interval.
+const RATIO: f64 = 0.6;
+
+/// Layers in which the extremal functions for exponents up to q are seen.
+pub(super) fn layers(q: f64) -> Result<usize> {
+    Error::require("q", q, "[2, 1000]", (2.0..=EmbeddingSpace::LARGEST).contains(&q))?;
+    Ok((30.0 + 0.6 * q / -RATIO.ln()) as usize)
+}
+
+/// A mesh of (0, 1) with those layers at 0.
+pub(super) fn graded(q: f64) -> Result<Partition> {
+    Partition::geometric(layers(q)?, RATIO, 1.0)
+}
+
 /// A function and its quotient ‖u‖_{L^q}/‖u‖_ν: a lower bound of C(q).
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmbeddingTrial {
@@ -40,6 +60,29 @@ pub struct EmbeddingSpace {
 }
 
 impl EmbeddingSpace {
+    /// A space that serves every exponent up to q: layers down to e^{-0.6 q}, beyond ln(1/θ) = q/2 where the
+    /// extremal function is cut off.
+    ///
+    /// # Errors
+    /// As [`EmbeddingSpace::new`]; [`Error::OutOfRange`] unless 2 ≤ q ≤ [`EmbeddingSpace::LARGEST`].
+    pub fn for_exponents_up_to(order: FractionalOrder, q: f64) -> Result<Self> {
+        Self::new(order, layers(q)?, RATIO)
+    }
+
+    /// A space for the critical exponent 2/(1−2ν): it serves exponents up to four times as large, where that
+    /// is allowed.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless ν < 1/2; as [`EmbeddingSpace::new`].
+    pub fn at_critical_exponent(order: FractionalOrder) -> Result<Self> {
+        let q = critical_exponent(order)?;
+        Error::require("nu", order.value(), "(0, 1/2) for the critical exponent", q.is_finite())?;
+        Self::for_exponents_up_to(order, (4.0 * q).min(LARGEST_CRITICAL))
+    }
+
+    /// Beyond this exponent the layers would leave the range of binary64.
+    pub const LARGEST: f64 = 1000.0;
+
     /// Elements shrink by `ratio` from 1/4 to 1/4 ratio^layers at the end 0; equal ones on the rest of (0,
     /// 1).
     ///

@@ -28,11 +28,22 @@ pub struct SupremumRate {
     /// The exponent with the constant part B taken out. Its error: what the three coarser meshes say
     /// differently, three times over, and what half as many cells per element say differently.
     pub rate: Estimate,
-    /// The exponent between the two finest meshes as it stands; its error is its distance from the rate, and
-    /// that error.
+    /// The exponent between the two finest meshes as it stands; its error is what half as many cells say
+    /// differently.
     pub observed: Estimate,
     /// S(N) N^r, or S(N) N^{r+1/2} in the dual norm, on the finest mesh, from below.
     pub scaled: Estimate,
+}
+
+impl SupremumRate {
+    /// What part of a constant that bounds every function is attained by one, on the finest mesh.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a constant of zero.
+    pub fn share(&self, constant: Estimate) -> Result<Estimate> {
+        // A function is attained: what a larger space would add does not count.
+        Estimate::new(self.scaled.value, 0.0, self.scaled.work)?.over(constant)
+    }
 }
 
 /// An error that falls by a quarter or more with each halving of h is at most three times its last change.
@@ -58,10 +69,11 @@ pub fn supremum_rate(norm: ProjectionNorm, r: f64, elements: usize, cells: usize
     let fine = fit(norms.map(|norm| norm.value), half);
     let fewer_cells = fit(norms.map(|norm| norm.value - norm.error), half);
     let error = CHANGES * (fine.rate - fine.coarse).abs() + (fine.rate - fewer_cells.rate).abs();
+    let of_cells = (fine.observed - fewer_cells.observed).abs();
     let power = (elements as f64).powf(norm.rate(r));
     Ok(SupremumRate {
         rate: Estimate::new(fine.rate, error, work)?,
-        observed: Estimate::new(fine.observed, error + (fine.observed - fine.rate).abs(), work)?,
+        observed: Estimate::new(fine.observed, of_cells, work)?,
         scaled: Estimate::new(norms[3].value * power, norms[3].error * power, work)?,
     })
 }

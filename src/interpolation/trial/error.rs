@@ -147,6 +147,14 @@ impl InterpolationError {
         Estimate::new(value, unit * l2.error + derivative.error, l2.work)
     }
 
+    /// The three ratios: of ‖u − I u‖₀, of ‖(u − I u)'‖₀ and of ‖u − I u‖₁.
+    ///
+    /// # Errors
+    /// As [`InterpolationError::h1_ratio`].
+    pub fn ratios(&self) -> Result<[Estimate; 3]> {
+        Ok([self.l2_ratio()?, self.derivative_ratio()?, self.h1_ratio()?])
+    }
+
     fn quotient(&self, part: Estimate) -> Result<Estimate> {
         let seminorm = self.seminorm.value;
         Error::require("|u'|_nu", seminorm, "(0, inf): the ratio of an affine u is 0/0", seminorm > 0.0)?;

@@ -5,10 +5,12 @@ mod norms;
 mod panels;
 mod rough;
 mod sample;
+mod worst;
 
 pub use error::{InterpolationError, power_slope};
 pub use rough::{RoughFamily, RoughSlopes};
 pub use sample::SampleSlope;
+pub use worst::{WorstRatios, worst_ratios};
 
 pub(super) use norms::{require_unit, sample_norms};
 pub(super) use panels::PanelRules;

@@ -37,6 +37,19 @@ pub enum SampleSlope {
 }
 
 impl SampleSlope {
+    /// x^a with a = r − 1/2 + [`SampleSlope::EDGE`]: in H^r(0,1), and in H^s for no s above r + EDGE.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 ≤ r ≤ 10.
+    pub fn barely_in(r: f64) -> Result<Self> {
+        Error::require("r", r, "[0, 10]", (0.0..=10.0).contains(&r))?;
+        Ok(SampleSlope::Power(r - 0.5 + Self::EDGE))
+    }
+
+    /// How far the power that is barely in H^r lies inside it: its own rates of approximation are off by as
+    /// much.
+    pub const EDGE: f64 = 0.005;
+
     /// |v|_ν on (0, 1).
     ///
     /// # Errors

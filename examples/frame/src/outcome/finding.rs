@@ -156,6 +156,20 @@ impl Finding {
         self.number(estimate.value, estimate.error)
     }
 
+    /// The largest of several estimates; without any there is no number.
+    #[must_use]
+    pub fn largest(self, estimates: impl IntoIterator<Item = signorini::Estimate>) -> Self {
+        let largest = signorini::Estimate::largest(estimates);
+        self.number_or(largest.map(|e| (e.value, e.error)), "nothing was computed")
+    }
+
+    /// The smallest of several estimates; without any there is no number.
+    #[must_use]
+    pub fn smallest(self, estimates: impl IntoIterator<Item = signorini::Estimate>) -> Self {
+        let smallest = signorini::Estimate::smallest(estimates);
+        self.number_or(smallest.map(|e| (e.value, e.error)), "nothing was computed")
+    }
+
     /// A number that may not exist; `why` says why it does not.
     #[must_use]
     pub fn number_or(mut self, number: Option<(f64, f64)>, why: impl Into<String>) -> Self {
@@ -297,6 +311,11 @@ impl Finding {
     /// Whether its words stand in the line "measured".
     pub fn is_told(&self) -> bool {
         self.told
+    }
+
+    /// Where the bound comes from.
+    pub fn source(&self) -> &str {
+        &self.source
     }
 
     /// The measured number and its uncertainty.

@@ -1,9 +1,10 @@
 //! The scenes, regularities and meshes on which Theorems 3.1 and 4.1 are measured.
 
 use super::row::RateRow;
+use super::store::LevelStore;
 use crate::{Error, Result, progress};
 use signorini::cone::Cone;
-use signorini::convergence::{LevelMemory, MeshRates, NoMemory, StripGroup};
+use signorini::convergence::{LevelMemory, MeshRates, StripGroup};
 use signorini::scenes::{MeshScene, Scene, Setting, StripScene};
 use signorini::strip::{Levels, StripKind};
 
@@ -152,14 +153,15 @@ fn check(taus: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// The families of a group in both cones, nodal first, with their fits.
+/// The families of a group in both cones, nodal first, with their fits; a family that comes twice is solved once.
 ///
 /// # Errors
 /// Those of [`StripGroup::studies`].
 pub fn both_cones(group: &StripGroup) -> Result<Vec<[RateRow; 2]>> {
     let bar = progress(2 * group.steps() as u64);
+    let mut memory = LevelStore::in_memory();
     let mut pairs = Vec::new();
-    for cones in group.studies(&[Cone::Nodal, Cone::Midpoint], &mut NoMemory, &mut || bar.inc(1))? {
+    for cones in group.studies(&[Cone::Nodal, Cone::Midpoint], &mut memory, &mut || bar.inc(1))? {
         let mut rows = cones.into_iter().map(RateRow::new);
         pairs.extend(rows.next().zip(rows.next()).map(|(nodal, midpoint)| [nodal, midpoint]));
     }

@@ -1,8 +1,8 @@
 //! Tables and figures of the proof profiles: the ladder of bounds and the lines.
 
 use crate::figures::{Axis, Chart, Series};
-use crate::{Column, Format, Table};
-use signorini::proof::{Exponent, LineProfile, ProofProfile, Rung, Section, Step};
+use crate::{Column, Format, Headline, Table};
+use signorini::proof::{Exponent, Line, LineProfile, ProofProfile, Rung, Section, Step};
 
 /// Lines drawn in the chart of slacks.
 const DRAWN: usize = 6;
@@ -152,4 +152,44 @@ pub fn slack_chart(profile: &ProofProfile) -> Chart {
         chart = chart.with(Series::line_and_points(name, line.slacks));
     }
     chart
+}
+
+/// Quotes exponents and losses of the rungs, slacks and counts, under `key`.
+pub fn quote(headline: &mut Headline, key: &str, profile: &ProofProfile, rungs: &[Rung]) {
+    headline.quote(format!("{key}.printed"), profile.printed_exponent());
+    for rung in rungs {
+        let step = short_name(rung.step);
+        headline.quote(format!("{key}.{step}.exponent"), rung.exponent.value);
+        headline.quote(format!("{key}.{step}.corrected"), rung.corrected.value);
+        if let Some(loss) = rung.loss {
+            headline.quote(format!("{key}.{step}.loss"), loss.value);
+            headline.quote(format!("{key}.{step}.uncertainty"), loss.uncertainty);
+        }
+    }
+    for line in profile.lines() {
+        let name = match line.line {
+            Line::NormScaling => "scaling",
+            Line::StressEmbedding => "embedding",
+            Line::StressPoincare | Line::SlopePoincare => "poincare",
+            _ => continue,
+        };
+        if let Some(exponent) = line.exponent {
+            headline.quote_with(&format!("{key}.slack.{name}"), exponent.value, exponent.uncertainty);
+        }
+    }
+    headline.quote(format!("{key}.checks"), profile.checks() as f64);
+    headline.quote(format!("{key}.violations"), profile.violations() as f64);
+}
+
+/// The step in the keys of quoted values.
+fn short_name(step: Step) -> &'static str {
+    match step {
+        Step::Term => "term",
+        Step::Hoelder => "hoelder",
+        Step::Interpolation => "interpolation",
+        Step::OwnZone => "own",
+        Step::ShortestZone => "theta",
+        Step::Law => "law",
+        Step::WholeEdge => "edge",
+    }
 }

@@ -1,0 +1,125 @@
+//! Every finding of every example at its default size: its number moved across its bound, and the outcome, the words, the verdict and
+//! the exit code seen to turn. A sentence that no number could turn would be found here.
+
+use example_frame::{Finding, Headline, Outcome, Role, Verdict};
+use std::collections::BTreeSet;
+
+/// Fewer sentences than these are no outcome.
+const LEAST: usize = 3;
+
+/// The headline with one finding replaced.
+fn with(headline: &Headline, at: usize, finding: Finding) -> Headline {
+    let mut changed = headline.clone();
+    changed.findings[at] = finding;
+    changed
+}
+
+/// What a finding moved to `outcome` must do to the verdict, where all other claims hold.
+fn follows(role: Role, outcome: Outcome, headline: &Headline, words: &str) -> bool {
+    let verdict = headline.verdict();
+    match (role, outcome) {
+        (Role::Claim, Outcome::Refuted) => {
+            headline.exit_code() == 1 && matches!(&verdict, Verdict::NotConfirmed(why) if why.contains(words))
+        }
+        (Role::Claim, Outcome::Undecided) => {
+            headline.exit_code() == 1 && matches!(&verdict, Verdict::Undecided(why) if why.contains(words))
+        }
+        (Role::Printed, Outcome::Refuted) => {
+            matches!(&verdict, Verdict::PrintedFormFails(how) if how.contains(words))
+        }
+        (Role::Sharpness, Outcome::Holds) => {
+            matches!(&verdict, Verdict::PrintedFormFails(_))
+                || matches!(&verdict, Verdict::HoldsLoose(how) if how.contains(words))
+        }
+        _ => headline.exit_code() == 0,
+    }
+}
+
+fn every_finding_turns(headline: &Headline) {
+    assert_eq!(headline.exit_code(), 0, "{headline}");
+    assert!(headline.findings.len() >= LEAST, "{headline}");
+    let keys: BTreeSet<&str> = headline.findings.iter().map(Finding::key).collect();
+    assert_eq!(keys.len(), headline.findings.len(), "two findings with one key: {headline}");
+    let decided = headline.findings.iter().filter(|f| f.outcome() != Outcome::ByProof);
+    assert!(decided.count() >= LEAST, "too few findings that a number decides: {headline}");
+    for (at, finding) in headline.findings.iter().enumerate() {
+        let label = format!("{} / {}: {}", headline.label, finding.key(), finding.comparison());
+        if finding.outcome() == Outcome::ByProof {
+            assert!(finding.moved(Outcome::Refuted).is_none(), "{label}");
+            continue;
+        }
+        assert!(!finding.source().is_empty(), "a bound without a source: {label}");
+        let mut said = BTreeSet::new();
+        for wanted in [Outcome::Holds, Outcome::Refuted, Outcome::Undecided] {
+            let moved = finding.moved(wanted).expect("a number decides");
+            assert_eq!(moved.outcome(), wanted, "{label}: {}", moved.comparison());
+            let words = moved.words();
+            let changed = with(headline, at, moved);
+            assert!(
+                follows(finding.role(), wanted, &changed, &words),
+                "{label}: {wanted}: {}",
+                changed.verdict()
+            );
+            said.insert(words);
+        }
+        assert_eq!(said.len(), 3, "the same words for different outcomes: {label}: {said:?}");
+        let missing = finding.without_number();
+        assert_eq!(missing.outcome(), Outcome::Undecided, "{label}");
+        assert_eq!(finding.with_number(f64::NAN, 0.0).outcome(), Outcome::Undecided, "{label}");
+    }
+}
+
+macro_rules! examples {
+    ($($name:ident: $file:literal),* $(,)?) => {
+        $(#[path = $file] #[allow(dead_code, reason = "only `run` is used here")] mod $name;)*
+
+        $(#[test]
+        fn $name() {
+            every_finding_turns(&$name::run(&$name::Options::default()).unwrap());
+        })*
+
+        #[test]
+        fn no_example_is_left_out() {
+            let listed = BTreeSet::from([$(stringify!($name).to_owned()),*]);
+            let directory = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+            let files = std::fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().file_name());
+            let names = files.filter_map(|name| Some(name.to_str()?.strip_suffix(".rs")?.to_owned()));
+            assert_eq!(names.collect::<BTreeSet<_>>(), listed);
+        }
+    };
+}
+
+examples! {
+    equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
+    extremes: "../examples/extremes.rs",
+    falk_terms: "../examples/falk_terms.rs",
+    figure_3_1: "../examples/figure_3_1.rs",
+    figure_3_2_alternative: "../examples/figure_3_2_alternative.rs",
+    figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
+    introduction_rates: "../examples/introduction_rates.rs",
+    lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
+    lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
+    lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
+    lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
+    lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",
+    remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
+    remark_4_saturation: "../examples/remark_4_saturation.rs",
+    remark_5_log_counterexample: "../examples/remark_5_log_counterexample.rs",
+    remark_6_point_condition: "../examples/remark_6_point_condition.rs",
+    remark_7_zone_location: "../examples/remark_7_zone_location.rs",
+    section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
+    section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
+    section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
+    section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
+    section_2_strip: "../examples/section_2_strip.rs",
+    section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
+    section_4_p0_projection: "../examples/section_4_p0_projection.rs",
+    speed_for_accuracy: "../examples/speed_for_accuracy.rs",
+    theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
+    theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
+    theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
+    theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
+    theta_balance: "../examples/theta_balance.rs",
+    tour: "../examples/tour.rs",
+    worst_contact_set: "../examples/worst_contact_set.rs",
+}
