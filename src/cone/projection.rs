@@ -119,14 +119,15 @@ impl Derivative {
         self.sigma * (zero - self.offset)
     }
 
+    /// F' may jump where a chain begins behind a fixed node: a zero beyond the piece it was found in is at its end.
     fn cut_right(&mut self) -> f64 {
-        let mut zero = f64::NEG_INFINITY;
+        let (mut zero, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
         while let Some(&piece) = self.pieces.back() {
-            zero = -(piece.intercept + self.shift) / (piece.slope + self.count);
+            zero = (-(piece.intercept + self.shift) / (piece.slope + self.count)).min(end);
             if zero >= piece.left {
                 break;
             }
-            zero = piece.left;
+            (zero, end) = (piece.left, piece.left);
             self.pieces.pop_back();
         }
         self.pieces.push_back(Piece { left: zero, slope: -self.count, intercept: -self.shift });
@@ -134,17 +135,17 @@ impl Derivative {
     }
 
     fn cut_left(&mut self) -> f64 {
-        let mut zero = f64::INFINITY;
+        let (mut zero, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
         while let Some(&piece) = self.pieces.front() {
             let right = self.pieces.get(1).map_or(f64::INFINITY, |next| next.left);
-            zero = -(piece.intercept + self.shift) / (piece.slope + self.count);
+            zero = (-(piece.intercept + self.shift) / (piece.slope + self.count)).max(end);
             if zero <= right {
                 if let Some(front) = self.pieces.front_mut() {
                     front.left = zero;
                 }
                 break;
             }
-            zero = right;
+            (zero, end) = (right, right);
             self.pieces.pop_front();
         }
         self.pieces.push_front(Piece { left: f64::NEG_INFINITY, slope: -self.count, intercept: -self.shift });
