@@ -25,7 +25,7 @@ example_frame::options! {
     }
 }
 
-/// What is computed.
+/// Computed for one τ.
 pub struct Computed {
     /// The exponent of the theorem for the root of the term.
     pub paper: f64,
@@ -103,14 +103,14 @@ pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let (tau, paper, [nodal, midpoint]) = (options.tau, computed.paper, &computed.worst);
     let claim = format!("tau = {tau}: the term is at most C h^(2 x {paper:.4}); is any set near that?");
-    let mut headline =
-        Headline::new("Theorems 3.1, 4.1", claim, table(&computed), findings(options, &computed));
+    let found = findings(options, &computed);
+    let mut headline = Headline::new("Theorems 3.1, 4.1", claim, table(&computed), found);
     for (key, found) in [("nodal", nodal), ("midpoint", midpoint)] {
         headline.quote_with(&format!("worst.contact.set.{key}.ratio"), found.ratio.value, found.ratio.error);
         headline.quote(format!("worst.contact.set.{key}.left"), found.gaps[0]);
         headline.quote(format!("worst.contact.set.{key}.right"), found.gaps[1]);
     }
-    headline.draw(&options.output, "worst_contact_set", || draw(options.tolerance))?;
+    headline.draw(&options.output, "worst_contact_set", draw)?;
     Ok(headline)
 }
 
@@ -138,21 +138,21 @@ fn table(computed: &Computed) -> Table {
     table
 }
 
-/// The worst ratio over the length θ of a gap at one end, and what the second case allows, θ^{τ−2}.
-fn draw(tolerance: Tolerance) -> Result<Chart> {
-    let x = Axis::logarithmic("length of the gap at one end, over the length of the segment");
+/// The worst ratio (to a tenth: constants leave the space near τ = 2) over the length θ of an end gap, and θ^{τ−2}.
+fn draw() -> Result<Chart> {
+    let tolerance = Tolerance::new(0.1)?;
+    let x = Axis::logarithmic("length of the end gap over that of the segment");
     let y = Axis::logarithmic("term over the seminorms of sigma_N and u_N'");
     let mut chart = Chart::new("One segment, nodal cone: the worst term for a given gap", x, y);
     let gaps: Vec<f64> = (0..20).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k))).collect();
     for tau in [1.55, 1.75, 1.95] {
         let point = |&gap: &f64| Ok((gap, worst_ratio(Cone::Nodal, tau, 0.0, gap, tolerance)?.value));
-        let points = gaps.iter().map(point).collect::<Result<_>>()?;
-        chart = chart.with(Series::line_and_points(format!("tau = {tau}"), points));
+        let points: Result<_> = gaps.iter().map(point).collect();
+        chart = chart.with(Series::line_and_points(format!("tau = {tau}"), points?));
     }
-    let allowed = gaps.iter().map(|&gap| (gap, 0.5 * gap.powf(-0.25))).collect();
-    Ok(chart
-        .with(Series::dashed("1/2", gaps.iter().map(|&gap| (gap, 0.5)).collect()))
-        .with(Series::dashed("theta^(tau-2)/2, tau = 7/4", allowed)))
+    let line = |power: f64| gaps.iter().map(|&gap| (gap, 0.5 * gap.powf(power))).collect();
+    let chart = chart.with(Series::dashed("1/2", line(0.0)));
+    Ok(chart.with(Series::dashed("theta^(tau-2)/2, tau = 7/4", line(-0.25))))
 }
 
 fn main() -> ExitCode {
