@@ -23,6 +23,7 @@ example_frame::options! {
 
 /// What stands for a regularity: one transition, one in H² itself (slopes like |ln r|^{−1}), 22 transitions, a fat Cantor set.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs)]
 pub enum Shape {
     Transition,
     InH2,
@@ -116,8 +117,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
 pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let claim = "(E1)-(E4) known before, (N1), (N2) new: the printed rates are reached by every scene";
-    let found = findings(options, &computed);
-    let mut headline = Headline::new("Introduction", claim, table(&computed), found);
+    let mut headline = Headline::new("Introduction", claim, table(&computed), findings(options, &computed));
     for (k, (_, pair)) in computed.rows.iter().enumerate() {
         RateRow::quote_pair(&mut headline, &format!("introduction.{}", k + 1), pair);
     }

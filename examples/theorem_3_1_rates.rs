@@ -100,23 +100,24 @@ pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Find
     found
 }
 
-/// One order against (3.1), (4.2); the growth of error/bound at τ = 2, whose logarithm no order shows, and for fat Cantor sets;
-/// beyond τ = 2 order one.
+/// One order against (3.1), (4.2), a remark for fat Cantor sets, whose orders are not sharp; at τ = 2, whose logarithm no order
+/// shows, the growth of error/bound; beyond τ = 2 order one.
 fn against_theorem(cone: Cone, row: &RateRow) -> Finding {
     let [power, logarithm, one] =
         if cone == Cone::Nodal { ["(3.1)", "(3.2)", "(E4)"] } else { ["(4.2)", "(4.3)", "(4.4)"] };
     let (tau, words, key) = (row.study.tau, row.words(), format!("{}.theorem", row.key()));
-    if tau == 2.0 || row.is_fat() {
+    if tau == 2.0 {
         return Finding::claim(key, format!("{words}: error/bound does not grow, factor {{value}}"))
             .number_or(row.growth(), "too few levels")
-            .at_most(1.0, if tau == 2.0 { logarithm } else { power })
+            .at_most(1.0, logarithm)
             .otherwise(format!("{words}: error/bound grows, factor {{value}}"));
     }
     let (bound, source) = match Bound::Paper.exponent(tau) {
         Ok(exponent) if tau < 2.0 => (exponent, power.to_owned()),
         _ => (1.0 - NEAR_ONE, format!("{one}, less {NEAR_ONE}: orders creep up to one")),
     };
-    Finding::claim(key, format!("{words}: the error has order {{value}}, at least {{bound}}"))
+    let role: fn(String, String) -> Finding = if row.is_fat() { Finding::remark } else { Finding::claim };
+    role(key, format!("{words}: the error has order {{value}}, at least {{bound}}"))
         .number_or(row.order(), "too few levels, or an error that is not a positive number")
         .at_least(bound, source)
         .otherwise(format!("{words}: the error has order {{value}} only, below {{bound}}"))
@@ -136,8 +137,7 @@ pub fn outcome(cone: Cone, options: &Options) -> Result<Headline> {
     let claim = format!("{cone} cone, u in H^tau, 3/2 < tau < 2: {words}");
     let single = rows.first().filter(|_| options.scene.is_some());
     let table = single.map_or_else(|| rate_table(rows), |row| level_table(&row.study))?;
-    let found = findings(options, &computed);
-    let mut headline = Headline::new(format!("Theorem {number}"), claim, table, found);
+    let mut headline = Headline::new(format!("Theorem {number}"), claim, table, findings(options, &computed));
     for row in rows {
         let key = format!("theorem.{number}.{}", row.key());
         RateRow::quote(&mut headline, &key, row.error);
