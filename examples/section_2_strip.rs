@@ -19,7 +19,8 @@ example_frame::options! {
         /// Levels COARSEST-FINEST: n = 2^level cells along the edge
         #[arg(long, default_value = "3-14")]
         pub levels: Levels,
-        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or samples:FILE
+        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or
+        /// samples:FILE
         #[arg(long, default_value_t = StripScene::transition())]
         pub scene: StripScene,
         /// Regularity of the solution, 3/2 < tau <= 2 (not used by samples)
@@ -28,10 +29,10 @@ example_frame::options! {
         /// Discrete cone: nodal (2.9) or midpoint (4.1)
         #[arg(long, default_value_t = Cone::Nodal)]
         pub cone: Cone,
-        /// Compare with the solution on the grid of the scene (nested) or with the continuous one (harmonic; scalar only)
+        /// Compare with the solution on the grid of the scene (nested) or with the continuous one (harmonic)
         #[arg(long, default_value_t = Reference::Nested)]
         pub reference: Reference,
-        /// Average the squared error over this many places of the transition in the coarsest cell (odd: evenly spread)
+        /// Average the squared error over this many places of the transition in the coarsest cell
         #[arg(long, default_value_t = 1)]
         pub positions: usize,
     }
@@ -62,15 +63,15 @@ pub fn compute(options: &Options) -> Result<Computed> {
 
 /// Every scaled KKT figure must be below this.
 const JUDGED: f64 = 1e-10;
-/// Inner iterations allowed in a step, whatever n and the gaps: the spectrum of the preconditioned operator is bounded.
+/// Inner iterations allowed in a step, whatever n and the gaps: the preconditioned spectrum is bounded.
 const INNER: f64 = 30.0;
-/// What may be missing in an order while error/bound climbs to its limit: a fat Cantor set lacks 0.03 on the levels 3-11.
+/// What an order may lack while error/bound climbs to its limit: a fat Cantor set lacks 0.03 on 3-11.
 const UNSETTLED: f64 = 0.05;
 /// Orders that differ by less count as the same.
 const SAME: f64 = 0.1;
 const EXACT: &str = "error 0 on every level: the discrete solution is exact, nothing to compare";
 
-/// What decides: every level is solved, no step takes many iterations, error/bound does not grow, and the order itself.
+/// What decides: levels are solved, steps take few iterations, error/bound does not grow; the order itself.
 pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> Vec<Finding> {
     let Solved { worst_kkt: kkt, unsolved, most_inner: inner } = study.solved();
     let ((h, error), bar) = (errors[errors.len() - 1], study.errors[errors.len() - 1].error);

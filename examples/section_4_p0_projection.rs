@@ -93,15 +93,15 @@ pub fn run(options: &Options) -> Result<Headline> {
     let rows = compute(options)?;
     let claim = "|phi - pi^h phi| <= C h^r |phi|_r in L2 and C h^(r+1/2) |phi|_r in the dual norm of H^(1/2)";
     let mut headline = Headline::new("(4.6), (4.7)", claim, table(&rows), findings(options, &rows));
-    let roads: [(&str, Of); 3] = [
-        ("function", |n| n.function),
-        ("supremum", |n| n.supremum.rate),
-        ("observed", |n| n.supremum.observed),
-    ];
-    for (road, of) in roads {
-        let worst = [0, 1].into_iter().flat_map(|norm| off(&rows, norm, of)).map(|off| off.value);
-        headline.quote(format!("section_4_projection.worst_{road}_rate"), worst.fold(0.0, f64::max));
-    }
+    let worst = |of: Of| {
+        let distances = [0, 1].into_iter().flat_map(|norm| off(&rows, norm, of));
+        distances.map(|distance| distance.value).fold(0.0, f64::max)
+    };
+    let [function, supremum] = [worst(|n| n.function), worst(|n| n.supremum.rate)];
+    headline.quote("section_4_projection.worst_rate", f64::max(function, supremum));
+    headline.quote("section_4_projection.worst_function_rate", function);
+    headline.quote("section_4_projection.worst_supremum_rate", supremum);
+    headline.quote("section_4_projection.worst_observed_rate", worst(|n| n.supremum.observed));
     for Row { r, norms: [l2, dual], .. } in &rows {
         headline.quote(format!("section_4_projection.constant_l2.r_{r}"), l2.constant.value);
         headline.quote(format!("section_4_projection.constant_dual.r_{r}"), dual.constant.value);

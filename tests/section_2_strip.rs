@@ -1,4 +1,5 @@
-//! Section 2 on a strip: the reduction to the contact edge against values computed by direct two-dimensional solves.
+//! Section 2 on a strip: the reduction to the contact edge against values computed by direct two-dimensional
+//! solves.
 
 use serde_json::Value;
 use signorini::contact::Cone;
@@ -6,7 +7,8 @@ use signorini::fem::Lame;
 use signorini::strip::{EdgeLoad, EdgeSolution, ElasticStrip, ScalarStrip, solve_contact};
 use std::f64::consts::PI;
 
-/// The reference holds 14 digits; both roads round at a few units of 1e-16 times the condition of small problems.
+/// The reference holds 14 digits; both roads round at a few units of 1e-16 times the condition of small
+/// problems.
 const REFERENCE: f64 = 1e-12;
 /// KKT figures are backward errors: rounding times the logarithm of the transform lengths.
 const KKT: f64 = 1e-12;

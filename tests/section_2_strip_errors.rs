@@ -1,4 +1,5 @@
-//! Section 2 on a strip: the energy errors computed from the edge alone, against whole fields and extended precision.
+//! Section 2 on a strip: the energy errors computed from the edge alone, against whole fields and extended
+//! precision.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -20,8 +21,8 @@ fn scene(cells: usize, sides: Sides) -> EdgeData {
     StripScene::Transition { position: 0.37 }.data(1.75, cells, sides).unwrap()
 }
 
-/// One layer of triangles over (bottom row, top row), `c` components per node; a(u, v) of the Laplacian (c = 1) or of
-/// elasticity (c = 2).
+/// One layer of triangles over (bottom row, top row), `c` components per node; a(u, v) of the Laplacian (c =
+/// 1) or of elasticity (c = 2).
 fn layer(n: usize, sides: Sides, lame: Option<Lame>) -> Mat<f64> {
     let nodes = sides.nodes(n);
     let c = if lame.is_some() { 2 } else { 1 };
@@ -211,8 +212,8 @@ fn roots_of_unity(count: usize, period: usize) -> Vec<(Quad, Quad)> {
     table
 }
 
-/// Modes k = 0 ... n of the even extensions of two edge functions, in double-double: one transform of the first plus i
-/// times the second, as the modes of even real functions are real.
+/// Modes k = 0 ... n of the even extensions of two edge functions, in double-double: one transform of the
+/// first plus i times the second, as the modes of even real functions are real.
 fn cosine_modes(first: &[Quad], second: &[Quad]) -> (Vec<Quad>, Vec<Quad>) {
     let n = first.len() - 1;
     let period = 2 * n;
@@ -336,7 +337,8 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
         errors.push(nested.error(16, &shape).unwrap().value.powi(2));
     }
     let limit = harmonic.error(16, &shape).unwrap().value.powi(2);
-    // The edge data are kinked: |u − u_fine|² behaves like h² |ln h|, so each halving gains a factor between 3 and 4.5.
+    // The edge data are kinked: |u − u_fine|² behaves like h² |ln h|, so each halving gains a factor between
+    // 3 and 4.5.
     let missing: Vec<f64> = errors.iter().map(|e| limit - e).collect();
     assert!(missing.iter().all(|&m| m > 0.0), "{missing:?}");
     for pair in missing.windows(2) {

@@ -1,4 +1,5 @@
-//! Section 2 on a strip: inner iterations of every step stay bounded over levels, numbers of gaps, cones and kinds.
+//! Section 2 on a strip: inner iterations of every step stay bounded over levels, numbers of gaps, cones and
+//! kinds.
 
 use signorini::contact::Cone;
 use signorini::scenes::{StripCase, StripScene};

@@ -1,7 +1,9 @@
-//! Section 2 on a strip: the Fourier reduction against finite element meshes of the same grid, which know no modes.
+//! Section 2 on a strip: the Fourier reduction against finite element meshes of the same grid, which know no
+//! modes.
 //!
-//! Scalar: the mesh solver of the library. Elastic: triangles assembled here on a mesh whose left and right sides are
-//! identified, all rows but the edge eliminated by dense Cholesky factorizations, contact by the dense edge solver.
+//! Scalar: the mesh solver of the library. Elastic: triangles assembled here on a mesh whose left and right
+//! sides are identified, all rows but the edge eliminated by dense Cholesky factorizations, contact by the
+//! dense edge solver.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -80,7 +82,8 @@ fn layer(n: usize, lame: Lame) -> Layer {
     Layer { stiffness, mass }
 }
 
-/// Edge stiffness over (u_x, u_y) of every edge node, edge load and constant, by dense elimination from the top.
+/// Edge stiffness over (u_x, u_y) of every edge node, edge load and constant, by dense elimination from the
+/// top.
 fn eliminate(n: usize, lame: Lame, f: impl Fn(f64, f64) -> [f64; 2]) -> (Mat<f64>, Mat<f64>, f64) {
     let Layer { stiffness, mass } = layer(n, lame);
     let rows = 2 * n;

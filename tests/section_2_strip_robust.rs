@@ -209,7 +209,8 @@ fn example_runs_and_refuses() {
                 && !headline.measured().contains("NaN")
         );
     }
-    // Three orders at one place of the transition may all be on the low side of the alternation: not confirmed, and why.
+    // Three orders at one place of the transition may all be on the low side of the alternation: not
+    // confirmed, and why.
     let one_place = run(&["--levels", "3-7"]).unwrap().verdict();
     assert!(one_place.is_confirmed() || one_place.to_string().contains("--positions"), "{one_place}");
     nothing_is_hidden();

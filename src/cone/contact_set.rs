@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-/// Which constraints hold with equality: nodes (nodal cone) or segments (midpoint cone), in the order of the edge.
+/// Which constraints hold with equality: nodes (nodal cone) or segments (midpoint cone), in the order of the
+/// edge.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct ContactSet {
     active: Vec<bool>,

@@ -11,7 +11,8 @@ use crate::error::{Error, Result};
 pub enum Ends {
     /// The edge has a first and a last node: one segment less than nodes.
     Open,
-    /// The last node is joined to the first by a segment (a periodic or closed edge): as many segments as nodes.
+    /// The last node is joined to the first by a segment (a periodic or closed edge): as many segments as
+    /// nodes.
     Joined,
 }
 
@@ -59,7 +60,8 @@ impl EdgeCone {
         }
     }
 
-    /// B w: nodal values, or the means over the segments. Also maps nodal positions on an open edge to those of the constraints.
+    /// B w: nodal values, or the means over the segments. Also maps nodal positions on an open edge to those
+    /// of the constraints.
     pub fn apply(self, w: &[f64]) -> Vec<f64> {
         // Halves first: the sum of two huge values must not overflow.
         let mean = |left: f64, right: f64| 0.5 * left + 0.5 * right;
@@ -114,7 +116,8 @@ impl EdgeCone {
         }
     }
 
-    /// The contact set that `coarse`, a set on the edge with segments twice as long, suggests here: the constraints lying in it.
+    /// The contact set that `coarse`, a set on the edge with segments twice as long, suggests here: the
+    /// constraints lying in it.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] when halving the segments of that edge does not give this one.
@@ -134,7 +137,8 @@ impl EdgeCone {
         }))
     }
 
-    /// The largest t ≤ 1 with w + t (v − w) in the cone B w ≤ 0, for w inside it; constraints in `active` hold at both.
+    /// The largest t ≤ 1 with w + t (v − w) in the cone B w ≤ 0, for w inside it; constraints in `active`
+    /// hold at both.
     pub(crate) fn longest_step(self, w: &[f64], v: &[f64], active: &[bool]) -> f64 {
         let (here, there) = (self.apply(w), self.apply(v));
         let mut longest: f64 = 1.0;

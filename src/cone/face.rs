@@ -1,8 +1,9 @@
 //! Faces of the two cones: which nodes move freely and which move as one.
 //!
-//! An active set divides the edge into gaps (free nodes) and contact runs. On a run the nodal cone holds w = 0; the midpoint
-//! cone holds w_i + w_{i+1} = 0, which leaves one amplitude c, w_i = ±c. The orthogonal projector Π onto the face
-//! keeps the gaps, and replaces a run by zero or by its alternating mean. Cost O(n).
+//! An active set divides the edge into gaps (free nodes) and contact runs. On a run the nodal cone holds w =
+//! 0; the midpoint cone holds w_i + w_{i+1} = 0, which leaves one amplitude c, w_i = ±c. The orthogonal
+//! projector Π onto the face keeps the gaps, and replaces a run by zero or by its alternating mean. Cost
+//! O(n).
 
 use super::edge_cone::{EdgeCone, Ends};
 use super::kind::Cone;
@@ -30,7 +31,8 @@ pub(crate) struct Face {
 }
 
 impl Face {
-    /// The face on which exactly the given constraints hold with equality; `active` has one flag per constraint.
+    /// The face on which exactly the given constraints hold with equality; `active` has one flag per
+    /// constraint.
     pub(crate) fn new(cone: EdgeCone, active: &[bool]) -> Self {
         let nodes = cone.nodes();
         let joined = cone.ends() == Ends::Joined;

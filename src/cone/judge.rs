@@ -1,4 +1,5 @@
-//! One judge for every contact solution, whatever computed it: the Karush-Kuhn-Tucker conditions, each scaled.
+//! One judge for every contact solution, whatever computed it: the Karush-Kuhn-Tucker conditions, each
+//! scaled.
 //!
 //! For min ½ u'K u − F'u subject to B u ≤ g, with multipliers λ:
 //!
@@ -9,10 +10,11 @@
 //! | gap | B u − g ≤ 0 | max_i (B u − g)₊ / displacement |
 //! | complementarity | λ_i (B u − g)_i = 0 | max_i abs(product) / (λ scale · displacement) |
 //!
-//! force = max_i (abs(K) abs(u) + abs(F))_i is the size of what is summed in the balance (a backward error in the
-//! sense of Oettli and Prager, normwise); displacement = max abs(u) and max abs(g). The λ scale is max abs(λ), unless
-//! all multipliers lie below the rounding of the balance, [`NOISE`] · force: then it is force. All figures are
-//! invariant under scaling of load, stiffness and lengths. A figure 0/0 (no load at all) is 0. Cost: O(length).
+//! force = max_i (abs(K) abs(u) + abs(F))_i is the size of what is summed in the balance (a backward error in
+//! the sense of Oettli and Prager, normwise); displacement = max abs(u) and max abs(g). The λ scale is max
+//! abs(λ), unless all multipliers lie below the rounding of the balance, [`NOISE`] · force: then it is force.
+//! All figures are invariant under scaling of load, stiffness and lengths. A figure 0/0 (no load) is 0.
+//! Cost: O(length).
 
 use crate::error::Result;
 use crate::numeric::check::{require_finite, require_length};
@@ -55,13 +57,14 @@ impl Judgement {
     }
 }
 
-/// How far the solution is from a degenerate one, where contact without force or force-free touching makes the
-/// contact set ambiguous.
+/// How far the solution is from a degenerate one, where contact without force or force-free touching makes
+/// the contact set ambiguous.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
     /// min λ_i over the active constraints, relative to the λ scale; `None` without contact.
     pub pressure: Option<f64>,
-    /// min −(B u − g)_i over the inactive constraints, relative to the displacement; `None` with full contact.
+    /// min −(B u − g)_i over the inactive constraints, relative to the displacement; `None` with full
+    /// contact.
     pub gap: Option<f64>,
 }
 

@@ -1,18 +1,21 @@
-//! (2.9) and (4.1): the two discrete cones on a contact edge, open or periodic, and how a solution in them is judged.
+//! (2.9) and (4.1): the two discrete cones on a contact edge, open or periodic, and how a solution in them is
+//! judged.
 //!
 //! With w_i = (u_N)(x_i) at the nodes of the contact edge, in order, a cone is { w : B w ≤ g }:
 //!
 //! | cone | constraint | multiplier λ of B w ≤ g |
 //! | --- | --- | --- |
 //! | nodal K^h (2.9) | every node, B w = w | λ_i = −∫ σ_N φ_i |
-//! | midpoint K̄^h (4.1) | the mean over every segment, (B w)_i = (w_i + w_{i+1})/2 | λ_i = −∫ σ_N over segment i |
+//! | midpoint K̄^h (4.1) | every mean, (B w)_i = (w_i + w_{i+1})/2 | λ_i = −∫ σ_N over segment i |
 //!
-//! The multiplier is a generalised force: K u + B'λ = F, λ ≥ 0. In the nodal cone u_N ≤ g on the whole edge (u_N is piecewise
-//! affine); in the midpoint cone u_N may exceed g inside a segment. The kernel of the midpoint B is the sawtooth (−1)^i.
+//! The multiplier is a generalised force: K u + B'λ = F, λ ≥ 0. In the nodal cone u_N ≤ g on the whole edge
+//! (u_N is piecewise affine); in the midpoint cone u_N may exceed g inside a segment. The kernel of the
+//! midpoint B is the sawtooth (−1)^i.
 //!
-//! No other room knows more of the cones than this one tells: constraints and forces ([`EdgeCone`]), the faces that a contact
-//! set cuts out and their coordinates, projections, multipliers from forces, refinement of a [`ContactSet`], and the
-//! Karush-Kuhn-Tucker figures ([`Evidence`], [`Judgement`], [`Margins`]). It knows no mesh and no operator.
+//! No other room knows more of the cones than this one tells: constraints and forces ([`EdgeCone`]), the
+//! faces that a contact set cuts out and their coordinates, projections, multipliers from forces, refinement
+//! of a [`ContactSet`], and the Karush-Kuhn-Tucker figures ([`Evidence`], [`Judgement`], [`Margins`]). It
+//! knows no mesh and no operator.
 
 mod contact_set;
 mod edge_cone;

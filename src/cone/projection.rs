@@ -1,17 +1,18 @@
 //! The exact projection onto a cone B p ≤ g, in O(n).
 //!
-//! Nodal: p_i = min(z_i, g_i). Midpoint, minimise ½ Σ d_i (p_i − z_i)² over p_i + p_{i+1} ≤ 2 g_i on a chain: with F_i(t) the
-//! least cost of the nodes up to i when p_i = t, and m_i its minimiser,
+//! Nodal: p_i = min(z_i, g_i). Midpoint, minimise ½ Σ d_i (p_i − z_i)² over p_i + p_{i+1} ≤ 2 g_i on a chain:
+//! with F_i(t) the least cost of the nodes up to i when p_i = t, and m_i its minimiser,
 //!
 //! F_{i+1}(t) = ½ d_{i+1} (t − z_{i+1})² + F_i(min(2 g_i − t, m_i)).
 //!
-//! F_i' is increasing and piecewise linear; a step cuts its positive part off, reflects it and adds d (t − z). Pieces are kept in a
-//! deque in coordinates that absorb reflection and addition, so that each is created and removed once. Backwards, p_n = m_n and
-//! p_i = min(m_i, 2 g_i − p_{i+1}); the constraint is active where the second is smaller. Nodes that are fixed stay at 0: the chain
-//! begins anew behind them, with a hard upper bound.
+//! F_i' is increasing and piecewise linear; a step cuts its positive part off, reflects it and adds d (t −
+//! z). Pieces are kept in a deque in coordinates that absorb reflection and addition, so that each is created
+//! and removed once. Backwards, p_n = m_n and p_i = min(m_i, 2 g_i − p_{i+1}); the constraint is active where
+//! the second is smaller. Nodes that are fixed stay at 0: the chain begins anew behind them, with a hard
+//! upper bound.
 //!
-//! On a ring a segment that is inactive in the projection is a place to cut; the chain projection that satisfies
-//! the constraint left out is the projection.
+//! On a ring a segment that is inactive in the projection is a place to cut; the chain projection that
+//! satisfies the constraint left out is the projection.
 
 use super::edge_cone::{EdgeCone, Ends};
 use super::kind::Cone;
@@ -33,7 +34,8 @@ impl EdgeCone {
     }
 }
 
-/// What a projection along a chain minimises, and where: d > 0, g (one entry less), and which nodes stay at 0.
+/// What a projection along a chain minimises, and where: d > 0, g (one entry less), and which nodes stay at
+/// 0.
 pub(crate) struct Weighted<W, G, F> {
     pub(crate) weight: W,
     pub(crate) bound: G,
@@ -45,7 +47,8 @@ pub(crate) fn project_chain(z: &[f64]) -> (Vec<f64>, Vec<bool>) {
     project_weighted(z, &Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false })
 }
 
-/// Projects z onto p_i + p_{i+1} ≤ 2 g_i along a chain in the norm with weights d; returns p and the n − 1 active flags.
+/// Projects z onto p_i + p_{i+1} ≤ 2 g_i along a chain in the norm with weights d; returns p and the n − 1
+/// active flags.
 pub(crate) fn project_weighted<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> (Vec<f64>, Vec<bool>)
 where
     W: Fn(usize) -> f64,
@@ -71,7 +74,8 @@ where
     (p, active)
 }
 
-/// On t in a piece (between its neighbours' breakpoints), all in stored coordinates: F' = (slope + count)·t + (intercept + shift).
+/// On t in a piece (between its neighbours' breakpoints), all in stored coordinates: F' = (slope + count)·t +
+/// (intercept + shift).
 #[derive(Clone, Copy)]
 struct Piece {
     left: f64,
@@ -115,14 +119,15 @@ impl Derivative {
         self.sigma * (zero - self.offset)
     }
 
+    /// F' may jump where a chain begins behind a fixed node: a zero beyond the piece it was found in is at its end.
     fn cut_right(&mut self) -> f64 {
-        let mut zero = f64::NEG_INFINITY;
+        let (mut zero, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
         while let Some(&piece) = self.pieces.back() {
-            zero = -(piece.intercept + self.shift) / (piece.slope + self.count);
+            zero = (-(piece.intercept + self.shift) / (piece.slope + self.count)).min(end);
             if zero >= piece.left {
                 break;
             }
-            zero = piece.left;
+            (zero, end) = (piece.left, piece.left);
             self.pieces.pop_back();
         }
         self.pieces.push_back(Piece { left: zero, slope: -self.count, intercept: -self.shift });
@@ -130,24 +135,25 @@ impl Derivative {
     }
 
     fn cut_left(&mut self) -> f64 {
-        let mut zero = f64::INFINITY;
+        let (mut zero, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
         while let Some(&piece) = self.pieces.front() {
             let right = self.pieces.get(1).map_or(f64::INFINITY, |next| next.left);
-            zero = -(piece.intercept + self.shift) / (piece.slope + self.count);
+            zero = (-(piece.intercept + self.shift) / (piece.slope + self.count)).max(end);
             if zero <= right {
                 if let Some(front) = self.pieces.front_mut() {
                     front.left = zero;
                 }
                 break;
             }
-            zero = right;
+            (zero, end) = (right, right);
             self.pieces.pop_front();
         }
         self.pieces.push_front(Piece { left: f64::NEG_INFINITY, slope: -self.count, intercept: -self.shift });
         zero
     }
 
-    /// Of a chain's first node: F' jumps to zero at `limit` if it has not vanished there. Returns where it does.
+    /// Of a chain's first node: F' jumps to zero at `limit` if it has not vanished there. Returns where it
+    /// does.
     fn cut_first(&mut self, limit: f64) -> f64 {
         let zero = self.cut();
         if zero <= limit {
@@ -199,8 +205,8 @@ const TRIES: usize = 32;
 
 /// Projects z onto the ring cone (x_{n−1} + x_0 ≤ 0 as well); returns x and the n active flags.
 ///
-/// `cut` is a segment that is probably inactive. After the tries allowed, all constraints are taken as active, which is the
-/// projection whenever none can be left out.
+/// `cut` is a segment that is probably inactive. After the tries allowed, all constraints are taken as
+/// active, which is the projection whenever none can be left out.
 fn project_ring(z: &[f64], cut: usize) -> (Vec<f64>, Vec<bool>) {
     let n = z.len();
     let mut cut = cut % n.max(1);
@@ -212,7 +218,8 @@ fn project_ring(z: &[f64], cut: usize) -> (Vec<f64>, Vec<bool>) {
         let (x, active) = project_chain(&turned);
         let back = |i: usize| (i + n - (cut + 1) % n) % n;
         if x[n - 1] + x[0] <= 0.0 {
-            // A closed ring determines its multipliers up to ±c, and the chain shows those with a zero at the cut.
+            // A closed ring determines its multipliers up to ±c, and the chain shows those with a zero at the
+            // cut.
             let closed = (0..n).all(|i| x[i] + x[(i + 1) % n] == 0.0);
             let flags = (0..n).map(|s| closed || (s != cut && active[back(s)])).collect();
             return ((0..n).map(|i| x[back(i)]).collect(), flags);
@@ -234,7 +241,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Multipliers of the projection, z − x = B'λ with B w = w_i + w_{i+1}: λ ≥ 0 and complementary proves optimality.
+    /// Multipliers of the projection, z − x = B'λ with B w = w_i + w_{i+1}: λ ≥ 0 and complementary proves
+    /// optimality.
     fn chain_defect(z: &[f64], x: &[f64]) -> f64 {
         let (mut multiplier, mut worst) = (0.0, 0.0f64);
         for i in 0..z.len() {

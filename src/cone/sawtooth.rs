@@ -1,10 +1,10 @@
 //! The coordinates of a face, w = o + Z q, and the multipliers that forces on its runs leave.
 //!
-//! Along a run of active midpoint constraints w_{i+1} = 2 g_i − w_i: one amplitude of the sawtooth (−1)^i, the kernel of B, is
-//! free, and none when an end of the run is fixed. B'λ = r on the run is the same recursion, λ_i = 2 r_i − λ_{i−1}; its
-//! rounding is carried over half the run only by starting at both ends. Where λ is determined only up to a sawtooth (a run
-//! between two fixed ends, a ring without gaps) the one with the greatest minimum is taken. In the nodal cone w = g and λ = r.
-//! Cost O(n).
+//! Along a run of active midpoint constraints w_{i+1} = 2 g_i − w_i: one amplitude of the sawtooth (−1)^i,
+//! the kernel of B, is free, and none when an end of the run is fixed. B'λ = r on the run is the same
+//! recursion, λ_i = 2 r_i − λ_{i−1}; its rounding is carried over half the run only by starting at both ends.
+//! Where λ is determined only up to a sawtooth (a run between two fixed ends, a ring without gaps) the one
+//! with the greatest minimum is taken. In the nodal cone w = g and λ = r. Cost O(n).
 
 use super::edge_cone::{EdgeCone, Ends};
 use super::face::{Block, Face};
@@ -27,7 +27,8 @@ impl Coordinates {
 }
 
 impl EdgeCone {
-    /// Coordinates of { w : (B w)_i = g_i on the set, w = 0 at fixed nodes } on an open edge; fixed are end nodes.
+    /// Coordinates of { w : (B w)_i = g_i on the set, w = 0 at fixed nodes } on an open edge; fixed are end
+    /// nodes.
     pub(crate) fn coordinates(self, active: &[bool], bound: &[f64], fixed: &[bool]) -> Coordinates {
         let nodes = self.nodes();
         let mut free = Coordinates { offset: vec![0.0; nodes], amplitude: vec![None; nodes], count: 0 };
@@ -43,8 +44,8 @@ impl EdgeCone {
         free
     }
 
-    /// λ on the active constraints from B'λ = `force` there, zero elsewhere; `is_fixed` says at which nodes forces are unknown
-    /// (end nodes of an open edge).
+    /// λ on the active constraints from B'λ = `force` there, zero elsewhere; `is_fixed` says at which nodes
+    /// forces are unknown (end nodes of an open edge).
     pub(crate) fn multipliers(
         self,
         active: &[bool],

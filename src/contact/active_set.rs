@@ -1,18 +1,20 @@
 //! Condensed primal-dual active set: guess the contact set, solve on the edge, correct the guess.
 //!
-//! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0) and the
-//! inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a semismooth Newton step for
-//! w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
+//! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0)
+//! and the inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a semismooth Newton step
+//! for w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
 //!
-//! * nodal cone: all wrong constraints change sides (M. Hintermüller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002));
-//! * midpoint cone: the constraints active at the exact projection onto the cone. Changing sides one by one falls into
-//!   checkerboards there, because the constraints of neighbouring segments are coupled through B B'.
+//! * nodal cone: all wrong constraints change sides (M. Hintermüller, K. Ito, K. Kunisch, SIAM J. Optim. 13
+//!   (2002));
+//! * midpoint cone: the constraints active at the exact projection onto the cone. Changing sides one by one
+//!   falls into checkerboards there, because the constraints of neighbouring segments are coupled through B
+//!   B'.
 //!
-//! A set that reproduces itself solves the problem. When a set comes back, only the wrong constraint with the least
-//! index changes sides until fewer constraints are wrong than ever before: finite for every symmetric positive definite
-//! S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this phase the next set is a function of
-//! the set alone, so one that comes back a second time comes back for ever: [`Status::Cycled`]. Only rounding, or an S that
-//! is not symmetric positive definite, gets there.
+//! A set that reproduces itself solves the problem. When a set comes back, only the wrong constraint with the
+//! least index changes sides until fewer constraints are wrong than ever before: finite for every symmetric
+//! positive definite S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this
+//! phase the next set is a function of the set alone, so one that comes back a second time comes back for
+//! ever: [`Status::Cycled`]. Only rounding, or an S that is not symmetric positive definite, gets there.
 //! Cost: one dense factorization on the edge per step, however fine the mesh behind it.
 
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -23,8 +25,8 @@ use std::collections::{HashMap, HashSet};
 /// Signs below this multiple of the size of the terms are rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Steps allowed, with [`STEPS_PER_CONSTRAINT`] for every constraint. Runs take ten or twenty; a change of sides one by one
-/// takes a few per constraint.
+/// Steps allowed, with [`STEPS_PER_CONSTRAINT`] for every constraint. Runs take ten or twenty; a change of
+/// sides one by one takes a few per constraint.
 const FEWEST_STEPS: usize = 100;
 const STEPS_PER_CONSTRAINT: usize = 20;
 
@@ -156,7 +158,8 @@ mod tests {
         }
     }
 
-    /// Node 0 is pushed into the foundation, and off it as soon as it touches: no solution, and an S that is not symmetric.
+    /// Node 0 is pushed into the foundation, and off it as soon as it touches: no solution, and an S that is
+    /// not symmetric.
     #[test]
     fn a_cycle_without_a_way_out_is_reported() {
         let entries = [[1.0, -2.0], [0.0, 1.0]];

@@ -1,7 +1,7 @@
 //! The default solver: condensation to the contact edge, active set there, recovery, one step of refinement.
 //!
-//! Refinement repeats recovery for the residual of the full system with the contact set held fixed; the factorization
-//! is not repeated. It removes what rounding in the elimination left in the balance of forces.
+//! Refinement repeats recovery for the residual of the full system with the contact set held fixed; the
+//! factorization is not repeated. It removes what rounding in the elimination left in the balance of forces.
 
 use super::active_set::solve_on_edge;
 use super::edge_problem::EdgeProblem;

@@ -1,4 +1,5 @@
-//! Further data of a contact problem: loads by quadrature, surface loads, prescribed displacement, initial gap.
+//! Further data of a contact problem: loads by quadrature, surface loads, prescribed displacement, initial
+//! gap.
 
 use super::problem::ContactProblem;
 use crate::error::Result;
@@ -11,10 +12,12 @@ use crate::quadrature::Rule;
 const EDGE_POINTS: usize = 5;
 
 impl ContactProblem {
-    /// Adds the volume load ∫ f·v, by quadrature of the function itself (singular points are declared in the rule).
+    /// Adds the volume load ∫ f·v, by quadrature of the function itself (singular points are declared in the
+    /// rule).
     ///
     /// # Errors
-    /// [`crate::Error::LengthMismatch`] when f has the wrong number of components, [`crate::Error::NotFinite`].
+    /// [`crate::Error::LengthMismatch`] when f has the wrong number of components,
+    /// [`crate::Error::NotFinite`].
     pub fn add_volume_load(&mut self, density: &Field<'_>, rule: &Cubature) -> Result<()> {
         density.require(self.form.components())?;
         let load = volume_load(&self.mesh, density, rule)?;
@@ -30,8 +33,8 @@ impl ContactProblem {
         self.add_boundary_load(Part::Neumann, &|point, _| density.at(point))
     }
 
-    /// Adds ∫ F(x, n)·v over the edges with the given label, n the outward normal. On the contact part this is a force
-    /// besides the contact force.
+    /// Adds ∫ F(x, n)·v over the edges with the given label, n the outward normal. On the contact part this
+    /// is a force besides the contact force.
     ///
     /// # Errors
     /// [`crate::Error::NotFinite`], or what F returns.

@@ -1,9 +1,9 @@
 //! The contact problem reduced to its edge: min ½ w'S w − b'w over { B w ≤ g }, some w_i fixed at 0.
 //!
-//! For a given contact set the active constraints are eliminated exactly: w = o + Z q, the coordinates of the face (room
-//! `cone`): the nodes off contact, and in the midpoint cone one amplitude of the sawtooth (−1)^i for every run of active
-//! segments. Z'SZ is as well conditioned as S, while B S⁻¹ B' would lose a factor h^{-3}. The multipliers follow from
-//! r = b − S w = B'λ, run by run.
+//! For a given contact set the active constraints are eliminated exactly: w = o + Z q, the coordinates of the
+//! face (room `cone`): the nodes off contact, and in the midpoint cone one amplitude of the sawtooth (−1)^i
+//! for every run of active segments. Z'SZ is as well conditioned as S, while B S⁻¹ B' would lose a factor
+//! h^{-3}. The multipliers follow from r = b − S w = B'λ, run by run.
 //! Cost: one dense Cholesky factorization with the number of free amplitudes.
 
 use crate::cone::{Cone, ContactSet, Coordinates, EdgeCone, Ends};
@@ -186,7 +186,8 @@ mod tests {
         (p, ContactSet::new(active))
     }
 
-    /// The other road: try every contact set for S = D, b = D z, and take the one that satisfies all conditions.
+    /// The other road: try every contact set for S = D, b = D z, and take the one that satisfies all
+    /// conditions.
     fn exhaustive(target: &[f64], weights: &[f64], bound: &[f64], fixed: &[bool]) -> Vec<f64> {
         let nodes = target.len();
         let stiffness = Mat::from_fn(nodes, nodes, |i, j| if i == j { weights[i] } else { 0.0 });

@@ -1,8 +1,10 @@
-//! The second road: the full sparse quadratic program min ½ u'K u − F'u, B u ≤ g, by the interior point method Clarabel.
+//! The second road: the full sparse quadratic program min ½ u'K u − F'u, B u ≤ g, by the interior point
+//! method Clarabel.
 //!
 //! Nothing is shared with the condensed active set except the assembled matrix. The program is scaled to unit
-//! stiffness and load. Clarabel's static regularisation is off (with it, iterations end near 1e-6; K is positive
-//! definite, so the factorization needs none) and its refinement is tightened; this reaches 12 digits in 11-16 steps.
+//! stiffness and load. Clarabel's static regularisation is off (with it, iterations end near 1e-6; K is
+//! positive definite, so the factorization needs none) and its refinement is tightened; this reaches 12
+//! digits in 11-16 steps.
 
 use super::problem::ContactProblem;
 use super::solution::{
@@ -22,10 +24,12 @@ use std::time::Instant;
 /// Asked of Clarabel for feasibility, relative.
 const FEASIBILITY: f64 = 1e-14;
 
-/// Asked of Clarabel for the duality gap, relative; it may stop earlier when it cannot progress, and is judged then.
+/// Asked of Clarabel for the duality gap, relative; it may stop earlier when it cannot progress, and is
+/// judged then.
 const DUALITY_GAP: f64 = 1e-13;
 
-/// Not asked: absolute gaps have no scale here, and a problem with a solution is never to be called infeasible.
+/// Not asked: absolute gaps have no scale here, and a problem with a solution is never to be called
+/// infeasible.
 const NEVER: f64 = 1e-300;
 
 /// Clarabel's answer in the scaling of the problem.
@@ -83,8 +87,8 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     Ok(solution)
 }
 
-/// Active: where the multiplier, relative to the largest, exceeds the gap, relative to the displacement. Multipliers that
-/// are all rounding are compared with the force scale instead, as by the judge.
+/// Active: where the multiplier, relative to the largest, exceeds the gap, relative to the displacement.
+/// Multipliers that are all rounding are compared with the force scale instead, as by the judge.
 fn dominant(problem: &ContactProblem, answer: &Answer, gap: &[f64]) -> ContactSet {
     let displacement = displacement_scale(problem, &answer.unknowns);
     let (most, scale) = (largest(&answer.multiplier), force_scale(problem, &answer.unknowns));

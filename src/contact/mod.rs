@@ -1,8 +1,9 @@
 //! Section 2 and (4.1): discrete Signorini problems, two cones, two unrelated solvers, one judge.
 //!
 //! Sign convention of the paper: u_N ≤ g and σ_N ≤ 0 on the contact edge, n outward; multipliers λ ≥ 0 are
-//! generalised forces with K u − F + B'λ = 0 and B u ≤ g. What belongs to the cones alone stands in [`crate::cone`]; its names
-//! that appear here are repeated. [`EdgeProblem`] knows no mesh: a dense problem on the contact unknowns, whatever is behind it.
+//! generalised forces with K u − F + B'λ = 0 and B u ≤ g. What belongs to the cones alone stands in
+//! [`crate::cone`]; its names that appear here are repeated. [`EdgeProblem`] knows no mesh: a dense problem
+//! on the contact unknowns, whatever is behind it.
 
 mod active_set;
 mod condensed;

@@ -1,7 +1,7 @@
 //! The discrete Signorini problem (2.9) on a triangulation: form, load, prescribed values, contact edge, gap.
 //!
-//! Unknowns are node-major. At the nodes of an elastic contact edge they are (u_T, u_N) internally; everything that
-//! goes in or out is Cartesian. The scalar problem has u in the place of u_N.
+//! Unknowns are node-major. At the nodes of an elastic contact edge they are (u_T, u_N) internally;
+//! everything that goes in or out is Cartesian. The scalar problem has u in the place of u_N.
 
 use crate::cone::{Cone, EdgeCone, Ends};
 use crate::error::{Error, Result};
@@ -32,12 +32,13 @@ pub struct ContactProblem {
 }
 
 impl ContactProblem {
-    /// The problem with volume load equal to the P1 function with the given nodal values (node-major, one number per
-    /// node for a scalar form, two for elasticity), zero surface load, zero Dirichlet data and zero initial gap.
+    /// The problem with volume load equal to the P1 function with the given nodal values (node-major, one
+    /// number per node for a scalar form, two for elasticity), zero surface load, zero Dirichlet data and
+    /// zero initial gap.
     ///
     /// # Errors
-    /// Names what is missing or wrong: no contact edge, contact edge in pieces or (elastic) not straight, nothing
-    /// that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
+    /// Names what is missing or wrong: no contact edge, contact edge in pieces or (elastic) not straight,
+    /// nothing that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
         let start = Instant::now();
         form.check()?;
@@ -148,7 +149,8 @@ impl ContactProblem {
     /// level `from`, prolonged by P.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for levels in the wrong order, [`Error::LengthMismatch`], [`Error::NotFinite`].
+    /// [`Error::CountOutOfRange`] for levels in the wrong order, [`Error::LengthMismatch`],
+    /// [`Error::NotFinite`].
     pub fn nested_energy_error(
         &self,
         hierarchy: &Hierarchy,

@@ -1,9 +1,9 @@
 //! What a contact solver returns, and the figures computed from displacement and multiplier alone.
 //!
-//! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: nodal contact force B'λ over the length that belongs to
-//! the node (∫ of its hat function). Global balance: in every direction d (a unit translation; scalar: the constant 1),
-//! loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to the sum of absolute loads and
-//! reactions; a(d, u) vanishes without a reaction term.
+//! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: nodal contact force B'λ over the length that
+//! belongs to the node (∫ of its hat function). Global balance: in every direction d (a unit translation;
+//! scalar: the constant 1), loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to
+//! the sum of absolute loads and reactions; a(d, u) vanishes without a reaction term.
 
 use super::problem::ContactProblem;
 use super::solver::Solver;
@@ -58,8 +58,8 @@ pub struct ContactSolution {
     pub positions: Vec<f64>,
     /// −σ_N at the nodes of the contact edge.
     pub pressure: Vec<f64>,
-    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force over nodal length. At
-    /// clamped nodes this is the reaction; a scalar problem has (∂u/∂n, 0).
+    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force over
+    /// nodal length. At clamped nodes this is the reaction; a scalar problem has (∂u/∂n, 0).
     pub traction: Vec<Point>,
     /// The active constraints.
     pub contact_set: ContactSet,
@@ -103,8 +103,8 @@ pub(super) struct Candidate {
     pub(super) seconds: Seconds,
 }
 
-/// Judges a candidate and computes what is reported of it; the same for every solver. A displacement so large that its energy
-/// is not a number of binary64 is an error.
+/// Judges a candidate and computes what is reported of it; the same for every solver. A displacement so large
+/// that its energy is not a number of binary64 is an error.
 pub(super) fn conclude(
     problem: &ContactProblem,
     cone: Cone,
@@ -220,7 +220,8 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
     (0..sizes.len()).filter(|&i| !problem.prescribed[i]).map(|i| sizes[i]).fold(0.0, f64::max)
 }
 
-/// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents everything.
+/// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents
+/// everything.
 pub(super) fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let alone = (0..u.len())
         .filter(|&i| !problem.prescribed[i] && problem.load[i] != 0.0)

@@ -8,7 +8,8 @@ use crate::cone::{Cone, ContactSet};
 use crate::error::{Error, Result};
 
 impl ContactProblem {
-    /// The discrete solution in the given cone by the given solver, judged. The active set starts without contact.
+    /// The discrete solution in the given cone by the given solver, judged. The active set starts without
+    /// contact.
     ///
     /// ```
     /// use signorini::{contact::{Cone, Solver}, scenes::MeshScene};
@@ -18,8 +19,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when some part of the body is not held, [`Error::CountOutOfRange`] for the midpoint
-    /// cone on a closed edge. How the iteration ended is in the status.
+    /// [`Error::NotPositiveDefinite`] when some part of the body is not held, [`Error::CountOutOfRange`] for
+    /// the midpoint cone on a closed edge. How the iteration ended is in the status.
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
         match solver {
             Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),
@@ -38,8 +39,8 @@ impl ContactProblem {
         self.solve_from(coarse.cone, self.edge_cone(coarse.cone).refined_set(&coarse.contact_set)?)
     }
 
-    /// [`ContactProblem::solve_after`], and the number of steps that a start without contact would have taken; the
-    /// elimination is shared.
+    /// [`ContactProblem::solve_after`], and the number of steps that a start without contact would have
+    /// taken; the elimination is shared.
     ///
     /// # Errors
     /// As for [`ContactProblem::solve_from`].
@@ -52,7 +53,8 @@ impl ContactProblem {
         condensed::solve(self, coarse.cone, guess, Some(self.no_contact(coarse.cone)))
     }
 
-    /// The discrete solution by the active set, starting from a guess of the contact set (of a coarser level, say).
+    /// The discrete solution by the active set, starting from a guess of the contact set (of a coarser level,
+    /// say).
     ///
     /// # Errors
     /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] when the guess has the wrong length.
@@ -65,7 +67,8 @@ impl ContactProblem {
         ContactSet::empty(self.edge_cone(cone).constraints())
     }
 
-    /// On a closed edge with as many segments as nodes the means may be dependent, and multipliers are not unique.
+    /// On a closed edge with as many segments as nodes the means may be dependent, and multipliers are not
+    /// unique.
     fn check_ends(&self, cone: Cone) -> Result<()> {
         if cone == Cone::Midpoint && self.edge().is_closed() {
             let range = "2 for the midpoint cone: a closed contact edge has as many segments as nodes";

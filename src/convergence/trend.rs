@@ -1,15 +1,17 @@
-//! The exponent of a quantity that alternates about a power of h: errors of one transition, at another place of its cell on every
-//! level.
+//! The exponent of a quantity that alternates about a power of h: errors of one transition, at another place
+//! of its cell on every level.
 //!
-//! The regression line of ln q against ln h over the finer half of the levels (at least three). Its uncertainty is the larger of
-//! three standard errors (the alternation as scatter) and twice the largest change when a level is left out at either end (a series
-//! that has not settled). [`super::Fit`] asks more: it is for series without alternation, or averaged over it.
+//! The regression line of ln q against ln h over the finer half of the levels (at least three). Its
+//! uncertainty is the larger of three standard errors (the alternation as scatter) and twice the largest
+//! change when a level is left out at either end (a series that has not settled). [`super::Fit`] asks more:
+//! it is for series without alternation, or averaged over it.
 
 use crate::numeric::line::Line;
 
 /// Fewest levels that show a trend.
 const FEWEST: usize = 3;
-/// Standard errors that count as scatter: the 97.5 % quantile of Student's t with four degrees of freedom is 2.8.
+/// Standard errors that count as scatter: the 97.5 % quantile of Student's t with four degrees of freedom is
+/// 2.8.
 const SCATTER: f64 = 3.0;
 /// What one level left out changes, two may change twice.
 const WINDOWS: f64 = 2.0;
@@ -30,8 +32,8 @@ pub struct Trend {
 }
 
 impl Trend {
-    /// The rise that says nothing: the alternation, and what an order may still lack by `unsettled` on these levels, h halved each
-    /// time.
+    /// The rise that says nothing: the alternation, and what an order may still lack by `unsettled` on these
+    /// levels, h halved each time.
     pub fn noise(&self, unsettled: f64) -> f64 {
         self.alternation * (unsettled * (self.levels - 1) as f64).exp2()
     }

@@ -139,9 +139,9 @@ impl CaseStudy {
         Some(format!("{missing} gaps left out, under 2 cells wide or too near on the grid of {cells} cells"))
     }
 
-    /// One row of numbers per level, of the first position but for the errors: n, unknowns, |u − u_h|_a, what it may be off by,
-    /// log₂ of the ratio of errors, contact runs, linear problems, most inner iterations in one, worst KKT figure, seconds, seconds
-    /// for the error. What does not exist is NaN.
+    /// One row of numbers per level, of the first position but for the errors: n, unknowns, |u − u_h|_a, what
+    /// it may be off by, log₂ of the ratio of errors, contact runs, linear problems, most inner iterations in
+    /// one, worst KKT figure, seconds, seconds for the error. What does not exist is NaN.
     pub fn rows(&self) -> Vec<[f64; 11]> {
         let order = |i: usize| {
             let order = i.checked_sub(1).map(|k| (self.errors[k].value / self.errors[i].value).log2());

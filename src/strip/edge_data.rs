@@ -1,8 +1,8 @@
 //! Complementary data on the fine edge of a strip: u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0.
 //!
-//! On a fine edge of N cells with operator A (of a strip, or of the continuous harmonic problem) the pair (u_N, λ) solves
-//! the contact problem with the edge load b = A u_N + λ, whatever the pair is. [`crate::scenes`] builds pairs of given
-//! regularity.
+//! On a fine edge of N cells with operator A (of a strip, or of the continuous harmonic problem) the pair
+//! (u_N, λ) solves the contact problem with the edge load b = A u_N + λ, whatever the pair is.
+//! [`crate::scenes`] builds pairs of given regularity.
 
 use super::sides::{Sides, check_cells};
 use crate::error::{Error, Result};
@@ -19,11 +19,13 @@ pub struct EdgeData {
 }
 
 impl EdgeData {
-    /// The pair u_N = `values` ≤ 0 and nodal forces λ = `forces` ≥ 0 at the nodes of an edge of `cells` cells.
+    /// The pair u_N = `values` ≤ 0 and nodal forces λ = `forces` ≥ 0 at the nodes of an edge of `cells`
+    /// cells.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`]; [`Error::OutOfRange`] for a wrong sign;
-    /// [`Error::NotComplementary`] when both are nonzero at a node; [`Error::EmptyContact`] when no node has u_N = 0.
+    /// [`Error::NotComplementary`] when both are nonzero at a node; [`Error::EmptyContact`] when no node has
+    /// u_N = 0.
     pub fn new(cells: usize, sides: Sides, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         for (name, field) in [("u_N", &values), ("lambda", &forces)] {
@@ -48,12 +50,12 @@ impl EdgeData {
         Self { regularity: Some(tau), ..self }
     }
 
-    /// Reads u_N and λ (a density) from text: one line per node, two numbers per line, `#` starts a comment. The
-    /// number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
+    /// Reads u_N and λ (a density) from text: one line per node, two numbers per line, `#` starts a comment.
+    /// The number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
     ///
     /// # Errors
-    /// [`Error::Syntax`] naming the line that is not two numbers; [`Error::CountOutOfRange`] for the number of lines;
-    /// and as [`EdgeData::new`].
+    /// [`Error::Syntax`] naming the line that is not two numbers; [`Error::CountOutOfRange`] for the number
+    /// of lines; and as [`EdgeData::new`].
     pub fn from_samples(text: &str, sides: Sides) -> Result<Self> {
         let mut values = Vec::new();
         let mut densities = Vec::new();

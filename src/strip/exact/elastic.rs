@@ -1,7 +1,7 @@
 //! Exact energy-norm errors of the elastic strip from its edge alone.
 //!
-//! The scene prescribes u_N and λ on a fine edge of N cells; no tangential force acts, so u_x follows from u_N. As in the
-//! scalar case, with v = (u_x, u_y) on the edge,
+//! The scene prescribes u_N and λ on a fine edge of N cells; no tangential force acts, so u_x follows from
+//! u_N. As in the scalar case, with v = (u_x, u_y) on the edge,
 //!
 //! |u − u_h|²_a = ⟨A d, d⟩ + ⟨G v_h, v_h⟩,  d = v − P v_h,
 //!
@@ -21,7 +21,8 @@ use crate::strip::sides::Sides;
 use crate::strip::transfer::prolong;
 use realfft::num_complex::Complex;
 
-/// Relative rounding of the defects: those of low modes are rounded from double-double, the others keep eleven digits.
+/// Relative rounding of the defects: those of low modes are rounded from double-double, the others keep
+/// eleven digits.
 const DEFECTS: f64 = 1e-11;
 
 /// Exact elastic edge data on a fine grid, its loads on all coarser grids, and errors against it.
@@ -46,8 +47,8 @@ impl ExactElastic {
     /// `coarsest` is the smallest number of cells errors are wanted for.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the numbers of layers
-    /// are powers of two.
+    /// [`Error::Incompatible`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the
+    /// numbers of layers are powers of two.
     pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
         if scene.sides() != Sides::Periodic {
             return Err(Error::Incompatible {

@@ -65,7 +65,8 @@ impl Levels {
         1 << self.finest
     }
 
-    /// Cells of the grid the scene lives on: 64 times the finest level, but not above 2^20 unless four times the finest level is.
+    /// Cells of the grid the scene lives on: 64 times the finest level, but not above 2^20 unless four times
+    /// the finest level is.
     pub fn reference_cells(self) -> usize {
         1 << (self.finest + 6).min(20).max(self.finest + 2)
     }

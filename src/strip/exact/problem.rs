@@ -71,7 +71,8 @@ impl StripProblem {
     /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the scene only.
     ///
     /// # Errors
-    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::Incompatible`] for a continuous elastic reference.
+    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::Incompatible`] for a continuous elastic
+    /// reference.
     pub fn new(kind: StripKind, scene: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(match kind {
             StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),

@@ -1,13 +1,14 @@
 //! Exact energy-norm errors of the scalar strip from its edge alone.
 //!
-//! g is the exact edge shape on a fine grid of N cells; u is either the discrete solution on the fine strip or the
-//! continuous harmonic function above the piecewise linear g. For a coarse solution with edge shape g_h, no volume load,
+//! g is the exact edge shape on a fine grid of N cells; u is either the discrete solution on the fine strip
+//! or the continuous harmonic function above the piecewise linear g. For a coarse solution with edge shape
+//! g_h, no volume load,
 //!
 //! |u − u_h|²_a = ⟨T d, d⟩ + ⟨G g_h, g_h⟩,  d = g − P g_h:
 //!
-//! the fine energy of the difference at the edge, and what the coarse mesh stores too much in the interior (module
-//! `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference of energies loses
-//! six and more digits at n = 2^18. Cost: one transform of length N per error.
+//! the fine energy of the difference at the edge, and what the coarse mesh stores too much in the interior
+//! (module `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference
+//! of energies loses six and more digits at n = 2^18. Cost: one transform of length N per error.
 
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
 use super::reference::Reference;
@@ -23,7 +24,8 @@ use crate::strip::sides::Sides;
 use crate::strip::transfer::prolong;
 use std::f64::consts::PI;
 
-/// Relative rounding of the defects and of the sum over modes: closed forms without cancellation, a few dozen ε.
+/// Relative rounding of the defects and of the sum over modes: closed forms without cancellation, a few dozen
+/// ε.
 const DEFECTS: f64 = 1e-14;
 
 /// Exact edge data g, λ on a fine grid, its loads on all coarser grids, and errors against it.
@@ -46,8 +48,8 @@ impl ExactEdge {
     /// The scene as exact solution on the strip of height `height.0/height.1`; natural sides.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two and the
-    /// height gives a whole number of layers on it.
+    /// [`Error::Incompatible`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two
+    /// and the height gives a whole number of layers on it.
     pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
             return Err(Error::Incompatible {

@@ -1,7 +1,7 @@
 //! Level after level: the discrete solutions of one scene and their exact errors.
 //!
-//! Each level starts from the contact set of the coarser one. The observed order between n/2 and n is log₂ of the ratio of
-//! errors. For a transition it alternates with the position of the transition in its cell.
+//! Each level starts from the contact set of the coarser one. The observed order between n/2 and n is log₂ of
+//! the ratio of errors. For a transition it alternates with the position of the transition in its cell.
 
 use super::levels::Levels;
 use super::problem::StripProblem;

@@ -1,15 +1,19 @@
-//! How much more energy the coarse strip stores than the fine one: differences of symbols without cancellation.
+//! How much more energy the coarse strip stores than the fine one: differences of symbols without
+//! cancellation.
 //!
-//! Let P be linear interpolation of edge data to a finer grid. The energy of the strip of mesh size h in the shape g_h exceeds that of
-//! the finer strip (or of the continuous harmonic function) in the shape P g_h by ⟨G g_h, g_h⟩ with G ≥ 0 diagonal in
-//! the modes. All terms below are written as sums of positive ones; θ = kπ/n, m the layers, φ = 2 asinh sin(θ/2).
+//! Let P be linear interpolation of edge data to a finer grid. The energy of the strip of mesh size h in the
+//! shape g_h exceeds that of the finer strip (or of the continuous harmonic function) in the shape P g_h by
+//! ⟨G g_h, g_h⟩ with G ≥ 0 diagonal in the modes. All terms below are written as sums of positive ones; θ =
+//! kπ/n, m the layers, φ = 2 asinh sin(θ/2).
 //!
-//! * One halving, s = sin(θ/4), c = cos(θ/4), S the symbols: D(θ) = S_h(θ) − 2 [c⁴ S_{h/2}(θ/2) + s⁴ S_{h/2}(π − θ/2)],
-//!   on the half plane D = 4sc { s² (4c²+1+c²+c⁴−c⁶)/(√(1+4s²c²) + c³ √(1+s²)) − s³ √(1+c²) }. Several halvings:
-//!   G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ G_{h/2}(π − θ/2)].
-//! * Continuous: T(θ) = (2 sin(θ/2))⁴ Σ_j |θ+2πj|⁻³ coth(m |θ+2πj|), G = S_h − T; with s = sin(θ/2), r = 2s/θ on the half
-//!   plane G = 2s { s²/(1+√(1+s²)) + (1−r)(1+r+r²) − (s/π)³ Z }, Z = ζ(3, 1+x) + ζ(3, 1−x), x = θ/2π.
-//! * Finite height enters through coth a − coth b = sinh(b−a)/(sinh a sinh b), with b − a free of cancellation too.
+//! * One halving, s = sin(θ/4), c = cos(θ/4), S the symbols: D(θ) = S_h(θ) − 2 [c⁴ S_{h/2}(θ/2) + s⁴
+//!   S_{h/2}(π − θ/2)], on the half plane D = 4sc { s² (4c²+1+c²+c⁴−c⁶)/(√(1+4s²c²) + c³ √(1+s²)) − s³
+//!   √(1+c²) }. Several halvings: G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ G_{h/2}(π − θ/2)].
+//! * Continuous: T(θ) = (2 sin(θ/2))⁴ Σ_j |θ+2πj|⁻³ coth(m |θ+2πj|), G = S_h − T; with s = sin(θ/2), r = 2s/θ
+//!   on the half plane G = 2s { s²/(1+√(1+s²)) + (1−r)(1+r+r²) − (s/π)³ Z }, Z = ζ(3, 1+x) + ζ(3, 1−x), x =
+//!   θ/2π.
+//! * Finite height enters through coth a − coth b = sinh(b−a)/(sinh a sinh b), with b − a free of
+//!   cancellation too.
 
 use std::f64::consts::PI;
 
@@ -102,7 +106,8 @@ fn alias_sum(theta: f64, layers: f64) -> f64 {
     (sum + tail) / unit.powi(3)
 }
 
-/// Aliases summed one by one; the Euler-Maclaurin tail is then below 1e-17 relative, and for m ≥ 1 coth(2πmj) is 1 in it.
+/// Aliases summed one by one; the Euler-Maclaurin tail is then below 1e-17 relative, and for m ≥ 1 coth(2πmj)
+/// is 1 in it.
 const ALIASES: usize = 10;
 
 /// ζ(3, a) for a ≥ 10 by Euler and Maclaurin.

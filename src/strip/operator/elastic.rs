@@ -1,10 +1,11 @@
 //! The elastic strip of height H with periodic sides, clamped on top, contact at the bottom; plane strain.
 //!
-//! ∫ 2μ ε(u):ε(v) + λ div u div v = ℓ(v). Per mode the edge keeps a Hermitian 2 × 2 matrix A (module `slab`) for (u_x, u_y);
-//! contact is frictionless, so the tangential component is condensed: S_N = A_yy − |A_xy|²/A_xx, acting on u_N = −u_y.
+//! ∫ 2μ ε(u):ε(v) + λ div u div v = ℓ(v). Per mode the edge keeps a Hermitian 2 × 2 matrix A (module `slab`)
+//! for (u_x, u_y); contact is frictionless, so the tangential component is condensed: S_N = A_yy −
+//! |A_xy|²/A_xx, acting on u_N = −u_y.
 //!
-//! Volume loads are eliminated row by row from the top, P the edge matrix of what is above, y the load gathered so far:
-//! P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y.
+//! Volume loads are eliminated row by row from the top, P the edge matrix of what is above, y the load
+//! gathered so far: P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y.
 //! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
@@ -132,8 +133,8 @@ impl ElasticStrip {
         })
     }
 
-    /// Condenses a volume load given by its rows: `row(j, [F_x, F_y])` writes the dual values of layer j = 0 ... m − 1, asked for
-    /// from the top downwards.
+    /// Condenses a volume load given by its rows: `row(j, [F_x, F_y])` writes the dual values of layer j = 0
+    /// ... m − 1, asked for from the top downwards.
     ///
     /// # Errors
     /// [`Error::NotFinite`] when a row is not.
@@ -190,8 +191,8 @@ impl ElasticStrip {
     }
 }
 
-/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: those need the most doublings and are
-/// the ones whose differences matter.
+/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: those need the
+/// most doublings and are the ones whose differences matter.
 pub(crate) const LOW: f64 = 0.1;
 
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.

@@ -4,9 +4,10 @@
 //!
 //! D(θ) = A_h(θ) − 2 [c⁴ A_{h/2}(θ/2) + s⁴ conj A_{h/2}(π − θ/2)],  s = sin(θ/4), c = cos(θ/4),
 //!
-//! and over several halvings G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ conj G_{h/2}(π − θ/2)]. D is O(θ³) and A is O(θ): the
-//! difference loses ε/θ². There is no closed form to rewrite; for θ below [`LOW`] (three modes in a hundred) the whole computation
-//! is done in double-double, which keeps 1e-30/θ², more than 16 digits for n up to 2^26.
+//! and over several halvings G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ conj G_{h/2}(π − θ/2)]. D is O(θ³) and A
+//! is O(θ): the difference loses ε/θ². There is no closed form to rewrite; for θ below [`LOW`] (three modes
+//! in a hundred) the whole computation is done in double-double, which keeps 1e-30/θ², more than 16 digits
+//! for n up to 2^26.
 
 use super::elastic::{EdgeMatrix, LOW};
 use super::slab::{Mode, edge_matrix};
@@ -15,7 +16,8 @@ use qd::Quad;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// D at θ = 2πk/n, k = 0 ... n/2, between `layers` and 2 `layers` layers; `coarse` and `fine` are the edge matrices.
+/// D at θ = 2πk/n, k = 0 ... n/2, between `layers` and 2 `layers` layers; `coarse` and `fine` are the edge
+/// matrices.
 pub(crate) fn halvings(
     cells: usize,
     layers: usize,

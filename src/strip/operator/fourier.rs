@@ -1,7 +1,7 @@
 //! Real Fourier transforms of one length, with their buffers.
 //!
-//! The only failure the transforms know is a buffer of another length than planned; buffers are made here from the plan, so it
-//! cannot happen, and it would be an error all the same.
+//! The only failure the transforms know is a buffer of another length than planned; buffers are made here
+//! from the plan, so it cannot happen, and it would be an error all the same.
 
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;

@@ -1,4 +1,5 @@
-//! The strip reduced to its edge: symbols, loads, and how much more energy a coarse strip stores than a fine one.
+//! The strip reduced to its edge: symbols, loads, and how much more energy a coarse strip stores than a fine
+//! one.
 
 pub(super) mod defect;
 pub(super) mod edge;

@@ -1,15 +1,16 @@
 //! The scalar strip (0,1) × (0,H): ∫ ∇u·∇v = ℓ(v), u = 0 on top, natural sides, contact at the bottom.
 //!
-//! P1 on n × m squares of side h = 1/n, each cut from bottom left to top right (the Laplacian does not see the cut, the
-//! mass matrix does). Per cosine mode cos(θ i), θ = kπ/n, s = sin(θ/2), φ = 2 asinh s, the interior rows obey
-//! −u_{j−1} + (2 + 4s²) u_j − u_{j+1} = F_j; eliminating them leaves the edge with the symbol
+//! P1 on n × m squares of side h = 1/n, each cut from bottom left to top right (the Laplacian does not see
+//! the cut, the mass matrix does). Per cosine mode cos(θ i), θ = kπ/n, s = sin(θ/2), φ = 2 asinh s, the
+//! interior rows obey −u_{j−1} + (2 + 4s²) u_j − u_{j+1} = F_j; eliminating them leaves the edge with the
+//! symbol
 //!
 //! S(θ) = sinh φ coth(mφ) = 2 s √(1+s²) coth(mφ),  S(0) = 1/m.
 //!
-//! Volume loads with rows F_j are eliminated from the top downwards, one row at a time, in O(n) memory: the pivots
-//! d_j = 2 + 4s² − 1/d_{j+1} are 1 + e_j with e_j = 4s² + e_{j+1}/(1 + e_{j+1}), a sum of positive terms. What is left is
-//! an edge load b and a constant c = −½ Σ_j y_j²/d_j, so that min J = min over the edge of ½ g'A g − b'g + c.
-//! Cost: O(n) for the symbol, O(n m log n) for a volume load.
+//! Volume loads with rows F_j are eliminated from the top downwards, one row at a time, in O(n) memory: the
+//! pivots d_j = 2 + 4s² − 1/d_{j+1} are 1 + e_j with e_j = 4s² + e_{j+1}/(1 + e_{j+1}), a sum of positive
+//! terms. What is left is an edge load b and a constant c = −½ Σ_j y_j²/d_j, so that min J = min over the
+//! edge of ½ g'A g − b'g + c. Cost: O(n) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
 use super::load::{EdgeLoad, mass_row};
@@ -60,8 +61,8 @@ impl ScalarStrip {
         self.operator.nodes() as f64 * self.layers as f64
     }
 
-    /// Condenses a volume load given by its rows: `row(j, F)` writes the n + 1 dual values F_j of layer j = 0 ... m − 1
-    /// (j = 0 is the contact edge). Rows are asked for from the top downwards.
+    /// Condenses a volume load given by its rows: `row(j, F)` writes the n + 1 dual values F_j of layer j = 0
+    /// ... m − 1 (j = 0 is the contact edge). Rows are asked for from the top downwards.
     ///
     /// # Errors
     /// [`Error::NotFinite`] when a row is not.

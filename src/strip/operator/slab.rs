@@ -1,11 +1,12 @@
 //! The elastic slab of one Fourier mode, and how two equal slabs merge.
 //!
-//! Rows carry two displacement components, u(x) = û e^{iθ i}. A slab of L layers keeps its bottom û and d = û_top − û_bottom:
+//! Rows carry two displacement components, u(x) = û e^{iθ i}. A slab of L layers keeps its bottom û and d =
+//! û_top − û_bottom:
 //!
 //! E = ½ { û*T û + 2 Re û*R d + d*C d }.
 //!
-//! One layer of squares cut from bottom left to top right, with C_xx = diag(λ+2μ, μ), C_yy = diag(μ, λ+2μ), C_xy = [0 λ; μ 0],
-//! e = exp(iθ) − 1, |e|² = 4 sin²(θ/2):
+//! One layer of squares cut from bottom left to top right, with C_xx = diag(λ+2μ, μ), C_yy = diag(μ, λ+2μ),
+//! C_xy = [0 λ; μ 0], e = exp(iθ) − 1, |e|² = 4 sin²(θ/2):
 //!
 //! T = |e|² C_xx,  R = |e|² C_xx/2 − i sin θ C_xy,  C = C_yy + |e|² C_xx/2 + (ē C_xy + e C_xy')/2.
 //!
@@ -13,12 +14,13 @@
 //!
 //! T ← 2T − T M⁻¹ T,  R ← R − T M⁻¹ W,  C ← C − W* M⁻¹ W.
 //!
-//! Since T = O(θ²), R = O(θ) are kept apart from C = O(1), low modes keep their relative accuracy: 1e-13 after 18 doublings
-//! for λ = μ, 1e-12 for λ = 100 μ, where doubling the plain 4 × 4 stiffness loses ε n² (4e-7). With the top clamped (d = −û) the edge matrix is
-//! T − R − R* + C. A slab whose bottom no longer feels the top is not
-//! doubled further. Cost O(log L) per mode.
+//! Since T = O(θ²), R = O(θ) are kept apart from C = O(1), low modes keep their relative accuracy: 1e-13
+//! after 18 doublings for λ = μ, 1e-12 for λ = 100 μ, where doubling the plain 4 × 4 stiffness loses ε n²
+//! (4e-7). With the top clamped (d = −û) the edge matrix is T − R − R* + C. A slab whose bottom no longer
+//! feels the top is not doubled further. Cost O(log L) per mode.
 //!
-//! Written for any real field: binary64, or double-double where differences of these matrices are wanted (`elastic_defect`).
+//! Written for any real field: binary64, or double-double where differences of these matrices are wanted
+//! (`elastic_defect`).
 
 use crate::fem::Lame;
 use qd::Quad;
@@ -204,9 +206,9 @@ impl<T: Field> Slab<T> {
 
 /// The edge matrix of 2^doublings layers with the top clamped.
 ///
-/// The clamped top is felt at depth L like exp(−2κL), so that a doubling squares what is missing: once a doubling changes
-/// the matrix by less than the square root of the rounding, the slab is as good as infinite. (κ is not that of the continuous
-/// problem: for λ ≫ μ the discrete modes near θ = π decay far more slowly.)
+/// The clamped top is felt at depth L like exp(−2κL), so that a doubling squares what is missing: once a
+/// doubling changes the matrix by less than the square root of the rounding, the slab is as good as infinite.
+/// (κ is not that of the continuous problem: for λ ≫ μ the discrete modes near θ = π decay far more slowly.)
 pub(crate) fn edge_matrix<T: Field>(mode: Mode<T>, lame: Lame, doublings: u32) -> Matrix<T> {
     let mut slab = Slab::layer(mode, lame);
     let mut matrix = slab.clamped();

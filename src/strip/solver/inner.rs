@@ -1,7 +1,8 @@
 //! The linear problem on a face: Π A Π x = Π b by preconditioned conjugate gradients.
 //!
-//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the energy norm of
-//! the error with constants near 1. Iterations needed for a given reduction do not depend on n or on the gaps.
+//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the
+//! energy norm of the error with constants near 1. Iterations needed for a given reduction do not depend on n
+//! or on the gaps.
 
 use super::precondition::Preconditioner;
 use crate::cone::Face;
@@ -63,7 +64,8 @@ impl<'a> FaceSolver<'a> {
         }
     }
 
-    /// Improves x (made to lie on the face) until ρ ≤ max(goal · ‖b‖, reduction · ρ at the start), at most `limit` times.
+    /// Improves x (made to lie on the face) until ρ ≤ max(goal · ‖b‖, reduction · ρ at the start), at most
+    /// `limit` times.
     pub(crate) fn solve(
         &mut self,
         face: &Face,

@@ -1,11 +1,11 @@
 //! Preconditioner of the edge operator on a face: one sine transform per gap.
 //!
-//! On a gap of L nodes between contact runs the operator is close to the function of the sine modes with the same symbol:
-//! B = DST⁻¹ S(πk/(L+1))⁻¹ DST (odd extension of period 2(L+1)); both are equivalent to the half Laplacian on the gap. The
-//! spectrum of BA stays in a fixed interval however many gaps there are and however long. A gap that reaches a natural side
-//! is continued evenly past it; without any contact B is the exact inverse. Contact runs (midpoint amplitudes) are divided
-//! by ‖A‖. L + 1 is raised to the next number with prime factors up to 13, so that no transform has a large prime length.
-//! Cost O(n log n).
+//! On a gap of L nodes between contact runs the operator is close to the function of the sine modes with the
+//! same symbol: B = DST⁻¹ S(πk/(L+1))⁻¹ DST (odd extension of period 2(L+1)); both are equivalent to the half
+//! Laplacian on the gap. The spectrum of BA stays in a fixed interval however many gaps there are and however
+//! long. A gap that reaches a natural side is continued evenly past it; without any contact B is the exact
+//! inverse. Contact runs (midpoint amplitudes) are divided by ‖A‖. L + 1 is raised to the next number with
+//! prime factors up to 13, so that no transform has a large prime length. Cost O(n log n).
 
 use crate::cone::{Block, Face};
 use crate::error::Result;
@@ -76,8 +76,8 @@ impl<'a> Preconditioner<'a> {
         plan.fourier.fit(work);
         work.real.fill(0.0);
         let value = |j: usize| r[(gap.start + j) % nodes];
-        // Position 1 + j on the odd grid; the end node of a natural side is the centre of the mirrored gap and its dual
-        // value counts twice there.
+        // Position 1 + j on the odd grid; the end node of a natural side is the centre of the mirrored gap
+        // and its dual value counts twice there.
         for j in 0..gap.len {
             let v = value(j);
             if !mirrored {

@@ -1,14 +1,15 @@
 //! Contact on the edge: min ½ g'A g − b'g over the nodal or the midpoint cone.
 //!
 //! Semismooth Newton on w = Proj(w + (b − A w)/σ), σ = ‖A‖, Proj the exact projection onto the cone: the
-//! constraints active in the projection define a face, the next w solves the linear problem on it. For the nodal cone this is the
-//! primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge matrix is an M-matrix; for the midpoint cone
-//! the textbook rule stalls in checkerboards and the projection does not. While the set moves the linear problems are solved to two
-//! digits only. A start from the half as fine grid carries over set and values. Should a set ever come back, the iteration goes on with
-//! feasible descent: every step lowers J, so that no set can return.
+//! constraints active in the projection define a face, the next w solves the linear problem on it. For the
+//! nodal cone this is the primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge
+//! matrix is an M-matrix; for the midpoint cone the textbook rule stalls in checkerboards and the projection
+//! does not. While the set moves the linear problems are solved to two digits only. A start from the half as
+//! fine grid carries over set and values. Should a set ever come back, the iteration goes on with feasible
+//! descent: every step lowers J, so that no set can return.
 //!
-//! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion along each run.
-//! Cost: O(n log n) per inner iteration, a few dozen of them per level.
+//! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion
+//! along each run. Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
 use super::inner::FaceSolver;
 use super::solution::EdgeSolution;
@@ -24,8 +25,8 @@ use crate::strip::transfer::prolong;
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// Residual of the last linear problem in [`solve_contact`], relative, in the energy norm: a hundred roundings above what
-/// binary64 reaches, below every discretization error.
+/// Residual of the last linear problem in [`solve_contact`], relative, in the energy norm: a hundred
+/// roundings above what binary64 reaches, below every discretization error.
 const SOLVED: f64 = 1e-13;
 
 /// Reduction of the residual asked of the linear problems while the contact set moves.
@@ -40,12 +41,12 @@ const INNER_STEPS: usize = 200;
 /// An exact linear problem, solved again, that keeps more of its residual than this has reached rounding.
 const STALLED: f64 = 0.5;
 
-/// Solves the contact problem of `operator` with the given load, as far as binary64 carries; `start` is a solution on the half as
-/// fine edge, or on this one.
+/// Solves the contact problem of `operator` with the given load, as far as binary64 carries; `start` is a
+/// solution on the half as fine edge, or on this one.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::OutOfRange`] for data that do not fit. How the iteration ended is
-/// in the status.
+/// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::OutOfRange`] for data that do not fit. How the
+/// iteration ended is in the status.
 pub fn solve_contact(
     operator: &EdgeOperator,
     load: &EdgeLoad,
@@ -55,8 +56,8 @@ pub fn solve_contact(
     solve_scaled(operator, load, cone, start, SOLVED)
 }
 
-/// [`solve_contact`], the residual of the linear problem on the last contact set at most `tolerance`, relative and in the
-/// energy norm. The contact set is one that reproduces itself at this accuracy.
+/// [`solve_contact`], the residual of the linear problem on the last contact set at most `tolerance`,
+/// relative and in the energy norm. The contact set is one that reproduces itself at this accuracy.
 ///
 /// # Errors
 /// As [`solve_contact`]. A tolerance that rounding does not allow ends as [`Status::Stalled`].
@@ -208,7 +209,8 @@ impl<'a> Iteration<'a> {
         Ok(self.cone.nearest(&shifted).1)
     }
 
-    /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the border of the cone.
+    /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the
+    /// border of the cone.
     fn descend(&mut self) -> Result<Status> {
         let sigma = self.operator.norm();
         let (mut feasible, _) = self.cone.nearest(&self.values);
