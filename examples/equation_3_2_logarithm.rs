@@ -4,8 +4,8 @@
 //!
 //! `cargo run --release --example equation_3_2_logarithm -- --levels 3-18`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::rates::{both_cones, complete, lowest};
+use example_frame::figures::Chart;
+use example_frame::rates::{both_cones, complete, error_over_h, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use signorini::cone::Cone;
 use signorini::convergence::{Bound, LogarithmFit, Quantity, RateStudy, SceneFamily, StripGroup};
@@ -85,7 +85,8 @@ pub fn findings(_: &Options, Computed { rows }: &Computed) -> Vec<Finding> {
                     .at_least(1.0, format!("order h; {last}")),
             ]);
         }
-        let power = Finding::remark(key("power"), format!("{of}: (e/h)^2 ~ |ln h|^q, q = {{bound}}"))
+        let like = if *alpha > 0.5 { "is bounded and nears its limit like" } else { "grows like" };
+        let power = Finding::remark(key("power"), format!("{of}: (e/h)^2 {like} |ln h|^q, q = {{bound}}"))
             .number_or(q.map(|(power, _)| (power, 0.0)), few)
             .within(q.map_or(0.0, |(_, u)| u), 1.0 - 2.0 * alpha, "1 - 2 alpha, sum over cells")
             .otherwise(format!("{of}: q = {{value}} is not {{bound}} within its uncertainty"));
@@ -114,9 +115,7 @@ pub fn run(options: &Options) -> Result<Headline> {
             headline.quote(format!("{key}.half"), fit.half_width);
         }
     }
-    if let Some(directory) = options.output.directory()? {
-        headline.figures.push(draw(&computed).save(directory, "equation_3_2_logarithm")?);
-    }
+    headline.draw(&options.output, "equation_3_2_logarithm", || Ok(draw(&computed)))?;
     Ok(headline)
 }
 
@@ -148,26 +147,11 @@ fn table(Computed { rows }: &Computed) -> Table {
     table
 }
 
-/// e/h against h for all scenes, relative to the coarsest level.
+/// e/h against h for all scenes in the nodal cone, relative to the coarsest level.
 fn draw(Computed { rows }: &Computed) -> Chart {
-    let (x, y) = (
-        Axis::logarithmic("mesh size h (edge of length 1)"),
-        Axis::linear("error over h, relative to the coarsest level"),
-    );
-    let mut chart = Chart::new("tau = 2: does error/h grow?", x, y);
-    let mut sizes = Vec::new();
-    for (alpha, study, _) in rows.iter().filter(|row| row.1.cone == Cone::Nodal) {
-        let points = study.points(Quantity::Error);
-        let Some(&(h, e)) = points.first() else { continue };
-        sizes = points.iter().map(|point| point.0).collect();
-        let relative = points.iter().map(|&(k, f)| (k, f / k / (e / h))).collect();
-        chart = chart.with(Series::line_and_points(name(*alpha), relative));
-    }
-    for (name, power) in [("|ln h|^1/4", 0.25), ("|ln h|^1/2", 0.5)] {
-        let line = sizes.iter().map(|&h: &f64| (h, (h.ln() / sizes[0].ln()).powf(power))).collect();
-        chart = chart.with(Series::dashed(name, line));
-    }
-    chart
+    let nodal = rows.iter().filter(|row| row.1.cone == Cone::Nodal);
+    let named = nodal.map(|(alpha, study, _)| (name(*alpha), study));
+    error_over_h("tau = 2: does error/h grow?", named, &[("|ln h|^1/4", 0.25), ("|ln h|^1/2", 0.5)])
 }
 
 fn main() -> ExitCode {

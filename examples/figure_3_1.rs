@@ -2,13 +2,10 @@
 //!
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 
-use example_frame::figures::Chart;
-use example_frame::rates::{
-    HALF_WIDTH, RateRow, both_cones, complete, exponents_chart, fit_cells, largest, lowest,
-};
+use example_frame::rates::{HALF_WIDTH, order_columns, orders_on_curves};
+use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use signorini::Error;
-use signorini::cone::Cone;
 use signorini::convergence::{Bound, StripGroup};
 use signorini::scenes::StripScene;
 use signorini::strip::{Levels, StripKind};
@@ -111,29 +108,28 @@ pub fn run(options: &Options) -> Result<Headline> {
             RateRow::quote(&mut headline, &key, fit);
         }
     }
-    if let Some(directory) = options.output.directory()? {
-        headline.figures.push(draw(&computed.pairs)?.save(directory, "figure_3_1")?);
-    }
+    headline.draw(&options.output, "figure_3_1", || orders_on_curves(&computed.pairs))?;
     Ok(headline)
 }
 
 fn table(pairs: &[[RateRow; 2]]) -> Result<Table> {
     let three = Format::Fixed(3);
-    let mut table = Table::new(vec![
+    let mut columns = vec![
         Column::new("tau", "tau", Format::Plain, "supremum of the tau with u in H^tau"),
         Column::new("earlier", "(E2)", three, "tau/2 - 1/4"),
         Column::new("paper", "(N1)", three, "tau^2 - 5tau/2 + 2"),
         Column::new("optimal", "tau-1", three, "optimal"),
-        Column::new("nodal_error", "error K", three, "order of the error, nodal cone"),
-        Column::new("nodal_error_half", "+-", three, HALF_WIDTH),
-        Column::new("nodal_term", "term K", three, "order of the root of the consistency term, nodal cone"),
-        Column::new("nodal_term_half", "+-", three, ""),
-        Column::new("midpoint_error", "error M", three, "order of the error, midpoint cone"),
-        Column::new("midpoint_error_half", "+-", three, ""),
-        Column::new("midpoint_term", "term M", three, "order of the root of the term, midpoint cone"),
-        Column::new("midpoint_term_half", "+-", three, ""),
-        Column::new("left_out", "out", Format::Plain, "levels left out of the fits"),
-    ]);
+    ];
+    for (keys, title, of, half_width) in [
+        (["nodal_error", "nodal_error_half"], "error K", "error, nodal cone", HALF_WIDTH),
+        (["nodal_term", "nodal_term_half"], "term K", "root of the consistency term, nodal cone", ""),
+        (["midpoint_error", "midpoint_error_half"], "error M", "error, midpoint cone", ""),
+        (["midpoint_term", "midpoint_term_half"], "term M", "root of the term, midpoint cone", ""),
+    ] {
+        columns.extend(order_columns(keys, title, of, half_width));
+    }
+    columns.push(Column::new("left_out", "out", Format::Plain, "levels left out of the fits"));
+    let mut table = Table::new(columns);
     for pair in pairs {
         let tau = pair[0].study.tau;
         let mut row: Vec<Cell> = vec![tau.into()];
@@ -145,24 +141,6 @@ fn table(pairs: &[[RateRow; 2]]) -> Result<Table> {
         table.push(row);
     }
     Ok(table)
-}
-
-/// The paper's figure with measured orders: errors and roots of the terms of both cones, side by side at each τ.
-fn draw(pairs: &[[RateRow; 2]]) -> Result<Chart> {
-    let series = |(k, is_error): (usize, bool)| {
-        let fit = |row: &RateRow| Some((row.study.tau, if is_error { row.error } else { row.term }?));
-        let what = if is_error { "error" } else { "root of the term" };
-        let name = format!("{what}, {} cone", [Cone::Nodal, Cone::Midpoint][k]);
-        (name, pairs.iter().map(|pair| fit(&pair[k])).collect())
-    };
-    let curves = [
-        ("existing: tau/2 - 1/4", Bound::Earlier, (1.5, 2.0)),
-        ("the paper: tau^2 - 5tau/2 + 2", Bound::Paper, (1.5, 2.0)),
-        ("optimal: tau - 1", Bound::Optimal, (1.5, 2.0)),
-    ];
-    let orders = [(0, true), (0, false), (1, true), (1, false)].map(series).to_vec();
-    let title = "Figure 3.1: printed exponents and measured orders";
-    exponents_chart(title, ((1.5, 2.0), (0.48, 1.02)), &curves, orders, 0.004)
 }
 
 fn main() -> ExitCode {

@@ -4,10 +4,8 @@
 //!
 //! `cargo run --release --example introduction_rates -- --levels 3-16 --out out`
 
-use example_frame::figures::Chart;
-use example_frame::rates::{
-    HALF_WIDTH, RateRow, both_cones, complete, exponents_chart, fit_cells, largest, lowest,
-};
+use example_frame::rates::{HALF_WIDTH, order_columns, printed_and_measured};
+use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use signorini::convergence::{Bound, SceneFamily, StripGroup};
 use signorini::scenes::{StripScene, TransitionPowers};
@@ -119,35 +117,28 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
 pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let claim = "(E1)-(E4) known before, (N1), (N2) new: the printed rates are reached by every scene";
-    let found = findings(options, &computed);
-    let mut headline = Headline::new("Introduction", claim, table(&computed), found);
+    let mut headline = Headline::new("Introduction", claim, table(&computed), findings(options, &computed));
     for (k, (_, pair)) in computed.rows.iter().enumerate() {
-        for row in pair {
-            let key = format!("introduction.{}.{}", k + 1, row.study.cone);
-            RateRow::quote(&mut headline, &key, row.error);
-        }
+        RateRow::quote_pair(&mut headline, &format!("introduction.{}", k + 1), pair);
     }
-    if let Some(directory) = options.output.directory()? {
-        headline.figures.push(draw(&computed)?.save(directory, "introduction_rates")?);
-    }
+    let pairs = || computed.rows.iter().map(|(_, pair)| pair);
+    headline.draw(&options.output, "introduction_rates", || printed_and_measured(pairs()))?;
     Ok(headline)
 }
 
 fn table(Computed { rows }: &Computed) -> Table {
-    let three = Format::Fixed(3);
-    let mut table = Table::new(vec![
+    let mut columns = vec![
         Column::new("label", "label", Format::Plain, ""),
         Column::new("tau", "tau", Format::Plain, "u in H^tau (supremum, but for \"transition in H^2\")"),
         Column::new("assumption", "set", Format::Plain, "finite: only for finitely many transitions"),
         Column::new("rate", "printed rate", Format::Plain, ""),
-        Column::new("exponent", "exp", three, "exponent of h in it"),
+        Column::new("exponent", "exp", Format::Fixed(3), "exponent of h in it"),
         Column::new("scene", "scene", Format::Plain, ""),
-        Column::new("nodal", "nodal", three, "measured order, nodal cone"),
-        Column::new("nodal_half", "+-", three, HALF_WIDTH),
-        Column::new("midpoint", "midp.", three, "measured order, midpoint cone"),
-        Column::new("midpoint_half", "+-", three, ""),
-        Column::new("left_out", "out", Format::Plain, "levels left out"),
-    ]);
+    ];
+    columns.extend(order_columns(["nodal", "nodal_half"], "nodal", "error, nodal cone", HALF_WIDTH));
+    columns.extend(order_columns(["midpoint", "midpoint_half"], "midp.", "error, midpoint cone", ""));
+    columns.push(Column::new("left_out", "out", Format::Plain, "levels left out"));
+    let mut table = Table::new(columns);
     for (&(_, label, tau, shape, finite, rate, exponent), pair) in rows.iter().map(|(p, pair)| (p, pair)) {
         let scene = match shape {
             Shape::Transition => "transition",
@@ -155,30 +146,13 @@ fn table(Computed { rows }: &Computed) -> Table {
             Shape::Many => "transitions",
             Shape::FatCantor => "fat-cantor",
         };
-        let mut row: Vec<Cell> = vec![label.into(), tau.into(), finite.into()];
-        row.extend([rate.into(), exponent.into(), scene.into()]);
+        let printed = [label.into(), tau.into(), finite.into(), rate.into(), exponent.into(), scene.into()];
+        let mut row: Vec<Cell> = printed.to_vec();
         row.extend(pair.iter().flat_map(|row| fit_cells(row.error)));
         row.push(pair.iter().map(|row| row.study.left_out()).sum::<usize>().into());
         table.push(row);
     }
     table
-}
-
-/// Printed exponents over τ, and measured orders with bars.
-fn draw(Computed { rows }: &Computed) -> Result<Chart> {
-    let curves = [
-        ("(E1)", Bound::Optimal, (1.0, 1.5)),
-        ("(E2)", Bound::Earlier, (1.5, 2.0)),
-        ("(E2) finite set", Bound::Optimal, (1.5, 2.0)),
-        ("(N1)", Bound::Paper, (1.5, 2.0)),
-        ("(E4)", Bound::Optimal, (2.0, 2.5)),
-    ];
-    let fit = |row: &RateRow| Some((row.study.tau, row.error?));
-    let of_cone = |k: usize| rows.iter().map(|(_, pair)| fit(&pair[k])).collect();
-    let names = ["measured, nodal cone", "measured, midpoint cone"].map(str::to_owned);
-    let orders = names.into_iter().zip([of_cone(0), of_cone(1)]).collect();
-    let title = "Rates of the introduction, printed and measured";
-    exponents_chart(title, ((1.0, 2.6), (0.0, 1.1)), &curves, orders, 0.012)
 }
 
 fn main() -> ExitCode {

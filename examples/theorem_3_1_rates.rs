@@ -5,11 +5,11 @@
 //! `cargo run --release --example theorem_4_1_rates -- --full --out out`
 
 use example_frame::rates::{LevelStore, RatePlan, RateRow, complete, largest, lowest};
-use example_frame::rates::{errors_chart, level_table, rate_table, write_studies};
+use example_frame::rates::{level_table, rate_table, term_remarks, write_and_draw};
 use example_frame::{Finding, Headline, Result};
 use signorini::cone::Cone;
-use signorini::convergence::{Bound, FamilyScene, Quantity, Subject};
-use signorini::scenes::{Scene, StripScene};
+use signorini::convergence::{Bound, Quantity};
+use signorini::scenes::Scene;
 use signorini::strip::{Levels, StripKind};
 use std::process::ExitCode;
 
@@ -58,7 +58,7 @@ pub fn compute(cone: Cone, options: &Options) -> Result<Computed> {
         None => RatePlan::short()?.with_taus(&options.tau)?,
     };
     let directory = options.output.directory()?;
-    let file = format!("{}_levels.jsonl", name(cone));
+    let file = format!("{}_levels.jsonl", names(cone)[1]);
     let mut store = LevelStore::within(directory.filter(|_| options.full), &file)?;
     let rows = plan.rows(cone, &mut store)?;
     let beside = if cone == Cone::Nodal { Cone::Midpoint } else { Cone::Nodal };
@@ -77,95 +77,75 @@ pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Find
     if below.is_empty() {
         return found;
     }
-    let ratios = |k: usize| below.iter().map(move |row| row.from_optimal()[k]);
-    let terms = ratios(1).filter(Option::is_some).map(|ratio| ratio.map(f64::abs));
-    let silent = ratios(1).filter(Option::is_none).count() as f64;
+    let ratios = || below.iter().map(|row| row.from_optimal()[0]);
+    let gains = below.iter().filter(|row| !row.is_fat()).map(|row| row.above(Bound::Paper));
+    let nearest = "for tau < 2 the nearest order is {value} +- {uncertainty} above the theorem's";
+    let without = "an order is missing";
     found.extend([
-        Finding::sharpness(
-            "loss",
-            "for tau < 2 the nearest order is {value} +- {uncertainty} above the theorem's",
-        )
-        .number_or(
-            lowest(below.iter().filter(|row| !is_fat(row)).map(|row| row.above(Bound::Paper))),
-            "an order is missing",
-        )
-        .at_least(0.0, "the exponent of the theorem")
-        .told(),
+        Finding::sharpness("loss", nearest)
+            .number_or(lowest(gains), without)
+            .at_least(0.0, "the exponent of the theorem")
+            .told(),
         Finding::claim("optimal", "for tau < 2 no order stays below tau - 1 by more than its uncertainty")
-            .number_or(largest(ratios(0).map(|ratio| ratio.map(|r| -r))), "an order is missing")
+            .number_or(largest(ratios().map(|ratio| ratio.map(|r| -r))), without)
             .at_most(1.0, "h^(tau-1), Drouet & Hild 2015; in units of +-")
             .otherwise("an order stays below tau - 1 by {value} times its uncertainty"),
         Finding::remark("attained", "for tau < 2 every order is tau - 1 within its uncertainty")
-            .number_or(largest(ratios(0).map(|ratio| ratio.map(f64::abs))), "an order is missing")
+            .number_or(largest(ratios().map(|ratio| ratio.map(f64::abs))), without)
             .at_most(1.0, "tau - 1; in units of +-")
             .otherwise("for tau < 2 an order is {value} times its uncertainty away from tau - 1")
             .told(),
-        Finding::remark("terms", "where it was seen, the root of the consistency term has order tau - 1")
-            .number_or(largest(terms), "no term could be fitted")
-            .at_most(1.0, "tau - 1; in units of +-"),
-        Finding::remark("terms.silent", "{value} scenes say nothing of the consistency term, as it vanishes")
-            .number(silent, 0.0)
-            .at_most(0.5 * below.len() as f64, "half of the scenes; sigma_N = 0 at corners"),
     ]);
+    found.extend(term_remarks(&below));
     found
 }
 
-/// Fat Cantor sets repeat themselves after a factor 2^{1/(4−2τ)} in h: too few periods for an order as sharp as others.
-fn is_fat(row: &RateRow) -> bool {
-    matches!(row.study.subject, Subject::Strip(_, FamilyScene::Named(StripScene::FatCantor { .. })))
-}
-
-/// One order against (3.1), (4.2); the growth of error/bound at τ = 2, whose logarithm no order shows, and for fat Cantor sets;
-/// beyond τ = 2 order one.
+/// One order against (3.1), (4.2), a remark for fat Cantor sets, whose orders are not sharp; at τ = 2, whose logarithm no order
+/// shows, the growth of error/bound; beyond τ = 2 order one.
 fn against_theorem(cone: Cone, row: &RateRow) -> Finding {
     let [power, logarithm, one] =
         if cone == Cone::Nodal { ["(3.1)", "(3.2)", "(E4)"] } else { ["(4.2)", "(4.3)", "(4.4)"] };
     let (tau, words, key) = (row.study.tau, row.words(), format!("{}.theorem", row.key()));
-    if tau == 2.0 || is_fat(row) {
+    if tau == 2.0 {
         return Finding::claim(key, format!("{words}: error/bound does not grow, factor {{value}}"))
             .number_or(row.growth(), "too few levels")
-            .at_most(1.0, if tau == 2.0 { logarithm } else { power })
+            .at_most(1.0, logarithm)
             .otherwise(format!("{words}: error/bound grows, factor {{value}}"));
     }
     let (bound, source) = match Bound::Paper.exponent(tau) {
         Ok(exponent) if tau < 2.0 => (exponent, power.to_owned()),
         _ => (1.0 - NEAR_ONE, format!("{one}, less {NEAR_ONE}: orders creep up to one")),
     };
-    Finding::claim(key, format!("{words}: the error has order {{value}}, at least {{bound}}"))
+    let role: fn(String, String) -> Finding = if row.is_fat() { Finding::remark } else { Finding::claim };
+    role(key, format!("{words}: the error has order {{value}}, at least {{bound}}"))
         .number_or(row.order(), "too few levels, or an error that is not a positive number")
         .at_least(bound, source)
         .otherwise(format!("{words}: the error has order {{value}} only, below {{bound}}"))
 }
 
-fn name(cone: Cone) -> &'static str {
-    if cone == Cone::Nodal { "theorem_3_1" } else { "theorem_4_1" }
+/// The number of the theorem, and how its files begin.
+fn names(cone: Cone) -> [&'static str; 2] {
+    if cone == Cone::Nodal { ["3.1", "theorem_3_1"] } else { ["4.1", "theorem_4_1"] }
 }
 
 /// The outcome for one cone.
 pub fn outcome(cone: Cone, options: &Options) -> Result<Headline> {
     let computed = compute(cone, options)?;
     let rows = &computed.rows;
-    let number = if cone == Cone::Nodal { "3.1" } else { "4.1" };
+    let [number, name] = names(cone);
     let words = "the error is at most C h^(tau^2-5tau/2+2), tau = 2: C h |ln h|^(1/2)";
     let claim = format!("{cone} cone, u in H^tau, 3/2 < tau < 2: {words}");
-    let table = match (&options.scene, rows.first()) {
-        (Some(_), Some(row)) => level_table(&row.study)?,
-        _ => rate_table(rows)?,
-    };
-    let found = findings(options, &computed);
-    let mut headline = Headline::new(format!("Theorem {number}"), claim, table, found);
+    let single = rows.first().filter(|_| options.scene.is_some());
+    let table = single.map_or_else(|| rate_table(rows), |row| level_table(&row.study))?;
+    let mut headline = Headline::new(format!("Theorem {number}"), claim, table, findings(options, &computed));
     for row in rows {
         let key = format!("theorem.{number}.{}", row.key());
         RateRow::quote(&mut headline, &key, row.error);
         headline.quote(format!("{key}.ratio"), row.study.constant(Quantity::Error, Bound::Paper)?);
     }
     if let Some(directory) = options.output.directory()? {
-        write_studies(rows, directory, name(cone))?;
-        if let Some(row) = rows.iter().find(|row| options.scene.is_some() || row.study.tau == SHOWN) {
-            let others: Vec<_> = computed.other.iter().map(|row| &row.study).collect();
-            let chart = errors_chart(&row.study, &others, format!("Theorem {number}: {}", row.words()))?;
-            headline.figures.push(chart.save(directory, &format!("{}_errors", name(cone)))?);
-        }
+        let shown = single.or_else(|| rows.iter().find(|row| row.study.tau == SHOWN));
+        write_and_draw(&mut headline, rows, (shown, computed.other.as_ref()), (directory, name))?;
     }
     Ok(headline)
 }

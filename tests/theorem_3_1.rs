@@ -38,3 +38,20 @@ fn the_example_confirms_the_theorem() {
     let headline = example::run(&options).unwrap();
     assert!(headline.verdict().is_confirmed(), "{headline}");
 }
+
+#[test]
+fn planted_faults_turn_the_verdict() {
+    let options = example::Options {
+        scene: Some("transition".parse().unwrap()),
+        tau: vec![1.75],
+        levels: "3-11".parse().unwrap(),
+        positions: 5,
+        ..example::Options::default()
+    };
+    let mut computed = example::compute(Cone::Nodal, &options).unwrap();
+    let rows = computed.rows.clone();
+    theorem_rates::planted_faults(&rows, |rows| {
+        computed.rows = rows;
+        example::findings(&options, &computed)
+    });
+}

@@ -1,5 +1,7 @@
 //! What Theorems 3.1 and 4.1 promise, for one cone: reduced studies with bounds on orders from both sides.
 
+use example_frame::rates::RateRow;
+use example_frame::{Finding, Headline, Outcome, Table, Verdict};
 use signorini::contact::Cone;
 use signorini::convergence::{Bound, MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
@@ -102,5 +104,62 @@ pub fn terms_by_two_roads(cone: Cone) {
             })
             .sum();
         assert!((sum - term).abs() <= SUM * sum, "{cone}, {segments} segments: {sum} {term}");
+    }
+}
+
+/// The studies of an example with every study spoilt; orders are fitted again.
+fn spoilt(rows: &[RateRow], spoil: impl Fn(&mut RateStudy)) -> Vec<RateRow> {
+    let studies = rows.iter().map(|row| row.study.clone());
+    let spoilt = studies.map(|mut study| {
+        spoil(&mut study);
+        RateRow::new(study)
+    });
+    spoilt.collect()
+}
+
+/// What the findings say of spoilt studies: the finding with this key turns, and verdict and exit code with it.
+fn turns(findings: Vec<Finding>, key: &str, to: Outcome) {
+    let headline = Headline::new("", "", Table::new(Vec::new()), findings);
+    let finding = headline.finding(key).expect("a finding with this key");
+    assert_eq!(finding.outcome(), to, "{key}: {}", finding.comparison());
+    assert_eq!(headline.exit_code(), 1, "{headline}");
+    let (Verdict::NotConfirmed(why) | Verdict::Undecided(why)) = headline.verdict() else {
+        panic!("{key}: {}", headline.verdict());
+    };
+    assert!(why.contains(&finding.words()), "{key}: {why}");
+}
+
+/// Faults planted in the studies of an example: the right finding sees each of them.
+pub fn planted_faults(rows: &[RateRow], mut findings: impl FnMut(Vec<RateRow>) -> Vec<Finding>) {
+    let whole = Headline::new("", "", Table::new(Vec::new()), findings(rows.to_vec()));
+    assert_eq!(whole.exit_code(), 0, "{whole}");
+    let theorem = format!("{}.theorem", rows[0].key());
+    assert!(["levels", "optimal", &theorem].iter().all(|key| whole.finding(key).is_some()), "{whole}");
+
+    // Errors of the order that the theorem promises, τ² − 5τ/2 + 2, and no longer τ − 1.
+    let slow = spoilt(rows, |study| {
+        let loss = (study.tau - 1.5) * (2.0 - study.tau);
+        study.levels.iter_mut().for_each(|level| level.error *= level.mesh_size().powf(-loss));
+    });
+    turns(findings(slow), "optimal", Outcome::Refuted);
+
+    // Errors that stay below the theorem's order by as much again.
+    let slower = spoilt(rows, |study| {
+        let loss = 2.0 * (study.tau - 1.5) * (2.0 - study.tau);
+        study.levels.iter_mut().for_each(|level| level.error *= level.mesh_size().powf(-loss));
+    });
+    turns(findings(slower), &theorem, Outcome::Refuted);
+
+    let short = spoilt(rows, |study| drop(study.levels.remove(study.levels.len() / 2)));
+    turns(findings(short), "levels", Outcome::Refuted);
+
+    let nan = spoilt(rows, |study| {
+        let middle = study.levels.len() / 2;
+        study.levels[middle].error = f64::NAN;
+    });
+    turns(findings(nan.clone()), "levels", Outcome::Refuted);
+    for key in ["optimal", &theorem] {
+        let found = findings(nan.clone()).into_iter().filter(|finding| finding.key() == key).collect();
+        turns(found, key, Outcome::Undecided);
     }
 }

@@ -3,7 +3,7 @@
 use super::row::RateRow;
 use super::store::level_json;
 use crate::figures::{Axis, Chart, Series};
-use crate::{Cell, Column, Format, Result, Table};
+use crate::{Cell, Column, Format, Headline, Result, Table};
 use serde_json::{Value, json};
 use signorini::convergence::Bound;
 use signorini::convergence::{Quantity, RateStudy};
@@ -134,7 +134,7 @@ fn study_json(study: &RateStudy) -> Result<Value> {
 ///
 /// # Errors
 /// As [`Bound::value`].
-pub fn errors_chart(study: &RateStudy, others: &[&RateStudy], title: impl Into<String>) -> Result<Chart> {
+fn errors_chart(study: &RateStudy, others: &[&RateStudy], title: impl Into<String>) -> Result<Chart> {
     let x = Axis::logarithmic("mesh size h (edge of length 1)");
     let mut chart = Chart::new(title, x, Axis::logarithmic("error in the energy norm, root of the term"));
     for shown in std::iter::once(study).chain(others.iter().copied()) {
@@ -180,7 +180,7 @@ fn bound_name(bound: Bound, tau: f64) -> Result<String> {
 ///
 /// # Errors
 /// [`signorini::Error::File`] where they cannot be written; as [`Bound::value`].
-pub fn write_studies(rows: &[RateRow], directory: &Path, name: &str) -> Result<()> {
+fn write_studies(rows: &[RateRow], directory: &Path, name: &str) -> Result<()> {
     let studies = || rows.iter().map(|row| &row.study);
     let csv: Vec<String> =
         studies().enumerate().map(|(k, study)| csv(study, k == 0)).collect::<Result<_>>()?;
@@ -189,6 +189,25 @@ pub fn write_studies(rows: &[RateRow], directory: &Path, name: &str) -> Result<(
     for (ending, text) in [("csv", csv.concat()), ("json", format!("[{}]\n", json.join(",\n")))] {
         let path = directory.join(format!("{name}_levels.{ending}"));
         std::fs::write(&path, text).map_err(|e| signorini::Error::file(&path, e))?;
+    }
+    Ok(())
+}
+
+/// Where figures are asked for: all levels in files, and the chart of one study beside another of the same scene.
+///
+/// # Errors
+/// Those of the files and the drawing; as [`Bound::value`].
+pub fn write_and_draw(
+    headline: &mut Headline,
+    rows: &[RateRow],
+    (shown, other): (Option<&RateRow>, Option<&RateRow>),
+    (directory, name): (&Path, &str),
+) -> Result<()> {
+    write_studies(rows, directory, name)?;
+    if let Some(row) = shown {
+        let others: Vec<_> = other.iter().map(|row| &row.study).collect();
+        let chart = errors_chart(&row.study, &others, format!("{}: {}", headline.label, row.words()))?;
+        headline.figures.push(chart.save(directory, &format!("{name}_errors"))?);
     }
     Ok(())
 }

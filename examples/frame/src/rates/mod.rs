@@ -1,13 +1,15 @@
-//! What the rate studies of Theorems 3.1 and 4.1, Figure 3.1 and the introduction share: rows with fits, tables, files, the store.
+//! What the rate studies of Theorems 3.1 and 4.1, Figure 3.1 and the introduction share: rows with fits, tables, charts, files, the store.
 
+mod charts;
 mod listing;
 mod plan;
 mod row;
 mod store;
 
-pub use listing::{errors_chart, level_table, write_studies};
+pub use charts::{error_over_h, orders_on_curves, printed_and_measured};
+pub use listing::{level_table, write_and_draw};
 pub use plan::{RatePlan, both_cones};
 pub use row::{
-    HALF_WIDTH, OrderSeries, RateRow, complete, exponents_chart, fit_cells, largest, lowest, rate_table,
+    HALF_WIDTH, RateRow, complete, fit_cells, largest, lowest, order_columns, rate_table, term_remarks,
 };
 pub use store::LevelStore;

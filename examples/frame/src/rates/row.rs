@@ -1,8 +1,8 @@
 //! A rate study with its fits, and the table of many.
 
-use crate::figures::{Axis, Chart, Series};
 use crate::{Cell, Column, Finding, Format, Headline, Result, Table};
-use signorini::convergence::{Bound, Fit, Quantity, RateStudy, Subject};
+use signorini::convergence::{Bound, FamilyScene, Fit, Quantity, RateStudy, Subject};
+use signorini::scenes::StripScene;
 
 /// A study with the orders of error and root of the consistency term.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +40,12 @@ impl RateRow {
         format!("{scene}.{:.0}", 100.0 * self.study.tau)
     }
 
+    /// Whether the contact set is a fat Cantor set: it repeats itself after a factor 2^{1/(4−2τ)} in h, too few periods for an
+    /// order as sharp as others.
+    pub fn is_fat(&self) -> bool {
+        matches!(self.study.subject, Subject::Strip(_, FamilyScene::Named(StripScene::FatCantor { .. })))
+    }
+
     /// Order of the error and what it may be off by.
     pub fn order(&self) -> Option<(f64, f64)> {
         self.error.map(|fit| (fit.order, fit.half_width))
@@ -56,6 +62,13 @@ impl RateRow {
         if let Some(Fit { order, half_width, .. }) = fit {
             headline.quote(format!("{key}.order"), order);
             headline.quote(format!("{key}.half"), half_width);
+        }
+    }
+
+    /// Quotes the orders of the error of both cones under `key.cone`.
+    pub fn quote_pair(headline: &mut Headline, key: &str, pair: &[Self; 2]) {
+        for row in pair {
+            Self::quote(headline, &format!("{key}.{}", row.study.cone), row.error);
         }
     }
 
@@ -78,15 +91,36 @@ pub fn largest(ratios: impl Iterator<Item = Option<f64>>) -> Option<(f64, f64)> 
     all?.into_iter().reduce(|a, b| if a.is_nan() || a > b { a } else { b }).map(|ratio| (ratio, 0.0))
 }
 
+/// The remarks on the consistency terms: keys `terms`, the order of their roots where they do not vanish, and `terms.silent`.
+pub fn term_remarks(rows: &[&RateRow]) -> [Finding; 2] {
+    let ratios = || rows.iter().map(|row| row.from_optimal()[1]);
+    let seen = ratios().filter(Option::is_some).map(|ratio| ratio.map(f64::abs));
+    let silent = ratios().filter(Option::is_none).count() as f64;
+    [
+        Finding::remark("terms", "where it was seen, the root of the consistency term has order tau - 1")
+            .number_or(largest(seen), "no term could be fitted")
+            .at_most(1.0, "tau - 1; in units of +-"),
+        Finding::remark("terms.silent", "{value} scenes say nothing of the consistency term, as it vanishes")
+            .number(silent, 0.0)
+            .at_most(0.5 * rows.len() as f64, "half of the scenes; sigma_N = 0 at corners"),
+    ]
+}
+
+/// Two columns for [`fit_cells`]: an order, and what it may be off by; `half_width` is the meaning of the second one.
+pub fn order_columns(keys: [&'static str; 2], title: &str, of: &str, half_width: &str) -> [Column; 2] {
+    let order = Column::new(keys[0], title, Format::Fixed(3), format!("order of the {of}"));
+    [order, Column::new(keys[1], "+-", Format::Fixed(3), half_width)]
+}
+
 /// The cells of an order and its half-width.
 pub fn fit_cells(fit: Option<Fit>) -> [Cell; 2] {
     [fit.map(|fit| fit.order).into(), fit.map(|fit| fit.half_width).into()]
 }
 
-/// The number whose lower end is lowest; `None` where one is missing or none was given.
+/// The number whose lower end is lowest, or one that is NaN; `None` where one is missing or none was given.
 pub fn lowest(numbers: impl Iterator<Item = Option<(f64, f64)>>) -> Option<(f64, f64)> {
     let all: Option<Vec<(f64, f64)>> = numbers.collect();
-    all?.into_iter().min_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)))
+    all?.into_iter().reduce(|a, b| if (a.0 - a.1).is_nan() || a.0 - a.1 <= b.0 - b.1 { a } else { b })
 }
 
 /// The claim that every study has all its levels, each with an error: key `levels`.
@@ -96,23 +130,6 @@ pub fn complete<'a>(studies: impl Iterator<Item = &'a RateStudy>) -> Finding {
         .number(missing as f64, 0.0)
         .at_most(0.0, "every level that was planned")
         .otherwise("{value} levels are missing or have no error")
-}
-
-/// Orders over τ with their bars, moved aside by `shift` so that bars do not cover each other.
-fn order_points(name: &str, shift: f64, orders: impl Iterator<Item = Option<(f64, Fit)>>) -> Series {
-    let orders = orders.flatten().map(|(tau, fit)| ((tau + shift, fit.order), fit.half_width));
-    let (points, bars) = orders.unzip();
-    Series::points(name, points).bars(bars)
-}
-
-/// Exponent of a bound over (from, to).
-///
-/// # Errors
-/// As [`Bound::exponent`].
-fn exponent_curve(bound: Bound, (from, to): (f64, f64)) -> Result<Vec<(f64, f64)>> {
-    const STEPS: u32 = 100;
-    let taus = (1..=STEPS).map(|k| from + (to - from) * f64::from(k) / f64::from(STEPS));
-    taus.map(|tau| Ok((tau, bound.exponent(tau)?))).collect()
 }
 
 /// What "+-" beside an order says, for the meaning of a column.
@@ -192,30 +209,4 @@ fn cells(RateRow { study, error, term }: &RateRow) -> Result<Vec<Cell>> {
         (term_ratio > 0.0).then_some(term_ratio).into(),
         study.left_out().into(),
     ])
-}
-
-/// Measured orders over τ for a chart: name, then τ and fit where there is one.
-pub type OrderSeries = (String, Vec<Option<(f64, Fit)>>);
-
-/// Exponents over τ: curves of bounds, each over its own τ, and measured orders with their bars, each series `shift` beside the last.
-///
-/// # Errors
-/// As [`Bound::exponent`].
-pub fn exponents_chart(
-    title: &str,
-    (x, y): ((f64, f64), (f64, f64)),
-    curves: &[(&str, Bound, (f64, f64))],
-    orders: Vec<OrderSeries>,
-    shift: f64,
-) -> Result<Chart> {
-    let x = Axis::linear("regularity tau of the solution, u in H^tau").range(x.0, x.1);
-    let mut chart = Chart::new(title, x, Axis::linear("exponent of h").range(y.0, y.1));
-    for (name, bound, taus) in curves {
-        chart = chart.with(Series::line(*name, exponent_curve(*bound, *taus)?));
-    }
-    let middle = 0.5 * (orders.len() as f64 - 1.0);
-    for (k, (name, fits)) in orders.into_iter().enumerate() {
-        chart = chart.with(order_points(&name, shift * (k as f64 - middle), fits.into_iter()));
-    }
-    Ok(chart)
 }
