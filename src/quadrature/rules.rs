@@ -259,6 +259,21 @@ mod tests {
         }
     }
 
+    /// The library `gauss-quad` has points and weights by other formulas.
+    #[test]
+    fn legendre_agrees_with_another_library() {
+        for n in (1..=64).chain([100, 127, 200]) {
+            let other = gauss_quad::GaussLegendre::new(n.try_into().unwrap());
+            // On (-1, 1), here on (0, 1); in any order.
+            let mut pairs: Vec<(f64, f64)> = other.iter().map(|&(x, w)| (0.5 + 0.5 * x, 0.5 * w)).collect();
+            pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let own = Rule::gauss_legendre(n).unwrap();
+            for ((s, v), (t, w)) in own.iter().zip(pairs) {
+                assert!((s - t).abs() < 1e-15 && (v / w - 1.0).abs() < 1e-12, "{n}: {s} {t} {v} {w}");
+            }
+        }
+    }
+
     #[test]
     fn inadmissible_rules_are_errors() {
         assert!(Rule::gauss_legendre(0).is_err());
