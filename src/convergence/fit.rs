@@ -8,7 +8,8 @@
 //! * the same with D h³, what a transition r^{3/2} and the next terms of the smooth part leave ([`super::series`]).
 //!
 //! Of the two with a smooth part the one whose order moves least between windows of levels is reported; one power alone only where
-//! neither can be fitted (few levels, or no power below one), since two halves of a series may agree by chance and both be off.
+//! neither can be fitted (few levels, or no power below one) or both are lost in noise (half-width above 0.1 and above that of one power,
+//! the difference of the two orders included), since two halves of a series may agree by chance and both be off.
 //!
 //! # What the half-width is
 //!
@@ -82,6 +83,8 @@ const SCATTER: f64 = 3.0;
 const SMOOTH: f64 = 0.25;
 /// Share of what the last term of the series changed that the term after it may still change.
 const NEXT: f64 = 0.5;
+/// A half-width above this is that of a series in which the smooth part cannot be told from noise.
+const HIDDEN: f64 = 0.1;
 /// The order of the smooth part: what a power that is no longer below one is taken for.
 const ONE: f64 = 1.0;
 
@@ -127,6 +130,12 @@ impl Fit {
         // One power is no model of a difference to a discrete reference.
         let smooth = if reference.is_some() { 0.0 } else { SMOOTH * (best.order - one.order).abs() };
         let half_width = best.spread.max(best.drift).max(SCATTER * best.scatter).max(next).max(smooth);
+        // Where noise hides the smooth part one power says more, and where it is off is where the two differ.
+        let power = one.drift.max(SCATTER * one.scatter).max((best.order - one.order).abs());
+        if reference.is_none() && half_width > HIDDEN && power < half_width {
+            let Candidate { order, model, regime, .. } = one;
+            return Some(Self { order, half_width: power, model, regime });
+        }
         Some(Self { order: best.order, half_width, model: best.model, regime: best.regime })
     }
 
