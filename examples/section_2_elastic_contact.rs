@@ -1,5 +1,4 @@
-//! Section 2: Signorini problems on meshes, by two unrelated solvers, judged by one function. Elastic scenes here;
-//! the scalar ones of Remark 1 are the same argument, launched by `section_2_scalar_contact`.
+//! Section 2: problems on meshes by two unrelated solvers, judged by one function; `section_2_scalar_contact` is Remark 1.
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
@@ -76,8 +75,9 @@ const JUDGED: f64 = 1e-10;
 const EIGHT_DIGITS: f64 = 1e-8;
 /// The packages agree among themselves to 12 digits or more.
 const PACKAGES: f64 = 1e-11;
+type Condition = (&'static str, &'static str, &'static str, fn(&Judgement) -> f64);
 /// Karush, Kuhn and Tucker, each scaled by the size of what it compares: key, words if met, words if not, figure.
-const CONDITIONS: [(&str, &str, &str, fn(&Judgement) -> f64); 4] = [
+const CONDITIONS: [Condition; 4] = [
     ("balance", "forces balance at every node", "a node is off balance by {value}", |j| j.balance),
     ("sign", "the foundation only pushes", "the foundation pulls, {value} of its force", |j| j.sign),
     ("cone", "no solution leaves the cone", "a solution leaves the cone by {value}", |j| j.gap),

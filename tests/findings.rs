@@ -1,6 +1,8 @@
 //! Every finding of every example at its default size: its number moved across its bound, and the outcome, the words, the verdict and
 //! the exit code seen to turn. A sentence that no number could turn would be found here.
 
+#![allow(clippy::duplicate_mod, reason = "twins and the tour share files, and every example is loaded")]
+
 use example_frame::{Finding, Headline, Outcome, Role, Verdict};
 use std::collections::BTreeSet;
 

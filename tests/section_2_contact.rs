@@ -1,5 +1,7 @@
 //! Section 2: the discrete Signorini problem (2.9) and its scalar form, nodal cone.
 
+#![allow(clippy::duplicate_mod, reason = "the scalar example launches the elastic one, and both are loaded")]
+
 #[path = "reference_squares/mod.rs"]
 mod reference_squares;
 

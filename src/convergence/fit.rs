@@ -246,7 +246,7 @@ mod tests {
                 let (p, from) = (random.within(0.35, 0.97), random.within(3.0, 5.0) as i32);
                 let levels = random.within(9.0, 15.0) as i32;
                 let (b, d) = (random.within(-0.9, 3.0), random.within(-1.0, 1.0));
-                let (period, phase) = (random.within(1.2, 4.0), random.within(0.0, 6.28));
+                let (period, phase) = (random.within(1.2, 4.0), random.within(0.0, std::f64::consts::TAU));
                 let (wave, noise) = (random.within(0.0, periodic), random.within(0.0, noise));
                 let points: Vec<(f64, f64)> = (from..from + levels)
                     .map(|k| {

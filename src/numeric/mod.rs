@@ -6,7 +6,7 @@
 //! | units that are powers of two | [`scale`] |
 //! | lengths and finite values of input | [`check`] |
 //! | sign changes, golden sections | [`search`] |
-//! | the regression line | [`line`] |
+//! | the regression line | [`mod@line`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |

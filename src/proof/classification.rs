@@ -78,7 +78,7 @@ impl Classification {
         self.in_case(case).map(|s| (s.segment.start, s.segment.end)).collect()
     }
 
-    fn in_case<'a>(&self, case: Case) -> impl Iterator<Item = &ClassifiedSegment> {
+    fn in_case(&self, case: Case) -> impl Iterator<Item = &ClassifiedSegment> {
         self.segments.iter().filter(move |s| s.alternative.case() == case)
     }
 }

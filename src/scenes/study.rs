@@ -93,7 +93,7 @@ impl SceneRun {
         Ok(Judgement { balance: solution.judgement.balance, ..evidence.judge()? })
     }
 
-    /// How many constraints are weak: force and gap both below [`WEAK`], so that no solver can tell contact from none.
+    /// How many constraints are weak: force and gap both below 1e-6 of their largest, so that no solver can tell contact from none.
     pub fn weak_constraints(&self) -> usize {
         let solution = &self.solution;
         let force = solution.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));

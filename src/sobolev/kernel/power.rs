@@ -2,9 +2,9 @@
 //!
 //! With L = ln(1 + ℓ/x) and α = k − 2ν:
 //! ∫_x^{x+ℓ} τ^{k-1-2ν} dτ = x^α (e^{αL} − 1)/α, where expm1 and log1p make α = 0 (ν = 1/2, k = 1) a
-//! removable limit and ℓ ≪ x harmless. Moments about t = 0 (τ = x + t) subtract these; they do so only for ℓ
-//! > 2x, where at most a digit is lost. For ℓ ≤ 2x the integrand is analytic in an ellipse of known size and
-//! a Gauss rule of known order is exact to rounding.
+//! removable limit and ℓ ≪ x harmless. Moments about t = 0 (τ = x + t) subtract these; they do so only
+//! for ℓ > 2x, where at most a digit is lost. For ℓ ≤ 2x the integrand is analytic in an ellipse of known
+//! size and a Gauss rule of known order is exact to rounding.
 
 use crate::quadrature::Rule;
 use crate::sobolev::order::FractionalOrder;

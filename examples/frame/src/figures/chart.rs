@@ -61,7 +61,7 @@ impl Chart {
     /// The chart as SVG text.
     ///
     /// # Errors
-    /// [`Error::Figure`] when the drawing backend fails.
+    /// [`crate::Error::Figure`] when the drawing backend fails.
     pub fn svg(&self) -> Result<String> {
         let rows = self.legend_rows();
         let height = TOP + PLOT_HEIGHT + BELOW + LEGEND_ROW * rows.len() as f64 + 8.0;
@@ -78,7 +78,7 @@ impl Chart {
     /// Writes `directory/name.svg` and returns its path.
     ///
     /// # Errors
-    /// [`Error::Figure`] when the drawing backend fails, [`signorini::Error::File`] when the file cannot be written.
+    /// [`crate::Error::Figure`] when the drawing backend fails, [`signorini::Error::File`] when the file cannot be written.
     pub fn save(&self, directory: &Path, name: &str) -> Result<PathBuf> {
         save_svg(&self.svg()?, directory, name)
     }

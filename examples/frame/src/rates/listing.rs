@@ -125,7 +125,7 @@ fn study_json(study: &RateStudy) -> Result<Value> {
         "error_fit": fit(Quantity::Error),
         "term_fit": fit(Quantity::Consistency),
         "largest_error_over_bound": constants,
-        "levels": study.levels.iter().map(|level| level_json(level)).collect::<Vec<_>>(),
+        "levels": study.levels.iter().map(level_json).collect::<Vec<_>>(),
     }))
 }
 
