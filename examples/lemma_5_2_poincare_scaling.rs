@@ -67,8 +67,9 @@ pub fn compute(options: &Options) -> Result<Vec<Computed>> {
         if let (0.0, Condition::MeanZero, Some(&(theta, last))) =
             (order.offset(), options.condition, gammas.last())
         {
-            let loose = looseness_at_half(theta, last, tolerance)?;
-            half = printed_exponent_near_one(tolerance)?.map(|near_one| (near_one, loose));
+            // Two digits decide here.
+            let loose = looseness_at_half(theta, last, Tolerance::fast())?;
+            half = printed_exponent_near_one(Tolerance::fast())?.map(|near_one| (near_one, loose));
         }
         orders.push(Computed { order, growth: growth(order, &gammas)?, half, points });
     }
