@@ -15,7 +15,7 @@
 //! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
 //! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::RateStudy`], [`convergence::Fit`] |
 //! | Theorem 3.1 on a strip: any contact set, reduced exactly to its edge | [`strip`] |
-//! | Remark 2: no better bound in the dual norm | [`interpolation::DualNorm`] |
+//! | Remark 2: no better bound in the dual norm | [`interpolation::AliasedWave`], [`interpolation::DualNorm`] |
 //! | Figure 3.2: first and second case, nodal cone | [`proof::AlternativeCase`], [`proof::Classification`] |
 //! | (3.3) to (3.9), (3.11) to (3.15): both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |
 //! | (3.6), (3.10): embedding constants C(q) | [`interpolation::EmbeddingSpace`], [`interpolation::embedding_upper_bound`] |
@@ -27,7 +27,7 @@
 //! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::worst_ratio`] |
 //! | Lemma 5.1: Peetre-Tartar | [`poincare::gamma`] |
 //! | Lemma 5.2, (5.1) to (5.3): Poincaré constant of a small zone | [`poincare::gamma`], [`poincare::two_sided`], [`poincare::LimitLaw`] |
-//! | Remark 5: no constant at nu = 1/2 | [`sobolev::closed_forms::log_power`] |
+//! | Remark 5: no constant at nu = 1/2 | [`poincare::TruncatedFamily`], [`sobolev::closed_forms::log_power`] |
 //! | (5.4): the constant exists and is attained | [`poincare::extremal`] |
 //! | (5.5) to (5.9): scaling, one step, the product | [`poincare::growth`], [`poincare::printed_growth`] |
 //! | Remark 6: one point is enough above 1/2 | [`poincare::gamma_at_point`] |

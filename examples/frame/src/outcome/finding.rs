@@ -333,8 +333,11 @@ impl Finding {
         let (value, uncertainty) = self.number.unwrap_or((f64::NAN, f64::NAN));
         let digits = |number: f64| if number.is_nan() { "?".to_owned() } else { short(number) };
         words
-            .replace("{value}", &self.number.map_or("?".to_owned(), |(v, u)| significant(v, u)))
-            .replace("{uncertainty}", &digits(uncertainty))
+            .replace("{value}", &self.number.map_or("?".to_owned(), |(v, u)| significant(v, u, IN_WORDS)))
+            .replace(
+                "{uncertainty}",
+                &if uncertainty > 0.0 { plain(uncertainty, 1) } else { digits(uncertainty) },
+            )
             .replace("{bound}", &short(self.bound))
             .replace("{percent}", &digits(100.0 * value))
     }
@@ -345,8 +348,8 @@ impl Finding {
             return format!("proof on the page {page}");
         }
         let number = match self.number {
-            Some((value, u)) if u > 0.0 => format!("{} +- {}", significant(value, u), plain(u, 1)),
-            Some((value, u)) => significant(value, u),
+            Some((value, u)) if u > 0.0 => format!("{} +- {}", significant(value, u, IN_ALL), plain(u, 1)),
+            Some((value, u)) => significant(value, u, IN_ALL),
             None => self.missing.clone(),
         };
         let sign = match (self.relation, self.outcome()) {
@@ -414,8 +417,12 @@ fn short(value: f64) -> String {
     }
 }
 
-/// The value with the digits its uncertainty leaves it, two of them doubtful at most, ten in all.
-fn significant(value: f64, uncertainty: f64) -> String {
+/// Digits of a number in a sentence, and in the comparison beside it.
+const IN_WORDS: usize = 6;
+const IN_ALL: usize = 10;
+
+/// The value with the digits its uncertainty leaves it, two of them doubtful at most, and no more than `most`.
+fn significant(value: f64, uncertainty: f64, most: usize) -> String {
     if !value.is_finite() || value == 0.0 {
         return value.to_string();
     }
@@ -424,7 +431,7 @@ fn significant(value: f64, uncertainty: f64) -> String {
     }
     let magnitude = value.abs().log10().floor();
     let doubtful = uncertainty.log10().floor();
-    let digits = (magnitude - doubtful + 2.0).clamp(2.0, 10.0);
+    let digits = (magnitude - doubtful + 2.0).clamp(2.0, most as f64);
     plain(value, if digits.is_finite() { digits as usize } else { 6 })
 }
 
