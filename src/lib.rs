@@ -76,6 +76,8 @@ pub mod proof;
 pub mod quadrature;
 #[cfg(feature = "contact")]
 pub mod scenes;
+#[cfg(feature = "contact")]
+pub mod singular;
 pub mod sobolev;
 #[cfg(feature = "contact")]
 pub mod strip;
