@@ -23,7 +23,7 @@ mod zone;
 
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
-pub use induction::{InductionStep, induction};
+pub use induction::{InductionStep, closing_factor, induction};
 pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use location::{Placed, Places};
@@ -33,8 +33,8 @@ pub use scaling::{
     printed_exponent_near_one,
 };
 pub use trial::{
-    BothSides, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
-    truncated_logarithm,
+    BothSides, NormChain, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
+    truncated_logarithm, truncated_slope,
 };
 pub use two_sided::{TwoSided, two_sided};
 pub use uniform::UniformLaw;
