@@ -4,6 +4,7 @@
 //! there; the seminorm is |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper
 //! bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
 
+mod bracket;
 mod constant;
 mod continuation;
 mod discrete;
@@ -21,6 +22,7 @@ mod two_sided;
 mod uniform;
 mod zone;
 
+pub use bracket::HalfBracket;
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
 pub use induction::{InductionStep, closing_factor, induction};
@@ -37,5 +39,5 @@ pub use trial::{
     truncated_logarithm, truncated_slope,
 };
 pub use two_sided::{TwoSided, two_sided};
-pub use uniform::UniformLaw;
+pub use uniform::{LawRest, UniformLaw};
 pub use zone::{Condition, Place, Zone};
