@@ -26,23 +26,18 @@ example_frame::options! {
         /// L = ln(1/theta) at which the bounds alone are evaluated
         #[arg(long, value_delimiter = ',', default_values = ["1e4", "1e6", "1e9", "1e12"])]
         pub log: Vec<f64>,
+        /// Relative tolerance: fast, balanced, reference or a number
+        #[arg(long, default_value = "1e-10")]
+        pub tolerance: Tolerance,
     }
-}
-
-/// One zone: its constant, and the bounds around it.
-pub struct Point {
-    /// θ.
-    pub theta: f64,
-    /// γ², and what A L + c leaves of it.
-    pub law: LawRest,
-    /// Both bounds of γ².
-    pub bracket: HalfBracket,
 }
 
 /// What is computed.
 pub struct Computed {
-    /// Zones at the end.
-    pub points: Vec<Point>,
+    /// Zones at the end: both bounds of γ², and what A L + c leaves of it.
+    pub points: Vec<(HalfBracket, LawRest)>,
+    /// The power of L in what is left, between the last two zones.
+    pub power: Option<Estimate>,
     /// Bounds for zones too short for a number.
     pub beyond: Vec<HalfBracket>,
     /// The slope of γ² against L between the last two zones in the middle of the interval.
@@ -51,19 +46,21 @@ pub struct Computed {
 
 /// Constants by the eigenproblem, the law from dual norms, the bounds from the proof.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let (half, tolerance) = (FractionalOrder::HALF, Tolerance::reference());
+    let (half, tolerance) = (FractionalOrder::HALF, options.tolerance);
     let law = UniformLaw::new(half, tolerance)?;
     let constant = |place: Place, theta: f64| -> Result<Estimate> {
         Ok(gamma(half, place.zone(theta)?, Condition::MeanZero, tolerance)?)
     };
-    let point = |&theta: &f64| -> Result<Point> {
-        let law = law.rest(theta, constant(Place::End, theta)?)?;
-        Ok(Point { theta, law, bracket: HalfBracket::new(-theta.ln())? })
+    let point = |&theta: &f64| -> Result<(HalfBracket, LawRest)> {
+        Ok((HalfBracket::new(-theta.ln())?, law.rest(theta, constant(Place::End, theta)?)?))
     };
+    let points: Vec<_> = options.theta.iter().map(point).collect::<Result<_>>()?;
+    let rests: Vec<_> = points.iter().map(|(bracket, law)| (bracket.log, law.rest)).collect();
     let inside = |&theta: &f64| -> Result<(f64, Estimate)> { Ok((theta, constant(Place::Centre, theta)?)) };
     let inside = options.theta.iter().map(inside).collect::<Result<Vec<_>>>()?;
     Ok(Computed {
-        points: options.theta.iter().map(point).collect::<Result<_>>()?,
+        points,
+        power: last_exponent(&rests)?,
         beyond: options.log.iter().map(|&log| HalfBracket::new(log)).collect::<signorini::Result<_>>()?,
         inside: growth(half, &inside)?,
     })
@@ -79,45 +76,43 @@ const CLOSED: f64 = 1e-4;
 const INSIDE: f64 = 1e-3;
 
 /// What decides: the bounds enclose the constant and close, and the rest is of the order and size predicted.
-pub fn findings(computed: &Computed) -> Result<Vec<Finding>> {
-    let Computed { points, beyond, inside } = computed;
+pub fn findings(computed: &Computed) -> Vec<Finding> {
+    let Computed { points, power, beyond, inside } = computed;
     let few = "fewer than two zones";
-    let over = |p: &Point, bound: f64| p.law.square.times(1.0 / bound);
-    let lower = points.iter().map(|p| over(p, p.bracket.lower)).collect::<signorini::Result<Vec<_>>>()?;
-    let upper = points.iter().map(|p| over(p, p.bracket.upper)).collect::<signorini::Result<Vec<_>>>()?;
+    let over = |part: fn(&HalfBracket) -> f64| {
+        points.iter().filter_map(move |(bracket, law)| law.square.times(1.0 / part(bracket)).ok())
+    };
     let widest = beyond.last().map(|b| (b.upper / b.lower - 1.0, 0.0));
-    let rests: Vec<_> = points.iter().map(|p| (p.bracket.log, p.law.rest)).collect();
-    Ok(vec![
+    vec![
         Finding::claim("lower", "the ramp is a lower bound: gamma^2 is {value} times it or more")
-            .estimate_or(Estimate::smallest(lower), few)
-            .at_least(1.0, "a quotient of one function")
-            .otherwise("gamma^2 is {value} times the quotient of the ramp"),
+            .estimate_or(Estimate::smallest(over(|b| b.lower)), few)
+            .at_least(1.0, "a quotient of one function"),
         Finding::claim("upper", "the chains give an upper bound: gamma^2 is {percent} % of it or less")
-            .estimate_or(Estimate::largest(upper), few)
-            .at_most(1.0, "the bound along chains")
-            .otherwise("gamma^2 is {percent} % of the bound along chains"),
+            .estimate_or(Estimate::largest(over(|b| b.upper)), few)
+            .at_most(1.0, "the bound along chains"),
         Finding::claim("closing", "at the largest L the two bounds differ by a part {value}")
             .number_or(widest, "no L")
             .at_most(CLOSED, "a bracket that closes like L^(-1/2)")
+            .otherwise("at the largest L the two bounds still differ by a part {value}")
             .told(),
         Finding::claim("rest", "what A L + c leaves of gamma^2 falls like L^{value}")
-            .estimate_or(last_exponent(&rests)?, few)
+            .estimate_or(*power, few)
             .within(POWER, -1.0, "the next term d / gamma^2")
             .told(),
         Finding::claim("explained", "at the shortest zone it is {value} times d/gamma^2 + e/gamma^4")
-            .estimate_or(points.last().map(|p| p.law.explained), few)
+            .estimate_or(points.last().map(|(_, law)| law.explained), few)
             .within(NEXT_TERM, 1.0, "the expansion of the resolvent, its constants from a dual norm"),
         Finding::claim("inside", "for zones in the middle gamma^2 grows by {value} per unit of L")
             .estimate_or(*inside, few)
             .within(INSIDE, INTERIOR_SLOPE, "1/(2 pi^2): two sides to climb"),
-    ])
+    ]
 }
 
 /// Follows the law from long zones to zones without a number.
 pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let claim = "gamma_theta(1/2)^2 / ln(1/theta) tends to 3/(2 pi^2) as theta falls to zero";
-    let mut headline = Headline::new("(5.2), exact", claim, table(&computed), findings(&computed)?);
+    let mut headline = Headline::new("(5.2), exact", claim, table(&computed), findings(&computed));
     headline.draw(&options.output, "lemma_5_2_exact_law", || Ok(draw(&computed)))?;
     Ok(headline)
 }
@@ -125,43 +120,38 @@ pub fn run(options: &Options) -> Result<Headline> {
 fn table(computed: &Computed) -> Table {
     let columns = vec![
         Column::new("log", "L", Format::Significant(5), "ln(1/theta)"),
-        Column::new("theta", "theta", Format::Scientific(0), "length of the zone, where it has a number"),
+        Column::new("theta", "theta", Format::Scientific(0), "length of the zone"),
         Column::new("square", "gamma^2", Format::Significant(10), "square of the best constant"),
-        Column::new(
-            "lower",
-            "lower",
-            Format::Significant(5),
-            "of gamma^2/(A L), by the ramp; A = 3/(2 pi^2)",
-        ),
+        Column::new("lower", "lower", Format::Significant(5), "the ramp's bound over A L, A = 3/(2 pi^2)"),
         Column::new("ratio", "ratio", Format::Significant(5), "gamma^2/(A L)"),
-        Column::new("upper", "upper", Format::Significant(5), "of gamma^2/(A L), along chains"),
+        Column::new("upper", "upper", Format::Significant(5), "the bound along chains over A L"),
         Column::new("rest", "rest", Format::Scientific(4), "gamma^2 - A L - c"),
         Column::new("explained", "explained", Format::Significant(7), "rest over d/gamma^2 + e/gamma^4"),
     ];
-    let row = |b: &HalfBracket, point: Option<&Point>| {
+    let row = |b: &HalfBracket, law: Option<&LawRest>| {
         let scale = END_SLOPE * b.log;
-        let of = |part: fn(&Point) -> f64| Cell::from(point.map(part));
-        let ratio = Cell::from(point.map(|p| p.law.square.value / scale));
-        let square = of(|p| p.law.square.value);
-        let ends = [of(|p| p.law.rest.value), of(|p| p.law.explained.value)];
-        let bounds = [Cell::from(b.lower / scale), ratio, Cell::from(b.upper / scale)];
-        [Cell::from(b.log), of(|p| p.theta), square].into_iter().chain(bounds).chain(ends)
+        let of = |part: fn(&LawRest) -> f64| law.map(part);
+        let square = of(|law| law.square.value);
+        let bounds = [Some(b.lower / scale), square.map(|g| g / scale), Some(b.upper / scale)];
+        let ends = [of(|law| law.rest.value), of(|law| law.explained.value)];
+        let first = [Some(b.log), square.map(|_| (-b.log).exp()), square];
+        first.into_iter().chain(bounds).chain(ends).map(Cell::from).collect::<Vec<_>>()
     };
-    let rows = computed.points.iter().map(|p| row(&p.bracket, Some(p)));
+    let rows = computed.points.iter().map(|(bracket, law)| row(bracket, Some(law)));
     Table::new(columns).with_rows(rows.chain(computed.beyond.iter().map(|b| row(b, None))))
 }
 
 fn draw(computed: &Computed) -> Chart {
     let (x, y) = ("L = ln(1/θ), logarithm of the zone", "γ² / L over 3/(2π²)");
-    let all = || computed.points.iter().map(|p| &p.bracket).chain(&computed.beyond);
+    let known = computed.points.iter().map(|(bracket, _)| bracket);
+    let all: Vec<_> = known.chain(&computed.beyond).collect();
     let curve = |part: fn(&HalfBracket) -> f64| {
-        all().map(|b| (b.log, part(b) / (END_SLOPE * b.log))).collect::<Vec<_>>()
+        all.iter().map(|b| (b.log, part(b) / (END_SLOPE * b.log))).collect::<Vec<_>>()
     };
-    let constants =
-        computed.points.iter().map(|p| (p.bracket.log, p.law.square.value / (END_SLOPE * p.bracket.log)));
+    let ratio = |(b, law): &(HalfBracket, LawRest)| (b.log, law.square.value / (END_SLOPE * b.log));
     Chart::new("The law at one half between its two bounds", Axis::logarithmic(x), Axis::linear(y))
         .with(Series::line("upper bound, chains", curve(|b| b.upper)))
-        .with(Series::points("γ², computed", constants.collect()))
+        .with(Series::points("γ², computed", computed.points.iter().map(ratio).collect()))
         .with(Series::line("lower bound, ramp", curve(|b| b.lower)))
 }
 

@@ -106,8 +106,8 @@ impl Chains {
         let (last, _) = sign_change(middle, longest.ln(), 0.0, |s| room(s) <= 0.0);
         let width = (last - first) / PANELS as f64;
         let panel = |k: usize| {
-            let centre = first + (k as f64 + 0.5) * width;
-            0.5 * width * self.rule.integrate(|z| self.density(dual, (centre + 0.5 * width * z).exp()))
+            let start = first + k as f64 * width;
+            width * self.rule.integrate(|z| self.density(dual, (start + width * z).exp()))
         };
         (0..PANELS).map(panel).sum()
     }
