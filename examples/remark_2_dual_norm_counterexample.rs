@@ -1,7 +1,8 @@
 //! Remark 2: ‖u − I^h u‖ in the dual norm of H^{1/2} is no better than h^{3/2} for u ∈ H^{3/2}: Falk's route
 //! ends at h^{3/4}.
 //!
-//! A wave per element is aliased to a constant. For comparison a smooth function: its dual norm is of order h².
+//! A wave per element is aliased to a constant. For comparison a smooth function: its dual norm is of order
+//! h².
 
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};

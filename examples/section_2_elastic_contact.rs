@@ -3,7 +3,8 @@
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
 use example_frame::{Error, Finding, Headline, Result, contact};
-use signorini::contact::{Cone, Judgement, NOISE, Solver};
+use signorini::cone::{Cone, Judgement, NOISE};
+use signorini::contact::Solver;
 use signorini::scenes::{MeshScene, SceneRun, SceneStudy, Setting, energies_apart, sets_apart};
 use std::process::ExitCode;
 

@@ -5,7 +5,8 @@
 //! | --- | --- |
 //! | u_N and −σ_N dΓ of a computed solution | [`EdgeTrace`]: nodal values and point forces |
 //! | (u_N, σ_N) with finite norms of order ν = τ − 3/2 | [`ContactPair`], cut into [`Segment`]s T ∩ Γ_C |
-//! | norms (1.1) on a segment | [`SegmentNorms`], seminorms by [`SeminormForm`] or [`seminorm_by_quadrature`] |
+//! | norms (1.1) on a segment | [`SegmentNorms`] |
+//! | seminorms on a segment | [`SeminormForm`], [`seminorm_by_quadrature`] |
 //! | ‖u_N‖_{τ−1/2}, ‖σ_N‖_{τ−3/2} on Γ_C | [`edge_norms`] |
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
 //!

@@ -50,7 +50,8 @@ mod tests {
 
     #[test]
     fn the_rate_of_a_slow_sequence_is_not_claimed_to_be_better_known_than_it_is() {
-        // Rates whose error falls by a quarter or more per pair, as assumed: a tail h^{1/2} falls by less at N = 8.
+        // Rates whose error falls by a quarter or more per pair, as assumed: a tail h^{1/2} falls by less at
+        // N = 8.
         for tail in [0.75, 1.0, 2.0] {
             let error = |n: usize| {
                 let h = 1.0 / n as f64;

@@ -227,7 +227,8 @@ impl FromStr for MeshScene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Cone, Solver};
+    use crate::cone::Cone;
+    use crate::contact::Solver;
 
     #[test]
     fn every_scene_has_the_contact_it_is_named_for() {

@@ -1,7 +1,7 @@
 //! A sentence of an outcome, decided by a comparison of numbers.
 //!
-//! A [`Finding`] holds a measured number with its uncertainty u ≥ 0 (absolute), a relation to a bound b and where the bound comes
-//! from. [`Finding::outcome`] decides:
+//! A [`Finding`] holds a measured number with its uncertainty u ≥ 0 (absolute), a relation to a bound b and
+//! where the bound comes from. [`Finding::outcome`] decides:
 //!
 //! | relation | holds | refuted |
 //! | --- | --- | --- |
@@ -9,8 +9,9 @@
 //! | at least b | value − u ≥ b | value + u < b |
 //! | within t of b | abs(value − b) + u ≤ t | abs(value − b) − u > t |
 //!
-//! and everything else is undecided: the uncertainty reaches across the bound, or there is no number. Verdicts and the line
-//! "measured" are made from findings only. What is true by proof is marked so and is no evidence.
+//! and everything else is undecided: the uncertainty reaches across the bound, or there is no number.
+//! Verdicts and the line "measured" are made from findings only. What is true by proof is marked so and is no
+//! evidence.
 
 use serde_json::{Value, json};
 use std::fmt;
@@ -42,7 +43,8 @@ impl fmt::Display for Outcome {
 /// What a finding does to the verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// The statement under test in the form that is true: refuted or undecided, the statement is not confirmed.
+    /// The statement under test in the form that is true: refuted or undecided, the statement is not
+    /// confirmed.
     Claim,
     /// The form the paper prints where it differs: refuted, the printed form fails.
     Printed,
@@ -74,7 +76,8 @@ pub enum Relation {
     Within(f64),
 }
 
-/// One sentence of an outcome. Built by [`Finding::claim`] and its siblings, then a number, a relation and the other words:
+/// One sentence of an outcome. Built by [`Finding::claim`] and its siblings, then a number, a relation and
+/// the other words:
 ///
 /// ```
 /// use example_frame::{Finding, Outcome};
@@ -221,7 +224,8 @@ impl Finding {
         self
     }
 
-    /// True by a proof that stands on `page` of the book (its file name without ending): shown, and no evidence.
+    /// True by a proof that stands on `page` of the book (its file name without ending): shown, and no
+    /// evidence.
     #[must_use]
     pub fn by_proof(mut self, page: &'static str) -> Self {
         self.proof = Some(page);
@@ -247,7 +251,8 @@ impl Finding {
         Self { number: None, ..self.clone() }
     }
 
-    /// The same finding with its number moved to where the outcome should be `outcome`; `None` for what is true by proof.
+    /// The same finding with its number moved to where the outcome should be `outcome`; `None` for what is
+    /// true by proof.
     pub fn moved(&self, outcome: Outcome) -> Option<Self> {
         if self.proof.is_some() {
             return None;
@@ -421,7 +426,8 @@ fn short(value: f64) -> String {
 const IN_WORDS: usize = 6;
 const IN_ALL: usize = 10;
 
-/// The value with the digits its uncertainty leaves it, two of them doubtful at most, and no more than `most`.
+/// The value with the digits its uncertainty leaves it, two of them doubtful at most, and no more than
+/// `most`.
 fn significant(value: f64, uncertainty: f64, most: usize) -> String {
     if !value.is_finite() || value == 0.0 {
         return value.to_string();
