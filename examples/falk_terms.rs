@@ -16,8 +16,8 @@ example_frame::options! {
         /// scalar or elastic
         #[arg(long, default_value_t = StripKind::Scalar)]
         pub kind: StripKind,
-        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE
-        #[arg(long, default_value_t = StripScene::transition())]
+        /// A scene of the strip
+        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
         pub scene: StripScene,
         /// Regularity of the scene, in (3/2, 2]
         #[arg(long, default_value_t = 1.75)]

@@ -16,9 +16,8 @@ use std::process::ExitCode;
 example_frame::options! {
     /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
     pub struct Options {
-        /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3,
-        /// fat-cantor, ...)
-        #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block))]
+        /// A scene of a mesh or of the strip
+        #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block), help = Scene::names())]
         pub scene: Scene,
         /// Contact segments of the finest mesh classified
         #[arg(long, default_value_t = 32)]

@@ -19,9 +19,8 @@ example_frame::options! {
         /// Levels COARSEST-FINEST: n = 2^level cells along the edge
         #[arg(long, default_value = "3-14")]
         pub levels: Levels,
-        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or
-        /// samples:FILE
-        #[arg(long, default_value_t = StripScene::transition())]
+        /// A scene of the strip
+        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
         pub scene: StripScene,
         /// Regularity of the solution, 3/2 < tau <= 2 (not used by samples)
         #[arg(long, default_value_t = 1.75)]

@@ -122,8 +122,12 @@ fn items(code: &str) -> BTreeSet<String> {
         let is_file = words[at] == "mod" && line.trim_end().ends_with(';');
         (!is_file).then(|| words.get(at + 1).cloned()).flatten()
     });
+    // A registry of scenes declares its enum inside the call of its macro.
+    let registered =
+        code.lines().filter_map(|line| line.strip_prefix("    pub enum ")?.split([':', ' ']).next());
     let macros = code.lines().filter_map(|line| line.strip_prefix("macro_rules! "));
-    defined.chain(macros.map(|m| m.trim_end_matches([' ', '{']).to_owned())).collect()
+    let named = macros.map(|m| m.trim_end_matches([' ', '{'])).chain(registered);
+    defined.chain(named.map(str::to_owned)).collect()
 }
 
 /// Every path in the code outside `use` that begins with crate, super or self.
