@@ -90,7 +90,8 @@ pub enum Relation {
 /// assert!(order.with_number(0.6, 0.006).words().contains("more slowly"));
 /// ```
 ///
-/// Words may hold `{value}`, `{uncertainty}` and `{bound}`, filled in when they are shown.
+/// Words may hold `{value}`, `{uncertainty}` and `{bound}`, filled in when they are shown, and `{count:noun}`: "no noun",
+/// "1 noun", "2 nouns".
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     key: String,
@@ -337,7 +338,7 @@ impl Finding {
         };
         let (value, uncertainty) = self.number.unwrap_or((f64::NAN, f64::NAN));
         let digits = |number: f64| if number.is_nan() { "?".to_owned() } else { short(number) };
-        words
+        counted(words, value)
             .replace("{value}", &self.number.map_or("?".to_owned(), |(v, u)| significant(v, u, IN_WORDS)))
             .replace(
                 "{uncertainty}",
@@ -357,6 +358,11 @@ impl Finding {
             Some((value, u)) => significant(value, u, IN_ALL),
             None => self.missing.clone(),
         };
+        let source = if self.source.is_empty() { String::new() } else { format!(", {}", self.source) };
+        let nothing = self.number == Some((0.0, 0.0)) && self.bound == 0.0;
+        if nothing && self.relation == Relation::AtMost {
+            return format!("none{source}");
+        }
         let sign = match (self.relation, self.outcome()) {
             (Relation::AtMost, Outcome::Refuted) => ">",
             (Relation::AtLeast, Outcome::Refuted) => "<",
@@ -370,7 +376,6 @@ impl Finding {
             Relation::Within(t) => format!(" +- {}", short(t)),
             _ => String::new(),
         };
-        let source = if self.source.is_empty() { String::new() } else { format!(", {}", self.source) };
         format!("{number} {sign} {}{tolerance}{source}", short(self.bound))
     }
 
@@ -410,6 +415,19 @@ impl Finding {
         }
         object
     }
+}
+
+/// Words with `{count:noun}` filled in.
+fn counted(words: &str, count: f64) -> String {
+    let Some((before, rest)) = words.split_once("{count:") else { return words.to_owned() };
+    let Some((noun, after)) = rest.split_once('}') else { return words.to_owned() };
+    let phrase = match count {
+        0.0 => format!("no {noun}"),
+        1.0 => format!("1 {noun}"),
+        _ if count.is_nan() => format!("? {noun}s"),
+        _ => format!("{count} {noun}s"),
+    };
+    format!("{before}{phrase}{after}")
 }
 
 /// As few digits as identify a bound, at most six significant ones.
@@ -510,5 +528,19 @@ mod tests {
         assert!(claim().with_number(0.2, 0.0).words().starts_with("it is not so that"));
         assert_eq!(claim().json()["relation"], "at least");
         assert_eq!(claim().without_number().json()["missing"], "no number was computed");
+    }
+
+    #[test]
+    fn counts_take_the_number_of_their_noun() {
+        let count = |n: f64| {
+            let left = Finding::claim("left", "{count:level} left").otherwise("{count:level} left");
+            left.number(n, 0.0).at_most(0.0, "not solved")
+        };
+        assert_eq!(
+            [0.0, 1.0, 2.0].map(|n| count(n).words()),
+            ["no level left", "1 level left", "2 levels left"]
+        );
+        assert_eq!(count(0.0).comparison(), "none, not solved");
+        assert!(count(1.0).comparison().ends_with("> 0, not solved"));
     }
 }
