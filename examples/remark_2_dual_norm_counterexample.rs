@@ -117,7 +117,7 @@ pub fn run(options: &Options) -> Result<Headline> {
 
 fn table(computed: &Computed) -> Table {
     let (error, rate) = (Format::Scientific(4), Format::Fixed(4));
-    let change = "four times the change from the rate before, and the errors of the norms";
+    let change = "3.5 times the change from the rate before, and the errors of the norms";
     Table::new(vec![
         Column::new("elements", "elements", Format::Plain, ""),
         Column::new("wave", "wave", error, "|u - Iu|_(1/2,*) / |u|_(3/2), u = cos(2 pi x/h) - 1"),

@@ -119,7 +119,7 @@ fn table(rows: &[Row]) -> Table {
         Column::new("r", "r", Format::Significant(3), ""),
         Column::new("constant_l2", "C(r)", digits, "best constant of (4.6) on one element"),
         Column::new("function_l2", "phi L2", rate, phi),
-        Column::new("function_error_l2", "+- phi", rate, "four times the change from coarser meshes"),
+        Column::new("function_error_l2", "+- phi", rate, "3.5 times the change from coarser meshes"),
         Column::new("supremum_l2", "sup L2", rate, sup),
         Column::new("error_l2", "+- sup", rate, "three times that change, and that from half as many cells"),
         Column::new("constant_dual", "C*(r)", digits, "best constant of (4.7) element by element"),
