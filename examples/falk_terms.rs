@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::proof::{Exponent, FalkRow, falk_terms, printed_exponent};
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, StripKind};

@@ -1,6 +1,7 @@
-//! The house: no import circle among the files of `src`, arrows between rooms downwards only, and nothing in the library that
-//! shows an outcome. Read from the sources: `use` declarations and paths that begin with `crate`, `super` or `self`, each followed
-//! through re-exports to the file that defines the item. Code behind `#[cfg(test)]` does not count.
+//! The house: no import circle among the files of `src`, arrows between rooms downwards only, and nothing in
+//! the library that shows an outcome. Read from the sources: `use` declarations and paths that begin with
+//! `crate`, `super` or `self`, each followed through re-exports to the file that defines the item. Code
+//! behind `#[cfg(test)]` does not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -21,8 +22,8 @@ const ROOMS: [&str; 16] = [
     "strip",
     "scenes",
     "edge",
-    "proof",
     "convergence",
+    "proof",
 ];
 /// Words of showing an outcome: none may be imported or named as a path in `src`.
 const SHOWING: [&str; 9] = [

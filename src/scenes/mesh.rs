@@ -228,7 +228,8 @@ impl MeshScene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Cone, Solver};
+    use crate::cone::Cone;
+    use crate::contact::Solver;
 
     #[test]
     fn every_scene_has_the_contact_it_is_named_for() {

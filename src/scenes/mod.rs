@@ -8,6 +8,7 @@
 //! | [`StripScene`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip`, `contact_sets`, `gap_data` |
 //! | names and parameters | one block per scene; grammar, reading, writing | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
+//! | [`StripCase`] | a strip scene with levels, cone and positions: what is solved | `case` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //!
@@ -30,7 +31,7 @@ mod study;
 mod tau_range;
 mod transition_powers;
 
-pub use case::{CaseStudy, Solved, StripCase, mean_errors};
+pub use case::StripCase;
 pub use mesh::{MeshScene, Setting};
 pub use regularity::clamped_free_exponent;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};

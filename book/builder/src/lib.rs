@@ -29,7 +29,6 @@ pub mod verify;
 use data::Data;
 use directive::Sources;
 use error::{Fault, Result, none_of, read};
-use page::Page;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
