@@ -40,6 +40,7 @@
 //! | Lemma 6.1, (6.1): interpolation on one interval | [`interpolation::element_constant`], [`interpolation::InterpolationError`] |
 //! | (6.2): deviation from the mean | [`interpolation::limits::pointwise`] |
 //! | Lemma 6.2: interpolation on a mesh | [`interpolation::mesh_constant`] |
+//! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |
 //! <!-- end of labels -->

@@ -102,6 +102,7 @@ examples! {
     figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
     introduction_rates: "../examples/introduction_rates.rs",
     lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
+    lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
