@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::convergence::{Bound, Fit};
 use signorini::proof::{ContactFamily, Exponent, SetTerms, WorstGaps, worst_gaps, worst_ratio};
 use signorini::{Estimate, Tolerance};

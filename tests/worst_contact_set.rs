@@ -5,7 +5,7 @@
 mod example;
 
 use signorini::Tolerance;
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::proof::worst_ratio;
 
 #[test]

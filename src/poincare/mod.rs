@@ -4,6 +4,7 @@
 //! there; the seminorm is |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper
 //! bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
 
+mod bracket;
 mod constant;
 mod continuation;
 mod discrete;
@@ -21,9 +22,10 @@ mod two_sided;
 mod uniform;
 mod zone;
 
+pub use bracket::HalfBracket;
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
-pub use induction::{InductionStep, induction};
+pub use induction::{InductionStep, closing_factor, induction};
 pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use location::{Placed, Places};
@@ -33,9 +35,9 @@ pub use scaling::{
     printed_exponent_near_one,
 };
 pub use trial::{
-    BothSides, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
-    truncated_logarithm,
+    BothSides, NormChain, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
+    truncated_logarithm, truncated_slope,
 };
 pub use two_sided::{TwoSided, two_sided};
-pub use uniform::UniformLaw;
+pub use uniform::{LawRest, UniformLaw};
 pub use zone::{Condition, Place, Zone};
