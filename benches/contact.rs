@@ -1,7 +1,9 @@
-//! Seconds of the contact solvers on the scenes of the accuracy tables: elimination, cold and nested starts, both solvers.
+//! Seconds of the contact solvers on the scenes of the accuracy tables: elimination, cold and nested starts,
+//! both solvers.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use signorini::contact::{Cone, Solver};
+use signorini::cone::Cone;
+use signorini::contact::Solver;
 use signorini::scenes::MeshScene;
 use std::hint::black_box;
 

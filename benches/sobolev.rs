@@ -1,4 +1,5 @@
-//! Criterion timings of the fractional-Sobolev toolkit, on the cases of the accuracy table in `examples/speed_for_accuracy.rs`.
+//! Criterion timings of the fractional-Sobolev toolkit, on the cases of the accuracy table in
+//! `examples/speed_for_accuracy.rs`.
 #![allow(missing_docs)] // criterion_group writes public items of its own
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};

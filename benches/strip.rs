@@ -4,7 +4,7 @@
 //! `section_2_strip`.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{ElasticStrip, Reference, StripKind, StripProblem, solve_contact};

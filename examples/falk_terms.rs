@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::proof::{Exponent, FalkRow, falk_terms, printed_exponent};
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, StripKind};
@@ -16,8 +16,8 @@ example_frame::options! {
         /// scalar or elastic
         #[arg(long, default_value_t = StripKind::Scalar)]
         pub kind: StripKind,
-        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE
-        #[arg(long, default_value_t = StripScene::transition())]
+        /// A scene of the strip
+        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
         pub scene: StripScene,
         /// Regularity of the scene, in (3/2, 2]
         #[arg(long, default_value_t = 1.75)]

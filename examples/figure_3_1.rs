@@ -1,4 +1,5 @@
-//! Figure 3.1: the three printed curves over τ, and on them the orders that errors and consistency terms of both cones show.
+//! Figure 3.1: the three printed curves over τ, and on them the orders that errors and consistency terms of
+//! both cones show.
 //!
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 

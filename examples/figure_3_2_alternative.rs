@@ -16,9 +16,8 @@ use std::process::ExitCode;
 example_frame::options! {
     /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
     pub struct Options {
-        /// A mesh scene (block, membrane, ...) or a strip scene (transition, transitions:8, cantor:0.3,
-        /// fat-cantor, ...)
-        #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block))]
+        /// A scene of a mesh or of the strip
+        #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block), help = Scene::names())]
         pub scene: Scene,
         /// Contact segments of the finest mesh classified
         #[arg(long, default_value_t = 32)]
@@ -83,15 +82,15 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
     let none = "no mesh was classified";
     let mut findings = vec![
         Finding::claim("cases", "every segment is in a case, for every theta").by_proof(page(section)),
-        Finding::claim("carriers", "{value} segments carry the whole term, no more than transition points")
+        Finding::claim("carriers", "{count:segment} with the whole term, no more than transition points")
             .number_or(carriers, none)
             .at_most(ends, "ends of the contact set inside the edge")
-            .otherwise("{value} segments carry the term, more than the {bound} transition points")
+            .otherwise("{count:segment} with the term, more than transition points: {bound}")
             .told(),
-        Finding::claim("discrete", "u_h puts all but {value} segments in the cases of the reference")
+        Finding::claim("discrete", "u_h puts {count:segment} into another case than the reference")
             .number_or(moved, none)
             .at_most(ends, "one segment per transition point")
-            .otherwise("u_h puts {value} segments into other cases, more than transition points"),
+            .otherwise("u_h puts {count:segment} into another case, more than transition points"),
         Finding::remark("second.carries", "the second case alone carries {percent} % of the term")
             .number_or(carried.map(|share| (share, CARRIES)), none)
             .at_least(0.5, "half of the term")

@@ -1,7 +1,8 @@
 //! Remark 2: ‖u − I^h u‖ in the dual norm of H^{1/2} is no better than h^{3/2} for u ∈ H^{3/2}: Falk's route
 //! ends at h^{3/4}.
 //!
-//! A wave per element is aliased to a constant. For comparison a smooth function: its dual norm is of order h².
+//! A wave per element is aliased to a constant. For comparison a smooth function: its dual norm is of order
+//! h².
 
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
@@ -116,7 +117,7 @@ pub fn run(options: &Options) -> Result<Headline> {
 
 fn table(computed: &Computed) -> Table {
     let (error, rate) = (Format::Scientific(4), Format::Fixed(4));
-    let change = "three times the change from the rate before, and the errors of the norms";
+    let change = "3.5 times the change from the rate before, and the errors of the norms";
     Table::new(vec![
         Column::new("elements", "elements", Format::Plain, ""),
         Column::new("wave", "wave", error, "|u - Iu|_(1/2,*) / |u|_(3/2), u = cos(2 pi x/h) - 1"),

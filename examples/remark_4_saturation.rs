@@ -105,7 +105,7 @@ pub fn run(options: &Options) -> Result<Headline> {
 
 fn table(rows: &[Row]) -> Table {
     let (rate, error) = (Format::Fixed(4), Format::Scientific(0));
-    let uncertainty = "three times the change from the coarser pair of meshes, and the errors of the norms";
+    let uncertainty = "3.5 times the change from the coarser pair of meshes, and the errors of the norms";
     Table::new(vec![
         Column::new("r", "r", Format::Significant(3), "phi = x^(r-1/2+0.005) is barely in H^r"),
         Column::new("projection", "P0", rate, "rate of |phi - pi^h phi|_0; theory min(r, 1)"),

@@ -1,4 +1,5 @@
-//! Section 2, Remark 1: scalar Signorini problems. The argument is that of `section_2_elastic_contact`, with scalar scenes.
+//! Section 2, Remark 1: scalar Signorini problems. The argument is that of `section_2_elastic_contact`, with
+//! scalar scenes.
 //!
 //! `cargo run --release --example section_2_scalar_contact -- --scene corner --angle 135 --n 8 --levels 5`
 

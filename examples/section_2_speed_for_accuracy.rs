@@ -1,10 +1,11 @@
-//! Section 2: true error against seconds, for both solvers, cold and nested starts, on a scene with known solution.
+//! Section 2: true error against seconds, for both solvers, cold and nested starts, on a scene with known
+//! solution.
 //!
 //! `cargo run --release --example section_2_speed_for_accuracy -- --levels 6`
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, contact, progress};
-use signorini::contact::{Cone, NOISE};
+use signorini::cone::{Cone, NOISE};
 use signorini::scenes::{Road, RoadRow, manufactured_by_every_road};
 use std::process::ExitCode;
 

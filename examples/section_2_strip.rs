@@ -5,8 +5,8 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
 use signorini::cone::Cone;
-use signorini::convergence::{Bound, Trend};
-use signorini::scenes::{CaseStudy, Solved, StripCase, StripScene};
+use signorini::convergence::{Bound, CaseStudy, Solved, Trend};
+use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, StripKind};
 use std::process::ExitCode;
 
@@ -19,9 +19,8 @@ example_frame::options! {
         /// Levels COARSEST-FINEST: n = 2^level cells along the edge
         #[arg(long, default_value = "3-14")]
         pub levels: Levels,
-        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH] or
-        /// samples:FILE
-        #[arg(long, default_value_t = StripScene::transition())]
+        /// A scene of the strip
+        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
         pub scene: StripScene,
         /// Regularity of the solution, 3/2 < tau <= 2 (not used by samples)
         #[arg(long, default_value_t = 1.75)]
@@ -54,7 +53,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     levels.require_count(5, "[5, 22]: fewer levels show no rate")?;
     let case = StripCase { kind, levels, source, tau, cone, reference, positions };
     let bar = progress((levels.cells().count() * case.sources()?.len()) as u64);
-    let study = case.solve(|_| bar.inc(1))?;
+    let study = CaseStudy::of(&case, |_| bar.inc(1))?;
     let errors: Vec<_> = levels.mesh_sizes().zip(study.errors.iter().map(|e| e.value)).collect();
     let line = |bound: Bound| study.regularity.map(|tau| bound.through(errors[0], levels.mesh_sizes(), tau));
     let bounds: signorini::Result<_> = [Bound::Paper, Bound::Optimal].into_iter().filter_map(line).collect();
@@ -116,7 +115,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let claim = format!("{kind} strip, {cone} cone, {scene} ({}), {statement}", study.gaps_text());
     let mut headline = Headline::new("Section 2, strip", claim, table(study), findings(options, &computed));
     if let (Some(finest), Some(order)) = (study.studies[0].last(), Trend::of(errors)) {
-        headline.quote("section.2.strip.unknowns", finest.virtual_unknowns);
+        headline.quote("section.2.strip.unknowns", finest.facts.unknowns);
         headline.quote("section.2.strip.error", errors[errors.len() - 1].1);
         headline.quote_with("section.2.strip.order", order.exponent, order.uncertainty);
     }

@@ -1,6 +1,7 @@
 //! What accuracy costs: seconds and work against true error for every numerical function of the toolkit.
 //!
-//! The one list is `cases/toolkit.rs`: a name, the value found another way, and the function of the tolerance.
+//! The one list is `cases/toolkit.rs`: a name, the value found another way, and the function of the
+//! tolerance.
 //!
 //! `cargo run --release --example speed_for_accuracy -- --case closure --repeat 10`
 
@@ -40,7 +41,8 @@ pub struct Row {
 }
 
 const TOLERANCES: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
-/// What the values found another way may be off by: closed forms of some hundred operations, or 16 printed digits.
+/// What the values found another way may be off by: closed forms of some hundred operations, or 16 printed
+/// digits.
 const REFERENCE: f64 = 1e-14;
 
 /// The rows of every case that was asked for.
@@ -68,7 +70,8 @@ pub fn compute(options: &Options) -> Result<Vec<(&'static str, Vec<Row>)>> {
     chosen.iter().map(measure).collect()
 }
 
-/// What decides: true errors against what was asked and promised; work and seconds against those of more digits.
+/// What decides: true errors against what was asked and promised; work and seconds against those of more
+/// digits.
 pub fn findings(cases: &[(&'static str, Vec<Row>)]) -> Vec<Finding> {
     let rows = || cases.iter().flat_map(|case| &case.1);
     let worst = |share: &dyn Fn(&Row) -> (f64, f64)| rows().map(share).max_by(|a, b| a.0.total_cmp(&b.0));

@@ -12,8 +12,8 @@ use std::process::ExitCode;
 example_frame::options! {
     /// Compute both sides of every inequality of the proof on a manufactured pair (u_N, sigma_N)
     pub struct Options {
-        /// transition[:POSITION], transitions:COUNT, cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE
-        #[arg(long, default_value_t = StripScene::transition())]
+        /// A scene of the strip
+        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
         pub scene: StripScene,
         /// Regularity the proof assumes, in (3/2, 2], for Theorem 4.1 in (3/2, 5/2)
         #[arg(long, default_value_t = 1.75)]

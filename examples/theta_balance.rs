@@ -1,4 +1,5 @@
-//! The balance of Section 3: both bounds as functions of theta, the printed choice, and the true worst case of an element.
+//! The balance of Section 3: both bounds as functions of theta, the printed choice, and the true worst case
+//! of an element.
 //!
 //! `cargo run --release --example theta_balance -- --tau 2`
 
@@ -9,7 +10,8 @@ use signorini::strip::Levels;
 use std::process::ExitCode;
 
 example_frame::options! {
-    /// Compare the bounds of both cases with an optimisation over complementary pairs (u_N, sigma_N) on one element
+    /// Compare the bounds of both cases with an optimisation over complementary pairs (u_N, sigma_N) on one
+    /// element
     pub struct Options {
         /// Regularity, in (3/2, 2]
         #[arg(long, default_value_t = 1.75)]
@@ -43,13 +45,14 @@ pub fn compute(options: &Options) -> Result<Computed> {
     Ok(Computed { balance, rows, exponents, share })
 }
 
-/// The contact intervals of the optimisation lie on a grid of powers of 1/2: the supremum is above the largest value found by
-/// less than this part of it.
+/// The contact intervals of the optimisation lie on a grid of powers of 1/2: the supremum is above the
+/// largest value found by less than this part of it.
 const GRID: f64 = 0.05;
 /// Powers of h without a logarithm: what rounding leaves of a fit over ten lengths.
 const ROUNDING: f64 = 1e-9;
 
-/// What decides: no pair passes the bounds, the exponents are the printed ones, and what lies between them and the worst pair.
+/// What decides: no pair passes the bounds, the exponents are the printed ones, and what lies between them
+/// and the worst pair.
 pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     let (tau, Computed { exponents: e, share, .. }) = (options.tau, computed);
     let bounds = Finding::claim("bounds", "no worst pair passes the bound of its case, at most {percent} %")

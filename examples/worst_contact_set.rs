@@ -5,7 +5,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
 use signorini::Tolerance;
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::convergence::{Bound, Fit};
 use signorini::proof::{
     ContactFamily, SegmentConstant, SegmentSearch, SegmentSets, SetTerms, consistency_constant,

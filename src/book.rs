@@ -1,5 +1,5 @@
 //! The chapters of the book as documentation tests: a Rust block in a chapter compiles and runs, unless it is code
-//! included from an example (`rust,ignore`, compiled there).
+//! included from an example (`rust,ignore`, compiled there). `cargo book labels` writes the list from `SUMMARY.md`.
 
 macro_rules! chapters {
     ($($name:ident: $file:literal,)*) => {
@@ -9,30 +9,24 @@ macro_rules! chapters {
 }
 
 chapters! {
+    // chapters
     readme: "../../README.md",
     introduction: "introduction.md",
     tour: "tour.md",
+    introduction_rates: "introduction_rates.md",
     section_1_norms: "section_1_norms.md",
     section_2_elastic_contact: "section_2_elastic_contact.md",
     section_2_scalar_contact: "section_2_scalar_contact.md",
-    section_2_strip: "section_2_strip.md",
     section_4_midpoint_cone: "section_4_midpoint_cone.md",
-    figure_3_2_alternative: "figure_3_2_alternative.md",
-    introduction_rates: "introduction_rates.md",
-    theorem_3_1_rates: "theorem_3_1_rates.md",
-    theorem_3_1_proof: "theorem_3_1_proof.md",
-    theta_balance: "theta_balance.md",
-    figure_4_1_alternative: "figure_4_1_alternative.md",
-    theorem_4_1_rates: "theorem_4_1_rates.md",
-    theorem_4_1_proof: "theorem_4_1_proof.md",
     falk: "falk.md",
+    figure_3_2_alternative: "figure_3_2_alternative.md",
+    figure_4_1_alternative: "figure_4_1_alternative.md",
+    theorem_3_1_rates: "theorem_3_1_rates.md",
     figure_3_1: "figure_3_1.md",
     equation_3_2_logarithm: "equation_3_2_logarithm.md",
-    worst_contact_set: "worst_contact_set.md",
+    theorem_4_1_rates: "theorem_4_1_rates.md",
     remark_2: "remark_2.md",
     remark_4: "remark_4.md",
-    section_3_embeddings: "section_3_embeddings.md",
-    section_4_p0_projection: "section_4_p0_projection.md",
     lemma_5_1: "lemma_5_1.md",
     lemma_5_2: "lemma_5_2.md",
     lemma_5_2_induction: "lemma_5_2_induction.md",
@@ -41,10 +35,20 @@ chapters! {
     remark_7: "remark_7.md",
     lemma_6_1: "lemma_6_1.md",
     lemma_6_2: "lemma_6_2.md",
+    section_4_p0_projection: "section_4_p0_projection.md",
+    section_3_embeddings: "section_3_embeddings.md",
+    theorem_3_1_proof: "theorem_3_1_proof.md",
+    theorem_4_1_proof: "theorem_4_1_proof.md",
+    theta_balance: "theta_balance.md",
+    worst_contact_set: "worst_contact_set.md",
+    lemma_5_2_exact_law: "lemma_5_2_exact_law.md",
+    segment_constants: "segment_constants.md",
+    section_2_strip: "section_2_strip.md",
     speed_for_accuracy: "speed_for_accuracy.md",
     extremes: "extremes.md",
     toolkit: "toolkit.md",
     errata: "errata.md",
     after_2012: "after_2012.md",
     lemma_cards: "lemma_cards.md",
+    // end of chapters
 }

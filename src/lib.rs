@@ -11,29 +11,37 @@
 //! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
-//! | Remark 1: the scalar problem | [`fem::Form::Scalar`] |
-//! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`contact::Solver`], [`cone::Judgement`] |
-//! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::RateStudy`], [`convergence::Fit`] |
-//! | Theorem 3.1 on a strip: any contact set, reduced exactly to its edge | [`strip`] |
+//! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |
+//! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`cone::EdgeCone`], [`contact::Solver`], [`cone::Judgement`] |
+//! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::Bound`], [`convergence::RateStudy`], [`convergence::Fit`] |
+//! | Theorem 3.1 on a strip: any contact set, reduced exactly to its edge | [`strip::EdgeOperator`], [`strip::StripProblem`], [`scenes::StripScene`] |
+//! | Figure 3.1: exponents over tau | [`convergence::Bound::exponent`] |
+//! | (3.2), (4.3): tau = 2 and its logarithm | [`convergence::LogarithmFit`], [`scenes::TransitionPowers`] |
 //! | Remark 2: no better bound in the dual norm | [`interpolation::AliasedWave`], [`interpolation::DualNorm`] |
-//! | Figure 3.2: first and second case, nodal cone | [`proof::AlternativeCase`], [`proof::Classification`] |
-//! | (3.3) to (3.9), (3.11) to (3.15): both sides of every line | [`proof::ProofCase`], [`proof::ProofConstants`], [`edge::ContactPair`] |
+//! | Figure 3.2: first and second case, nodal cone | [`proof::NearVertices`], [`proof::Classification`] |
+//! | (3.3) to (3.9), (3.11) to (3.15): both sides of every line | [`proof::section_three_checks`], [`proof::ProofCase`], [`proof::ProofConstants`] |
 //! | (3.6), (3.10): embedding constants C(q) | [`interpolation::EmbeddingSpace`], [`interpolation::embedding_upper_bound`] |
 //! | Section 3, Globally: the choice of theta | [`proof::ElementBalance`] |
-//! | (4.1): the midpoint cone | [`cone::Cone::Midpoint`] |
+//! | (4.1): the midpoint cone | [`cone::Cone::Midpoint`], [`cone::EdgeCone`] |
+//! | Theorem 4.1, (4.2) to (4.4): rates for the midpoint cone | [`convergence::Bound`], [`convergence::RateStudy`], [`convergence::Fit`] |
+//! | Remark 4: constants gain nothing beyond H^1 | [`interpolation::saturation_quotient`] |
 //! | Falk's lemma, (4.5), (4.8): every term | [`proof::falk_terms`] |
 //! | (4.6), (4.7): projection on constants, L^2 and dual norm | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
+//! | Figure 4.1: first and second case, midpoint cone | [`proof::SetDiameter`], [`proof::Classification`] |
 //! | (4.9) to (4.14): both sides of every line | [`proof::section_four_checks`] |
-//! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::worst_ratio`] |
+//! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::worst_ratio`], [`proof::worst_gaps`] |
 //! | Lemma 5.1: Peetre-Tartar | [`poincare::gamma`] |
 //! | Lemma 5.2, (5.1) to (5.3): Poincaré constant of a small zone | [`poincare::gamma`], [`poincare::two_sided`], [`poincare::LimitLaw`] |
 //! | Remark 5: no constant at nu = 1/2 | [`poincare::TruncatedFamily`], [`sobolev::closed_forms::log_power`] |
 //! | (5.4): the constant exists and is attained | [`poincare::extremal`] |
-//! | (5.5) to (5.9): scaling, one step, the product | [`poincare::growth`], [`poincare::printed_growth`] |
+//! | (5.5) to (5.9): scaling, one step, the product | [`poincare::InductionStep`], [`poincare::growth`], [`poincare::printed_growth`] |
 //! | Remark 6: one point is enough above 1/2 | [`poincare::gamma_at_point`] |
-//! | Remark 7: the zone may lie anywhere | [`poincare::Zone::at`] |
+//! | Remark 7: the zone may lie anywhere | [`poincare::Places`], [`poincare::Zone::at`] |
 //! | Lemma 6.1, (6.1): interpolation on one interval | [`interpolation::element_constant`], [`interpolation::InterpolationError`] |
+//! | (6.2): deviation from the mean | [`interpolation::limits::pointwise`] |
 //! | Lemma 6.2: interpolation on a mesh | [`interpolation::mesh_constant`] |
+//! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |
+//! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |
 //! <!-- end of labels -->
@@ -76,6 +84,8 @@ pub mod proof;
 pub mod quadrature;
 #[cfg(feature = "contact")]
 pub mod scenes;
+#[cfg(feature = "contact")]
+pub mod singular;
 pub mod sobolev;
 #[cfg(feature = "contact")]
 pub mod strip;

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-/// `cargo test` builds the examples beside the tests: target/PROFILE/deps/this-test, target/PROFILE/examples/NAME.
+/// `cargo test` builds the examples beside the tests: target/PROFILE/deps/this-test,
+/// target/PROFILE/examples/NAME.
 fn example(name: &str) -> PathBuf {
     let test = std::env::current_exe().unwrap();
     let profile = test.parent().and_then(|deps| deps.parent()).unwrap();

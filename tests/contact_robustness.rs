@@ -1,6 +1,7 @@
 //! Random scenes, extreme scales, degenerate contact: every solution is judged, both solvers agree.
 
-use signorini::contact::{Cone, ContactProblem, ContactSet, ContactSolution, Solver};
+use signorini::cone::{Cone, ContactSet};
+use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{BoundaryEdge, ContactEdge, Hierarchy, Part, Point, Sides, Triangulation, mapped_grid};
 use signorini::scenes::{MeshScene, Setting};
@@ -12,7 +13,8 @@ const KKT: f64 = 1e-10;
 const FIGURES: f64 = 1e-11;
 /// Both solvers, relative to the size of the terms in J.
 const SOLVERS: f64 = 1e-8;
-/// Change of the scaled answer under translation, rotation, scaling: condition number (up to 1e6) times rounding.
+/// Change of the scaled answer under translation, rotation, scaling: condition number (up to 1e6) times
+/// rounding.
 const INVARIANCE: f64 = 1e-9;
 
 /// Coordinates are multiples of 1/GRID.
@@ -54,8 +56,8 @@ struct Draft {
 }
 
 impl Draft {
-    /// A quadrilateral on a distorted grid or a polygon cut from a point inside, refined toward one of its contact points
-    /// or not; random labels at the sides, materials over six decades, loads rough or smooth.
+    /// A quadrilateral on a distorted grid or a polygon cut from a point inside, refined toward one of its
+    /// contact points or not; random labels at the sides, materials over six decades, loads rough or smooth.
     fn random(seed: u64) -> Self {
         let mut random = Random::new(seed);
         let mesh = if random.below(2) == 0 { quadrilateral(&mut random) } else { polygon(&mut random) };
@@ -139,8 +141,9 @@ fn quadrilateral(random: &mut Random) -> Triangulation {
     .unwrap()
 }
 
-/// Three to eight corners on a stretched circle with an edge at the bottom in contact, cut from the mean of its corners,
-/// refined one to three times and up to three times more toward a point of the contact edge; at least one side is clamped.
+/// Three to eight corners on a stretched circle with an edge at the bottom in contact, cut from the mean of
+/// its corners, refined one to three times and up to three times more toward a point of the contact edge; at
+/// least one side is clamped.
 fn polygon(random: &mut Random) -> Triangulation {
     let corners = 3 + random.below(6);
     let (wide, high) = (random.between(0.5, 1.5), random.between(0.5, 1.5));

@@ -65,7 +65,8 @@ fn tiny_elements_beside_long_ones() {
         PiecewisePolynomial::linears(Partition::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])
             .unwrap();
     let tiny = u.seminorm(order, Tolerance::reference()).unwrap().value;
-    // At ν = 1/2 the seminorm does not see scale: the same hat over 1e-20, whose surroundings are as good as infinite.
+    // At ν = 1/2 the seminorm does not see scale: the same hat over 1e-20, whose surroundings are as good as
+    // infinite.
     let lengths = vec![1.0, 1e-20, 1e-20, 1.0];
     let v =
         PiecewisePolynomial::linears(Partition::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])

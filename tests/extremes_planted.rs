@@ -1,4 +1,5 @@
-//! The planted extremes of the example, case by case, and the examples of speed against accuracy at small size.
+//! The planted extremes of the example, case by case, and the examples of speed against accuracy at small
+//! size.
 
 #[path = "../examples/extremes.rs"]
 #[allow(dead_code, reason = "only `run` and the lists are used here")]

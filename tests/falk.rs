@@ -1,6 +1,6 @@
 //! Falk's lemma for both cones: its terms on computed solutions, their known infima, and (4.8).
 
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::proof::falk_terms;
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, StripKind};

@@ -1,5 +1,6 @@
-//! Every finding of every example at its default size: its number moved across its bound, and the outcome, the words, the verdict and
-//! the exit code seen to turn. A sentence that no number could turn would be found here.
+//! Every finding of every example at its default size: its number moved across its bound, and the outcome,
+//! the words, the verdict and the exit code seen to turn. A sentence that no number could turn would be found
+//! here. `cargo book labels` writes the list of examples.
 
 #![allow(clippy::duplicate_mod, reason = "twins and the tour share files, and every example is loaded")]
 
@@ -92,6 +93,7 @@ macro_rules! examples {
 }
 
 examples! {
+    // examples
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     extremes: "../examples/extremes.rs",
     falk_terms: "../examples/falk_terms.rs",
@@ -100,6 +102,7 @@ examples! {
     figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
     introduction_rates: "../examples/introduction_rates.rs",
     lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
+    lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
@@ -116,6 +119,7 @@ examples! {
     section_2_strip: "../examples/section_2_strip.rs",
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
     section_4_p0_projection: "../examples/section_4_p0_projection.rs",
+    segment_constants: "../examples/segment_constants.rs",
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
@@ -124,4 +128,5 @@ examples! {
     theta_balance: "../examples/theta_balance.rs",
     tour: "../examples/tour.rs",
     worst_contact_set: "../examples/worst_contact_set.rs",
+    // end of examples
 }

@@ -1,4 +1,5 @@
-//! The introduction: every printed rate, (E1)-(E4), (N1), (N2), is reached, and no order exceeds min(τ − 1, 1).
+//! The introduction: every printed rate, (E1)-(E4), (N1), (N2), is reached, and no order exceeds min(τ − 1,
+//! 1).
 
 #[allow(dead_code)]
 #[path = "../examples/introduction_rates.rs"]
@@ -16,7 +17,8 @@ fn every_rate_is_reached_and_the_optimal_one_is_not_passed() {
         let number = |key: &str| headline.table.number(row, key).unwrap();
         for cone in ["nodal", "midpoint"] {
             let order = number(cone);
-            // Many kinks at τ = 2 lie outside H² and carry (ln h)^(1/2): below order one by 1/(2 |ln h|) and more.
+            // Many kinks at τ = 2 lie outside H² and carry (ln h)^(1/2): below order one by 1/(2 |ln h|) and
+            // more.
             assert!(order < (number("tau") - 1.0).min(1.0) + ORDER, "row {row}: {headline}");
             assert!(order > number("exponent") - ORDER, "row {row}: {headline}");
         }

@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use signorini::Error;
-use signorini::contact::{Cone, ContactProblem, Solver};
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{
     BoundaryEdge, Part, Sides, Triangulation, mapped_grid, parse_msh, read_msh, unit_square,

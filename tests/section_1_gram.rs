@@ -77,7 +77,8 @@ fn entries_of_constants_have_twelve_digits_on_every_mesh() {
     assert!(checked >= 16, "{checked}");
 }
 
-/// Meshes unlike the reference ones: two-sided, tiny elements inside, alternating long and short, a thousand elements.
+/// Meshes unlike the reference ones: two-sided, tiny elements inside, alternating long and short, a thousand
+/// elements.
 fn further_meshes() -> Vec<(&'static str, Partition)> {
     let alternating = (0..60).map(|i| [1e-7, 1.0, 3.0, 1e-300][i % 4]).collect();
     vec![

@@ -1,4 +1,5 @@
-//! Section 1: over 500 random cases with known norms the error estimates are honest and the tolerances are met.
+//! Section 1: over 500 random cases with known norms the error estimates are honest and the tolerances are
+//! met.
 
 use signorini::sobolev::{
     FractionalOrder, Partition, PiecewisePolynomial, Position, SingularFunction, closed_forms,

@@ -1,5 +1,5 @@
-//! Norms, means and L^q norms of closures, norms of order 1 + nu, and piecewise linears on many elements, each against a
-//! closed form.
+//! Norms, means and L^q norms of closures, norms of order 1 + nu, and piecewise linears on many elements,
+//! each against a closed form.
 
 use signorini::Tolerance;
 use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, closed_forms};

@@ -117,7 +117,8 @@ fn discontinuous_linears_are_finite_below_one_half_only() {
     let partition = Partition::from_lengths(vec![0.25, 0.75]).unwrap();
     let u = PiecewisePolynomial::discontinuous_linears(partition, &[[0.0, 1.0], [0.0, 1.0]]).unwrap();
     let below = FractionalOrder::new(0.3).unwrap();
-    // The jump alone is the indicator of the second element; x/h − 1/2 differs from it by a continuous function.
+    // The jump alone is the indicator of the second element; x/h − 1/2 differs from it by a continuous
+    // function.
     assert!(u.seminorm(below, Tolerance::reference()).is_ok());
     for outcome in [
         u.seminorm(FractionalOrder::HALF, Tolerance::fast()),

@@ -17,7 +17,8 @@ use clap::Parser;
 use example_frame::{Headline, Outcome, Table, Verdict};
 use reference_squares::{check_against_reference, solvers_agree};
 use section_2_elastic_contact::Problem;
-use signorini::contact::{Cone, ContactProblem, Solver, Status};
+use signorini::cone::{Cone, Status};
+use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Condensation, Form, Lame, stiffness};
 use signorini::mesh::{Hierarchy, Sides, unit_square};
 use signorini::scenes::{MeshScene, SceneRun};
@@ -41,7 +42,8 @@ fn active_set_and_interior_point_agree() {
 
 #[test]
 fn refined_mesh_gives_the_same_solution_as_the_structured_one() {
-    // Same triangles, other numbering, other elimination order: equal up to rounding of 10^4 operations per sum.
+    // Same triangles, other numbering, other elimination order: equal up to rounding of 10^4 operations per
+    // sum.
     const NUMBERING: f64 = 1e-13;
     let mut hierarchy = Hierarchy::new(MeshScene::Block.mesh(8).unwrap());
     hierarchy.refine().unwrap();

@@ -4,7 +4,8 @@
 #[path = "../examples/section_2_scalar_contact.rs"]
 mod section_2_scalar_contact;
 
-use signorini::contact::{Cone, ContactProblem, ContactSolution, Solver};
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::fem::{Cubature, Field, error_norms};
 use signorini::mesh::Hierarchy;
 use signorini::scenes::{MeshScene, Setting, manufactured};
@@ -60,7 +61,8 @@ fn known_contact_set_and_force_are_found() {
 
 #[test]
 fn corner_shows_its_exponent() {
-    // Along the contact edge u ~ c r^{π/(2ω)}: slope of ln |u| over dyadic distances on a mesh graded toward the corner.
+    // Along the contact edge u ~ c r^{π/(2ω)}: slope of ln |u| over dyadic distances on a mesh graded toward
+    // the corner.
     for angle in [90.0, 120.0, 135.0, 150.0] {
         let setting = Setting { angle, ..Setting::default() };
         let mut hierarchy = Hierarchy::new(MeshScene::Corner.mesh_with(16, &setting).unwrap());
@@ -74,7 +76,8 @@ fn corner_shows_its_exponent() {
         };
         let ((r, u), (s, v)) = (near(1e-3), near(1e-5));
         let slope = (u / v).ln() / (r / s).ln();
-        // One grading per factor two of the distance leaves a relative error of a few per cent in u, not in its slope.
+        // One grading per factor two of the distance leaves a relative error of a few per cent in u, not in
+        // its slope.
         let exponent = 90.0 / angle;
         assert!((slope / exponent - 1.0).abs() < 0.02, "{angle}: slope {slope}, expected {exponent}");
     }
@@ -82,7 +85,8 @@ fn corner_shows_its_exponent() {
 
 #[test]
 fn grading_toward_the_corner_pays() {
-    // Nested spaces: every added node lowers the minimum of the same energy; the load is constant on all levels.
+    // Nested spaces: every added node lowers the minimum of the same energy; the load is constant on all
+    // levels.
     let mesh = MeshScene::Corner.mesh(8).unwrap();
     let form = signorini::fem::Form::LAPLACE;
     let mut hierarchy = Hierarchy::new(mesh);
@@ -100,8 +104,8 @@ fn grading_toward_the_corner_pays() {
 
 #[test]
 fn nearly_incompressible_blocks_lock_and_both_solvers_say_the_same() {
-    // P1 elements: the displacement dies as Poisson's ratio approaches 1/2 on a fixed mesh. Solvers agree as far as
-    // the condition number 1e7 times that of the mesh allows.
+    // P1 elements: the displacement dies as Poisson's ratio approaches 1/2 on a fixed mesh. Solvers agree as
+    // far as the condition number 1e7 times that of the mesh allows.
     let largest = |poisson: f64| {
         let setting = Setting { poisson, ..Setting::default() };
         let problem = MeshScene::Incompressible.problem_with(16, &setting).unwrap();

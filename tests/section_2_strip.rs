@@ -2,7 +2,7 @@
 //! solves.
 
 use serde_json::Value;
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::strip::{EdgeLoad, EdgeSolution, ElasticStrip, ScalarStrip, solve_contact};
 use std::f64::consts::PI;

@@ -4,12 +4,13 @@
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use qd::Quad;
-use signorini::contact::Cone;
+use signorini::cone::Cone;
+use signorini::convergence::{mean_errors, strip_levels};
 use signorini::fem::Lame;
-use signorini::scenes::{StripScene, mean_errors};
+use signorini::scenes::StripScene;
 use signorini::strip::{
     EdgeData, EdgeSolution, ExactEdge, ExactElastic, Levels, Reference, Sides, StripKind, StripProblem,
-    solve_contact, study,
+    solve_contact,
 };
 
 /// The accuracy promised for every printed error, relative.
@@ -367,7 +368,7 @@ fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
                         Some(StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2048).unwrap())
                 }
             }
-            studies.push(study(problem.as_ref().unwrap(), levels, Cone::Nodal, |_| {}).unwrap());
+            studies.push(strip_levels(problem.as_ref().unwrap(), levels, Cone::Nodal, |_| {}).unwrap());
         }
         let errors = mean_errors(&studies).unwrap();
         let last = errors.len() - 1;

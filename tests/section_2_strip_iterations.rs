@@ -1,22 +1,25 @@
 //! Section 2 on a strip: inner iterations of every step stay bounded over levels, numbers of gaps, cones and
 //! kinds.
 
-use signorini::contact::Cone;
+use signorini::cone::Cone;
+use signorini::convergence::{CaseStudy, Level, strip_levels};
 use signorini::scenes::{StripCase, StripScene};
-use signorini::strip::{Level, Levels, Reference, Sides, StripKind, StripProblem, study};
+use signorini::strip::{Levels, Reference, Sides, StripKind, StripProblem};
 
 /// Required of every step on every level.
 const BOUND: usize = 30;
 
 /// The most inner iterations of a step, printed with the gaps resolved on each level.
 fn worst(name: &str, levels: &[Level]) -> usize {
-    let most = |level: &Level| level.inner_iterations.iter().copied().max().unwrap_or(0);
+    let most = |level: &Level| level.facts.most_inner();
     let rows: Vec<String> = levels
         .iter()
-        .map(|level| format!("2^{}: {} runs, {}", level.cells.ilog2(), level.contact_runs, most(level)))
+        .map(|level| {
+            format!("2^{}: {} runs, {}", level.facts.cells.ilog2(), level.facts.contact_runs, most(level))
+        })
         .collect();
     println!("{name}: {}", rows.join("; "));
-    assert!(levels.iter().all(|level| level.status.is_converged()), "{name}");
+    assert!(levels.iter().all(|level| level.facts.status.is_converged()), "{name}");
     levels.iter().map(most).max().unwrap_or(0)
 }
 
@@ -42,7 +45,7 @@ fn inner_iterations_are_bounded_over_levels_gap_counts_cones_and_kinds() {
                     reference: Reference::Nested,
                     positions: 1,
                 };
-                let study = case.solve(|_| {}).unwrap();
+                let study = CaseStudy::of(&case, |_| {}).unwrap();
                 let most =
                     worst(&format!("{kind} {cone} {scene} ({})", study.gaps_text()), &study.studies[0]);
                 assert!(most <= BOUND, "{kind} {cone} {scene}: {most}");
@@ -58,9 +61,9 @@ fn a_fat_cantor_set_of_over_thirty_thousand_gaps_needs_no_more() {
     assert!(scene.gaps() > 30_000, "{}", scene.gaps());
     let problem = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 8).unwrap();
     for cone in Cone::ALL {
-        let levels = study(&problem, Levels::new(3, 16).unwrap(), cone, |_| {}).unwrap();
+        let levels = strip_levels(&problem, Levels::new(3, 16).unwrap(), cone, |_| {}).unwrap();
         let most = worst(&format!("{cone} fat Cantor, {} gaps", scene.gaps()), &levels);
         assert!(most <= BOUND, "{cone}: {most}");
-        assert!(levels[levels.len() - 1].contact_runs > 1000);
+        assert!(levels[levels.len() - 1].facts.contact_runs > 1000);
     }
 }

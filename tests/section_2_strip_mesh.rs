@@ -7,7 +7,8 @@
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use signorini::contact::{Cone, ContactSet, EdgeProblem, Solver, solve_on_edge};
+use signorini::cone::{Cone, ContactSet};
+use signorini::contact::{EdgeProblem, Solver, solve_on_edge};
 use signorini::fem::Lame;
 use signorini::scenes::MeshScene;
 use signorini::strip::{ElasticStrip, ScalarStrip, solve_contact};

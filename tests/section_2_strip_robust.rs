@@ -7,10 +7,11 @@ use proptest::prelude::*;
 use signorini::Error;
 use signorini::cone::{Cone, ContactSet, Status};
 use signorini::contact::{EdgeProblem, solve_on_edge};
+use signorini::convergence::Level;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{
-    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Level, Levels, Reference, ScalarStrip, Sides,
+    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, Sides,
     solve_contact,
 };
 
@@ -301,7 +302,7 @@ fn planted_faults_turn_the_verdict() {
         assert_eq!(refuted, [key]);
     };
     assert!(Verdict::of(&example::findings(&options, &sound)).is_confirmed());
-    turned(&|levels| levels[4].kkt = 1e-9, "kkt");
-    turned(&|levels| levels[0].status = Status::StepLimit { steps: 200 }, "converged");
-    turned(&|levels| levels[11].inner_iterations.push(31), "inner");
+    turned(&|levels| levels[4].facts.kkt = 1e-9, "kkt");
+    turned(&|levels| levels[0].facts.status = Status::StepLimit { steps: 200 }, "converged");
+    turned(&|levels| levels[11].facts.inner_iterations.push(31), "inner");
 }

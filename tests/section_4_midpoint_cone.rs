@@ -4,7 +4,8 @@
 mod reference_squares;
 
 use reference_squares::{check_against_reference, solvers_agree};
-use signorini::contact::{Cone, Solver};
+use signorini::cone::Cone;
+use signorini::contact::Solver;
 use signorini::scenes::MeshScene;
 
 #[test]

@@ -2,7 +2,7 @@
 
 use example_frame::{Outcome, Verdict};
 use signorini::Tolerance;
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::proof::{SegmentSets, consistency_constant, midpoint_bound, one_gap_ratio, product_constant};
 use signorini::sobolev::FractionalOrder;
 

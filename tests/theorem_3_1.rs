@@ -1,11 +1,12 @@
-//! Theorem 3.1: errors and consistency terms of the nodal cone stay below the printed bound, at the optimal order.
+//! Theorem 3.1: errors and consistency terms of the nodal cone stay below the printed bound, at the optimal
+//! order.
 
 #[allow(dead_code)]
 #[path = "../examples/theorem_3_1_rates.rs"]
 mod example;
 mod theorem_rates;
 
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 
 #[test]
 fn single_transitions_have_order_tau_minus_one() {
@@ -41,13 +42,7 @@ fn the_example_confirms_the_theorem() {
 
 #[test]
 fn planted_faults_turn_the_verdict() {
-    let options = example::Options {
-        scene: Some("transition".parse().unwrap()),
-        tau: vec![1.75],
-        levels: "3-11".parse().unwrap(),
-        positions: 5,
-        ..example::Options::default()
-    };
+    let options = theorem_rates::one_transition!(example::Options);
     let mut computed = example::compute(Cone::Nodal, &options).unwrap();
     let rows = computed.rows.clone();
     theorem_rates::planted_faults(&rows, |rows| {

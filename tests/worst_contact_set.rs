@@ -6,7 +6,7 @@ mod example;
 
 use example_frame::Outcome;
 use signorini::Tolerance;
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::proof::worst_ratio;
 
 #[test]

@@ -1,6 +1,7 @@
 //! What `extremes` plants: hard input with its value found another way, and input that has no answer.
 
-use signorini::contact::{Cone, Solver};
+use signorini::cone::Cone;
+use signorini::contact::Solver;
 use signorini::mesh::{Part, Sides, unit_square};
 use signorini::poincare::{Condition, UniformLaw, Zone, gamma, gamma_at_point};
 use signorini::scenes::{MeshScene, Setting};

@@ -1,4 +1,5 @@
-//! What `speed_for_accuracy` measures: the numerical functions of the toolkit, each beside a value found another way.
+//! What `speed_for_accuracy` measures: the numerical functions of the toolkit, each beside a value found
+//! another way.
 
 use signorini::interpolation::{ErrorNorm, dual_projection_constant, element_constant};
 use signorini::numeric::scale::largest;

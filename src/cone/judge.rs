@@ -79,7 +79,8 @@ impl Evidence<'_> {
     /// The four figures.
     ///
     /// # Errors
-    /// [`crate::Error::LengthMismatch`] or [`crate::Error::NotFinite`]: a solution that is not a number is not judged.
+    /// [`crate::Error::LengthMismatch`] or [`crate::Error::NotFinite`]: a solution that is not a number is
+    /// not judged.
     pub fn judge(&self) -> Result<Judgement> {
         self.check()?;
         let force_of_contact = self.multiplier_scale();

@@ -119,7 +119,8 @@ impl Derivative {
         self.sigma * (zero - self.offset)
     }
 
-    /// F' may jump where a chain begins behind a fixed node: a zero beyond the piece it was found in is at its end.
+    /// F' may jump where a chain begins behind a fixed node: a zero beyond the piece it was found in is at
+    /// its end.
     fn cut_right(&mut self) -> f64 {
         let (mut zero, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
         while let Some(&piece) = self.pieces.back() {

@@ -32,6 +32,23 @@ const DUALITY_GAP: f64 = 1e-13;
 /// infeasible.
 const NEVER: f64 = 1e-300;
 
+/// Most steps: 11 to 16 are taken, and what has not ended after several times as many does not.
+const STEPS: u32 = 60;
+
+/// Asked of the refinement of each linear system, relative and absolute: a few roundings, below what is asked
+/// for feasibility.
+const REFINED: f64 = 1e-15;
+
+/// Most refinements of a linear system: without regularisation a few reach rounding, the last steps take
+/// more.
+const REFINEMENTS: u32 = 20;
+
+/// Refinement goes on while it at least halves the residual: less is rounding.
+const HALVED: f64 = 2.0;
+
+/// One thread: the order of the sums, hence every digit, is the same on every machine.
+const THREADS: u32 = 1;
+
 /// Clarabel's answer in the scaling of the problem.
 struct Answer {
     unknowns: Vec<f64>,
@@ -101,7 +118,7 @@ fn dominant(problem: &ContactProblem, answer: &Answer, gap: &[f64]) -> ContactSe
 fn settings() -> DefaultSettings<f64> {
     DefaultSettings {
         verbose: false,
-        max_iter: 60,
+        max_iter: STEPS,
         tol_gap_abs: NEVER,
         tol_gap_rel: DUALITY_GAP,
         tol_feas: FEASIBILITY,
@@ -109,11 +126,11 @@ fn settings() -> DefaultSettings<f64> {
         tol_infeas_rel: NEVER,
         static_regularization_enable: false,
         dynamic_regularization_enable: false,
-        iterative_refinement_reltol: 1e-15,
-        iterative_refinement_abstol: 1e-15,
-        iterative_refinement_max_iter: 20,
-        iterative_refinement_stop_ratio: 2.0,
-        max_threads: 1,
+        iterative_refinement_reltol: REFINED,
+        iterative_refinement_abstol: REFINED,
+        iterative_refinement_max_iter: REFINEMENTS,
+        iterative_refinement_stop_ratio: HALVED,
+        max_threads: THREADS,
         ..DefaultSettings::default()
     }
 }

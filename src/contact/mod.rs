@@ -2,8 +2,8 @@
 //!
 //! Sign convention of the paper: u_N ≤ g and σ_N ≤ 0 on the contact edge, n outward; multipliers λ ≥ 0 are
 //! generalised forces with K u − F + B'λ = 0 and B u ≤ g. What belongs to the cones alone stands in
-//! [`crate::cone`]; its names that appear here are repeated. [`EdgeProblem`] knows no mesh: a dense problem
-//! on the contact unknowns, whatever is behind it.
+//! [`crate::cone`]. [`EdgeProblem`] knows no mesh: a dense problem on the contact unknowns, whatever is
+//! behind it.
 
 mod active_set;
 mod condensed;
@@ -15,7 +15,6 @@ mod solution;
 mod solve;
 mod solver;
 
-pub use crate::cone::{Cone, ContactSet, Evidence, Judgement, Margins, NOISE, Status};
 pub use active_set::{EdgeOutcome, solve_on_edge};
 pub use edge_problem::{EdgeProblem, EdgeState};
 pub use problem::ContactProblem;

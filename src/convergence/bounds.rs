@@ -1,4 +1,5 @@
-//! The bounds that measured errors are compared with: before the paper, the paper, its proof sharpened, the optimal one.
+//! The bounds that measured errors are compared with: before the paper, the paper, its proof sharpened, the
+//! optimal one.
 
 use crate::error::{Error, Result};
 
@@ -9,7 +10,8 @@ pub enum Bound {
     Earlier,
     /// h^{τ² − 5τ/2 + 2} (3.1), (4.2), at τ = 2 h |ln h|^{1/2} (3.2), (4.3).
     Paper,
-    /// The same proof with the sharp constant of Lemma 5.2 at ν = 1/2: as [`Bound::Paper`], at τ = 2 h |ln h|^{1/4}.
+    /// The same proof with the sharp constant of Lemma 5.2 at ν = 1/2: as [`Bound::Paper`], at τ = 2 h |ln
+    /// h|^{1/4}.
     Sharpened,
     /// h^{τ − 1}, shown by Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.
     Optimal,
@@ -50,7 +52,8 @@ impl Bound {
         mesh_sizes.map(|h| Ok((h, constant * self.value(h, tau)?))).collect()
     }
 
-    /// The exponent of h, 1 < τ ≤ 5/2. Beyond τ = 2 every bound is h: (E4), (4.4); up to τ = 3/2 every bound is h^{τ−1}: (E1).
+    /// The exponent of h, 1 < τ ≤ 5/2. Beyond τ = 2 every bound is h: (E4), (4.4); up to τ = 3/2 every bound
+    /// is h^{τ−1}: (E1).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside this range.

@@ -18,8 +18,8 @@ pub struct SceneFamily<'a> {
 }
 
 impl SceneFamily<'static> {
-    /// A named scene. One transition has a gap that is mirrored at natural sides ([`TransitionPowers`]) and is moved over `positions`
-    /// places of a cell, spread over the cells of every level when odd.
+    /// A named scene. One transition has a gap that is mirrored at natural sides ([`TransitionPowers`]) and
+    /// is moved over `positions` places of a cell, spread over the cells of every level when odd.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for no position.
@@ -58,8 +58,8 @@ impl SceneFamily<'static> {
         })
     }
 
-    /// One transition of given powers near x = 0.4, at one and at two thirds of a coarsest cell: doubling exchanges the two, so that the
-    /// mean has no phase at all.
+    /// One transition of given powers near x = 0.4, at one and at two thirds of a coarsest cell: doubling
+    /// exchanges the two, so that the mean has no phase at all.
     pub fn at_thirds(powers: TransitionPowers, tau: f64, coarsest: usize) -> Self {
         let cell = 1.0 / coarsest as f64;
         let start = (0.4 / cell).floor() * cell;

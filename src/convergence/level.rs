@@ -35,7 +35,8 @@ impl fmt::Display for Flag {
 
 /// Largest scaled KKT figure of a level that counts: rounding on the largest levels is below 1e-12.
 const KKT: f64 = 1e-10;
-/// Largest relative uncertainty of an error that counts: it moves an order by less than 1e-3 over a few levels.
+/// Largest relative uncertainty of an error that counts: it moves an order by less than 1e-3 over a few
+/// levels.
 const DIGITS: f64 = 1e-3;
 
 /// One level of a study, at one position or as mean over several.
@@ -49,7 +50,8 @@ pub struct RateLevel {
     pub error: f64,
     /// Estimated error of it.
     pub error_bound: f64,
-    /// The consistency term of the cone, ≥ 0; mean over positions. Missing where only a discrete solution is known.
+    /// The consistency term of the cone, ≥ 0; mean over positions. Missing where only a discrete solution is
+    /// known.
     pub consistency: Option<f64>,
     /// Maximal runs of active constraints, the most over positions.
     pub contact_runs: usize,
@@ -67,7 +69,8 @@ impl RateLevel {
         1.0 / self.cells as f64
     }
 
-    /// A solved level, judged by what it says of itself and by the resolution of the reference, which must be `nearest` times finer.
+    /// A solved level, judged by what it says of itself and by the resolution of the reference, which must be
+    /// `nearest` times finer.
     pub(super) fn of(level: &Level, reference_cells: usize, nearest: usize) -> Self {
         let Facts { cells, unknowns, contact_runs, status, kkt, .. } = level.facts;
         let (error, error_bound) = (level.error.value, level.error.error);
@@ -86,7 +89,8 @@ impl RateLevel {
         Self { cells, unknowns, error, error_bound, consistency: None, contact_runs, kkt, seconds, flag }
     }
 
-    /// The mean of the same level at several positions: errors as root mean square, terms as mean, the rest as worst or sum.
+    /// The mean of the same level at several positions: errors as root mean square, terms as mean, the rest
+    /// as worst or sum.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without any level.

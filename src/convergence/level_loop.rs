@@ -38,12 +38,20 @@ pub struct Facts {
     pub unknowns: f64,
     /// Maximal runs of active constraints.
     pub contact_runs: usize,
-    /// Inner iterations of each step of the contact iteration; empty where the linear problems are factorized.
+    /// Inner iterations of each step of the contact iteration; empty where the linear problems are
+    /// factorized.
     pub inner_iterations: Vec<usize>,
     /// How the contact iteration ended.
     pub status: Status,
     /// The worst scaled KKT figure.
     pub kkt: f64,
+}
+
+impl Facts {
+    /// The most inner iterations of a step.
+    pub fn most_inner(&self) -> usize {
+        self.inner_iterations.iter().copied().max().unwrap_or(0)
+    }
 }
 
 /// What is kept of one level.
@@ -59,8 +67,9 @@ pub struct Level {
     pub error_seconds: f64,
 }
 
-/// Solves all levels but those that `is_known`, each from the coarser one; after a known level the next one starts cold. `report` is
-/// called with each solved level. Known levels are `None` in the answer.
+/// Solves all levels but those that `is_known`, each from the coarser one; after a known level the next one
+/// starts cold. `report` is called with each solved level and its solution. Known levels are `None` in the
+/// answer.
 ///
 /// # Errors
 /// Those of the parts and of `report`; a level that did not converge is not an error but a status.
@@ -68,7 +77,7 @@ pub fn solve_levels<P: LevelProblem>(
     problem: &P,
     cone: Cone,
     is_known: impl Fn(usize) -> bool,
-    mut report: impl FnMut(usize, &Level) -> Result<()>,
+    mut report: impl FnMut(usize, &Level, &P::Solution) -> Result<()>,
 ) -> Result<Vec<Option<Level>>> {
     let mut coarser: Option<P::Solution> = None;
     let mut levels = Vec::with_capacity(problem.count());
@@ -84,7 +93,7 @@ pub fn solve_levels<P: LevelProblem>(
         let error = problem.error(k, &solution)?;
         let error_seconds = start.elapsed().as_secs_f64() - seconds;
         let level = Level { facts: problem.facts(k, &solution), error, seconds, error_seconds };
-        report(k, &level)?;
+        report(k, &level, &solution)?;
         levels.push(Some(level));
         coarser = Some(solution);
     }

@@ -1,13 +1,15 @@
 //! The case τ = 2, (3.2) and (4.3): which power of |ln h| does the error need?
 //!
-//! Near a transition whose slopes behave like |ln r|^{−α} ([`crate::scenes::TransitionPowers`]; in H² exactly for α > 1/2) the cells at
-//! distance r add up to e² ≈ h² ∫_h ℓ(r)^{−2α} dr/r = h² (c ± ℓ(h)^{1−2α}), ℓ(r) = 2 + |ln r|, so the model is
+//! Near a transition whose slopes behave like |ln r|^{−α} ([`crate::scenes::TransitionPowers`]; in H² exactly
+//! for α > 1/2) the cells at distance r add up to e² ≈ h² ∫_h ℓ(r)^{−2α} dr/r = h² (c ± ℓ(h)^{1−2α}), ℓ(r) =
+//! 2 + |ln r|, so the model is
 //!
 //! e²/h² = B + A (ℓ^q − 1)/q,  ℓ = ℓ(h),  q = 1 − 2α.
 //!
-//! q ≤ 0: e/h is bounded, the bound h holds and is met; q > 0: e ~ h |ln h|^{q/2}. B, A and q by relative least squares on several
-//! windows of levels. The half-width is the larger of twice the largest difference between windows and three standard errors of q
-//! from the residuals; what a wrong model would change is not in it.
+//! q ≤ 0: e/h is bounded, the bound h holds and is met; q > 0: e ~ h |ln h|^{q/2}. B, A and q by relative
+//! least squares on several windows of levels. The half-width is the larger of twice the largest difference
+//! between windows and three standard errors of q from the residuals; what a wrong model would change is not
+//! in it.
 
 use crate::numeric::search::{golden_section, smallest_on_grid};
 
@@ -45,7 +47,8 @@ impl LogarithmFit {
 const RANGE: (f64, f64) = (-4.0, 2.0);
 /// Standard errors that count as scatter, as for orders.
 const SCATTER: f64 = 3.0;
-/// Step in q of the second difference of the misfit: small against the width of its minimum, large against rounding.
+/// Step in q of the second difference of the misfit: small against the width of its minimum, large against
+/// rounding.
 const STEP: f64 = 0.05;
 
 /// From residual variance and curvature of the misfit; ten points leave seven degrees of freedom.

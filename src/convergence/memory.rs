@@ -20,7 +20,8 @@ pub struct LevelKey {
     pub cone: Cone,
     /// Which member of how many.
     pub member: (usize, usize),
-    /// The levels of the study: the coarsest one decides where members lie, each level starts from the coarser one.
+    /// The levels of the study: the coarsest one decides where members lie, each level starts from the
+    /// coarser one.
     pub levels: Levels,
     /// Cells of the reference grid.
     pub reference_cells: usize,

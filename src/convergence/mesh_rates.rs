@@ -1,9 +1,10 @@
 //! Rate studies on nested meshes, against a finer solution.
 //!
-//! The reference lies on the next uniform refinement, h_r = h/2. It is no exact solution, and need not be: by orthogonality
+//! The reference lies on the next uniform refinement, h_r = h/2. It is no exact solution, and need not be: by
+//! orthogonality
 //! |u_ref − u_h|² ≈ |u − u_h|² − |u − u_ref|², and with the model e² = A h^{2p} + B h² for both the fit takes
-//! A (h^{2p} − h_r^{2p}) + B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each level, an O(h²) change
-//! of the data.
+//! A (h^{2p} − h_r^{2p}) + B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each
+//! level, an O(h²) change of the data.
 
 use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
@@ -31,8 +32,9 @@ pub struct MeshRates {
     pub scene: MeshScene,
     /// Its parameters.
     pub setting: Setting,
-    /// f = −1 in place of the load of the scene. Where u = 0 is prescribed on the rest of the boundary or nothing, a constant f < 0
-    /// gives u < 0 (maximum principle): the contact edge is free and the corner is all there is.
+    /// f = −1 in place of the load of the scene. Where u = 0 is prescribed on the rest of the boundary or
+    /// nothing, a constant f < 0 gives u < 0 (maximum principle): the contact edge is free and the corner is
+    /// all there is.
     pub constant_load: bool,
     /// Squares along each side of the coarsest mesh.
     pub coarsest: usize,
@@ -41,11 +43,12 @@ pub struct MeshRates {
 }
 
 impl MeshRates {
-    /// Studies the given cones; the reference is solved once, in the nodal cone. Errors are relative to the norm of u.
+    /// Studies the given cones; the reference is solved once, in the nodal cone. Errors are relative to the
+    /// norm of u.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for fewer than two levels, n < 2, or a reference that is too large; whatever the meshes and solvers
-    /// return.
+    /// [`Error::CountOutOfRange`] for fewer than two levels, n < 2, or a reference that is too large;
+    /// whatever the meshes and solvers return.
     pub fn study(&self, cones: &[Cone]) -> Result<Vec<RateStudy>> {
         self.check()?;
         let hierarchy = Hierarchy::refined(
@@ -68,7 +71,7 @@ impl MeshRates {
         cones
             .iter()
             .map(|&cone| {
-                let solved = solve_levels(&reference, cone, |_| false, |_, _| Ok(()))?;
+                let solved = solve_levels(&reference, cone, |_| false, |_, _, _| Ok(()))?;
                 let judged = |level| RateLevel::of(level, resolution, 1 << REFERENCE_DEPTH);
                 let levels: Vec<RateLevel> = solved.iter().flatten().map(judged).collect();
                 let (subject, reference) = (subject.clone(), RateReference::Discrete(h_r));

@@ -3,12 +3,15 @@
 //! | | here |
 //! | --- | --- |
 //! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
-//! | a scene in one cone on strips and on meshes | [`RateStrip`], [`StripGroup`], [`MeshRates`], [`RateStudy`] |
+//! | the levels of a strip; of a case at all positions | [`StripLevels`], [`strip_levels`]; [`CaseStudy`] |
+//! | a scene in one cone, strips and meshes | [`RateStrip`], [`StripGroup`], [`MeshRates`], [`RateStudy`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
-//! | the order p ± what it may be off by | [`Fit`]; the power of |ln h| at τ = 2: [`LogarithmFit`]; of an alternating series: [`Trend`] |
+//! | the order p ± what it may be off by; of an alternating series | [`Fit`]; [`Trend`] |
+//! | the power of \|ln h\| at τ = 2 | [`LogarithmFit`] |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
 mod bounds;
+mod case_study;
 mod family;
 mod fit;
 mod group;
@@ -19,12 +22,14 @@ mod memory;
 mod mesh_rates;
 mod orders;
 mod series;
+mod strip_levels;
 mod strip_rates;
 mod study;
 mod subject;
 mod trend;
 
 pub use bounds::Bound;
+pub use case_study::{CaseStudy, Solved, mean_errors};
 pub use family::SceneFamily;
 pub use fit::{Fit, Model};
 pub use group::StripGroup;
@@ -34,6 +39,7 @@ pub use logarithm::LogarithmFit;
 pub use memory::{LevelKey, LevelMemory, NoMemory};
 pub use mesh_rates::MeshRates;
 pub use orders::observed_orders;
+pub use strip_levels::{StripLevels, StripSolution, strip_levels};
 pub use strip_rates::RateStrip;
 pub use study::{Quantity, RateReference, RateStudy};
 pub use subject::{FamilyScene, Subject};

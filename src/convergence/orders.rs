@@ -2,7 +2,8 @@
 
 use crate::error::{Error, Result};
 
-/// ln(e_{k−1}/e_k) / ln(h_{k−1}/h_k) between successive levels; `None` for the first, and where an error is not positive.
+/// ln(e_{k−1}/e_k) / ln(h_{k−1}/h_k) between successive levels; `None` for the first, and where an error is
+/// not positive.
 ///
 /// # Errors
 /// [`Error::LengthMismatch`] unless there is one error per mesh size.

@@ -1,17 +1,20 @@
 //! A power beside the terms of a smooth part, fitted to squared errors: e² = A h^{2p} + Σ_q B_q h^q.
 //!
-//! Relative least squares in the coefficients for each p by orthogonalisation (h^{2p} last), then in p: a grid, and golden section
-//! about its best point. Where e is the distance to a discrete solution of mesh size h_r on the same family of meshes, e² is that
-//! of h less that of h_r, and every h^q becomes h^q − h_r^q. Cost: O(levels) per value of p.
+//! Relative least squares in the coefficients for each p by orthogonalisation (h^{2p} last), then in p: a
+//! grid, and golden section about its best point. Where e is the distance to a discrete solution of mesh size
+//! h_r on the same family of meshes, e² is that of h less that of h_r, and every h^q becomes h^q − h_r^q.
+//! Cost: O(levels) per value of p.
 
 use crate::numeric::search::{golden_section, smallest_on_grid};
-/// Orders tried for the power: below it no finite element error falls, above it nothing is told from the smooth part h².
+/// Orders tried for the power: below it no finite element error falls, above it nothing is told from the
+/// smooth part h².
 const POWERS: (f64, f64) = (0.05, 0.995);
 /// Steps of the grid over them, 0.005 each: finer than any two minima lie apart.
 const STEPS: usize = 190;
 /// The minimum is located to this: two digits below the smallest half-width of interest.
 const RESOLUTION: f64 = 1e-7;
-/// A column that shrinks by this under orthogonalisation is a combination of the others as far as binary64 tells.
+/// A column that shrinks by this under orthogonalisation is a combination of the others as far as binary64
+/// tells.
 const DEPENDENT: f64 = 1e-9;
 
 /// e² = A h^{2p} + Σ B_q h^q on some levels.
@@ -35,7 +38,8 @@ struct Coefficients {
 }
 
 impl Series<'_> {
-    /// The best p with A > 0 and its standard error from the residuals; `None` where it is an end of the range.
+    /// The best p with A > 0 and its standard error from the residuals; `None` where it is an end of the
+    /// range.
     pub(super) fn power(&self) -> Option<(f64, f64)> {
         let (low, high) = POWERS;
         let (best, (a, b)) = smallest_on_grid(low, high, STEPS, |p| self.misfit(p));

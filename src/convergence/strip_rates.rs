@@ -1,22 +1,21 @@
 //! Rate studies on a strip: many scenes on the same levels.
 //!
-//! The operators of all levels and the exact error forms depend on the kind of strip and the grids alone; they are made once and serve
-//! every scene, τ and cone. Each level starts from the coarser one. Below h_r, the mesh size of the reference grid, the data are
-//! smooth: a singularity of order p lacks a share (h_r/h)^{2p} of e²; [`RateStudy::fit`] accounts for it.
+//! The operators of all levels and the exact error forms depend on the kind of strip and the grids alone;
+//! they are made once and serve every scene, τ and cone. Each level starts from the coarser one. Below h_r,
+//! the mesh size of the reference grid, the data are smooth: a singularity of order p lacks a share
+//! (h_r/h)^{2p} of e²; [`RateStudy::fit`] accounts for it.
 
 use super::family::SceneFamily;
 use super::level::RateLevel;
-use super::level_loop::{Facts, LevelProblem, solve_levels};
+use super::level_loop::solve_levels;
 use super::memory::{LevelKey, LevelMemory};
+use super::strip_levels::StripLevels;
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use crate::cone::Cone;
 use crate::edge::{consistency_terms, edge_norm};
 use crate::error::{Error, Result};
-use crate::estimate::Estimate;
-use crate::strip::{
-    EdgeData, EdgeOperator, EdgeSolution, Levels, Reference, StripKind, StripProblem, solve_contact,
-};
+use crate::strip::{EdgeData, EdgeOperator, Levels, Reference, StripKind, StripProblem};
 
 /// The reference grid is this much finer than the finest level that counts.
 const RESOLVED: usize = 16;
@@ -35,8 +34,8 @@ impl RateStrip {
     /// A strip with the given levels and reference grid.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless the reference grid is a power of two that is finer than every level and has at most 2^22
-    /// cells.
+    /// [`Error::CountOutOfRange`] unless the reference grid is a power of two that is finer than every level
+    /// and has at most 2^22 cells.
     pub fn new(kind: StripKind, levels: Levels, reference_cells: usize) -> Result<Self> {
         let finest = levels.cells().max().unwrap_or(0);
         if !reference_cells.is_power_of_two() || reference_cells <= finest || reference_cells > 1 << 22 {
@@ -56,8 +55,8 @@ impl RateStrip {
         self.levels
     }
 
-    /// Solves all levels of a family in one cone; levels that the memory recalls are not solved again. `report` is called for each
-    /// level of each member.
+    /// Solves all levels of a family in one cone; levels that the memory recalls are not solved again.
+    /// `report` is called for each level of each member.
     ///
     /// # Errors
     /// Those of scenes, operators, solvers and the memory.
@@ -119,13 +118,15 @@ impl RateStrip {
         if known.iter().any(Option::is_none) {
             let built = scene.insert((family.member)(i, self.reference_cells)?);
             self.set_scene(built)?;
+            let Some(problem) = &self.problem else { return Ok(Vec::new()) };
+            let problem = StripLevels::with_operators(problem, self.levels, &self.operators);
             let terms = consistency_terms(built, cone);
             let is_known: Vec<bool> = known.iter().map(Option::is_some).collect();
             solve_levels(
-                &*self,
+                &problem,
                 cone,
                 |k| is_known[k],
-                |k, level| {
+                |k, level, _| {
                     let mut level = RateLevel::of(level, self.reference_cells, RESOLVED);
                     level.consistency = terms.iter().find(|term| term.0 == level.cells).map(|term| term.1);
                     memory.keep(&keys[k], &level)?;
@@ -147,41 +148,5 @@ impl RateStrip {
             self.levels.cells().map(|cells| problem.operator(cells)).collect::<Result<Vec<_>>>()?;
         self.problem = Some(problem);
         Ok(())
-    }
-
-    fn level(&self, k: usize) -> Result<(&StripProblem, &EdgeOperator, usize)> {
-        match (&self.problem, self.operators.get(k), self.levels.cells().nth(k)) {
-            (Some(problem), Some((operator, _)), Some(cells)) => Ok((problem, operator, cells)),
-            _ => Err(Error::CountOutOfRange { name: "level", value: k, range: "the levels of the strip" }),
-        }
-    }
-}
-
-impl LevelProblem for RateStrip {
-    type Solution = EdgeSolution;
-
-    fn count(&self) -> usize {
-        self.operators.len()
-    }
-
-    fn solve(&self, level: usize, cone: Cone, coarser: Option<&EdgeSolution>) -> Result<EdgeSolution> {
-        let (problem, operator, cells) = self.level(level)?;
-        solve_contact(operator, &problem.load(cells)?, cone, coarser)
-    }
-
-    fn error(&self, level: usize, solution: &EdgeSolution) -> Result<Estimate> {
-        let (problem, _, cells) = self.level(level)?;
-        problem.error(cells, &solution.values)
-    }
-
-    fn facts(&self, level: usize, solution: &EdgeSolution) -> Facts {
-        Facts {
-            cells: self.levels.coarsest_cells() << level,
-            unknowns: self.operators.get(level).map_or(f64::NAN, |(_, unknowns)| *unknowns),
-            contact_runs: solution.contact.runs().len(),
-            inner_iterations: solution.inner_iterations.clone(),
-            status: solution.status,
-            kkt: solution.judgement.worst(),
-        }
     }
 }

@@ -10,13 +10,16 @@ use crate::error::Result;
 /// What stands for the exact solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RateReference {
-    /// A discrete solution of this mesh size on the same family of meshes: e² is the difference of two errors, and is fitted so.
+    /// A discrete solution of this mesh size on the same family of meshes: e² is the difference of two
+    /// errors, and is fitted so.
     Discrete(f64),
-    /// The exact solution of data that are smooth below this mesh size: a singularity of order p lacks a share (h_r/h)^{2p} of e².
+    /// The exact solution of data that are smooth below this mesh size: a singularity of order p lacks a
+    /// share (h_r/h)^{2p} of e².
     Resolved(f64),
 }
 
-/// Up to here what the reference grid does not resolve is a large share of the error, and the order is fitted with account of it.
+/// Up to here what the reference grid does not resolve is a large share of the error, and the order is fitted
+/// with account of it.
 const ROUGH: f64 = 1.5;
 /// Share of the change by the account of the reference grid that is uncertain: the account is a model itself.
 const UNRESOLVED: f64 = 0.5;
@@ -65,7 +68,8 @@ impl RateStudy {
         self.usable().map(|level| level.error_bound / level.error).fold(0.0, f64::max)
     }
 
-    /// How many of the planned levels have no error: never solved, left out between others that count, or not a number.
+    /// How many of the planned levels have no error: never solved, left out between others that count, or not
+    /// a number.
     pub fn missing(&self) -> usize {
         let counts = |level: &RateLevel| level.flag.is_none() && level.error.is_finite();
         let ends = self.levels.iter().position(counts).zip(self.levels.iter().rposition(counts));
@@ -87,7 +91,8 @@ impl RateStudy {
     pub fn fit(&self, quantity: Quantity) -> Option<Fit> {
         match quantity {
             Quantity::Error => self.error_fit(&self.points(quantity)),
-            // The term has no smooth part: a power of h alone, once the pieces of the contact set are resolved.
+            // The term has no smooth part: a power of h alone, once the pieces of the contact set are
+            // resolved.
             Quantity::Consistency => Fit::power(&self.points(quantity)),
         }
     }
@@ -119,8 +124,8 @@ impl RateStudy {
         Ok(self.ratios(quantity, bound)?.into_iter().fold(0.0, f64::max))
     }
 
-    /// Largest quantity/bound on the finer half of the levels over the one on the coarser half: at most one where the quotient has
-    /// stopped to grow. `None` with fewer than two levels; NaN where a quantity is.
+    /// Largest quantity/bound on the finer half of the levels over the one on the coarser half: at most one
+    /// where the quotient has stopped to grow. `None` with fewer than two levels; NaN where a quantity is.
     ///
     /// # Errors
     /// As [`Bound::value`].
@@ -132,8 +137,9 @@ impl RateStudy {
         Ok((!coarse.is_empty()).then(|| largest(fine) / largest(coarse)))
     }
 
-    /// Whether quantity/bound stays bounded as far as the levels tell: its order is at least that of the bound within its
-    /// uncertainty, or the largest ratio on the finer half of the levels is not above the one on the coarser half.
+    /// Whether quantity/bound stays bounded as far as the levels tell: its order is at least that of the
+    /// bound within its uncertainty, or the largest ratio on the finer half of the levels is not above the
+    /// one on the coarser half.
     ///
     /// # Errors
     /// As [`Bound::value`].

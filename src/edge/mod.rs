@@ -5,9 +5,21 @@
 //! | --- | --- |
 //! | u_N and −σ_N dΓ of a computed solution | [`EdgeTrace`]: nodal values and point forces |
 //! | (u_N, σ_N) with finite norms of order ν = τ − 3/2 | [`ContactPair`], cut into [`Segment`]s T ∩ Γ_C |
-//! | norms (1.1) on a segment | [`SegmentNorms`], seminorms by [`SeminormForm`] or [`seminorm_by_quadrature`] |
+//! | norms (1.1) on a segment | [`SegmentNorms`] |
+//! | seminorms on a segment | [`SeminormForm`], [`seminorm_by_quadrature`] |
 //! | ‖u_N‖_{τ−1/2}, ‖σ_N‖_{τ−3/2} on Γ_C | [`edge_norms`] |
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
+//!
+//! The consistency term stands three times, once per kind of data, and no one of them can serve for the others:
+//!
+//! * [`nodal_term`], [`midpoint_term`]: point forces at any nodes, on any one segment. What a computed solution
+//!   gives, and what the alternatives sum over the segments of a case.
+//! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is exact,
+//!   so all levels together cost O(N) where segment by segment each costs O(N). To rounding the sum of the
+//!   first over all segments: the two are each other's second road (tests of Theorems 3.1 and 4.1).
+//! * [`SegmentNorms`]: densities. The inequalities of the proofs name ‖σ_N‖₀ and |σ_N|_ν, which a point force
+//!   does not have; spread over its cells it has, and the term of the spread force is another number, not the
+//!   same one rounded differently.
 //!
 //! Lengths are in units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
 

@@ -3,10 +3,10 @@
 //! What the inequalities of Sections 3 and 4 say needs functions of finite norm. On N equal cells of the edge
 //! (0, 1):
 //!
-//! | traces | u_N | u_N' | σ_N | finite |
+//! | traces | u_N | u_N' | σ_N | \|u_N'\|_ν, \|σ_N\|_ν finite for |
 //! | --- | --- | --- | --- | --- |
-//! | [`Traces::Constants`] | continuous piecewise linear | constant on cells | constant on cells | \|u_N'\|_ν, \|σ_N\|_ν for ν < 1/2 (τ < 2) |
-//! | [`Traces::Linears`] | piecewise quadratic, C¹ | continuous piecewise linear | continuous piecewise linear | ν < 3/2; used for 1/2 ≤ ν < 1 (2 ≤ τ < 5/2) |
+//! | [`Traces::Constants`] | linear on cells, continuous | constant on cells | as u_N' | ν < 1/2 (τ < 2) |
+//! | [`Traces::Linears`] | quadratic on cells, C¹ | linear, continuous | as u_N' | ν < 3/2; used for 2 ≤ τ < 5/2 |
 //!
 //! *Constants.* u_N interpolates the nodal values. A nodal force λ_i is spread evenly over the one or two
 //! cells at its node whose both ends are in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0 or σ_N

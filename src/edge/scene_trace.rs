@@ -2,15 +2,16 @@
 //!
 //! | whose trace | mesh | strip |
 //! | --- | --- | --- |
-//! | the fine reference | nodal solution on 8n × 8n squares | (u_N, σ_N) as manufactured, at least 64 cells per segment |
-//! | u_h itself | the discrete solution on n × n squares | the discrete solution on n cells (scalar, height 1) |
+//! | the fine reference | nodal solution on 8n × 8n squares | (u_N, σ_N) as manufactured, 64n cells or more |
+//! | u_h itself | discrete solution on n × n squares | discrete solution on n cells (scalar, height 1) |
 //!
 //! u_h is the nodal solution for Section 3, the midpoint solution for Section 4. The midpoint cone lets u_h,N
 //! be positive: there, and on segments whose constraint is active, the gap counts as closed. Cost: that of
 //! the solvers.
 
 use super::trace::EdgeTrace;
-use crate::contact::{Cone, ContactSet, Solver};
+use crate::cone::{Cone, ContactSet};
+use crate::contact::Solver;
 use crate::error::Result;
 use crate::scenes::{MeshScene, Scene, StripScene};
 use crate::strip::{

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | u_N on Γ_C | piecewise linear with nodal values `displacement` ≤ 0 |
 //! | −σ_N dΓ | point forces `force` ≥ 0 at the nodes, so that ∫ σ_N v dΓ = −Σ λᵢ v(xᵢ) |
-//! | contact set {u_N = 0} | closed intervals between consecutive nodes where u_N = 0, single points included |
+//! | contact set {u_N = 0} | closed intervals between nodes where u_N = 0, single points included |
 
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite, require_length};

@@ -10,10 +10,12 @@ use crate::error::Result;
 use crate::mesh::{Point, doubled_area};
 use crate::quadrature::Rule;
 
-/// Cuts toward a singular point: what is left has 4^{−40} of the area, below rounding for every r^p with p > −0.7.
+/// Cuts toward a singular point: what is left has 4^{−40} of the area, below rounding for every r^p with p >
+/// −0.7.
 const DEPTH: usize = 40;
 
-/// A singular point counts as in the triangle this far outside, in barycentric coordinates: above their rounding.
+/// A singular point counts as in the triangle this far outside, in barycentric coordinates: above their
+/// rounding.
 const MARGIN: f64 = 1e-12;
 
 /// A rule for triangles.

@@ -6,7 +6,7 @@
 //! | I^h u, Lagrange interpolation of degree one | affine on each element, equal to u at the nodes |
 //! | e = u − I^h u, e' = u' − (mean of u' on the element) | everything is written in the slope v = u' |
 //! | \|u\|_{1+ν} = \|u'\|_ν | [`crate::sobolev`], double integral over both orders of x and y |
-//! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|_{1+ν} | [`element_constant`], [`LocalConstants`] |
+//! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|_{1+ν} | [`element_constant`] |
 //! | Lemma 6.1 for one u | [`InterpolationError`], [`power_slope`] |
 //! | Lemma 6.2: for one u on a mesh, best constants on a mesh | [`InterpolationError`], [`mesh_constant`] |
 //! | functions to try, and an optimiser | [`RoughSlopes`], [`worst_ratios`], [`ascend`] |

@@ -1,4 +1,4 @@
-//! The function for which a Poincaré constant is attained, for plots and for checks.
+//! The function for which the Poincaré constant of (5.4) is attained, for plots and for checks.
 
 use super::discrete::Discrete;
 use super::slopes::space::{SlopeSpace, legendre_primitives};

@@ -5,6 +5,7 @@
 //! bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300. Moments in place
 //! of ‖u‖₀, for functions that vanish on a zone at an end: [`moment_norm`], and between two bounds [`StrongForm`].
 
+mod bracket;
 mod constant;
 mod continuation;
 mod discrete;
@@ -25,9 +26,10 @@ mod two_sided;
 mod uniform;
 mod zone;
 
+pub use bracket::HalfBracket;
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
-pub use induction::{InductionStep, induction};
+pub use induction::{InductionStep, closing_factor, induction};
 pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use location::{Placed, Places};
@@ -39,9 +41,9 @@ pub use scaling::{
 };
 pub use strong_form::{MomentBounds, StrongForm};
 pub use trial::{
-    BothSides, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
-    truncated_logarithm,
+    BothSides, NormChain, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
+    truncated_logarithm, truncated_slope,
 };
 pub use two_sided::{TwoSided, two_sided};
-pub use uniform::UniformLaw;
+pub use uniform::{LawRest, UniformLaw};
 pub use zone::{Condition, Place, Zone};

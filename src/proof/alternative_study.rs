@@ -4,7 +4,7 @@
 use super::classification::Classification;
 use super::section::Section;
 use super::theta::ThetaRule;
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::edge::EdgeTrace;
 use crate::error::{Error, Result};
 use crate::scenes::Scene;

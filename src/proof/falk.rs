@@ -22,11 +22,12 @@
 //! σ_N is given by nodal forces of the fine edge; a force at a vertex counts half in each of its segments.
 //! Cost: one contact problem and two transforms of the fine edge per mesh.
 
-use crate::contact::Cone;
+use crate::cone::Cone;
+use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::Result;
 use crate::scenes::StripCase;
-use crate::strip::{EdgeSolution, StripProblem, solve_contact};
+use crate::strip::{EdgeSolution, StripProblem};
 
 /// The terms on one mesh, mean over the positions of the scene; all squared, as in the lemma, integrals
 /// without the factor 2.
@@ -125,20 +126,23 @@ pub fn falk_terms(case: &StripCase, mut report: impl FnMut(usize)) -> Result<Vec
                 problem.insert(StripProblem::new(case.kind, &scene, case.reference, coarsest)?)
             }
         };
-        let mut previous: Option<EdgeSolution> = None;
-        for (row, n) in rows.iter_mut().zip(case.levels.cells()) {
-            let (operator, _) = problem.operator(n)?;
-            let load = problem.load(n)?;
-            let solution = solve_contact(&operator, &load, case.cone, previous.as_ref())?;
-            row.add(&terms(problem, &trace, n, &solution)?, share);
-            report(n);
-            previous = Some(solution);
-        }
+        let keep = |k: usize, level: &Level, solution: &StripSolution| {
+            rows[k].add(&terms(problem, &trace, level, &solution.edge)?, share);
+            report(level.facts.cells);
+            Ok(())
+        };
+        solve_levels(&StripLevels::new(problem, case.levels), case.cone, |_| false, keep)?;
     }
     Ok(rows)
 }
 
-fn terms(problem: &StripProblem, trace: &EdgeTrace, n: usize, solution: &EdgeSolution) -> Result<FalkRow> {
+fn terms(
+    problem: &StripProblem,
+    trace: &EdgeTrace,
+    level: &Level,
+    solution: &EdgeSolution,
+) -> Result<FalkRow> {
+    let n = level.facts.cells;
     let vertices: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
     let segments = || vertices.windows(2).map(|v| Interval { start: v[0], end: v[1] });
     let step = (trace.nodes().len() - 1) / n;
@@ -149,12 +153,12 @@ fn terms(problem: &StripProblem, trace: &EdgeTrace, n: usize, solution: &EdgeSol
         discrete.push(discrete[0]);
     }
     let on_edge = EdgeTrace::new(vertices.clone(), discrete, vec![0.0; n + 1], f64::INFINITY)?;
-    let squared = |values: &[f64]| problem.error(n, values).map(|e| e.value * e.value);
+    let approximation = problem.error(n, &interpolant)?;
     let mut row = FalkRow {
         n,
-        error: squared(&solution.values)?,
-        approximation: squared(&interpolant)?,
-        kkt: solution.judgement.worst(),
+        error: level.error.value * level.error.value,
+        approximation: approximation.value * approximation.value,
+        kkt: level.facts.kkt,
         ..FalkRow::default()
     };
     row.consistency = sum(segments().map(|s| nodal_term(trace, s)));

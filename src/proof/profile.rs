@@ -20,8 +20,14 @@
 //! | (3.13) | ‖(I^h u)_N − u_N‖₀ | C_L2(ν) h^{1+ν} \|u_N'\|_ν |
 //! | (3.14), (3.15) | ∫σ_N(I^h u)_N | γ_θ C_L2 h^{2τ−2} \|σ_N\|_ν\|u_N'\|_ν; then Young |
 //! | (4.9) | −∫(σ_N − π^hσ_N)u_N | ∫(σ_N − π^hσ_N)(π^hu_N − u_N) (an equality) |
-//! | (4.10), (4.12) | the same term; ‖u_N − π^hu_N‖_{L^∞}; ‖σ_N‖_{L¹(S)}; ‖σ_N‖_{L^q} | ‖σ_N‖_{L¹}‖u_N − π^hu_N‖_{L^∞}; h^{1/2}‖u_N'‖₀/√3; (hθ)^{1−1/q}‖σ_N‖_{L^q}; C(q)h^{1/q−1/2}‖σ_N‖_ν |
-//! | (4.11), (4.13), (4.14) | the same term; ‖σ_N − π^hσ_N‖₀; ‖u_N − π^hu_N‖₀; ‖u_N'‖₀ | the product; γ₁h^ν\|σ_N\|_ν; (h/π)‖u_N'‖₀; γ_θ h^ν\|u_N'\|_ν |
+//! | (4.10), (4.12) | the same term | ‖σ_N‖_{L¹} ‖u_N − π^hu_N‖_{L^∞} |
+//! | | ‖u_N − π^hu_N‖_{L^∞} | h^{1/2}‖u_N'‖₀/√3 |
+//! | | ‖σ_N‖_{L¹(S)} | (hθ)^{1−1/q} ‖σ_N‖_{L^q} |
+//! | | ‖σ_N‖_{L^q} | C(q) h^{1/q−1/2} ‖σ_N‖_ν |
+//! | (4.11), (4.13), (4.14) | the same term | ‖σ_N − π^hσ_N‖₀ ‖u_N − π^hu_N‖₀ |
+//! | | ‖σ_N − π^hσ_N‖₀ | γ₁ h^ν \|σ_N\|_ν |
+//! | | ‖u_N − π^hu_N‖₀ | (h/π) ‖u_N'‖₀ |
+//! | | ‖u_N'‖₀ | γ_θ h^ν \|u_N'\|_ν |
 //!
 //! C(q), C_L2, γ₁, γ_θ and the 1/√3 of (6.2) are best constants or upper bounds of them ([`ProofConstants`]).
 //! In (4.14), τ > 2, γ is the constant of functions that vanish at a point: u_N' does at an interior contact
@@ -34,6 +40,7 @@
 //! whole edge. Exponents are slopes of least squares over the meshes; each loss is the slope of a quotient of
 //! two rungs, so the losses add up to what lies between the first and the last.
 
+use super::case::ProofCase;
 use super::constants::ProofConstants;
 use super::inequality::{InequalityProfile, tally};
 use super::resolution::Resolution;
@@ -42,40 +49,10 @@ use super::setting::{
     SegmentSetting, first_case_four, first_case_three, second_case_four, second_case_three,
 };
 use super::step::{RUNGS, Step, TwoLaws};
-use super::theta::ThetaRule;
 use super::{section_four, section_three};
 use crate::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
-use crate::error::{Error, Result};
-use crate::scenes::StripScene;
-use crate::strip::{Levels, Sides};
+use crate::error::Result;
 use rayon::prelude::*;
-
-/// Largest number of positions of a transition.
-const POSITIONS: usize = 64;
-/// Largest number of cells of the edge.
-const LARGEST: usize = 1 << 20;
-
-/// What is profiled.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ProofCase {
-    /// Theorem 3.1 or 4.1.
-    pub section: Section,
-    /// The manufactured pair; above τ = 2 a single transition.
-    pub source: StripScene,
-    /// The regularity the proof assumes, 3/2 < τ < 5/2 (at most 2 in Section 3).
-    pub tau: f64,
-    /// The regularity the pair is built with: its norms of order τ are the better resolved the larger the
-    /// difference.
-    pub scene_tau: f64,
-    /// Mesh sizes.
-    pub levels: Levels,
-    /// How finely the pair is resolved.
-    pub resolution: Resolution,
-    /// θ as a function of h; not used above τ = 2.
-    pub rule: ThetaRule,
-    /// Over how many positions in the coarsest cell a single transition is moved; an odd number.
-    pub positions: usize,
-}
 
 /// One mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,24 +102,6 @@ pub struct ProofProfile {
 }
 
 impl ProofCase {
-    /// τ = 7/4, one transition at nine positions, h = 1/8 ... 1/2048 with 128 cells per segment, θ =
-    /// h^{2τ−3}.
-    ///
-    /// # Errors
-    /// None: the levels are valid.
-    pub fn standard(section: Section) -> Result<Self> {
-        Ok(Self {
-            section,
-            source: StripScene::transition(),
-            tau: 1.75,
-            scene_tau: 1.75,
-            levels: Levels::new(3, 11)?,
-            resolution: Resolution::Segment(7),
-            rule: ThetaRule::Printed { tau: 1.75 },
-            positions: 9,
-        })
-    }
-
     /// Both sides of every inequality and the rungs on every mesh. `constants` must be made for the case's τ
     /// and zones ([`ProofCase::zones`]).
     ///
@@ -178,71 +137,6 @@ impl ProofCase {
             levels.push(self.level(n, pairs, &squares, form, constants)?);
         }
         Ok(ProofProfile { case: self.clone(), levels })
-    }
-
-    /// The zones whose Poincaré constants the profile needs: θ of every mesh, and the powers of 1/2 down to a
-    /// fine cell.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] for τ or θ outside their ranges.
-    pub fn zones(&self) -> Result<Vec<f64>> {
-        if self.tau > 2.0 {
-            return Ok(Vec::new());
-        }
-        let coarsest = self.levels.coarsest_cells();
-        let cells = self.resolution.cells(coarsest) / coarsest;
-        let powers = (0..=cells.max(1).ilog2()).map(|k| Ok(0.5f64.powi(k as i32)));
-        self.levels.cells().map(|n| self.rule.theta(1.0 / n as f64)).chain(powers).collect()
-    }
-
-    /// Constants for this case alone.
-    ///
-    /// # Errors
-    /// As [`ProofCase::zones`] and [`ProofConstants::new`].
-    pub fn constants(&self, q: f64) -> Result<ProofConstants> {
-        ProofConstants::new(self.tau, q, &self.zones()?)
-    }
-
-    fn check(&self, constants: &ProofConstants) -> Result<()> {
-        let largest = if self.section == Section::Three { 2.0 } else { 2.5 };
-        let admissible = self.tau > 1.5 && self.tau <= largest && self.tau < 2.5;
-        Error::require("tau", self.tau, "(3/2, 2], in Section 4 (3/2, 5/2)", admissible)?;
-        let same = constants.tau() == self.tau;
-        Error::require("tau of the constants", constants.tau(), "the regularity of the case", same)?;
-        let finest = self.levels.cells().last().unwrap_or(1);
-        let cells = self.resolution.cells(finest);
-        if cells > LARGEST || cells < 2 * finest {
-            let range = "[2 per segment, 2^20]";
-            return Err(Error::CountOutOfRange { name: "cells of the finest edge", value: cells, range });
-        }
-        if !(1..=POSITIONS).contains(&self.positions) {
-            return Err(Error::CountOutOfRange {
-                name: "positions",
-                value: self.positions,
-                range: "[1, 64]",
-            });
-        }
-        Ok(())
-    }
-
-    fn pairs(&self, cells: usize, traces: Traces) -> Result<Vec<ContactPair>> {
-        let step = 1.0 / (self.levels.coarsest_cells() * self.positions) as f64;
-        let StripScene::Transition { position } = self.source else {
-            Error::require("tau", self.tau, "(3/2, 2] but for a single transition", self.tau <= 2.0)?;
-            let scene = self.source.data(self.scene_tau, cells, Sides::Natural)?;
-            return Ok(vec![ContactPair::of_scene(&scene, traces)?]);
-        };
-        (0..self.positions)
-            .map(|i| {
-                let position = position + i as f64 * step;
-                if self.tau > 2.0 {
-                    return ContactPair::smooth_transition(cells, position, self.scene_tau);
-                }
-                let source = StripScene::Transition { position };
-                let scene = source.data(self.scene_tau, cells, Sides::Natural)?;
-                ContactPair::of_scene(&scene, traces)
-            })
-            .collect()
     }
 
     fn level(

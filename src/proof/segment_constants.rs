@@ -29,7 +29,7 @@
 //!
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::search::golden_section;
@@ -109,7 +109,7 @@ pub fn midpoint_bound(order: FractionalOrder, tolerance: Tolerance) -> Result<Se
 /// cone, A(b) B(1−b) for the midpoint cone.
 ///
 /// ```
-/// use signorini::{Tolerance, contact::Cone, proof::one_gap_ratio, sobolev::FractionalOrder};
+/// use signorini::{Tolerance, cone::Cone, proof::one_gap_ratio, sobolev::FractionalOrder};
 /// let ratio = |cone, gap| one_gap_ratio(cone, FractionalOrder::HALF, gap, Tolerance::fast());
 /// let (nodal, midpoint) = (ratio(Cone::Nodal, 0.3)?, ratio(Cone::Midpoint, 0.7)?);
 /// assert!((nodal.value - midpoint.value).abs() <= nodal.error + midpoint.error);

@@ -12,7 +12,7 @@
 //! bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost: two Cholesky factorizations of the
 //! size of the mesh per set; the Gram matrix once.
 
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::numeric::check::require_length;
 use crate::numeric::random::SplitMix;

@@ -23,7 +23,7 @@
 //! cent. For one gap [`super::one_gap_ratio`] has all digits, and [`super::consistency_constant`] the
 //! maximum. Cost: O(cells³) per set.
 
-use crate::contact::Cone;
+use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::{FractionalOrder, Partition, gram_constants};
@@ -157,7 +157,8 @@ mod tests {
             for tau in [1.51, 1.75, 1.99] {
                 for right in [1e-6, 0.1, 0.5, 0.9] {
                     for left in [0.0, 1e-6, 0.05] {
-                        // Near τ = 2 constants leave the space and no tolerance is met: the bound holds on any mesh.
+                        // Near τ = 2 constants leave the space and no tolerance is met: the bound holds on
+                        // any mesh.
                         let order = FractionalOrder::new(tau - 1.5).unwrap();
                         let ratio = lower_bound(cone, order, left, right, 0).unwrap();
                         assert!(ratio > 0.0 && ratio <= 0.5, "{cone} {tau} {left} {right}: {ratio}");

@@ -8,6 +8,9 @@
 
 use crate::error::{Error, Result};
 
+/// Most generations of a Cantor set; no grid of at most 2^26 cells holds as many.
+const LARGEST_DEPTH: usize = 64;
+
 /// An open gap between two contact nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Gap {
@@ -52,6 +55,20 @@ pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usiz
     let length = |generation: usize, _: f64| first * shrink.powi(generation as i32);
     split(0.0, cells as f64, 1, depth, &length, &mut gaps);
     gaps
+}
+
+/// 2^depth − 1: the gaps of `depth` generations.
+pub(crate) fn generated_gaps(depth: usize) -> u64 {
+    1u64.checked_shl(depth.try_into().unwrap_or(u32::MAX)).unwrap_or(0).wrapping_sub(1)
+}
+
+/// [`Error::CountOutOfRange`] unless a Cantor construction may have that many generations.
+pub(crate) fn check_depth(depth: usize) -> Result<()> {
+    if (1..=LARGEST_DEPTH).contains(&depth) {
+        Ok(())
+    } else {
+        Err(Error::CountOutOfRange { name: "depth", value: depth, range: "[1, 64]" })
+    }
 }
 
 /// Opens a gap in the middle of (start, end) and goes on in both pieces; gaps come out in the order of the

@@ -1,52 +1,116 @@
 //! Scenes on meshes: domain, data, and what is known of their solutions.
 //!
-//! | scene | form | volume load f | contact edge | u in H^τ for all τ < |
-//! | --- | --- | --- | --- | --- |
-//! | `block` | plane strain, λ = μ = 1 | (0, −cos πx) | bottom | clamped/free corner |
-//! | `membrane` | ∫ ∇u·∇v | cos 2πx + 0.3 | bottom | 5/2 |
-//! | `membrane-reaction` | ∫ ∇u·∇v + uv (Remark 1) | 4 (cos πx + cos πy) | all | not classified |
-//! | `corner` | ∫ ∇u·∇v | −2 cos πx | bottom | 1 + π/(2ω), at most 5/2 |
-//! | `manufactured` | ∫ ∇u·∇v | 0; exact solution −Re (z − a)^{3/2}, contact on [0, a] | bottom | 5/2 |
-//! | `incompressible` | plane strain, E = 5/2, given Poisson's ratio | as `block` | bottom | as `block` |
-//! | `free` | as `block` | (0, 1): lifted, no contact | bottom | as `block` |
-//! | `closed` | as `block` | (0, −1): pressed down, full contact | bottom | as `block` |
-//!
 //! The body hangs from its top, u = 0, with free sides; in `corner` from its left side, which meets the
 //! bottom at the angle ω. On the unit square except `corner`; n = (0, −1) on the bottom, so u_N = −u_y ≤ 0
-//! for elastic scenes and u ≤ 0 for scalar ones. Volume loads are replaced by their P1 interpolants. 5/2 is
-//! the transition between contact and no contact inside a straight edge, r^{3/2}.
+//! for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are replaced by their P1 interpolants. u lies
+//! in H^τ up to 5/2 at the transition between contact and no contact inside a straight edge, r^{3/2};
+//! clamped/free corners limit it earlier.
 
 use super::manufactured;
+use super::registry::registry;
+use super::regularity::clamped_free_exponent;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Part, Point, Sides, Triangulation, mapped_grid, unit_square};
-use std::f64::consts::PI;
-use std::fmt;
-use std::str::FromStr;
-use std::sync::LazyLock;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A named scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[non_exhaustive]
-pub enum MeshScene {
-    /// Elastic square hanging from its top, pushed down on the left and up on the right.
-    #[default]
-    Block,
-    /// The scalar counterpart.
-    Membrane,
-    /// Remark 1 as printed: reaction term, contact on the whole boundary.
-    MembraneReaction,
-    /// Scalar corner of given opening between a Dirichlet side and the contact edge.
-    Corner,
-    /// Scalar, with known solution and contact set.
-    Manufactured,
-    /// `block` with a material that is hard to compress: P1 elements lock.
-    Incompressible,
-    /// Elastic without contact.
-    Free,
-    /// Elastic with full contact.
-    Closed,
+registry! {
+    /// A named scene. Its block holds its domain, form, data and regularity.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    #[non_exhaustive]
+    pub enum MeshScene: Body {
+        /// Elastic square hanging from its top, pushed down on the left and up on the right: plane strain,
+        /// λ = μ = 1, f = (0, −cos πx).
+        #[default]
+        Block("block") => Body { load: Load::Volume(|[x, _]| -(PI * x).cos()), ..ELASTIC };
+
+        /// The scalar counterpart: ∫ ∇u·∇v, f = cos 2πx + 0.3.
+        Membrane("membrane") => Body { load: Load::Volume(|[x, _]| (2.0 * PI * x).cos() + 0.3), ..SCALAR };
+
+        /// Remark 1 as printed: ∫ ∇u·∇v + uv, contact on the whole boundary, f = 4 (cos πx + cos πy).
+        MembraneReaction("membrane-reaction") => Body {
+            form: |_| Ok(Form::Scalar { reaction: 1.0 }),
+            mesh: |n, _| unit_square(n, ALL_CONTACT),
+            load: Load::Volume(|[x, y]| 4.0 * ((PI * x).cos() + (PI * y).cos())),
+            ..SCALAR
+        };
+
+        /// Scalar corner of given opening ω between a Dirichlet side and the contact edge, f = −2 cos πx;
+        /// u ∈ H^τ for τ < 1 + π/(2ω).
+        Corner("corner") => Body {
+            mesh: |n, setting| leaning_square(n, setting.angle),
+            load: Load::Volume(|[x, _]| -2.0 * (PI * x).cos()),
+            regularity: |setting| Ok((1.0 + 90.0 / setting.angle).min(2.0)),
+            ..SCALAR
+        };
+
+        /// Scalar, with known solution −Re (z − a)^{3/2} and contact set [0, a]; f = 0.
+        Manufactured("manufactured") => Body {
+            load: Load::Exact { solution: manufactured::exact, problem: manufactured::problem },
+            ..SCALAR
+        };
+
+        /// `block` with a material that is hard to compress, E = 5/2 and given Poisson's ratio: P1 elements
+        /// lock.
+        Incompressible("incompressible") => Body {
+            form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
+            regularity: |setting| Ok(1.0 + clamped_free_exponent(FRAC_PI_2, setting.poisson)?),
+            ..MeshScene::Block.form()
+        };
+
+        /// Elastic without contact: `block` lifted, f = (0, 1).
+        Free("free") => Body { load: Load::Volume(|_| 1.0), ..ELASTIC };
+
+        /// Elastic with full contact: `block` pressed down, f = (0, −1).
+        Closed("closed") => Body { load: Load::Volume(|_| -1.0), ..ELASTIC };
+    }
+}
+
+/// All that tells one scene from another.
+struct Body {
+    is_elastic: bool,
+    form: fn(&Setting) -> Result<Form>,
+    /// The mesh with n x n cells.
+    mesh: fn(usize, &Setting) -> Result<Triangulation>,
+    load: Load,
+    /// The supremum of the τ ≤ 2 for which the solution lies in H^τ.
+    regularity: fn(&Setting) -> Result<f64>,
+}
+
+/// The data of a scene.
+enum Load {
+    /// f alone, vertical for elastic scenes.
+    Volume(fn(Point) -> f64),
+    /// All data from a known solution; `problem` takes the factor on them.
+    Exact { solution: fn(Point) -> f64, problem: fn(Triangulation, f64) -> Result<ContactProblem> },
+}
+
+/// λ = μ = 1, which is Poisson's ratio 1/4, on the square hanging from its top, without load.
+const ELASTIC: Body = Body {
+    is_elastic: true,
+    form: |_| Ok(Form::elastic(Lame::new(1.0, 1.0)?)),
+    mesh: |n, _| unit_square(n, Sides::HANGING),
+    load: Load::Volume(|_| 0.0),
+    regularity: |_| Ok(1.0 + clamped_free_exponent(FRAC_PI_2, 0.25)?),
+};
+
+/// The Laplacian on the square hanging from its top, without load; a right angle between u = 0 and zero flux
+/// is harmless.
+const SCALAR: Body = Body {
+    is_elastic: false,
+    form: |_| Ok(Form::LAPLACE),
+    mesh: |n, _| unit_square(n, Sides::HANGING),
+    load: Load::Volume(|_| 0.0),
+    regularity: |_| Ok(2.0),
+};
+
+/// The square leaning to the angle ω, in degrees, at the left end of its bottom.
+fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
+    Error::require("angle in degrees", angle, "[20, 160]", (20.0..=160.0).contains(&angle))?;
+    // The left side leans by cot ω; the right one with it when it leans inwards.
+    let lean = 1.0 / angle.to_radians().tan();
+    mapped_grid(n, n, LEFT_HELD, |[x, y]| [x + y * ((1.0 - x) * lean + x * lean.max(0.0)), y])
 }
 
 /// Parameters of the scenes that have some.
@@ -73,32 +137,17 @@ const LEFT_HELD: Sides =
     Sides { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Dirichlet };
 
 impl MeshScene {
-    /// All scenes.
-    pub const ALL: [MeshScene; 8] = [
-        MeshScene::Block,
-        MeshScene::Membrane,
-        MeshScene::MembraneReaction,
-        MeshScene::Corner,
-        MeshScene::Manufactured,
-        MeshScene::Incompressible,
-        MeshScene::Free,
-        MeshScene::Closed,
-    ];
-
-    /// The names of all mesh scenes, for help texts and errors.
-    pub fn names() -> &'static str {
-        static NAMES: LazyLock<String> = LazyLock::new(|| MeshScene::ALL.map(|s| s.to_string()).join(", "));
-        &NAMES
-    }
-
     /// True for the scenes of elasticity.
     pub fn is_elastic(self) -> bool {
-        matches!(self, MeshScene::Block | MeshScene::Incompressible | MeshScene::Free | MeshScene::Closed)
+        self.form().is_elastic
     }
 
     /// The solution where it is known in closed form, default setting: u as a function of the point.
     pub fn solution(self) -> Option<fn(Point) -> f64> {
-        (self == MeshScene::Manufactured).then_some(manufactured::exact)
+        match self.form().load {
+            Load::Exact { solution, .. } => Some(solution),
+            Load::Volume(_) => None,
+        }
     }
 
     /// The structured mesh of the scene with n x n squares, default setting.
@@ -139,17 +188,7 @@ impl MeshScene {
     /// # Errors
     /// [`Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384, [`Error::OutOfRange`] for an angle outside [20, 160].
     pub fn mesh_with(self, n: usize, setting: &Setting) -> Result<Triangulation> {
-        match self {
-            MeshScene::MembraneReaction => unit_square(n, ALL_CONTACT),
-            MeshScene::Corner => {
-                let angle = setting.angle;
-                Error::require("angle in degrees", angle, "[20, 160]", (20.0..=160.0).contains(&angle))?;
-                // The left side leans by cot ω; the right one with it when it leans inwards.
-                let lean = 1.0 / angle.to_radians().tan();
-                mapped_grid(n, n, LEFT_HELD, |[x, y]| [x + y * ((1.0 - x) * lean + x * lean.max(0.0)), y])
-            }
-            _ => unit_square(n, Sides::HANGING),
-        }
+        (self.form().mesh)(n, setting)
     }
 
     /// The problem on a given triangulation of the scene's domain.
@@ -159,80 +198,42 @@ impl MeshScene {
     pub fn on_with(self, mesh: Triangulation, setting: &Setting) -> Result<ContactProblem> {
         let scale = setting.load_scale;
         Error::require("load scale", scale, "finite numbers", scale.is_finite())?;
-        if self == MeshScene::Manufactured {
-            return manufactured::problem(mesh, scale);
-        }
-        let form = self.form(setting)?;
-        let load = if self.is_elastic() {
-            let density = |point: Point| [0.0, scale * self.density(point)];
-            Field::Vector(&density).sample(mesh.nodes())?
+        let body = self.form();
+        let density = match body.load {
+            Load::Exact { problem, .. } => return problem(mesh, scale),
+            Load::Volume(density) => density,
+        };
+        let form = (body.form)(setting)?;
+        let load = if body.is_elastic {
+            Field::Vector(&|point| [0.0, scale * density(point)]).sample(mesh.nodes())?
         } else {
-            let density = |point: Point| scale * self.density(point);
-            Field::Scalar(&density).sample(mesh.nodes())?
+            Field::Scalar(&|point| scale * density(point)).sample(mesh.nodes())?
         };
         ContactProblem::new(mesh, form, &load)
     }
 
-    fn form(self, setting: &Setting) -> Result<Form> {
-        Ok(match self {
-            MeshScene::Incompressible => Form::elastic(Lame::plane_strain(2.5, setting.poisson)?),
-            MeshScene::MembraneReaction => Form::Scalar { reaction: 1.0 },
-            scene if scene.is_elastic() => Form::elastic(Lame::new(1.0, 1.0)?),
-            _ => Form::LAPLACE,
-        })
-    }
-
-    /// The volume load, vertical for elastic scenes.
-    fn density(self, [x, y]: Point) -> f64 {
-        match self {
-            MeshScene::Block | MeshScene::Incompressible => -(PI * x).cos(),
-            MeshScene::Membrane => (2.0 * PI * x).cos() + 0.3,
-            MeshScene::MembraneReaction => 4.0 * ((PI * x).cos() + (PI * y).cos()),
-            MeshScene::Corner => -2.0 * (PI * x).cos(),
-            MeshScene::Manufactured => 0.0,
-            MeshScene::Free => 1.0,
-            MeshScene::Closed => -1.0,
-        }
-    }
-}
-
-impl fmt::Display for MeshScene {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            MeshScene::Block => "block",
-            MeshScene::Membrane => "membrane",
-            MeshScene::MembraneReaction => "membrane-reaction",
-            MeshScene::Corner => "corner",
-            MeshScene::Manufactured => "manufactured",
-            MeshScene::Incompressible => "incompressible",
-            MeshScene::Free => "free",
-            MeshScene::Closed => "closed",
-        })
-    }
-}
-
-impl FromStr for MeshScene {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        let found = MeshScene::ALL.into_iter().find(|scene| scene.to_string() == text);
-        found.ok_or_else(|| Error::UnknownName {
-            what: "scene",
-            given: text.to_owned(),
-            expected: MeshScene::names(),
-        })
+    /// The supremum of the τ ≤ 2 for which the solution lies in H^τ.
+    ///
+    /// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother.
+    /// `corner`: 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is
+    /// harmless.
+    ///
+    /// # Errors
+    /// As [`clamped_free_exponent`].
+    pub fn regularity(self, setting: &Setting) -> Result<f64> {
+        (self.form().regularity)(setting)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Cone, Solver};
+    use crate::cone::Cone;
+    use crate::contact::Solver;
 
     #[test]
     fn every_scene_has_the_contact_it_is_named_for() {
-        for scene in MeshScene::ALL {
-            assert_eq!(scene.to_string().parse(), Ok(scene));
+        for scene in MeshScene::all() {
             let solution = scene.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
             let (count, all) = (solution.contact_set.count(), solution.contact_set.constraints());
             match scene {
@@ -242,7 +243,6 @@ mod tests {
             }
             assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-13, "{scene}");
         }
-        assert!("drum".parse::<MeshScene>().is_err());
         let setting = Setting { angle: 10.0, ..Setting::default() };
         assert!(MeshScene::Corner.problem_with(4, &setting).is_err());
         let setting = Setting { poisson: 0.5, ..Setting::default() };

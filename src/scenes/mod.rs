@@ -5,28 +5,33 @@
 //! | --- | --- | --- |
 //! | [`Scene`] | a scene of either kind, by name | `scene` |
 //! | [`MeshScene`] | bodies, loads, boundary parts; regularity from corner exponents | `mesh`, `regularity` |
-//! | [`StripScene`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip`, `contact_sets` |
+//! | [`StripScene`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip`, `contact_sets`, `gap_data` |
+//! | names and parameters | one block per scene; grammar, reading, writing | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
+//! | [`StripCase`] | a strip scene with levels, cone and positions: what is solved | `case` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //!
-//! A new strip scene is one variant of [`StripScene`] with its arm in `form`; names, help texts and errors
-//! follow.
+//! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data, regularity.
+//! List of all, help texts, reading, writing and errors follow from it.
 
 mod case;
 mod contact_sets;
+mod gap_data;
 mod known;
 pub mod manufactured;
 mod mesh;
 mod pressure;
+mod registry;
 mod regularity;
 mod roads;
 mod scene;
 mod strip;
 mod study;
+mod tau_range;
 mod transition_powers;
 
-pub use case::{CaseStudy, Solved, StripCase, mean_errors};
+pub use case::StripCase;
 pub use mesh::{MeshScene, Setting};
 pub use regularity::clamped_free_exponent;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};

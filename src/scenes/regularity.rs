@@ -10,7 +10,6 @@
 //! just below the τ = 7/4 where the paper's rate is furthest from the optimal one. For larger openings the
 //! roots may be complex; they are not treated here.
 
-use super::mesh::{MeshScene, Setting};
 use crate::error::{Error, Result};
 use crate::numeric::search::sign_change;
 
@@ -40,29 +39,6 @@ pub fn clamped_free_exponent(opening: f64, poisson: f64) -> Result<f64> {
     let ends = (f64::from(k - 1) * step, f64::from(k) * step);
     let (low, high) = sign_change(ends.0, ends.1, WIDTH, |lambda| defect(lambda) >= 0.0);
     Ok(0.5 * (low + high))
-}
-
-impl MeshScene {
-    /// The supremum of the τ ≤ 2 for which the solution lies in H^τ.
-    ///
-    /// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother.
-    /// `corner`: 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is
-    /// harmless.
-    ///
-    /// # Errors
-    /// As [`clamped_free_exponent`].
-    pub fn regularity(self, setting: &Setting) -> Result<f64> {
-        let right_angle = std::f64::consts::FRAC_PI_2;
-        match self {
-            MeshScene::Incompressible => Ok(1.0 + clamped_free_exponent(right_angle, setting.poisson)?),
-            // λ = μ = 1 is Poisson's ratio 1/4.
-            MeshScene::Block | MeshScene::Free | MeshScene::Closed => {
-                Ok(1.0 + clamped_free_exponent(right_angle, 0.25)?)
-            }
-            MeshScene::Corner => Ok((1.0 + 90.0 / setting.angle).min(2.0)),
-            MeshScene::Membrane | MeshScene::MembraneReaction | MeshScene::Manufactured => Ok(2.0),
-        }
-    }
 }
 
 #[cfg(test)]

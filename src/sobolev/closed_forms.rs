@@ -133,8 +133,8 @@ pub fn hat(before: f64, rise: f64, fall: f64, after: f64, order: FractionalOrder
 
 /// ||ln x|^α|²_{1/2} on (0, 1) = 2 ζ(1+2α) [Γ(1+α)²/cos(πα) − Γ(1+2α)].
 ///
-/// In t = −ln x the form is ∫∫ (s^α−t^α)² / (4 sinh²((s−t)/2)); with r = s − t it factors into
-/// ∫ r^{2α+1}/(4 sinh²(r/2)) dr = Γ(2α+2) ζ(2α+1) and κ(α) = ∫₀^∞ ((1+t)^α − t^α)² dt, the constant of Mandelbrot & Van
+/// In t = −ln x the form is ∫∫ (s^α−t^α)² / (4 sinh²((s−t)/2)); with r = s − t it factors into ∫ r^{2α+1}/(4
+/// sinh²(r/2)) dr = Γ(2α+2) ζ(2α+1) and κ(α) = ∫₀^∞ ((1+t)^α − t^α)² dt, the constant of Mandelbrot & Van
 /// Ness (SIAM Rev. 10 (1968) 422-437).
 ///
 /// # Errors

@@ -170,14 +170,17 @@ impl FromStr for GalleryFunction {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        let (name, argument) = text.split_once(':').unwrap_or((text, ""));
-        let number = argument.parse::<f64>().ok().filter(|value| value.is_finite());
+        let (name, argument) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
+        let number = argument.unwrap_or("").parse::<f64>().ok().filter(|value| value.is_finite());
         match (name, number) {
             ("power", Some(a)) if a <= 1e3 => Ok(Self::Power(a)),
             ("step", Some(at)) if at > 0.0 && at < 1.0 => Ok(Self::Step(at)),
-            ("hat", _) if argument.is_empty() => Ok(Self::Hat),
+            ("hat", _) if argument.is_none() => Ok(Self::Hat),
             ("log", Some(alpha)) if alpha > 0.0 => Ok(Self::Log(alpha)),
-            ("samples", _) if !argument.is_empty() => Ok(Self::Samples(argument.into())),
+            ("samples", _) => match argument {
+                Some(path) if !path.is_empty() => Ok(Self::Samples(path.into())),
+                _ => Err(unknown(text)),
+            },
             _ => Err(unknown(text)),
         }
     }
@@ -193,7 +196,8 @@ mod tests {
             let function: GalleryFunction = name.parse().unwrap();
             assert_eq!(function.to_string(), name);
         }
-        for bad in ["power", "power:x", "step:1", "hat:3", "log:-1", "samples:", "sine", "power:nan"] {
+        for bad in ["power", "power:x", "step:1", "hat:", "hat:3", "log:-1", "samples:", "sine", "power:nan"]
+        {
             assert!(bad.parse::<GalleryFunction>().is_err(), "{bad}");
         }
     }

@@ -11,7 +11,7 @@
 //! | n, m, h = 1/n, H = m/n | cells along the edge, layers, mesh size, height |
 //! | A, S(θ) | [`EdgeOperator`] and its symbol |
 //! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
-//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone; [`study`] over levels |
+//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone |
 //! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`solve_contact`] |
 
 mod edge_data;
@@ -22,7 +22,7 @@ mod solver;
 mod transfer;
 
 pub use edge_data::EdgeData;
-pub use exact::{ExactEdge, ExactElastic, Level, Levels, Reference, StripKind, StripProblem, study};
+pub use exact::{ExactEdge, ExactElastic, Levels, Reference, StripKind, StripProblem};
 pub use operator::edge::EdgeOperator;
 pub use operator::elastic::{ElasticLoad, ElasticStrip};
 pub use operator::load::EdgeLoad;

@@ -1,7 +1,8 @@
 //! The rows of tests/reference/signorini_square.json and what must agree with them.
 
 use serde_json::Value;
-use signorini::contact::{Cone, ContactSolution, Solver};
+use signorini::cone::Cone;
+use signorini::contact::{ContactSolution, Solver};
 use signorini::scenes::MeshScene;
 
 /// Relative difference in J: the rows agree among themselves to 12 digits or more.
@@ -10,7 +11,8 @@ const ENERGY: f64 = 1e-11;
 const BALANCE: f64 = 1e-12;
 /// Multipliers, gaps: relative to the largest of their kind; rows carry them to about 1e-12.
 const MARGIN: f64 = 1e-9;
-/// Both solvers, relative in J: the interior point method stops at a duality gap of 1e-13, times up to 1e4 unknowns.
+/// Both solvers, relative in J: the interior point method stops at a duality gap of 1e-13, times up to 1e4
+/// unknowns.
 const SOLVERS: f64 = 1e-9;
 /// Scaled KKT figures of a direct solution with refinement.
 const KKT: f64 = 1e-11;

@@ -2,11 +2,22 @@
 
 use example_frame::rates::RateRow;
 use example_frame::{Finding, Headline, Outcome, Table, Verdict};
-use signorini::contact::Cone;
+use signorini::cone::Cone;
 use signorini::convergence::{Bound, MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
 use signorini::scenes::{MeshScene, Setting, StripScene};
 use signorini::strip::{Levels, Sides, StripKind};
+
+/// Options of either example for one transition on few levels.
+macro_rules! one_transition {
+    ($options:ty) => {{
+        let mut options = <$options>::default();
+        (options.scene, options.tau) = (Some("transition".parse().unwrap()), vec![1.75]);
+        (options.levels, options.positions) = ("3-11".parse().unwrap(), 5);
+        options
+    }};
+}
+pub(crate) use one_transition;
 
 /// The window of h is finite: orders of known scenes come out this close to τ − 1.
 const ORDER: f64 = 0.02;
@@ -71,7 +82,8 @@ pub fn corners(cone: Cone) {
     }
 }
 
-/// A corner of 120 degrees (τ = 7/4) with a contact zone at its other end, one less digit in the order: the transition adds its own series.
+/// A corner of 120 degrees (τ = 7/4) with a contact zone at its other end, one less digit in the order: the
+/// transition adds its own series.
 pub fn corner_with_contact(cone: Cone) {
     let rates = MeshRates {
         scene: MeshScene::Corner,
@@ -86,7 +98,8 @@ pub fn corner_with_contact(cone: Cone) {
     assert!((fit.order - 0.75).abs() < CORNER, "{fit}");
 }
 
-/// The term summed over segments of the trace and the one by halving grids: sums of a thousand positive numbers.
+/// The term summed over segments of the trace and the one by halving grids: sums of a thousand positive
+/// numbers.
 const SUM: f64 = 1e-12;
 
 pub fn terms_by_two_roads(cone: Cone) {
@@ -117,7 +130,8 @@ fn spoilt(rows: &[RateRow], spoil: impl Fn(&mut RateStudy)) -> Vec<RateRow> {
     spoilt.collect()
 }
 
-/// What the findings say of spoilt studies: the finding with this key turns, and verdict and exit code with it.
+/// What the findings say of spoilt studies: the finding with this key turns, and verdict and exit code with
+/// it.
 fn turns(findings: Vec<Finding>, key: &str, to: Outcome) {
     let headline = Headline::new("", "", Table::new(Vec::new()), findings);
     let finding = headline.finding(key).expect("a finding with this key");

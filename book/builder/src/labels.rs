@@ -1,12 +1,10 @@
 //! The list of labels: every statement of the paper with its example, test, page and room, in `labels.toml`.
 //!
-//! The table of the README, the table of contents of `src/lib.rs` and the lemma cards are made from it, between lines that hold
-//! `labels` and `end of labels`. Every name in the list must exist; every example must have a label.
+//! Tables are made from it ([`crate::tables`]). Every name in the list must exist; every example must have a label.
 
 use crate::code;
 use crate::data::names;
-use crate::error::{Error, Fault, Result, read, write};
-use std::fmt::Write as _;
+use crate::error::{Error, Fault, Result, read};
 use std::path::Path;
 
 /// The list, below the repository.
@@ -140,146 +138,10 @@ pub fn faults(labels: &[Label], repository: &Path) -> Result<Vec<Fault>> {
     Ok(found)
 }
 
-/// A file with a table made from the list, and what that table is.
-type Region = (&'static str, String, fn(&[&Label]) -> String);
-
-/// All of them; the cards have one per group.
-fn regions(labels: &[Label]) -> Vec<Region> {
-    let mut groups: Vec<&str> = labels.iter().map(|label| label.group.as_str()).collect();
-    groups.dedup();
-    let mut regions: Vec<Region> =
-        vec![("README.md", String::new(), readme_table), ("src/lib.rs", String::new(), contents_table)];
-    let cards = |group: &&str| {
-        ("book/src/lemma_cards.md", (*group).to_owned(), cards_table as fn(&[&Label]) -> String)
-    };
-    regions.extend(groups.iter().map(cards));
-    regions
-}
-
-fn readme_table(labels: &[&Label]) -> String {
-    let mut text = "| paper | example | test | page | room |\n| --- | --- | --- | --- | --- |\n".to_owned();
-    let code = |name: &str| if name.is_empty() { String::new() } else { format!("`{name}`") };
-    for label in labels {
-        let file = label.test.split("::").next().unwrap_or("");
-        let page =
-            if label.page.is_empty() { String::new() } else { format!("[{0}](book/src/{0}.md)", label.page) };
-        let room = if label.room.is_empty() { String::new() } else { format!("[{0}]({0})", label.room) };
-        let _ = writeln!(
-            text,
-            "| {}: {} | {} | {} | {page} | {room} |",
-            label.label,
-            label.words,
-            code(&label.example),
-            code(file),
-        );
-    }
-    text
-}
-
-fn contents_table(labels: &[&Label]) -> String {
-    let mut text = "//! | paper | here |\n//! | --- | --- |\n".to_owned();
-    for label in labels.iter().filter(|label| !label.items.is_empty()) {
-        let items: Vec<String> = label.items.iter().map(|item| format!("[`{item}`]")).collect();
-        let _ = writeln!(text, "//! | {}: {} | {} |", label.label, label.words, items.join(", "));
-    }
-    text
-}
-
-fn cards_table(labels: &[&Label]) -> String {
-    let mut text = "| label | statement | assumptions | example | test | verdict |\n".to_owned();
-    text.push_str("| --- | --- | --- | --- | --- | --- |\n");
-    for label in labels {
-        let directive = |name: &str, key: &str| {
-            if key.is_empty() { "none".to_owned() } else { format!("{{{{{name}: {key}}}}}") }
-        };
-        let verdict =
-            if label.note.is_empty() { directive("verdict", &label.example) } else { label.note.clone() };
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {verdict} |",
-            label.label,
-            label.statement,
-            label.assumptions,
-            directive("example", &label.example),
-            directive("test", &label.test),
-        );
-    }
-    text
-}
-
-/// The lines between those that begin and end a region, as byte offsets.
-fn bounds(text: &str, group: &str) -> Option<(usize, usize)> {
-    let begin =
-        if group.is_empty() { "<!-- labels -->".to_owned() } else { format!("<!-- labels: {group} -->") };
-    let start = text.find(&begin)?;
-    let start = start + text[start..].find('\n')? + 1;
-    let end = start + text[start..].find("<!-- end of labels -->")?;
-    Some((start, text[..end].rfind('\n')? + 1))
-}
-
-/// Tables that are not what the list says.
-///
-/// # Errors
-/// When a file cannot be read.
-pub fn stale(labels: &[Label], repository: &Path) -> Result<Vec<Fault>> {
-    let mut found = Vec::new();
-    each(labels, repository, |file, text, (start, end), table| {
-        if text[start..end] != *table {
-            let line = crate::scan::line_at(text, start);
-            found.push(Fault::new(
-                Path::new(file),
-                line,
-                "table is not that of the list (run `cargo book`)",
-                LIST,
-            ));
-        }
-        Ok(())
-    })?;
-    Ok(found)
-}
-
-/// Writes the tables into their files.
-///
-/// # Errors
-/// When a file cannot be read or written, or has no place for its table.
-pub fn renew(labels: &[Label], repository: &Path) -> Result<()> {
-    each(labels, repository, |file, text, (start, end), table| {
-        if text[start..end] == *table {
-            return Ok(());
-        }
-        write(&repository.join(file), format!("{}{table}{}", &text[..start], &text[end..]))
-    })
-}
-
-fn each(
-    labels: &[Label],
-    repository: &Path,
-    mut visit: impl FnMut(&str, &str, (usize, usize), &String) -> Result<()>,
-) -> Result<()> {
-    if labels.is_empty() {
-        return Ok(());
-    }
-    for (file, group, table) in regions(labels) {
-        let path = repository.join(file);
-        let text = read(&path)?;
-        let missing = || Error::Data {
-            path: path.clone(),
-            message: format!(
-                "no lines `<!-- labels{}{group} -->` and `<!-- end of labels -->`",
-                if group.is_empty() { "" } else { ": " }
-            ),
-        };
-        let place = bounds(&text, &group).ok_or_else(missing)?;
-        let mine: Vec<&Label> = labels.iter().filter(|l| group.is_empty() || l.group == group).collect();
-        // Comment lines of a source file end the region with their own marker.
-        visit(file, &text, place, &table(&mine))?;
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::write;
 
     const ENTRY: &str = "[[label]]\nlabel = \"Lemma 1\"\ngroup = \"tools\"\nwords = \"so\"\nexample = \"ex\"\n\
         test = \"lemma::holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\nitems = [\"a::f\"]\n";
@@ -292,28 +154,7 @@ mod tests {
         put("tests/lemma.rs", "#[test]\nfn holds() {}\n");
         put("book/src/lemma.md", "");
         put("src/a.rs", "");
-        put("README.md", "a\n\n<!-- labels -->\n<!-- end of labels -->\nb\n");
-        put("src/lib.rs", "//! <!-- labels -->\n//! <!-- end of labels -->\n");
-        put("book/src/lemma_cards.md", "<!-- labels: tools -->\n<!-- end of labels -->\n");
         directory
-    }
-
-    #[test]
-    fn tables_are_made_from_the_list_and_old_ones_found() {
-        let directory = repository();
-        let labels = list(directory.path()).unwrap();
-        assert!(faults(&labels, directory.path()).unwrap().is_empty());
-        assert_eq!(stale(&labels, directory.path()).unwrap().len(), 3);
-        renew(&labels, directory.path()).unwrap();
-        assert!(stale(&labels, directory.path()).unwrap().is_empty());
-        let text = |file: &str| read(&directory.path().join(file)).unwrap();
-        assert!(
-            text("src/lib.rs").contains("//! | Lemma 1: so | [`a::f`] |\n//! <!-- end"),
-            "{}",
-            text("src/lib.rs")
-        );
-        assert!(text("README.md").contains("[src/a.rs](src/a.rs)") && text("README.md").ends_with("b\n"));
-        assert!(text("book/src/lemma_cards.md").contains("{{verdict: ex}}"));
     }
 
     #[test]
@@ -327,6 +168,7 @@ mod tests {
             assert!(!faults(&labels, directory.path()).unwrap().is_empty(), "{from} -> {to}");
         }
         let directory = repository();
+        assert!(faults(&list(directory.path()).unwrap(), directory.path()).unwrap().is_empty());
         for text in
             ["[[label]]\nlabel = 3\n", "[[label]]\nwhat = \"x\"\n", "[[label", "[[label]]\nlabel = \"a\"\n"]
         {

@@ -22,13 +22,13 @@ pub mod page;
 pub mod scan;
 pub mod slider;
 pub mod stale;
+pub mod tables;
 pub mod typography;
 pub mod verify;
 
 use data::Data;
 use directive::Sources;
 use error::{Fault, Result, none_of, read};
-use page::Page;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -51,11 +51,6 @@ impl Layout {
     pub fn generated(&self) -> PathBuf {
         self.book.join("generated")
     }
-
-    /// The module that makes every chapter a documentation test.
-    fn doctests(&self) -> PathBuf {
-        self.repository.join("src").join("book.rs")
-    }
 }
 
 /// Builds the pages from data that is there; returns the directory of the HTML.
@@ -65,15 +60,14 @@ impl Layout {
 pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     let pages = html::chapters(&layout.book, &layout.repository)?;
     let allowed = read(&layout.book.join("allowed-decimals.txt")).unwrap_or_default();
-    let mut faults = untested(layout, &pages);
+    let list = labels::list(&layout.repository)?;
+    let mut faults = tables::stale(&list, &layout.repository)?;
     for page in &pages {
         faults.extend(include::faults(page, &layout.book.join("src")));
     }
     let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
     let allowed = decimal::allow_list(&allowed);
-    let list = labels::list(&layout.repository)?;
     faults.extend(labels::faults(&list, &layout.repository)?);
-    faults.extend(labels::stale(&list, &layout.repository)?);
     faults.extend(coverage::faults(&pages, &layout.repository)?);
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
@@ -87,17 +81,6 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     let output = html::build(&layout.book, &marked)?;
     none_of(verify::faults(&output, &pages)?)?;
     Ok(output)
-}
-
-/// Chapters that are no documentation tests.
-fn untested(layout: &Layout, pages: &[Page]) -> Vec<Fault> {
-    let Ok(module) = read(&layout.doctests()) else { return Vec::new() };
-    let name = |page: &Page| page.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    pages
-        .iter()
-        .filter(|page| !module.contains(&format!("{}\"", name(page))))
-        .map(|page| Fault::new(&page.file, 1, "chapter is not listed in src/book.rs", name(page)))
-        .collect()
 }
 
 /// Fails where committed data is not what was computed now.

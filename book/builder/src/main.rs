@@ -1,11 +1,12 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages.
 //! `cargo book build`: builds the pages from the committed data.
-//! `cargo book labels`: writes the tables made from `labels.toml` and nothing else.
+//! `cargo book labels`: writes the tables made from `labels.toml`, the list of chapters in `src/book.rs` and that of examples
+//! in `tests/findings.rs`, and nothing else.
 //! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;
-use book_builder::{Layout, build, check_fresh, examples, labels, shown};
+use book_builder::{Layout, build, check_fresh, examples, labels, shown, tables};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -21,7 +22,7 @@ fn main() -> ExitCode {
         ["build"] => Data::read(&layout.generated()).and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
         ["labels"] => labels::list(&layout.repository)
-            .and_then(|list| labels::renew(&list, &layout.repository))
+            .and_then(|list| tables::renew(&list, &layout.repository))
             .map(|()| layout.repository.clone()),
         ["-h" | "--help" | "help"] => {
             println!("{USAGE}");
@@ -47,7 +48,7 @@ fn main() -> ExitCode {
 fn renew(layout: &Layout) -> Result<PathBuf> {
     let data = shown(layout, examples::gather(&layout.repository)?)?;
     data.write(&layout.generated())?;
-    labels::renew(&labels::list(&layout.repository)?, &layout.repository)?;
+    tables::renew(&labels::list(&layout.repository)?, &layout.repository)?;
     build(layout, &data)
 }
 

@@ -48,7 +48,11 @@ impl Fixture {
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
         fixture.write("book/src/second.md", SECOND);
-        fixture.write("src/book.rs", "first: \"first.md\", second: \"second.md\",");
+        let chapters =
+            "    readme: \"../../README.md\",\n    first: \"first.md\",\n    second: \"second.md\",\n";
+        fixture.write("src/book.rs", &format!("    // chapters\n{chapters}    // end of chapters\n"));
+        let programs = "    // examples\n    ex: \"../examples/ex.rs\",\n    // end of examples\n";
+        fixture.write("tests/findings.rs", programs);
         fixture.write("examples/ex.rs", "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n\nfn walk() {}\n");
         fixture.write("tests/lemma.rs", "#[test]\nfn holds() {}\n");
         data(0.29156).write(&fixture.layout().generated()).unwrap();
@@ -150,7 +154,14 @@ fn faults_of_keys_fail() {
     Fixture::expect(second, "verdict: ex", "verdict: no", "book/src/second.md:3:", "unknown example");
     Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:6:", "no such anchor");
     Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:9:", "no such function");
-    Fixture::expect("src/book.rs", "second.md", "", "book/src/second.md:1:", "not listed");
+    Fixture::expect("src/book.rs", "second.md", "", "src/book.rs:2:", "not what its list says");
+    Fixture::expect(
+        "tests/findings.rs",
+        "examples/ex",
+        "examples/x",
+        "tests/findings.rs:2:",
+        "not what its list says",
+    );
 }
 
 #[test]

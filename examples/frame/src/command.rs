@@ -85,7 +85,8 @@ fn show<O: HasOutput>(options: &O, run: impl FnOnce(&O) -> Result<Headline>) -> 
     Ok(headline.exit_code())
 }
 
-/// The options of the command line; a value may be a negative number, so that `--nu -0.1` is answered by what it means.
+/// The options of the command line; a value may be a negative number, so that `--nu -0.1` is answered by what
+/// it means.
 fn parse<O: Parser>() -> std::result::Result<O, clap::Error> {
     let command = O::command().mut_args(|argument| {
         let takes_value = argument.get_action().takes_values();

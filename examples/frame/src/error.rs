@@ -1,4 +1,5 @@
-//! What an example may fail with: the library's error (files among them), a figure, or options that do not fit.
+//! What an example may fail with: the library's error (files among them), a figure, or options that do not
+//! fit.
 
 /// Result with the frame's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;

@@ -10,8 +10,9 @@
 //! 4. `table` and `draw` show the rows and the figures;
 //! 5. `run(&Options) -> Result<Headline>` puts them together, and `main` is one line.
 //!
-//! A [`Finding`] is a sentence with the number, the bound and the source of the bound that decide it; the verdict and the line
-//! "measured" follow from the findings and are written nowhere. Tests spoil `Computed` and see findings, verdict and exit code turn.
+//! A [`Finding`] is a sentence with the number, the bound and the source of the bound that decide it; the
+//! verdict and the line "measured" follow from the findings and are written nowhere. Tests spoil `Computed`
+//! and see findings, verdict and exit code turn.
 //!
 //! Exit codes: 0 every claim holds, 1 one is refuted or undecided, 2 bad input (one clear line on stderr).
 
@@ -32,7 +33,8 @@ pub use command::{HasOutput, Output, main, progress};
 pub use error::{Error, Result};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
 
-/// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command line.
+/// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command
+/// line.
 ///
 /// ```
 /// example_frame::options! {

@@ -1,4 +1,4 @@
-//! Best constants of Lemma 6.1 on one element, by an eigenproblem for the slope.
+//! Best constants of Lemma 6.1, (6.1), on one element, by an eigenproblem for the slope.
 //!
 //! For u on (0, 1) with slope v, e = u − I u has e' = v − v̄ and e(0) = e(1) = 0. The best constants are
 //! C_L2(ν) = sup ‖e‖₀/|v|_ν,  C_H1(ν) = sup ‖e'‖₀/|v|_ν = γ₁(ν),  and for the full norm on an element of

@@ -63,7 +63,7 @@ impl DualRates {
 
     /// The exponent of h between the two finer meshes.
     ///
-    /// Its error: three times the change from the coarser pair, and twice what eight cells per element in
+    /// Its error: 3.5 times the change from the coarser pair, and twice what eight cells per element in
     /// place of four change of the coarser pair (halving the cells at least halves what they miss).
     ///
     /// # Errors

@@ -193,13 +193,13 @@ impl FromStr for SampleSlope {
             given: text.to_owned(),
             expected: "power:A, step:S, cosine:K or constant",
         };
-        let (name, parameter) = text.split_once(':').unwrap_or((text, ""));
-        let number = || parameter.parse::<f64>().map_err(|_| unknown());
+        let (name, parameter) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
+        let number = || parameter.unwrap_or("").parse::<f64>().map_err(|_| unknown());
         let slope = match name {
             "power" => SampleSlope::Power(number()?),
             "step" => SampleSlope::Step(number()?),
-            "cosine" => SampleSlope::Cosine(parameter.parse().map_err(|_| unknown())?),
-            "constant" if parameter.is_empty() => SampleSlope::Constant,
+            "cosine" => SampleSlope::Cosine(parameter.unwrap_or("").parse().map_err(|_| unknown())?),
+            "constant" if parameter.is_none() => SampleSlope::Constant,
             _ => return Err(unknown()),
         };
         slope.check()?;

@@ -1,4 +1,5 @@
-//! A short zone deep inside the interval: local coordinates for the kernel and for the basis.
+//! A short zone deep inside the interval: local coordinates for the kernel; those for the basis are in
+//! [`super::hats`].
 //!
 //! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone.
 //! For p > 0 a jump of u costs finite energy, the extremal function jumps down and up again, and in the step
@@ -15,9 +16,8 @@
 //! (a wide plateau of many short hats would have next to no energy compared with theirs); there the group
 //! only serves to see near points from far as P.
 
-use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
+use super::kernel::{exp_quotient, kernel, ln_ratio};
 use super::space::SlopeSpace;
-use faer::Mat;
 use std::ops::{Range, RangeInclusive};
 
 /// The group is used for zones shorter than this fraction of their distance from the ends ...
@@ -46,16 +46,16 @@ const INDISTINCT: f64 = 1e-15;
 /// The group G and its point P.
 #[derive(Debug, Clone)]
 pub(crate) struct Local {
-    p: f64,
-    cells: Range<usize>,
+    pub(super) p: f64,
+    pub(super) cells: Range<usize>,
     /// Hats instead of steps.
-    has_hats: bool,
+    pub(super) has_hats: bool,
     /// First cell right of P.
     origin: usize,
     /// Distances of P from the two ends, and the length at which d^p is subtracted.
-    left: f64,
-    right: f64,
-    unit: f64,
+    pub(super) left: f64,
+    pub(super) right: f64,
+    pub(super) unit: f64,
     unit_power: f64,
     /// Distance from P to the nearer end of each panel and of each cell.
     panel_offsets: Vec<f64>,
@@ -174,7 +174,7 @@ impl Local {
     }
 
     /// Largest and smallest distance from P over cells of G next to `cell`, `width` on either side.
-    fn range(&self, space: &SlopeSpace, cells: impl Iterator<Item = usize>) -> (f64, f64) {
+    pub(super) fn range(&self, space: &SlopeSpace, cells: impl Iterator<Item = usize>) -> (f64, f64) {
         cells.fold((f64::INFINITY, 0.0), |(low, high), c| {
             let offset = self.cell_offsets[c];
             (offset.min(low), (offset + space.cells[c].length).max(high))
@@ -182,7 +182,7 @@ impl Local {
     }
 
     /// Whether hats up to the distance `near` from P do not interact with those beyond `far`.
-    fn is_apart(&self, near: f64, far: f64) -> bool {
+    pub(super) fn is_apart(&self, near: f64, far: f64) -> bool {
         let ratio = if self.p > 0.1 {
             let fall = (near / self.unit).max(1.0).powf(self.p);
             (negligible_for_jumps(self.p) * fall).min(NEGLIGIBLE_FOR_JUMPS.1)
@@ -219,96 +219,7 @@ impl Local {
     }
 
     /// The cell whose step stays.
-    fn last(&self) -> usize {
+    pub(super) fn last(&self) -> usize {
         self.cells.end - 1
-    }
-
-    /// Cells of G whose steps are joined to hats, in order.
-    fn steps(&self, space: &SlopeSpace) -> Vec<usize> {
-        self.cells.clone().filter(|&c| self.has_hats && space.cells[c].functions > 0).collect()
-    }
-
-    /// Tᵀ M T: the matrix of a form in the basis with hats.
-    pub(crate) fn transformed(&self, space: &SlopeSpace, mut matrix: Mat<f64>) -> Mat<f64> {
-        let size = matrix.nrows();
-        for pair in self.steps(space).windows(2) {
-            let (i, j) = (space.first[pair[0]], space.first[pair[1]]);
-            for k in 0..size {
-                matrix[(i, k)] -= matrix[(j, k)];
-            }
-        }
-        for pair in self.steps(space).windows(2) {
-            let (i, j) = (space.first[pair[0]], space.first[pair[1]]);
-            for k in 0..size {
-                matrix[(k, i)] -= matrix[(k, j)];
-            }
-        }
-        matrix
-    }
-
-    /// Tᵀ b.
-    pub(crate) fn transformed_vector(&self, space: &SlopeSpace, mut vector: Vec<f64>) -> Vec<f64> {
-        for pair in self.steps(space).windows(2) {
-            vector[space.first[pair[0]]] -= vector[space.first[pair[1]]];
-        }
-        vector
-    }
-
-    /// T y: coefficients of steps from coefficients of hats.
-    pub(crate) fn restored(&self, space: &SlopeSpace, mut vector: Vec<f64>) -> Vec<f64> {
-        for pair in self.steps(space).windows(2).rev() {
-            vector[space.first[pair[1]]] -= vector[space.first[pair[0]]];
-        }
-        vector
-    }
-
-    /// Finishes ν times the Gram matrix assembled with the shifted kernel: hats, negligible entries, and what
-    /// the last step lost.
-    pub(crate) fn finish(&self, space: &SlopeSpace, gram: Mat<f64>, rule: &[(f64, f64)]) -> Mat<f64> {
-        if !self.has_hats {
-            return gram;
-        }
-        let mut gram = self.transformed(space, gram);
-        let steps = self.steps(space);
-        let next = |c: usize| steps.iter().position(|&s| s == c).and_then(|k| steps.get(k + 1)).copied();
-        for c in self.cells.clone() {
-            for d in 0..space.cells.len() {
-                let (first, second) = (c..=next(c).unwrap_or(c), d..=next(d).unwrap_or(d));
-                let ranges = (self.range(space, first.clone()), self.range(space, second.clone()));
-                let small_first = c != self.last() && self.is_apart(ranges.0.1, ranges.1.0);
-                let small_second =
-                    self.contains(d) && d != self.last() && self.is_apart(ranges.1.1, ranges.0.0);
-                if small_first || small_second {
-                    for i in space.first[c]..space.first[c + 1] {
-                        for j in space.first[d]..space.first[d + 1] {
-                            gram[(i, j)] = 0.0;
-                            gram[(j, i)] = 0.0;
-                        }
-                    }
-                }
-            }
-        }
-        let kept = space.first[self.last()];
-        let (a, b, c) = (self.left, self.right, self.unit);
-        gram[(kept, kept)] += power_increment(self.p, c, a - c) - power_increment(self.p, b, a);
-        for (panel, shape) in space.panels.iter().enumerate().filter(|(_, shape)| !self.contains(shape.cell))
-        {
-            for &(xi, w) in rule {
-                let gap = self.position(space, panel, xi);
-                let (before, after) = if gap > 0.0 {
-                    (self.left, space.panel_right[panel] + shape.right_distance(1.0 - xi))
-                } else {
-                    (space.panel_left[panel] + shape.left_distance(xi), self.right)
-                };
-                let value = w * shape.width * kernel(self.p, before, gap.abs(), after);
-                let slopes = space.slopes(panel, xi);
-                for k in 0..space.functions(panel) {
-                    let i = space.first_of_panel(panel) + k;
-                    gram[(kept, i)] += value * slopes[k];
-                    gram[(i, kept)] += value * slopes[k];
-                }
-            }
-        }
-        gram
     }
 }

@@ -135,7 +135,8 @@ fn smooth_length(n: usize) -> usize {
     if with_three >= n { with_three } else { power }
 }
 
-/// What the transform says of its buffers, which come from the plans themselves, or of values that are not finite.
+/// What the transform says of its buffers, which come from the plans themselves, or of values that are not
+/// finite.
 fn fourier(error: realfft::FftError) -> Error {
     Error::Solver { reason: format!("Fourier transform: {error}") }
 }

@@ -1,4 +1,4 @@
-//! Exact solutions of a strip and the energy norms of the errors against them, level after level.
+//! Exact solutions of a strip and the energy norms of the errors against them.
 
 mod elastic;
 mod grids;
@@ -6,11 +6,9 @@ mod levels;
 mod problem;
 mod reference;
 mod scalar;
-mod study;
 
 pub use elastic::ExactElastic;
 pub use levels::Levels;
 pub use problem::{StripKind, StripProblem};
 pub use reference::Reference;
 pub use scalar::ExactEdge;
-pub use study::{Level, study};

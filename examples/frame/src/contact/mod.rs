@@ -1,5 +1,5 @@
-//! Contact solutions on meshes as the examples of Section 2 show them: the table, the deformed body, the contact edge, and
-//! the contact sets that an active-set iteration visits.
+//! Contact solutions on meshes as the examples of Section 2 show them: the table, the deformed body, the
+//! contact edge, and the contact sets that an active-set iteration visits.
 
 mod history;
 mod listing;

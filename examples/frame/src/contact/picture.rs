@@ -14,8 +14,8 @@ const DRAWN: f64 = 0.25;
 /// The largest pressure arrow, relative to the extent of the body.
 const ARROW: f64 = 0.15;
 
-/// Quotes energy, force, active constraints and the worst condition of the finest mesh as `section.2.SCENE.CONE.WHAT`, and
-/// draws it.
+/// Quotes energy, force, active constraints and the worst condition of the finest mesh as
+/// `section.2.SCENE.CONE.WHAT`, and draws it.
 ///
 /// # Errors
 /// Those of the coarser solutions and of the files.
@@ -38,8 +38,9 @@ pub fn quote_and_draw(
     draw(headline, study, last, output)
 }
 
-/// The pictures of a scene, where figures are asked for: the body of an elastic one, also on meshes two, four and eight times
-/// coarser than the coarsest for a picture that moves with h; the contact edge; the contact sets of every step.
+/// The pictures of a scene, where figures are asked for: the body of an elastic one, also on meshes two, four
+/// and eight times coarser than the coarsest for a picture that moves with h; the contact edge; the contact
+/// sets of every step.
 fn draw(headline: &mut Headline, study: &SceneStudy, last: &SceneRun, output: &Output) -> Result<()> {
     let Some(directory) = output.directory()? else {
         return Ok(());
@@ -65,7 +66,8 @@ fn draw(headline: &mut Headline, study: &SceneStudy, last: &SceneRun, output: &O
     Ok(())
 }
 
-/// Draws the deformed elastic body with its largest shear stress and the contact pressure as `directory/name.svg`.
+/// Draws the deformed elastic body with its largest shear stress and the contact pressure as
+/// `directory/name.svg`.
 ///
 /// Displacements are magnified by 1, 2 or 5 times a power of ten, said in the title.
 ///

@@ -1,7 +1,8 @@
 //! A drawing surface in user units on plotters' SVG backend.
 //!
-//! plotters rounds every coordinate to an integer, so the surface is ten times larger than its nominal size and the view
-//! box scales it back. Ink is drawn in a colour that nothing else uses and replaced by `currentColor` at the end.
+//! plotters rounds every coordinate to an integer, so the surface is ten times larger than its nominal size
+//! and the view box scales it back. Ink is drawn in a colour that nothing else uses and replaced by
+//! `currentColor` at the end.
 
 use super::Colour;
 use super::typeset::typeset;
@@ -49,7 +50,8 @@ pub(super) struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
-    /// Draws on a surface of the given size and returns the finished SVG text; `title` is its accessible name.
+    /// Draws on a surface of the given size and returns the finished SVG text; `title` is its accessible
+    /// name.
     pub(super) fn draw(
         width: f64,
         height: f64,

@@ -1,4 +1,5 @@
-//! Line and point charts on linear or logarithmic axes, with a legend below the plot so that it never covers data.
+//! Line and point charts on linear or logarithmic axes, with a legend below the plot so that it never covers
+//! data.
 
 use super::canvas::{Anchor, Canvas, Paint};
 use super::scale::Scale;
@@ -78,7 +79,8 @@ impl Chart {
     /// Writes `directory/name.svg` and returns its path.
     ///
     /// # Errors
-    /// [`crate::Error::Figure`] when the drawing backend fails, [`signorini::Error::File`] when the file cannot be written.
+    /// [`crate::Error::Figure`] when the drawing backend fails, [`signorini::Error::File`] when the file
+    /// cannot be written.
     pub fn save(&self, directory: &Path, name: &str) -> Result<PathBuf> {
         save_svg(&self.svg()?, directory, name)
     }

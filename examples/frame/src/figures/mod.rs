@@ -1,8 +1,8 @@
 //! Charts and mesh pictures as SVG that reads in light and dark, on screen and on paper.
 //!
-//! Ink (axes, ticks, words) is `currentColor`, so a figure inlined in a page takes the page's colour; opened alone it
-//! brings its own light and dark colours. Series use the eight-colour palette of Okabe and Ito, told apart by people with
-//! any kind of colour vision, and every series also has its own marker.
+//! Ink (axes, ticks, words) is `currentColor`, so a figure inlined in a page takes the page's colour; opened
+//! alone it brings its own light and dark colours. Series use the eight-colour palette of Okabe and Ito, told
+//! apart by people with any kind of colour vision, and every series also has its own marker.
 
 mod canvas;
 mod chart;

@@ -1,4 +1,5 @@
-//! A triangulated body in its deformed place, coloured by a quantity per triangle, with arrows on its contact edge.
+//! A triangulated body in its deformed place, coloured by a quantity per triangle, with arrows on its contact
+//! edge.
 //!
 //! Triangles of one colour share one SVG path, so a mesh of 10⁵ triangles is a file of a few dozen elements.
 
@@ -42,8 +43,8 @@ impl BodyPicture<'_> {
     /// The picture as SVG text.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] unless there is one value per triangle; [`Error::NotFinite`] for a place or value that
-    /// is not finite; [`Error::CountOutOfRange`] for a node number that does not exist.
+    /// [`Error::LengthMismatch`] unless there is one value per triangle; [`Error::NotFinite`] for a place or
+    /// value that is not finite; [`Error::CountOutOfRange`] for a node number that does not exist.
     pub fn svg(&self) -> Result<String> {
         self.check()?;
         let view = View::around(self.nodes, self.arrows, self.foundation);

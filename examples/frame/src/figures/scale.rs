@@ -16,8 +16,8 @@ pub(super) struct Tick {
 }
 
 impl Scale {
-    /// An axis that shows all of `values`, with a little room on both sides. Values a logarithmic axis cannot show, and
-    /// values that are not finite, do not count.
+    /// An axis that shows all of `values`, with a little room on both sides. Values a logarithmic axis cannot
+    /// show, and values that are not finite, do not count.
     pub(super) fn fit(values: impl Iterator<Item = f64>, logarithmic: bool) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for value in values.map(|v| transform(v, logarithmic)).filter(|v| v.is_finite()) {
@@ -112,7 +112,8 @@ fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
     (first..=last).map(move |k| k as f64 * step)
 }
 
-/// A tick of a linear axis: as many decimals as the step needs, one power of ten for very large or small axes.
+/// A tick of a linear axis: as many decimals as the step needs, one power of ten for very large or small
+/// axes.
 fn plain(at: f64, step: f64, largest: f64) -> String {
     if !(1e-2..1e5).contains(&largest) {
         if at.abs() < 0.5 * step {

@@ -3,7 +3,8 @@
 use super::Colour;
 use super::scale::Scale;
 
-/// An axis: its label (with the unit, or the word nondimensional left to the label), scale and optional range.
+/// An axis: its label (with the unit, or the word nondimensional left to the label), scale and optional
+/// range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     pub(super) label: String,

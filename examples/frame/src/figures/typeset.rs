@@ -1,5 +1,5 @@
-//! Words of a figure as a page would set them: `u_N` with a lowered N, `x^0.6` with a raised exponent, Greek letters that
-//! a terminal spells out, `1e-4` as a power of ten.
+//! Words of a figure as a page would set them: `u_N` with a lowered N, `x^0.6` with a raised exponent, Greek
+//! letters that a terminal spells out, `1e-4` as a power of ten.
 
 /// Greek letters by name; a name counts where it is a whole word.
 const GREEK: [(&str, &str); 9] = [

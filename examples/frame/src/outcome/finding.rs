@@ -1,7 +1,7 @@
 //! A sentence of an outcome, decided by a comparison of numbers.
 //!
-//! A [`Finding`] holds a measured number with its uncertainty u ≥ 0 (absolute), a relation to a bound b and where the bound comes
-//! from. [`Finding::outcome`] decides:
+//! A [`Finding`] holds a measured number with its uncertainty u ≥ 0 (absolute), a relation to a bound b and
+//! where the bound comes from. [`Finding::outcome`] decides:
 //!
 //! | relation | holds | refuted |
 //! | --- | --- | --- |
@@ -9,8 +9,9 @@
 //! | at least b | value − u ≥ b | value + u < b |
 //! | within t of b | abs(value − b) + u ≤ t | abs(value − b) − u > t |
 //!
-//! and everything else is undecided: the uncertainty reaches across the bound, or there is no number. Verdicts and the line
-//! "measured" are made from findings only. What is true by proof is marked so and is no evidence.
+//! and everything else is undecided: the uncertainty reaches across the bound, or there is no number.
+//! Verdicts and the line "measured" are made from findings only. What is true by proof is marked so and is no
+//! evidence.
 
 use serde_json::{Value, json};
 use std::fmt;
@@ -42,7 +43,8 @@ impl fmt::Display for Outcome {
 /// What a finding does to the verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// The statement under test in the form that is true: refuted or undecided, the statement is not confirmed.
+    /// The statement under test in the form that is true: refuted or undecided, the statement is not
+    /// confirmed.
     Claim,
     /// The form the paper prints where it differs: refuted, the printed form fails.
     Printed,
@@ -74,7 +76,8 @@ pub enum Relation {
     Within(f64),
 }
 
-/// One sentence of an outcome. Built by [`Finding::claim`] and its siblings, then a number, a relation and the other words:
+/// One sentence of an outcome. Built by [`Finding::claim`] and its siblings, then a number, a relation and
+/// the other words:
 ///
 /// ```
 /// use example_frame::{Finding, Outcome};
@@ -87,7 +90,8 @@ pub enum Relation {
 /// assert!(order.with_number(0.6, 0.006).words().contains("more slowly"));
 /// ```
 ///
-/// Words may hold `{value}`, `{uncertainty}` and `{bound}`, filled in when they are shown.
+/// Words may hold `{value}`, `{uncertainty}` and `{bound}`, filled in when they are shown, and `{count:noun}`: "no noun",
+/// "1 noun", "2 nouns".
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     key: String,
@@ -221,7 +225,8 @@ impl Finding {
         self
     }
 
-    /// True by a proof that stands on `page` of the book (its file name without ending): shown, and no evidence.
+    /// True by a proof that stands on `page` of the book (its file name without ending): shown, and no
+    /// evidence.
     #[must_use]
     pub fn by_proof(mut self, page: &'static str) -> Self {
         self.proof = Some(page);
@@ -247,7 +252,8 @@ impl Finding {
         Self { number: None, ..self.clone() }
     }
 
-    /// The same finding with its number moved to where the outcome should be `outcome`; `None` for what is true by proof.
+    /// The same finding with its number moved to where the outcome should be `outcome`; `None` for what is
+    /// true by proof.
     pub fn moved(&self, outcome: Outcome) -> Option<Self> {
         if self.proof.is_some() {
             return None;
@@ -332,7 +338,7 @@ impl Finding {
         };
         let (value, uncertainty) = self.number.unwrap_or((f64::NAN, f64::NAN));
         let digits = |number: f64| if number.is_nan() { "?".to_owned() } else { short(number) };
-        words
+        counted(words, value)
             .replace("{value}", &self.number.map_or("?".to_owned(), |(v, u)| significant(v, u, IN_WORDS)))
             .replace(
                 "{uncertainty}",
@@ -352,6 +358,11 @@ impl Finding {
             Some((value, u)) => significant(value, u, IN_ALL),
             None => self.missing.clone(),
         };
+        let source = if self.source.is_empty() { String::new() } else { format!(", {}", self.source) };
+        let nothing = self.number == Some((0.0, 0.0)) && self.bound == 0.0;
+        if nothing && self.relation == Relation::AtMost {
+            return format!("none{source}");
+        }
         let sign = match (self.relation, self.outcome()) {
             (Relation::AtMost, Outcome::Refuted) => ">",
             (Relation::AtLeast, Outcome::Refuted) => "<",
@@ -365,7 +376,6 @@ impl Finding {
             Relation::Within(t) => format!(" +- {}", short(t)),
             _ => String::new(),
         };
-        let source = if self.source.is_empty() { String::new() } else { format!(", {}", self.source) };
         format!("{number} {sign} {}{tolerance}{source}", short(self.bound))
     }
 
@@ -407,6 +417,19 @@ impl Finding {
     }
 }
 
+/// Words with `{count:noun}` filled in.
+fn counted(words: &str, count: f64) -> String {
+    let Some((before, rest)) = words.split_once("{count:") else { return words.to_owned() };
+    let Some((noun, after)) = rest.split_once('}') else { return words.to_owned() };
+    let phrase = match count {
+        0.0 => format!("no {noun}"),
+        1.0 => format!("1 {noun}"),
+        _ if count.is_nan() => format!("? {noun}s"),
+        _ => format!("{count} {noun}s"),
+    };
+    format!("{before}{phrase}{after}")
+}
+
 /// As few digits as identify a bound, at most six significant ones.
 fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
@@ -421,7 +444,8 @@ fn short(value: f64) -> String {
 const IN_WORDS: usize = 6;
 const IN_ALL: usize = 10;
 
-/// The value with the digits its uncertainty leaves it, two of them doubtful at most, and no more than `most`.
+/// The value with the digits its uncertainty leaves it, two of them doubtful at most, and no more than
+/// `most`.
 fn significant(value: f64, uncertainty: f64, most: usize) -> String {
     if !value.is_finite() || value == 0.0 {
         return value.to_string();
@@ -504,5 +528,19 @@ mod tests {
         assert!(claim().with_number(0.2, 0.0).words().starts_with("it is not so that"));
         assert_eq!(claim().json()["relation"], "at least");
         assert_eq!(claim().without_number().json()["missing"], "no number was computed");
+    }
+
+    #[test]
+    fn counts_take_the_number_of_their_noun() {
+        let count = |n: f64| {
+            let left = Finding::claim("left", "{count:level} left").otherwise("{count:level} left");
+            left.number(n, 0.0).at_most(0.0, "not solved")
+        };
+        assert_eq!(
+            [0.0, 1.0, 2.0].map(|n| count(n).words()),
+            ["no level left", "1 level left", "2 levels left"]
+        );
+        assert_eq!(count(0.0).comparison(), "none, not solved");
+        assert!(count(1.0).comparison().ends_with("> 0, not solved"));
     }
 }

@@ -1,4 +1,5 @@
-//! The outcome of an example: claim, table, findings, where its figures are; verdict and measured line follow.
+//! The outcome of an example: claim, table, findings, where its figures are; verdict and measured line
+//! follow.
 
 use super::finding::{Finding, Outcome};
 use super::table::{Column, Table, wrapped};
@@ -104,8 +105,9 @@ impl Headline {
         self.table.json_rows().into_iter().chain(findings).map(|line| line + "\n").collect()
     }
 
-    /// All of it but the figures as one JSON object: `label`, `claim`, `measured`, `verdict`, `confirmed`, `findings`, `values`
-    /// by key, and the table as it is printed (`columns`, `rows`). Numbers carry all their digits.
+    /// All of it but the figures as one JSON object: `label`, `claim`, `measured`, `verdict`, `confirmed`,
+    /// `findings`, `values` by key, and the table as it is printed (`columns`, `rows`). Numbers carry all
+    /// their digits.
     pub fn json(&self) -> String {
         let values: Map<String, Value> = self.values.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
         let column = |c: &Column| json!({"key": c.key(), "title": c.title(), "meaning": c.meaning()});

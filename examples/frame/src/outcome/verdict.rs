@@ -19,7 +19,8 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The verdict of these findings: refuted claims weigh most, then undecided ones, printed forms that fail, sharpness.
+    /// The verdict of these findings: refuted claims weigh most, then undecided ones, printed forms that
+    /// fail, sharpness.
     pub fn of(findings: &[Finding]) -> Self {
         let told = |role: Role, outcome: Outcome| {
             let found = findings.iter().filter(|f| f.role() == role && f.outcome() == outcome);

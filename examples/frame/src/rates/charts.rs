@@ -26,7 +26,8 @@ fn exponent_curve(bound: Bound, (from, to): (f64, f64)) -> Result<Vec<(f64, f64)
 /// Measured orders over τ for a chart: name, then τ and fit where there is one.
 type OrderSeries = (String, Vec<Option<(f64, Fit)>>);
 
-/// Exponents over τ: curves of bounds, each over its own τ, and measured orders with their bars, each series `shift` beside the last.
+/// Exponents over τ: curves of bounds, each over its own τ, and measured orders with their bars, each series
+/// `shift` beside the last.
 ///
 /// # Errors
 /// As [`Bound::exponent`].
@@ -49,7 +50,8 @@ fn exponents_chart(
     Ok(chart)
 }
 
-/// The paper's Figure 3.1 with measured orders: errors and roots of the terms of both cones, side by side at each τ.
+/// The paper's Figure 3.1 with measured orders: errors and roots of the terms of both cones, side by side at
+/// each τ.
 ///
 /// # Errors
 /// As [`Bound::exponent`].
@@ -70,7 +72,8 @@ pub fn orders_on_curves(pairs: &[[RateRow; 2]]) -> Result<Chart> {
     exponents_chart(title, ((1.5, 2.0), (0.48, 1.02)), &curves, orders, 0.004)
 }
 
-/// The exponents that the introduction prints over τ, and measured orders of the error with bars, nodal cone first in each pair.
+/// The exponents that the introduction prints over τ, and measured orders of the error with bars, nodal cone
+/// first in each pair.
 ///
 /// # Errors
 /// As [`Bound::exponent`].

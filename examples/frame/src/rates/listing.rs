@@ -18,8 +18,8 @@ const BOUNDS: [(Bound, &str); 4] = [
     (Bound::Optimal, "optimal"),
 ];
 
-/// One row per level: h, unknowns, error, ratio to the level before, order, error against the bounds, contact runs, seconds, and
-/// why a level is left out.
+/// One row per level: h, unknowns, error, ratio to the level before, order, error against the bounds, contact
+/// runs, seconds, and why a level is left out.
 ///
 /// # Errors
 /// As [`Bound::value`].
@@ -129,8 +129,8 @@ fn study_json(study: &RateStudy) -> Result<Value> {
     }))
 }
 
-/// Error and root of the consistency term against h, of this study and others of the same scene in other cones, with the bounds
-/// through the coarsest error.
+/// Error and root of the consistency term against h, of this study and others of the same scene in other
+/// cones, with the bounds through the coarsest error.
 ///
 /// # Errors
 /// As [`Bound::value`].
@@ -193,7 +193,8 @@ fn write_studies(rows: &[RateRow], directory: &Path, name: &str) -> Result<()> {
     Ok(())
 }
 
-/// Where figures are asked for: all levels in files, and the chart of one study beside another of the same scene.
+/// Where figures are asked for: all levels in files, and the chart of one study beside another of the same
+/// scene.
 ///
 /// # Errors
 /// Those of the files and the drawing; as [`Bound::value`].

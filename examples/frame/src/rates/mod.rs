@@ -1,4 +1,5 @@
-//! What the rate studies of Theorems 3.1 and 4.1, Figure 3.1 and the introduction share: rows with fits, tables, charts, files, the store.
+//! What the rate studies of Theorems 3.1 and 4.1, Figure 3.1 and the introduction share: rows with fits,
+//! tables, charts, files, the store.
 
 mod charts;
 mod listing;

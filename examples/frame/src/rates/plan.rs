@@ -25,7 +25,8 @@ const NINE: [f64; 9] = [1.55, 1.6, 1.65, 1.7, 1.75, 1.8, 1.85, 1.9, 1.95];
 const SMOOTH: [f64; 2] = [2.0, 2.1];
 /// Many transitions: 22 of them, none at a node of a dyadic mesh.
 const MANY: StripScene = StripScene::Transitions { gaps: 11 };
-/// Deeper than any grid resolves. These sets repeat themselves after a factor 2^{1/(4−2τ)} in h: only τ ≤ 1.8 shows several periods.
+/// Deeper than any grid resolves. These sets repeat themselves after a factor 2^{1/(4−2τ)} in h: only τ ≤ 1.8
+/// shows several periods.
 const FAT: StripScene = StripScene::FatCantor { depth: 30 };
 /// Regularities are told apart by this when they are chosen.
 const SAME: f64 = 1e-3;
@@ -153,7 +154,8 @@ fn check(taus: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// The families of a group in both cones, nodal first, with their fits; a family that comes twice is solved once.
+/// The families of a group in both cones, nodal first, with their fits; a family that comes twice is solved
+/// once.
 ///
 /// # Errors
 /// Those of [`StripGroup::studies`].

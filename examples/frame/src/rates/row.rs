@@ -40,8 +40,8 @@ impl RateRow {
         format!("{scene}.{:.0}", 100.0 * self.study.tau)
     }
 
-    /// Whether the contact set is a fat Cantor set: it repeats itself after a factor 2^{1/(4−2τ)} in h, too few periods for an
-    /// order as sharp as others.
+    /// Whether the contact set is a fat Cantor set: it repeats itself after a factor 2^{1/(4−2τ)} in h, too
+    /// few periods for an order as sharp as others.
     pub fn is_fat(&self) -> bool {
         matches!(self.study.subject, Subject::Strip(_, FamilyScene::Named(StripScene::FatCantor { .. })))
     }
@@ -72,7 +72,8 @@ impl RateRow {
         }
     }
 
-    /// error/bound of the theorem on the finer half of the levels over the coarser half, and what rounding leaves of it.
+    /// error/bound of the theorem on the finer half of the levels over the coarser half, and what rounding
+    /// leaves of it.
     pub fn growth(&self) -> Option<(f64, f64)> {
         let growth = self.study.growth(Quantity::Error, Bound::Paper).ok()??;
         Some((growth, 2.0 * self.study.precision() * growth))
@@ -91,7 +92,8 @@ pub fn largest(ratios: impl Iterator<Item = Option<f64>>) -> Option<(f64, f64)> 
     all?.into_iter().reduce(|a, b| if a.is_nan() || a > b { a } else { b }).map(|ratio| (ratio, 0.0))
 }
 
-/// The remarks on the consistency terms: keys `terms`, the order of their roots where they do not vanish, and `terms.silent`.
+/// The remarks on the consistency terms: keys `terms`, the order of their roots where they do not vanish, and
+/// `terms.silent`.
 pub fn term_remarks(rows: &[&RateRow]) -> [Finding; 2] {
     let ratios = || rows.iter().map(|row| row.from_optimal()[1]);
     let seen = ratios().filter(Option::is_some).map(|ratio| ratio.map(f64::abs));
@@ -106,7 +108,8 @@ pub fn term_remarks(rows: &[&RateRow]) -> [Finding; 2] {
     ]
 }
 
-/// Two columns for [`fit_cells`]: an order, and what it may be off by; `half_width` is the meaning of the second one.
+/// Two columns for [`fit_cells`]: an order, and what it may be off by; `half_width` is the meaning of the
+/// second one.
 pub fn order_columns(keys: [&'static str; 2], title: &str, of: &str, half_width: &str) -> [Column; 2] {
     let order = Column::new(keys[0], title, Format::Fixed(3), format!("order of the {of}"));
     [order, Column::new(keys[1], "+-", Format::Fixed(3), half_width)]

@@ -1,8 +1,9 @@
 //! Finished levels in a file, so that a long study can be interrupted and taken up again.
 //!
-//! One line per level, appended and flushed as soon as it is done: a JSON object {"key", "level", "check"}. The key names everything
-//! the level depends on; the check is a hash of key and level. A line that is torn, was edited or belongs to another format
-//! is ignored, and the level is computed again. Of two lines with the same key the later one counts.
+//! One line per level, appended and flushed as soon as it is done: a JSON object {"key", "level", "check"}.
+//! The key names everything the level depends on; the check is a hash of key and level. A line that is torn,
+//! was edited or belongs to another format is ignored, and the level is computed again. Of two lines with the
+//! same key the later one counts.
 
 use serde_json::{Value, json};
 use signorini::convergence::{Flag, LevelKey, LevelMemory, RateLevel};

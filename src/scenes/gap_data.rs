@@ -1,0 +1,88 @@
+//! u_N and λ on the edge of a strip from the gaps of a scene: powers of the distance to their ends.
+
+use super::contact_sets::Gap;
+use super::pressure::contact_forces;
+use crate::error::{Error, Result};
+use crate::strip::{EdgeData, Sides};
+
+/// Where a scene is built.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Grid {
+    pub(super) tau: f64,
+    pub(super) cells: usize,
+    pub(super) sides: Sides,
+}
+
+/// The gaps of a scene on a grid, and the powers of its data.
+pub(super) struct SceneGaps {
+    gaps: Vec<Gap>,
+    /// Boundary dimension d.
+    dimension: f64,
+    /// λ = dist^q.
+    pressure: f64,
+    /// How far beyond its left node a single gap begins, in cells, below 1.
+    advance: f64,
+}
+
+impl SceneGaps {
+    /// Ends of gaps are transitions: λ = dist^{τ−2}, d = 0.
+    pub(super) fn with_transitions(gaps: Vec<Gap>, grid: Grid) -> Self {
+        Self { gaps, dimension: 0.0, pressure: grid.tau - 2.0, advance: 0.0 }
+    }
+
+    /// λ = 1 on the contact set, gaps of boundary dimension d.
+    pub(super) fn fractal(gaps: Vec<Gap>, dimension: f64) -> Self {
+        Self { gaps, dimension, pressure: 0.0, advance: 0.0 }
+    }
+
+    /// The gap after one transition at `place`: to half a period later, or beyond the side.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the place lies in (0, 1).
+    pub(super) fn after_transition(place: f64, grid: Grid) -> Result<Self> {
+        Error::require("position", place, "(0, 1)", place > 0.0 && place < 1.0)?;
+        let start = place * grid.cells as f64;
+        let left = start as usize;
+        let right = match grid.sides {
+            Sides::Natural => usize::MAX,
+            Sides::Periodic => left + grid.cells / 2,
+        };
+        Ok(Self { advance: start.fract(), ..Self::with_transitions(vec![Gap { left, right }], grid) })
+    }
+
+    /// u_N and λ.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] without a gap; as [`EdgeData::new`].
+    pub(super) fn pair(&self, grid: Grid) -> Result<EdgeData> {
+        let Grid { tau, cells, sides } = grid;
+        if self.gaps.is_empty() {
+            return Err(Error::CountOutOfRange { name: "gaps on this grid", value: 0, range: "[1, inf)" });
+        }
+        let exponent = tau - 1.0 + 0.5 * self.dimension;
+        let h = 1.0 / cells as f64;
+        let nodes = sides.nodes(cells);
+        let mut values = vec![0.0; nodes];
+        for &gap in &self.gaps {
+            for i in gap.left + 1..gap.right.min(gap.left + nodes) {
+                let node = if sides == Sides::Periodic { i % cells } else { i };
+                if node < nodes {
+                    values[node] = -(h * self.depth(gap, i, grid)).powf(exponent);
+                }
+            }
+        }
+        let forces = contact_forces(&values, cells, sides, self.pressure);
+        Ok(EdgeData::new(cells, sides, values, forces)?.with_regularity(tau))
+    }
+
+    /// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a when it ends beyond
+    /// the side.
+    fn depth(&self, gap: Gap, i: usize, grid: Grid) -> f64 {
+        let left = (i - gap.left) as f64 - self.advance;
+        if grid.sides == Sides::Natural && gap.right > grid.cells {
+            left
+        } else {
+            left * (gap.right - i) as f64 / ((gap.right - gap.left) as f64 - self.advance)
+        }
+    }
+}

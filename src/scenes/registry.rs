@@ -1,0 +1,274 @@
+//! How scenes are registered: one block per scene, from which follow its variant, its place in the list of
+//! all, its name with parameters and their defaults, and its form, all that tells it from the others.
+//!
+//! A name is `NAME[:PARAMETER[:PARAMETER]]`, parameters in the order of the fields. Those left out have their
+//! defaults; the name of a file cannot be left out, and no parameter is empty.
+
+use crate::error::{Error, Result};
+use std::fmt;
+use std::path::PathBuf;
+
+/// An enum of scenes, `NAME: FORM { VARIANT("name") { field: TYPE = DEFAULT, ... } => FORM; ... }`: the enum
+/// with `all`, `name`, `names`, [`Display`](fmt::Display) and [`FromStr`](std::str::FromStr), and `form`, in
+/// which the fields stand by their names. Types of fields are those of [`Slot`].
+macro_rules! registry {
+    (
+        $(#[$about:meta])*
+        pub enum $Scenes:ident: $Form:ty {
+            $(
+                $(#[$variant_about:meta])*
+                $Scene:ident($name:literal)
+                $({ $($(#[$field_about:meta])* $field:ident: $kind:ty = $default:expr,)+ })?
+                => $form:expr;
+            )+
+        }
+    ) => {
+        $(#[$about])*
+        pub enum $Scenes {
+            $($(#[$variant_about])* $Scene $({ $($(#[$field_about])* $field: $kind,)+ })?,)+
+        }
+
+        impl $Scenes {
+            /// One scene of each kind, with the parameters it has when its name gives none.
+            pub fn all() -> Vec<Self> {
+                vec![$($Scenes::$Scene $({ $($field: $default),+ })?),+]
+            }
+
+            /// The name without parameters.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $($Scenes::$Scene $({ $($field: _),+ })? => $name,)+
+                }
+            }
+
+            /// The names and parameters of all scenes, for help texts and errors.
+            pub fn names() -> &'static str {
+                static NAMES: std::sync::LazyLock<String> =
+                    std::sync::LazyLock::new(|| $crate::scenes::registry::grammar($Scenes::all()));
+                &NAMES
+            }
+
+            /// All that tells this scene from the others.
+            fn form(&self) -> $Form {
+                match self {
+                    $($Scenes::$Scene $({ $($field),+ })? => {
+                        $($(let $field = std::borrow::ToOwned::to_owned($field);)+)?
+                        $form
+                    })+
+                }
+            }
+        }
+
+        impl $crate::scenes::registry::Registered for $Scenes {
+            fn parts(&mut self) -> $crate::scenes::registry::Parts<'_> {
+                let name = self.name();
+                let parameters = match self {
+                    $($Scenes::$Scene $({ $($field),+ })? => vec![$($((stringify!($field), $field.into())),+)?],)+
+                };
+                $crate::scenes::registry::Parts { name, parameters }
+            }
+        }
+
+        impl std::fmt::Display for $Scenes {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                $crate::scenes::registry::Registered::parts(&mut self.to_owned()).write(f)
+            }
+        }
+
+        impl std::str::FromStr for $Scenes {
+            type Err = $crate::error::Error;
+
+            fn from_str(text: &str) -> $crate::error::Result<Self> {
+                $crate::scenes::registry::read(text, $Scenes::all(), $Scenes::names())
+            }
+        }
+    };
+}
+pub(super) use registry;
+
+/// A scene whose name and parameters can be read and written.
+pub(super) trait Registered {
+    /// Name and parameters.
+    fn parts(&mut self) -> Parts<'_>;
+}
+
+/// What the name of a scene is made of.
+pub(super) struct Parts<'a> {
+    /// The name without parameters.
+    pub(super) name: &'static str,
+    /// Fields in their order, each with its value.
+    pub(super) parameters: Vec<(&'static str, Slot<'a>)>,
+}
+
+/// A parameter of a name.
+pub(super) enum Slot<'a> {
+    Number(&'a mut f64),
+    Count(&'a mut usize),
+    File(&'a mut PathBuf),
+}
+
+impl<'a> From<&'a mut f64> for Slot<'a> {
+    fn from(number: &'a mut f64) -> Self {
+        Slot::Number(number)
+    }
+}
+
+impl<'a> From<&'a mut usize> for Slot<'a> {
+    fn from(count: &'a mut usize) -> Self {
+        Slot::Count(count)
+    }
+}
+
+impl<'a> From<&'a mut PathBuf> for Slot<'a> {
+    fn from(file: &'a mut PathBuf) -> Self {
+        Slot::File(file)
+    }
+}
+
+impl Slot<'_> {
+    /// A file has no default.
+    fn is_needed(&self) -> bool {
+        matches!(self, Slot::File(_))
+    }
+
+    /// The word before the next colon and the rest behind it; the name of a file may hold colons.
+    fn cut<'t>(&self, text: &'t str) -> (&'t str, Option<&'t str>) {
+        match self {
+            Slot::File(_) => (text, None),
+            _ => text.split_once(':').map_or((text, None), |(word, rest)| (word, Some(rest))),
+        }
+    }
+
+    fn set(self, word: &str) -> Option<()> {
+        match self {
+            Slot::Number(number) => *number = word.parse().ok()?,
+            Slot::Count(count) => *count = word.parse().ok()?,
+            Slot::File(path) => *path = Some(word).filter(|word| !word.is_empty())?.into(),
+        }
+        Some(())
+    }
+}
+
+impl fmt::Display for Slot<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Slot::Number(number) => number.fmt(f),
+            Slot::Count(count) => count.fmt(f),
+            Slot::File(path) => path.display().fmt(f),
+        }
+    }
+}
+
+impl Parts<'_> {
+    /// `cantor[:RATIO[:DEPTH]]`; the name of a file cannot be left out.
+    fn grammar(&self) -> String {
+        let mut text = self.name.to_owned();
+        let mut brackets = 0;
+        for (field, slot) in &self.parameters {
+            text += if slot.is_needed() { ":" } else { "[:" };
+            text += &field.to_uppercase();
+            brackets += usize::from(!slot.is_needed());
+        }
+        text + &"]".repeat(brackets)
+    }
+
+    /// Sets the parameters to the words after the name, each behind a colon; `None` when they do not fit.
+    fn set(self, mut rest: Option<&str>) -> Option<()> {
+        for (_, slot) in self.parameters {
+            let Some(text) = rest else {
+                return (!slot.is_needed()).then_some(());
+            };
+            let (word, tail) = slot.cut(text);
+            slot.set(word)?;
+            rest = tail;
+        }
+        rest.is_none().then_some(())
+    }
+
+    /// `cantor:0.3:20`.
+    pub(super) fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)?;
+        self.parameters.iter().try_for_each(|(_, slot)| write!(f, ":{slot}"))
+    }
+}
+
+/// The names and parameters of all scenes.
+pub(super) fn grammar<S: Registered>(all: Vec<S>) -> String {
+    let names: Vec<String> = all.into_iter().map(|mut scene| scene.parts().grammar()).collect();
+    names.join(", ")
+}
+
+/// The scene of a name; `expected` are the names there are.
+pub(super) fn read<S: Registered>(text: &str, all: Vec<S>, expected: &'static str) -> Result<S> {
+    let (name, rest) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
+    all.into_iter()
+        .find_map(|mut scene| (scene.parts().name == name).then_some(scene))
+        .and_then(|mut scene| scene.parts().set(rest).map(|()| scene))
+        .ok_or_else(|| Error::UnknownName { what: "scene", given: text.to_owned(), expected })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::{MeshScene, Scene, StripScene};
+    use std::collections::BTreeSet;
+    use std::str::FromStr;
+
+    /// Defaults are read back from name and grammar, wrong parameters refused by an error that lists all names.
+    fn is_read_back<S>(all: &[S], names: &str) -> BTreeSet<String>
+    where
+        S: Registered + Clone + PartialEq + fmt::Debug + fmt::Display + FromStr<Err = Error>,
+    {
+        let refused = |text: &str| match text.parse::<S>() {
+            Err(Error::UnknownName { given, expected, .. }) => given == text && expected == names,
+            _ => false,
+        };
+        let mut known = BTreeSet::new();
+        for scene in all {
+            let mut copy = scene.clone();
+            let Parts { name, parameters } = copy.parts();
+            assert!(known.insert(name.to_owned()), "{name} twice");
+            let fields: Vec<&str> = parameters.iter().map(|(field, _)| *field).collect();
+            let is_needed = parameters.iter().any(|(_, slot)| slot.is_needed());
+            let grammar = Parts { name, parameters }.grammar();
+            assert!(names.split(", ").any(|entry| entry == grammar), "{grammar} is not in: {names}");
+            assert!(fields.iter().all(|field| grammar.contains(&field.to_uppercase())), "{grammar}");
+            if is_needed {
+                assert!(refused(name) && refused(&format!("{name}:")), "{name}");
+            } else {
+                assert_eq!(name.parse(), Ok(scene.clone()));
+                assert_eq!(scene.to_string().parse(), Ok(scene.clone()));
+                assert_eq!(scene.to_string().split(':').count(), 1 + fields.len());
+                // One parameter too many, an empty one in each place, one that is no number.
+                for text in [format!("{scene}:1"), format!("{scene}:")] {
+                    assert!(refused(&text), "{text}");
+                }
+                for place in 1..=fields.len() {
+                    for wrong in ["", " ", "x", "1,5"] {
+                        let written = scene.to_string();
+                        let mut words: Vec<&str> = written.split(':').collect();
+                        words[place] = wrong;
+                        assert!(refused(&words.join(":")), "{words:?}");
+                        assert!(refused(&words[..=place].join(":")), "{words:?}");
+                    }
+                }
+            }
+            assert!(refused(&format!("{name}x")) && refused(&name.to_uppercase()), "{name}");
+        }
+        assert!(refused("") && refused(":") && refused("no-such-scene"));
+        assert_eq!(names.split(", ").count(), all.len());
+        known
+    }
+
+    #[test]
+    fn every_scene_is_read_back_and_wrong_names_are_refused() {
+        let strip = is_read_back(&StripScene::all(), StripScene::names());
+        let mesh = is_read_back(&MeshScene::all(), MeshScene::names());
+        assert!(strip.is_disjoint(&mesh), "one name for two scenes: {strip:?}, {mesh:?}");
+        for name in strip.iter().chain(&mesh) {
+            assert!(Scene::names().contains(name.as_str()), "{name}");
+        }
+        let error = "no-such-scene".parse::<Scene>().unwrap_err().to_string();
+        assert!(error.contains(MeshScene::names()) && error.contains(StripScene::names()), "{error}");
+    }
+}
