@@ -142,17 +142,16 @@ fn table(computed: &Computed) -> Table {
 }
 
 fn draw(computed: &Computed) -> Chart {
-    let (x, y) = ("L = ln(1/θ), logarithm of the zone", "γ² / L over 3/(2π²)");
+    let (x, y) = ("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law");
+    let off = |log: f64, square: f64| (log, (square / (END_SLOPE * log) - 1.0).abs());
     let known = computed.points.iter().map(|(bracket, _)| bracket);
     let all: Vec<_> = known.chain(&computed.beyond).collect();
-    let curve = |part: fn(&HalfBracket) -> f64| {
-        all.iter().map(|b| (b.log, part(b) / (END_SLOPE * b.log))).collect::<Vec<_>>()
-    };
-    let ratio = |(b, law): &(HalfBracket, LawRest)| (b.log, law.square.value / (END_SLOPE * b.log));
-    Chart::new("The law at one half between its two bounds", Axis::logarithmic(x), Axis::linear(y))
-        .with(Series::line("upper bound, chains", curve(|b| b.upper)))
-        .with(Series::points("γ², computed", computed.points.iter().map(ratio).collect()))
-        .with(Series::line("lower bound, ramp", curve(|b| b.lower)))
+    let found = computed.points.iter().map(|(bracket, law)| off(bracket.log, law.square.value));
+    let title = "The law at one half between its two bounds";
+    Chart::new(title, Axis::logarithmic(x), Axis::logarithmic(y))
+        .with(Series::line("upper bound, chains", all.iter().map(|b| off(b.log, b.upper)).collect()))
+        .with(Series::points("γ², computed", found.collect()))
+        .with(Series::line("lower bound, ramp", all.iter().map(|b| off(b.log, b.lower)).collect()))
 }
 
 fn main() -> ExitCode {

@@ -124,10 +124,10 @@ fn table(computed: &Computed) -> Table {
     let columns = vec![
         Column::new("alpha", "alpha", Format::Significant(3), ""),
         Column::new("log", "L", Format::Significant(3), "ln(1/theta)"),
-        Column::new("quotient", "||w||/|w|", Format::Significant(6), "of the truncated function"),
+        Column::new("quotient", "q", Format::Significant(6), "||w|| / |w| of the truncated function"),
         Column::new("gamma", "gamma", Format::Significant(8), "constant of the zone (0, theta)"),
         Column::new("used", "share", Format::Significant(4), "quotient / gamma, at most 1"),
-        Column::new("square", "^2/L", Format::Significant(4), "square of the quotient / L"),
+        Column::new("square", "q^2/L", Format::Significant(4), "3/(2 pi^2) in the limit for alpha = 1"),
         Column::new("full", "n ||w||", Format::Significant(4), "full norm over 1/n, printed as at most 1"),
         Column::new("bound", "n |w|", Format::Significant(4), "seminorm over 1/n, at most 1"),
     ];
