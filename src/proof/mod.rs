@@ -22,6 +22,8 @@ mod section_three;
 mod setting;
 mod step;
 mod theta;
+mod without_c;
+mod without_c_study;
 mod worst_pair;
 mod worst_sets;
 
@@ -45,5 +47,7 @@ pub use section_three::section_three_checks;
 pub use setting::SegmentSetting;
 pub use step::{Step, TwoLaws};
 pub use theta::{ThetaRule, printed_exponent, printed_theta};
+pub use without_c::{BoundWithoutC, MeshShape, unit_square_korn};
+pub use without_c_study::BoundStudy;
 pub use worst_pair::{WorstGaps, worst_gaps, worst_ratio};
 pub use worst_sets::{ContactFamily, SetTerms};
