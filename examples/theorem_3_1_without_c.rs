@@ -4,10 +4,14 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
-use signorini::proof::{BoundStudy, MeshShape};
+use signorini::proof::{
+    BoundStudy, MeshShape, SegmentConstant, consistency_constant, half_sharpened, product_constant,
+};
 use signorini::scenes::ClosedForm;
+use signorini::sobolev::FractionalOrder;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -26,7 +30,7 @@ example_frame::options! {
 }
 
 /// Versions of the constant of a segment: column of the bound over the error, and of the same from |u|_2 alone.
-const VERSIONS: [[&str; 2]; 1] = [["c", "c_whole"]];
+const VERSIONS: [[&str; 2]; 3] = [["c", "c_whole"], ["K", "K_whole"], ["kappa", "kappa_whole"]];
 
 /// What is computed.
 pub struct Computed {
@@ -36,12 +40,15 @@ pub struct Computed {
     pub studies: Vec<BoundStudy>,
 }
 
-/// c(1/2), a closed form.
-const HALF: f64 = 0.25;
+/// Relative accuracy of K and kappa, rounded up by their errors.
+const SHARP: f64 = 1e-6;
 
-/// Solves every problem on every mesh.
+/// Constants, and every problem on every mesh.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let segment = vec![HALF];
+    let (nu, asked) = (FractionalOrder::HALF, Tolerance::new(SHARP)?);
+    let up = |found: SegmentConstant| found.value.value + found.value.error;
+    let sharp = [up(product_constant(nu, asked)?), up(consistency_constant(nu, asked)?)];
+    let segment = vec![half_sharpened(nu), sharp[0], sharp[1]];
     let lame = Some(Lame::new(options.lambda, options.mu)?);
     let bar = progress(8 * u64::from(options.finest - 1));
     let mut studies = Vec::new();
@@ -107,6 +114,9 @@ pub fn run(options: &Options) -> Result<Headline> {
         if let Some(&finest) = study.effectivities(last, true)?.last() {
             headline.quote(format!("without.c.{kind}.{}.finest", study.cone), finest);
         }
+    }
+    for ([name, _], constant) in VERSIONS.iter().zip(&computed.segment) {
+        headline.quote(format!("without.c.{name}"), *constant);
     }
     headline.quote("without.c.interpolation", MeshShape::right_isosceles().interpolation);
     headline.draw(&options.output, "theorem_3_1_without_c", || draw(&computed))?;
