@@ -7,6 +7,7 @@
 //! | lengths and finite values of input | [`check`] |
 //! | sign changes, golden sections | [`search`] |
 //! | the regression line | [`mod@line`] |
+//! | numbers that look random | [`random`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
@@ -19,6 +20,7 @@ pub(crate) mod eigen;
 pub mod legendre;
 pub mod line;
 pub(crate) mod pencil;
+pub mod random;
 pub mod scale;
 pub mod search;
 pub mod sum;

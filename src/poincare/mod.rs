@@ -4,6 +4,7 @@
 //! there; the zone may be a union of intervals ([`Zones`]). The seminorm is |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper
 //! bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300.
 
+mod arrangement;
 mod constant;
 mod continuation;
 mod discrete;
@@ -22,6 +23,7 @@ mod uniform;
 mod zone;
 mod zones;
 
+pub use arrangement::{ZoneCase, best_place, opening_gap, random_zones};
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
 pub use induction::{InductionStep, induction};
