@@ -3,7 +3,7 @@
 //! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}), hence γ at θ₀^{2ⁿ} is at most γ_{θ₀} times a product. (5.7) is
 //! followed on the extremal function u of V_{θ²}: |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I} in
 //! the variable x/θ, c its mean over (0,1). The first is Cauchy-Schwarz, the last is plain; the middle one
-//! can fail.
+//! can fail. (5.6) adds up what is left, and the last lines of the proof bound the product in three cases.
 //!
 //! `cargo run --release --example lemma_5_2_induction`
 
@@ -57,24 +57,17 @@ pub fn findings(chains: &[Chain]) -> Vec<Finding> {
     let largest = |part: fn(&InductionStep) -> Estimate| {
         Estimate::largest(chains.iter().flat_map(|chain| &chain.steps).map(part))
     };
-    let (one, none) = ("its bound", "no order");
+    let quotient = |key: &str, words: &str, part| {
+        Finding::claim(key, words).estimate_or(largest(part), "no order").at_most(1.0, "its bound")
+    };
     let mut findings = vec![
-        Finding::claim("step", "no step passes (5.8): at most {percent} % of its bound")
-            .estimate_or(largest(|s| s.share), none)
-            .at_most(1.0, "1 + theta^(nu-1/2)")
+        quotient("step", "no step passes (5.8): at most {percent} % of its bound", |s| s.share)
             .otherwise("a step takes {percent} % of 1 + theta^(nu-1/2)")
             .told(),
-        Finding::claim("product", "no product passes (5.9): at most {percent} % of it")
-            .estimate_or(largest(|s| s.product), none)
-            .at_most(1.0, one)
-            .otherwise("gamma takes {percent} % of the product"),
-        Finding::claim(
-            "poincare",
-            "the middle inequality of (5.7) holds on the extremal functions: {value} <= 1",
-        )
-        .estimate_or(largest(|s| s.poincare), none)
-        .at_most(1.0, one)
-        .otherwise("an extremal function has {value} times the bound in (5.7)"),
+        quotient("poincare", "(5.7), its middle inequality, holds on the extremal functions", |s| s.poincare),
+        quotient("stretched", "(5.6) holds on them, at {percent} % of its right side", |s| s.stretched),
+        quotient("product", "no product passes (5.9): at most {percent} % of it", |s| s.product),
+        quotient("closing", "the last lines of the proof hold, at {percent} % of them", |s| s.closing),
         Finding::remark("mean", "|c| <= ||u|| by Cauchy-Schwarz").by_proof("lemma_5_2_induction"),
     ];
     for Chain { order, steps } in chains {
@@ -109,7 +102,7 @@ pub fn run(options: &Options) -> Result<Headline> {
         "gamma at theta^2 <= gamma at theta times (1 + theta^(nu-1/2)), and the product of these factors";
     let mut headline = Headline::new("(5.5)-(5.9)", claim, table(&chains), findings(&chains));
     let quotients = |s: &InductionStep| {
-        [s.share.value, s.product.value, s.mean.value, s.poincare.value, s.restriction.value]
+        [s.share, s.product, s.mean, s.poincare, s.restriction, s.stretched, s.closing].map(|e| e.value)
     };
     let worst = chains.iter().flat_map(|chain| &chain.steps).flat_map(quotients).fold(0.0, f64::max);
     headline.quote("lemma.5.2.induction.worst", worst);
@@ -128,13 +121,15 @@ fn table(chains: &[Chain]) -> Table {
         Column::new("mean", "(5.7) a", four, "|c| / ||u||_{0,(0,1)}, at most 1"),
         Column::new("poincare", "(5.7) b", four, "||u||_{0,(0,1)} / (gamma_theta |u|_{nu,(0,1)}), at most 1"),
         Column::new("restriction", "(5.7) c", four, "|u|_{nu,(0,1)} / |u|_{nu,I}, at most 1"),
+        Column::new("stretched", "(5.6)", four, "left side over right side"),
         Column::new("product", "(5.9)", five, "gamma over its bound by the product"),
+        Column::new("closing", "last lines", four, "gamma over the bound that ends the proof"),
     ];
     let rows = chains.iter().flat_map(|chain| {
         chain.steps.iter().map(|s| {
-            let quotients = [s.mean.value, s.poincare.value, s.restriction.value, s.product.value];
+            let quotients = [s.mean, s.poincare, s.restriction, s.stretched, s.product, s.closing];
             let first = [chain.order.value(), s.theta, s.gamma.value, s.factor.value, s.bound];
-            first.into_iter().chain(quotients)
+            first.into_iter().chain(quotients.map(|e| e.value))
         })
     });
     Table::new(columns).with_rows(rows)

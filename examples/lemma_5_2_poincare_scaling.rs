@@ -23,7 +23,7 @@ example_frame::options! {
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,
         /// Lengths theta of the zone
-        #[arg(long, value_delimiter = ',', default_values = ["1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6"])]
+        #[arg(long, value_delimiter = ',', default_values = ["5e-1", "1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6"])]
         pub theta: Vec<f64>,
         /// Where the zone is: end, centre, or its start a
         #[arg(long, default_value_t = Place::End)]

@@ -41,6 +41,8 @@ chapters! {
     theorem_4_1_proof: "theorem_4_1_proof.md",
     theta_balance: "theta_balance.md",
     worst_contact_set: "worst_contact_set.md",
+    lemma_5_2_exact_law: "lemma_5_2_exact_law.md",
+    segment_constants: "segment_constants.md",
     section_2_strip: "section_2_strip.md",
     speed_for_accuracy: "speed_for_accuracy.md",
     extremes: "extremes.md",

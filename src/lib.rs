@@ -40,6 +40,8 @@
 //! | Lemma 6.1, (6.1): interpolation on one interval | [`interpolation::element_constant`], [`interpolation::InterpolationError`] |
 //! | (6.2): deviation from the mean | [`interpolation::limits::pointwise`] |
 //! | Lemma 6.2: interpolation on a mesh | [`interpolation::mesh_constant`] |
+//! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |
+//! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |
 //! <!-- end of labels -->
@@ -82,6 +84,8 @@ pub mod proof;
 pub mod quadrature;
 #[cfg(feature = "contact")]
 pub mod scenes;
+#[cfg(feature = "contact")]
+pub mod singular;
 pub mod sobolev;
 #[cfg(feature = "contact")]
 pub mod strip;

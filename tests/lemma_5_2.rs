@@ -3,8 +3,8 @@
 
 use example_frame::{Outcome, Verdict};
 use signorini::poincare::{
-    Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, dual_norm, end_limit, extremal, gamma,
-    gamma_at_point, gamma_whole, growth, interior_limit, printed_growth, two_sided,
+    Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, closing_factor, dual_norm, end_limit,
+    extremal, gamma, gamma_at_point, gamma_whole, growth, interior_limit, printed_growth, two_sided,
 };
 use signorini::sobolev::FractionalOrder;
 use signorini::{Error, Estimate, Tolerance};
@@ -366,6 +366,33 @@ fn induction_example_confirms_its_claim() {
     let mut chains = induction::compute(&options).unwrap();
     chains[0].steps[0].share.value = 1.01;
     assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
+}
+
+/// (5.6), and the end of the proof in its three cases, also where θ is no power of θ₀.
+#[test]
+fn the_end_of_the_proof_holds_in_three_cases() {
+    for nu in [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9] {
+        let start = constant(nu, Zone::end(0.5).unwrap(), 1e-8);
+        for theta in [0.4, 0.2, 0.03, 1e-3, 3e-7, 1e-20, 1e-100] {
+            let found = constant(nu, Zone::end(theta).unwrap(), 1e-8);
+            let bound = start * closing_factor(order(nu), 0.5, theta).unwrap();
+            assert!(found <= bound * (1.0 + 1e-7), "nu {nu}, theta {theta}: {found} against {bound}");
+            // The repair without monotonicity: γ_θ² ≤ γ₁² (1 + 1/θ).
+            let crude =
+                gamma_whole(order(nu), Tolerance::default()).unwrap().value * (1.0 + 1.0 / theta).sqrt();
+            assert!(found <= crude * (1.0 + 1e-7), "nu {nu}, theta {theta}: {found} against {crude}");
+        }
+    }
+    let headline = induction::run(&induction::Options::default()).unwrap();
+    for key in ["stretched", "closing"] {
+        assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{headline}");
+    }
+    let mut chains = induction::compute(&induction::Options { steps: 2, ..Default::default() }).unwrap();
+    chains[0].steps[1].stretched.value = 1.001;
+    assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
+    for (start, theta) in [(0.5, 0.6), (1.0, 0.5), (0.5, 0.0), (0.5, f64::NAN), (f64::NAN, 0.1)] {
+        assert!(matches!(closing_factor(order(0.5), start, theta), Err(Error::OutOfRange { .. })));
+    }
 }
 
 #[test]

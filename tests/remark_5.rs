@@ -10,11 +10,41 @@ mod example;
 fn statement_is_confirmed() {
     let headline = example::run(&example::Options::default()).unwrap();
     assert!(headline.verdict().is_confirmed(), "{headline}");
-    for key in ["below", "truncation", "constant", "grows.alpha0.25", "grows.alpha0.45"] {
+    for key in ["below", "truncation", "repaired", "constant", "grows.alpha0.25", "grows.alpha0.45", "slope"]
+    {
         assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {headline}");
     }
-    // The column quotient / L^α still rises over the zones computed: it refutes the power L^α there.
+    // The quotients still grow faster than L^α over the zones computed.
     assert_eq!(headline.finding("power.alpha0.25").unwrap().outcome(), Outcome::Refuted, "{headline}");
+}
+
+#[test]
+fn the_printed_chain_fails_and_the_repaired_one_holds() {
+    let options = example::Options::default();
+    let computed = example::compute(&options).unwrap();
+    for family in computed.families.iter().filter(|family| family.alpha < 0.5) {
+        for (norms, (log, _)) in family.chain.iter().zip(&family.quotients) {
+            let label = format!("alpha = {}, L = {log}: {norms:?}", family.alpha);
+            // ‖w‖ tends to one: the printed bound 1/n fails once n is above it.
+            assert!(*log < 64.0 || norms.printed > 1.4, "{label}");
+            assert!(norms.repaired <= norms.truncation && norms.truncation < 1.0 + 1e-3, "{label}");
+        }
+    }
+    let headline = example::run(&options).unwrap();
+    assert_eq!(headline.finding("chain").unwrap().outcome(), Outcome::Refuted, "{headline}");
+    assert!(matches!(headline.verdict(), Verdict::PrintedFormFails(_)), "{headline}");
+}
+
+#[test]
+fn the_ramp_has_the_sharp_factor_and_other_powers_less() {
+    let computed = example::compute(&example::Options::default()).unwrap();
+    let slope = |alpha: f64| computed.families.iter().find(|f| f.alpha == alpha).unwrap().slope.unwrap();
+    let sharp = 3.0 / (2.0 * std::f64::consts::PI.powi(2));
+    assert!((slope(1.0).value / sharp - 1.0).abs() < 1e-3, "{:?}", slope(1.0));
+    assert!(slope(0.75).value < 0.95 * sharp, "{:?}", slope(0.75));
+    for alpha in [0.6, 0.75, 0.9, 1.0] {
+        assert!(signorini::poincare::truncated_slope(alpha) <= sharp * (1.0 + 1e-15));
+    }
 }
 
 #[test]

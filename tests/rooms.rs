@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// From the ground up: a room may use those before it.
-const ROOMS: [&str; 16] = [
+const ROOMS: [&str; 17] = [
     "error",
     "estimate",
     "numeric",
@@ -20,6 +20,7 @@ const ROOMS: [&str; 16] = [
     "cone",
     "contact",
     "strip",
+    "singular",
     "scenes",
     "edge",
     "convergence",

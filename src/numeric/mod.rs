@@ -7,8 +7,8 @@
 //! | lengths and finite values of input | [`check`] |
 //! | sign changes, golden sections | [`search`] |
 //! | the regression line | [`mod@line`] |
-//! | numbers that look random | [`random`] |
 //! | Legendre polynomials | [`legendre`] |
+//! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
 //!

@@ -1,19 +1,19 @@
-//! Numbers that look random and are the same on every machine: SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
+//! Numbers nobody has chosen, the same on every machine: SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 
-/// The state of the generator.
+/// A sequence of numbers with a seed.
 #[derive(Debug, Clone)]
-pub struct SplitMix64 {
+pub struct SplitMix {
     state: u64,
 }
 
-impl SplitMix64 {
+impl SplitMix {
     /// The sequence of a seed.
     pub const fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
     /// Uniform in [0, 1).
-    pub const fn uniform(&mut self) -> f64 {
+    pub fn uniform(&mut self) -> f64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.state;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -22,12 +22,12 @@ impl SplitMix64 {
     }
 
     /// Uniform in [low, high).
-    pub const fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.uniform()
     }
 
     /// One of 0, ..., `count` − 1; 0 for no count.
-    pub const fn below(&mut self, count: usize) -> usize {
+    pub fn below(&mut self, count: usize) -> usize {
         (self.uniform() * count as f64) as usize
     }
 }

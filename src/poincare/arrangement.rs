@@ -10,7 +10,7 @@ use super::zone::{Condition, Zone};
 use super::zones::Zones;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
-use crate::numeric::random::SplitMix64;
+use crate::numeric::random::SplitMix;
 use crate::numeric::search::golden_section;
 use crate::sobolev::FractionalOrder;
 use rayon::prelude::*;
@@ -41,7 +41,7 @@ impl ZoneCase {
     ///
     /// # Errors
     /// None for the parameters drawn here; those of [`Zones::from_lengths`] are passed on.
-    pub fn random(random: &mut SplitMix64) -> Result<Self> {
+    pub fn random(random: &mut SplitMix) -> Result<Self> {
         let theta = 0.9 * SHORTEST_UNION.powf(random.uniform());
         let count = 1 + random.below(MOST_INTERVALS);
         let mut shares = |count: usize| -> Vec<f64> {
@@ -95,7 +95,7 @@ pub fn random_zones(
     seed: u64,
     tolerance: Tolerance,
 ) -> Result<Vec<(ZoneCase, Option<Estimate>)>> {
-    let mut random = SplitMix64::new(seed);
+    let mut random = SplitMix::new(seed);
     let cases = (0..count).map(|_| ZoneCase::random(&mut random)).collect::<Result<Vec<_>>>()?;
     let with_ratio = |case: ZoneCase| match case.over_end(tolerance) {
         Ok(ratio) => Ok((case, Some(ratio))),
@@ -105,12 +105,45 @@ pub fn random_zones(
     cases.into_par_iter().map(with_ratio).collect()
 }
 
+/// A zone of one length, moved along the interval, and cut in two.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovedZone {
+    /// The order ν.
+    pub order: FractionalOrder,
+    /// Mean zero or vanishing.
+    pub condition: Condition,
+    /// Where the constant of (a, a + θ) is least for a ≤ (1 − θ)/2, to a thousandth: a/(1 − θ), one half in the
+    /// middle.
+    pub share: f64,
+    /// The least constant over that of (0, θ).
+    pub least: Estimate,
+    /// (g, γ_E / γ_(0,θ)) for two halves, symmetric about the middle, with the gap g between them: from
+    /// 1e-4 (1 − θ) to 1 − θ, where they lie at both ends.
+    pub gaps: Vec<(f64, Estimate)>,
+}
+
+impl MovedZone {
+    /// Moves and cuts a zone of length θ. Cost: some fifty constants.
+    ///
+    /// # Errors
+    /// Those of [`gamma`] and [`Zone::at`].
+    pub fn new(
+        order: FractionalOrder,
+        theta: f64,
+        condition: Condition,
+        tolerance: Tolerance,
+    ) -> Result<Self> {
+        let (share, least) = best_place(order, theta, condition, tolerance)?;
+        Ok(Self { order, condition, share, least, gaps: opening_gap(order, theta, condition, tolerance)? })
+    }
+}
+
 /// (g, γ_E / γ_(0,θ)) for the two halves of a zone of length θ, symmetric about the middle, as the gap g between
 /// them opens from 1e-4 to 1 − θ, where they lie at both ends.
 ///
 /// # Errors
 /// Those of [`ZoneCase::over_end`].
-pub fn opening_gap(
+fn opening_gap(
     order: FractionalOrder,
     theta: f64,
     condition: Condition,
@@ -122,37 +155,30 @@ pub fn opening_gap(
         let zones = Zones::from_lengths(&[before, 0.5 * theta, gap, 0.5 * theta])?;
         Ok((gap, ZoneCase { order, zones, condition }.over_end(tolerance)?))
     };
-    (0..17).rev().map(opened).collect()
+    (0..17u32).into_par_iter().rev().map(opened).collect()
 }
 
+/// Places tried before the search, and the width to which the best one is searched.
+const PLACES: usize = 8;
+const PLACED: f64 = 1e-3;
+
 /// The start a ∈ [0, (1 − θ)/2] of the zone (a, a + θ) with the least γ, as a share of 1 − θ, and its γ over
-/// that of (0, θ): one half is the middle. A search over `count` + 1 places, then golden sections to 1e-3
-/// around the best.
-///
-/// # Errors
-/// Those of [`gamma`]; [`Error::CountOutOfRange`] for less than two steps.
-pub fn best_place(
+/// that of (0, θ): places at equal steps, then golden sections around the best.
+fn best_place(
     order: FractionalOrder,
     theta: f64,
     condition: Condition,
-    count: usize,
     tolerance: Tolerance,
 ) -> Result<(f64, Estimate)> {
-    if count < 2 {
-        return Err(Error::CountOutOfRange { name: "steps of a search", value: count, range: "2 and more" });
-    }
     let value = |share: f64| gamma(order, Zone::at(share * (1.0 - theta), theta)?, condition, tolerance);
-    let shares: Vec<f64> = (0..=count).map(|k| 0.5 * k as f64 / count as f64).collect();
-    let found = shares.iter().map(|&share| Ok(value(share)?.value)).collect::<Result<Vec<f64>>>()?;
-    let best = (0..=count).min_by(|&i, &j| found[i].total_cmp(&found[j])).unwrap_or(count);
-    let (low, high) = (shares[best.saturating_sub(1)], shares[(best + 1).min(count)]);
+    let shares = [0, 1, 2, 3, 4, 5, 6, 7, PLACES].map(|k| 0.5 * k as f64 / PLACES as f64);
+    let found = shares.par_iter().map(|&share| Ok(value(share)?.value)).collect::<Result<Vec<f64>>>()?;
+    let best = (0..=PLACES).min_by(|&i, &j| found[i].total_cmp(&found[j])).unwrap_or(PLACES);
+    let (low, high) = (shares[best.saturating_sub(1)], shares[(best + 1).min(PLACES)]);
     let searched = golden_section(low, high, PLACED, |share| value(share).map_or(f64::INFINITY, |g| g.value));
     let share = if value(searched)?.value < found[best] { searched } else { shares[best] };
     Ok((share, value(share)?.over(value(0.0)?)?))
 }
-
-/// Width to which a place is searched.
-const PLACED: f64 = 1e-3;
 
 #[cfg(test)]
 mod tests {
@@ -160,7 +186,7 @@ mod tests {
 
     #[test]
     fn random_cases_are_admissible_and_reach_their_extremes() {
-        let mut random = SplitMix64::new(1);
+        let mut random = SplitMix::new(1);
         let cases: Vec<ZoneCase> = (0..2000).map(|_| ZoneCase::random(&mut random).unwrap()).collect();
         let shortest = cases.iter().map(|case| case.zones.length()).fold(1.0, f64::min);
         let least = cases.iter().map(|case| case.order.value()).fold(1.0, f64::min);

@@ -2,7 +2,7 @@
 //!
 //! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}). With u the extremal function of V_{θ²} in the variable x/θ, I
 //! the stretched interval and c the mean of u over (0,1), (5.7) is
-//! |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I}.
+//! |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I}, and (5.6) ‖u‖_{0,I} ≤ θ^{−1/2} |c| + θ^{−ν} γ_θ |u|_{ν,I}.
 
 use super::constant::extremal;
 use super::extremal::ExtremalFunction;
@@ -36,8 +36,47 @@ pub struct InductionStep {
     pub poincare: Estimate,
     /// |u|_{ν,(0,1)} / |u|_{ν,I}.
     pub restriction: Estimate,
+    /// ‖u‖_{0,I} over the right side of (5.6).
+    pub stretched: Estimate,
     /// γ over its bound by γ of the first zone and the product of all factors so far (5.9).
     pub product: Estimate,
+    /// γ over γ of the first zone and [`closing_factor`].
+    pub closing: Estimate,
+}
+
+/// What the last lines of the proof make of the product (5.9), for a start θ₀ and any θ ≤ θ₀: γ_θ/γ_{θ₀} is at most
+///
+/// | ν | |
+/// | --- | --- |
+/// | = 1/2 | 2 ln(1/θ) / ln(1/θ₀) |
+/// | > 1/2 | exp Σ_i (θ₀^{ν−1/2})^{2^i} |
+/// | < 1/2 | θ^{ν−1/2} exp Σ_i (θ₀^{1/4−ν/2})^{2^i} |
+///
+/// with all terms of the sums, so that only θ^{ν−1/2} and ln(1/θ) depend on θ. Infinite where exp overflows, for ν
+/// near 1/2.
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < θ ≤ θ₀ < 1.
+pub fn closing_factor(order: FractionalOrder, start: f64, theta: f64) -> Result<f64> {
+    Error::require(
+        "theta",
+        theta,
+        "(0, theta_0], theta_0 < 1",
+        0.0 < theta && theta <= start && start < 1.0,
+    )?;
+    // Σ a^{2^i}; the terms below the rounding of the first are not seen.
+    let sum = |base: f64| {
+        let terms = std::iter::successors(Some(base), |a| Some(a * a));
+        terms.take_while(|&a| a > f64::EPSILON * base).sum::<f64>()
+    };
+    let offset = order.offset();
+    Ok(if offset == 0.0 {
+        2.0 * theta.ln() / start.ln()
+    } else if offset > 0.0 {
+        sum(start.powf(offset)).exp()
+    } else {
+        theta.powf(offset) * sum(start.powf(-0.5 * offset)).exp()
+    })
 }
 
 /// Squares θ `steps` times. The errors of (5.7) hold for the interpolated function; what its mean over the
@@ -63,17 +102,21 @@ pub fn induction(
     let admissible = theta > 0.0 && theta < 1.0 && theta.powf(2f64.powi(steps as i32)) >= 1e-300;
     let mut theta = Error::require("theta", theta, "(0, 1), its powers above 1e-300", admissible)?;
     let solve = |theta: f64| extremal(order, Zone::end(theta)?, Condition::MeanZero, tolerance);
+    let start = theta;
     let mut before = solve(theta)?.0;
+    let first = before;
     let mut bound = before;
     let mut found = Vec::new();
     for _ in 0..steps {
         let (gamma, function) = solve(theta * theta)?;
         let step = 1.0 + theta.powf(order.offset());
         bound = Estimate::new(bound.value * step, bound.error * step, bound.work)?;
-        let [mean, poincare, restriction] = restricted(order, theta, before, &function)?;
+        let [mean, poincare, restriction, stretched] = restricted(order, theta, before, &function)?;
         let (factor, product) = (gamma.over(before)?, gamma.over(bound)?);
         let share = Estimate::new(factor.value / step, factor.error / step, factor.work)?;
         theta *= theta;
+        let last = closing_factor(order, start, theta)?;
+        let growth = gamma.over(first)?;
         found.push(InductionStep {
             theta,
             gamma,
@@ -83,20 +126,22 @@ pub fn induction(
             mean,
             poincare,
             restriction,
+            stretched,
             product,
+            closing: Estimate::new(growth.value / last, growth.error / last, growth.work)?,
         });
         before = gamma;
     }
     Ok(found)
 }
 
-/// The three quotients of (5.7) for the extremal function of V_{θ²}, in the variable x/θ.
+/// The three quotients of (5.7) and that of (5.6) for the extremal function of V_{θ²}, in the variable x/θ.
 fn restricted(
     order: FractionalOrder,
     theta: f64,
     gamma: Estimate,
     u: &ExtremalFunction,
-) -> Result<[Estimate; 3]> {
+) -> Result<[Estimate; 4]> {
     let whole = u.interpolate(DEGREE, PIECES, &[theta * theta, theta])?;
     let nodes = whole.partition().nodes();
     let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + AT_THETA)).count() - 1;
@@ -106,13 +151,20 @@ fn restricted(
     let scaled = |e: Estimate, factor: f64| Estimate::new(e.value * factor, e.error * factor, e.work);
     let seminorm = scaled(part.seminorm(order, Tolerance::fast())?, scale)?;
     let everywhere = scaled(whole.seminorm(order, Tolerance::fast())?, scale)?;
-    let norm = scaled(part.l2_norm(Tolerance::reference())?, theta.sqrt().recip())?;
+    let root = theta.sqrt().recip();
+    let norm = scaled(part.l2_norm(Tolerance::reference())?, root)?;
+    let stretched = scaled(whole.l2_norm(Tolerance::reference())?, root)?;
     let mean = part.mean(Tolerance::reference())?;
     let poincare = norm.over(seminorm)?.over(gamma)?;
     let missed = zone.mean(Tolerance::reference())?.value.abs() / norm.value * poincare.value;
+    // θ^{−1/2} |c| + θ^{−ν} γ_θ |u|_{ν,I}
+    let spread = theta.powf(-order.value());
+    let right = root * mean.value.abs() + spread * gamma.value * everywhere.value;
+    let off = root * mean.error + spread * (gamma.value * everywhere.error + gamma.error * everywhere.value);
     Ok([
         Estimate::new(mean.value.abs(), mean.error, mean.work)?.over(norm)?,
         Estimate::new(poincare.value, poincare.error + missed, poincare.work)?,
         seminorm.over(everywhere)?,
+        stretched.over(Estimate::new(right, off, everywhere.work)?)?,
     ])
 }

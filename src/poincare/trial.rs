@@ -1,6 +1,7 @@
 //! Trial functions: quotients below the best constant, the family of Remark 5, and the cut of Remark 7.
 
-use super::scaling::last_exponent;
+use super::limits::END_SLOPE;
+use super::scaling::{growth, last_exponent};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
@@ -55,30 +56,67 @@ pub struct TruncatedFamily {
     pub quotients: Vec<(f64, Estimate)>,
     /// The quotients over the constants.
     pub shares: Vec<Estimate>,
-    /// |w| over the seminorm of |ln x|^α / L^α, which truncation lowers.
-    pub truncation: Vec<f64>,
+    /// The chain of norms, one per zone; empty for α ≥ 1/2, where |ln x|^α is not in H^{1/2}.
+    pub chain: Vec<NormChain>,
     /// The exponent of L in the quotient between the last two zones; see [`last_exponent`].
     pub growth: Option<Estimate>,
+    /// What the square of the quotient grows by per unit of L between the last two zones; see
+    /// [`growth`](super::growth). For α > 1/2 it tends to [`truncated_slope`].
+    pub slope: Option<Estimate>,
+}
+
+/// Remark 5 prints |w|_{1/2} ≤ ‖w‖_{1/2} = ‖v‖_{1/2} ≤ 1/n for v = u_n/n = 1 − w, ‖u‖_{1/2} = 1: with full
+/// norms the middle is false, since ‖w‖_{1/2} ≥ ‖w‖₀ ≥ 1 − 1/n. |w| = |v| ≤ ‖v‖_{1/2} ≤ 1/n repairs it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NormChain {
+    /// n |w|_{1/2} over |u|_{1/2}: at most one, since truncation lowers the seminorm.
+    pub truncation: f64,
+    /// n |w|_{1/2}, at most one: the repaired chain.
+    pub repaired: f64,
+    /// n ‖w‖_{1/2}, at most one if the printed chain were right.
+    pub printed: f64,
+}
+
+/// (2α − 1)/α² · 3/(2π²): the limit of (‖w‖₀/|w|_{1/2})² / L for the functions [`truncated_logarithm`] with
+/// α > 1/2, largest at α = 1, where it is that of γ². In t = |ln x| the seminorm is (2π²/3) ∫ ψ'(t)² dt to
+/// leading order, ψ = (t/L)^α.
+pub fn truncated_slope(alpha: f64) -> f64 {
+    (2.0 * alpha - 1.0) / (alpha * alpha) * END_SLOPE
 }
 
 impl TruncatedFamily {
     /// The functions for the given (L, constant of the zone).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 0 < α < 1/2; those of [`truncated_logarithm`].
+    /// Those of [`truncated_logarithm`] and of [`growth`](super::growth).
     pub fn new(alpha: f64, constants: &[(f64, Estimate)], tolerance: Tolerance) -> Result<Self> {
-        let full = closed_forms::log_power(alpha)?.value.sqrt();
-        let (mut quotients, mut shares, mut truncation) = (Vec::new(), Vec::new(), Vec::new());
+        // ‖|ln x|^α‖₀² = Γ(1 + 2α)
+        let full = if alpha < 0.5 {
+            let square = closed_forms::log_power(alpha)?.value;
+            Some((square.sqrt(), (square + libm::tgamma(1.0 + 2.0 * alpha)).sqrt()))
+        } else {
+            None
+        };
+        let (mut quotients, mut shares, mut chain) = (Vec::new(), Vec::new(), Vec::new());
         for &(log, gamma) in constants {
             let w = truncated_logarithm(alpha, log)?;
             let seminorm = w.seminorm(FractionalOrder::HALF, tolerance)?;
-            let quotient = w.l2_norm(Tolerance::reference())?.over(seminorm)?;
-            truncation.push(seminorm.value * log.powf(alpha) / full);
+            let norm = w.l2_norm(Tolerance::reference())?;
+            let quotient = norm.over(seminorm)?;
+            if let Some((seminorm_of_u, norm_of_u)) = full {
+                let n = log.powf(alpha) / norm_of_u;
+                chain.push(NormChain {
+                    truncation: seminorm.value * log.powf(alpha) / seminorm_of_u,
+                    repaired: n * seminorm.value,
+                    printed: n * norm.value.hypot(seminorm.value),
+                });
+            }
             shares.push(quotient.over(gamma)?);
             quotients.push((log, quotient));
         }
-        let growth = last_exponent(&quotients)?;
-        Ok(Self { alpha, quotients, shares, truncation, growth })
+        let by_zone: Vec<_> = quotients.iter().map(|&(log, quotient)| ((-log).exp(), quotient)).collect();
+        let slope = growth(FractionalOrder::HALF, &by_zone)?;
+        Ok(Self { alpha, growth: last_exponent(&quotients)?, slope, quotients, shares, chain })
     }
 }
 

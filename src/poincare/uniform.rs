@@ -51,6 +51,17 @@ pub struct UniformLaw {
     remainder: f64,
 }
 
+/// γ² beside the law: see [`UniformLaw::rest`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LawRest {
+    /// γ².
+    pub square: Estimate,
+    /// γ² − s.
+    pub rest: Estimate,
+    /// The rest over d/γ² + e/γ⁴: one, up to the next term, of relative order 1/γ⁴.
+    pub explained: Estimate,
+}
+
 impl UniformLaw {
     /// The law for 0.4 ≤ ν ≤ 0.6.
     ///
@@ -116,6 +127,23 @@ impl UniformLaw {
         let remainder = self.remainder * (theta / COMPARED).powf(decay) * logarithms;
         let work = self.slope.work + self.constant.work;
         Estimate::new(lambda, known + neglected + remainder, work)?.sqrt()
+    }
+
+    /// What the leading part s of the law leaves of γ², for a constant found another way.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2.
+    pub fn rest(&self, theta: f64, gamma: Estimate) -> Result<LawRest> {
+        Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
+        let growth = exp_quotient(self.order.one_minus_twice(), -theta.ln());
+        let (value, error) = (gamma.value * gamma.value, 2.0 * gamma.value * gamma.error);
+        let leading = self.slope.value * growth + self.constant.value;
+        let known = self.slope.error * growth + self.constant.error + f64::EPSILON * value;
+        let rest = Estimate::new(value - leading, error + known, gamma.work)?;
+        let (d, e) = (self.correction, self.second_correction);
+        let next = (d.value + e.value / value) / value;
+        let next = Estimate::new(next, (d.error + e.error / value) / value + next * error / value, d.work)?;
+        Ok(LawRest { square: Estimate::new(value, error, gamma.work)?, rest, explained: rest.over(next)? })
     }
 
     /// The root λ, by Newton's method from λ = s + d/s: the corrections are a few hundredths.

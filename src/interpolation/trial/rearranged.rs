@@ -3,7 +3,7 @@
 use super::rough::{RoughFamily, RoughSlopes};
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
-use crate::numeric::random::SplitMix64;
+use crate::numeric::random::SplitMix;
 use crate::sobolev::FractionalOrder;
 use rayon::prelude::*;
 
@@ -24,7 +24,7 @@ const LEAST_ORDER: f64 = 0.01;
 /// Those of [`crate::sobolev::PiecewisePolynomial::seminorm`].
 pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(Estimate, f64)> {
     let highest = if family == RoughFamily::Steps { 0.5 - LEAST_ORDER } else { 1.0 - LEAST_ORDER };
-    let mut random = SplitMix64::new(seed);
+    let mut random = SplitMix::new(seed);
     let orders: Vec<f64> = (0..count).map(|_| random.between(LEAST_ORDER, highest)).collect();
     let share = |(k, &nu): (usize, &f64)| -> Result<Estimate> {
         let order = FractionalOrder::new(nu)?;

@@ -1,7 +1,7 @@
 //! The sorting lemma: of all orders of n numbers the sorted one has the smallest Σ (f_i − f_j)² over the pairs
 //! at distance |i − j| ≤ k, for every k; with every weight that decreases in |i − j| in place of the pairs.
 
-use crate::numeric::random::SplitMix64;
+use crate::numeric::random::SplitMix;
 
 /// Σ (f_i − f_j)² over all pairs i < j with j − i ≤ `reach`.
 ///
@@ -45,7 +45,7 @@ pub fn sorted_share_of_orders(values: &[f64]) -> f64 {
 
 /// The largest [`sorted_share`] of `count` random sequences of 2 to 40 whole numbers, some with ties.
 pub fn sorted_share_of_random(count: u32, seed: u64) -> f64 {
-    let mut random = SplitMix64::new(seed);
+    let mut random = SplitMix::new(seed);
     let mut draw = |_| {
         let (length, most) = (2 + random.below(39), 2 + random.below(1000));
         let values: Vec<f64> = (0..length).map(|_| random.below(most) as f64).collect();

@@ -1,0 +1,160 @@
+//! Lemma 5.2 at ν = 1/2: γ_θ² / ln(1/θ) tends to 3/(2π²), between two proved bounds.
+//!
+//! With L = ln(1/θ) the law is γ² = A L + c + d/γ² + e/γ⁴ + ..., A = 3/(2π²); c, d, e come from one dual norm. What is
+//! left of γ² − A L − c is of order 1/L. The proof bounds γ² from below by a ramp and from above along chains of
+//! equal steps in ln x, all constants explicit: its two bounds enclose γ² and close as L grows, far beyond the
+//! shortest zone that has a number.
+//!
+//! `cargo run --release --example lemma_5_2_exact_law`
+
+use example_frame::figures::{Axis, Chart, Series};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use signorini::poincare::{
+    Condition, END_SLOPE, HalfBracket, INTERIOR_SLOPE, LawRest, Place, UniformLaw, gamma, growth,
+    last_exponent,
+};
+use signorini::sobolev::FractionalOrder;
+use signorini::{Estimate, Tolerance};
+use std::process::ExitCode;
+
+example_frame::options! {
+    /// The law of the Poincare constant at nu = 1/2, and the two bounds that prove it
+    pub struct Options {
+        /// Zones theta at the end of the interval, longest first
+        #[arg(long, value_delimiter = ',', default_values = ["1e-2", "1e-5", "1e-10", "1e-30", "1e-100", "1e-200", "1e-300"])]
+        pub theta: Vec<f64>,
+        /// L = ln(1/theta) at which the bounds alone are evaluated
+        #[arg(long, value_delimiter = ',', default_values = ["1e4", "1e6", "1e9", "1e12"])]
+        pub log: Vec<f64>,
+        /// Relative tolerance: fast, balanced, reference or a number
+        #[arg(long, default_value = "1e-10")]
+        pub tolerance: Tolerance,
+    }
+}
+
+/// What is computed.
+pub struct Computed {
+    /// Zones at the end: both bounds of γ², and what A L + c leaves of it.
+    pub points: Vec<(HalfBracket, LawRest)>,
+    /// The power of L in what is left, between the last two zones.
+    pub power: Option<Estimate>,
+    /// Bounds for zones too short for a number.
+    pub beyond: Vec<HalfBracket>,
+    /// The slope of γ² against L between the last two zones in the middle of the interval.
+    pub inside: Option<Estimate>,
+}
+
+/// Constants by the eigenproblem, the law from dual norms, the bounds from the proof.
+pub fn compute(options: &Options) -> Result<Computed> {
+    let (half, tolerance) = (FractionalOrder::HALF, options.tolerance);
+    let law = UniformLaw::new(half, tolerance)?;
+    let constant = |place: Place, theta: f64| -> Result<Estimate> {
+        Ok(gamma(half, place.zone(theta)?, Condition::MeanZero, tolerance)?)
+    };
+    let point = |&theta: &f64| -> Result<(HalfBracket, LawRest)> {
+        Ok((HalfBracket::new(-theta.ln())?, law.rest(theta, constant(Place::End, theta)?)?))
+    };
+    let points: Vec<_> = options.theta.iter().map(point).collect::<Result<_>>()?;
+    let rests: Vec<_> = points.iter().map(|(bracket, law)| (bracket.log, law.rest)).collect();
+    let inside = |&theta: &f64| -> Result<(f64, Estimate)> { Ok((theta, constant(Place::Centre, theta)?)) };
+    let inside = options.theta.iter().map(inside).collect::<Result<Vec<_>>>()?;
+    Ok(Computed {
+        points,
+        power: last_exponent(&rests)?,
+        beyond: options.log.iter().map(|&log| HalfBracket::new(log)).collect::<signorini::Result<_>>()?,
+        inside: growth(half, &inside)?,
+    })
+}
+
+/// How near to -1 the power of L in the rest has to be, its change from zone to zone included.
+const POWER: f64 = 0.05;
+/// What the next term of the law may change, relative, at the shortest zone.
+const NEXT_TERM: f64 = 1e-3;
+/// How near the two bounds have to come at the largest L.
+const CLOSED: f64 = 1e-4;
+/// How near to 1/(2 pi^2) the slope inside has to be, its change included.
+const INSIDE: f64 = 1e-3;
+
+/// What decides: the bounds enclose the constant and close, and the rest is of the order and size predicted.
+pub fn findings(computed: &Computed) -> Vec<Finding> {
+    let Computed { points, power, beyond, inside } = computed;
+    let few = "fewer than two zones";
+    let over = |part: fn(&HalfBracket) -> f64| {
+        points.iter().filter_map(move |(bracket, law)| law.square.times(1.0 / part(bracket)).ok())
+    };
+    let widest = beyond.last().map(|b| (b.upper / b.lower - 1.0, 0.0));
+    vec![
+        Finding::claim("lower", "the ramp is a lower bound: gamma^2 is {value} times it or more")
+            .estimate_or(Estimate::smallest(over(|b| b.lower)), few)
+            .at_least(1.0, "a quotient of one function"),
+        Finding::claim("upper", "the chains give an upper bound: gamma^2 is {percent} % of it or less")
+            .estimate_or(Estimate::largest(over(|b| b.upper)), few)
+            .at_most(1.0, "the bound along chains"),
+        Finding::claim("closing", "at the largest L the two bounds differ by a part {value}")
+            .number_or(widest, "no L")
+            .at_most(CLOSED, "a bracket that closes like L^(-1/2)")
+            .otherwise("at the largest L the two bounds still differ by a part {value}")
+            .told(),
+        Finding::claim("rest", "what A L + c leaves of gamma^2 falls like L^{value}")
+            .estimate_or(*power, few)
+            .within(POWER, -1.0, "the next term d / gamma^2")
+            .told(),
+        Finding::claim("explained", "at the shortest zone it is {value} times d/gamma^2 + e/gamma^4")
+            .estimate_or(points.last().map(|(_, law)| law.explained), few)
+            .within(NEXT_TERM, 1.0, "the expansion of the resolvent, its constants from a dual norm"),
+        Finding::claim("inside", "for zones in the middle gamma^2 grows by {value} per unit of L")
+            .estimate_or(*inside, few)
+            .within(INSIDE, INTERIOR_SLOPE, "1/(2 pi^2): two sides to climb"),
+    ]
+}
+
+/// Follows the law from long zones to zones without a number.
+pub fn run(options: &Options) -> Result<Headline> {
+    let computed = compute(options)?;
+    let claim = "gamma_theta(1/2)^2 / ln(1/theta) tends to 3/(2 pi^2) as theta falls to zero";
+    let mut headline = Headline::new("(5.2), exact", claim, table(&computed), findings(&computed));
+    headline.draw(&options.output, "lemma_5_2_exact_law", || Ok(draw(&computed)))?;
+    Ok(headline)
+}
+
+fn table(computed: &Computed) -> Table {
+    let columns = vec![
+        Column::new("log", "L", Format::Significant(5), "ln(1/theta)"),
+        Column::new("theta", "theta", Format::Scientific(0), "length of the zone"),
+        Column::new("square", "gamma^2", Format::Significant(10), "square of the best constant"),
+        Column::new("lower", "lower", Format::Significant(5), "the ramp's bound over A L, A = 3/(2 pi^2)"),
+        Column::new("ratio", "ratio", Format::Significant(5), "gamma^2/(A L)"),
+        Column::new("upper", "upper", Format::Significant(5), "the bound along chains over A L"),
+        Column::new("rest", "rest", Format::Scientific(4), "gamma^2 - A L - c"),
+        Column::new("explained", "explained", Format::Significant(7), "rest over d/gamma^2 + e/gamma^4"),
+    ];
+    let row = |b: &HalfBracket, law: Option<&LawRest>| {
+        let scale = END_SLOPE * b.log;
+        let of = |part: fn(&LawRest) -> f64| law.map(part);
+        let square = of(|law| law.square.value);
+        let bounds = [Some(b.lower / scale), square.map(|g| g / scale), Some(b.upper / scale)];
+        let ends = [of(|law| law.rest.value), of(|law| law.explained.value)];
+        let first = [Some(b.log), square.map(|_| (-b.log).exp()), square];
+        first.into_iter().chain(bounds).chain(ends).map(Cell::from).collect::<Vec<_>>()
+    };
+    let rows = computed.points.iter().map(|(bracket, law)| row(bracket, Some(law)));
+    Table::new(columns).with_rows(rows.chain(computed.beyond.iter().map(|b| row(b, None))))
+}
+
+fn draw(computed: &Computed) -> Chart {
+    let (x, y) = ("L = ln(1/θ), logarithm of the zone", "γ² / L over 3/(2π²)");
+    let known = computed.points.iter().map(|(bracket, _)| bracket);
+    let all: Vec<_> = known.chain(&computed.beyond).collect();
+    let curve = |part: fn(&HalfBracket) -> f64| {
+        all.iter().map(|b| (b.log, part(b) / (END_SLOPE * b.log))).collect::<Vec<_>>()
+    };
+    let ratio = |(b, law): &(HalfBracket, LawRest)| (b.log, law.square.value / (END_SLOPE * b.log));
+    Chart::new("The law at one half between its two bounds", Axis::logarithmic(x), Axis::linear(y))
+        .with(Series::line("upper bound, chains", curve(|b| b.upper)))
+        .with(Series::points("γ², computed", computed.points.iter().map(ratio).collect()))
+        .with(Series::line("lower bound, ramp", curve(|b| b.lower)))
+}
+
+fn main() -> ExitCode {
+    example_frame::main(run)
+}

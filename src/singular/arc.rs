@@ -1,0 +1,177 @@
+//! The second road: exponents as eigenvalues of a pencil on the arc 0 < θ < ω, by Legendre collocation.
+//!
+//! u = r^λ (U, V), σ = r^{λ−1} (..., S = σ_θθ, T = σ_rθ), shear modulus μ = 1, n = ν_P/(1 − ν_P):
+//!
+//! U' = T + (1 − λ) V,  V' = −U − nλU + (1 − n) S/2,  S' = −(1 + λ) T,  T' = S − λ n S − λ² 2U/(1 − ν_P).
+//!
+//! The first and second are the law of the material (1/(Λ + 2μ) = (1 − n)/2, Λ Lamé's first constant), the
+//! others the equilibrium; no coefficient grows as ν_P → 1/2. λ is quadratic in the last, so W = λU is a further
+//! unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold at the N
+//! Gauss points, two conditions at each end (one, scalar) close the system: (A − λB) y = 0. Unknowns are the
+//! Legendre coefficients of the slopes: A is the identity and an integral operator, and no digit is lost to
+//! differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A − sB)⁻¹B. Nothing of the
+//! characteristic functions is used.
+//! Simple eigenvalues converge exponentially in N; nearly double ones keep half the digits, their mean all.
+//! Cost: O((5N)³).
+
+use super::wedge::{Medium, Side, Wedge};
+use crate::error::{Error, Result};
+use crate::numeric::eigen::general_eigenvalues;
+use crate::numeric::legendre;
+use crate::quadrature::Rule;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
+
+/// Shifts that are tried: the one that gives the smallest matrix is far from all exponents.
+const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
+/// Largest degree.
+const DEGREES: usize = 200;
+
+/// An eigenvalue of the arc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ArcExponent {
+    /// Re λ.
+    pub re: f64,
+    /// Im λ, of either sign.
+    pub im: f64,
+}
+
+impl Wedge {
+    /// The eigenvalues with 0 < Re λ < 3 and |Im λ| ≤ `height`, by collocation of the given degree; ω |λ| should stay below
+    /// half of it. By increasing real part, each as often as its multiplicity, conjugates both.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] unless 2 ≤ degree ≤ 200; [`Error::OutOfRange`] for a height that is negative or not
+    /// finite; [`Error::Solver`] when the eigenvalues do not converge.
+    pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<ArcExponent>> {
+        if !(2..=DEGREES).contains(&degree) {
+            return Err(Error::CountOutOfRange { name: "degree", value: degree, range: "[2, 200]" });
+        }
+        Error::require("height", height, "[0, inf)", height >= 0.0 && height.is_finite())?;
+        let (a, b) = self.pencil(degree)?;
+        let inverses = SHIFTS.map(|shift| {
+            let inverse = (&a - faer::Scale(shift) * &b).partial_piv_lu().solve(&b);
+            (inverse.norm_l2(), inverse, shift)
+        });
+        let smallest = inverses.into_iter().min_by(|x, y| x.0.total_cmp(&y.0));
+        let Some((_, inverse, shift)) = smallest else { return Ok(Vec::new()) };
+        let values = general_eigenvalues(&inverse)
+            .ok_or(Error::Solver { reason: "eigenvalues on the arc did not converge".to_owned() })?;
+        let mut found: Vec<ArcExponent> = values
+            .into_iter()
+            .filter(|m| m.norm() > 1.0 / (2.0 * (height + super::LARGEST)))
+            .map(|m| c64::new(shift, 0.0) + m.inv())
+            .filter(|z| z.re > 0.0 && z.re < super::LARGEST && z.im.abs() <= height)
+            .map(|z| ArcExponent { re: z.re, im: z.im })
+            .collect();
+        found.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+        Ok(found)
+    }
+
+    /// A and B: the functions one after the other, each by its value at 0 and the Legendre coefficients of its slope, then
+    /// √w λU at the Gauss points; equations times √w, w the weights, so that slopes are an orthogonal matrix.
+    fn pencil(&self, degree: usize) -> Result<(Mat<f64>, Mat<f64>)> {
+        let rule = Rule::gauss_legendre(degree)?;
+        let omega = self.angle();
+        let law = Law::of(self.medium());
+        let (count, functions) = (degree + 1, law.first.len());
+        let size = functions * count + degree;
+        let (mut a, mut b) = (Mat::<f64>::zeros(size, size), Mat::<f64>::zeros(size, size));
+        for (j, (x, weight)) in rule.iter().enumerate() {
+            let (values, slopes) = basis(count, x);
+            let root = weight.sqrt();
+            let (values, slopes) = (scaled(values, root), scaled(slopes, root));
+            for (row, (constant, linear)) in law.first.iter().zip(&law.linear).enumerate() {
+                let place = row * degree + j;
+                for k in 0..count {
+                    a[(place, row * count + k)] += slopes[k];
+                    for function in 0..functions {
+                        a[(place, function * count + k)] -= omega * constant[function] * values[k];
+                        b[(place, function * count + k)] += omega * linear[function] * values[k];
+                    }
+                }
+                b[(place, functions * count + j)] += omega * law.quadratic[row];
+            }
+            let place = functions * degree + j;
+            a[(place, functions * count + j)] = 1.0;
+            (0..count).for_each(|k| b[(place, k)] = values[k]);
+        }
+        let mut place = (functions + 1) * degree;
+        for (side, x) in [(self.sides().0, 0.0), (self.sides().1, 1.0)] {
+            let (values, _) = basis(count, x);
+            for &function in law.vanishing(side) {
+                (0..count).for_each(|k| a[(place, function * count + k)] = values[k]);
+                place += 1;
+            }
+        }
+        Ok((a, b))
+    }
+}
+
+/// y' = (first + λ linear) y + λ quadratic W.
+struct Law {
+    first: Vec<Vec<f64>>,
+    linear: Vec<Vec<f64>>,
+    quadratic: Vec<f64>,
+}
+
+impl Law {
+    fn of(medium: Medium) -> Self {
+        let rows = |rows: &[&[f64]]| rows.iter().map(|row| row.to_vec()).collect();
+        match medium {
+            Medium::Scalar => Self {
+                first: rows(&[&[0.0, 1.0], &[0.0, 0.0]]),
+                linear: rows(&[&[0.0, 0.0], &[0.0, 0.0]]),
+                quadratic: vec![0.0, -1.0],
+            },
+            Medium::PlaneStrain(poisson) => {
+                let n = poisson / (1.0 - poisson);
+                let compliance = 0.5 * (1.0 - n);
+                Self {
+                    first: rows(&[
+                        &[0.0, 1.0, 0.0, 1.0],
+                        &[-1.0, 0.0, compliance, 0.0],
+                        &[0.0, 0.0, 0.0, -1.0],
+                        &[0.0, 0.0, 1.0, 0.0],
+                    ]),
+                    linear: rows(&[
+                        &[0.0, -1.0, 0.0, 0.0],
+                        &[-n, 0.0, 0.0, 0.0],
+                        &[0.0, 0.0, 0.0, -1.0],
+                        &[0.0, 0.0, -n, 0.0],
+                    ]),
+                    quadratic: vec![0.0, 0.0, 0.0, -2.0 / (1.0 - poisson)],
+                }
+            }
+        }
+    }
+
+    /// The functions that are zero on a side.
+    fn vanishing(&self, side: Side) -> &'static [usize] {
+        match (self.first.len(), side) {
+            (2, Side::Clamped | Side::Closed) => &[0],
+            (2, _) => &[1],
+            (_, Side::Clamped) => &[0, 1],
+            (_, Side::Closed) => &[1, 3],
+            (_, Side::Free | Side::Open) => &[2, 3],
+        }
+    }
+}
+
+fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
+    values.into_iter().map(|value| factor * value).collect()
+}
+
+/// Values and slopes at x of 1 and of the integrals from 0 to x of the orthonormal Legendre polynomials on (0, 1).
+fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
+    let mut legendre = vec![0.0; count + 1];
+    legendre::fill(&mut legendre, 2.0 * x - 1.0);
+    let (mut values, mut slopes) = (vec![1.0; count], vec![0.0; count]);
+    for k in 0..count - 1 {
+        let (norm, odd) = (((2 * k + 1) as f64).sqrt(), (2 * k + 1) as f64);
+        slopes[k + 1] = norm * legendre[k];
+        // (2k+1) P_k = P'_{k+1} − P'_{k−1}, and d/dx = 2 d/d(2x−1)
+        values[k + 1] = if k == 0 { x } else { norm * (legendre[k + 1] - legendre[k - 1]) / (2.0 * odd) };
+    }
+    (values, slopes)
+}

@@ -1,0 +1,35 @@
+//! Singular exponents: r^λ at corners and transitions of plane problems, and what they do to regularity.
+//!
+//! Near a corner of opening ω the solution of an elliptic problem with smooth data is a sum of r^λ U(θ) and
+//! smoother functions; λ depends on ω, on what holds on the two sides, and for elasticity on Poisson's ratio.
+//! Inside a side two conditions may meet, as contact and gap do: a corner of opening π.
+//!
+//! | | what | where |
+//! | --- | --- | --- |
+//! | [`Wedge`] | opening, medium, sides; the characteristic equations | `wedge`, `factor` |
+//! | [`Wedge::exponents`] | all λ with 0 < Re λ < 3, by counts that lose none | `spectrum`, `zeros`, `count` |
+//! | [`Wedge::count`] | the argument principle alone | `count` |
+//! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
+//! | [`Wedge::exponents_on_arc`] | the second road: an eigenvalue problem on the arc | `arc` |
+//! | [`Wedge::admission`], [`Wedge::regularity`] | signs of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
+//!
+//! P. Grisvard, *Elliptic Problems in Nonsmooth Domains* (1985); V. A. Kozlov, V. G. Maz'ya and J. Rossmann,
+//! *Spectral Problems Associated with Corner Singularities* (2001).
+
+mod arc;
+mod basis;
+mod count;
+mod factor;
+mod mode;
+mod real;
+mod regularity;
+mod spectrum;
+mod wedge;
+mod zeros;
+
+pub use arc::ArcExponent;
+pub use faer::c64;
+pub use mode::Mode;
+pub use regularity::{Admission, CornerRegularity};
+pub use spectrum::{Exponent, LARGEST, Spectrum};
+pub use wedge::{Medium, Side, Sides, Wedge};

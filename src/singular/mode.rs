@@ -1,0 +1,113 @@
+//! Angular functions: u = r^λ U(θ) and its traction r^{λ−1} Σ(θ) across the rays.
+
+use super::basis::{conditions, fields, kernel};
+use super::factor::Fields;
+use super::wedge::{Medium, Side, Wedge};
+use crate::error::{Error, Result};
+use faer::c64;
+
+/// Rays on which a function is sampled for its size.
+const RAYS: usize = 64;
+
+/// An angular function of a wedge, scaled so that its largest displacement on 65 rays is one; real for real λ.
+///
+/// Elastic: displacement (u_r, u_θ), traction (σ_θθ, σ_rθ), shear modulus 1/2. Scalar: (u, 0) and (∂u/∂θ, 0).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mode {
+    wedge: Wedge,
+    lambda: c64,
+    /// a₁, a₂, b₁, b₂; scalar: of cos λϑ, sin λϑ.
+    coefficients: [c64; 4],
+    /// ϑ = θ − origin, or ω − θ − origin where the sides are exchanged.
+    origin: f64,
+    is_turned: bool,
+}
+
+impl Mode {
+    /// The function that belongs to a zero of a factor.
+    pub(super) fn of(wedge: &Wedge, fields: Fields, lambda: c64) -> Result<Self> {
+        let ([first, second], is_turned) = wedge.ordered();
+        let (zero, one, kappa) = (c64::new(0.0, 0.0), c64::new(1.0, 0.0), wedge.kappa());
+        let half = 0.5 * wedge.angle();
+        let far = |angle: f64| conditions(second, lambda, kappa, angle);
+        let pick = |angle: f64, i: usize, j: usize| kernel(far(angle).map(|row| [row[i], row[j]]));
+        let (coefficients, origin) = match fields {
+            Fields::Scalar if first == Side::Free => ([one, zero, zero, zero], 0.0),
+            Fields::Scalar => ([zero, one, zero, zero], 0.0),
+            Fields::Even => {
+                let [a, b] = pick(half, 0, 2);
+                ([a, zero, b, zero], half)
+            }
+            Fields::Odd => {
+                let [a, b] = pick(half, 1, 3);
+                ([zero, a, zero, b], half)
+            }
+            Fields::Reflected => {
+                let [a, b] = pick(wedge.angle(), 0, 2);
+                ([a, zero, b, zero], 0.0)
+            }
+            Fields::Inner => ([one, zero, zero, zero], 0.0),
+            Fields::Outer => ([zero, zero, one, zero], 0.0),
+            Fields::Clamped => {
+                // u = 0 at θ = 0: b₁ = (κ−λ) a₁, b₂ = −(κ+λ) a₂
+                let (even, odd) = (kappa - lambda, -(kappa + lambda));
+                let reduced = far(wedge.angle()).map(|row| [row[0] + even * row[2], row[1] + odd * row[3]]);
+                let [a, b] = kernel(reduced);
+                ([a, b, even * a, odd * b], 0.0)
+            }
+        };
+        let mut mode = Self { wedge: *wedge, lambda, coefficients, origin, is_turned };
+        let rays = (0..=RAYS).map(|k| wedge.angle() * k as f64 / RAYS as f64);
+        let sizes = rays.flat_map(|theta| mode.displacement(theta));
+        let largest = sizes.fold(zero, |m, u| if u.norm() > m.norm() { u } else { m });
+        // As a complex number, so that the largest displacement becomes real, too.
+        let is_usable = largest.norm() > 0.0 && largest.norm().is_finite();
+        Error::require("angular function", largest.norm(), "(0, inf)", is_usable)?;
+        mode.coefficients = mode.coefficients.map(|c| c / largest);
+        Ok(mode)
+    }
+
+    /// λ.
+    pub fn exponent(&self) -> (f64, f64) {
+        (self.lambda.re, self.lambda.im)
+    }
+
+    fn local(&self, theta: f64) -> f64 {
+        if self.is_turned { self.wedge.angle() - theta - self.origin } else { theta - self.origin }
+    }
+
+    fn rows(&self, theta: f64) -> [c64; 4] {
+        let angle = self.local(theta);
+        let sign = if self.is_turned { -1.0 } else { 1.0 };
+        if self.wedge.medium() == Medium::Scalar {
+            let (sine, cosine) = ((self.lambda * angle).sin(), (self.lambda * angle).cos());
+            let [a, b, ..] = self.coefficients;
+            let slope = self.lambda * (b * cosine - a * sine) * sign;
+            return [a * cosine + b * sine, c64::new(0.0, 0.0), slope, c64::new(0.0, 0.0)];
+        }
+        let sums = fields(self.lambda, self.wedge.kappa(), angle)
+            .map(|row| row.iter().zip(self.coefficients).map(|(f, c)| f * c).sum::<c64>());
+        let [radial, tangential, normal, shear] = sums;
+        [radial, tangential * sign, normal * self.lambda, shear * self.lambda * sign]
+    }
+
+    /// U(θ), 0 ≤ θ ≤ ω.
+    pub fn displacement(&self, theta: f64) -> [c64; 2] {
+        let [a, b, ..] = self.rows(theta);
+        [a, b]
+    }
+
+    /// Σ(θ): the traction across the ray θ, without its factor r^{λ−1}.
+    pub fn traction(&self, theta: f64) -> [c64; 2] {
+        let [.., a, b] = self.rows(theta);
+        [a, b]
+    }
+
+    /// (u_N, σ_N) at a side, the first or the second: outward displacement and normal stress; scalar (u, ∂u/∂n).
+    pub(super) fn contact(&self, is_second: bool) -> (c64, c64) {
+        let theta = if is_second { self.wedge.angle() } else { 0.0 };
+        let outward = if is_second { 1.0 } else { -1.0 };
+        let [u, v, normal, _] = self.rows(theta);
+        if self.wedge.medium() == Medium::Scalar { (u, normal * outward) } else { (v * outward, normal) }
+    }
+}

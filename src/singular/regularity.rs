@@ -1,0 +1,95 @@
+//! Which exponents the sign conditions of contact leave, and how smooth a solution is at a corner.
+//!
+//! Near the corner u = Σ c r^λ U(θ) + smoother. Where a side is in contact σ_N ≤ 0 there; where it is an open
+//! part of the contact edge and the corner itself is held (the other side clamped or closed) u_N ≤ 0. The
+//! term that leads the sum must satisfy this for one sign of c. A complex exponent changes sign infinitely
+//! often and cannot lead. On the flat transition C-O the functions for λ = 1/2, 3/2, ... have
+//! u_N σ_N alternating in sign: r^{1/2} pulls or penetrates whatever its sign, r^{3/2} does neither for one.
+//!
+//! r^λ U(θ), not a polynomial, lies in H^s for s < 1 + Re λ. So u ∈ H^τ for τ < 1 + Re λ with the first
+//! exponent that is neither excluded nor polynomial; polynomials do not count. An exponent above one that leads
+//! with a strict sign is free of conditions. Data are taken as smooth; for whole exponents, and loads that meet
+//! one, r^k ln r may occur from k = 2 on, which limits τ to 3 at the earliest.
+
+use super::mode::Mode;
+use super::spectrum::{Exponent, LARGEST};
+use super::wedge::{Side, Wedge};
+use crate::error::Result;
+
+/// Values on a side below this, beside a largest displacement of one, are zero.
+const ZERO: f64 = 1e-9;
+
+/// What the sign conditions of contact say of a term r^λ U(θ) that leads the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Admission {
+    /// Nothing: it neither presses nor opens anywhere on the contact edge.
+    Neutral,
+    /// It may lead with one sign of its coefficient.
+    Signed,
+    /// It pulls or penetrates with either sign.
+    Excluded,
+}
+
+/// How smooth a solution is at a corner.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CornerRegularity {
+    /// Supremum of the τ with u ∈ H^τ near the corner for all data; 4 where no exponent below 3 limits it.
+    pub tau: f64,
+    /// The exponent that limits it.
+    pub exponent: Option<Exponent>,
+}
+
+impl Wedge {
+    /// What the sign conditions on the contact sides of this wedge say of an exponent that leads.
+    pub fn admission(&self, exponent: &Exponent) -> Admission {
+        let rows: Vec<[f64; 2]> = exponent.modes.iter().map(|mode| self.signs(mode)).collect();
+        let is_neutral = |signs: &[f64; 2]| signs.iter().all(|value| value.abs() <= ZERO);
+        if rows.iter().any(is_neutral) {
+            return Admission::Neutral;
+        }
+        if exponent.is_complex() {
+            return Admission::Excluded;
+        }
+        match rows[..] {
+            // c v₁ ≤ 0 and c v₂ ≤ 0 for some c ≠ 0
+            [[first, second]] if first * second < -ZERO * ZERO => Admission::Excluded,
+            // Two conditions or fewer on two coefficients or more: two half-planes through 0 share a ray.
+            _ => Admission::Signed,
+        }
+    }
+
+    /// What must not be positive on each side: σ_N in contact, u_N where it is open and the corner held.
+    fn signs(&self, mode: &Mode) -> [f64; 2] {
+        let sides = [self.sides().0, self.sides().1];
+        [0, 1].map(|k| {
+            let (displacement, stress) = mode.contact(k == 1);
+            let is_held = matches!(sides[1 - k], Side::Clamped | Side::Closed);
+            let number = match sides[k] {
+                Side::Closed => stress,
+                Side::Open if is_held => displacement,
+                _ => return 0.0,
+            };
+            if number.im.abs() > number.re.abs() { number.im } else { number.re }
+        })
+    }
+
+    /// The supremum of the τ with u ∈ H^τ near the corner, and the exponent responsible.
+    ///
+    /// # Errors
+    /// As [`Wedge::exponents`].
+    pub fn regularity(&self) -> Result<CornerRegularity> {
+        let mut is_decided = false;
+        for exponent in self.exponents()?.exponents {
+            let admission = self.admission(&exponent);
+            if admission == Admission::Excluded && !is_decided {
+                continue;
+            }
+            if !exponent.is_polynomial() {
+                return Ok(CornerRegularity { tau: 1.0 + exponent.re.value, exponent: Some(exponent) });
+            }
+            // A polynomial that presses or opens may lead, and all that follow are free.
+            is_decided |= admission == Admission::Signed;
+        }
+        Ok(CornerRegularity { tau: 1.0 + LARGEST, exponent: None })
+    }
+}

@@ -1,0 +1,201 @@
+//! The wedge: opening, medium, what holds on its two sides, and the factors of its characteristic function.
+//!
+//! Sides: clamped D (u = 0), free N (σ n = 0), frictionless contact, closed C (u_N = 0, σ_T = 0). With κ = 3 − 4 ν_P
+//!
+//! | sides | characteristic equation | factors |
+//! | --- | --- | --- |
+//! | N-N | sin²(λω) = λ² sin²ω | sin λω + λ sin ω even, sin λω − λ sin ω odd |
+//! | D-D | sin²(λω) = (λ/κ)² sin²ω | κ sin λω − λ sin ω even, κ sin λω + λ sin ω odd |
+//! | D-N | sin²(λω) = ((κ+1)² − 4 λ² sin²ω)/(4κ) | one |
+//! | C-N | sin 2λω + λ sin 2ω = 0 | the even half of N-N at 2ω |
+//! | C-D | κ sin 2λω − λ sin 2ω = 0 | the even half of D-D at 2ω |
+//! | C-C | sin (λ−1)ω sin (λ+1)ω = 0 | two |
+//!
+//! u_N = 0 and σ_T = 0 on the line θ = 0 say that u is its own mirror image in it: hence the halves. The
+//! equations are those of M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; each is the determinant of the
+//! four conditions on the basis of `basis`, which the tests compute. λ = 0 of the even and odd parts is a
+//! translation or nothing. λ = 1 is the rigid rotation for N-N; as κ → 1 the zero of D-D near 1 becomes the
+//! constant pressure, with u → 0.
+//!
+//! Scalar (Laplace): contact closed is u = 0, as clamped; D-D and N-N sin λω = 0, D-N cos λω = 0.
+
+use super::factor::{Factor, Fields};
+use super::real::Real;
+use crate::error::{Error, Result};
+use qd::Quad;
+use std::fmt;
+use std::str::FromStr;
+
+/// What holds on a side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// u = 0.
+    Clamped,
+    /// No traction.
+    Free,
+    /// Frictionless contact, closed: u_N = 0, σ_T = 0, σ_N ≤ 0. Scalar: u = 0, ∂u/∂n ≤ 0.
+    Closed,
+    /// Contact, open: no traction, and u_N ≤ 0. Its exponents are those of a free side.
+    Open,
+}
+
+impl Side {
+    /// D, N, C, or O for an open part of the contact edge.
+    pub fn letter(self) -> char {
+        match self {
+            Side::Clamped => 'D',
+            Side::Free => 'N',
+            Side::Closed => 'C',
+            Side::Open => 'O',
+        }
+    }
+}
+
+/// The two sides of a wedge, θ = 0 first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Sides(pub Side, pub Side);
+
+impl Sides {
+    /// The six pairs that differ in their exponents: N-N, D-D, D-N, C-N, C-D, C-C.
+    pub const ALL: [Sides; 6] = [
+        Sides(Side::Free, Side::Free),
+        Sides(Side::Clamped, Side::Clamped),
+        Sides(Side::Clamped, Side::Free),
+        Sides(Side::Closed, Side::Free),
+        Sides(Side::Closed, Side::Clamped),
+        Sides(Side::Closed, Side::Closed),
+    ];
+}
+
+impl fmt::Display for Sides {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}-{}", self.0.letter(), self.1.letter())
+    }
+}
+
+impl FromStr for Sides {
+    type Err = Error;
+
+    /// Two of the letters D, N, C, O, as in `D-N`.
+    fn from_str(text: &str) -> Result<Self> {
+        let side = |letter: &str| {
+            let all = [Side::Clamped, Side::Free, Side::Closed, Side::Open];
+            all.into_iter().find(|side| letter.eq_ignore_ascii_case(&side.letter().to_string()))
+        };
+        let sides = text.split_once('-').and_then(|(a, b)| Some(Sides(side(a)?, side(b)?)));
+        sides.ok_or_else(|| Error::UnknownName {
+            what: "pair of sides",
+            given: text.to_owned(),
+            expected: "two of D (clamped), N (free), C (contact, closed), O (contact, open), as in D-N",
+        })
+    }
+}
+
+/// What the wedge is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Medium {
+    /// The Laplace equation.
+    Scalar,
+    /// Plane strain with this Poisson's ratio, in (−1, 1/2).
+    PlaneStrain(f64),
+}
+
+/// A wedge {0 < θ < ω} with homogeneous conditions on both sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wedge {
+    angle: f64,
+    sides: Sides,
+    medium: Medium,
+}
+
+/// Smallest opening: at 1e-5 the factor of N-N is ω³ times a number and keeps six digits on the paths.
+const SMALLEST: f64 = 1e-5;
+
+impl Wedge {
+    /// Opening in radians, in [1e-5, 2π].
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Sides, Wedge};
+    /// let crack = Wedge::new(std::f64::consts::TAU, "N-N".parse()?, Medium::PlaneStrain(0.3))?;
+    /// let first = &crack.exponents()?.exponents[0];
+    /// assert!((first.re.value - 0.5).abs() < 1e-15 && first.multiplicity == 2);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for an opening outside, or a ratio outside (−1, 1/2).
+    pub fn new(angle: f64, sides: Sides, medium: Medium) -> Result<Self> {
+        let is_opening = (SMALLEST..=std::f64::consts::TAU).contains(&angle);
+        Error::require("opening angle", angle, "[1e-5, 2 pi]", is_opening)?;
+        if let Medium::PlaneStrain(poisson) = medium {
+            Error::require("Poisson's ratio", poisson, "(-1, 1/2)", poisson > -1.0 && poisson < 0.5)?;
+        }
+        Ok(Self { angle, sides, medium })
+    }
+
+    /// ω.
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// The sides.
+    pub fn sides(&self) -> Sides {
+        self.sides
+    }
+
+    /// The medium.
+    pub fn medium(&self) -> Medium {
+        self.medium
+    }
+
+    /// κ = 3 − 4 ν_P; 3 for a scalar medium, where it has no meaning.
+    pub(super) fn kappa(&self) -> f64 {
+        match self.medium {
+            Medium::Scalar => 3.0,
+            Medium::PlaneStrain(poisson) => 3.0 - 4.0 * poisson,
+        }
+    }
+
+    /// The sides as far as exponents go, C before D before N, and whether they were exchanged for that.
+    pub(super) fn ordered(&self) -> ([Side; 2], bool) {
+        let plain = |side| match (side, self.medium) {
+            (Side::Open, _) => Side::Free,
+            (Side::Closed, Medium::Scalar) => Side::Clamped,
+            (side, _) => side,
+        };
+        let rank = |side| [Side::Closed, Side::Clamped, Side::Free].iter().position(|&s| s == side);
+        let (a, b) = (plain(self.sides.0), plain(self.sides.1));
+        if rank(a) <= rank(b) { ([a, b], false) } else { ([b, a], true) }
+    }
+
+    /// The factors of the characteristic function.
+    pub(super) fn factors(&self) -> Vec<Factor> {
+        let ([first, second], _) = self.ordered();
+        let one = Quad::ONE;
+        let angle = Quad::from(self.angle);
+        let sine = |fields, height, angle: Quad, slope| Factor::sine(fields, height, 0.0, angle, slope);
+        let Medium::PlaneStrain(poisson) = self.medium else {
+            let equal = first == second;
+            let factor =
+                if equal { sine(Fields::Scalar, one, angle, Quad::ZERO) } else { Factor::cosine(angle) };
+            return vec![factor];
+        };
+        let excess = Quad::from(2.0) - Quad::from(4.0) * Quad::from(poisson);
+        let kappa = one + excess;
+        let (opening, doubled) = (angle.circular().0, angle + angle);
+        let reflected = doubled.circular().0;
+        match (first, second) {
+            (Side::Closed, Side::Closed) => vec![
+                Factor::sine(Fields::Inner, one, -1.0, angle, Quad::ZERO),
+                Factor::sine(Fields::Outer, one, 1.0, angle, Quad::ZERO),
+            ],
+            (Side::Closed, Side::Clamped) => vec![sine(Fields::Reflected, kappa, doubled, -reflected)],
+            (Side::Closed, _) => vec![sine(Fields::Reflected, one, doubled, reflected)],
+            (Side::Clamped, Side::Clamped) => {
+                vec![sine(Fields::Even, kappa, angle, -opening), sine(Fields::Odd, kappa, angle, opening)]
+            }
+            (Side::Clamped, _) => vec![Factor::mixed(angle, excess)],
+            _ => vec![sine(Fields::Even, one, angle, opening), sine(Fields::Odd, one, angle, -opening)],
+        }
+    }
+}
