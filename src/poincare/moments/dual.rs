@@ -133,7 +133,7 @@ fn beside(zone: f64) -> Result<Constraint> {
 }
 
 fn vanishing(parts: Vec<f64>) -> Constraint {
-    Constraint { parts, zone: 0, condition: Condition::Vanishing }
+    Constraint { parts, zones: vec![0], condition: Condition::Vanishing }
 }
 
 /// Lengths that keep their digits, and leave a part of positive length.
