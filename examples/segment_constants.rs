@@ -37,22 +37,22 @@ pub struct Row {
     pub potentials: f64,
     /// K, κ and κ̄.
     pub sharp: [SegmentConstant; 3],
-    /// How far the strong form's bounds are from them at most, and K from its closed form at ν = 1/2.
+    /// How far the strong form's bounds are from them at most.
     pub apart: f64,
+    /// How far K is from its closed form, at ν = 1/2.
     pub closed: Option<f64>,
 }
 
 /// The constants of every order, by both roads.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let row = |&nu: &FractionalOrder| -> Result<Row> {
-        let asked = options.tolerance;
-        let sharp =
-            [product_constant(nu, asked)?, consistency_constant(nu, asked)?, midpoint_bound(nu, asked)?];
+        let tol = options.tolerance;
+        let sharp = [product_constant(nu, tol)?, consistency_constant(nu, tol)?, midpoint_bound(nu, tol)?];
         let strong = StrongForm::new(nu)?;
         let apart = sharp.iter().map(|found| Ok(found.apart(&strong)?));
         let apart = apart.reduce(|a: Result<f64>, b| Ok(a?.max(b?))).unwrap_or(Ok(0.0))?;
-        let exact = half_order_moment(0.5, Moment::Mass)?.value.powi(2);
-        let closed = (nu == FractionalOrder::HALF).then(|| (sharp[0].value.value / exact - 1.0).abs());
+        let ratio = sharp[0].value.value / half_order_moment(0.5, Moment::Mass)?.value.powi(2);
+        let closed = (nu == FractionalOrder::HALF).then_some((ratio - 1.0).abs());
         Ok(Row { nu, potentials: half_sharpened(nu), sharp, apart, closed })
     };
     progress(options.nu.len() as u64).wrap_iter(options.nu.iter()).map(row).collect()
@@ -126,8 +126,8 @@ fn table(rows: &[Row]) -> Table {
     ];
     Table::new(columns).with_rows(rows.iter().map(|row| {
         let [product, consistency, midpoint] = row.sharp.map(|found| found.value.value);
-        let contact = row.sharp[1].contact;
-        [row.nu.value(), row.potentials, product, consistency, contact, midpoint, row.apart]
+        let [nu, c, contact] = [row.nu.value(), row.potentials, row.sharp[1].contact];
+        [nu, c, product, consistency, contact, midpoint, row.apart]
     }))
 }
 
@@ -144,13 +144,13 @@ fn draw(rows: &[Row]) -> Chart {
 
 /// The pair for which κ is attained: σ_N on the right, u_N' on the gap at the left end.
 fn draw_pair(nu: FractionalOrder) -> Result<Chart> {
-    let (fast, share) = (Tolerance::fast(), 400);
+    let fast = Tolerance::fast();
     let gap = 1.0 - consistency_constant(nu, fast)?.contact;
     let sigma = moment_extremal(nu, 1.0 - gap, Moment::FromFreeEnd, fast)?;
     let slope = moment_extremal(nu, gap, Moment::Mass, fast)?;
-    let places = || (0..=share).map(|k| f64::from(k) / f64::from(share));
-    let axes = (Axis::linear("place on the segment"), Axis::linear("seminorms 1"));
-    Ok(Chart::new(format!("The worst pair, ν = {nu}, gap {gap:.3}"), axes.0, axes.1)
+    let places = || (0..=400).map(|k| f64::from(k) / 400.0);
+    let (x, y) = (Axis::linear("place on the segment"), Axis::linear("seminorms 1"));
+    Ok(Chart::new(format!("The worst pair, ν = {nu}, gap {gap:.3}"), x, y)
         .with(Series::line("σ_N", places().map(|x| (x, -sigma.value(x))).collect()))
         .with(Series::line("u_N'", places().map(|x| (x, slope.value(1.0 - x))).collect())))
 }
