@@ -7,6 +7,7 @@
 //! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete solution for the
 //! forces A g that hold the exact edge: no contact problem. Cost as [`super::falk_terms`].
 
+use super::exponent::Exponent;
 use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use crate::edge::consistency_terms;
 use crate::error::Result;
@@ -43,6 +44,20 @@ impl CostRow {
     pub fn scaled_term(&self, tau: f64) -> f64 {
         self.consistency * (self.n as f64).powf(2.0 * tau - 2.0)
     }
+}
+
+/// A quotient on the finest of at least three meshes, and what it changed by over the last two halvings of h.
+pub fn cost_limit(rows: &[CostRow], quotient: fn(&CostRow) -> f64) -> Option<(f64, f64)> {
+    let last = rows.len().checked_sub(3)?;
+    let found: Vec<f64> = rows[last..].iter().map(quotient).collect();
+    Some((found[2], (found[2] - found[1]).abs().max((found[2] - found[0]).abs())))
+}
+
+/// The order in h of the consistency term over h^{2τ−2}, over the meshes on which it is positive, three at least.
+pub fn term_order(rows: &[CostRow], tau: f64) -> Option<Exponent> {
+    let points = rows.iter().map(|row| (1.0 / row.n as f64, row.scaled_term(tau)));
+    let points: Vec<(f64, f64)> = points.filter(|point| point.1 > 0.0).collect();
+    Exponent::fit(&points).ok()
 }
 
 /// The rows of a case, coarsest mesh first; `report` is called after each mesh.
