@@ -7,7 +7,7 @@ mod example;
 use example_frame::{Outcome, Verdict};
 use signorini::Tolerance;
 use signorini::interpolation::{RoughFamily, rearranged_shares};
-use signorini::poincare::{Condition, Zone, ZoneCase, Zones, dual_norm, gamma_at_point, random_zones};
+use signorini::poincare::{Condition, Zone, ZoneCase, Zones, dual_norm, gamma, gamma_at_point, random_zones};
 use signorini::sobolev::{FractionalOrder, sorted_share_of_orders, sorted_share_of_random};
 
 #[test]
@@ -101,6 +101,30 @@ fn dual_norms_and_points_have_their_worst_place_at_the_end() {
         if nu > 0.5 {
             let points = [0.0, 0.05, 0.2, 0.5].map(|a| gamma_at_point(order, a, tolerance).unwrap().value);
             assert!(points[1..].iter().all(|point| point < &points[0]), "nu {nu}: {points:?}");
+        }
+    }
+}
+
+#[test]
+fn an_interval_has_less_all_the_way_to_the_middle() {
+    // Measured, not proved: the theorem says where the constant is largest only.
+    let tolerance = Tolerance::new(1e-4).unwrap();
+    for nu in [0.05, 0.3, 0.5, 0.7, 0.95] {
+        let order = FractionalOrder::new(nu).unwrap();
+        for theta in [1e-6, 1e-2, 0.3, 0.8] {
+            for condition in [Condition::MeanZero, Condition::Vanishing] {
+                let at = |share: f64| {
+                    gamma(order, Zone::at(share * (1.0 - theta), theta).unwrap(), condition, tolerance)
+                        .unwrap()
+                };
+                let constants = [0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5].map(at);
+                for pair in constants.windows(2) {
+                    let words =
+                        format!("nu {nu}, theta {theta:e}, {condition}: {} then {}", pair[0], pair[1]);
+                    assert!(pair[1].value - pair[1].error <= pair[0].value + pair[0].error, "{words}");
+                }
+                assert!(constants[6].value < constants[0].value, "nu {nu}, theta {theta:e}, {condition}");
+            }
         }
     }
 }
