@@ -17,11 +17,9 @@ mod limits;
 mod location;
 mod mellin;
 mod mesh;
-mod moment;
+mod moments;
 mod scaling;
 pub(crate) mod slopes;
-mod strong_basis;
-mod strong_form;
 mod trial;
 mod two_sided;
 mod uniform;
@@ -37,12 +35,13 @@ pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use location::{Placed, Places};
 pub use mellin::end_limit;
-pub use moment::{Moment, moment_extremal, moment_norm, moment_norm_beside};
+pub use moments::{
+    Moment, MomentBounds, StrongForm, half_order_moment, moment_extremal, moment_norm, moment_norm_beside,
+};
 pub use scaling::{
     ExplicitBound, Scaling, ScalingPoint, growth, growth_limit, last_exponent, looseness_at_half,
     printed_exponent_near_one,
 };
-pub use strong_form::{MomentBounds, StrongForm};
 pub use trial::{
     BothSides, NormChain, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
     truncated_logarithm, truncated_slope,
