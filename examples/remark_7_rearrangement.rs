@@ -98,7 +98,7 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
             .number(off, 0.0)
             .within(PLACED, 0.0, "one half less its start over 1 - theta")
             .told(),
-        Finding::remark("apart", "two halves at both ends have {value} of the constant at one end or more")
+        Finding::remark("apart", "two halves have {value} of the constant at one end or more")
             .smallest(places.iter().map(|place| place.gaps[place.gaps.len() - 1].1))
             .at_most(1.0 - tolerance, "the interval at an end"),
         Finding::remark("floor", "with mean zero two halves come down to {value} of gamma_1")
