@@ -136,7 +136,7 @@ fn draw(options: &Options, scenes: &[SceneOrder]) -> Result<Chart> {
     let mut chart = Chart::new(title, x, y);
     for sides in Sides::ALL {
         let mut points = Vec::new();
-        for degrees in (1..=90).map(|k| 4.0 * f64::from(k)) {
+        for degrees in (1..=90).map(|k| 4.0 * f64::from(k) - 0.7) {
             let medium = Medium::PlaneStrain(options.poisson);
             let first = Wedge::new(f64::to_radians(degrees), sides, medium)?.first_singular()?;
             points.extend(first.map(|exponent| (degrees, exponent.re.value)));

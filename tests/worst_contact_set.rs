@@ -4,6 +4,7 @@
 #[path = "../examples/worst_contact_set.rs"]
 mod example;
 
+use example_frame::Outcome;
 use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::proof::worst_ratio;
@@ -35,4 +36,26 @@ fn a_short_gap_makes_the_term_small_where_the_second_case_lets_it_grow() {
         let order = (ratios[1] / ratios[2]).log10();
         assert!((order - (2.0 * tau - 3.0)).abs() < 0.05, "{tau}: {order}");
     }
+}
+
+#[test]
+fn no_searched_set_passes_the_sharp_constant_and_a_larger_one_would_be_seen() {
+    let options = example::Options { depth: 13, ..example::Options::default() };
+    let mut computed = example::compute(&options).unwrap();
+    let sharp = computed.sharp[0].value.value;
+    // The two cones exchange their parts for one gap: no difference is left but that of the search.
+    for searched in &computed.searched {
+        assert!(searched.largest() < sharp && searched.largest() > 0.8 * sharp, "{searched:?} {sharp}");
+        assert_eq!(searched.climbed.gaps(), 1, "{searched:?}");
+    }
+    let [nodal, midpoint] = &computed.searched;
+    assert!((nodal.interval.ratio / midpoint.interval.ratio - 1.0).abs() < 1e-10);
+    assert_eq!(outcome(&computed, "search"), Outcome::Holds);
+    computed.searched[1].random.ratio = 1.001 * sharp;
+    assert_eq!(outcome(&computed, "search"), Outcome::Refuted);
+}
+
+fn outcome(computed: &example::Computed, key: &str) -> Outcome {
+    let found = example::findings(computed);
+    found.iter().find(|finding| finding.key() == key).unwrap().outcome()
 }

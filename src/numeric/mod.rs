@@ -8,6 +8,7 @@
 //! | sign changes, golden sections | [`search`] |
 //! | the regression line | [`mod@line`] |
 //! | Legendre polynomials | [`legendre`] |
+//! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
 //!
@@ -19,6 +20,7 @@ pub(crate) mod eigen;
 pub mod legendre;
 pub mod line;
 pub(crate) mod pencil;
+pub mod random;
 pub mod scale;
 pub mod search;
 pub mod sum;

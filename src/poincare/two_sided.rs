@@ -47,7 +47,7 @@ pub fn two_sided(
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<TwoSided> {
-    let parts = constraint(&zone, condition)?;
+    let parts = constraint(&zone.into(), condition)?;
     let whole = gamma_whole(order, tolerance)?;
     let direct = refine(
         order,

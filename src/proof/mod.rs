@@ -19,9 +19,13 @@ mod resolution;
 mod section;
 mod section_four;
 mod section_three;
+mod segment_constants;
+mod segment_sets;
 mod setting;
 mod step;
 mod theta;
+mod without_c;
+mod without_c_study;
 mod worst_pair;
 mod worst_sets;
 
@@ -42,8 +46,14 @@ pub use resolution::Resolution;
 pub use section::Section;
 pub use section_four::section_four_checks;
 pub use section_three::section_three_checks;
+pub use segment_constants::{
+    SegmentConstant, consistency_constant, half_sharpened, midpoint_bound, one_gap_ratio, product_constant,
+};
+pub use segment_sets::{RatedSet, SegmentSearch, SegmentSets};
 pub use setting::SegmentSetting;
 pub use step::{Step, TwoLaws};
 pub use theta::{ThetaRule, printed_exponent, printed_theta};
-pub use worst_pair::{WorstGaps, worst_gaps, worst_ratio};
+pub use without_c::{BoundWithoutC, MeshShape, unit_square_korn};
+pub use without_c_study::BoundStudy;
+pub use worst_pair::worst_ratio;
 pub use worst_sets::{ContactFamily, SetTerms};

@@ -16,10 +16,12 @@
 //! Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor by itself, and
 //! pays θ^{τ−2} for the first.
 //!
-//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u, and closing the
-//! others enlarges the space of σ_N: the worst set is the complement of (0, a) and (1 − b, 1). For given a, b
-//! the best σ_N and u_N come from two linear solves with Gram matrices of piecewise constants, graded to all
-//! ends; the value is a lower bound of the supremum. Cost: O(cells³) per set.
+//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u; closing the others enlarges
+//! the space of σ_N and, as u_N ≤ 0, does not raise the norm of u_N': the worst set is the complement of (0, a) and (1
+//! − b, 1). For given a, b the best σ_N and u_N come from two linear solves with Gram matrices of piecewise constants,
+//! graded to all ends; the value is a lower bound of the supremum, from a mesh and therefore low by some per
+//! cent. For one gap [`super::one_gap_ratio`] has all digits, and [`super::consistency_constant`] the
+//! maximum. Cost: O(cells³) per set.
 
 use crate::cone::Cone;
 use crate::error::{Error, Result};
@@ -68,47 +70,6 @@ pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64, tolerance: Toler
     let (what, reached) = ("worst ratio of a segment", change / before);
     Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached })
 }
-
-/// Where the worst ratio of a segment is taken.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WorstGaps {
-    /// The largest ratio found.
-    pub ratio: Estimate,
-    /// Lengths of the gaps at both ends.
-    pub gaps: [f64; 2],
-}
-
-/// Single gaps that are tried.
-const ONE_GAP: [f64; 16] =
-    [1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
-/// Lengths of either gap where both ends are open.
-const TWO_GAPS: [f64; 7] = [0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8];
-/// Least contact between two gaps.
-const CONTACT: f64 = 0.01;
-
-/// The worst ratio on one segment over a grid of gaps, 10^{−5} ... 0.9 at one end, 0.05 ... 0.8 at both.
-///
-/// The grid is searched with errors below a tenth; the worst of it is then computed to the tolerance. Its
-/// value is a lower bound of the supremum over all contact sets, its error that of this one set.
-///
-/// # Errors
-/// As [`worst_ratio`].
-pub fn worst_gaps(cone: Cone, tau: f64, tolerance: Tolerance) -> Result<WorstGaps> {
-    let pairs = TWO_GAPS.iter().flat_map(|&right| TWO_GAPS.iter().map(move |&left| [left, right]));
-    let pairs = pairs.filter(|[left, right]| left <= right && left + right < 1.0 - CONTACT);
-    let mut worst = (0.0, [0.0; 2]);
-    for gaps in ONE_GAP.iter().map(|&right| [0.0, right]).chain(pairs) {
-        let ratio = worst_ratio(cone, tau, gaps[0], gaps[1], Tolerance::new(SEARCH)?)?.value;
-        if ratio > worst.0 {
-            worst = (ratio, gaps);
-        }
-    }
-    let gaps = worst.1;
-    Ok(WorstGaps { ratio: worst_ratio(cone, tau, gaps[0], gaps[1], tolerance)?, gaps })
-}
-
-/// Accuracy of the search: neighbours on the grid differ by more.
-const SEARCH: f64 = 0.1;
 
 /// The ratio of the best piecewise constants on a graded mesh, every cell halved so often.
 fn lower_bound(cone: Cone, order: FractionalOrder, left: f64, right: f64, halvings: u32) -> Result<f64> {
@@ -187,7 +148,7 @@ mod tests {
     use super::*;
 
     fn rough() -> Tolerance {
-        Tolerance::new(SEARCH).unwrap()
+        Tolerance::new(0.1).unwrap()
     }
 
     #[test]

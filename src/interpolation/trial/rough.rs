@@ -8,9 +8,10 @@
 //! | [`RoughFamily::Weierstrass`] | Σ b^{-sk} cos(b^k π x + φ_k), s just above ν, at 49 nodes | 0 < ν < 1 |
 //!
 //! Graded meshes are geometric to one end, to both, or to an inner point as well.
-//! The numbers come from SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): the same on every machine.
+//! The numbers are those of [`SplitMix`]: the same on every machine.
 
 use crate::error::Result;
+use crate::numeric::random::SplitMix;
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial};
 use std::f64::consts::PI;
 
@@ -64,13 +65,13 @@ impl Grading {
 pub struct RoughSlopes {
     family: RoughFamily,
     order: FractionalOrder,
-    state: u64,
+    numbers: SplitMix,
 }
 
 impl RoughSlopes {
     /// The sequence of a family with a seed.
     pub fn new(family: RoughFamily, order: FractionalOrder, seed: u64) -> Self {
-        Self { family, order, state: seed }
+        Self { family, order, numbers: SplitMix::new(seed) }
     }
 
     /// The next slope.
@@ -97,10 +98,10 @@ impl RoughSlopes {
 
     /// A mesh with 1 to 10 layers towards both ends, or towards an inner point as well.
     fn mesh(&mut self) -> Result<(Partition, f64)> {
-        let layers = 1 + (self.uniform() * 10.0) as usize;
-        let ratio = 0.1 + 0.7 * self.uniform();
-        let inner = 0.1 + 0.8 * self.uniform();
-        Ok(match Grading::of(self.uniform()) {
+        let layers = 1 + (self.numbers.uniform() * 10.0) as usize;
+        let ratio = 0.1 + 0.7 * self.numbers.uniform();
+        let inner = 0.1 + 0.8 * self.numbers.uniform();
+        Ok(match Grading::of(self.numbers.uniform()) {
             Grading::BothEnds => (Partition::two_sided(layers, ratio, 1.0)?, 0.0),
             Grading::InnerPoint => (Partition::graded_to_points(&[0.0, inner, 1.0], layers, ratio)?, inner),
             Grading::LeftEnd => (Partition::geometric(2 * layers, ratio, 1.0)?, 0.0),
@@ -110,41 +111,32 @@ impl RoughSlopes {
     /// Random numbers times |x − x₀|^a, a between ν − 1/2 and 1: from noise to a smooth trend, some with a
     /// trend added.
     fn values(&mut self, points: &[f64], singular: f64) -> Vec<f64> {
-        let exponent = self.order.offset() + (1.0 - self.order.offset()) * self.uniform();
+        let exponent = self.order.offset() + (1.0 - self.order.offset()) * self.numbers.uniform();
         let shortest = points.windows(2).map(|pair| pair[1] - pair[0]).fold(1.0, f64::min);
-        let trend = 4.0 * self.uniform();
+        let trend = 4.0 * self.numbers.uniform();
         points
             .iter()
             .map(|&x| {
                 let distance = (x - singular).abs().max(0.5 * shortest);
-                trend * (x - 0.5) + (2.0 * self.uniform() - 1.0) * distance.powf(exponent)
+                trend * (x - 0.5) + (2.0 * self.numbers.uniform() - 1.0) * distance.powf(exponent)
             })
             .collect()
     }
 
     fn weierstrass(&mut self) -> Result<PiecewisePolynomial> {
-        let base = 1.3 + 2.0 * self.uniform();
-        let decay = self.order.value() + 0.2 * self.uniform();
+        let base = 1.3 + 2.0 * self.numbers.uniform();
+        let decay = self.order.value() + 0.2 * self.numbers.uniform();
         let highest = WEIERSTRASS_CELLS as f64 / 3.0;
         let mut waves = Vec::new();
         let mut frequency = 1.0;
         while frequency <= highest {
-            waves.push((frequency * PI, frequency.powf(-decay), 2.0 * PI * self.uniform()));
+            waves.push((frequency * PI, frequency.powf(-decay), 2.0 * PI * self.numbers.uniform()));
             frequency *= base;
         }
         let partition = Partition::uniform(WEIERSTRASS_CELLS, 1.0)?;
         PiecewisePolynomial::interpolate(partition, 1, |x| {
             waves.iter().map(|&(omega, amplitude, phase)| amplitude * (omega * x + phase).cos()).sum()
         })
-    }
-
-    /// Uniform in [0, 1).
-    fn uniform(&mut self) -> f64 {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 }
 

@@ -1,0 +1,278 @@
+//! Sharp constants of one contact segment, T = (0, 1), over all contact sets E; e = |E|, n = 1 − e.
+//!
+//! σ = σ_N lives on E, w = u_N' on N = T \ E, ν = τ − 3/2, |·|_ν is the seminorm (1.1).
+//!
+//! | constant | of | value |
+//! | --- | --- | --- |
+//! | c(ν), [`half_sharpened`] | ‖σ‖_{L¹} ‖w‖_{L¹} ≤ c \|σ\| \|w\|, by potentials | ν / (2 (4^ν − 1)) |
+//! | K(ν), [`product_constant`] | the same, best constant | max_e B(e) B(1−e) |
+//! | κ(ν), [`consistency_constant`] | ∫ σ (I^h u), one gap at an end | max_e A(e) B(1−e) |
+//! | κ̄(ν), [`midpoint_bound`] | midpoint cone, every E | max_e B(e) D(1−e) |
+//!
+//! B, A, D are the moments of 1, x and e − x of functions that vanish beyond (0, e), x the distance from the
+//! free end: [`crate::poincare::moment_norm`].
+//!
+//! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far as it can be: at least ∫_n^1 t^{−1−2ν} dt = e
+//! G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|², and ‖σ‖_{L¹}
+//! ‖w‖_{L¹} ≤ √(en) ‖σ‖ ‖w‖ ≤ ½ (G(e) G(n))^{−1/2} |σ| |w|. The mean of t^{−1−2ν} over (s, 1) is that of
+//! (1−θ+θs)^{−1−2ν} over 0 < θ < 1; each is log-convex in s, so is G, and G(e) G(1−e) is least at e = 1/2, where it
+//! is ((4^ν − 1)/ν)².
+//!
+//! **K.** |·|_ν does not grow when |σ|, |w| are replaced by their monotone rearrangements, ‖·‖_{L¹} stays: E = (0, e),
+//! N = (e, 1) is the worst of all sets of measure e.
+//!
+//! **κ.** One gap (0, b): the nodal term is u(0) ∫ σ (1−x), u(0) = −∫ w, the midpoint term ∫_N u ∫ σ, ∫_N u = −∫ x w:
+//! each a product of two moments, A(1−b) B(b) and A(b) B(1−b). The same maximum.
+//!
+//! **κ̄.** On a gap inside, ∫ w = 0, so ∫_N |u| ≤ ∫ ρ |w| with ρ the distance from the middle of the gap, or from the
+//! free end of a gap at an end. |{ρ > s}| = Σ (a − s)_+ + Σ (l − 2s)_+ ≤ (n − s)_+, and rearranged ∫ ρ |w| ≤ D(n) |w|.
+//!
+//! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
+
+use crate::cone::Cone;
+use crate::error::Result;
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::search::golden_section;
+use crate::poincare::{Moment, MomentBounds, StrongForm, moment_norm, moment_norm_beside};
+use crate::sobolev::FractionalOrder;
+
+/// A constant and the measure of the contact set at which it is reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SegmentConstant {
+    /// The constant.
+    pub value: Estimate,
+    /// |E|, to about 1e-4.
+    pub contact: f64,
+    /// The moments of which it is the product: on E and on N.
+    pub moments: [Moment; 2],
+}
+
+impl SegmentConstant {
+    /// The product of the bounds of both moments by the strong form: a second road to the value at this contact set.
+    ///
+    /// # Errors
+    /// As for [`StrongForm::moment`].
+    pub fn bounds(&self, strong: &StrongForm) -> Result<MomentBounds> {
+        let on_contact = strong.moment(self.contact, self.moments[0])?;
+        let on_gap = strong.moment(1.0 - self.contact, self.moments[1])?;
+        Ok(MomentBounds { lower: on_contact.lower * on_gap.lower, upper: on_contact.upper * on_gap.upper })
+    }
+
+    /// How far the further of these bounds is from the value, relative to it, the error included.
+    ///
+    /// # Errors
+    /// As for [`SegmentConstant::bounds`].
+    pub fn apart(&self, strong: &StrongForm) -> Result<f64> {
+        let (bounds, Estimate { value, error, .. }) = (self.bounds(strong)?, self.value);
+        Ok(((bounds.upper - value).abs().max((value - bounds.lower).abs()) + error) / value)
+    }
+}
+
+/// c(ν) = ν / (2 (4^ν − 1)): 1/(4 ln 2) as ν → 0, 1/4 at ν = 1/2, 1/6 as ν → 1.
+pub fn half_sharpened(order: FractionalOrder) -> f64 {
+    0.5 * order.value() / (2.0 * std::f64::consts::LN_2 * order.value()).exp_m1()
+}
+
+/// K(ν), the best constant in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ K |σ|_ν |w|_ν for functions of disjoint supports.
+///
+/// ```
+/// use signorini::{Tolerance, proof::{half_sharpened, product_constant}, sobolev::FractionalOrder};
+/// let sharp = product_constant(FractionalOrder::HALF, Tolerance::fast())?;
+/// assert!(sharp.value.value < half_sharpened(FractionalOrder::HALF));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) as for [`moment_norm`].
+pub fn product_constant(order: FractionalOrder, tolerance: Tolerance) -> Result<SegmentConstant> {
+    largest_product(order, Moment::Mass, Moment::Mass, tolerance)
+}
+
+/// κ(ν), the best constant of the consistency term of either cone over the contact sets with one gap, at an
+/// end.
+///
+/// # Errors
+/// As for [`product_constant`].
+pub fn consistency_constant(order: FractionalOrder, tolerance: Tolerance) -> Result<SegmentConstant> {
+    largest_product(order, Moment::FromFreeEnd, Moment::Mass, tolerance)
+}
+
+/// κ̄(ν): the term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact set.
+///
+/// # Errors
+/// As for [`product_constant`].
+pub fn midpoint_bound(order: FractionalOrder, tolerance: Tolerance) -> Result<SegmentConstant> {
+    largest_product(order, Moment::Mass, Moment::FromZone, tolerance)
+}
+
+/// The best constant of the consistency term for one gap of the given length at an end: A(1−b) B(b) for the nodal
+/// cone, A(b) B(1−b) for the midpoint cone.
+///
+/// ```
+/// use signorini::{Tolerance, cone::Cone, proof::one_gap_ratio, sobolev::FractionalOrder};
+/// let ratio = |cone, gap| one_gap_ratio(cone, FractionalOrder::HALF, gap, Tolerance::fast());
+/// let (nodal, midpoint) = (ratio(Cone::Nodal, 0.3)?, ratio(Cone::Midpoint, 0.7)?);
+/// assert!((nodal.value - midpoint.value).abs() <= nodal.error + midpoint.error);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for [`product_constant`].
+pub fn one_gap_ratio(cone: Cone, order: FractionalOrder, gap: f64, tolerance: Tolerance) -> Result<Estimate> {
+    match cone {
+        Cone::Nodal => product(order, (Moment::Mass, Moment::FromFreeEnd), gap, tolerance),
+        Cone::Midpoint => product(order, (Moment::FromFreeEnd, Moment::Mass), gap, tolerance),
+    }
+}
+
+/// The ratio of one set: moments of functions on both parts, of length `length` and 1 − `length`.
+fn product(
+    order: FractionalOrder,
+    moments: (Moment, Moment),
+    length: f64,
+    tolerance: Tolerance,
+) -> Result<Estimate> {
+    let (first, second) = (
+        moment_norm(order, length, moments.0, tolerance)?,
+        moment_norm_beside(order, length, moments.1, tolerance)?,
+    );
+    let value = first.value * second.value;
+    let error = value * (first.relative_error() + second.relative_error());
+    Estimate::new(value, error, first.work + second.work)
+}
+
+/// Where the maximum is looked for, how far a golden section goes, and the half width of the polynomial that
+/// refines it.
+const RANGE: (f64, f64) = (0.1, 0.95);
+const COARSE_WIDTH: f64 = 0.004;
+const STEP: f64 = 0.02;
+
+/// The largest product over e: golden sections at low accuracy, then the maximum of the polynomial through
+/// five values of full accuracy. The value is that at its place, where the product is flat.
+fn largest_product(
+    order: FractionalOrder,
+    first: Moment,
+    second: Moment,
+    tolerance: Tolerance,
+) -> Result<SegmentConstant> {
+    let moments = (first, second);
+    let mut failure = None;
+    let rough = golden_section(RANGE.0, RANGE.1, COARSE_WIDTH, |e| {
+        product(order, moments, e, Tolerance::fast()).map_or_else(
+            |error| {
+                failure = Some(error);
+                0.0
+            },
+            |found| -found.value,
+        )
+    });
+    if let Some(error) = failure {
+        return Err(error);
+    }
+    let sharper = Tolerance::new((0.25 * tolerance.relative()).max(1e-15))?;
+    let mut values = [0.0; 5];
+    let mut work = Work::default();
+    for (k, value) in values.iter_mut().enumerate() {
+        let found = product(order, moments, rough + STEP * (k as f64 - 2.0), sharper)?;
+        *value = found.value;
+        work += found.work;
+    }
+    let place = stationary(&values);
+    let contact = rough + STEP * place;
+    let found = product(order, moments, contact, sharper)?;
+    let value = Estimate::new(found.value, found.error, work + found.work)?;
+    Ok(SegmentConstant { value, contact, moments: [first, second] })
+}
+
+/// Where the polynomial through the values at −2 ... 2 is stationary, near 0: Newton's method on its slope.
+fn stationary(values: &[f64; 5]) -> f64 {
+    let [a, b, c, d, e] = *values;
+    // Derivatives at 0 of the quartic.
+    let first = (a - 8.0 * b + 8.0 * d - e) / 12.0;
+    let second = (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / 12.0;
+    let third = 0.5 * (-a + 2.0 * b - 2.0 * d + e);
+    let fourth = a - 4.0 * b + 6.0 * c - 4.0 * d + e;
+    let mut x = 0.0;
+    for _ in 0..20 {
+        let slope = first + x * (second + x * (0.5 * third + x * fourth / 6.0));
+        let curvature = second + x * (third + 0.5 * x * fourth);
+        x = (x - slope / curvature).clamp(-2.0, 2.0);
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both roads, to nine digits.
+    const ASKED: f64 = 1e-9;
+
+    fn sharp() -> Tolerance {
+        Tolerance::new(ASKED).unwrap()
+    }
+
+    #[test]
+    fn the_potentials_weigh_most_at_one_half() {
+        for k in 1..=200 {
+            let nu = f64::from(k) / 201.0;
+            let order = FractionalOrder::new(nu).unwrap();
+            let g = |s: f64| (-2.0 * nu * (-s).ln_1p()).exp_m1() / (2.0 * nu);
+            let of = |e: f64| 0.5 * (e * (1.0 - e) / (g(e) * g(1.0 - e))).sqrt();
+            assert!((of(0.5) / half_sharpened(order) - 1.0).abs() < 1e-13, "{nu}");
+            let values: Vec<f64> = (1..2000).map(|j| of(f64::from(j) / 2000.0)).collect();
+            assert!(values[..1000].windows(2).all(|pair| pair[0] < pair[1] * (1.0 + 1e-14)), "{nu}");
+            assert!(values[999..].windows(2).all(|pair| pair[1] < pair[0] * (1.0 + 1e-14)), "{nu}");
+        }
+    }
+
+    #[test]
+    fn constants_agree_with_a_prototype_by_another_discretization() {
+        // Conforming piecewise linears on graded meshes, from below, 3 to 4 digits.
+        for (nu, k, kappa) in [(1e-6, 0.1997, 0.0679), (0.25, 0.1105, 0.03234), (0.5, 0.0519, 0.01350)] {
+            let order = FractionalOrder::new(nu).unwrap();
+            let found = [product_constant(order, sharp()), consistency_constant(order, sharp())];
+            for (found, seen) in found.into_iter().zip([k, kappa]) {
+                let value = found.unwrap().value.value;
+                assert!((value / seen - 1.0).abs() < 2e-3, "{nu}: {value} {seen}");
+            }
+        }
+    }
+
+    #[test]
+    fn constants_stand_in_order_and_between_the_bounds_of_the_strong_form() {
+        for nu in [0.001, 0.3, 0.5, 0.8, 0.999] {
+            let order = FractionalOrder::new(nu).unwrap();
+            let strong = StrongForm::new(order).unwrap();
+            let c = half_sharpened(order);
+            let k = product_constant(order, sharp()).unwrap();
+            let kappa = consistency_constant(order, sharp()).unwrap();
+            let midpoint = midpoint_bound(order, sharp()).unwrap();
+            let all = [kappa.value.value, midpoint.value.value, k.value.value, c];
+            assert!(all.windows(2).all(|pair| pair[0] < pair[1]), "{nu}: {all:?}");
+            assert!((k.contact - 0.5).abs() < 1e-4, "{nu}: {k:?}");
+            for found in [k, kappa, midpoint] {
+                let MomentBounds { lower: low, upper: high } = found.bounds(&strong).unwrap();
+                let Estimate { value, error, .. } = found.value;
+                assert!(low <= value + error && value - error <= high, "{nu}: {low} {value} {high}");
+                assert!(high / low - 1.0 < 2e-8, "{nu}: {low} {high}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_maximum_found_is_that_of_a_grid() {
+        for nu in [0.01, 0.5, 0.95] {
+            let order = FractionalOrder::new(nu).unwrap();
+            let kappa = consistency_constant(order, sharp()).unwrap();
+            let largest = product_constant(order, sharp()).unwrap().value;
+            for k in 1..40 {
+                let gap = f64::from(k) / 40.0;
+                let ratio = one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast()).unwrap();
+                assert!(ratio.value - ratio.error <= kappa.value.value, "{nu} {gap}: {ratio} {kappa:?}");
+                let k = product(order, (Moment::Mass, Moment::Mass), gap, Tolerance::fast()).unwrap();
+                assert!(k.value - k.error <= largest.value, "{nu} {gap}: {k} {largest}");
+            }
+        }
+    }
+}
