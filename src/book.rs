@@ -43,6 +43,7 @@ chapters! {
     worst_contact_set: "worst_contact_set.md",
     lemma_5_2_exact_law: "lemma_5_2_exact_law.md",
     segment_constants: "segment_constants.md",
+    theorem_3_1_without_c: "theorem_3_1_without_c.md",
     section_2_strip: "section_2_strip.md",
     speed_for_accuracy: "speed_for_accuracy.md",
     extremes: "extremes.md",

@@ -123,6 +123,7 @@ examples! {
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
+    theorem_3_1_without_c: "../examples/theorem_3_1_without_c.rs",
     theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
     theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
     theta_balance: "../examples/theta_balance.rs",

@@ -24,6 +24,8 @@ mod segment_sets;
 mod setting;
 mod step;
 mod theta;
+mod without_c;
+mod without_c_study;
 mod worst_pair;
 mod worst_sets;
 
@@ -51,5 +53,7 @@ pub use segment_sets::{RatedSet, SegmentSearch, SegmentSets};
 pub use setting::SegmentSetting;
 pub use step::{Step, TwoLaws};
 pub use theta::{ThetaRule, printed_exponent, printed_theta};
+pub use without_c::{BoundWithoutC, MeshShape, unit_square_korn};
+pub use without_c_study::BoundStudy;
 pub use worst_pair::worst_ratio;
 pub use worst_sets::{ContactFamily, SetTerms};

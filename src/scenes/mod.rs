@@ -11,11 +11,14 @@
 //! | [`StripCase`] | a strip scene with levels, cone and positions: what is solved | `case` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
+//! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
 //!
 //! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data, regularity.
 //! List of all, help texts, reading, writing and errors follow from it.
 
 mod case;
+mod closed_form;
+mod closed_form_levels;
 mod contact_sets;
 mod gap_data;
 mod known;
@@ -32,6 +35,8 @@ mod tau_range;
 mod transition_powers;
 
 pub use case::StripCase;
+pub use closed_form::ClosedForm;
+pub use closed_form_levels::ClosedFormLevel;
 pub use mesh::{MeshScene, Setting};
 pub use regularity::clamped_free_exponent;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
