@@ -41,6 +41,7 @@ chapters! {
     theorem_4_1_proof: "theorem_4_1_proof.md",
     theta_balance: "theta_balance.md",
     worst_contact_set: "worst_contact_set.md",
+    remark_7_rearrangement: "remark_7_rearrangement.md",
     lemma_5_2_exact_law: "lemma_5_2_exact_law.md",
     segment_constants: "segment_constants.md",
     theorem_3_1_without_c: "theorem_3_1_without_c.md",

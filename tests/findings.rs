@@ -111,6 +111,7 @@ examples! {
     remark_4_saturation: "../examples/remark_4_saturation.rs",
     remark_5_log_counterexample: "../examples/remark_5_log_counterexample.rs",
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
+    remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
