@@ -17,6 +17,7 @@ chapters! {
     section_1_norms: "section_1_norms.md",
     section_2_elastic_contact: "section_2_elastic_contact.md",
     section_2_scalar_contact: "section_2_scalar_contact.md",
+    section_2_singular_exponents: "section_2_singular_exponents.md",
     section_4_midpoint_cone: "section_4_midpoint_cone.md",
     falk: "falk.md",
     figure_3_2_alternative: "figure_3_2_alternative.md",

@@ -116,6 +116,7 @@ examples! {
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
+    section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
     section_2_strip: "../examples/section_2_strip.rs",
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
