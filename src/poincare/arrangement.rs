@@ -5,7 +5,7 @@
 //! is the largest over all sets of measure θ. Here both sides for random unions of intervals, and where along
 //! the interval a single zone has its least constant.
 
-use super::constant::gamma;
+use super::constant::{gamma, gamma_whole};
 use super::zone::{Condition, Zone};
 use super::zones::Zones;
 use crate::error::{Error, Result};
@@ -37,7 +37,7 @@ pub struct ZoneCase {
 
 impl ZoneCase {
     /// A random case: 1 to 5 intervals of measure 1e-12 to 0.9 on an extent between θ and one, anywhere, a
-    /// quarter of them at the left end; ν in \[0.001, 0.999\], half of them within a tenth of 0, 1/2 or 1.
+    /// quarter of the unions from the left end on; ν in \[0.001, 0.999\], half of them within a tenth of 0, 1/2 or 1.
     ///
     /// # Errors
     /// None for the parameters drawn here; those of [`Zones::from_lengths`] are passed on.
@@ -52,7 +52,7 @@ impl ZoneCase {
         let (intervals, gaps) = (shares(count), shares(count - 1));
         let room = 1.0 - theta;
         let within = if count > 1 { room * theta.powf(random.uniform()) } else { 0.0 };
-        let left = if random.below(4) == 0 { 0.0 } else { (room - within) * random.uniform() };
+        let left = if count > 1 && random.below(4) == 0 { 0.0 } else { (room - within) * random.uniform() };
         let mut lengths = vec![left, theta * intervals[0]];
         for (gap, interval) in gaps.iter().zip(&intervals[1..]) {
             lengths.extend([within * gap, theta * interval]);
@@ -117,6 +117,9 @@ pub struct MovedZone {
     pub share: f64,
     /// The least constant over that of (0, θ).
     pub least: Estimate,
+    /// γ₁ over that of (0, θ): with mean zero no set has less, and a symmetric one has γ₁ where an odd function is
+    /// extremal.
+    pub whole: Estimate,
     /// (g, γ_E / γ_(0,θ)) for two halves, symmetric about the middle, with the gap g between them: from
     /// 1e-4 (1 − θ) to 1 − θ, where they lie at both ends.
     pub gaps: Vec<(f64, Estimate)>,
@@ -134,12 +137,19 @@ impl MovedZone {
         tolerance: Tolerance,
     ) -> Result<Self> {
         let (share, least) = best_place(order, theta, condition, tolerance)?;
-        Ok(Self { order, condition, share, least, gaps: opening_gap(order, theta, condition, tolerance)? })
+        let end = gamma(order, Zone::end(theta)?, condition, tolerance)?;
+        let whole = gamma_whole(order, tolerance)?.over(end)?;
+        let gaps = opening_gap(order, theta, condition, tolerance)?;
+        Ok(Self { order, condition, share, least, whole, gaps })
     }
 }
 
+/// Gaps over 1 − θ.
+const GAPS: [f64; 16] =
+    [1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+
 /// (g, γ_E / γ_(0,θ)) for the two halves of a zone of length θ, symmetric about the middle, as the gap g between
-/// them opens from 1e-4 to 1 − θ, where they lie at both ends.
+/// them opens to 1 − θ, where they lie at both ends.
 ///
 /// # Errors
 /// Those of [`ZoneCase::over_end`].
@@ -149,13 +159,13 @@ fn opening_gap(
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<Vec<(f64, Estimate)>> {
-    let opened = |k: u32| {
-        let gap = (1.0 - theta) * 10f64.powf(-0.25 * f64::from(k));
+    let opened = |share: &f64| {
+        let gap = (1.0 - theta) * share;
         let before = 0.5 * ((1.0 - theta) - gap);
         let zones = Zones::from_lengths(&[before, 0.5 * theta, gap, 0.5 * theta])?;
         Ok((gap, ZoneCase { order, zones, condition }.over_end(tolerance)?))
     };
-    (0..17u32).into_par_iter().rev().map(opened).collect()
+    GAPS.par_iter().map(opened).collect()
 }
 
 /// Places tried before the search, and the width to which the best one is searched.
