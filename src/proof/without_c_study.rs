@@ -36,7 +36,7 @@ impl BoundStudy {
         report: impl FnMut(),
     ) -> Result<Self> {
         // B plays no part in scalar problems.
-        let korn = scene.lame.map_or(Ok(1.0), |lame| unit_square_korn(lame))?;
+        let korn = scene.lame.map_or(Ok(1.0), unit_square_korn)?;
         let shape = MeshShape::right_isosceles();
         let bound = |&c: &f64| BoundWithoutC::new(&scene.form(), cone, shape, c, korn);
         let bounds = segment.iter().map(bound).collect::<Result<_>>()?;
