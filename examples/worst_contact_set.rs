@@ -97,7 +97,7 @@ pub fn findings(computed: &Computed) -> Vec<Finding> {
             .number(best, best * kappa.value.relative_error())
             .at_most(1.0, "the sharp constant for one gap at an end")
             .told(),
-        Finding::remark("climb", "climbing from the best random set ends with {value} gaps at most")
+        Finding::remark("climb", "gaps left after climbing from the best random set: {value} at most")
             .number(gaps as f64, 0.0)
             .at_most(1.0, "one gap at an end"),
         Finding::remark("nearest", "steady orders of resolved sets stay {value} and more above the exponent")

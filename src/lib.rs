@@ -29,7 +29,7 @@
 //! | (4.6), (4.7): projection on constants, L^2 and dual norm | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
 //! | Figure 4.1: first and second case, midpoint cone | [`proof::SetDiameter`], [`proof::Classification`] |
 //! | (4.9) to (4.14): both sides of every line | [`proof::section_four_checks`] |
-//! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::worst_ratio`], [`proof::worst_gaps`] |
+//! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::SegmentSets`], [`proof::one_gap_ratio`], [`proof::worst_ratio`] |
 //! | Lemma 5.1: Peetre-Tartar | [`poincare::gamma`] |
 //! | Lemma 5.2, (5.1) to (5.3): Poincaré constant of a small zone | [`poincare::gamma`], [`poincare::two_sided`], [`poincare::LimitLaw`] |
 //! | Remark 5: no constant at nu = 1/2 | [`poincare::TruncatedFamily`], [`sobolev::closed_forms::log_power`] |
