@@ -11,6 +11,7 @@
 //! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
+//! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`] |
 //! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |
 //! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`cone::EdgeCone`], [`contact::Solver`], [`cone::Judgement`] |
 //! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::Bound`], [`convergence::RateStudy`], [`convergence::Fit`] |
@@ -44,6 +45,7 @@
 //! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |
 //! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`], [`poincare::half_order_moment`] |
 //! | Theorems 3.1 and 4.1, tau = 2: a bound without C | [`proof::BoundWithoutC`], [`proof::MeshShape`], [`scenes::ClosedForm`] |
+//! | Theorem 3.1, the limit: contact costs nothing | [`proof::contact_cost`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |
 //! <!-- end of labels -->

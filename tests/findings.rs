@@ -94,6 +94,7 @@ macro_rules! examples {
 
 examples! {
     // examples
+    contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     extremes: "../examples/extremes.rs",
     falk_terms: "../examples/falk_terms.rs",
@@ -116,6 +117,7 @@ examples! {
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
+    section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
     section_2_strip: "../examples/section_2_strip.rs",
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
