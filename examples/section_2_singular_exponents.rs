@@ -113,7 +113,7 @@ fn table(wedges: &[(Wedge, Spectrum)]) -> Table {
         Column::new("error", "+-", Format::Scientific(0), "rounding of the characteristic function"),
         Column::new("multiplicity", "zeros", Format::Plain, "multiplicity as a zero"),
         Column::new("modes", "modes", Format::Plain, "angular functions; fewer than zeros: r^lambda ln r"),
-        Column::new("kind", "", Format::Plain, "polynomial: no limit to tau; excluded: not in contact"),
+        Column::new("kind", "kind", Format::Plain, "polynomial: no limit to tau; excluded: not in contact"),
     ]);
     for (wedge, e) in wedges.iter().flat_map(|(wedge, all)| all.exponents.iter().map(move |e| (wedge, e))) {
         let kind = match (wedge.admission(e), e.is_polynomial()) {

@@ -46,6 +46,7 @@ chapters! {
     lemma_5_2_exact_law: "lemma_5_2_exact_law.md",
     segment_constants: "segment_constants.md",
     theorem_3_1_without_c: "theorem_3_1_without_c.md",
+    contact_costs_nothing: "contact_costs_nothing.md",
     section_2_strip: "section_2_strip.md",
     speed_for_accuracy: "speed_for_accuracy.md",
     extremes: "extremes.md",

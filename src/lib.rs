@@ -45,6 +45,7 @@
 //! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |
 //! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`], [`poincare::half_order_moment`] |
 //! | Theorems 3.1 and 4.1, tau = 2: a bound without C | [`proof::BoundWithoutC`], [`proof::MeshShape`], [`scenes::ClosedForm`] |
+//! | Theorem 3.1, the limit: contact costs nothing | [`proof::contact_cost`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |
 //! <!-- end of labels -->

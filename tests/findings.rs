@@ -94,6 +94,7 @@ macro_rules! examples {
 
 examples! {
     // examples
+    contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     extremes: "../examples/extremes.rs",
     falk_terms: "../examples/falk_terms.rs",
