@@ -72,7 +72,6 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     let off = places.iter().map(|place| 0.5 - place.share).fold(0.0, f64::max);
     let free = places.iter().filter(|place| place.condition == Condition::MeanZero);
     let halves = free.flat_map(|place| place.gaps.iter().filter_map(|gap| gap.1.over(place.whole).ok()));
-    let mean = functions.iter().map(|&(.., mean)| mean).fold(0.0, f64::max);
     vec![
         Finding::claim("worst", "of all sets of one measure the interval at an end is the worst")
             .at_most(1.0, "the interval at an end")
@@ -85,7 +84,7 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
             .at_most(1.0 + Tolerance::balanced().relative(), "the seminorm of the function")
             .told(),
         Finding::remark("average", "on average at most {value} of it")
-            .number(mean, 0.0)
+            .number(functions.iter().map(|&(.., mean)| mean).fold(0.0, f64::max), 0.0)
             .at_most(1.0, "the seminorm of the function"),
         Finding::claim("zones", "up to five intervals have at most {value} of the constant at the end")
             .largest(ratios())

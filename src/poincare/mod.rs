@@ -18,6 +18,7 @@ mod location;
 mod mellin;
 mod mesh;
 mod moments;
+mod rounding;
 mod scaling;
 pub(crate) mod slopes;
 mod trial;

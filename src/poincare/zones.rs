@@ -168,16 +168,10 @@ mod tests {
 
     #[test]
     fn bad_unions_are_refused() {
-        for bad in [
-            &[][..],
-            &[(0.1, 0.2), (0.2, 0.2)],
-            &[(0.1, 0.1), (0.2, 0.1)],
-            &[(0.5, 0.6)],
-            &[(-0.1, 0.2)],
-            &[(0.1, 0.0)],
-            &[(0.1, f64::NAN)],
-            &[(0.1, 0.2), (0.1, 0.2)],
-        ] {
+        let overlapping =
+            [&[(0.1, 0.2), (0.2, 0.2)][..], &[(0.1, 0.1), (0.2, 0.1)], &[(0.1, 0.2), (0.1, 0.2)]];
+        let outside = [&[(0.5, 0.6)][..], &[(-0.1, 0.2)], &[(0.1, 0.0)], &[(0.1, f64::NAN)], &[]];
+        for bad in overlapping.into_iter().chain(outside) {
             assert!(Zones::union(bad).is_err(), "{bad:?}");
         }
         for bad in [&[][..], &[0.5], &[0.1, 0.2, 0.0, 0.1], &[0.5, 0.6], &[0.1, -0.1, 0.1, 0.3]] {
@@ -245,13 +239,9 @@ mod tests {
     #[test]
     fn unions_agree_with_piecewise_linears() {
         // Linears on cells that double have an error of some per cent, and from below.
-        let cases = [
-            vec![(0.1, 0.2), (0.6, 0.1)],
-            vec![(0.0, 0.05), (0.3, 0.02), (0.9, 0.1)],
-            vec![(0.4, 0.01), (0.45, 0.02), (0.5, 0.01)],
-        ];
-        for intervals in cases {
-            let zones = Zones::union(&intervals).unwrap();
+        let three = [[(0.0, 0.05), (0.3, 0.02), (0.9, 0.1)], [(0.4, 0.01), (0.45, 0.02), (0.5, 0.01)]];
+        for intervals in [&[(0.1, 0.2), (0.6, 0.1)][..], &three[0], &three[1]] {
+            let zones = Zones::union(intervals).unwrap();
             for nu in [0.2, 0.5, 0.8] {
                 for condition in CONDITIONS {
                     let (sharp, rough) =
@@ -267,7 +257,8 @@ mod tests {
     fn mirror_images_agree_and_short_gaps_close() {
         for nu in [0.1, 0.5, 0.9] {
             for condition in CONDITIONS {
-                for lengths in [[0.1, 0.05, 0.2, 1e-3], [0.3, 1e-8, 5e-8, 2e-8], [0.1, 1e-5, 0.6, 1e-4]] {
+                let far = [[0.1, 1e-5, 0.6, 1e-4], [0.2, 1e-9, 0.5, 1e-10]];
+                for lengths in [[0.1, 0.05, 0.2, 1e-3], [0.3, 1e-8, 5e-8, 2e-8], far[0], far[1]] {
                     let zones = Zones::from_lengths(&lengths).unwrap();
                     let (one, other) =
                         (found(nu, zones.clone(), condition), found(nu, zones.mirrored(), condition));

@@ -131,7 +131,7 @@ mod tests {
                 let closed = half_order_moment(length, moment).unwrap();
                 let apart = (slopes.value - closed.value).abs();
                 assert!(apart <= slopes.error + closed.error, "{length} {moment:?}: {slopes} {closed}");
-                assert!(closed.relative_error() < 1e-8, "{length} {moment:?}: {closed}");
+                assert!(closed.relative_error() < 3e-8, "{length} {moment:?}: {closed}");
             }
         }
         assert!(half_order_moment(0.8, Moment::Mass).is_err());
