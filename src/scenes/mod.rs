@@ -9,6 +9,7 @@
 //! | names and parameters | one block per scene; grammar, reading, writing | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
 //! | [`StripCase`] | a strip scene with levels, cone and positions: what is solved | `case` |
+//! | [`ClampedEnd`] | a body clamped up to the end of its contact edge, on polar rings | `clamped_end` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //!
@@ -16,6 +17,7 @@
 //! List of all, help texts, reading, writing and errors follow from it.
 
 mod case;
+mod clamped_end;
 mod contact_sets;
 mod gap_data;
 mod known;
@@ -32,6 +34,7 @@ mod tau_range;
 mod transition_powers;
 
 pub use case::StripCase;
+pub use clamped_end::ClampedEnd;
 pub use mesh::{MeshScene, Setting};
 pub use regularity::clamped_free_exponent;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
