@@ -64,9 +64,11 @@ impl EndCase {
         Estimate::new(fine + change, change.abs(), Work::default()).ok()
     }
 
-    /// Constraints in which the sets from no contact and from full contact differ.
+    /// Constraints in which the sets from no contact and from full contact differ; the clamped end itself does not
+    /// count, since nothing is decided there.
     pub fn starts_apart(&self) -> usize {
-        self.runs[0].solution.contact_set.distance(&self.again[0].solution.contact_set)
+        let [a, b] = [&self.runs[0], &self.again[0]].map(|run| run.solution.contact_set.as_slice());
+        a.iter().zip(b).skip(1).filter(|(a, b)| a != b).count()
     }
 
     /// |J' − J|/|J| of the interior point method.
