@@ -53,15 +53,16 @@ pub fn compute(options: &Options) -> Result<Computed> {
     }
     let order = FractionalOrder::new(tau - 1.5)?;
     let sharp = [consistency_constant(order, tolerance)?, midpoint_bound(order, tolerance)?];
-    let (cells, gaps, count, seed) = SEARCH;
-    let mesh = SegmentSets::new(order, cells)?;
-    let search = |cone| mesh.search(cone, gaps, count, seed);
+    let search = |cone| SegmentSets::new(order, CELLS)?.search(cone, GAPS, SETS, SEED);
     let searched = [search(Cone::Nodal)?, search(Cone::Midpoint)?];
     Ok(Computed { paper: Bound::Paper.exponent(tau)?, sets, sharp, searched })
 }
 
-/// Cells of one segment, gaps at most of sets made of them, random sets, and where their numbers start.
-const SEARCH: (usize, usize, usize, u64) = (48, 20, 10_000, 2012);
+/// Cells of one segment, how many gaps sets of them have at most, how many random sets.
+const CELLS: usize = 48;
+const GAPS: usize = 20;
+const SETS: usize = 10_000;
+const SEED: u64 = 2012;
 /// An order with a wider bar is no order.
 const STEADY: f64 = 0.1;
 /// Part of a share that its two seminorms, asked to 1e-8, and the sums may be off by.
@@ -96,7 +97,7 @@ pub fn findings(computed: &Computed) -> Vec<Finding> {
             .number(best, best * kappa.value.relative_error())
             .at_most(1.0, "the sharp constant for one gap at an end")
             .told(),
-        Finding::remark("climb", "climbing from the best random set ends with {value} gaps at most")
+        Finding::remark("climb", "gaps left after climbing from the best random set: {value} at most")
             .number(gaps as f64, 0.0)
             .at_most(1.0, "one gap at an end"),
         Finding::remark("nearest", "steady orders of resolved sets stay {value} and more above the exponent")
@@ -112,8 +113,7 @@ pub fn findings(computed: &Computed) -> Vec<Finding> {
 /// Searches and sets both searches beside the exponent.
 pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
-    let Options { tau, .. } = options;
-    let claim = format!("tau = {tau}: term <= C h^(2 x {:.4}); is any set near that?", computed.paper);
+    let claim = format!("tau = {}: term <= C h^(2 x {:.4}); which set?", options.tau, computed.paper);
     let mut headline = Headline::new("Theorems 3.1, 4.1", claim, table(&computed), findings(&computed));
     headline.draw(&options.output, "worst_contact_set", draw)?;
     Ok(headline)
@@ -132,29 +132,27 @@ fn table(computed: &Computed) -> Table {
         Column::new("midpoint_share", "share M", two, "the same, midpoint cone"),
     ];
     Table::new(columns).with_rows(computed.sets.iter().map(|(family, terms, fits)| {
+        let orders = fits.iter().flat_map(|f| [f.map(|f| f.order).into(), f.map(|f| f.half_width).into()]);
         let first: [Cell; 2] = [family.to_string().into(), terms.shortest.into()];
-        let orders =
-            fits.iter().flat_map(|fit| [fit.map(|f| f.order).into(), fit.map(|f| f.half_width).into()]);
         first.into_iter().chain(orders).chain(terms.shares.map(Cell::from))
     }))
 }
 
 /// The best constant for one gap of length θ, and θ^{τ−2}.
 fn draw() -> Result<Chart> {
-    let x = Axis::logarithmic("length of the end gap over that of the segment");
-    let y = Axis::logarithmic("term over the seminorms of sigma_N and u_N'");
+    let x = Axis::logarithmic("length of the gap over that of the segment");
+    let y = Axis::logarithmic("term over both seminorms");
     let mut chart = Chart::new("One segment, nodal cone: the worst term for a given gap", x, y);
     let gaps: Vec<f64> = (0..21).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k)).min(0.9)).collect();
     for tau in [1.55, 1.75, 1.95] {
         let order = FractionalOrder::new(tau - 1.5)?;
         let point = |&gap: &f64| Ok((gap, one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast())?.value));
-        let points: Result<_> = gaps.iter().map(point).collect();
-        chart = chart.with(Series::line_and_points(format!("tau = {tau}"), points?));
+        let points = gaps.iter().map(point).collect::<Result<_>>()?;
+        chart = chart.with(Series::line_and_points(format!("tau = {tau}"), points));
     }
     let line = |power: f64| gaps.iter().map(|&gap| (gap, 0.5 * gap.powf(power))).collect();
-    Ok(chart
-        .with(Series::dashed("1/2", line(0.0)))
-        .with(Series::dashed("theta^(tau-2)/2, tau = 7/4", line(-0.25))))
+    let chart = chart.with(Series::dashed("1/2", line(0.0)));
+    Ok(chart.with(Series::dashed("theta^(tau-2)/2, tau = 7/4", line(-0.25))))
 }
 
 fn main() -> ExitCode {

@@ -11,6 +11,7 @@
 //! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
+//! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`] |
 //! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |
 //! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`cone::EdgeCone`], [`contact::Solver`], [`cone::Judgement`] |
 //! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::Bound`], [`convergence::RateStudy`], [`convergence::Fit`] |
@@ -29,7 +30,7 @@
 //! | (4.6), (4.7): projection on constants, L^2 and dual norm | [`interpolation::projection_constant`], [`interpolation::dual_projection_constant`] |
 //! | Figure 4.1: first and second case, midpoint cone | [`proof::SetDiameter`], [`proof::Classification`] |
 //! | (4.9) to (4.14): both sides of every line | [`proof::section_four_checks`] |
-//! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::worst_ratio`], [`proof::worst_gaps`] |
+//! | Theorems 3.1 and 4.1, any contact set: is any contact set bad? | [`proof::SegmentSets`], [`proof::one_gap_ratio`], [`proof::worst_ratio`] |
 //! | Lemma 5.1: Peetre-Tartar | [`poincare::gamma`] |
 //! | Lemma 5.2, (5.1) to (5.3): Poincaré constant of a small zone | [`poincare::gamma`], [`poincare::two_sided`], [`poincare::LimitLaw`] |
 //! | Remark 5: no constant at nu = 1/2 | [`poincare::TruncatedFamily`], [`sobolev::closed_forms::log_power`] |
@@ -40,8 +41,11 @@
 //! | Lemma 6.1, (6.1): interpolation on one interval | [`interpolation::element_constant`], [`interpolation::InterpolationError`] |
 //! | (6.2): deviation from the mean | [`interpolation::limits::pointwise`] |
 //! | Lemma 6.2: interpolation on a mesh | [`interpolation::mesh_constant`] |
+//! | Remark 7, sharp: of all sets of one measure the end is the worst | [`poincare::Zones`], [`poincare::ZoneCase`], [`poincare::MovedZone`], [`sobolev::PiecewisePolynomial::decreasing_rearrangement`] |
 //! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |
-//! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`] |
+//! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`], [`poincare::half_order_moment`] |
+//! | Theorems 3.1 and 4.1, tau = 2: a bound without C | [`proof::BoundWithoutC`], [`proof::MeshShape`], [`scenes::ClosedForm`] |
+//! | Theorem 3.1, the limit: contact costs nothing | [`proof::contact_cost`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |
 //! <!-- end of labels -->

@@ -94,6 +94,7 @@ macro_rules! examples {
 
 examples! {
     // examples
+    contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     extremes: "../examples/extremes.rs",
     falk_terms: "../examples/falk_terms.rs",
@@ -111,10 +112,12 @@ examples! {
     remark_4_saturation: "../examples/remark_4_saturation.rs",
     remark_5_log_counterexample: "../examples/remark_5_log_counterexample.rs",
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
+    remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
+    section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
     section_2_strip: "../examples/section_2_strip.rs",
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
@@ -123,6 +126,7 @@ examples! {
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
+    theorem_3_1_without_c: "../examples/theorem_3_1_without_c.rs",
     theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
     theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
     theta_balance: "../examples/theta_balance.rs",

@@ -1,6 +1,11 @@
 //! Where τ comes from: singular exponents by two roads, none lost.
 
-use signorini::singular::{Admission, Exponent, LARGEST, Medium, Side, Sides, Spectrum, Wedge};
+#[allow(dead_code)]
+#[path = "../examples/section_2_singular_exponents.rs"]
+mod example;
+
+use example_frame::Outcome;
+use signorini::singular::{Admission, Exponent, LARGEST, Medium, Side, Sides, Wedge};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Twelve digits.
@@ -70,20 +75,6 @@ fn grid() -> Vec<Wedge> {
     wedges
 }
 
-/// All zeros of the list, conjugates both, each as often as its multiplicity.
-fn zeros(spectrum: &Spectrum) -> Vec<(f64, f64)> {
-    let mut all = Vec::new();
-    for exponent in &spectrum.exponents {
-        for _ in 0..exponent.multiplicity {
-            all.push((exponent.re.value, exponent.im.value));
-            if exponent.is_complex() {
-                all.push((exponent.re.value, -exponent.im.value));
-            }
-        }
-    }
-    all
-}
-
 #[test]
 fn none_is_lost() {
     let wedges = grid();
@@ -94,7 +85,7 @@ fn none_is_lost() {
             .map(|exponent| exponent.map_or(1.0, |exponent| exponent.re.value));
         let right = LARGEST - 0.02 * (LARGEST - last);
         let count = wedge.count(0.5 * first, right).unwrap();
-        assert_eq!(count, spectrum.zeros(), "{wedge:?}: {:?}", zeros(&spectrum));
+        assert_eq!(count, spectrum.zeros(), "{wedge:?}: {:?}", spectrum.places());
         for exponent in &spectrum.exponents {
             let error = exponent.re.error;
             assert!(error <= DIGITS * exponent.re.value.hypot(exponent.im.value), "{wedge:?}: {error:e}");
@@ -107,7 +98,7 @@ fn none_is_lost() {
 fn the_arc_agrees() {
     let (mut compared, mut together, mut largest) = (0, 0, 0.0f64);
     for wedge in grid().into_iter().filter(|wedge| wedge.angle() >= THINNEST) {
-        let found = zeros(&wedge.exponents().unwrap());
+        let found = wedge.exponents().unwrap().places();
         let height = 0.5 + found.iter().map(|z| z.1).fold(0.0, f64::max);
         let degree = 24 + (4.0 * wedge.angle()) as usize;
         let arc = wedge.exponents_on_arc(degree, height).unwrap();
@@ -200,7 +191,7 @@ fn closed_forms() {
             expected.flat_map(|x| [x, x - 2.0]).filter(|&x| x > DIGITS && x < LARGEST - DIGITS).collect();
         expected.sort_by(f64::total_cmp);
         // x = 1 + kπ/ω and −1 + kπ/ω, the second written as the first less two.
-        let found: Vec<f64> = zeros(&wedge.exponents().unwrap()).iter().map(|z| z.0).collect();
+        let found: Vec<f64> = wedge.exponents().unwrap().places().iter().map(|z| z.0).collect();
         assert_eq!(found.len(), expected.len(), "{angle}: {found:?} {expected:?}");
         for (a, b) in found.iter().zip(expected) {
             assert!((a - b).abs() < DIGITS, "{angle}: {a} {b}");
@@ -266,4 +257,30 @@ fn bad_wedges_are_refused() {
         wedge.count(0.5, 1.0).is_err() && wedge.count(2.0, 1.0).is_err() && wedge.count(0.1, 9.0).is_err()
     );
     assert!(wedge.exponents_on_arc(1, 1.0).is_err() && wedge.exponents_on_arc(20, f64::NAN).is_err());
+}
+
+#[test]
+fn the_findings_turn_on_planted_faults() {
+    let options = example::Options::default();
+    let outcome = |computed: &example::Computed, key: &str| {
+        let found = example::findings(&options, computed);
+        found.iter().find(|finding| finding.key() == key).unwrap().outcome()
+    };
+    let mut computed = example::compute(&options).unwrap();
+    let keys = ["lost", "roads", "oscillation", "transition", "orders"];
+    assert!(computed.grid.len() >= 500);
+    for key in keys {
+        assert_eq!(outcome(&computed, key), Outcome::Holds, "{key}");
+    }
+    computed.grid[100].listed -= 1;
+    computed.grid[200].apart = 1e-9;
+    computed.oscillation += 1e-9;
+    computed.transition = 1.5;
+    computed.scenes.iter_mut().for_each(|row| row.tau = 4.0);
+    computed.scenes[0].order.as_mut().unwrap().order = 0.1;
+    for key in keys {
+        assert_eq!(outcome(&computed, key), Outcome::Refuted, "{key}");
+    }
+    computed.scenes[0].order = None;
+    assert_eq!(outcome(&computed, "orders"), Outcome::Undecided);
 }

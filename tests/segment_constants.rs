@@ -19,7 +19,7 @@ fn the_constants_are_known_by_two_roads() {
     let headline = example::run(&example::Options::default()).unwrap();
     assert!(headline.verdict().is_confirmed(), "{headline}");
     assert_eq!(headline.finding("half").unwrap().outcome(), Outcome::ByProof);
-    for key in ["roads", "order", "limit", "kappa.nu0.25"] {
+    for key in ["roads", "order", "limit", "loose", "closed", "kappa.nu0.25"] {
         assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {headline}");
     }
     for row in 0..headline.table.rows().len() {
@@ -37,6 +37,10 @@ fn a_constant_off_in_its_eighth_digit_or_out_of_order_is_not_confirmed() {
     let mut spoiled = rows();
     spoiled[1].apart = 2e-8;
     assert!(!Verdict::of(&example::findings(&spoiled)).is_confirmed());
+    let mut spoiled = rows();
+    spoiled[0].closed = Some(2e-8);
+    let closed = example::findings(&spoiled).into_iter().find(|finding| finding.key() == "closed").unwrap();
+    assert_eq!(closed.outcome(), Outcome::Refuted);
     let mut spoiled = rows();
     spoiled[0].sharp[0].value.value = 1.01 * spoiled[0].potentials;
     assert!(!Verdict::of(&example::findings(&spoiled)).is_confirmed());

@@ -1,6 +1,7 @@
 //! Section 3, "Globally": the bounds of both cases over θ against the worst complementary pair of one
 //! element.
 
+use signorini::cone::Cone;
 use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
 use signorini::proof::ElementBalance;
 use signorini::strip::{EdgeData, Levels, Sides};
@@ -101,9 +102,28 @@ fn exponents_of_printed_sharpened_and_true() {
         assert!((value("theta.balance.crossing") - printed).abs() < 1e-9, "tau {tau}");
         let sharpened = 2.0 * tau - 2.0 - (tau - 1.5) * (2.0 - tau);
         assert!((value("theta.balance.sharpened") - sharpened).abs() < 1e-9, "tau {tau}");
+        assert!((value("theta.balance.own") - (2.0 * tau - 2.0)).abs() < 1e-9, "tau {tau}");
         // The element cannot do better than h^{2 tau - 2}: at large h the L2 parts of the norms still count.
         let distance = (value("theta.balance.worst") - (2.0 * tau - 2.0)).abs();
         assert!(distance <= value("theta.balance.worst.uncertainty").max(0.03), "tau {tau}: {distance}");
+    }
+}
+
+#[test]
+fn one_theta_for_each_segment_keeps_the_bound_flat_in_r() {
+    // r^{1−1/q} γ_r ~ r^{2ν}: no r makes the bound large, where either factor alone does.
+    for tau in [1.6, 1.75, 1.9] {
+        let balance = ElementBalance::new(tau, 2.0).unwrap();
+        for cone in [Cone::Nodal, Cone::Midpoint] {
+            let bound = |r: f64| balance.own_bound(cone, 0.1, r);
+            let order = (bound(1e-6) / bound(1e-8)).log10() / 2.0;
+            assert!((order - (2.0 * tau - 3.0)).abs() < 1e-4, "tau {tau} {cone}: {order}");
+        }
+        let rows = balance.rows(&[0.5, 1e-3]).unwrap();
+        for row in &rows {
+            assert!(row.own_share > 0.0 && row.own_share <= 1.0, "tau {tau}: {}", row.own_share);
+            assert!(row.own[0] >= row.worst.value, "tau {tau}: a bound");
+        }
     }
 }
 

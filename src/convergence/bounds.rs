@@ -18,6 +18,9 @@ pub enum Bound {
 }
 
 impl Bound {
+    /// The largest τ that bounds are asked for: that of a transition inside a straight edge.
+    pub const SMOOTHEST: f64 = 2.5;
+
     /// The value of the bound, without its constant, for 1 < τ ≤ 5/2 and 0 < h < 1.
     ///
     /// # Errors
@@ -58,7 +61,7 @@ impl Bound {
     /// # Errors
     /// [`Error::OutOfRange`] outside this range.
     pub fn exponent(self, tau: f64) -> Result<f64> {
-        Error::require("tau", tau, "(1, 5/2]", tau > 1.0 && tau <= 2.5)?;
+        Error::require("tau", tau, "(1, 5/2]", tau > 1.0 && tau <= Self::SMOOTHEST)?;
         if tau > 2.0 {
             return Ok(1.0);
         }

@@ -6,6 +6,7 @@
 //! A (h^{2p} − h_r^{2p}) + B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each
 //! level, an O(h²) change of the data.
 
+use super::bounds::Bound;
 use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::study::{RateReference, RateStudy};
@@ -16,7 +17,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Form;
 use crate::mesh::{Hierarchy, Triangulation};
-use crate::scenes::{MeshScene, Setting};
+use crate::scenes::{MeshScene, Setting, body_regularity};
 
 /// Uniform refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 1;
@@ -56,10 +57,11 @@ impl MeshRates {
             self.levels - 1 + REFERENCE_DEPTH,
         )?;
         let problem = self.problem(hierarchy.finest().clone())?;
-        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+        let tau = body_regularity(&problem, &solution)?.tau.min(Bound::SMOOTHEST);
+        let solution = solution.displacement;
         let norm = problem.energy_norm(&solution)?;
         let reference = Reference { rates: *self, hierarchy, problem, solution, norm };
-        let tau = self.scene.regularity(&self.setting)?;
         let subject = match self.scene {
             MeshScene::Corner => {
                 Subject::Corner { angle: self.setting.angle, constant_load: self.constant_load }

@@ -5,6 +5,7 @@
 //! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
 //! | the levels of a strip; of a case at all positions | [`StripLevels`], [`strip_levels`]; [`CaseStudy`] |
 //! | a scene in one cone, strips and meshes | [`RateStrip`], [`StripGroup`], [`MeshRates`], [`RateStudy`] |
+//! | the scenes' regularity beside their orders | [`scene_orders`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
 //! | the order p ± what it may be off by; of an alternating series | [`Fit`]; [`Trend`] |
 //! | the power of \|ln h\| at τ = 2 | [`LogarithmFit`] |
@@ -21,6 +22,7 @@ mod logarithm;
 mod memory;
 mod mesh_rates;
 mod orders;
+mod scene_orders;
 mod series;
 mod strip_levels;
 mod strip_rates;
@@ -39,6 +41,7 @@ pub use logarithm::LogarithmFit;
 pub use memory::{LevelKey, LevelMemory, NoMemory};
 pub use mesh_rates::MeshRates;
 pub use orders::observed_orders;
+pub use scene_orders::{SceneOrder, scene_orders};
 pub use strip_levels::{StripLevels, StripSolution, strip_levels};
 pub use strip_rates::RateStrip;
 pub use study::{Quantity, RateReference, RateStudy};

@@ -53,5 +53,6 @@ pub use projection::{
 };
 pub use rate::{observed_rate, observed_rates};
 pub use trial::{
-    InterpolationError, RoughFamily, RoughSlopes, SampleSlope, WorstRatios, power_slope, worst_ratios,
+    InterpolationError, RoughFamily, RoughSlopes, SampleSlope, WorstRatios, power_slope, rearranged_shares,
+    worst_ratios,
 };

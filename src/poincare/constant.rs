@@ -9,36 +9,12 @@ use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
 use super::extremal::ExtremalFunction;
 use super::mesh::{MeshModel, SHORTEST_RADIUS};
-use super::slopes::local::negligible_for_jumps;
+use super::rounding::{ROUNDING, rounding};
 use super::zone::{Condition, Zone};
+use super::zones::Zones;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
-
-/// Relative error of assembly, factorization and quotient: 1.3e-13 was the worst seen where the space is
-/// exact.
-const ROUNDING: f64 = 2e-13;
-
-/// The same for a short zone inside, where energies at all distances add up: two unrelated bases differ by
-/// 4e-14 at θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the logarithm.
-const ROUNDING_INSIDE: f64 = 5e-11;
-
-/// The same as ν → 0, times 1/ν: ν|u|_ν² is computed, a difference of terms of order one.
-const ROUNDING_OF_DIFFERENCES: f64 = 4e-16;
-
-pub(super) fn rounding(order: FractionalOrder, constraint: &Constraint) -> f64 {
-    let neighbour = |part: Option<usize>| part.and_then(|k| constraint.parts.get(k)).copied();
-    let sides = [neighbour(constraint.zone.checked_sub(1)), neighbour(Some(constraint.zone + 1))];
-    let theta = constraint.parts[constraint.zone];
-    let inside = match sides {
-        [Some(left), Some(right)] if theta > 0.0 => {
-            let decades = (left.min(right) / theta).log10().max(0.0);
-            ROUNDING_INSIDE * (decades / 300.0).powi(2) + negligible_for_jumps(order.one_minus_twice())
-        }
-        _ => 0.0,
-    };
-    ROUNDING + ROUNDING_OF_DIFFERENCES / order.value() + inside
-}
 
 /// How often the space is refined when the two spaces still differ too much.
 const REFINEMENTS: usize = 3;
@@ -47,7 +23,8 @@ const REFINEMENTS: usize = 3;
 const FINER: f64 = 0.02;
 const COARSER: f64 = 4.0;
 
-/// γ_θ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy `condition` on `zone`.
+/// γ_θ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy `condition` on `zone`, an interval or a union of
+/// intervals.
 ///
 /// ```
 /// use signorini::{Tolerance, poincare::{Condition, Zone, gamma}, sobolev::FractionalOrder};
@@ -59,15 +36,15 @@ const COARSER: f64 = 4.0;
 ///
 /// # Errors
 /// [`Error::OutOfRange`] when the condition leaves only u = 0 (vanishing on the whole interval);
-/// [`Error::ToleranceNotMet`] when rounding (about 2e-13, up to 5e-11 for very short zones inside)
-/// forbids the tolerance.
+/// [`Error::ToleranceNotMet`] when rounding (about 2e-13, up to 5e-11 for very short zones inside; for several
+/// intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the tolerance.
 pub fn gamma(
     order: FractionalOrder,
-    zone: Zone,
+    zone: impl Into<Zones>,
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<Estimate> {
-    let constraint = constraint(&zone, condition)?;
+    let constraint = constraint(&zone.into(), condition)?;
     continued(order, &constraint, tolerance, |order, tolerance| {
         refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
     })
@@ -132,11 +109,11 @@ pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estim
 /// As for [`gamma`].
 pub fn dual_norm(
     order: FractionalOrder,
-    zone: Zone,
+    zone: impl Into<Zones>,
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<Estimate> {
-    let constraint = constraint(&zone, condition)?;
+    let constraint = constraint(&zone.into(), condition)?;
     if constraint.is_whole() {
         return Estimate::new(0.0, 0.0, Work::default());
     }
@@ -157,7 +134,7 @@ pub(crate) struct DualMoments {
 }
 
 pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
-    let constraint = Constraint::on_zone(&Zone::end(theta)?, Condition::MeanZero);
+    let constraint = Constraint::on_zones(&Zone::end(theta)?.into(), Condition::MeanZero);
     let moments = |model: &MeshModel| -> Result<([f64; 3], Work)> {
         let discrete = Discrete::new(order, &constraint, model)?;
         let dual = discrete.dual_norm()?;
@@ -181,11 +158,11 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
 /// As for [`gamma`].
 pub fn extremal(
     order: FractionalOrder,
-    zone: Zone,
+    zone: impl Into<Zones>,
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<(Estimate, ExtremalFunction)> {
-    let constraint = constraint(&zone, condition)?;
+    let constraint = constraint(&zone.into(), condition)?;
     let direct = |order, tolerance| attained(order, &constraint, tolerance);
     match (direct(order, tolerance), Continuation::to(order, constraint.shortest(), tolerance)) {
         (Err(Error::ToleranceNotMet { .. }), Some(larger)) => {
@@ -217,13 +194,13 @@ fn attained(
     refine(order, rounding, tolerance, solve, join, |found| found.0.relative_error())
 }
 
-pub(super) fn constraint(zone: &Zone, condition: Condition) -> Result<Constraint> {
+pub(super) fn constraint(zones: &Zones, condition: Condition) -> Result<Constraint> {
+    let constraint = Constraint::on_zones(zones, condition);
     if condition == Condition::Vanishing {
-        let theta = zone.length();
-        let something_left = zone.start() + zone.rest() > 0.0;
-        Error::require("theta", theta, "(0, 1) for a vanishing function", something_left)?;
+        let theta = zones.length();
+        Error::require("theta", theta, "(0, 1) for a vanishing function", !constraint.is_whole())?;
     }
-    Ok(Constraint::on_zone(zone, condition))
+    Ok(constraint)
 }
 
 fn quotient(order: FractionalOrder, constraint: &Constraint, model: &MeshModel) -> Result<(f64, Work)> {

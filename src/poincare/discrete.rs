@@ -1,7 +1,7 @@
 //! The constrained problem on one slope space.
 //!
-//! The interval is a sequence of parts; the condition holds on one of them, a part of length zero being a
-//! point. Lengths are divided by the root of the shortest one, so that all of them lie between 1e-150 and
+//! The interval is a sequence of parts; the condition holds on one of them or on several together, a part of
+//! length zero being a point. Lengths are divided by the root of the shortest one, so that all of them lie between 1e-150 and
 //! 1e150.
 //!
 //! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length
@@ -9,15 +9,18 @@
 
 use super::mesh::{MeshModel, PANEL_SPREAD};
 use super::slopes::gram::seminorm_gram;
+use super::slopes::links::Links;
 use super::slopes::local::Local;
 use super::slopes::mass::{Primitives, mass_gram};
 use super::slopes::space::SlopeSpace;
-use super::zone::{Condition, Zone};
+use super::zone::Condition;
+use super::zones::Zones;
 use crate::error::Result;
 use crate::estimate::Work;
 use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
 use faer::Mat;
+use std::ops::Range;
 
 /// What is asked of u, and where.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,8 +28,8 @@ pub(crate) struct Constraint {
     /// Lengths of consecutive parts that make up (0,1). Every length is positive, except that of a single
     /// point.
     pub(crate) parts: Vec<f64>,
-    /// The part on which the condition holds.
-    pub(crate) zone: usize,
+    /// The parts on which the condition holds, in order; no two are neighbours.
+    pub(crate) zones: Vec<usize>,
     pub(crate) condition: Condition,
 }
 
@@ -41,10 +44,9 @@ impl Constraint {
         self.parts.len() == 1
     }
 
-    pub(crate) fn on_zone(zone: &Zone, condition: Condition) -> Self {
-        let before = usize::from(zone.start() > 0.0);
-        let parts = [zone.start(), zone.length(), zone.rest()].into_iter().filter(|&l| l > 0.0).collect();
-        Self { parts, zone: before, condition }
+    pub(crate) fn on_zones(zones: &Zones, condition: Condition) -> Self {
+        let (parts, zones) = zones.parts();
+        Self { parts, zones, condition }
     }
 
     /// u(a) = 0.
@@ -53,7 +55,7 @@ impl Constraint {
         let mut parts = vec![a, 0.0, 1.0 - a];
         parts.retain(|&l| l > 0.0);
         parts.insert(before, 0.0);
-        Self { parts, zone: before, condition: Condition::Vanishing }
+        Self { parts, zones: vec![before], condition: Condition::Vanishing }
     }
 }
 
@@ -62,6 +64,8 @@ pub(crate) struct Discrete {
     pub(crate) space: SlopeSpace,
     /// The group of cells with another basis, for a short zone inside.
     local: Option<Local>,
+    /// u returns to zero between two intervals on which it vanishes.
+    links: Links,
     /// Basis functions that satisfy the condition.
     pub(crate) primitives: Primitives,
     /// Unit of length.
@@ -92,17 +96,20 @@ impl Discrete {
         let shortest = constraint.shortest();
         let unit = shortest.sqrt();
         let parts: Vec<f64> = constraint.parts.iter().map(|l| l / unit).collect();
-        let frozen = (constraint.condition == Condition::Vanishing).then_some(constraint.zone);
-        let (cells, ranges) = model.cells(&parts, frozen);
+        let vanishes = constraint.condition == Condition::Vanishing;
+        let (cells, ranges) = model.cells(&parts, if vanishes { &constraint.zones } else { &[] });
+        let zones: Vec<Range<usize>> = constraint.zones.iter().map(|&part| ranges[part].clone()).collect();
+        let hull = zones[0].start..zones[zones.len() - 1].end;
         let space = SlopeSpace::new(cells, PANEL_SPREAD);
-        let local = Local::new(&space, &ranges[constraint.zone], order.one_minus_twice());
+        let local = Local::new(&space, &hull, order.one_minus_twice());
+        let links = if vanishes { Links::new(&space, local.as_ref(), &zones) } else { Links::default() };
         let (gram, mut work) = seminorm_gram(&space, local.as_ref(), order, model.points())?;
         let points = model.points() + 4;
-        let primitives = Primitives::new(&space, &ranges[constraint.zone], points)?;
-        let factored = Factored::new(&gram)?;
+        let primitives = Primitives::new(&space, &zones, points)?;
+        let factored = Factored::new(&links.reduced(gram))?;
         work.factorizations += 1;
         let factor = unit.powf(order.offset());
-        Ok(Self { space, local, primitives, unit, factor, factored, points, work })
+        Ok(Self { space, local, links, primitives, unit, factor, factored, points, work })
     }
 
     /// γ and the coefficients of the extremal function.
@@ -110,6 +117,7 @@ impl Discrete {
         let mass = self.mass(&self.primitives);
         let (square, vector) = self.factored.largest_eigenvalue(&mass)?;
         self.work.factorizations += 1;
+        let vector = self.links.expanded(vector);
         let vector = match &self.local {
             Some(local) => local.restored(&self.space, vector),
             None => vector,
@@ -120,10 +128,10 @@ impl Discrete {
     /// The mass matrix in the basis of the factorized matrix.
     fn mass(&self, primitives: &Primitives) -> Mat<f64> {
         let mass = mass_gram(&self.space, primitives);
-        match &self.local {
+        self.links.reduced(match &self.local {
             Some(local) => local.transformed(&self.space, mass),
             None => mass,
-        }
+        })
     }
 
     /// The dual norm of u ↦ mean of u over the whole interval.
@@ -132,13 +140,15 @@ impl Discrete {
         if let Some(local) = &self.local {
             mean = local.transformed_vector(&self.space, mean);
         }
+        let mean = self.links.reduced_vector(mean);
         let representer = self.factored.solve(&mean);
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
         let square = dot(&mean, &representer);
         if square <= 0.0 {
             return Ok(DualNorm { square: 0.0, rayleigh: 0.0, image: 0.0 });
         }
-        let centred = Primitives::new(&self.space, &(0..self.space.cells.len()), self.points)?;
+        let whole = 0..self.space.cells.len();
+        let centred = Primitives::new(&self.space, std::slice::from_ref(&whole), self.points)?;
         let mass = self.mass(&centred);
         let size = mean.len();
         let unit: Vec<f64> = representer.iter().map(|x| x / square.sqrt()).collect();

@@ -1,7 +1,7 @@
 //! Graded cells for the extremal function of a zone.
 //!
-//! The extremal function is analytic except at 0, a, a+θ and 1, where it behaves like powers of the distance
-//! r. Each of the (up to three) intervals between these points is halved and each half graded to its point:
+//! The extremal function is analytic except at 0, 1 and the ends of the zone's intervals, where it behaves
+//! like powers of the distance r. Each of the intervals between these points is halved and each half graded to its point:
 //! an affine cell next to it, then cells on which u is a polynomial in ln r. In ln r the function is a sum of
 //! exponentials that have scales of order one near the *features* (r equal to the distance of another
 //! singular point, or to the half length) and is slow elsewhere: cells grow geometrically with their distance
@@ -84,15 +84,15 @@ impl MeshModel {
     }
 
     /// Cells for consecutive parts of the given lengths, in order, and the range of cells of each part. A
-    /// part of length zero has no cells and marks a point at which u vanishes; the part `frozen` is one cell
-    /// on which u is constant.
-    pub(crate) fn cells(&self, parts: &[f64], frozen: Option<usize>) -> (Vec<Cell>, Vec<Range<usize>>) {
+    /// part of length zero has no cells and marks a point at which u vanishes; each of the parts `frozen` is one
+    /// cell on which u is constant.
+    pub(crate) fn cells(&self, parts: &[f64], frozen: &[usize]) -> (Vec<Cell>, Vec<Range<usize>>) {
         let mut cells = Vec::new();
         let mut ranges = Vec::new();
         for (part, &length) in parts.iter().enumerate() {
             let start = cells.len();
             if length > 0.0 {
-                if frozen == Some(part) {
+                if frozen.contains(&part) {
                     cells.push(Cell::uniform(length, 0));
                 } else {
                     self.push_part(&mut cells, parts, part, frozen);
@@ -103,7 +103,7 @@ impl MeshModel {
         (cells, ranges)
     }
 
-    fn push_part(&self, cells: &mut Vec<Cell>, parts: &[f64], part: usize, frozen: Option<usize>) {
+    fn push_part(&self, cells: &mut Vec<Cell>, parts: &[f64], part: usize, frozen: &[usize]) {
         // Distances from either end of the part to the singular points beyond it.
         let running = |sum: &mut f64, length: &f64| {
             *sum += length;
@@ -113,7 +113,7 @@ impl MeshModel {
         let right: Vec<f64> = parts[part + 1..].iter().scan(0.0, running).collect();
         let innermost = |neighbour: Option<usize>| match neighbour.and_then(|part| parts.get(part)) {
             Some(0.0) => self.innermost_at_point,
-            Some(_) if neighbour == frozen => self.innermost_at_zero,
+            Some(_) if neighbour.is_some_and(|part| frozen.contains(&part)) => self.innermost_at_zero,
             _ => self.innermost,
         };
         let length = parts[part];

@@ -1,9 +1,10 @@
 //! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
 
-use super::constant::{constraint, dual_norm, gamma, gamma_whole, refine, rounding};
+use super::constant::{constraint, dual_norm, gamma, gamma_whole, refine};
 use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
 use super::mesh::MeshModel;
+use super::rounding::rounding;
 use super::zone::{Condition, Zone};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -47,7 +48,7 @@ pub fn two_sided(
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<TwoSided> {
-    let parts = constraint(&zone, condition)?;
+    let parts = constraint(&zone.into(), condition)?;
     let whole = gamma_whole(order, tolerance)?;
     let direct = refine(
         order,

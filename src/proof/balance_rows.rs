@@ -1,9 +1,21 @@
 //! The balance of θ over element lengths: the bounds at the printed θ and where they cross, beside the worst
 //! pairs there are.
+//!
+//! *θ of the segment's own.* Nodal cone: take the vertex with the larger |u_N|, at distance r h from the nearest zero, and
+//! m the mean of u_N' over T, |m| h ≤ M = max|u_N(a_i)| as both values have one sign. From the vertex to the zero,
+//!
+//! M ≤ ∫|u_N' − m| + r h |m| ≤ (rh)^{1−1/q} ‖u_N' − m‖_{L^q} + r M,  ‖σ_N‖₀ ≤ γ_r h^ν |σ_N|_ν,
+//!
+//! the second because σ_N = 0 on that piece: (3.5) and (3.12) at the same θ = r. With ‖v − m‖_{L^q(0,1)} ≤ C(q) (1 +
+//! γ₁²)^{1/2} |v|_ν the term is at most C r^{1−1/q} γ_r/(1−r) h^{2τ−2} |σ_N|_ν |u_N'|_ν for r ≤ 1/2, and r^{1−1/q} γ_r is
+//! r^{2ν}, at ν = 1/2 r^{1−1/q} times a logarithm. For r ≥ 1/2 (3.14) with θ = 1/2 does it. Midpoint cone, r h the distance
+//! of the first and the last contact point: σ_N = 0 off this piece and u_N' has mean zero on it, and the same with
+//! ‖σ_N‖_{L¹} ≤ (rh)^{1−1/q} ‖σ_N‖_{L^q}, ‖u_N − π^h u_N‖_{L^∞} ≤ h^{1/2} ‖u_N'‖₀/√3, ‖u_N'‖₀ ≤ γ_r h^ν |u_N'|_ν.
 
 use super::balance::{ElementBalance, WorstPair};
 use super::exponent::Exponent;
 use super::theta::printed_theta;
+use crate::cone::Cone;
 use crate::error::Result;
 
 /// Bounds and worst cases of one element length.
@@ -23,6 +35,26 @@ pub struct BalanceRow {
     pub worst: WorstPair,
     /// W of all contact intervals.
     pub pairs: Vec<WorstPair>,
+    /// The largest bound with θ_T = r over all contact intervals, nodal and midpoint cone.
+    pub own: [f64; 2],
+    /// The largest W over the bound with θ_T = r of the nodal cone: at most 1.
+    pub own_share: f64,
+}
+
+/// r of a worst pair: the distance of the vertex with the larger |u_N| from contact, in units of h; for the midpoint cone
+/// the diameter of the contact set.
+fn own_theta(pair: &WorstPair, cone: Cone) -> f64 {
+    let ([a, b], [left, right]) = (pair.ends, pair.direction);
+    match cone {
+        Cone::Nodal => {
+            if left >= right {
+                a
+            } else {
+                b
+            }
+        }
+        Cone::Midpoint => 1.0 - a - b,
+    }
 }
 
 /// W over the contact sets [a, 1 − b] of the first case, max(a, b) ≤ θ, and of the second, max(a, b) ≥ θ;
@@ -44,6 +76,23 @@ impl ElementBalance {
         lengths.iter().map(|&h| self.row(h)).collect()
     }
 
+    /// The bound of the consistency term over |σ_N|_ν |u_N'|_ν on an element of length h ≤ 1 with θ_T = r in (0, 1]: both
+    /// cases at once.
+    pub fn own_bound(&self, cone: Cone, h: f64, r: f64) -> f64 {
+        let constants = self.constants();
+        let scale = h.powf(1.0 + 2.0 * constants.order().value());
+        let gamma = |theta: f64| constants.law(theta).printed;
+        let norm = |part: f64| constants.embedding * part.hypot(1.0);
+        let near = r.powf(constants.hoelder()) * gamma(r.min(0.5));
+        scale
+            * match (cone, r <= 0.5) {
+                (Cone::Nodal, true) => norm(constants.projection) * near / (1.0 - r),
+                (Cone::Nodal, false) => gamma(0.5) * constants.interpolation,
+                (Cone::Midpoint, true) => norm(gamma(0.5)) * near * constants.pointwise,
+                (Cone::Midpoint, false) => constants.projection * constants.wirtinger * gamma(0.5),
+            }
+    }
+
     fn row(&self, h: f64) -> Result<BalanceRow> {
         let theta = printed_theta(h, self.constants().tau())?;
         let pairs = self.worst_pairs(h)?;
@@ -52,6 +101,10 @@ impl ElementBalance {
         let sharp = self.sharpened_first_bound(h, sharpened).max(self.second_bound(h, sharpened)[1]);
         let none = WorstPair { ends: [0.0; 2], value: 0.0, direction: [0.0; 2] };
         let worst = pairs.iter().fold(none, |best, p| if p.value > best.value { *p } else { best });
+        let own = |pair: &WorstPair, cone: Cone| self.own_bound(cone, h, own_theta(pair, cone));
+        let largest =
+            |cone: Cone| pairs.iter().map(|pair| own(pair, cone)).fold(0.0, |m: f64, bound| m.max(bound));
+        let shares = pairs.iter().map(|pair| pair.value / own(pair, Cone::Nodal));
         Ok(BalanceRow {
             h,
             printed: [theta, larger(theta)],
@@ -59,6 +112,8 @@ impl ElementBalance {
             sharpened: [sharpened, sharp],
             cases: worst_of_cases(&pairs, theta),
             worst,
+            own: [Cone::Nodal, Cone::Midpoint].map(largest),
+            own_share: shares.fold(0.0, f64::max),
             pairs,
         })
     }
@@ -90,6 +145,8 @@ pub struct BalanceExponents {
     pub sharpened: Exponent,
     /// Of the worst pair.
     pub worst: Exponent,
+    /// Of the largest bound with θ_T = r, nodal and midpoint cone.
+    pub own: [Exponent; 2],
 }
 
 impl BalanceExponents {
@@ -106,6 +163,7 @@ impl BalanceExponents {
             crossing: fit(&|r| r.crossing[1])?,
             sharpened: fit(&|r| r.sharpened[1])?,
             worst: fit(&|r| r.worst.value)?,
+            own: [fit(&|r| r.own[0])?, fit(&|r| r.own[1])?],
         })
     }
 }

@@ -174,7 +174,7 @@ impl SegmentSets {
         rated.try_reduce(nothing, |a, b| Ok(if b.ratio > a.ratio { b } else { a }))
     }
 
-    /// Alternating runs whose ends are at random nodes.
+    /// Runs whose ends are random nodes.
     fn random(&self, gaps: usize, numbers: &mut SplitMix) -> Vec<bool> {
         let n = self.cells();
         let count = 1 + (numbers.uniform() * (2 * gaps) as f64) as usize;

@@ -2,21 +2,19 @@
 //!
 //! The body hangs from its top, u = 0, with free sides; in `corner` from its left side, which meets the
 //! bottom at the angle ω. On the unit square except `corner`; n = (0, −1) on the bottom, so u_N = −u_y ≤ 0
-//! for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are replaced by their P1 interpolants. u lies
-//! in H^τ up to 5/2 at the transition between contact and no contact inside a straight edge, r^{3/2};
-//! clamped/free corners limit it earlier.
+//! for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are replaced by their P1 interpolants. How
+//! smooth the solutions are follows from corners and contact set: `regularity`.
 
 use super::manufactured;
 use super::registry::registry;
-use super::regularity::clamped_free_exponent;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Part, Point, Sides, Triangulation, mapped_grid, unit_square};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 registry! {
-    /// A named scene. Its block holds its domain, form, data and regularity.
+    /// A named scene. Its block holds its domain, form and data.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum MeshScene: Body {
@@ -36,12 +34,10 @@ registry! {
             ..SCALAR
         };
 
-        /// Scalar corner of given opening ω between a Dirichlet side and the contact edge, f = −2 cos πx;
-        /// u ∈ H^τ for τ < 1 + π/(2ω).
+        /// Scalar corner of given opening ω between a Dirichlet side and the contact edge, f = −2 cos πx.
         Corner("corner") => Body {
             mesh: |n, setting| leaning_square(n, setting.angle),
             load: Load::Volume(|[x, _]| -2.0 * (PI * x).cos()),
-            regularity: |setting| Ok((1.0 + 90.0 / setting.angle).min(2.0)),
             ..SCALAR
         };
 
@@ -55,7 +51,6 @@ registry! {
         /// lock.
         Incompressible("incompressible") => Body {
             form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
-            regularity: |setting| Ok(1.0 + clamped_free_exponent(FRAC_PI_2, setting.poisson)?),
             ..MeshScene::Block.form()
         };
 
@@ -74,8 +69,6 @@ struct Body {
     /// The mesh with n x n cells.
     mesh: fn(usize, &Setting) -> Result<Triangulation>,
     load: Load,
-    /// The supremum of the τ ≤ 2 for which the solution lies in H^τ.
-    regularity: fn(&Setting) -> Result<f64>,
 }
 
 /// The data of a scene.
@@ -92,7 +85,6 @@ const ELASTIC: Body = Body {
     form: |_| Ok(Form::elastic(Lame::new(1.0, 1.0)?)),
     mesh: |n, _| unit_square(n, Sides::HANGING),
     load: Load::Volume(|_| 0.0),
-    regularity: |_| Ok(1.0 + clamped_free_exponent(FRAC_PI_2, 0.25)?),
 };
 
 /// The Laplacian on the square hanging from its top, without load; a right angle between u = 0 and zero flux
@@ -102,7 +94,6 @@ const SCALAR: Body = Body {
     form: |_| Ok(Form::LAPLACE),
     mesh: |n, _| unit_square(n, Sides::HANGING),
     load: Load::Volume(|_| 0.0),
-    regularity: |_| Ok(2.0),
 };
 
 /// The square leaning to the angle ω, in degrees, at the left end of its bottom.
@@ -210,18 +201,6 @@ impl MeshScene {
             Field::Scalar(&|point| scale * density(point)).sample(mesh.nodes())?
         };
         ContactProblem::new(mesh, form, &load)
-    }
-
-    /// The supremum of the τ ≤ 2 for which the solution lies in H^τ.
-    ///
-    /// Elastic scenes: 1 + λ of their clamped/free right angles; the contact transition r^{3/2} is smoother.
-    /// `corner`: 1 + π/(2ω). Other scalar scenes: 2, since a right angle between u = 0 and zero flux is
-    /// harmless.
-    ///
-    /// # Errors
-    /// As [`clamped_free_exponent`].
-    pub fn regularity(self, setting: &Setting) -> Result<f64> {
-        (self.form().regularity)(setting)
     }
 }
 

@@ -4,7 +4,8 @@
 //! | | what | where |
 //! | --- | --- | --- |
 //! | [`Scene`] | a scene of either kind, by name | `scene` |
-//! | [`MeshScene`] | bodies, loads, boundary parts; regularity from corner exponents | `mesh`, `regularity` |
+//! | [`MeshScene`] | bodies, loads, boundary parts | `mesh` |
+//! | [`MeshScene::regularity`], [`body_regularity`] | sup τ from corners and the contact set found | `regularity`, `corners` |
 //! | [`StripScene`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip`, `contact_sets`, `gap_data` |
 //! | names and parameters | one block per scene; grammar, reading, writing | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
@@ -12,13 +13,17 @@
 //! | [`ClampedEnd`] | a body clamped up to the end of its contact edge, on polar rings | `clamped_end` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
+//! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
 //!
-//! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data, regularity.
+//! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data.
 //! List of all, help texts, reading, writing and errors follow from it.
 
 mod case;
 mod clamped_end;
+mod closed_form;
+mod closed_form_levels;
 mod contact_sets;
+mod corners;
 mod gap_data;
 mod known;
 pub mod manufactured;
@@ -35,8 +40,10 @@ mod transition_powers;
 
 pub use case::StripCase;
 pub use clamped_end::ClampedEnd;
+pub use closed_form::ClosedForm;
+pub use closed_form_levels::ClosedFormLevel;
+pub use corners::{BodyCorner, BodyRegularity, body_regularity};
 pub use mesh::{MeshScene, Setting};
-pub use regularity::clamped_free_exponent;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
 pub use scene::Scene;
 pub use strip::StripScene;

@@ -12,6 +12,7 @@
 //! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
 //! | [`Wedge::exponents_on_arc`] | the second road: an eigenvalue problem on the arc | `arc` |
 //! | [`ContactZone`] | the contact zone at a clamped end, in closed form | `contact_zone` |
+//! | [`Wedge::roads`] | the list beside both | `roads` |
 //! | [`Wedge::admission`], [`Wedge::regularity`] | signs of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
 //!
 //! P. Grisvard, *Elliptic Problems in Nonsmooth Domains* (1985); V. A. Kozlov, V. G. Maz'ya and J. Rossmann,
@@ -25,6 +26,7 @@ mod factor;
 mod mode;
 mod real;
 mod regularity;
+mod roads;
 mod spectrum;
 mod wedge;
 mod zeros;
@@ -34,5 +36,6 @@ pub use contact_zone::ContactZone;
 pub use faer::c64;
 pub use mode::Mode;
 pub use regularity::{Admission, CornerRegularity};
+pub use roads::Roads;
 pub use spectrum::{Exponent, LARGEST, Spectrum};
 pub use wedge::{Medium, Side, Sides, Wedge};

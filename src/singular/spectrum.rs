@@ -103,6 +103,14 @@ impl Wedge {
         Ok(Spectrum { exponents, work })
     }
 
+    /// The first exponent whose function is no polynomial, whatever signs of contact say.
+    ///
+    /// # Errors
+    /// As [`Wedge::exponents`].
+    pub fn first_singular(&self) -> Result<Option<Exponent>> {
+        Ok(self.exponents()?.exponents.into_iter().find(|exponent| !exponent.is_polynomial()))
+    }
+
     /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the argument
     /// principle on one rectangle per factor. The zero at 0 that belongs to translations, or to nothing, counts.
     ///

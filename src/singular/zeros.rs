@@ -179,7 +179,7 @@ fn converge(f: &Factor, start: Wide, area: &Rectangle) -> Option<Wide> {
             Some([near, _]) => near,
             None => -value / f.values(place)[1],
         };
-        place = place + step;
+        place += step;
         let size = narrow(step).norm();
         if !size.is_finite()
             || narrow(place - start).norm() > 4.0 * (area.top - area.bottom + area.right - area.left)

@@ -7,6 +7,7 @@
 //! | --- | --- |
 //! | orders and meshes | [`FractionalOrder`], [`Partition`] |
 //! | norms of piecewise polynomials and of closures | [`PiecewisePolynomial`], [`SingularFunction`] |
+//! | monotone rearrangements | [`PiecewisePolynomial::decreasing_rearrangement`], [`near_differences`] |
 //! | norms of named functions | [`GalleryFunction`] |
 //! | Gram matrices, dense and as fast operators | [`gram_constants`], [`gram_linears`], [`GramOperator`] |
 //! | dual norms | [`dual_norm_of_functional`], [`PiecewisePolynomial::dual_norm`], [`DualOf`] |
@@ -29,7 +30,9 @@ pub use gallery::GalleryFunction;
 pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
 pub use order::FractionalOrder;
 pub use partition::Partition;
-pub use piecewise::PiecewisePolynomial;
 #[cfg(feature = "contact")]
 pub(crate) use piecewise::linear_power;
+pub use piecewise::{
+    PiecewisePolynomial, near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random,
+};
 pub(crate) use root::root_of_squares;

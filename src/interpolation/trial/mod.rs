@@ -3,11 +3,13 @@
 mod error;
 mod norms;
 mod panels;
+mod rearranged;
 mod rough;
 mod sample;
 mod worst;
 
 pub use error::{InterpolationError, power_slope};
+pub use rearranged::rearranged_shares;
 pub use rough::{RoughFamily, RoughSlopes};
 pub use sample::SampleSlope;
 pub use worst::{WorstRatios, worst_ratios};

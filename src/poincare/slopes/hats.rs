@@ -8,7 +8,7 @@ use faer::Mat;
 
 impl Local {
     /// Cells of G whose steps are joined to hats, in order.
-    fn steps(&self, space: &SlopeSpace) -> Vec<usize> {
+    pub(super) fn steps(&self, space: &SlopeSpace) -> Vec<usize> {
         self.cells.clone().filter(|&c| self.has_hats && space.cells[c].functions > 0).collect()
     }
 

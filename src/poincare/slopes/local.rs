@@ -21,7 +21,7 @@ use super::space::SlopeSpace;
 use std::ops::{Range, RangeInclusive};
 
 /// The group is used for zones shorter than this fraction of their distance from the ends ...
-const SHORT: f64 = 0.05;
+pub(crate) const SHORT: f64 = 0.05;
 /// ... and reaches this far, in the same unit.
 const REACH: f64 = 0.3;
 /// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio
@@ -75,7 +75,8 @@ fn offsets(lengths: &[f64], origin: usize) -> Vec<f64> {
 }
 
 impl Local {
-    /// The group around the cells of `zone`, if there is need for one.
+    /// The group around the cells of `zone`, from the first to the last of a zone of several intervals, if there
+    /// is need for one.
     pub(crate) fn new(space: &SlopeSpace, zone: &Range<usize>, p: f64) -> Option<Self> {
         let lengths: Vec<f64> = space.cells.iter().map(|cell| cell.length).collect();
         let length: f64 = lengths[zone.clone()].iter().sum();

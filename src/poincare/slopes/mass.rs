@@ -1,9 +1,9 @@
 //! The Gram matrix of ‖u‖₀² in the slope basis, the constant being fixed by a condition on a range of cells.
 //!
-//! The condition is ∫_E u = 0 on a range E of cells, or u = 0 at a node (an empty range). Each basis function
+//! The condition is ∫_E u = 0 on ranges E of cells, or u = 0 at a node (an empty range). Each basis function
 //! is a constant left of its cell, a constant right of it, and a primitive of its slope inside; the two
-//! constants follow from the condition: (−1, 0) left of E, (0, 1) right of E, so that nothing large is ever
-//! subtracted.
+//! constants follow from the condition: (−1, 0) left of E, (0, 1) right of E and (−e_r, e_l)/|E| between two
+//! ranges, e_l and e_r what lies of E on either side, so that nothing large is ever subtracted.
 
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre_primitives};
 use crate::error::Result;
@@ -23,23 +23,27 @@ pub(crate) struct Primitives {
 }
 
 impl Primitives {
-    /// Mean zero over the cells of `zone`; u = 0 at the node before cell `zone.start` when `zone` is empty.
-    pub(crate) fn new(space: &SlopeSpace, zone: &Range<usize>, n: usize) -> Result<Self> {
+    /// Mean zero over the cells of all ranges of `zones`, in order; u = 0 at the node before its start where
+    /// the only range is empty.
+    pub(crate) fn new(space: &SlopeSpace, zones: &[Range<usize>], n: usize) -> Result<Self> {
         let rule = Rule::gauss_legendre(n)?;
         let mut beside = Vec::with_capacity(space.dimension());
         let mut integral = Vec::with_capacity(space.dimension());
         let mut products = Vec::with_capacity(space.cells.len());
-        let length: f64 = zone.clone().map(|cell| space.cells[cell].length).sum();
+        let inside = || zones.iter().cloned().flatten();
+        let length: f64 = inside().map(|cell| space.cells[cell].length).sum();
         for (index, cell) in space.cells.iter().enumerate() {
             let points = cell_points(space, index, &rule);
-            let constants = if index < zone.start {
+            let before = || inside().filter(|&i| i < index).map(|i| space.cells[i].length).sum::<f64>();
+            let after = || inside().filter(|&i| i > index).map(|i| space.cells[i].length).sum::<f64>();
+            let constants = if zones.iter().all(|zone| index < zone.start) {
                 first_pair(-1.0, 0.0)
-            } else if index >= zone.end {
+            } else if zones.iter().all(|zone| index >= zone.end) {
                 first_pair(0.0, 1.0)
+            } else if zones.iter().any(|zone| zone.contains(&index)) {
+                mean_free(&points, cell.functions, before(), after(), length)
             } else {
-                let before: f64 = (zone.start..index).map(|i| space.cells[i].length).sum();
-                let after: f64 = (index + 1..zone.end).map(|i| space.cells[i].length).sum();
-                mean_free(&points, cell.functions, before, after, length)
+                first_pair(-after() / length, before() / length)
             };
             let mut sums = [0.0; MOST_FUNCTIONS];
             let mut pairs = vec![vec![0.0; cell.functions]; cell.functions];

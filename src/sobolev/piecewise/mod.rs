@@ -4,7 +4,10 @@ mod lebesgue;
 mod norms;
 mod pairs;
 mod polynomial;
+mod rearrangement;
+mod sorting;
 
 #[cfg(feature = "contact")]
 pub(crate) use lebesgue::linear_power;
 pub use polynomial::PiecewisePolynomial;
+pub use sorting::{near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random};

@@ -4,20 +4,20 @@
 //! M² = ∫ m w for the w with (w, v)_ν = ∫ m v for all such v, one linear solve on the slope space of `slopes`.
 //! The space is conforming, so that every value is a lower bound up to rounding, and so small only by the
 //! square of what the space leaves of |w|_ν; the error estimate compares two spaces, as for
-//! [`super::gamma`].
+//! [`crate::poincare::gamma`].
 //!
 //! As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length that
 //! at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
 
-use super::constant::refine_until;
-use super::continuation::Continuation;
-use super::discrete::{Constraint, Discrete};
-use super::extremal::ExtremalFunction;
-use super::mesh::MeshModel;
-use super::slopes::space::{SlopeSpace, legendre_primitives};
-use super::zone::Condition;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
+use crate::poincare::constant::refine_until;
+use crate::poincare::continuation::Continuation;
+use crate::poincare::discrete::{Constraint, Discrete};
+use crate::poincare::extremal::ExtremalFunction;
+use crate::poincare::mesh::MeshModel;
+use crate::poincare::slopes::space::{SlopeSpace, legendre_primitives};
+use crate::poincare::zone::Condition;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
 
@@ -34,7 +34,7 @@ pub enum Moment {
 
 impl Moment {
     /// m for a distance from the free end and one from the zone.
-    pub(crate) fn weight(self, from_free_end: f64, from_zone: f64) -> f64 {
+    pub(super) fn weight(self, from_free_end: f64, from_zone: f64) -> f64 {
         match self {
             Moment::Mass => 1.0,
             Moment::FromFreeEnd => from_free_end,
@@ -43,7 +43,7 @@ impl Moment {
     }
 
     /// Power of a length in m.
-    pub(crate) fn degree(self) -> i32 {
+    pub(super) fn degree(self) -> i32 {
         i32::from(self != Moment::Mass)
     }
 }
@@ -59,7 +59,7 @@ impl Moment {
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless 1e-300 ≤ e ≤ 1 − 1e-15; [`Error::ToleranceNotMet`] as for [`super::gamma`].
+/// [`Error::OutOfRange`] unless 1e-300 ≤ e ≤ 1 − 1e-15; [`Error::ToleranceNotMet`] as for [`crate::poincare::gamma`].
 pub fn moment_norm(
     order: FractionalOrder,
     length: f64,
@@ -133,7 +133,7 @@ fn beside(zone: f64) -> Result<Constraint> {
 }
 
 fn vanishing(parts: Vec<f64>) -> Constraint {
-    Constraint { parts, zone: 0, condition: Condition::Vanishing }
+    Constraint { parts, zones: vec![0], condition: Condition::Vanishing }
 }
 
 /// Lengths that keep their digits, and leave a part of positive length.

@@ -11,9 +11,9 @@
 //! by a rule for that power on (0, 1) and Gauss rules beyond. Differences near the free end are those of
 //! the rest of the series, without 1. Cost: two thousand values of the basis per point.
 
-use super::slopes::kernel::exp_quotient;
 use crate::error::Result;
 use crate::numeric::{legendre, search::sign_change};
+use crate::poincare::slopes::kernel::exp_quotient;
 use crate::quadrature::{PowerWeightRule, Rule};
 use rayon::prelude::*;
 use std::f64::consts::PI;

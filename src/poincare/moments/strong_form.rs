@@ -17,10 +17,10 @@
 //! The bounds hold up to the rounding and the quadrature of these integrals, by which they are widened.
 //! Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million values of the basis for one ν, all e.
 
-use super::moment::Moment;
-use super::slopes::kernel::exp_quotient;
+use super::dual::Moment;
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
 use crate::error::{Error, Result};
+use crate::poincare::slopes::kernel::exp_quotient;
 use crate::sobolev::FractionalOrder;
 
 /// Columns that shrink to less when made orthogonal are combinations of those before; v keeps nine digits then, and the

@@ -1,0 +1,158 @@
+//! Section 2: where tau comes from. The singular exponents of corners and transitions, and the scenes' regularity.
+//!
+//! `cargo run --release --example section_2_singular_exponents -- --omega 90 --pair D-N --out out`
+
+use example_frame::figures::{Axis, Chart, Series};
+use example_frame::rates::RateRow;
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use signorini::convergence::{SceneOrder, scene_orders};
+use signorini::scenes::MeshScene;
+use signorini::singular::{Admission, Medium, Roads, Side, Sides, Spectrum, Wedge};
+use std::f64::consts::{PI, TAU};
+use std::process::ExitCode;
+
+example_frame::options! {
+    /// All exponents of a wedge, by two roads, and how smooth the scenes are
+    pub struct Options {
+        /// Opening in degrees, up to 360
+        #[arg(long, default_value_t = 270.0)]
+        pub omega: f64,
+        /// Poisson's ratio, between -1 and 1/2
+        #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
+        pub poisson: f64,
+        /// Sides as in D-N: clamped D, free N, contact closed C, contact open O; six pairs when not given
+        #[arg(long)]
+        pub pair: Option<Sides>,
+    }
+}
+
+/// Exponents asked for, a grid of wedges by all roads, two known values, the scenes.
+pub struct Computed {
+    /// The wedges of the table.
+    pub wedges: Vec<(Wedge, Spectrum)>,
+    /// One entry per wedge of the grid.
+    pub grid: Vec<Roads>,
+    /// Im of the first exponent of clamped/free on one line.
+    pub oscillation: f64,
+    /// The supremum of tau at the transition of contact on one line.
+    pub transition: f64,
+    /// All scenes on meshes.
+    pub scenes: Vec<SceneOrder>,
+}
+
+/// Openings of the grid in steps of 15 degrees, Poisson's ratios, and the agreement asked for.
+const OPENINGS: u32 = 24;
+const RATIOS: [f64; 4] = [-0.9, 0.0, 0.3, 0.49];
+const DIGITS: f64 = 1e-12;
+
+/// The wedges asked for, the grid, the scenes.
+pub fn compute(options: &Options) -> Result<Computed> {
+    let medium = Medium::PlaneStrain(options.poisson);
+    let solved = |&sides: &Sides| {
+        let wedge = Wedge::new(options.omega.to_radians(), sides, medium)?;
+        Ok((wedge, wedge.exponents()?))
+    };
+    let wedges = options.pair.as_ref().map_or(&Sides::ALL[..], std::slice::from_ref);
+    let bar = progress(u64::from(OPENINGS) + MeshScene::all().len() as u64);
+    let flat = Wedge::new(PI, Sides(Side::Clamped, Side::Free), medium)?.exponents()?;
+    let computed = Computed {
+        wedges: wedges.iter().map(solved).collect::<Result<_>>()?,
+        grid: Roads::on_grid(OPENINGS, &RATIOS, || bar.inc(1))?,
+        oscillation: flat.exponents.first().map_or(f64::NAN, |exponent| exponent.im.value),
+        transition: Wedge::new(PI, Sides(Side::Closed, Side::Open), medium)?.regularity()?.tau,
+        scenes: scene_orders(3, 6, || bar.inc(1))?,
+    };
+    bar.finish_and_clear();
+    Ok(computed)
+}
+
+/// What decides: counts against lists, one road against the other, known values, orders against tau.
+pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
+    let Computed { grid, oscillation, transition, scenes, .. } = computed;
+    let (lost, apart) = (Roads::lost(grid) as f64, Roads::furthest(grid));
+    let kappa = 3.0 - 4.0 * options.poisson;
+    vec![
+        Finding::claim("lost", format!("no exponent is lost on {} wedges", grid.len()))
+            .number(lost, 0.0)
+            .at_most(0.0, "wedges whose list and count by the argument principle differ"),
+        Finding::claim("roads", "the eigenvalues on the arc agree with the list to {value}, relative")
+            .number(apart, 0.0)
+            .at_most(DIGITS, "twelve digits"),
+        Finding::claim("oscillation", "clamped/free on one line oscillates, Im lambda = {value}")
+            .number(*oscillation, DIGITS)
+            .within(2.0 * DIGITS, kappa.ln() / TAU, "ln(kappa)/(2 pi)"),
+        Finding::claim("transition", "the signs of contact leave u in H^tau, tau < {value}, at a transition")
+            .number(*transition, DIGITS)
+            .within(2.0 * DIGITS, 2.5, "r^(3/2): 5/2"),
+        Finding::remark("orders", "every scene's order is min(1, tau - 1) within its uncertainty")
+            .number_or(SceneOrder::furthest(scenes).map(|off| (off, 0.0)), "an order is missing")
+            .at_most(1.0, "min(1, tau - 1); in units of +-"),
+    ]
+}
+
+/// Computes and lists.
+pub fn run(options: &Options) -> Result<Headline> {
+    let computed = compute(options)?;
+    let found = findings(options, &computed);
+    let claim = "all exponents with 0 < Re lambda < 3 are found, and give tau of every scene";
+    let mut headline = Headline::new("Section 2", claim, table(&computed.wedges), found);
+    for SceneOrder { scene, tau, order, .. } in &computed.scenes {
+        headline.quote(format!("scene.{scene}.tau"), *tau);
+        RateRow::quote(&mut headline, &format!("scene.{scene}"), *order);
+    }
+    headline.draw(&options.output, "section_2_singular_exponents", || draw(options, &computed.scenes))?;
+    Ok(headline)
+}
+
+fn table(wedges: &[(Wedge, Spectrum)]) -> Table {
+    let twelve = Format::Fixed(12);
+    let mut table = Table::new(vec![
+        Column::new("sides", "sides", Format::Plain, "D clamped, N free, C contact closed, O contact open"),
+        Column::new("re", "Re lambda", twelve, ""),
+        Column::new("im", "Im lambda", twelve, "of a pair the one above the axis"),
+        Column::new("error", "+-", Format::Scientific(0), "rounding of the characteristic function"),
+        Column::new("multiplicity", "zeros", Format::Plain, "multiplicity as a zero"),
+        Column::new("modes", "modes", Format::Plain, "angular functions; fewer than zeros: r^lambda ln r"),
+        Column::new("kind", "kind", Format::Plain, "polynomial: no limit to tau; excluded: not in contact"),
+    ]);
+    for (wedge, e) in wedges.iter().flat_map(|(wedge, all)| all.exponents.iter().map(move |e| (wedge, e))) {
+        let kind = match (wedge.admission(e), e.is_polynomial()) {
+            (Admission::Excluded, _) => "excluded",
+            (_, true) => "polynomial",
+            _ => "",
+        };
+        let mut row = vec![wedge.sides().to_string().into(), e.re.value.into(), e.im.value.into()];
+        row.extend([e.re.error.into(), e.multiplicity.into(), e.modes.len().into(), kind.into()]);
+        table.push(row);
+    }
+    table
+}
+
+/// The first exponent that is no polynomial against the opening, and the corners responsible for the scenes.
+fn draw(options: &Options, scenes: &[SceneOrder]) -> Result<Chart> {
+    let x = Axis::linear("opening in degrees").range(0.0, 360.0);
+    let y = Axis::linear("first Re lambda, polynomials left out").range(0.0, 3.0);
+    let title = format!("Singular exponents, Poisson's ratio {}", options.poisson);
+    let mut chart = Chart::new(title, x, y);
+    for sides in Sides::ALL {
+        let mut points = Vec::new();
+        for degrees in (1..=90).map(|k| 4.0 * f64::from(k) - 0.7) {
+            let medium = Medium::PlaneStrain(options.poisson);
+            let first = Wedge::new(f64::to_radians(degrees), sides, medium)?.first_singular()?;
+            points.extend(first.map(|exponent| (degrees, exponent.re.value)));
+        }
+        chart = chart.with(Series::line(sides.to_string(), points));
+    }
+    for (name, elastic) in [("scenes", true), ("scalar scenes", false)] {
+        let chosen = scenes.iter().filter(|row| row.scene.is_elastic() == elastic);
+        let points = chosen
+            .filter_map(|row| Some((row.corner.as_ref()?.wedge.angle().to_degrees(), row.tau - 1.0)))
+            .collect();
+        chart = chart.with(Series::points(name, points));
+    }
+    Ok(chart)
+}
+
+fn main() -> ExitCode {
+    example_frame::main(run)
+}

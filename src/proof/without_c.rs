@@ -1,0 +1,133 @@
+//! An a priori bound for Signorini's problem with every constant known, τ = 2.
+//!
+//! Γ_C straight, n its outward normal, its segments of length h; on each the rectangle Q of height H h lies in Ω, and S
+//! is their union. |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0), S =
+//! (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at ν = 1/2 and θ = coth(πH),
+//!
+//! nodal cone:    |u − u_h|_a² ≤ h² (M A² |u|₂² + 2 c π θ S |u|²_{2,S}),
+//! midpoint cone: |u − u_h|_a² ≤ h² ((M^{1/2} A |u|₂ + (θ/π) S B |u|_{2,S})² + 4 c π θ S |u|²_{2,S}).
+//!
+//! 1. Falk: |u − u_h|_a² ≤ |u − I^h u|_a² + 2 ∫ σ_N (I^h u)_N.
+//! 2. |u − I^h u|₁ ≤ A h |u|₂; right isosceles triangles with legs h: A = 1/t, t + tan t = 0 (F. Kikuchi, X. Liu, Japan
+//!    J. Indust. Appl. Math. 23 (2006) 75-82). |v|_a² ≤ M |∇v|²: split ∇v into trace, deviator, rotation.
+//! 3. A segment: ∫_T σ_N (I^h u)_N ≤ c h² |σ_N|_{1/2,T} |u_N'|_{1/2,T}; also for (1/h) ∫σ_N ∫u_N, the midpoint term.
+//! 4. Trace on a rectangle: |w|²_{1/2,T} ≤ 2πθ ‖∇w‖²_Q, ‖w − πw‖²_T ≤ (θ/π) h ‖∇w‖²_Q (cosine series). For w = σ_N =
+//!    λ div u + 2μ ∂_n u_n and w = ∂_t u_n: ‖∇σ_N‖ ‖∇∂_t u_n‖ ≤ ½ S |u|²_{2}, ‖∇σ_N‖ ≤ S |u|₂.
+//! 5. Midpoint cone: also ∫ (σ_N − πσ_N)(u − u_h)_N ≤ (θ/π) h ‖∇σ_N‖_S ‖∇(u − u_h)_N‖_S, and ‖∇v_N‖ ≤ B |v|_a: B = 1
+//!    for ∫∇u·∇v, a constant of Korn's inequality for elasticity ([`unit_square_korn`]).
+//!
+//! Proofs: `book/src/theorem_3_1_without_c.md`. Cost: none.
+
+use crate::cone::Cone;
+use crate::error::{Error, Result};
+use crate::fem::{Form, Lame};
+use crate::numeric::search::sign_change;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, SQRT_2};
+
+/// More than the rounding of a few dozen operations.
+const ROUND_UP: f64 = 1.0 + 1e-14;
+
+/// What the bound needs to know of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshShape {
+    /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For any triangles the largest circumradius over h (K. Kobayashi,
+    /// T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
+    pub interpolation: f64,
+    /// H: over each contact segment the rectangle of height H h lies in Ω.
+    pub height: f64,
+}
+
+impl MeshShape {
+    /// Right isosceles triangles with legs h along Γ_C and across: A = 0.49291..., H = 1.
+    pub fn right_isosceles() -> Self {
+        let is_beyond = |t: f64| t * t.cos() + t.sin() < 0.0;
+        let (t, _) = sign_change(FRAC_PI_2, PI, 0.0, is_beyond);
+        Self { interpolation: ROUND_UP / t, height: 1.0 }
+    }
+}
+
+/// B in ‖∇v_y‖ ≤ B |v|_a on the unit square, v = 0 on y = 1, λ ≥ 0: (A₁² + (A₁ π/√8 + π/2)² + ½)^{1/2} μ^{−1/2}, A₁ =
+/// 1/sin(π/8).
+///
+/// w = ∂_x v_y has ∇w = (2∂_xε_xy − ∂_yε_xx, ∂_xε_yy), so by the inf-sup constant of the square, at least sin(π/8) (M.
+/// Costabel, M. Dauge, Arch. Ration. Mech. Anal. 217 (2015) 873-898), ‖w − m‖ ≤ A₁ μ^{−1/2} |v|_a, m the mean. With φ =
+/// (π/2) sin πx, m = −∫ v_y φ' − ∫ (w − m) φ, and ‖v_y‖ ≤ (2/π) ‖ε_yy‖ ≤ (2/π) (2μ)^{−1/2} |v|_a.
+///
+/// # Errors
+/// [`Error::OutOfRange`] for λ < 0.
+pub fn unit_square_korn(lame: Lame) -> Result<f64> {
+    Error::require("lambda", lame.lambda(), "[0, inf)", lame.lambda() >= 0.0)?;
+    let inverse = 1.0 / FRAC_PI_8.sin();
+    let mean = inverse * PI / (2.0 * SQRT_2) + FRAC_PI_2;
+    Ok(ROUND_UP * ((inverse * inverse + mean * mean + 0.5) / lame.mu()).sqrt())
+}
+
+/// The bound for one form, cone, and shape of mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoundWithoutC {
+    /// M^{1/2} A.
+    pub approximation: f64,
+    /// (θ/π) S B for the midpoint cone, 0 for the nodal one.
+    pub projection: f64,
+    /// 2 c π θ S, twice that for the midpoint cone.
+    pub consistency: f64,
+}
+
+impl BoundWithoutC {
+    /// `segment` is c, or a better constant of a segment at ν = 1/2, rounded up; `korn` is B, used by the midpoint cone
+    /// in elasticity only.
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a form with a reaction term or several materials; [`Error::OutOfRange`] for constants
+    /// that are not positive and finite.
+    pub fn new(form: &Form, cone: Cone, shape: MeshShape, segment: f64, korn: f64) -> Result<Self> {
+        for (name, value) in [
+            ("interpolation", shape.interpolation),
+            ("height", shape.height),
+            ("segment", segment),
+            ("korn", korn),
+        ] {
+            Error::require(name, value, "(0, inf)", value > 0.0 && value.is_finite())?;
+        }
+        let (energy, stress, korn) = match form {
+            Form::Scalar { reaction: 0.0 } => (1.0, 1.0, 1.0),
+            Form::Elastic { materials } if materials.len() == 1 => {
+                let (lambda, mu) = (materials[0].lambda(), materials[0].mu());
+                (2.0 * mu + 2.0 * lambda.max(0.0), lambda.hypot(lambda + 2.0 * mu), korn)
+            }
+            _ => {
+                return Err(Error::Incompatible {
+                    what: "form",
+                    given: format!("{form:?}"),
+                    with: "the bound without C",
+                    expected: "the Laplacian, or elasticity with one material",
+                });
+            }
+        };
+        let theta = 1.0 / (PI * shape.height).tanh();
+        let term = 2.0 * segment * PI * theta * stress;
+        let (projection, consistency) = match cone {
+            Cone::Nodal => (0.0, term),
+            Cone::Midpoint => (theta / PI * stress * korn, 2.0 * term),
+        };
+        Ok(Self { approximation: energy.sqrt() * shape.interpolation, projection, consistency })
+    }
+
+    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles; [`BoundWithoutC::constant`] h |u|₂ if
+    /// only `whole` is known: pass it twice.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless h > 0 and 0 ≤ near ≤ whole, all finite.
+    pub fn bound(&self, h: f64, whole: f64, near: f64) -> Result<f64> {
+        Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
+        Error::require("|u|_2", whole, "[0, inf)", whole >= 0.0 && whole.is_finite())?;
+        Error::require("|u|_2 near the edge", near, "[0, |u|_2]", near >= 0.0 && near <= whole)?;
+        let smooth = self.approximation * whole + self.projection * near;
+        Ok(ROUND_UP * h * smooth.hypot(self.consistency.sqrt() * near))
+    }
+
+    /// C in |u − u_h|_a ≤ C h |u|₂.
+    pub fn constant(&self) -> f64 {
+        ROUND_UP * (self.approximation + self.projection).hypot(self.consistency.sqrt())
+    }
+}

@@ -1,0 +1,284 @@
+//! Contact problems on the unit square with solution in closed form, scalar and elastic, with one transition or two.
+//!
+//! With z = x + iy let F = (z − a)^{3/2}, or F = ((z − a)(b − z))^{3/2}, both with roots of real part ≥ 0 for each
+//! factor. On y = 0 either F > 0 and F' real (the gap: x > a, or a < x < b), or Re F = 0 and Im F' ≥ 0 (contact).
+//! All second derivatives are of size r^{−1/2} at the transitions, so u ∈ H^{5/2−ε}.
+//!
+//! * *Scalar*: u = −Re F, harmonic, ∂u/∂n = −Im F' on y = 0.
+//! * *Elastic* (Westergaard's function iF'; α = μ/(λ+μ), β = 1 + α, no volume force):
+//!   2μ u_x = −α Im F − y Re F',  2μ u_y = β Re F + y Im F'.
+//!   On y = 0, n = (0, −1): σ_T = 0, σ_N = −Im F' ≤ 0, u_N = −β Re F/(2μ) ≤ 0.
+//!
+//! u is prescribed on top, the stress on both sides by quadrature. H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53.
+
+use crate::contact::ContactProblem;
+use crate::error::Result;
+use crate::estimate::{Estimate, Work};
+use crate::fem::{Cubature, ErrorNorms, Field, Form, Lame, error_norms};
+use crate::mesh::{Part, Point, Sides, mapped_grid, unit_square};
+use std::fmt;
+
+/// a and b: no nodes of uniform dyadic meshes.
+const TRANSITIONS: [f64; 2] = [0.3, 0.7];
+/// Points along each side of a triangle's rule, for errors and for seminorms; graded toward the transitions.
+const POINTS: [usize; 3] = [4, 6, 10];
+
+/// A contact problem with known solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClosedForm {
+    /// Contact before 3/10 and beyond 7/10; else before 3/10 only.
+    pub two_transitions: bool,
+    /// Lamé's constants; none for the scalar problem.
+    pub lame: Option<Lame>,
+}
+
+/// A complex number, as far as it is needed.
+type Complex = [f64; 2];
+
+fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
+    [a * c - b * d, a * d + b * c]
+}
+
+fn scaled(s: f64, [a, b]: Complex) -> Complex {
+    [s * a, s * b]
+}
+
+fn inverse(z: Complex) -> Complex {
+    let square = z[0] * z[0] + z[1] * z[1];
+    [z[0] / square, -z[1] / square]
+}
+
+/// √z for Im z ≥ 0, of the first quadrant.
+fn root([x, y]: Complex) -> Complex {
+    let (r, half) = (x.hypot(y).sqrt(), 0.5 * y.atan2(x));
+    // On the negative axis the real part is zero, not rounding.
+    if y == 0.0 && x < 0.0 { [0.0, r] } else { [r * half.cos(), r * half.sin()] }
+}
+
+impl ClosedForm {
+    /// The ends of contact on y = 0.
+    pub fn transitions(&self) -> &'static [f64] {
+        &TRANSITIONS[..if self.two_transitions { 2 } else { 1 }]
+    }
+
+    /// The form.
+    pub fn form(&self) -> Form {
+        self.lame.map_or(Form::LAPLACE, Form::elastic)
+    }
+
+    /// F, F', F'', F'''.
+    fn potential(&self, [x, y]: Point) -> [Complex; 4] {
+        let [a, b] = TRANSITIONS;
+        let left = root([x - a, y]);
+        if !self.two_transitions {
+            let below = inverse(left);
+            let cube = times(left, times(left, left));
+            return [cube, scaled(1.5, left), scaled(0.75, below), scaled(-0.375, inverse(cube))];
+        }
+        // (b − z)^{1/2} is the conjugate of the root of b − x + iy. G = ((z−a)(b−z))^{1/2}, G' = m/(2G).
+        let [c, d] = root([b - x, y]);
+        let g = times(left, [c, -d]);
+        let (below, m) = (inverse(g), [a + b - 2.0 * x, -2.0 * y]);
+        let slope = scaled(0.5, times(m, below));
+        let length = (b - a) * (b - a);
+        let sum = |s: f64, p: Complex, t: f64, q: Complex| [s * p[0] + t * q[0], s * p[1] + t * q[1]];
+        [
+            times(g, times(g, g)),
+            scaled(1.5, times(g, m)),
+            sum(0.75 * length, below, -6.0, g),
+            sum(-0.75 * length, times(slope, times(below, below)), -6.0, slope),
+        ]
+    }
+
+    /// α and 2μ.
+    fn moduli(lame: Lame) -> (f64, f64) {
+        (lame.mu() / (lame.lambda() + lame.mu()), 2.0 * lame.mu())
+    }
+
+    /// u; a scalar solution has second entry 0.
+    pub fn displacement(&self, point: Point) -> Point {
+        let ([f, g, ..], y) = (self.potential(point), point[1]);
+        let Some(lame) = self.lame else { return [-f[0], 0.0] };
+        let (alpha, double) = Self::moduli(lame);
+        [(-alpha * f[1] - y * g[0]) / double, ((1.0 + alpha) * f[0] + y * g[1]) / double]
+    }
+
+    /// ∇u: row c is the gradient of component c.
+    pub fn gradient(&self, point: Point) -> [Point; 2] {
+        let ([_, f, g, _], y) = (self.potential(point), point[1]);
+        let Some(lame) = self.lame else { return [[-f[0], f[1]], [0.0; 2]] };
+        let (alpha, double) = Self::moduli(lame);
+        let across = (1.0 + alpha) * f[0];
+        let rows =
+            [[-alpha * f[1] - y * g[0], y * g[1] - across], [across + y * g[1], -alpha * f[1] + y * g[0]]];
+        rows.map(|row| row.map(|entry| entry / double))
+    }
+
+    /// (∂²/∂x², ∂²/∂x∂y, ∂²/∂y²) of each component.
+    pub fn second_derivatives(&self, point: Point) -> [[f64; 3]; 2] {
+        let ([_, _, f, g], y) = (self.potential(point), point[1]);
+        let Some(lame) = self.lame else { return [[-f[0], f[1], f[0]], [0.0; 3]] };
+        let (alpha, double) = Self::moduli(lame);
+        let rows = [
+            [-alpha * f[1] - y * g[0], y * g[1] - (1.0 + alpha) * f[0], (alpha + 2.0) * f[1] + y * g[0]],
+            [(1.0 + alpha) * f[0] + y * g[1], y * g[0] - alpha * f[1], (1.0 - alpha) * f[0] - y * g[1]],
+        ];
+        rows.map(|row| row.map(|entry| entry / double))
+    }
+
+    /// σ(u) n; the scalar problem has (∂u/∂n, 0).
+    pub fn traction(&self, point: Point, [p, q]: Point) -> Point {
+        let [[xx, xy], [yx, yy]] = self.gradient(point);
+        let Some(lame) = self.lame else { return [xx * p + xy * q, 0.0] };
+        let (sum, shear) = (lame.lambda() * (xx + yy), lame.mu() * (xy + yx));
+        let double = 2.0 * lame.mu();
+        [(sum + double * xx) * p + shear * q, shear * p + (sum + double * yy) * q]
+    }
+
+    /// The problem on the structured mesh with n × n squares.
+    ///
+    /// # Errors
+    /// [`crate::Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    pub fn problem(&self, n: usize) -> Result<ContactProblem> {
+        let mesh = unit_square(n, Sides::HANGING)?;
+        let form = self.form();
+        let load = vec![0.0; mesh.nodes().len() * form.components()];
+        let mut problem = ContactProblem::new(mesh, form, &load)?;
+        self.with_field(|field| problem.set_dirichlet(field))?;
+        problem.add_boundary_load(Part::Neumann, &|point, normal| Ok(self.traction(point, normal)))?;
+        Ok(problem)
+    }
+
+    fn with_field<T>(&self, then: impl FnOnce(&Field<'_>) -> T) -> T {
+        if self.lame.is_some() {
+            then(&Field::Vector(&|point| self.displacement(point)))
+        } else {
+            then(&Field::Scalar(&|point| self.displacement(point)[0]))
+        }
+    }
+
+    fn rule(&self, points: usize) -> Result<Cubature> {
+        let singular: Vec<Point> = self.transitions().iter().map(|&x| [x, 0.0]).collect();
+        Ok(Cubature::new(points)?.singular_at(&singular))
+    }
+
+    /// Norms of u − v for nodal values v on the mesh of a problem.
+    ///
+    /// # Errors
+    /// As [`error_norms`].
+    pub fn error(&self, problem: &ContactProblem, values: &[f64]) -> Result<ErrorNorms> {
+        let (gradient, rule) = (|point| self.gradient(point), self.rule(POINTS[0])?);
+        self.with_field(|exact| {
+            error_norms(problem.mesh(), problem.form(), values, (exact, &gradient), &rule)
+        })
+    }
+
+    /// Values of u at the nodes of a problem.
+    ///
+    /// # Errors
+    /// As [`Field::sample`].
+    pub fn interpolant(&self, problem: &ContactProblem) -> Result<Vec<f64>> {
+        self.with_field(|field| field.sample(problem.mesh().nodes()))
+    }
+
+    /// |u|₂ on (0, 1) × (0, 1/n): (Σ over components of ∫ u_xx² + 2 u_xy² + u_yy²)^{1/2}; the error is what a rule of
+    /// fewer points changes.
+    ///
+    /// # Errors
+    /// [`crate::Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    pub fn second_seminorm(&self, n: usize) -> Result<Estimate> {
+        let height = 1.0 / n as f64;
+        let mesh = mapped_grid(n.max(4), (4 / n.max(1)).max(1), Sides::HANGING, |[x, y]| [x, height * y])?;
+        let mut work = Work::default();
+        let mut integral = |points: usize| -> Result<f64> {
+            let (rule, mut sum) = (self.rule(points)?, 0.0);
+            for t in 0..mesh.triangles().len() {
+                rule.on(mesh.corners(t), &mut |point, weight| {
+                    let squares = self.second_derivatives(point);
+                    sum += weight * squares.iter().map(|[p, q, r]| p * p + 2.0 * q * q + r * r).sum::<f64>();
+                    work.points += 1;
+                    Ok(())
+                })?;
+            }
+            Ok(sum)
+        };
+        let (coarse, fine) = (integral(POINTS[1])?, integral(POINTS[2])?);
+        Estimate::new(fine, fine - coarse, work)?.sqrt()
+    }
+}
+
+impl fmt::Display for ClosedForm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = if self.lame.is_some() { "elastic" } else { "scalar" };
+        write!(f, "{kind}, {}", if self.two_transitions { "two transitions" } else { "one transition" })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scenes() -> [ClosedForm; 4] {
+        let lame = Some(Lame::new(1.3, 0.7).unwrap());
+        let scene = |two_transitions, lame| ClosedForm { two_transitions, lame };
+        [scene(false, None), scene(true, None), scene(false, lame), scene(true, lame)]
+    }
+
+    #[test]
+    fn contact_conditions_hold_on_the_edge() {
+        for scene in scenes() {
+            for i in 0..=40 {
+                let point = [f64::from(i) / 40.0, 0.0];
+                let (u, stress) = (scene.displacement(point), scene.traction(point, [0.0, -1.0]));
+                let (normal, pressure, shear) = match scene.lame {
+                    Some(_) => (-u[1], -stress[1], stress[0]),
+                    None => (u[0], stress[0], 0.0),
+                };
+                assert!(normal <= 0.0 && pressure <= 1e-15, "{scene} {point:?}: {normal} {pressure}");
+                assert!((normal * pressure).abs() < 1e-15 && shear.abs() < 1e-15, "{scene} {point:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_u_and_forces_balance() {
+        // Central differences: h² times third derivatives, ε/h of rounding.
+        let (h, tolerance) = (1e-5, 1e-7);
+        for scene in scenes() {
+            for point in [[0.1, 0.2], [0.55, 0.4], [0.9, 0.15]] {
+                let [x, y] = point;
+                let (gradient, second) = (scene.gradient(point), scene.second_derivatives(point));
+                let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]];
+                let (u, g) = (sides.map(|p| scene.displacement(p)), sides.map(|p| scene.gradient(p)));
+                for c in 0..2 {
+                    for d in 0..2 {
+                        let slope = (u[2 * d][c] - u[2 * d + 1][c]) / (2.0 * h);
+                        assert!((slope - gradient[c][d]).abs() < tolerance, "{scene} {point:?}");
+                        for e in 0..2 {
+                            let curve = (g[2 * d][c][e] - g[2 * d + 1][c][e]) / (2.0 * h);
+                            assert!((curve - second[c][d + e]).abs() < tolerance, "{scene} {point:?}");
+                        }
+                    }
+                }
+                let laplace = second.map(|[xx, _, yy]| xx + yy);
+                let (lambda, mu) = scene.lame.map_or((-1.0, 1.0), |m| (m.lambda(), m.mu()));
+                let grad = [second[0][0] + second[1][1], second[0][1] + second[1][2]];
+                for c in 0..2 {
+                    assert!((mu * laplace[c] + (lambda + mu) * grad[c]).abs() < 1e-13, "{scene}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_seminorm_of_one_transition_is_the_closed_form() {
+        // |F''|² = 9/(16 r); ∫ 1/r over (0, p) × (0, q) from its corner is p asinh(q/p) + q asinh(p/q).
+        let corner = |p: f64, q: f64| p * (q / p).asinh() + q * (p / q).asinh();
+        for n in [1, 2, 16] {
+            let q = 1.0 / n as f64;
+            let exact = (1.125 * (corner(0.3, q) + corner(0.7, q))).sqrt();
+            let value = scenes()[0].second_seminorm(n).unwrap();
+            assert!((value.value - exact).abs() <= value.error.max(1e-9), "{n}: {value:?} {exact}");
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Corners and transitions of a solved contact problem, and how smooth its solution is there.
+//!
+//! From the polygon of the mesh, the conditions on its sides and the contact set found: every node of the
+//! boundary where the boundary bends, the conditions change, or contact turns into gap is a wedge, whose
+//! exponents `singular` computes. u ∈ H^τ for every τ below the smallest of their suprema. Data are taken as
+//! smooth. A contact zone of a single node counts as a zone with two transitions in one place.
+
+use crate::cone::Cone;
+use crate::contact::{ContactProblem, ContactSolution};
+use crate::error::{Error, Result};
+use crate::fem::{Form, Lame};
+use crate::mesh::{Part, Point};
+use crate::singular::{CornerRegularity, Medium, Side, Sides, Wedge};
+use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
+use std::fmt;
+
+/// Openings nearer than this to π are straight.
+const STRAIGHT: f64 = 1e-9;
+
+/// A corner of the body, or a change of conditions on a straight side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyCorner {
+    /// Where.
+    pub place: Point,
+    /// Opening and sides; θ = 0 is the side that leaves the corner with the body on its left.
+    pub wedge: Wedge,
+    /// The supremum of the τ with u ∈ H^τ there, and the exponent responsible.
+    pub regularity: CornerRegularity,
+}
+
+impl fmt::Display for BodyCorner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ([x, y], degrees) = (self.place, self.wedge.angle().to_degrees());
+        write!(f, "{} {degrees:.0} deg at ({x:.3}, {y:.3})", self.wedge.sides())
+    }
+}
+
+/// How smooth a solution is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyRegularity {
+    /// Supremum of the τ with u ∈ H^τ; at most 4, where exponents are no longer sought.
+    pub tau: f64,
+    /// All corners and transitions, the roughest first.
+    pub corners: Vec<BodyCorner>,
+}
+
+impl BodyRegularity {
+    /// The corner responsible for τ, if an exponent limits it.
+    pub fn responsible(&self) -> Option<&BodyCorner> {
+        self.corners.first().filter(|corner| corner.regularity.exponent.is_some())
+    }
+}
+
+/// Corners, transitions and regularity of a discrete solution. Cost: a millisecond for each different wedge.
+///
+/// # Errors
+/// [`Error::Node`] for a corner where two materials meet or several pieces of boundary touch;
+/// [`Error::OutOfRange`] for a Poisson's ratio outside (−1, 1/2); those of [`Wedge::regularity`].
+pub fn body_regularity(problem: &ContactProblem, solution: &ContactSolution) -> Result<BodyRegularity> {
+    let mesh = problem.mesh();
+    let contact = closed_edges(problem, solution);
+    let mut sides: BTreeMap<usize, [Option<(usize, Side)>; 2]> = BTreeMap::new();
+    for edge in mesh.boundary() {
+        let side = match edge.part {
+            Part::Dirichlet => Side::Clamped,
+            Part::Neumann => Side::Free,
+            Part::Contact if contact.edges.contains_key(&edge.nodes[0]) => Side::Closed,
+            Part::Contact => Side::Open,
+        };
+        let [start, end] = edge.nodes;
+        for (node, k, other) in [(start, 0, end), (end, 1, start)] {
+            let slot = &mut sides.entry(node).or_default()[k];
+            if slot.replace((other, side)).is_some() {
+                return Err(Error::Node { node, reason: "is where several pieces of the boundary touch" });
+            }
+        }
+    }
+    let mut corners: Vec<BodyCorner> = Vec::new();
+    for (node, ends) in sides {
+        let [Some((next, mut first)), Some((last, second))] = ends else {
+            return Err(Error::Node { node, reason: "ends the boundary" });
+        };
+        let place = mesh.nodes()[node];
+        let angle = opening(place, mesh.nodes()[next], mesh.nodes()[last]);
+        if angle == PI && first == second {
+            if !contact.single.contains(&node) {
+                continue;
+            }
+            first = Side::Closed;
+        }
+        let wedge = Wedge::new(angle, Sides(first, second), medium(problem, node)?)?;
+        let known = corners.iter().find(|corner| corner.wedge == wedge).map(|c| c.regularity.clone());
+        let regularity = match known {
+            Some(regularity) => regularity,
+            None => wedge.regularity()?,
+        };
+        corners.push(BodyCorner { place, wedge, regularity });
+    }
+    corners.sort_by(|a, b| a.regularity.tau.total_cmp(&b.regularity.tau));
+    let tau = corners.first().map_or(1.0 + crate::singular::LARGEST, |corner| corner.regularity.tau);
+    Ok(BodyRegularity { tau, corners })
+}
+
+/// Which edges of the contact boundary are closed, by their first node, and which nodes touch alone.
+struct Closed {
+    edges: BTreeMap<usize, ()>,
+    single: Vec<usize>,
+}
+
+fn closed_edges(problem: &ContactProblem, solution: &ContactSolution) -> Closed {
+    let (nodes, is_loop) = (problem.edge().nodes(), problem.edge().is_closed());
+    let (count, set) = (nodes.len(), &solution.contact_set);
+    let segments = if is_loop { count } else { count - 1 };
+    let clamped = problem.mesh().nodes_on(Part::Dirichlet);
+    // A clamped node says nothing of its edge.
+    let may_close = |i: usize| clamped[nodes[i]] || set.contains(i);
+    let is_closed = |i: usize| match solution.cone {
+        Cone::Midpoint => set.contains(i),
+        Cone::Nodal => {
+            let j = (i + 1) % count;
+            may_close(i) && may_close(j) && (set.contains(i) || set.contains(j))
+        }
+    };
+    let edges: Vec<bool> = (0..segments).map(is_closed).collect();
+    let touches = |&i: &usize| {
+        let before = if i > 0 || is_loop { edges[(i + segments - 1) % segments] } else { false };
+        let after = i < segments && edges[i];
+        solution.cone == Cone::Nodal && set.contains(i) && !clamped[nodes[i]] && !before && !after
+    };
+    Closed {
+        single: (0..count).filter(touches).map(|i| nodes[i]).collect(),
+        edges: (0..segments).filter(|&i| edges[i]).map(|i| (nodes[i], ())).collect(),
+    }
+}
+
+/// The angle of the body at a node, from the next node of the boundary to the last one.
+fn opening([x, y]: Point, next: Point, last: Point) -> f64 {
+    let angle = |[a, b]: Point| (b - y).atan2(a - x);
+    let turned = (angle(last) - angle(next)).rem_euclid(TAU);
+    match turned {
+        straight if (straight - PI).abs() < STRAIGHT => PI,
+        crack if crack < STRAIGHT => TAU,
+        other => other,
+    }
+}
+
+/// The one material at a node.
+fn medium(problem: &ContactProblem, node: usize) -> Result<Medium> {
+    let Form::Elastic { materials } = problem.form() else { return Ok(Medium::Scalar) };
+    let mesh = problem.mesh();
+    let regions: Vec<usize> = match materials.len() {
+        1 => vec![0],
+        _ => {
+            let around = (0..mesh.triangles().len()).filter(|&t| mesh.triangles()[t].contains(&node));
+            around.map(|t| mesh.region(t)).collect()
+        }
+    };
+    let mut found: Vec<Lame> = regions.iter().filter_map(|&r| problem.form().material(r)).collect();
+    found.dedup();
+    match found[..] {
+        [material] => {
+            let (lambda, mu) = (material.lambda(), material.mu());
+            Ok(Medium::PlaneStrain(0.5 * lambda / (lambda + mu)))
+        }
+        _ => {
+            Err(Error::Node { node, reason: "lies between two materials, whose exponents are not computed" })
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Contact costs nothing in the limit: errors beside those of interpolation and of the best approximation.
+
+#[allow(dead_code)]
+#[path = "../examples/contact_costs_nothing.rs"]
+mod example;
+
+use example_frame::Outcome;
+use signorini::cone::Cone;
+use signorini::proof::{contact_cost, falk_terms};
+use signorini::scenes::StripCase;
+use signorini::strip::{Levels, Reference, StripKind};
+
+fn options() -> example::Options {
+    example::Options { levels: Levels::new(4, 10).unwrap(), finest: 5, ..example::Options::default() }
+}
+
+#[test]
+fn the_limit_is_that_of_interpolation() {
+    let headline = example::run(&options()).unwrap();
+    println!("{headline}");
+    assert!(headline.verdict().is_confirmed(), "{headline}");
+}
+
+#[test]
+fn an_error_that_does_not_fall_is_seen() {
+    let mut computed = example::compute(&options()).unwrap();
+    for case in computed.0.iter_mut().filter(|case| case.scene.1 > 2.0) {
+        case.rows.iter_mut().for_each(|row| row.error += 0.1 * row.interpolation);
+    }
+    let found = example::findings(&computed);
+    let outcome = |key: &str| found.iter().find(|finding| finding.key() == key).unwrap().outcome();
+    assert_eq!(outcome("natural"), Outcome::Refuted);
+    assert_eq!(outcome("mesh"), Outcome::Holds);
+}
+
+#[test]
+fn rows_are_the_terms_of_falks_lemma() {
+    for kind in [StripKind::Scalar, StripKind::Elastic] {
+        let case = StripCase {
+            kind,
+            levels: Levels::new(3, 6).unwrap(),
+            source: "transitions:3".parse().unwrap(),
+            tau: 1.8,
+            cone: Cone::Nodal,
+            reference: Reference::Nested,
+            positions: 1,
+        };
+        let (cost, falk) = (contact_cost(&case, || ()).unwrap(), falk_terms(&case, |_| ()).unwrap());
+        for (cost, falk) in cost.iter().zip(&falk) {
+            for (own, other) in [
+                (cost.error, falk.error),
+                (cost.interpolation, falk.approximation),
+                (cost.consistency, falk.consistency),
+            ] {
+                assert!((own / other - 1.0).abs() < 1e-9, "{kind} {}: {own} {other}", cost.n);
+            }
+            assert!(cost.best <= cost.interpolation && cost.best <= cost.error, "{kind} {}", cost.n);
+        }
+    }
+}
