@@ -114,6 +114,7 @@ examples! {
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
+    section_1_clamped_end: "../examples/section_1_clamped_end.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",

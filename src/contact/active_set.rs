@@ -105,22 +105,25 @@ fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<Contact
 
 /// The constraints on the wrong side, ascending.
 fn wrong_constraints(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState) -> Vec<usize> {
-    let largest = |values: &[f64]| values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    let displacement = ROUNDING * largest(&state.displacement).max(largest(problem.bound));
-    let force = ROUNDING * terms(problem, &state.displacement);
+    let sizes = terms(problem, &state.displacement);
+    let cone = problem.edge_cone();
     (0..set.constraints())
         .filter(|&i| {
+            let force = cone.support(i).map(|node| sizes[node]).fold(0.0, f64::max);
             if set.contains(i) {
-                state.multiplier[i] < -force
+                state.multiplier[i] < -ROUNDING * force
             } else {
-                state.gap[i] > displacement && !problem.is_settled(i)
+                let alone = |node: usize| sizes[node] / problem.stiffness[(node, node)];
+                let displacement = cone.support(i).map(alone).fold(problem.bound[i].abs(), f64::max);
+                state.gap[i] > ROUNDING * displacement && !problem.is_settled(i)
             }
         })
         .collect()
 }
 
-/// max_i (|b| + |S||w|)_i, the size of what is summed in b − S w.
-fn terms(problem: &EdgeProblem<'_>, w: &[f64]) -> f64 {
+/// (|b| + |S||w|)_i, the size of what is summed in b − S w at every node. On an edge graded over many decades
+/// displacements and forces have no common scale: what is rounding is decided node by node.
+fn terms(problem: &EdgeProblem<'_>, w: &[f64]) -> Vec<f64> {
     let mut sizes: Vec<f64> = problem.load.iter().map(|b| b.abs()).collect();
     for (j, &value) in w.iter().enumerate() {
         let column = problem.stiffness.col(j);
@@ -128,7 +131,7 @@ fn terms(problem: &EdgeProblem<'_>, w: &[f64]) -> f64 {
             sizes[i] += (column[i] * value).abs();
         }
     }
-    sizes.into_iter().fold(0.0, f64::max)
+    sizes
 }
 
 #[cfg(test)]

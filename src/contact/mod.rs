@@ -6,6 +6,7 @@
 //! behind it.
 
 mod active_set;
+mod by_radius;
 mod condensed;
 mod data;
 mod edge_problem;

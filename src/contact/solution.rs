@@ -206,7 +206,7 @@ pub(super) fn gap_of(problem: &ContactProblem, cone: EdgeCone, normal_displaceme
 }
 
 /// (|K||u| + |F|)_i.
-fn sizes(problem: &ContactProblem, u: &[f64]) -> Vec<f64> {
+pub(super) fn sizes(problem: &ContactProblem, u: &[f64]) -> Vec<f64> {
     let stress_force = problem.matrix.multiply_absolute(u);
     stress_force.iter().zip(&problem.load).map(|(size, force)| size + force.abs()).collect()
 }

@@ -1,5 +1,5 @@
-//! Triangulations of polygons: labelled boundary, nested refinement, Gmsh files, the contact edge as an
-//! ordered chain.
+//! Triangulations of polygons: labelled boundary, nested refinement, Gmsh files, rings graded towards a point,
+//! the contact edge as an ordered chain.
 
 mod bisection;
 mod check;
@@ -8,6 +8,7 @@ mod edges;
 mod geometry;
 mod hierarchy;
 mod msh;
+mod rings;
 mod structured;
 mod triangulation;
 
@@ -16,5 +17,6 @@ pub use geometry::{BoundaryEdge, Part, Point};
 pub(crate) use geometry::{distance, doubled_area};
 pub use hierarchy::Hierarchy;
 pub use msh::{parse_msh, read_msh};
+pub use rings::{Outline, polar_rings};
 pub use structured::{Sides, mapped_grid, rectangles, unit_square};
 pub use triangulation::Triangulation;

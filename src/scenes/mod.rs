@@ -10,6 +10,7 @@
 //! | names and parameters | one block per scene; grammar, reading, writing | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
 //! | [`StripCase`] | a strip scene with levels, cone and positions: what is solved | `case` |
+//! | [`ClampedEnd`] | a body clamped up to the end of its contact edge, on polar rings | `clamped_end` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
@@ -18,6 +19,7 @@
 //! List of all, help texts, reading, writing and errors follow from it.
 
 mod case;
+mod clamped_end;
 mod closed_form;
 mod closed_form_levels;
 mod contact_sets;
@@ -37,6 +39,7 @@ mod tau_range;
 mod transition_powers;
 
 pub use case::StripCase;
+pub use clamped_end::ClampedEnd;
 pub use closed_form::ClosedForm;
 pub use closed_form_levels::ClosedFormLevel;
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};

@@ -11,6 +11,7 @@
 //! | [`Wedge::count`] | the argument principle alone | `count` |
 //! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
 //! | [`Wedge::exponents_on_arc`] | the second road: an eigenvalue problem on the arc | `arc` |
+//! | [`ContactZone`] | the contact zone at a clamped end, in closed form | `contact_zone` |
 //! | [`Wedge::roads`] | the list beside both | `roads` |
 //! | [`Wedge::admission`], [`Wedge::regularity`] | signs of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
 //!
@@ -19,6 +20,7 @@
 
 mod arc;
 mod basis;
+mod contact_zone;
 mod count;
 mod factor;
 mod mode;
@@ -30,6 +32,7 @@ mod wedge;
 mod zeros;
 
 pub use arc::ArcExponent;
+pub use contact_zone::ContactZone;
 pub use faer::c64;
 pub use mode::Mode;
 pub use regularity::{Admission, CornerRegularity};

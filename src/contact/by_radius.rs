@@ -1,0 +1,64 @@
+//! The Karush-Kuhn-Tucker figures ring by ring around a point, each ring by its own scales.
+//!
+//! Near a singular point displacements and forces fall like a power of r: over forty decades nothing of what
+//! happens there is seen beside the largest force. Every ring is judged by [`Evidence`] with the largest
+//! force size (abs(K) abs(u) + abs(F))_i and the largest displacement of the ring itself.
+
+use super::problem::ContactProblem;
+use super::solution::{ContactSolution, gap_of, sizes};
+use crate::cone::{Evidence, Judgement};
+use crate::error::{Error, Result};
+use crate::mesh::{Point, distance};
+use crate::numeric::check::require_values;
+use crate::numeric::scale::largest;
+
+impl ContactProblem {
+    /// The four figures of every ring `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; a ring without free unknowns
+    /// has zeros. Cost: O(unknowns) per ring.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the bounds increase; [`Error::LengthMismatch`], [`Error::NotFinite`] when the
+    /// solution is not one of this problem.
+    pub fn judge_by_radius(
+        &self,
+        solution: &ContactSolution,
+        centre: Point,
+        bounds: &[f64],
+    ) -> Result<Vec<Judgement>> {
+        require_values("displacement", &solution.displacement, self.matrix.unknowns())?;
+        if let Some(pair) = bounds.windows(2).find(|pair| pair[0] >= pair[1] || pair[1].is_nan()) {
+            return Err(Error::OutOfRange { name: "radius", value: pair[1], range: "increasing radii" });
+        }
+        let u = self.to_frame(&solution.displacement);
+        let cone = self.edge_cone(solution.cone);
+        let force = cone.apply_transposed(&solution.multiplier)?;
+        let normals = self.normal_unknowns();
+        let mut residual = self.matrix.multiply(&u);
+        residual.iter_mut().zip(&self.load).for_each(|(r, f)| *r -= f);
+        normals.iter().zip(force).for_each(|(&unknown, f)| residual[unknown] += f);
+        let sizes = sizes(self, &u);
+        let normal: Vec<f64> = normals.iter().map(|&unknown| u[unknown]).collect();
+        let gap = gap_of(self, cone, &normal);
+        let c = self.form.components();
+        let radius: Vec<f64> = self.mesh.nodes().iter().map(|&node| distance(centre, node)).collect();
+        let place: Vec<f64> = (0..gap.len())
+            .map(|i| cone.support(i).map(|k| radius[normals[k] / c]).fold(0.0, f64::max))
+            .collect();
+        let ring = |pair: &[f64]| {
+            let inside = |r: f64| pair[0] <= r && r < pair[1];
+            let unknowns: Vec<usize> =
+                (0..u.len()).filter(|&i| !self.prescribed[i] && inside(radius[i / c])).collect();
+            let constraints: Vec<usize> = (0..gap.len()).filter(|&i| inside(place[i])).collect();
+            let pick = |values: &[f64], from: &[usize]| from.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+            Evidence {
+                residual: &pick(&residual, &unknowns),
+                multiplier: &pick(&solution.multiplier, &constraints),
+                gap: &pick(&gap, &constraints),
+                force: largest(&pick(&sizes, &unknowns)),
+                displacement: largest(&pick(&u, &unknowns)),
+            }
+            .judge()
+        };
+        bounds.windows(2).map(ring).collect()
+    }
+}

@@ -1,0 +1,134 @@
+//! What happens at a clamped end: contact and gaps in ln r, the power of the pressure, the conditions by decade.
+//!
+//! The two innermost rings belong to the fan that closes them and are not read. In the midpoint cone the multipliers
+//! of a singular pressure ring, so that every other segment may be off the set: a single segment between two
+//! that touch is read as contact. The power is the slope of ln(−σ_N) against ln r over the contact that reaches the end,
+//! without its first two and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same length over the
+//! last four decades before ℓ/4: largest relative deviation, one common factor.
+
+use super::radial::{RadialInterval, radial_intervals};
+use crate::cone::{Cone, ContactSet, Judgement};
+use crate::contact::{ContactSolution, Solver};
+use crate::error::Result;
+use crate::numeric::line::Line;
+use crate::scenes::ClampedEnd;
+use crate::singular::ContactZone;
+
+/// How a scene is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// The active set, from no contact.
+    Open,
+    /// The active set, from full contact.
+    Closed,
+    /// The interior point method.
+    Interior,
+}
+
+/// A solved scene, read at the end of its contact edge.
+#[derive(Debug, Clone)]
+pub struct EndRun {
+    /// Contact and gaps, from the end outwards.
+    pub intervals: Vec<RadialInterval>,
+    /// The conditions of every decade [10^−k, 10^{−k+1}), outermost first, by the scales of the decade.
+    pub decades: Vec<Judgement>,
+    /// The power of the pressure at the end; `None` without fourteen decades of contact there.
+    pub power: Option<f64>,
+    /// How far the pressure is from the closed form; `None` without a zone that ends inside, or for scalar scenes.
+    pub shape: Option<f64>,
+    /// The solution.
+    pub solution: ContactSolution,
+}
+
+impl EndRun {
+    /// Solves the scene.
+    ///
+    /// # Errors
+    /// As for [`ClampedEnd::problem`] and [`crate::contact::ContactProblem::solve`].
+    pub fn of(scene: &ClampedEnd, cone: Cone, start: Start) -> Result<Self> {
+        let problem = scene.problem()?;
+        let radii = problem.edge().arc();
+        let full = ContactSet::new(vec![true; cone.constraints(radii.len())]);
+        let solution = match start {
+            Start::Open => problem.solve(cone, Solver::ActiveSet)?,
+            Start::Closed => problem.solve_from(cone, full)?,
+            Start::Interior => problem.solve(cone, Solver::InteriorPoint)?,
+        };
+        let read = read_set(cone, &solution.contact_set);
+        let intervals = radial_intervals(&solution.positions[FAN..], &read)?;
+        let count = (-scene.smallest.log10()).ceil() as i32;
+        let bounds: Vec<f64> = (0..=count).rev().map(|k| 10f64.powi(-k)).collect();
+        let mut decades = problem.judge_by_radius(&solution, [0.0; 2], &bounds)?;
+        decades.reverse();
+        let pressure: Vec<(f64, f64)> =
+            radii.iter().copied().zip(solution.pressure.iter().copied()).skip(1).collect();
+        let zone = intervals.first().filter(|first| first.in_contact).copied();
+        let is_inside = intervals.len() > 1;
+        let power = zone.and_then(|zone| power(&pressure, &zone));
+        let shape = match (scene.poisson, zone) {
+            (Some(poisson), Some(zone)) if is_inside => {
+                shape(&pressure, &ContactZone::new(poisson, zone.to)?, zone.to)
+            }
+            _ => None,
+        };
+        Ok(Self { intervals, decades, power, shape, solution })
+    }
+
+    /// The worst figure of any decade.
+    pub fn worst_decade(&self) -> f64 {
+        self.decades.iter().map(Judgement::worst).fold(0.0, f64::max)
+    }
+
+    /// True when the body touches at the end.
+    pub fn touches(&self) -> bool {
+        self.intervals.first().is_some_and(|part| part.in_contact)
+    }
+
+    /// The largest distance of the borders of two runs, in decades; infinite when one has more of them.
+    pub fn apart(&self, other: &Self) -> f64 {
+        let (a, b) = (self.borders(), other.borders());
+        let pairs = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        if a.len() == b.len() { pairs } else { f64::INFINITY }
+    }
+
+    /// Contact (true) or gap at the geometric middle of every decade below 1, outermost first.
+    pub fn by_decade(&self) -> Vec<bool> {
+        let touches = |k: usize| {
+            let r = 10f64.powf(-0.5 - k as f64);
+            self.intervals.iter().any(|part| part.in_contact && part.from <= r && r <= part.to)
+        };
+        (0..self.decades.len()).map(touches).collect()
+    }
+
+    /// log₁₀ of the radii at which contact and gap meet, from the end outwards.
+    pub fn borders(&self) -> Vec<f64> {
+        self.intervals.iter().skip(1).map(|part| part.from.log10()).collect()
+    }
+}
+
+/// Constraints of the end itself and of the fan.
+const FAN: usize = 3;
+
+/// The contact set without the fan, single open segments of the midpoint cone closed.
+fn read_set(cone: Cone, set: &ContactSet) -> ContactSet {
+    let is_in = |i: usize| set.as_slice().get(i).copied().unwrap_or(true);
+    let alone = |i: usize| cone == Cone::Midpoint && is_in(i - 1) && is_in(i + 1);
+    ContactSet::new((FAN..set.constraints()).map(|i| is_in(i) || alone(i)).collect())
+}
+
+fn power(pressure: &[(f64, f64)], zone: &RadialInterval) -> Option<f64> {
+    if zone.decades() < 14.0 {
+        return None;
+    }
+    let inner = |r: f64| 100.0 * zone.from <= r && r <= 1e-8 * zone.to;
+    let points: Vec<(f64, f64)> = pressure.iter().copied().filter(|&(r, p)| inner(r) && p > 0.0).collect();
+    (points.len() > 2).then(|| Line::through_logarithms(&points).slope)
+}
+
+fn shape(pressure: &[(f64, f64)], zone: &ContactZone, length: f64) -> Option<f64> {
+    let near = |r: f64| 1e-4 * length <= 4.0 * r && 4.0 * r <= length;
+    let quotients: Vec<f64> =
+        pressure.iter().filter(|(r, _)| near(*r)).map(|&(r, p)| (p / zone.pressure(r)).ln()).collect();
+    let mean = quotients.iter().sum::<f64>() / quotients.len() as f64;
+    (quotients.len() > 2).then(|| quotients.iter().map(|q| (q - mean).abs().exp_m1()).fold(0.0, f64::max))
+}

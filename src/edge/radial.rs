@@ -1,0 +1,84 @@
+//! A contact set as intervals of ln r, r the distance from the end of the edge.
+//!
+//! Between a constraint in contact and one that is not, the border is put at the geometric mean of their
+//! radii: on rings with ratio e^s it is known to s/2 in ln r.
+
+use crate::cone::ContactSet;
+use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite, require_length};
+
+/// A stretch of the edge, all contact or all gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RadialInterval {
+    /// Its inner radius, in units of the data.
+    pub from: f64,
+    /// Its outer radius.
+    pub to: f64,
+    /// Contact, or gap.
+    pub in_contact: bool,
+}
+
+impl RadialInterval {
+    /// log₁₀ of the ratio of its ends.
+    pub fn decades(&self) -> f64 {
+        self.to.log10() - self.from.log10()
+    }
+}
+
+/// The stretches of contact and gap, from the inside outwards; radii that are 0 (the end itself) are left out.
+///
+/// ```
+/// use signorini::cone::ContactSet;
+/// use signorini::edge::radial_intervals;
+/// let set = ContactSet::new(vec![false, true, true, false]);
+/// let found = radial_intervals(&[0.0, 1e-4, 1e-2, 1.0], &set)?;
+/// assert_eq!(found.len(), 2);
+/// assert!(found[0].in_contact && (found[0].to - 0.1).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::LengthMismatch`] unless there is a radius per constraint, [`Error::NotFinite`], [`Error::OutOfRange`] for radii
+/// that are negative or do not increase.
+pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInterval>> {
+    require_length("radii", radii.len(), set.constraints())?;
+    require_finite("radius", radii)?;
+    let falls = radii.windows(2).find(|pair| pair[0] >= pair[1]).map(|pair| pair[1]);
+    if let Some(value) = falls.or(radii.first().copied().filter(|&first| first < 0.0)) {
+        return Err(Error::OutOfRange { name: "radius", value, range: "increasing radii >= 0" });
+    }
+    let mut found: Vec<RadialInterval> = Vec::new();
+    for (i, &radius) in radii.iter().enumerate().filter(|(_, radius)| **radius > 0.0) {
+        let in_contact = set.contains(i);
+        match found.last_mut() {
+            Some(last) if last.in_contact == in_contact => last.to = radius,
+            Some(last) => {
+                // Roots first: products of tiny radii underflow.
+                let border = last.to.sqrt() * radius.sqrt();
+                last.to = border;
+                found.push(RadialInterval { from: border, to: radius, in_contact });
+            }
+            None => found.push(RadialInterval { from: radius, to: radius, in_contact }),
+        }
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_follow_each_other_and_bad_radii_are_refused() {
+        let radii: Vec<f64> = (0..90).rev().map(|k| 10f64.powi(-k)).collect();
+        let set = ContactSet::new((0..90).map(|i| i / 30 != 1).collect());
+        let found = radial_intervals(&radii, &set).unwrap();
+        assert_eq!(found.iter().map(|part| part.in_contact).collect::<Vec<_>>(), [true, false, true]);
+        assert!(found.windows(2).all(|pair| pair[0].to == pair[1].from));
+        assert!((found[1].decades() - 30.0).abs() < 1e-12);
+        assert!(radial_intervals(&radii[1..], &set).is_err());
+        let backwards: Vec<f64> = radii.into_iter().rev().collect();
+        assert!(radial_intervals(&backwards, &set).is_err());
+        assert!(radial_intervals(&[f64::NAN], &ContactSet::empty(1)).is_err());
+    }
+}

@@ -1,0 +1,93 @@
+//! A body whose bottom is clamped for x < 0 and may touch the plane for x > 0, on rings that resolve the origin.
+//!
+//! Outline, angles and radii as in [`polar_rings`]; plane strain with μ = 1, or the Laplacian. The load is a
+//! constant traction (cos α, sin α) on the outline: it pulls for α = 90°, presses for −90°, shears between. A scalar
+//! body, u in the place of u_N = −u_y, has the load −sin α. No volume load: near the origin the solution is
+//! what the far field makes it.
+
+use crate::contact::ContactProblem;
+use crate::error::{Error, Result};
+use crate::fem::{Field, Form, Lame};
+use crate::mesh::{Outline, polar_rings};
+
+/// The data of the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClampedEnd {
+    /// The outline of the body.
+    pub outline: Outline,
+    /// Sectors of a ring, a multiple of 4.
+    pub angles: usize,
+    /// ln of the ratio of two rings.
+    pub step: f64,
+    /// The rings end below this radius.
+    pub smallest: f64,
+    /// Poisson's ratio in (−1, 1/2); `None` for the scalar problem.
+    pub poisson: Option<f64>,
+    /// α, the direction of the traction, in degrees.
+    pub direction: f64,
+}
+
+impl ClampedEnd {
+    /// The assembled problem.
+    ///
+    /// # Errors
+    /// As for [`polar_rings`]; [`Error::OutOfRange`] for Poisson's ratio or a direction that is not finite.
+    pub fn problem(&self) -> Result<ContactProblem> {
+        let Self { outline, angles, step, smallest, poisson, direction } = *self;
+        Error::require("direction of the load", direction, "finite degrees", direction.is_finite())?;
+        let form = match poisson {
+            None => Form::LAPLACE,
+            Some(nu) => {
+                // λ = 2μν/(1 − 2ν) with μ = 1: E = 2 (1 + ν).
+                Form::elastic(Lame::plane_strain(2.0 * (1.0 + nu), nu)?)
+            }
+        };
+        let mesh = polar_rings(outline, angles, step, smallest)?;
+        let zeros = vec![0.0; mesh.nodes().len() * form.components()];
+        let mut problem = ContactProblem::new(mesh, form, &zeros)?;
+        let (sin, cos) = direction.to_radians().sin_cos();
+        match poisson {
+            None => problem.add_surface_load(&Field::Scalar(&|_| -sin))?,
+            Some(_) => problem.add_surface_load(&Field::Vector(&|_| [cos, sin]))?,
+        }
+        Ok(problem)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cone::Cone;
+    use crate::contact::Solver;
+    use crate::edge::radial_intervals;
+
+    const SCENE: ClampedEnd = ClampedEnd {
+        outline: Outline::HalfDisc,
+        angles: 8,
+        step: 0.4,
+        smallest: 1e-40,
+        poisson: Some(0.0),
+        direction: 90.0,
+    };
+
+    #[test]
+    fn every_ring_is_solved_and_a_pulled_body_keeps_one_zone() {
+        for cone in Cone::ALL {
+            let problem = SCENE.problem().unwrap();
+            let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
+            assert!(solution.status.is_converged(), "{cone}");
+            let found = radial_intervals(&solution.positions, &solution.contact_set).unwrap();
+            assert!(found.len() == 2 && found[0].in_contact, "{cone}: {found:?}");
+            let bounds: Vec<f64> = (0..41).rev().map(|k| 10f64.powi(-k)).collect();
+            let judged = problem.judge_by_radius(&solution, [0.0; 2], &bounds).unwrap();
+            assert!(judged.iter().all(|ring| ring.worst() < 1e-10), "{cone}: {judged:?}");
+        }
+    }
+
+    #[test]
+    fn bad_data_are_refused() {
+        assert!(ClampedEnd { direction: f64::NAN, ..SCENE }.problem().is_err());
+        assert!(ClampedEnd { poisson: Some(0.5), ..SCENE }.problem().is_err());
+        assert!(ClampedEnd { smallest: 1e-300, ..SCENE }.problem().is_err());
+    }
+}

@@ -1,0 +1,115 @@
+//! The contact zone at a clamped end, in closed form.
+//!
+//! Half plane y > 0 in plane strain, κ = 3 − 4ν, ε = ln κ/(2π): clamped for x < 0, closed without friction on (0,
+//! ℓ), free for x > ℓ, no load but what comes from far away. With Muskhelishvili's potential, σ_yy − iσ_xy = Φ⁺ −
+//! Φ⁻ and 2μ(u' + iv') = κΦ⁺ + Φ⁻ on the axis, the field without a singularity at ℓ is, up to a real factor,
+//!
+//! Φ(z) = z^{−1/2} exp(2iε arcosh √(z/ℓ)),
+//!
+//! | where | what |
+//! | --- | --- |
+//! | r < ℓ | −σ_N = 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)): presses, r^{−1/2} with the factor 2 sinh(πε) at the end |
+//! | r > ℓ | −u_N = (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ) |
+//!
+//! Both signs are right with the same sign of the factor. The gap closes again where tan 2εy = 2ε tanh y, near r/ℓ = e^{(π +
+//! arctan 2ε)/ε}/4. The page `section_1_clamped_end` derives it. Domain: −1 < ν < 1/2 (ε = 0 at ν = 1/2).
+
+use crate::error::{Error, Result};
+use crate::numeric::search::sign_change;
+use std::f64::consts::PI;
+
+/// The field of one contact zone at a clamped end, in units of its real factor; μ = 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactZone {
+    kappa: f64,
+    epsilon: f64,
+    length: f64,
+}
+
+impl ContactZone {
+    /// The zone (0, `length`) of a body with Poisson's ratio `poisson`.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless −1 < ν < 1/2 and the length is positive and finite.
+    pub fn new(poisson: f64, length: f64) -> Result<Self> {
+        Error::require("Poisson's ratio", poisson, "(-1, 1/2)", poisson > -1.0 && poisson < 0.5)?;
+        Error::require("length of the zone", length, "(0, inf)", length > 0.0 && length.is_finite())?;
+        let kappa = 3.0 - 4.0 * poisson;
+        // ln κ from κ − 1 = 2 (1 − 2ν), which keeps its digits near 1/2.
+        let epsilon = (2.0 * (1.0 - 2.0 * poisson)).ln_1p() / (2.0 * PI);
+        Ok(Self { kappa, epsilon, length })
+    }
+
+    /// ε = ln κ/(2π): clamped and free sides meet with r^{1/2 ± iε}.
+    pub fn epsilon(&self) -> f64 {
+        self.epsilon
+    }
+
+    /// −σ_N at the distance r; 0 off the zone.
+    pub fn pressure(&self, r: f64) -> f64 {
+        if r >= self.length {
+            return 0.0;
+        }
+        2.0 * (2.0 * self.epsilon * (r / self.length).sqrt().acos()).sinh() / r.sqrt()
+    }
+
+    /// −u_N at the distance r; 0 in the zone. Negative where the field would penetrate.
+    pub fn opening(&self, r: f64) -> f64 {
+        if r <= self.length {
+            return 0.0;
+        }
+        let y = (r / self.length).sqrt().acosh();
+        let (sin, cos) = (2.0 * self.epsilon * y).sin_cos();
+        let bracket = y.cosh() * sin - 2.0 * self.epsilon * y.sinh() * cos;
+        (self.kappa + 1.0) * self.length.sqrt() * bracket / (1.0 + 4.0 * self.epsilon * self.epsilon)
+    }
+
+    /// ln(r/ℓ) at which the gap would close again.
+    pub fn reach(&self) -> f64 {
+        // sin t − 2ε tanh(t/2ε) cos t, t = 2εy in (π, 3π/2), changes sign once.
+        let rate = 2.0 * self.epsilon;
+        let (t, _) = sign_change(PI, 1.5 * PI, 0.0, |t| t.sin() - rate * (t / rate).tanh() * t.cos() < 0.0);
+        let y = t / rate;
+        // ln cosh² y without overflow.
+        2.0 * (y + (-2.0 * y).exp().ln_1p() - std::f64::consts::LN_2)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::sum::compensated;
+
+    /// −u_N is the integral of (κ+1) x^{−1/2} sin(2ε arcosh √(x/ℓ)); √x = √ℓ cosh y takes out the root.
+    #[test]
+    fn the_opening_is_the_integral_of_its_slope_and_closes_where_it_is_said_to() {
+        for poisson in [-0.9, 0.0, 0.25, 0.45] {
+            let zone = ContactZone::new(poisson, 0.3).unwrap();
+            let (y, steps) = (2.5f64, 20_000);
+            let slope = |y: f64| 2.0 * 0.3f64.sqrt() * y.sinh() * (2.0 * zone.epsilon * y).sin();
+            let step = y / steps as f64;
+            let sum = compensated((0..steps).map(|k| slope((k as f64 + 0.5) * step)));
+            let integral = (zone.kappa + 1.0) * step * sum;
+            let opening = zone.opening(0.3 * y.cosh().powi(2));
+            assert!((integral / opening - 1.0).abs() < 1e-6, "{poisson}: {integral} {opening}");
+            let reach = zone.reach();
+            if reach < 600.0 {
+                let at = |t: f64| zone.opening(0.3 * (reach + t).exp());
+                assert!(at(-1e-3) > 0.0 && at(1e-3) < 0.0, "{poisson}");
+            }
+            let rough = (PI + (2.0 * zone.epsilon).atan()) / zone.epsilon - 4f64.ln();
+            assert!((reach - rough).abs() < 1e-3, "{poisson}: {reach} {rough}");
+        }
+    }
+
+    #[test]
+    fn the_zone_presses_and_the_rest_is_open() {
+        let zone = ContactZone::new(0.25, 1e-12).unwrap();
+        assert!((zone.epsilon() - 2f64.ln() / (2.0 * PI)).abs() < 1e-16);
+        let end = zone.pressure(1e-60) * 1e-30;
+        assert!((end - 2.0 * (PI * zone.epsilon()).sinh()).abs() < 1e-12);
+        assert!((1..20).all(|k| zone.pressure(1e-12 * (1.0 - 0.05 * f64::from(k))) > 0.0));
+        assert!((1..12).all(|k| zone.opening(1e-12 * 10f64.powi(k)) > 0.0));
+        assert!(ContactZone::new(0.5, 1.0).is_err() && ContactZone::new(0.3, 0.0).is_err());
+    }
+}

@@ -1,0 +1,97 @@
+//! Section 1, clamped end: contact reaches the end of the edge, whatever the load, and no gap is near it.
+
+#[allow(dead_code)]
+#[path = "../examples/section_1_clamped_end.rs"]
+mod example;
+
+use example_frame::Outcome;
+use signorini::cone::Cone;
+use signorini::edge::{EndCase, EndRun, Start};
+use signorini::mesh::Outline;
+use signorini::scenes::ClampedEnd;
+use signorini::singular::ContactZone;
+
+const SCENE: ClampedEnd = ClampedEnd {
+    outline: Outline::HalfDisc,
+    angles: 12,
+    step: 0.25,
+    smallest: 1e-40,
+    poisson: Some(0.25),
+    direction: 90.0,
+};
+
+#[test]
+fn every_elastic_body_touches_at_the_end() {
+    let options = example::Options { angles: 8, ..example::Options::default() };
+    let mut cases = example::compute(&options).unwrap();
+    let outcome = |cases: &[(&str, EndCase)], key: &str| {
+        let found = example::findings(&options, cases);
+        found.iter().find(|finding| finding.key() == key).unwrap().outcome()
+    };
+    for key in ["end", "transitions", "kkt", "starts", "solvers", "scalar", "forces"] {
+        assert_eq!(outcome(&cases, key), Outcome::Holds, "{key}");
+    }
+    // Planted faults: an end that is open, a decade that is off balance, a third transition, other starts.
+    let part = cases[0].1.runs[1].intervals[0];
+    cases[0].1.runs[1].intervals[0].in_contact = false;
+    assert_eq!(outcome(&cases, "end"), Outcome::Refuted);
+    cases[0].1.runs[1].intervals[0] = part;
+    cases[0].1.runs[1].decades[30].balance = 1e-3;
+    assert_eq!(outcome(&cases, "kkt"), Outcome::Refuted);
+    cases[0].1.runs[1].decades[30].balance = 0.0;
+    cases[0].1.runs[1].intervals.extend([part; 3]);
+    assert_eq!(outcome(&cases, "transitions"), Outcome::Refuted);
+    cases[0].1.again[0].solution.contact_set = cases[1].1.again[0].solution.contact_set.clone();
+    assert_eq!(outcome(&cases, "starts"), Outcome::Refuted);
+}
+
+/// The zone of the closed form: the pressure follows it over four decades, the gap beyond too.
+#[test]
+fn the_zone_of_a_pulled_body_is_the_closed_form() {
+    let run = EndRun::of(&SCENE, Cone::Nodal, Start::Open).unwrap();
+    assert!(run.shape.unwrap() < 0.03, "{:?}", run.shape);
+    let radius = run.intervals[0].to;
+    let zone = ContactZone::new(0.25, radius).unwrap();
+    let radii = SCENE.problem().unwrap().edge().arc().to_vec();
+    let ratio: Vec<f64> = (0..radii.len())
+        .filter(|&i| 1e2 * radius < radii[i] && radii[i] < 1e4 * radius)
+        .map(|i| -run.solution.normal_displacement[i] / zone.opening(radii[i]))
+        .collect();
+    let (low, high) = ratio.iter().fold((f64::INFINITY, 0.0f64), |(l, h), &r| (l.min(r), h.max(r)));
+    assert!(ratio.len() > 10 && low > 0.0 && high / low < 1.1, "{low} {high}");
+}
+
+/// A hundred decades cost nothing but rings, and say the same.
+#[test]
+fn a_hundred_decades_say_the_same() {
+    let deep = ClampedEnd { smallest: 1e-100, ..SCENE };
+    let [short, long] = [SCENE, deep].map(|scene| EndRun::of(&scene, Cone::Nodal, Start::Open).unwrap());
+    assert_eq!(long.decades.len(), 100);
+    assert!(long.worst_decade() < 1e-10, "{}", long.worst_decade());
+    assert_eq!(short.borders().len(), 1);
+    assert!((short.borders()[0] - long.borders()[0]).abs() < 1e-9);
+}
+
+/// Near Poisson's ratio 1/2 coarse rings do not oscillate: the mesh has an ε of its own, and loses the zone.
+#[test]
+fn rings_that_are_too_coarse_lose_the_zone() {
+    let zone = |angles: usize| {
+        let step = std::f64::consts::PI / angles as f64;
+        let scene = ClampedEnd { angles, step, poisson: Some(0.45), smallest: 1e-60, ..SCENE };
+        EndRun::of(&scene, Cone::Nodal, Start::Open).unwrap().intervals[0].in_contact
+    };
+    assert!(!zone(12) && zone(32));
+}
+
+#[test]
+fn what_collapses_is_refused() {
+    for scene in [
+        ClampedEnd { angles: 10, ..SCENE },
+        ClampedEnd { step: 0.0, ..SCENE },
+        ClampedEnd { smallest: 1e-200, ..SCENE },
+        ClampedEnd { poisson: Some(0.5), ..SCENE },
+        ClampedEnd { direction: f64::INFINITY, ..SCENE },
+    ] {
+        assert!(EndRun::of(&scene, Cone::Nodal, Start::Open).is_err(), "{scene:?}");
+    }
+}
