@@ -107,6 +107,8 @@ impl ClosedForm {
     pub fn gradient(&self, point: Point) -> [Point; 2] {
         let ([_, f, g, _], y) = (self.potential(point), point[1]);
         let Some(lame) = self.lame else { return [[-f[0], f[1]], [0.0; 2]] };
+        // y F'' is zero on the edge, at a transition as the limit: F'' grows only like r^{−1/2}.
+        let g = if y == 0.0 { [0.0; 2] } else { g };
         let (alpha, double) = Self::moduli(lame);
         let across = (1.0 + alpha) * f[0];
         let rows =
@@ -114,7 +116,7 @@ impl ClosedForm {
         rows.map(|row| row.map(|entry| entry / double))
     }
 
-    /// (∂²/∂x², ∂²/∂x∂y, ∂²/∂y²) of each component.
+    /// (∂²/∂x², ∂²/∂x∂y, ∂²/∂y²) of each component; not finite at a transition, where they have no limit.
     pub fn second_derivatives(&self, point: Point) -> [[f64; 3]; 2] {
         let ([_, _, f, g], y) = (self.potential(point), point[1]);
         let Some(lame) = self.lame else { return [[-f[0], f[1], f[0]], [0.0; 3]] };
