@@ -1,6 +1,7 @@
 //! What happens at a clamped end: contact and gaps in ln r, the power of the pressure, the conditions by decade.
 //!
-//! The two innermost rings belong to the fan that closes them and are not read. In the midpoint cone the multipliers
+//! The fan that closes the innermost ring spoils what is near it, by the order of the ratio of radii: the innermost
+//! decade is not read. In the midpoint cone the multipliers
 //! of a singular pressure ring, so that every other segment may be off the set: a single segment between two
 //! that touch is read as contact. The power is the slope of ln(−σ_N) against ln r over the contact that reaches the end,
 //! without its first two and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same length over the
@@ -54,8 +55,9 @@ impl EndRun {
             Start::Closed => problem.solve_from(cone, full)?,
             Start::Interior => problem.solve(cone, Solver::InteriorPoint)?,
         };
-        let read = read_set(cone, &solution.contact_set);
-        let intervals = radial_intervals(&solution.positions[FAN..], &read)?;
+        let fan = solution.positions.partition_point(|&r| r < FAN * radii[1]);
+        let read = read_set(cone, &solution.contact_set, fan);
+        let intervals = radial_intervals(&solution.positions[fan..], &read)?;
         let count = (-scene.smallest.log10()).ceil() as i32;
         let bounds: Vec<f64> = (0..=count).rev().map(|k| 10f64.powi(-k)).collect();
         let mut decades = problem.judge_by_radius(&solution, [0.0; 2], &bounds)?;
@@ -91,13 +93,12 @@ impl EndRun {
         if a.len() == b.len() { pairs } else { f64::INFINITY }
     }
 
-    /// Contact (true) or gap at the geometric middle of every decade below 1, outermost first.
+    /// Contact (true) or gap at the geometric middle of every decade below 1 that is read, outermost first.
     pub fn by_decade(&self) -> Vec<bool> {
-        let touches = |k: usize| {
-            let r = 10f64.powf(-0.5 - k as f64);
-            self.intervals.iter().any(|part| part.in_contact && part.from <= r && r <= part.to)
-        };
-        (0..self.decades.len()).map(touches).collect()
+        let innermost = self.intervals.first().map_or(1.0, |part| part.from);
+        let middles = (0..self.decades.len()).map(|k| 10f64.powf(-0.5 - k as f64));
+        let touches = |r: f64| self.intervals.iter().any(|p| p.in_contact && p.from <= r && r <= p.to);
+        middles.take_while(|&r| r >= innermost).map(touches).collect()
     }
 
     /// log₁₀ of the radii at which contact and gap meet, from the end outwards.
@@ -106,14 +107,14 @@ impl EndRun {
     }
 }
 
-/// Constraints of the end itself and of the fan.
-const FAN: usize = 3;
+/// What is nearer than this many times the innermost ring is not read.
+const FAN: f64 = 10.0;
 
-/// The contact set without the fan, single open segments of the midpoint cone closed.
-fn read_set(cone: Cone, set: &ContactSet) -> ContactSet {
+/// The contact set from the constraint `first` on, single open segments of the midpoint cone closed.
+fn read_set(cone: Cone, set: &ContactSet, first: usize) -> ContactSet {
     let is_in = |i: usize| set.as_slice().get(i).copied().unwrap_or(true);
-    let alone = |i: usize| cone == Cone::Midpoint && is_in(i - 1) && is_in(i + 1);
-    ContactSet::new((FAN..set.constraints()).map(|i| is_in(i) || alone(i)).collect())
+    let alone = |i: usize| cone == Cone::Midpoint && i > 0 && is_in(i - 1) && is_in(i + 1);
+    ContactSet::new((first..set.constraints()).map(|i| is_in(i) || alone(i)).collect())
 }
 
 fn power(pressure: &[(f64, f64)], zone: &RadialInterval) -> Option<f64> {

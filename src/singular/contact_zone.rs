@@ -80,7 +80,7 @@ mod tests {
     use super::*;
     use crate::numeric::sum::compensated;
 
-    /// −u_N is the integral of (κ+1) x^{−1/2} sin(2ε arcosh √(x/ℓ)); √x = √ℓ cosh y takes out the root.
+    /// −u_N is the integral of (κ+1)/2 x^{−1/2} sin(2ε arcosh √(x/ℓ)); √x = √ℓ cosh y takes out the root.
     #[test]
     fn the_opening_is_the_integral_of_its_slope_and_closes_where_it_is_said_to() {
         for poisson in [-0.9, 0.0, 0.25, 0.45] {
@@ -89,7 +89,7 @@ mod tests {
             let slope = |y: f64| 2.0 * 0.3f64.sqrt() * y.sinh() * (2.0 * zone.epsilon * y).sin();
             let step = y / steps as f64;
             let sum = compensated((0..steps).map(|k| slope((k as f64 + 0.5) * step)));
-            let integral = (zone.kappa + 1.0) * step * sum;
+            let integral = 0.5 * (zone.kappa + 1.0) * step * sum;
             let opening = zone.opening(0.3 * y.cosh().powi(2));
             assert!((integral / opening - 1.0).abs() < 1e-6, "{poisson}: {integral} {opening}");
             let reach = zone.reach();
