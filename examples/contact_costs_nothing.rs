@@ -113,7 +113,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let claim = "|u - u_h|^2 <= |u - I^h u|^2 + o(h^(2 tau - 2)) for u in H^tau, whatever the contact set";
     let mut headline =
-        Headline::new("Theorems 3.1, 4.1, limit", claim, table(&computed.0), findings(&computed));
+        Headline::new("Theorem 3.1, the limit", claim, table(&computed.0), findings(&computed));
     headline.draw(&options.output, "contact_costs_nothing", || Ok(draw(&computed.0)))?;
     Ok(headline)
 }
@@ -146,8 +146,8 @@ fn table(cases: &[Case]) -> Table {
 
 /// |u − u_h| over |u − I^h u| against h, nodal cone.
 fn draw(cases: &[Case]) -> Chart {
-    let (x, y) = (Axis::logarithmic("h"), Axis::linear("error over that of interpolation"));
-    let mut chart = Chart::new("Contact costs nothing in the limit, nodal cone", x, y);
+    let (x, y) = (Axis::logarithmic("h, mesh size"), Axis::linear("error / error of interpolation"));
+    let mut chart = Chart::new("What contact costs, nodal cone", x, y);
     for Case { scene: (name, tau), rows, .. } in cases.iter().filter(|case| case.cone == Cone::Nodal) {
         let points = rows.iter().map(|row| (1.0 / row.n as f64, row.over_interpolation())).collect();
         chart = chart.with(Series::line_and_points(format!("{name}, τ = {tau}"), points));

@@ -67,7 +67,13 @@ pub fn findings(options: &Options, cases: &[(&str, EndCase)]) -> Vec<Finding> {
         ("scalar", "a scalar body is open or closed to the end", odd as f64, 0.0, "real exponents"),
         ("shape", "the zone's pressure is the closed form to {percent} %", shape, 0.05, "width of the rings"),
         ("deeper", "half the decades give the same places", deeper, 0.5 * two_rings, "one ring"),
-        ("angles", "twice the angles move a border by {percent} % of it", moved, 0.25, "h^2/epsilon^2"),
+        (
+            "angles",
+            "twice the angles move a border by {percent} % of its logarithm",
+            moved,
+            0.25,
+            "h^2/epsilon^2",
+        ),
         ("kkt", "every condition is met in every decade", kkt, JUDGED, "as in Section 2"),
         ("starts", "no contact and full contact lead to one set", starts, 0.0, "one solution"),
         ("cones", "the midpoint cone's borders are {value} decades apart", cones, two_rings, "two rings"),
@@ -139,18 +145,19 @@ fn table(cases: &[(&str, EndCase)]) -> Table {
     }))
 }
 
-/// One row per case, from above: what every decade is.
+/// One row per body and load: what every decade is.
 fn draw(cases: &[(&str, EndCase)]) -> Chart {
     let dots = |wanted: bool| {
         let row = |(k, (_, case)): (usize, &(&str, EndCase))| {
             let decades = case.runs[1].by_decade().into_iter().enumerate().filter(move |d| d.1 == wanted);
-            decades.map(|(j, _)| (-0.5 - j as f64, -1.0 - k as f64)).collect::<Vec<_>>()
+            decades.map(|(j, _)| (-0.5 - j as f64, -(k as f64))).collect::<Vec<_>>()
         };
         cases.iter().enumerate().flat_map(row).collect()
     };
-    let (x, y) =
-        (Axis::linear("log10 of the distance from the end"), Axis::linear("row of the table, from above"));
-    let chart = Chart::new("Contact and gap near a clamped end", x, y);
+    let body = |case: &EndCase| case.scene.poisson.map_or("scalar".to_owned(), |nu| nu.to_string());
+    let names = cases.iter().map(|(load, case)| format!("{} {load}", body(case))).collect();
+    let (x, y) = (Axis::linear("log10 of the distance from the end"), Axis::rows(names));
+    let chart = Chart::new("Contact and gap near a clamped end, by Poisson's ratio and load", x, y);
     chart.with(Series::points("contact", dots(true))).with(Series::points("gap", dots(false)))
 }
 

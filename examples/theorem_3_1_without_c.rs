@@ -75,16 +75,23 @@ pub fn findings(studies: &[BoundStudy]) -> Result<Vec<Finding>> {
         findings.push(claim.at_least(1.0, "the error itself").told());
     }
     let last = VERSIONS.len() - 1;
-    let whole = Finding::claim("whole", "with kappa and |u|_2 alone it is at most {value} times the error");
+    let whole = Finding::claim(
+        "whole",
+        "with kappa and |u|_2 alone, but for elasticity with the midpoint cone, it is at most {value} times the error",
+    );
     let whole = decide(whole, all(&|study| !korn(study), last, false)?.concat(), f64::max);
     findings.push(whole.at_most(4.0, "effectivity 4, all but elasticity with the midpoint cone").told());
-    let found =
-        Finding::remark("korn", "elasticity, midpoint cone: up to {value} times, for Korn's constant");
+    let found = Finding::remark(
+        "korn",
+        "elasticity, midpoint cone: up to {value} times even with |u|_2 near the edge, for Korn's constant",
+    );
     findings.push(decide(found, all(&korn, last, true)?.concat(), f64::max).at_least(4.0, "effectivity 4"));
     let falls = all(&|_| true, last, true)?;
     let falls = falls.iter().flat_map(|found| found.windows(2).map(|pair| pair[1] / pair[0])).collect();
-    let trend =
-        Finding::remark("trend", "on the mesh of half the size the quotient is at most {value} of it");
+    let trend = Finding::remark(
+        "trend",
+        "from one mesh to the next the quotient changes by a factor of at most {value}",
+    );
     findings.push(decide(trend, falls, f64::max).at_most(1.0 + QUADRATURE, "the same quotient"));
     Ok(findings)
 }
@@ -137,7 +144,8 @@ fn table(studies: &[BoundStudy]) -> Result<Table> {
 
 /// Bound over error against h, the best version, problems with one transition.
 fn draw(studies: &[BoundStudy]) -> Result<Chart> {
-    let (x, y) = (Axis::logarithmic("h"), Axis::logarithmic("bound over error"));
+    let (x, y) =
+        (Axis::logarithmic("h, mesh size (side of the square = 1)"), Axis::logarithmic("bound / error"));
     let mut chart = Chart::new("How far the bound without C is from the error", x, y);
     for study in studies.iter().filter(|study| !study.scene.two_transitions) {
         let line = |local: bool| -> Result<Vec<(f64, f64)>> {

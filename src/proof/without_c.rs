@@ -5,7 +5,9 @@
 //! (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at ν = 1/2 and θ = coth(πH),
 //!
 //! nodal cone:    |u − u_h|_a² ≤ h² (M A² |u|₂² + 2 c π θ S |u|²_{2,S}),
-//! midpoint cone: |u − u_h|_a² ≤ h² ((M^{1/2} A |u|₂ + (θ/π) S B |u|_{2,S})² + 4 c π θ S |u|²_{2,S}).
+//! midpoint cone: |u − u_h|_a² ≤ h² ((M^{1/2} A |u|₂ + (θ/π) S B |u|_{2,S})² + 4 c π θ S |u|²_{2,S} + P |u|₂ |u|_{2,S}),
+//! P = 0 for ∫∇u·∇v and 2 (θ/π) S A (1 + B M^{1/2}) for elasticity, where B asks for zero displacements on Γ_D and I^h u −
+//! u_h has them.
 //!
 //! 1. Falk: |u − u_h|_a² ≤ |u − I^h u|_a² + 2 ∫ σ_N (I^h u)_N.
 //! 2. |u − I^h u|₁ ≤ A h |u|₂; right isosceles triangles with legs h: A = 1/t, t + tan t = 0 (F. Kikuchi, X. Liu, Japan
@@ -71,6 +73,8 @@ pub struct BoundWithoutC {
     pub projection: f64,
     /// 2 c π θ S, twice that for the midpoint cone.
     pub consistency: f64,
+    /// P, for elasticity with the midpoint cone, else 0: what prescribed displacements that are not zero may add.
+    pub prescribed: f64,
 }
 
 impl BoundWithoutC {
@@ -110,7 +114,14 @@ impl BoundWithoutC {
             Cone::Nodal => (0.0, term),
             Cone::Midpoint => (theta / PI * stress * korn, 2.0 * term),
         };
-        Ok(Self { approximation: energy.sqrt() * shape.interpolation, projection, consistency })
+        let prescribed = match (form, cone) {
+            (Form::Elastic { .. }, Cone::Midpoint) => {
+                2.0 * theta / PI * stress * shape.interpolation * (1.0 + korn * energy.sqrt())
+            }
+            _ => 0.0,
+        };
+        let approximation = energy.sqrt() * shape.interpolation;
+        Ok(Self { approximation, projection, consistency, prescribed })
     }
 
     /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles; [`BoundWithoutC::constant`] h |u|₂ if
@@ -123,11 +134,12 @@ impl BoundWithoutC {
         Error::require("|u|_2", whole, "[0, inf)", whole >= 0.0 && whole.is_finite())?;
         Error::require("|u|_2 near the edge", near, "[0, |u|_2]", near >= 0.0 && near <= whole)?;
         let smooth = self.approximation * whole + self.projection * near;
-        Ok(ROUND_UP * h * smooth.hypot(self.consistency.sqrt() * near))
+        let term = (self.consistency * near + self.prescribed * whole) * near;
+        Ok(ROUND_UP * h * smooth.hypot(term.sqrt()))
     }
 
     /// C in |u − u_h|_a ≤ C h |u|₂.
     pub fn constant(&self) -> f64 {
-        ROUND_UP * (self.approximation + self.projection).hypot(self.consistency.sqrt())
+        ROUND_UP * (self.approximation + self.projection).hypot((self.consistency + self.prescribed).sqrt())
     }
 }

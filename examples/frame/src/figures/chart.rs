@@ -111,7 +111,7 @@ impl Chart {
     }
 
     fn draw_axes(&self, canvas: &Canvas<'_>, frame: &Frame) -> Result<()> {
-        for tick in frame.x.ticks(7) {
+        for tick in self.x.ticks(&frame.x, 7) {
             let x = across(tick.position);
             canvas.line(&[(x, up(0.0)), (x, up(1.0))], Paint::Ink(0.15), 0.8)?;
             canvas.text(
@@ -121,7 +121,7 @@ impl Chart {
                 Anchor::Centre,
             )?;
         }
-        for tick in frame.y.ticks(6) {
+        for tick in self.y.ticks(&frame.y, 6) {
             let y = up(tick.position);
             canvas.line(&[(across(0.0), y), (across(1.0), y)], Paint::Ink(0.15), 0.8)?;
             canvas.text(

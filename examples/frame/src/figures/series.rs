@@ -1,7 +1,7 @@
 //! What a chart is made of: axes and series.
 
 use super::Colour;
-use super::scale::Scale;
+use super::scale::{Scale, Tick};
 
 /// An axis: its label (with the unit, or the word nondimensional left to the label), scale and optional
 /// range.
@@ -10,17 +10,24 @@ pub struct Axis {
     pub(super) label: String,
     logarithmic: bool,
     range: Option<(f64, f64)>,
+    rows: Vec<String>,
 }
 
 impl Axis {
     /// A linear axis that fits the data.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), logarithmic: false, range: None }
+        Self { label: label.into(), logarithmic: false, range: None, rows: Vec::new() }
     }
 
     /// A base-ten logarithmic axis that fits the positive data; values ≤ 0 are not drawn.
     pub fn logarithmic(label: impl Into<String>) -> Self {
-        Self { label: label.into(), logarithmic: true, range: None }
+        Self { label: label.into(), logarithmic: true, range: None, rows: Vec::new() }
+    }
+
+    /// Named rows from above: row k is drawn at −k.
+    pub fn rows(names: Vec<String>) -> Self {
+        let range = Some((0.5 - names.len() as f64, 0.5));
+        Self { label: String::new(), logarithmic: false, range, rows: names }
     }
 
     /// The same axis over exactly [low, high].
@@ -35,6 +42,18 @@ impl Axis {
             Some((low, high)) => Scale::exact(low, high, self.logarithmic),
             None => Scale::fit(values, self.logarithmic),
         }
+    }
+
+    /// The ticks of its scale: the rows, or at most about `most` round numbers.
+    pub(super) fn ticks(&self, scale: &Scale, most: usize) -> Vec<Tick> {
+        if self.rows.is_empty() {
+            return scale.ticks(most);
+        }
+        let row = |(k, name): (usize, &String)| {
+            let position = scale.position(-(k as f64))?;
+            Some(Tick { position, label: Some(name.clone()) })
+        };
+        self.rows.iter().enumerate().filter_map(row).collect()
     }
 }
 
