@@ -6,7 +6,7 @@
 use super::active_set::solve_on_edge;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
-use super::solution::{Candidate, ContactSolution, Seconds, conclude, gap_of};
+use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, gap_of};
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone};
 use crate::error::Result;
@@ -32,6 +32,7 @@ pub(super) fn solve(
     guess: ContactSet,
     other: Option<ContactSet>,
 ) -> Result<(ContactSolution, Option<u64>)> {
+    problem.matrix();
     let start = Instant::now();
     let mut iterate = Condensed::new(problem, cone)?;
     let factorization = start.elapsed().as_secs_f64();
@@ -60,10 +61,11 @@ pub(super) fn solve(
             history: outcome.history,
             work: Work { iterations: steps, factorizations: 1, ..Work::default() },
             seconds: Seconds::default(),
+            accepted: ACCEPTED,
         },
     )?;
     solution.seconds = Seconds {
-        assembly: problem.assembly_seconds,
+        assembly: problem.assembly_seconds(),
         factorization,
         contact,
         recovery: start.elapsed().as_secs_f64(),
@@ -78,7 +80,7 @@ impl<'a> Condensed<'a> {
         let cone = problem.edge_cone(cone);
         Ok(Self {
             condensation: Condensation::new(
-                &problem.matrix,
+                problem.matrix(),
                 problem.mesh.nodes(),
                 &problem.prescribed,
                 &normals,
@@ -94,7 +96,7 @@ impl<'a> Condensed<'a> {
 
     /// What the iterate leaves: F − K u − B'λ condensed to the edge, and the bounds on a correction of B u.
     fn remainder(&self) -> Result<(Reduced, Vec<f64>)> {
-        let mut residual = self.problem.matrix.multiply(&self.unknowns);
+        let mut residual = self.problem.multiply(&self.unknowns);
         for (r, f) in residual.iter_mut().zip(&self.problem.load) {
             *r = f - *r;
         }

@@ -11,13 +11,19 @@ mod condensed;
 mod data;
 mod edge_problem;
 mod interior_point;
+mod multigrid;
+mod operator;
 mod problem;
+mod products;
 mod solution;
 mod solve;
 mod solver;
 
 pub use active_set::{EdgeOutcome, solve_on_edge};
 pub use edge_problem::{EdgeProblem, EdgeState};
+pub use multigrid::{
+    Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridLevel, MultigridProgress, MultigridSolution,
+};
 pub use problem::ContactProblem;
 pub use solution::{ContactSolution, Seconds};
 pub use solver::Solver;
