@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
-use signorini::edge::{EndCase, EndRun};
+use signorini::convergence::{EndCase, EndRun};
 use signorini::{Estimate, mesh::Outline, scenes::ClampedEnd};
 use std::f64::consts::{LN_10, PI};
 use std::process::ExitCode;

@@ -10,7 +10,7 @@
 //! | --- | --- |
 //! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
-//! | Section 1, clamped end: contact at a clamped end | [`edge::EndRun`], [`scenes::ClampedEnd`], [`singular::ContactZone`], [`mesh::polar_rings`] |
+//! | Section 1, clamped end: contact at a clamped end | [`convergence::EndRun`], [`scenes::ClampedEnd`], [`singular::ContactZone`], [`mesh::polar_rings`] |
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
 //! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`] |
 //! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |

@@ -6,7 +6,7 @@ mod example;
 
 use example_frame::Outcome;
 use signorini::cone::Cone;
-use signorini::edge::{EndCase, EndRun, Start};
+use signorini::convergence::{EndCase, EndRun, Start};
 use signorini::mesh::Outline;
 use signorini::scenes::ClampedEnd;
 use signorini::singular::ContactZone;

@@ -7,9 +7,9 @@
 //! without its first two and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same length over the
 //! last four decades before ℓ/4: largest relative deviation, one common factor.
 
-use super::radial::{RadialInterval, radial_intervals};
 use crate::cone::{Cone, ContactSet, Judgement};
 use crate::contact::{ContactSolution, Solver};
+use crate::edge::{RadialInterval, radial_intervals};
 use crate::error::Result;
 use crate::numeric::line::Line;
 use crate::scenes::ClampedEnd;
