@@ -9,6 +9,7 @@
 //! | which levels count | [`RateLevel`], [`Flag`] |
 //! | the order p ± what it may be off by; of an alternating series | [`Fit`]; [`Trend`] |
 //! | the power of \|ln h\| at τ = 2 | [`LogarithmFit`] |
+//! | the exponent at a scene's worst corner, read off graded meshes | [`CornerReading`] |
 //! | one body at its clamped end, solved; on all roads | [`EndRun`], [`EndCase`] |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
@@ -16,6 +17,7 @@ mod bounds;
 mod case_study;
 mod clamped_end;
 mod clamped_end_case;
+mod corner_reading;
 mod family;
 mod fit;
 mod group;
@@ -37,6 +39,7 @@ pub use bounds::Bound;
 pub use case_study::{CaseStudy, Solved, mean_errors};
 pub use clamped_end::{EndRun, Start};
 pub use clamped_end_case::EndCase;
+pub use corner_reading::CornerReading;
 pub use family::SceneFamily;
 pub use fit::{Fit, Model};
 pub use group::StripGroup;
