@@ -77,6 +77,7 @@ pub(super) fn solve(
 /// The solution by the barrier with the given sizes of displacements, recovered once.
 pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<ContactSolution> {
     let cone = Cone::Nodal;
+    problem.matrix();
     let start = Instant::now();
     let mut iterate = Condensed::new(problem, cone)?;
     let factorization = start.elapsed().as_secs_f64();
@@ -98,10 +99,12 @@ pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<
             history: Vec::new(),
             work: Work { factorizations: 1, ..Work::default() },
             seconds: Seconds::default(),
+            accepted: ACCEPTED,
         },
     )?;
     let recovery = start.elapsed().as_secs_f64();
-    solution.seconds = Seconds { assembly: problem.assembly_seconds, factorization, contact, recovery };
+    let assembly = problem.assembly_seconds();
+    solution.seconds = Seconds { assembly, factorization, contact, recovery };
     Ok(solution)
 }
 
