@@ -298,7 +298,7 @@ fn exponents_are_read_at_the_corners_of_scenes() {
     assert!(sides == "O-D" && 0.9e-4 < gap && gap < 1.15e-4, "{gap}");
     for angle in [135.0, 150.0] {
         let (sides, zone) = border(angle);
-        assert!(sides == "C-D" && zone > 0.1, "{angle}: {sides} {zone}");
+        assert!(sides == "C-D" && zone > 0.1, "{angle}: {sides} {zone:e}");
     }
     let scalar = Setting { angle: 150.0, ..setting };
     assert!(CornerReading::of(MeshScene::Corner, &scalar, 4).unwrap().unwrap().deviation() <= 1.0);

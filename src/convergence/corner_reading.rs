@@ -41,8 +41,8 @@ pub struct CornerReading {
     pub meshes: [f64; 2],
     /// λ.
     pub exponent: Estimate,
-    /// Where the stretch of contact or gap at the corner ends, by its distance; `None` off the ends of the
-    /// contact edge, and where all the edge is one stretch.
+    /// Where the stretch of contact or gap at the corner ends, by its distance, seen from shell 28 outwards;
+    /// `None` off the ends of the contact edge, and where all the edge is one stretch.
     pub border: Option<f64>,
 }
 
@@ -112,7 +112,8 @@ impl Read {
     }
 }
 
-/// Where the stretch of contact or gap at an end of the contact edge ends.
+/// Where the stretch of contact or gap at an end of the contact edge ends; what is nearer than the shell that is
+/// read does not count.
 fn border(problem: &ContactProblem, solution: &ContactSolution, place: Point) -> Result<Option<f64>> {
     let points = problem.edge().points();
     let mut nodes: Vec<usize> = (0..points.len()).collect();
@@ -121,6 +122,8 @@ fn border(problem: &ContactProblem, solution: &ContactSolution, place: Point) ->
     } else if points[0] != place {
         return Ok(None);
     }
+    let nearest = RADIUS * 0.5f64.powi(READ as i32);
+    nodes.retain(|&i| distance(points[i], place) >= nearest);
     let radii: Vec<f64> = nodes.iter().map(|&i| distance(points[i], place)).collect();
     let set = nodes.iter().map(|&i| solution.contact_set.contains(i)).collect();
     let found = radial_intervals(&radii, &ContactSet::new(set))?;
