@@ -1,11 +1,13 @@
 //! Choice of solver and first guess.
 
+use super::multigrid::Accuracy;
 use super::problem::ContactProblem;
 use super::solution::ContactSolution;
 use super::solver::Solver;
 use super::{condensed, interior_point};
 use crate::cone::{Cone, ContactSet};
 use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
 
 impl ContactProblem {
     /// The discrete solution in the given cone by the given solver, judged. The active set starts without
@@ -24,6 +26,10 @@ impl ContactProblem {
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
         match solver {
             Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),
+            Solver::Multigrid => {
+                let accuracy = Accuracy::Relative(Tolerance::reference());
+                Ok(self.solve_by_multigrid(cone, None, accuracy, |_| Ok(()))?.solution)
+            }
             Solver::InteriorPoint => {
                 self.check_ends(cone)?;
                 interior_point::solve(self, cone)
@@ -63,12 +69,13 @@ impl ContactProblem {
         condensed::solve(self, cone, guess, None).map(|(solution, _)| solution)
     }
 
-    /// The discrete solution in the nodal cone by an interior point method on the condensed edge whose barrier knows the
-    /// relative `sizes` expected of the displacement at the nodes of the edge ([`super::solve_by_barrier`]): near a
-    /// singular point it sees the contact set in every decade.
+    /// The discrete solution in the nodal cone by an interior point method on the condensed edge whose
+    /// barrier knows the relative `sizes` expected of the displacement at the nodes of the edge
+    /// ([`super::solve_by_barrier`]): near a singular point it sees the contact set in every decade.
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`Error::CountOutOfRange`] on a closed edge.
+    /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`Error::CountOutOfRange`] on a
+    /// closed edge.
     pub fn solve_by_sizes(&self, sizes: &[f64]) -> Result<ContactSolution> {
         if self.edge().is_closed() {
             let range = "2 for the barrier on the edge";
@@ -83,7 +90,7 @@ impl ContactProblem {
 
     /// On a closed edge with as many segments as nodes the means may be dependent, and multipliers are not
     /// unique.
-    fn check_ends(&self, cone: Cone) -> Result<()> {
+    pub(super) fn check_ends(&self, cone: Cone) -> Result<()> {
         if cone == Cone::Midpoint && self.edge().is_closed() {
             let range = "2 for the midpoint cone: a closed contact edge has as many segments as nodes";
             return Err(Error::CountOutOfRange { name: "ends of the contact edge", value: 0, range });

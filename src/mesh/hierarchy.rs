@@ -96,8 +96,9 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose middle is nearer than `radius` 2^−k are
-    /// cut. In every shell the mesh is the same but for scale, as fine as in the first: `radius` over mesh size.
+    /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose middle is nearer than
+    /// `radius` 2^−k are cut. In every shell the mesh is the same but for scale, as fine as in the first:
+    /// `radius` over mesh size.
     ///
     /// # Errors
     /// As for [`Hierarchy::refined`]; [`Error::OutOfRange`] unless the radius is positive and finite.
@@ -132,6 +133,14 @@ impl Hierarchy {
     pub fn finest(&self) -> &Triangulation {
         // A hierarchy is never empty: it starts with one level and only grows.
         &self.levels[self.levels.len() - 1]
+    }
+
+    /// The two nodes of level k − 1 in the middle of which every node of level k > 0 lies; twice the same for
+    /// a node that was there already.
+    pub(crate) fn parents(&self, level: usize) -> Vec<[u32; 2]> {
+        let old = 0..self.levels[level - 1].nodes().len() as u32;
+        let new = self.parents[level - 1].iter().map(|pair| pair.map(|node| node as u32));
+        old.map(|node| [node; 2]).chain(new).collect()
     }
 
     /// Nodal values on level `from` (`components` per node) as nodal values of the same function on level
