@@ -61,15 +61,26 @@ fn every_scene_is_solved_as_by_the_direct_solver() {
                 }
                 let case = format!("{scene} {cone} {n}");
                 let found = multigrid(&problem, cone, None, 1e-12);
-                let expected = (scene == MeshScene::Incompressible).then_some(Fallback::NearlyIncompressible);
+                let expected = match scene {
+                    MeshScene::Incompressible => Some(Fallback::NearlyIncompressible),
+                    // Its mesh is no grid.
+                    MeshScene::Bracket => Some(Fallback::NoLevels),
+                    _ => None,
+                };
                 assert_eq!(found.fallback, expected, "{case}: {:?}", found.levels);
                 assert_same(&problem, cone, &found, &case);
-                // On few segments the midpoint cone may need as many steps as there are; the direct solver does, too.
-                let fine = found
-                    .levels
-                    .iter()
-                    .filter(|level| n >= 64 && 4 * level.unknowns > problem.free_unknowns());
-                assert!(fine.into_iter().all(|level| level.steps <= 4), "{case}: {:?}", found.levels);
+                // On coarse meshes the midpoint cone may need tens of steps; the direct solver does, too.
+                let all = &found.levels[..];
+                let finest = &all[all.len().saturating_sub(1)..];
+                let few = if cone == Cone::Nodal { all } else { finest };
+                let allowed = if n < 64 {
+                    40
+                } else if cone == Cone::Nodal {
+                    4
+                } else {
+                    10
+                };
+                assert!(few.iter().all(|level| level.steps <= allowed), "{case}: {:?}", found.levels);
             }
         }
     }

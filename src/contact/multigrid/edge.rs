@@ -110,7 +110,7 @@ impl Edge {
                 if nodes.iter().any(|&k| self.fixed[k]) {
                     continue;
                 }
-                let sign = |i: usize| if i % 2 == 0 { 1.0 } else { -1.0 };
+                let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
                 let sum: f64 = nodes.iter().enumerate().map(|(i, &k)| sign(i) * force[k]).sum();
                 let mean = sum / nodes.len() as f64;
                 nodes.iter().enumerate().for_each(|(i, &k)| force[k] -= sign(i) * mean);
