@@ -1,4 +1,5 @@
-//! Section 2: where tau comes from. The singular exponents of corners and transitions, and the scenes' regularity.
+//! Section 2: where tau comes from. The singular exponents of corners and transitions, and the scenes'
+//! regularity.
 //!
 //! `cargo run --release --example section_2_singular_exponents -- --omega 90 --pair D-N --out out`
 

@@ -36,7 +36,8 @@ impl SceneOrder {
     }
 }
 
-/// All mesh scenes in the nodal cone on meshes of n, 2n, ... squares along each side; `report` is called after each.
+/// All mesh scenes in the nodal cone on meshes of n, 2n, ... squares along each side; `report` is called
+/// after each.
 ///
 /// # Errors
 /// As [`MeshScene::regularity`] and [`MeshRates::study`].

@@ -1,11 +1,13 @@
-//! What contact costs: the error beside the one of interpolation and that of the best approximation without constraint.
+//! What contact costs: the error beside the one of interpolation and that of the best approximation without
+//! constraint.
 //!
-//! For each u in H^τ(Ω) and each contact set Σ_T |σ_N|²_{ν,T} ≤ ∬_{|x−y|≤h} (σ_N(x)−σ_N(y))²/|x−y|^{1+2ν} → 0, and the same for
-//! u_N'; with the constant c of a segment the consistency term is at most c h^{2τ−2} (Σ_T |σ_N|²)^{1/2} (Σ_T |u_N'|²)^{1/2},
-//! hence o(h^{2τ−2}), and |u − u_h|_a² ≤ |u − I^h u|_a² + o(h^{2τ−2}) for the nodal cone.
+//! For each u in H^τ(Ω) and each contact set Σ_T |σ_N|²_{ν,T} ≤ ∬_{|x−y|≤h} (σ_N(x)−σ_N(y))²/|x−y|^{1+2ν},
+//! which tends to 0, and the same for u_N'; with the constant c of a segment the consistency term is at most
+//! c h^{2τ−2} (Σ_T |σ_N|²)^{1/2} (Σ_T |u_N'|²)^{1/2}, hence o(h^{2τ−2}), and for the nodal cone
+//! |u − u_h|_a² ≤ |u − I^h u|_a² + o(h^{2τ−2}).
 //!
-//! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete solution for the
-//! forces A g that hold the exact edge: no contact problem. Cost as [`super::falk_terms`].
+//! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete
+//! solution for the forces A g that hold the exact edge: no contact problem. Cost as [`super::falk_terms`].
 
 use super::exponent::Exponent;
 use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
@@ -53,7 +55,8 @@ pub fn cost_limit(rows: &[CostRow], quotient: fn(&CostRow) -> f64) -> Option<(f6
     Some((found[2], (found[2] - found[1]).abs().max((found[2] - found[0]).abs())))
 }
 
-/// The order in h of the consistency term over h^{2τ−2}, over the meshes on which it is positive, three at least.
+/// The order in h of the consistency term over h^{2τ−2}, over the meshes on which it is positive, three at
+/// least.
 pub fn term_order(rows: &[CostRow], tau: f64) -> Option<Exponent> {
     let points = rows.iter().map(|row| (1.0 / row.n as f64, row.scaled_term(tau)));
     let points: Vec<(f64, f64)> = points.filter(|point| point.1 > 0.0).collect();
