@@ -10,9 +10,9 @@
 //! | --- | --- |
 //! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
-//! | Section 1, clamped end: contact at a clamped end | [`edge::EndRun`], [`scenes::ClampedEnd`], [`singular::ContactZone`], [`mesh::polar_rings`] |
+//! | Section 1, clamped end: contact at a clamped end | [`convergence::EndRun`], [`contact::solve_by_barrier`], [`scenes::ClampedEnd`], [`singular::ContactZone`], [`mesh::polar_rings`] |
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
-//! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`] |
+//! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`], [`convergence::CornerReading`] |
 //! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |
 //! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`cone::EdgeCone`], [`contact::Solver`], [`cone::Judgement`] |
 //! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::Bound`], [`convergence::RateStudy`], [`convergence::Fit`] |

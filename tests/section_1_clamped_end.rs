@@ -6,7 +6,7 @@ mod example;
 
 use example_frame::Outcome;
 use signorini::cone::Cone;
-use signorini::edge::{EndCase, EndRun, Start};
+use signorini::convergence::{EndCase, EndRun, Start};
 use signorini::mesh::Outline;
 use signorini::scenes::ClampedEnd;
 use signorini::singular::ContactZone;
@@ -28,7 +28,7 @@ fn every_elastic_body_touches_at_the_end() {
         let found = example::findings(&options, cases);
         found.iter().find(|finding| finding.key() == key).unwrap().outcome()
     };
-    for key in ["end", "transitions", "kkt", "starts", "solvers", "scalar", "forces"] {
+    for key in ["end", "transitions", "kkt", "starts", "sets", "solvers", "scalar", "forces"] {
         assert_eq!(outcome(&cases, key), Outcome::Holds, "{key}");
     }
     // Planted faults: an end that is open, a decade that is off balance, a third transition, other starts.
@@ -41,6 +41,8 @@ fn every_elastic_body_touches_at_the_end() {
     cases[0].1.runs[1].decades[30].balance = 0.0;
     cases[0].1.runs[1].intervals.extend([part; 3]);
     assert_eq!(outcome(&cases, "transitions"), Outcome::Refuted);
+    cases[0].1.scaled[1].solution.contact_set = cases[1].1.runs[1].solution.contact_set.clone();
+    assert_eq!(outcome(&cases, "sets"), Outcome::Refuted);
     cases[0].1.again[0].solution.contact_set = cases[1].1.again[0].solution.contact_set.clone();
     assert_eq!(outcome(&cases, "starts"), Outcome::Refuted);
 }

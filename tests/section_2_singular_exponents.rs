@@ -5,6 +5,8 @@
 mod example;
 
 use example_frame::Outcome;
+use signorini::convergence::CornerReading;
+use signorini::scenes::{MeshScene, Setting};
 use signorini::singular::{Admission, Exponent, LARGEST, Medium, Side, Sides, Wedge};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -238,6 +240,60 @@ fn signs_of_contact_leave_three_halves() {
     assert!(said[0].1 == Admission::Signed && (tau - 1.5).abs() < DIGITS, "{said:?} {tau}");
 }
 
+/// C-C: λ = |kπ/ω ± 1|. Odd k is odd about the bisector, presses on one side and pulls on the other, and is out; even
+/// k is left. One closed side alone excludes no real exponent, and every complex one.
+#[test]
+fn closed_corners_keep_even_fields() {
+    for angle in [0.9, 1.3, 2.0, 2.6, 3.4, 4.0, 5.2, 5.9] {
+        let turns: Vec<(f64, bool)> = (-8..=8)
+            .flat_map(|k| [1.0, -1.0].map(|s| ((f64::from(k) * PI / angle + s).abs(), k % 2 == 0)))
+            .collect();
+        let wedge = elastic(angle, 0.3, Sides(Side::Closed, Side::Closed));
+        for exponent in wedge.exponents().unwrap().exponents.iter().filter(|e| !e.is_polynomial()) {
+            let same = |turn: &&(f64, bool)| (turn.0 - exponent.re.value).abs() < 1e-9;
+            let is_even = turns.iter().filter(same).any(|turn| turn.1);
+            let expected = if is_even { Admission::Signed } else { Admission::Excluded };
+            assert_eq!(wedge.admission(exponent), expected, "{angle}: {exponent:?}");
+        }
+        for other in [Side::Free, Side::Clamped] {
+            let wedge = elastic(angle, 0.3, Sides(Side::Closed, other));
+            for exponent in wedge.exponents().unwrap().exponents {
+                let is_out = wedge.admission(&exponent) == Admission::Excluded;
+                assert!(is_out == exponent.is_complex(), "{angle} {other:?}: {exponent:?}");
+            }
+        }
+    }
+}
+
+/// Contact decides: the same polygon, open or closed at its clamped corner, has two exponents, and squares do not see
+/// which one it is where the gap is small.
+#[test]
+fn exponents_are_read_at_the_corners_of_scenes() {
+    let setting = Setting::default();
+    for (scene, sides) in [
+        (MeshScene::Block, "N-D"),
+        (MeshScene::Leaning, "O-D"),
+        (MeshScene::Raised, "O-D"),
+        (MeshScene::Taper, "C-N"),
+        (MeshScene::Corner, "O-D"),
+        (MeshScene::Incompressible, "N-D"),
+    ] {
+        let reading = CornerReading::of(scene, &setting, 4).unwrap().unwrap();
+        assert_eq!(reading.corner.wedge.sides().to_string(), sides, "{scene}");
+        assert!(reading.deviation() <= 1.0 && reading.exponent.error < 0.05, "{scene}: {reading:?}");
+    }
+    assert_eq!(CornerReading::of(MeshScene::Membrane, &setting, 4).unwrap(), None);
+    for cells in [0, 1, 65] {
+        assert!(CornerReading::of(MeshScene::Block, &setting, cells).is_err());
+    }
+    assert!(CornerReading::of(MeshScene::Taper, &Setting { angle: 60.0, ..setting }, 4).is_err());
+    // A blunt corner away from the origin, whose coordinates are rounded.
+    let sharp = Setting { angle: 50.0, ..setting };
+    let blunt = CornerReading::of(MeshScene::Raised, &sharp, 4).unwrap().unwrap();
+    assert!((blunt.corner.wedge.angle().to_degrees() - 130.0).abs() < 1e-9, "{blunt:?}");
+    assert!(blunt.deviation() <= 1.0 && blunt.exponent.error < 0.05, "{blunt:?}");
+}
+
 #[test]
 fn bad_wedges_are_refused() {
     let free = Sides(Side::Free, Side::Free);
@@ -267,7 +323,7 @@ fn the_findings_turn_on_planted_faults() {
         found.iter().find(|finding| finding.key() == key).unwrap().outcome()
     };
     let mut computed = example::compute(&options).unwrap();
-    let keys = ["lost", "roads", "oscillation", "transition", "orders"];
+    let keys = ["lost", "roads", "oscillation", "transition", "read", "sharp", "unseen", "orders"];
     assert!(computed.grid.len() >= 500);
     for key in keys {
         assert_eq!(outcome(&computed, key), Outcome::Holds, "{key}");
@@ -278,6 +334,16 @@ fn the_findings_turn_on_planted_faults() {
     computed.transition = 1.5;
     computed.scenes.iter_mut().for_each(|row| row.tau = 4.0);
     computed.scenes[0].order.as_mut().unwrap().order = 0.1;
+    for row in &mut computed.scenes {
+        row.on_squares = row.tau;
+        // What closed contact would have: the bars tell it from open contact.
+        let Some(reading) = row.reading.as_mut().filter(|_| row.scene == MeshScene::Raised) else { continue };
+        reading.corner.regularity.tau = 1.838_732;
+        reading.exponent.error *= 10.0;
+    }
+    assert_eq!(outcome(&computed, "read"), Outcome::Refuted);
+    let wide = computed.scenes.iter_mut().find_map(|row| row.reading.as_mut()).unwrap();
+    wide.exponent.error = 0.2;
     for key in keys {
         assert_eq!(outcome(&computed, key), Outcome::Refuted, "{key}");
     }

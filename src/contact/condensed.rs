@@ -4,6 +4,7 @@
 //! factorization is not repeated. It removes what rounding in the elimination left in the balance of forces.
 
 use super::active_set::solve_on_edge;
+use super::barrier::solve_by_barrier;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
 use super::solution::{Candidate, ContactSolution, Seconds, conclude, gap_of};
@@ -69,6 +70,37 @@ pub(super) fn solve(
         recovery: start.elapsed().as_secs_f64(),
     };
     Ok((solution, steps_from_other))
+}
+
+/// The solution by the barrier with the given sizes of displacements, recovered once.
+pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<ContactSolution> {
+    let cone = Cone::Nodal;
+    let start = Instant::now();
+    let mut iterate = Condensed::new(problem, cone)?;
+    let factorization = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let (reduced, bound) = iterate.remainder()?;
+    let outcome = solve_by_barrier(&iterate.edge_problem(&reduced, &bound), sizes)?;
+    let contact = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    iterate.add(&reduced, &outcome.state.displacement, &outcome.state.multiplier);
+    let mut solution = conclude(
+        problem,
+        cone,
+        Candidate {
+            solver: Solver::InteriorPoint,
+            unknowns: iterate.unknowns,
+            multiplier: iterate.multiplier,
+            contact_set: outcome.set,
+            status: outcome.status,
+            history: Vec::new(),
+            work: Work { factorizations: 1, ..Work::default() },
+            seconds: Seconds::default(),
+        },
+    )?;
+    let recovery = start.elapsed().as_secs_f64();
+    solution.seconds = Seconds { assembly: problem.assembly_seconds, factorization, contact, recovery };
+    Ok(solution)
 }
 
 impl<'a> Condensed<'a> {

@@ -73,7 +73,7 @@ impl EdgeProblem<'_> {
         residual
     }
 
-    fn check(&self, set: &ContactSet) -> Result<()> {
+    pub(super) fn check(&self, set: &ContactSet) -> Result<()> {
         let nodes = self.stiffness.nrows();
         let constraints = self.edge_cone().constraints();
         for (name, given, expected) in [

@@ -6,6 +6,7 @@
 //! behind it.
 
 mod active_set;
+mod barrier;
 mod by_radius;
 mod condensed;
 mod data;
@@ -17,6 +18,7 @@ mod solve;
 mod solver;
 
 pub use active_set::{EdgeOutcome, solve_on_edge};
+pub use barrier::solve_by_barrier;
 pub use edge_problem::{EdgeProblem, EdgeState};
 pub use problem::ContactProblem;
 pub use solution::{ContactSolution, Seconds};

@@ -58,7 +58,11 @@ impl MeshRates {
         )?;
         let problem = self.problem(hierarchy.finest().clone())?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
-        let tau = body_regularity(&problem, &solution)?.tau.min(Bound::SMOOTHEST);
+        let tau = match self.constant_load {
+            false => self.scene.regularity(&self.setting)?.tau,
+            true => body_regularity(&problem, &solution)?.tau,
+        }
+        .min(Bound::SMOOTHEST);
         let solution = solution.displacement;
         let norm = problem.energy_norm(&solution)?;
         let reference = Reference { rates: *self, hierarchy, problem, solution, norm };

@@ -1,4 +1,4 @@
-//! Theorems 3.1 and 4.1, Figure 3.1: how fast errors and consistency terms fall.
+//! Theorems 3.1 and 4.1, Figure 3.1: how fast errors and consistency terms fall; studies of scenes.
 //!
 //! | | here |
 //! | --- | --- |
@@ -9,10 +9,15 @@
 //! | which levels count | [`RateLevel`], [`Flag`] |
 //! | the order p ± what it may be off by; of an alternating series | [`Fit`]; [`Trend`] |
 //! | the power of \|ln h\| at τ = 2 | [`LogarithmFit`] |
+//! | the exponent at a scene's worst corner, read off graded meshes | [`CornerReading`] |
+//! | one body at its clamped end, solved; on all roads | [`EndRun`], [`EndCase`] |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
 mod bounds;
 mod case_study;
+mod clamped_end;
+mod clamped_end_case;
+mod corner_reading;
 mod family;
 mod fit;
 mod group;
@@ -32,6 +37,9 @@ mod trend;
 
 pub use bounds::Bound;
 pub use case_study::{CaseStudy, Solved, mean_errors};
+pub use clamped_end::{EndRun, Start};
+pub use clamped_end_case::EndCase;
+pub use corner_reading::CornerReading;
 pub use family::SceneFamily;
 pub use fit::{Fit, Model};
 pub use group::StripGroup;

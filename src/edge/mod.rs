@@ -9,7 +9,7 @@
 //! | seminorms on a segment | [`SeminormForm`], [`seminorm_by_quadrature`] |
 //! | ‖u_N‖_{τ−1/2}, ‖σ_N‖_{τ−3/2} on Γ_C | [`edge_norms`] |
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
-//! | contact and gaps in ln r, r the distance from an end | [`radial_intervals`], [`EndRun`], [`EndCase`] |
+//! | contact and gaps in ln r, r the distance from an end | [`radial_intervals`] |
 //!
 //! The consistency term stands three times, once per kind of data, and no one of them can serve for the
 //! others:
@@ -25,8 +25,6 @@
 //!
 //! Lengths are in units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
 
-mod clamped_end;
-mod clamped_end_case;
 mod consistency;
 mod consistency_levels;
 mod norms;
@@ -37,8 +35,6 @@ mod segment;
 mod seminorm;
 mod trace;
 
-pub use clamped_end::{EndRun, Start};
-pub use clamped_end_case::EndCase;
 pub use consistency::{midpoint_term, nodal_term};
 pub use consistency_levels::consistency_terms;
 pub use norms::{EdgeNorms, edge_norm, edge_norms};

@@ -6,7 +6,7 @@
 
 use super::bisection::bisect;
 use super::edges::Edges;
-use super::geometry::{BoundaryEdge, Part, Point, distance};
+use super::geometry::{BoundaryEdge, Part, Point, distance, middle};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
 
@@ -92,6 +92,21 @@ impl Hierarchy {
             self.refine_where(|mesh, t| {
                 mesh.corners(t).into_iter().any(|corner| distance(corner, point) <= nearest)
             })?;
+        }
+        Ok(())
+    }
+
+    /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose middle is nearer than `radius` 2^−k are
+    /// cut. In every shell the mesh is the same but for scale, as fine as in the first: `radius` over mesh size.
+    ///
+    /// # Errors
+    /// As for [`Hierarchy::refined`]; [`Error::OutOfRange`] unless the radius is positive and finite.
+    pub fn refine_around(&mut self, point: Point, radius: f64, times: usize) -> Result<()> {
+        Error::require("radius", radius, "(0, inf)", radius > 0.0 && radius.is_finite())?;
+        let mut radius = radius;
+        for _ in 0..times {
+            self.refine_where(|mesh, t| distance(middle(mesh.corners(t)), point) < radius)?;
+            radius *= 0.5;
         }
         Ok(())
     }
@@ -205,6 +220,18 @@ mod tests {
             hierarchy.finest().boundary().to_vec(),
         );
         assert_eq!(&checked.unwrap(), hierarchy.finest());
+    }
+
+    #[test]
+    fn shells_around_a_point_are_the_same_but_for_scale() {
+        let mut hierarchy = Hierarchy::new(unit_square(16, Sides::HANGING).unwrap());
+        hierarchy.refine_around([1.0, 0.0], 0.25, 30).unwrap();
+        let counts: Vec<usize> = hierarchy.levels().iter().map(|mesh| mesh.triangles().len()).collect();
+        let added: Vec<usize> = counts.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert!(added[4..].windows(3).all(|three| three[0] == three[2]), "{added:?}");
+        for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(hierarchy.refine_around([1.0, 0.0], wrong, 1).is_err());
+        }
     }
 
     #[test]

@@ -14,9 +14,9 @@ mod triangulation;
 
 pub use contact_edge::ContactEdge;
 pub use geometry::{BoundaryEdge, Part, Point};
-pub(crate) use geometry::{distance, doubled_area};
+pub(crate) use geometry::{distance, doubled_area, middle};
 pub use hierarchy::Hierarchy;
 pub use msh::{parse_msh, read_msh};
 pub use rings::{Outline, polar_rings};
-pub use structured::{Sides, mapped_grid, rectangles, unit_square};
+pub use structured::{Sides, mapped_grid, rectangles, unit_square, unit_squares};
 pub use triangulation::Triangulation;

@@ -3,6 +3,7 @@
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Labels of the four sides of a structured grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,6 +84,42 @@ pub fn mapped_grid(
     rectangles(nx, ny, sides)?.mapped(map)
 }
 
+/// Unit squares in n x n squares each, cut as in [`rectangles`]; `places` are their corners at the bottom left, `part` is
+/// asked at the middle of every boundary edge.
+///
+/// # Errors
+/// [`Error::CountOutOfRange`] for a count outside 1 ... 4096, or without squares; two squares in one place as an error of
+/// [`Triangulation::new`].
+pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
+    for (name, value) in [("cells of a square", n), ("squares", places.len())] {
+        if !(1..=4096).contains(&value) {
+            return Err(Error::CountOutOfRange { name, value, range: "[1, 4096]" });
+        }
+    }
+    let (mut nodes, mut triangles): (Vec<Point>, Vec<[usize; 3]>) = (Vec::new(), Vec::new());
+    let mut known: BTreeMap<[i64; 2], usize> = BTreeMap::new();
+    for [x, y] in places.iter().map(|place| place.map(|k| i64::from(k) * n as i64)) {
+        let mut node = |i: i64, j: i64| {
+            *known.entry([x + i, y + j]).or_insert_with(|| {
+                nodes.push([x + i, y + j].map(|k| k as f64 / n as f64));
+                nodes.len() - 1
+            })
+        };
+        for (j, i) in (0..n as i64).flat_map(|j| (0..n as i64).map(move |i| (j, i))) {
+            let [a, b, c, d] = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    let sides = |t: &[usize; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+    let all: BTreeSet<[usize; 2]> = triangles.iter().flat_map(sides).collect();
+    let labelled = |ends: &[usize; 2]| {
+        let [p, q] = ends.map(|node| nodes[node]);
+        BoundaryEdge { nodes: *ends, part: part([0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]) }
+    };
+    let boundary = all.iter().filter(|[a, b]| !all.contains(&[*b, *a])).map(labelled).collect();
+    Triangulation::new(nodes, triangles, boundary)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -94,6 +131,13 @@ mod tests {
             Triangulation::new(mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
         assert_eq!(checked.unwrap(), mesh);
         assert!(unit_square(0, Sides::HANGING).is_err());
+        // Three squares around a reentrant corner: 3 n² cells, 8 n edges; one square is the structured grid.
+        let free = |_| Part::Neumann;
+        let around = unit_squares(3, &[[0, 0], [0, 1], [-1, 1]], free).unwrap();
+        assert_eq!((around.nodes().len(), around.triangles().len(), around.boundary().len()), (40, 54, 24));
+        assert_eq!(unit_squares(2, &[[0, 0]], free).unwrap().triangles().len(), 8);
+        assert!(unit_squares(0, &[[0, 0]], free).is_err() && unit_squares(1, &[], free).is_err());
+        assert!(unit_squares(1, &[[0, 0]; 2], free).is_err());
         assert!(mapped_grid(2, 2, Sides::HANGING, |[x, y]| [y, x]).is_err());
     }
 }

@@ -58,8 +58,17 @@ impl BodyRegularity {
 /// [`Error::Node`] for a corner where two materials meet or several pieces of boundary touch;
 /// [`Error::OutOfRange`] for a Poisson's ratio outside (−1, 1/2); those of [`Wedge::regularity`].
 pub fn body_regularity(problem: &ContactProblem, solution: &ContactSolution) -> Result<BodyRegularity> {
+    regularity_with_ends(problem, solution, [None; 2])
+}
+
+/// The same where it is known from elsewhere whether the first and the last segment of the edge are closed.
+pub(super) fn regularity_with_ends(
+    problem: &ContactProblem,
+    solution: &ContactSolution,
+    ends: [Option<bool>; 2],
+) -> Result<BodyRegularity> {
     let mesh = problem.mesh();
-    let contact = closed_edges(problem, solution);
+    let contact = closed_edges(problem, solution, ends);
     let mut sides: BTreeMap<usize, [Option<(usize, Side)>; 2]> = BTreeMap::new();
     for edge in mesh.boundary() {
         let side = match edge.part {
@@ -108,7 +117,15 @@ struct Closed {
     single: Vec<usize>,
 }
 
-fn closed_edges(problem: &ContactProblem, solution: &ContactSolution) -> Closed {
+/// Whether the segment of the edge at the given distance from its first node is closed.
+pub(super) fn is_closed_at(problem: &ContactProblem, solution: &ContactSolution, arc: f64) -> bool {
+    let edge = problem.edge();
+    let first = edge.arc().partition_point(|&at| at <= arc).saturating_sub(1);
+    let node = edge.nodes()[first.min(edge.nodes().len() - 2)];
+    closed_edges(problem, solution, [None; 2]).edges.contains_key(&node)
+}
+
+fn closed_edges(problem: &ContactProblem, solution: &ContactSolution, ends: [Option<bool>; 2]) -> Closed {
     let (nodes, is_loop) = (problem.edge().nodes(), problem.edge().is_closed());
     let (count, set) = (nodes.len(), &solution.contact_set);
     let segments = if is_loop { count } else { count - 1 };
@@ -122,7 +139,10 @@ fn closed_edges(problem: &ContactProblem, solution: &ContactSolution) -> Closed 
             may_close(i) && may_close(j) && (set.contains(i) || set.contains(j))
         }
     };
-    let edges: Vec<bool> = (0..segments).map(is_closed).collect();
+    let mut edges: Vec<bool> = (0..segments).map(is_closed).collect();
+    for (segment, known) in [0, segments - 1].into_iter().zip(ends) {
+        edges[segment] = known.unwrap_or(edges[segment]);
+    }
     let touches = |&i: &usize| {
         let before = if i > 0 || is_loop { edges[(i + segments - 1) % segments] } else { false };
         let after = i < segments && edges[i];

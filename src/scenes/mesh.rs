@@ -1,8 +1,8 @@
 //! Scenes on meshes: domain, data, and what is known of their solutions.
 //!
-//! The body hangs from its top, u = 0, with free sides; in `corner` from its left side, which meets the
-//! bottom at the angle ω. On the unit square except `corner`; n = (0, −1) on the bottom, so u_N = −u_y ≤ 0
-//! for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are replaced by their P1 interpolants. How
+//! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` from its left side,
+//! which meets the bottom at the angle ω. On the unit square except these, `taper` and `bracket`; n = (0, −1) on the
+//! bottom, so u_N = −u_y ≤ 0 for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are replaced by their P1 interpolants. How
 //! smooth the solutions are follows from corners and contact set: `regularity`.
 
 use super::manufactured;
@@ -10,7 +10,7 @@ use super::registry::registry;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
-use crate::mesh::{Part, Point, Sides, Triangulation, mapped_grid, unit_square};
+use crate::mesh::{Part, Point, Sides, Triangulation, mapped_grid, unit_square, unit_squares};
 use std::f64::consts::PI;
 
 registry! {
@@ -52,6 +52,36 @@ registry! {
         Incompressible("incompressible") => Body {
             form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
             ..MeshScene::Block.form()
+        };
+
+        /// Elastic corner of given opening ω between a clamped side and the contact edge, pressed on the plane
+        /// there: f = (0, −cos πx − 1/2).
+        Leaning("leaning") => Body {
+            mesh: |n, setting| leaning_square(n, setting.angle),
+            load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
+            ..ELASTIC
+        };
+
+        /// `leaning` lifted at that corner: f = (0, cos πx).
+        Raised("raised") => Body {
+            load: Load::Volume(|[x, _]| (PI * x).cos()),
+            ..MeshScene::Leaning.form()
+        };
+
+        /// Elastic, hanging from its top, with free sides that leave the contact edge at the opening ω; pressed
+        /// on the left: f = (0, −cos πx − 1/2).
+        Taper("taper") => Body {
+            mesh: |n, setting| taper(n, setting.angle),
+            load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
+            ..ELASTIC
+        };
+
+        /// Elastic, three unit squares around a free reentrant corner of 270°: a leg on the plane, an arm held
+        /// at its end x = −1, f = (0, −cos πx − 1/2).
+        Bracket("bracket") => Body {
+            mesh: |n, _| bracket(n),
+            load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
+            ..ELASTIC
         };
 
         /// Elastic without contact: `block` lifted, f = (0, 1).
@@ -104,10 +134,27 @@ fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
     mapped_grid(n, n, LEFT_HELD, |[x, y]| [x + y * ((1.0 - x) * lean + x * lean.max(0.0)), y])
 }
 
+/// The square with both sides leaning outwards to the angle ω, in degrees, at its bottom; inwards for ω < 90°.
+fn taper(n: usize, angle: f64) -> Result<Triangulation> {
+    Error::require("angle in degrees", angle, "[70, 160]", (70.0..=160.0).contains(&angle))?;
+    let lean = -1.0 / angle.to_radians().tan();
+    mapped_grid(n, n, Sides::HANGING, |[x, y]| [x + y * lean * (2.0 * x - 1.0), y])
+}
+
+/// A leg, what is above it, and an arm to the left.
+fn bracket(n: usize) -> Result<Triangulation> {
+    unit_squares(n, &[[0, 0], [0, 1], [-1, 1]], |[x, y]| match (x, y) {
+        (_, 0.0) => Part::Contact,
+        (-1.0, _) => Part::Dirichlet,
+        _ => Part::Neumann,
+    })
+}
+
 /// Parameters of the scenes that have some.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setting {
-    /// Opening ω at the left end of the contact edge of `corner`, in degrees, in [20, 160].
+    /// Opening ω at the left end of the contact edge of `corner`, `leaning` and `raised`, at both ends of that of
+    /// `taper`, in degrees, in [20, 160]; for `taper` in [70, 160].
     pub angle: f64,
     /// Poisson's ratio of `incompressible`, in (0, 1/2).
     pub poisson: f64,
@@ -223,7 +270,11 @@ mod tests {
             assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-13, "{scene}");
         }
         let setting = Setting { angle: 10.0, ..Setting::default() };
-        assert!(MeshScene::Corner.problem_with(4, &setting).is_err());
+        for scene in [MeshScene::Corner, MeshScene::Leaning, MeshScene::Raised, MeshScene::Taper] {
+            assert!(scene.problem_with(4, &setting).is_err(), "{scene}");
+        }
+        let setting = Setting { angle: 60.0, ..Setting::default() };
+        assert!(MeshScene::Taper.mesh_with(4, &setting).is_err());
         let setting = Setting { poisson: 0.5, ..Setting::default() };
         assert!(MeshScene::Incompressible.problem_with(4, &setting).is_err());
     }

@@ -1,32 +1,65 @@
 //! How smooth a scene is: from its polygon, its conditions, and the contact set found on a mesh.
 //!
+//! Whether contact reaches the ends of its edge is seen on a mesh graded toward them: squares may be too coarse for it.
+//!
 //! | scene | sup τ | corner responsible |
 //! | --- | --- | --- |
-//! | elastic | 1 + λ, 1.745 at ν_P = 1/4 | clamped/free right angle |
+//! | elastic squares | 1 + λ, 1.745 at ν_P = 1/4 | clamped/free right angle |
+//! | `leaning`, `raised` | 1.657 at ω = 120° | clamped/contact edge, open there |
+//! | `taper` | 1.616 at ω = 120° | contact edge, closed there, and free side |
+//! | `bracket` | 1.544 | free reentrant corner |
 //! | `corner`, ω > 90° | 1 + 90°/ω | clamped/contact edge, open there |
 //! | `corner`, ω < 90° | 1 + 90°/(180° − ω) | clamped/free, at the other end of the clamped side |
 //! | other scalar | 5/2 | the transition of contact, r^{3/2} |
 //!
 //! At a right angle between u = 0 and zero flux λ = 1, 3, ...: polynomials. See [`super::body_regularity`].
 
-use super::corners::{BodyRegularity, body_regularity};
+use super::corners::{BodyRegularity, is_closed_at, regularity_with_ends};
 use super::mesh::{MeshScene, Setting};
 use crate::cone::Cone;
 use crate::contact::Solver;
 use crate::error::Result;
+use crate::mesh::Hierarchy;
 
 /// Squares along each side of the mesh on which the contact set is found.
 const SQUARES: usize = 32;
+/// Squares and levels of the meshes graded toward the ends of contact, and the radius of the first level: four
+/// squares.
+const COARSE: usize = 16;
+const LEVELS: usize = 36;
+const RADIUS: f64 = 0.25;
+/// Where they are read, by the length of the edge: far from the ends of the grading on both sides.
+const READ: f64 = 1e-7;
 
 impl MeshScene {
-    /// Corners, transitions and the supremum of the τ with u ∈ H^τ, with the contact set of the nodal cone on 32 x 32 squares.
+    /// Corners, transitions and the supremum of the τ with u ∈ H^τ, with the contact set of the nodal cone on 32 x 32 squares;
+    /// at the ends of the contact edge with that of meshes graded toward them.
     ///
     /// # Errors
-    /// As [`MeshScene::problem_with`] and [`body_regularity`].
+    /// As [`MeshScene::problem_with`] and [`super::body_regularity`].
     pub fn regularity(self, setting: &Setting) -> Result<BodyRegularity> {
         let problem = self.problem_with(SQUARES, setting)?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
-        body_regularity(&problem, &solution)
+        let mut ends = [None; 2];
+        if !problem.edge().is_closed() {
+            for (k, end) in ends.iter_mut().enumerate() {
+                *end = Some(self.closes_at(setting, k == 1)?);
+            }
+        }
+        regularity_with_ends(&problem, &solution, ends)
+    }
+
+    /// Whether contact is closed near the first or the last node of its edge.
+    fn closes_at(self, setting: &Setting, last: bool) -> Result<bool> {
+        let mut hierarchy = Hierarchy::new(self.mesh_with(COARSE, setting)?);
+        let ends = self.problem_with(COARSE, setting)?;
+        let points = ends.edge().points();
+        let length = ends.edge().arc()[points.len() - 1];
+        let place = points[if last { points.len() - 1 } else { 0 }];
+        hierarchy.refine_around(place, RADIUS, LEVELS)?;
+        let problem = self.on_with(hierarchy.finest().clone(), setting)?;
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+        Ok(is_closed_at(&problem, &solution, if last { length * (1.0 - READ) } else { length * READ }))
     }
 }
 
@@ -47,14 +80,20 @@ mod tests {
                 MeshScene::Block | MeshScene::Free | MeshScene::Closed => 1.744_749_698_597_720_7,
                 MeshScene::Corner => 1.75,
                 MeshScene::Incompressible => continue,
+                // To twelve digits by the count of `singular`.
+                MeshScene::Leaning | MeshScene::Raised => 1.657_460_971_897,
+                MeshScene::Taper => 1.615_731_059_491,
+                MeshScene::Bracket => 1.544_483_736_782,
                 _ => 2.0,
             };
             let found = scene.regularity(&setting).unwrap();
             assert!((found.tau.min(2.0) - typed).abs() < DIGITS, "{scene}: {found:?}");
             let responsible = found.responsible().unwrap().to_string();
             let expected = match scene {
+                MeshScene::Corner | MeshScene::Leaning | MeshScene::Raised => "O-D 120 deg at (0.000, 0.000)",
+                MeshScene::Taper => "C-N 120 deg at (0.000, 0.000)",
+                MeshScene::Bracket => "N-N 270 deg at (0.000, 1.000)",
                 scene if scene.is_elastic() => "90 deg",
-                MeshScene::Corner => "120 deg at (0.000, 0.000)",
                 _ => "180 deg",
             };
             assert!(responsible.contains(expected), "{scene}: {responsible}");

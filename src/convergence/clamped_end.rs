@@ -7,9 +7,9 @@
 //! without its first two and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same length over the
 //! last four decades before ℓ/4: largest relative deviation, one common factor.
 
-use super::radial::{RadialInterval, radial_intervals};
 use crate::cone::{Cone, ContactSet, Judgement};
 use crate::contact::{ContactSolution, Solver};
+use crate::edge::{RadialInterval, radial_intervals};
 use crate::error::Result;
 use crate::numeric::line::Line;
 use crate::scenes::ClampedEnd;
@@ -22,8 +22,11 @@ pub enum Start {
     Open,
     /// The active set, from full contact.
     Closed,
-    /// The interior point method.
+    /// The interior point method on the whole body: one barrier for all decades.
     Interior,
+    /// The interior point method on the edge whose barrier expects displacements of size r^{1/2}; nodal cone
+    /// only.
+    Scaled,
 }
 
 /// A solved scene, read at the end of its contact edge.
@@ -45,7 +48,8 @@ impl EndRun {
     /// Solves the scene.
     ///
     /// # Errors
-    /// As for [`ClampedEnd::problem`] and [`crate::contact::ContactProblem::solve`].
+    /// As for [`ClampedEnd::problem`], [`crate::contact::ContactProblem::solve`] and
+    /// [`crate::contact::ContactProblem::solve_by_sizes`].
     pub fn of(scene: &ClampedEnd, cone: Cone, start: Start) -> Result<Self> {
         let problem = scene.problem()?;
         let radii = problem.edge().arc();
@@ -54,6 +58,7 @@ impl EndRun {
             Start::Open => problem.solve(cone, Solver::ActiveSet)?,
             Start::Closed => problem.solve_from(cone, full)?,
             Start::Interior => problem.solve(cone, Solver::InteriorPoint)?,
+            Start::Scaled => problem.solve_by_sizes(&sizes(radii))?,
         };
         let fan = solution.positions.partition_point(|&r| r < FAN * radii[1]);
         let read = read_set(cone, &solution.contact_set, fan);
@@ -115,6 +120,11 @@ fn read_set(cone: Cone, set: &ContactSet, first: usize) -> ContactSet {
     let is_in = |i: usize| set.as_slice().get(i).copied().unwrap_or(true);
     let alone = |i: usize| cone == Cone::Midpoint && i > 0 && is_in(i - 1) && is_in(i + 1);
     ContactSet::new((first..set.constraints()).map(|i| is_in(i) || alone(i)).collect())
+}
+
+/// r^{1/2} at every node; at the end itself, where nothing is decided, that of its neighbour.
+fn sizes(radii: &[f64]) -> Vec<f64> {
+    radii.iter().map(|r| r.max(radii[1]).sqrt()).collect()
 }
 
 fn power(pressure: &[(f64, f64)], zone: &RadialInterval) -> Option<f64> {

@@ -21,12 +21,15 @@ pub struct EndCase {
     pub runs: [EndRun; 2],
     /// From full contact; with half the decades; on a rectangle with rings 4/5 as far apart.
     pub again: [EndRun; 3],
-    /// The midpoint cone; the interior point method.
+    /// The midpoint cone; the interior point method on the whole body, with half the decades: more it does not
+    /// see.
     pub others: [EndRun; 2],
+    /// The interior point method that expects r^{1/2}, on the meshes of `runs`.
+    pub scaled: [EndRun; 2],
 }
 
 impl EndCase {
-    /// Solves the scene, seven times.
+    /// Solves the scene, nine times.
     ///
     /// # Errors
     /// As for [`EndRun::of`].
@@ -42,14 +45,15 @@ impl EndCase {
                 nodal(&shallow, Start::Open)?,
                 nodal(&square, Start::Open)?,
             ],
-            others: [EndRun::of(&scene, Cone::Midpoint, Start::Open)?, nodal(&scene, Start::Interior)?],
+            others: [EndRun::of(&scene, Cone::Midpoint, Start::Open)?, nodal(&shallow, Start::Interior)?],
+            scaled: [nodal(&scene, Start::Scaled)?, nodal(&finer, Start::Scaled)?],
             scene,
         })
     }
 
-    /// All solutions by the active set.
+    /// All solutions that see every decade.
     pub fn resolved(&self) -> impl Iterator<Item = &EndRun> {
-        self.runs.iter().chain(&self.again).chain(&self.others[..1])
+        self.runs.iter().chain(&self.again).chain(&self.others[..1]).chain(&self.scaled)
     }
 
     /// The most transitions of any of them.
@@ -71,15 +75,23 @@ impl EndCase {
         a.iter().zip(b).skip(1).filter(|(a, b)| a != b).count()
     }
 
+    /// Constraints on both meshes in which the interior point method that expects r^{1/2} has another set.
+    pub fn solvers_apart(&self) -> usize {
+        let sets = |runs: &[EndRun; 2], k: usize| runs[k].solution.contact_set.as_slice()[1..].to_vec();
+        let apart =
+            |k| sets(&self.runs, k).iter().zip(sets(&self.scaled, k)).filter(|(a, b)| **a != *b).count();
+        apart(0) + apart(1)
+    }
+
     /// |J' − J|/|J| of the interior point method.
     pub fn energies_apart(&self) -> f64 {
-        let [a, b] = [&self.runs[0], &self.others[1]].map(|run| run.solution.energy);
+        let [a, b] = [&self.again[1], &self.others[1]].map(|run| run.solution.energy);
         (b / a - 1.0).abs()
     }
 
     /// The largest radius at which the interior point method has another contact set; 0 if none.
     pub fn unseen_below(&self) -> f64 {
-        let [a, b] = [&self.runs[0].solution, &self.others[1].solution];
+        let [a, b] = [&self.again[1].solution, &self.others[1].solution];
         let differ = |&i: &usize| a.contact_set.contains(i) != b.contact_set.contains(i);
         (0..a.positions.len()).filter(differ).map(|i| a.positions[i]).fold(0.0, f64::max)
     }

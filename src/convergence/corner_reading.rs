@@ -1,0 +1,120 @@
+//! The exponent of a corner, read off discrete solutions on meshes graded toward it.
+//!
+//! On uniform meshes the corner has A h^{2λ} of e² and the smooth part B h²: where λ is near one, or A small, the
+//! levels that can be computed do not tell the order from one. Near the corner itself u is r^λ U(θ), and nothing
+//! else. The triangles whose middle is nearer than R_k = 2^{−k}/4 are cut for k = 0, 1, …: every shell R_{k+1} ≤ r < R_k is the
+//! same mesh but for scale, `cells` elements along its radius, and the stress energy of shell k is
+//! W_k = c 4^{−λ_h k} (1 + …), so that
+//!
+//! p_k = log₂(W_k/W_{k+2})/4 → λ_h.
+//!
+//! What is left far outside of the tip and far inside of the body is the next exponent, 2^{−(λ₂ − λ₁) k}: extrapolated
+//! (Aitken). λ_h = λ + O(cells^{−2}), an eigenvalue of the map from one shell to the next: extrapolated from cells and 2 cells.
+//! The error of the [`Estimate`] is the distance of these two, three times what is extrapolated, and what the last shells
+//! still move. Cost: two solutions of some 10⁴ nodes.
+
+use crate::cone::Cone;
+use crate::contact::{ContactProblem, ContactSolution, Solver};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::fem::{Form, gradients, stresses};
+use crate::mesh::{Hierarchy, Point, Triangulation, distance, doubled_area, middle};
+use crate::scenes::{BodyCorner, MeshScene, Setting};
+use std::f64::consts::PI;
+
+/// The outermost shell, in units of the squares of the scenes.
+const RADIUS: f64 = 0.25;
+/// Shells.
+const SHELLS: usize = 40;
+/// The shell that is read: 2^{-29} from the corner, far above the tip.
+const READ: usize = 28;
+/// Shells between the three values that are extrapolated.
+const APART: usize = 4;
+
+/// The exponent at the corner responsible for the regularity of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CornerReading {
+    /// The corner.
+    pub corner: BodyCorner,
+    /// λ_h with `cells` and with 2 `cells`.
+    pub meshes: [f64; 2],
+    /// λ.
+    pub exponent: Estimate,
+}
+
+impl CornerReading {
+    /// Reads the exponent with `cells` and 2 `cells` elements along a shell, nodal cone; `None` where no exponent limits τ,
+    /// where it is complex, and for the end of contact on a straight edge, whose place is not a node.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] unless 2 ≤ cells ≤ 64; those of meshes and solvers; [`Error::ToleranceNotMet`] when a
+    /// solver did not converge or the stress vanishes at the corner.
+    pub fn of(scene: MeshScene, setting: &Setting, cells: usize) -> Result<Option<Self>> {
+        if !(2..=64).contains(&cells) {
+            return Err(Error::CountOutOfRange { name: "cells of a shell", value: cells, range: "[2, 64]" });
+        }
+        let found = scene.regularity(setting)?;
+        let is_read = |corner: &&BodyCorner| {
+            let exponent = corner.regularity.exponent.as_ref();
+            corner.wedge.angle() != PI && exponent.is_some_and(|exponent| !exponent.is_complex())
+        };
+        let Some(corner) = found.responsible().filter(is_read).cloned() else { return Ok(None) };
+        let mut meshes = [0.0; 2];
+        let mut drift = 0.0;
+        for (k, mesh) in meshes.iter_mut().enumerate() {
+            (*mesh, drift) = read(scene, setting, corner.place, cells << k)?;
+        }
+        let change = meshes[1] - meshes[0];
+        let exponent = Estimate::new(meshes[1] + change / 3.0, change.abs() + drift, Work::default())?;
+        Ok(Some(Self { corner, meshes, exponent }))
+    }
+
+    /// |reading − Re λ| over the error of the reading; infinite where nothing limits τ.
+    pub fn deviation(&self) -> f64 {
+        let expected = self.corner.regularity.tau - 1.0;
+        (self.exponent.value - expected).abs() / self.exponent.error
+    }
+}
+
+/// λ_h, and how far extrapolation to the corner and the last shell moved it.
+fn read(scene: MeshScene, setting: &Setting, place: Point, cells: usize) -> Result<(f64, f64)> {
+    let mut hierarchy = Hierarchy::new(scene.mesh_with(4 * cells, setting)?);
+    hierarchy.refine_around(place, RADIUS, SHELLS)?;
+    let fine = hierarchy.finest();
+    // Checked: near a corner whose coordinates are not short binary fractions triangles may collapse.
+    let (nodes, triangles) = (fine.nodes().to_vec(), fine.triangles().to_vec());
+    let mesh = Triangulation::new(nodes, triangles, fine.boundary().to_vec())?;
+    let problem = scene.on_with(mesh, setting)?;
+    let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    let energies = shells(&problem, &solution, place)?;
+    let p = |k: usize| 0.25 * (energies[k] / energies[k + 2]).log2();
+    let [a, b, d, c] = [READ - 2 * APART, READ - APART, READ - 1, READ].map(p);
+    let failed = Error::ToleranceNotMet { what: "exponent of a corner", asked: 1.0, reached: c };
+    if !solution.status.is_converged() || !(a.is_finite() && b.is_finite() && c.is_finite()) {
+        return Err(failed);
+    }
+    let (first, second) = (b - a, c - b);
+    let step = if (second / first).abs() < 1.0 { second * second / (first - second) } else { second };
+    Ok((c + step, step.abs() + (c - d).abs()))
+}
+
+/// ∫ |σ|², or ∫ |∇u|², over every shell.
+fn shells(problem: &ContactProblem, solution: &ContactSolution, place: Point) -> Result<Vec<f64>> {
+    let (mesh, u) = (problem.mesh(), &solution.displacement);
+    let density: Vec<f64> = match problem.form() {
+        Form::Scalar { .. } => gradients(mesh, u)?.into_iter().map(|[x, y]| x * x + y * y).collect(),
+        form => {
+            let all = stresses(mesh, form, u)?;
+            all.into_iter().map(|s| s.xx * s.xx + s.yy * s.yy + 2.0 * s.xy * s.xy).collect()
+        }
+    };
+    let mut energies = vec![0.0; SHELLS];
+    for (t, density) in density.into_iter().enumerate() {
+        let corners = mesh.corners(t);
+        let shell = (RADIUS / distance(middle(corners), place)).log2().floor();
+        if (0.0..SHELLS as f64).contains(&shell) {
+            energies[shell as usize] += 0.5 * doubled_area(corners) * density;
+        }
+    }
+    Ok(energies)
+}
