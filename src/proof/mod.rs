@@ -38,7 +38,7 @@ pub use balance_rows::{BalanceExponents, BalanceRow, worst_of_cases};
 pub use case::ProofCase;
 pub use classification::{Classification, ClassifiedSegment};
 pub use constants::ProofConstants;
-pub use contact_cost::{CostRow, contact_cost, cost_limit, term_order};
+pub use contact_cost::{CostRow, CostStudy, contact_cost};
 pub use exponent::Exponent;
 pub use falk::{FalkRow, falk_terms};
 pub use inequality::{Check, InequalityProfile};
