@@ -22,6 +22,7 @@ mod kernel;
 mod order;
 mod partition;
 mod piecewise;
+mod plane;
 mod root;
 
 pub use dual::{DualOf, dual_norm_of_functional};
@@ -35,4 +36,5 @@ pub(crate) use piecewise::linear_power;
 pub use piecewise::{
     PiecewisePolynomial, near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random,
 };
+pub use plane::{PlaneFunction, Triangles};
 pub(crate) use root::root_of_squares;

@@ -1,0 +1,127 @@
+//! Triangulations as the plane norms need them: nodes and triangles, nothing about boundaries.
+//!
+//! Triangles touch along whole edges or at nodes that they share by number, and do not overlap. Either
+//! orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
+
+use super::geometry::{Point, twice_area};
+use crate::error::{Error, Result};
+use crate::numeric::check::require_finite_at;
+use std::collections::HashMap;
+
+/// A triangulation of a polygon.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Triangles {
+    nodes: Vec<[f64; 2]>,
+    triangles: Vec<[usize; 3]>,
+    areas: Vec<f64>,
+}
+
+impl Triangles {
+    /// A triangulation from its nodes and from three node numbers for each triangle.
+    ///
+    /// ```
+    /// use signorini::sobolev::Triangles;
+    /// let corners = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let square = Triangles::new(corners, vec![[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!(square.area(), 1.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate,
+    /// [`Error::Triangle`] for a node number out of range or no area, [`Error::Edge`] for an edge of more than two
+    /// triangles.
+    pub fn new(nodes: Vec<[f64; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self> {
+        if triangles.is_empty() {
+            return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "n >= 1" });
+        }
+        for (index, node) in nodes.iter().enumerate() {
+            node.iter().try_for_each(|&x| require_finite_at("coordinate", index, x))?;
+        }
+        let mut edges: HashMap<[usize; 2], usize> = HashMap::new();
+        let mut areas = Vec::with_capacity(triangles.len());
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(&node) = corners.iter().find(|&&node| node >= nodes.len()) {
+                return Err(Error::Triangle { triangle, reason: "has no node", value: node as f64 });
+            }
+            let [a, b, c] = *corners;
+            let twice = twice_area(nodes[a], nodes[b], nodes[c]).abs();
+            if !(twice >= f64::MIN_POSITIVE && twice.is_finite()) {
+                return Err(Error::Triangle { triangle, reason: "has twice the area", value: twice });
+            }
+            areas.push(0.5 * twice);
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                let ends = [a.min(b), a.max(b)];
+                let count = edges.entry(ends).or_insert(0);
+                *count += 1;
+                if *count > 2 {
+                    return Err(Error::Edge { nodes: ends, reason: "belongs to more than two triangles" });
+                }
+            }
+        }
+        Ok(Self { nodes, triangles, areas })
+    }
+
+    /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for no square, [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
+    pub fn grid(squares: [usize; 2], h: f64) -> Result<Self> {
+        Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
+        let [columns, rows] = squares;
+        if columns == 0 || rows == 0 {
+            return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
+        }
+        let node = |i: usize, j: usize| j * (columns + 1) + i;
+        let places = (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * h, j as f64 * h]));
+        let pair = |i: usize, j: usize| {
+            let [a, b, c, d] = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        };
+        let triangles = (0..rows).flat_map(|j| (0..columns).flat_map(move |i| pair(i, j))).collect();
+        Self::new(places.collect(), triangles)
+    }
+
+    /// The same triangulation with its nodes moved.
+    ///
+    /// # Errors
+    /// As [`Triangles::new`] for the moved nodes.
+    pub fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2]) -> Result<Self> {
+        Self::new(self.nodes.iter().copied().map(map).collect(), self.triangles.clone())
+    }
+
+    /// The coordinates of the nodes.
+    pub fn nodes(&self) -> &[[f64; 2]] {
+        &self.nodes
+    }
+
+    /// The nodes of the triangles.
+    pub fn triangles(&self) -> &[[usize; 3]] {
+        &self.triangles
+    }
+
+    /// The area of every triangle.
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// The area of the whole.
+    pub fn area(&self) -> f64 {
+        self.areas.iter().sum()
+    }
+
+    pub(super) fn corners(&self, triangle: usize) -> [Point; 3] {
+        self.triangles[triangle].map(|node| self.nodes[node])
+    }
+
+    /// A size of the whole: the larger side of the smallest upright rectangle around it.
+    pub(super) fn extent(&self) -> f64 {
+        let span = |k: usize| {
+            let of = |node: &usize| self.nodes[*node][k];
+            let ends = self.triangles.iter().flatten().map(of);
+            ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+        };
+        let ((left, right), (bottom, top)) = (span(0), span(1));
+        (right - left).max(top - bottom)
+    }
+}
