@@ -25,7 +25,7 @@ impl ContactProblem {
         centre: Point,
         bounds: &[f64],
     ) -> Result<Vec<Judgement>> {
-        require_values("displacement", &solution.displacement, self.matrix.unknowns())?;
+        require_values("displacement", &solution.displacement, self.unknowns())?;
         if let Some(pair) = bounds.windows(2).find(|pair| pair[0] >= pair[1] || pair[1].is_nan()) {
             return Err(Error::OutOfRange { name: "radius", value: pair[1], range: "increasing radii" });
         }
@@ -33,7 +33,7 @@ impl ContactProblem {
         let cone = self.edge_cone(solution.cone);
         let force = cone.apply_transposed(&solution.multiplier)?;
         let normals = self.normal_unknowns();
-        let mut residual = self.matrix.multiply(&u);
+        let mut residual = self.multiply(&u);
         residual.iter_mut().zip(&self.load).for_each(|(r, f)| *r -= f);
         normals.iter().zip(force).for_each(|(&unknown, f)| residual[unknown] += f);
         let sizes = sizes(self, &u);

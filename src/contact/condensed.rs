@@ -7,7 +7,7 @@ use super::active_set::solve_on_edge;
 use super::barrier::solve_by_barrier;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
-use super::solution::{Candidate, ContactSolution, Seconds, conclude, gap_of};
+use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, gap_of};
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone};
 use crate::error::Result;
@@ -33,6 +33,7 @@ pub(super) fn solve(
     guess: ContactSet,
     other: Option<ContactSet>,
 ) -> Result<(ContactSolution, Option<u64>)> {
+    problem.matrix();
     let start = Instant::now();
     let mut iterate = Condensed::new(problem, cone)?;
     let factorization = start.elapsed().as_secs_f64();
@@ -61,10 +62,11 @@ pub(super) fn solve(
             history: outcome.history,
             work: Work { iterations: steps, factorizations: 1, ..Work::default() },
             seconds: Seconds::default(),
+            accepted: ACCEPTED,
         },
     )?;
     solution.seconds = Seconds {
-        assembly: problem.assembly_seconds,
+        assembly: problem.assembly_seconds(),
         factorization,
         contact,
         recovery: start.elapsed().as_secs_f64(),
@@ -75,6 +77,7 @@ pub(super) fn solve(
 /// The solution by the barrier with the given sizes of displacements, recovered once.
 pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<ContactSolution> {
     let cone = Cone::Nodal;
+    problem.matrix();
     let start = Instant::now();
     let mut iterate = Condensed::new(problem, cone)?;
     let factorization = start.elapsed().as_secs_f64();
@@ -96,10 +99,12 @@ pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<
             history: Vec::new(),
             work: Work { factorizations: 1, ..Work::default() },
             seconds: Seconds::default(),
+            accepted: ACCEPTED,
         },
     )?;
     let recovery = start.elapsed().as_secs_f64();
-    solution.seconds = Seconds { assembly: problem.assembly_seconds, factorization, contact, recovery };
+    let assembly = problem.assembly_seconds();
+    solution.seconds = Seconds { assembly, factorization, contact, recovery };
     Ok(solution)
 }
 
@@ -110,7 +115,7 @@ impl<'a> Condensed<'a> {
         let cone = problem.edge_cone(cone);
         Ok(Self {
             condensation: Condensation::new(
-                &problem.matrix,
+                problem.matrix(),
                 problem.mesh.nodes(),
                 &problem.prescribed,
                 &normals,
@@ -126,7 +131,7 @@ impl<'a> Condensed<'a> {
 
     /// What the iterate leaves: F − K u − B'λ condensed to the edge, and the bounds on a correction of B u.
     fn remainder(&self) -> Result<(Reduced, Vec<f64>)> {
-        let mut residual = self.problem.matrix.multiply(&self.unknowns);
+        let mut residual = self.problem.multiply(&self.unknowns);
         for (r, f) in residual.iter_mut().zip(&self.problem.load) {
             *r = f - *r;
         }

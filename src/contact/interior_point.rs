@@ -8,7 +8,7 @@
 
 use super::problem::ContactProblem;
 use super::solution::{
-    Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of,
+    ACCEPTED, Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of,
 };
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, NOISE, Status};
@@ -90,13 +90,14 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
                 ..Work::default()
             },
             seconds: Seconds::default(),
+            accepted: ACCEPTED,
         },
     )?;
     if let Status::Stalled { residual } = &mut solution.status {
         *residual = solution.judgement.worst();
     }
     solution.seconds = Seconds {
-        assembly: problem.assembly_seconds,
+        assembly: problem.assembly_seconds(),
         contact,
         recovery: start.elapsed().as_secs_f64(),
         factorization: 0.0,
@@ -136,10 +137,10 @@ fn settings() -> DefaultSettings<f64> {
 }
 
 fn run(problem: &ContactProblem, cone: EdgeCone) -> Result<Answer> {
-    let free: Vec<usize> = (0..problem.matrix.unknowns()).filter(|&i| !problem.prescribed[i]).collect();
-    let mut number = vec![None; problem.matrix.unknowns()];
+    let free: Vec<usize> = (0..problem.unknowns()).filter(|&i| !problem.prescribed[i]).collect();
+    let mut number = vec![None; problem.unknowns()];
     free.iter().enumerate().for_each(|(k, &unknown)| number[unknown] = Some(k));
-    let imposed = problem.matrix.multiply(&problem.values);
+    let imposed = problem.multiply(&problem.values);
     let load: Vec<f64> = free.iter().map(|&i| problem.load[i] - imposed[i]).collect();
     let normals = problem.normal_unknowns();
     let constraints: Vec<usize> = (0..cone.constraints())
@@ -147,7 +148,7 @@ fn run(problem: &ContactProblem, cone: EdgeCone) -> Result<Answer> {
         .collect();
     let fixed_part: Vec<f64> = normals.iter().map(|&unknown| problem.values[unknown]).collect();
     let gap = gap_of(problem, cone, &fixed_part);
-    let stiff = free.iter().map(|&i| problem.matrix.diagonal(i)).fold(0.0, f64::max);
+    let stiff = free.iter().map(|&i| problem.matrix().diagonal(i)).fold(0.0, f64::max);
     let force = largest(&load).max(stiff * largest(&gap));
     // Nothing to move, or nothing that moves it: no scale for the solver to work in, and nothing to solve.
     if free.is_empty() || force == 0.0 {
@@ -189,7 +190,7 @@ fn upper_triangle(
     let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
     for (column, &unknown) in free.iter().enumerate() {
         // K is symmetric: row `unknown` is column `unknown`.
-        for (other, value) in problem.matrix.row(unknown) {
+        for (other, value) in problem.matrix().row(unknown) {
             if let Some(row) = number[other].filter(|&row| row <= column) {
                 rows.push(row);
                 values.push(value / stiff);

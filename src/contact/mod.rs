@@ -12,7 +12,10 @@ mod condensed;
 mod data;
 mod edge_problem;
 mod interior_point;
+mod multigrid;
+mod operator;
 mod problem;
+mod products;
 mod solution;
 mod solve;
 mod solver;
@@ -20,6 +23,9 @@ mod solver;
 pub use active_set::{EdgeOutcome, solve_on_edge};
 pub use barrier::solve_by_barrier;
 pub use edge_problem::{EdgeProblem, EdgeState};
+pub use multigrid::{
+    Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridLevel, MultigridProgress, MultigridSolution,
+};
 pub use problem::ContactProblem;
 pub use solution::{ContactSolution, Seconds};
 pub use solver::Solver;

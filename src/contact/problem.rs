@@ -1,15 +1,18 @@
 //! The discrete Signorini problem (2.9) on a triangulation: form, load, prescribed values, contact edge, gap.
 //!
-//! Unknowns are node-major. At the nodes of an elastic contact edge they are (u_T, u_N) internally;
-//! everything that goes in or out is Cartesian. The scalar problem has u in the place of u_N.
+//! Unknowns are node-major. Those of an elastic body are (u_T, u_N) internally, in the directions of its
+//! straight contact edge; everything that goes in or out is Cartesian. The scalar problem has u in the place
+//! of u_N.
 
+use super::operator::Operator;
 use crate::cone::{Cone, EdgeCone, Ends};
 use crate::error::{Error, Result};
-use crate::fem::{BlockMatrix, Form, Frame, consistent_load, stiffness};
+use crate::fem::{Form, Frame, consistent_load};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
 use crate::numeric::check::require_values;
 use crate::numeric::sum::careful_dot;
 use crate::sobolev::Partition;
+use rayon::prelude::*;
 use std::time::Instant;
 
 /// A discrete Signorini problem, assembled.
@@ -20,7 +23,7 @@ pub struct ContactProblem {
     pub(super) edge: ContactEdge,
     pub(super) normal: Option<Point>,
     pub(super) frame: Frame,
-    pub(super) matrix: BlockMatrix,
+    pub(super) operator: Operator,
     /// Load on all unknowns of the frame.
     pub(super) load: Vec<f64>,
     pub(super) prescribed: Vec<bool>,
@@ -28,7 +31,8 @@ pub struct ContactProblem {
     pub(super) values: Vec<f64>,
     /// Initial gap at the nodes of the contact edge.
     pub(super) gap: Vec<f64>,
-    pub(super) assembly_seconds: f64,
+    /// Seconds for edge, load and what of the operator is not put off.
+    pub(super) preparation_seconds: f64,
 }
 
 impl ContactProblem {
@@ -56,26 +60,26 @@ impl ContactProblem {
         require_values("volume load", volume, mesh.nodes().len() * c)?;
         let (normal, frame) = if c == 2 {
             let normal = edge.normal()?;
-            (Some(normal), Frame::turned(normal, mesh.nodes_on(Part::Contact)))
+            (Some(normal), Frame::turned(normal))
         } else {
             (None, Frame::cartesian())
         };
-        let matrix = stiffness(&mesh, &form, &frame);
+        let operator = Operator::of(&mesh, &form, &frame);
         let mut problem = Self {
             prescribed: held.iter().flat_map(|&held| std::iter::repeat_n(held, c)).collect(),
             values: vec![0.0; mesh.nodes().len() * c],
             gap: vec![0.0; edge.nodes().len()],
             load: Vec::new(),
-            assembly_seconds: 0.0,
+            preparation_seconds: 0.0,
             mesh,
             form,
             edge,
             normal,
             frame,
-            matrix,
+            operator,
         };
         problem.load = problem.to_frame(&consistent_load(&problem.mesh, c, volume));
-        problem.assembly_seconds = start.elapsed().as_secs_f64();
+        problem.preparation_seconds = start.elapsed().as_secs_f64();
         Ok(problem)
     }
 
@@ -124,7 +128,7 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
     pub fn normal_displacement(&self, displacement: &[f64]) -> Result<Vec<f64>> {
-        require_values("displacement", displacement, self.matrix.unknowns())?;
+        require_values("displacement", displacement, self.unknowns())?;
         let framed = self.to_frame(displacement);
         Ok(self.normal_unknowns().into_iter().map(|unknown| framed[unknown]).collect())
     }
@@ -134,7 +138,7 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
     pub fn energy_norm(&self, displacement: &[f64]) -> Result<f64> {
-        require_values("displacement", displacement, self.matrix.unknowns())?;
+        require_values("displacement", displacement, self.unknowns())?;
         // Scaled, so that squares neither overflow nor underflow.
         let scale = displacement.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         if scale == 0.0 {
@@ -142,7 +146,7 @@ impl ContactProblem {
         }
         let unit: Vec<f64> = displacement.iter().map(|v| v / scale).collect();
         let framed = self.to_frame(&unit);
-        Ok(scale * careful_dot(&framed, &self.matrix.multiply(&framed)).max(0.0).sqrt())
+        Ok(scale * careful_dot(&framed, &self.multiply(&framed)).max(0.0).sqrt())
     }
 
     /// |u − P u_h|_a for nested levels: u lives on this problem's mesh, which is level `to` of the hierarchy; u_h on
@@ -157,7 +161,7 @@ impl ContactProblem {
         (from, coarse): (usize, &[f64]),
         (to, fine): (usize, &[f64]),
     ) -> Result<f64> {
-        require_values("fine displacement", fine, self.matrix.unknowns())?;
+        require_values("fine displacement", fine, self.unknowns())?;
         let prolonged = hierarchy.prolong(from, to, self.form.components(), coarse)?;
         require_values("prolonged displacement", &prolonged, fine.len())?;
         let difference: Vec<f64> = fine.iter().zip(prolonged).map(|(u, v)| u - v).collect();
@@ -174,14 +178,14 @@ impl ContactProblem {
         self.turn(values, Frame::to_cartesian)
     }
 
-    fn turn(&self, values: &[f64], turn: fn(&Frame, usize, Point) -> Point) -> Vec<f64> {
+    fn turn(&self, values: &[f64], turn: fn(&Frame, Point) -> Point) -> Vec<f64> {
         let mut turned = values.to_vec();
         if self.normal.is_some() {
-            for &node in self.edge.nodes() {
-                let [a, b] = turn(&self.frame, node, [values[2 * node], values[2 * node + 1]]);
-                turned[2 * node] = a;
-                turned[2 * node + 1] = b;
-            }
+            turned.par_chunks_mut(2).for_each(|pair| {
+                let [a, b] = turn(&self.frame, [pair[0], pair[1]]);
+                pair[0] = a;
+                pair[1] = b;
+            });
         }
         turned
     }

@@ -16,7 +16,7 @@ use crate::numeric::scale::largest;
 use crate::numeric::sum::{careful_dot, compensated};
 
 /// A solution judged worse than this did not converge, whatever its solver says.
-const ACCEPTED: f64 = 1e-8;
+pub(super) const ACCEPTED: f64 = 1e-8;
 
 /// Wall-clock seconds by phase.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -101,6 +101,8 @@ pub(super) struct Candidate {
     pub(super) history: Vec<ContactSet>,
     pub(super) work: Work,
     pub(super) seconds: Seconds,
+    /// Judged worse than this it did not converge; infinite where an estimate of the error decides.
+    pub(super) accepted: f64,
 }
 
 /// Judges a candidate and computes what is reported of it; the same for every solver. A displacement so large
@@ -115,7 +117,7 @@ pub(super) fn conclude(
     let normal_displacement: Vec<f64> = normals.iter().map(|&unknown| u[unknown]).collect();
     let edge_cone = problem.edge_cone(cone);
     let edge_force = edge_cone.apply_transposed(&candidate.multiplier)?;
-    let stress_force = problem.matrix.multiply(u);
+    let stress_force = problem.multiply(u);
     let lengths = problem.edge.nodal_lengths();
     let traction = tractions(problem, &stress_force, &lengths);
     let mut residual: Vec<f64> = stress_force.iter().zip(&problem.load).map(|(k, f)| k - f).collect();
@@ -140,7 +142,9 @@ pub(super) fn conclude(
     let margins = free_margins(problem, edge_cone, &evidence, &candidate.contact_set)?;
     let (reaction, balance) = global_balance(problem, u, &residual, &edge_force);
     let status = match candidate.status {
-        Status::Converged if judgement.worst() > ACCEPTED => Status::Stalled { residual: judgement.worst() },
+        Status::Converged if judgement.worst() > candidate.accepted => {
+            Status::Stalled { residual: judgement.worst() }
+        }
         status => status,
     };
     Ok(ContactSolution {
@@ -207,7 +211,7 @@ pub(super) fn gap_of(problem: &ContactProblem, cone: EdgeCone, normal_displaceme
 
 /// (|K||u| + |F|)_i.
 pub(super) fn sizes(problem: &ContactProblem, u: &[f64]) -> Vec<f64> {
-    let stress_force = problem.matrix.multiply_absolute(u);
+    let stress_force = problem.multiply_absolute(u);
     stress_force.iter().zip(&problem.load).map(|(size, force)| size + force.abs()).collect()
 }
 
@@ -225,7 +229,7 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
 pub(super) fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let alone = (0..u.len())
         .filter(|&i| !problem.prescribed[i] && problem.load[i] != 0.0)
-        .map(|i| problem.load[i].abs() / problem.matrix.diagonal(i))
+        .map(|i| problem.load[i].abs() / problem.diagonal(i))
         .fold(0.0, f64::max);
     largest(u).max(largest(&problem.gap)).max(alone)
 }
@@ -250,7 +254,7 @@ fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_fo
         reaction[axis] = careful_dot(&direction, &reactions);
         let sum = careful_dot(&direction, &problem.load) + reaction[axis]
             - careful_dot(&direction, &contact)
-            - careful_dot(&problem.matrix.multiply(&direction), u);
+            - careful_dot(&problem.multiply(&direction), u);
         worst = worst.max(sum.abs());
     }
     let balance = if worst == 0.0 { 0.0 } else { worst / scale };

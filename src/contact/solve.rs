@@ -1,11 +1,13 @@
 //! Choice of solver and first guess.
 
+use super::multigrid::Accuracy;
 use super::problem::ContactProblem;
 use super::solution::ContactSolution;
 use super::solver::Solver;
 use super::{condensed, interior_point};
 use crate::cone::{Cone, ContactSet};
 use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
 
 impl ContactProblem {
     /// The discrete solution in the given cone by the given solver, judged. The active set starts without
@@ -24,6 +26,10 @@ impl ContactProblem {
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
         match solver {
             Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),
+            Solver::Multigrid => {
+                let accuracy = Accuracy::Relative(Tolerance::reference());
+                Ok(self.solve_by_multigrid(cone, None, accuracy, |_| Ok(()))?.solution)
+            }
             Solver::InteriorPoint => {
                 self.check_ends(cone)?;
                 interior_point::solve(self, cone)
@@ -83,7 +89,7 @@ impl ContactProblem {
 
     /// On a closed edge with as many segments as nodes the means may be dependent, and multipliers are not
     /// unique.
-    fn check_ends(&self, cone: Cone) -> Result<()> {
+    pub(super) fn check_ends(&self, cone: Cone) -> Result<()> {
         if cone == Cone::Midpoint && self.edge().is_closed() {
             let range = "2 for the midpoint cone: a closed contact edge has as many segments as nodes";
             return Err(Error::CountOutOfRange { name: "ends of the contact edge", value: 0, range });

@@ -1,10 +1,10 @@
-//! Two unrelated solvers, by name.
+//! The solvers, by name.
 
 use crate::error::{Error, Result};
 use std::fmt;
 use std::str::FromStr;
 
-/// Two unrelated roads to the same discrete solution.
+/// Unrelated roads to the same discrete solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Solver {
     /// Eliminate all but the contact unknowns once, then a primal-dual active set on the edge.
@@ -12,6 +12,8 @@ pub enum Solver {
     ActiveSet,
     /// A general interior point method for quadratic programs (Clarabel) on the full sparse problem.
     InteriorPoint,
+    /// Nested iteration with conjugate gradients and a V-cycle.
+    Multigrid,
 }
 
 impl fmt::Display for Solver {
@@ -19,6 +21,7 @@ impl fmt::Display for Solver {
         f.write_str(match self {
             Solver::ActiveSet => "active-set",
             Solver::InteriorPoint => "interior-point",
+            Solver::Multigrid => "multigrid",
         })
     }
 }
@@ -30,10 +33,11 @@ impl FromStr for Solver {
         match text {
             "active-set" => Ok(Solver::ActiveSet),
             "interior-point" => Ok(Solver::InteriorPoint),
+            "multigrid" => Ok(Solver::Multigrid),
             _ => Err(Error::UnknownName {
                 what: "solver",
                 given: text.to_owned(),
-                expected: "active-set or interior-point",
+                expected: "active-set, interior-point or multigrid",
             }),
         }
     }

@@ -1,8 +1,8 @@
 //! The stiffness matrix, assembled row by row.
 //!
 //! Every node gathers the contributions of its own triangles, so rows are independent and no task writes
-//! where another does. At the nodes of a straight elastic contact edge the two unknowns are the tangential
-//! and the normal displacement (u_T, u_N) instead of the Cartesian ones: [`Frame`]. Cost: O(triangles), about
+//! where another does. The two unknowns of a node are Cartesian, or the tangential and the normal
+//! displacement (u_T, u_N) of a straight contact edge: [`Frame`]. Cost: O(triangles), about
 //! 400 operations each.
 
 use super::form::{Element, Form};
@@ -10,47 +10,42 @@ use super::matrix::BlockMatrix;
 use crate::mesh::{Point, Triangulation};
 use rayon::prelude::*;
 
-/// Nodes whose two unknowns are (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
-#[derive(Debug, Clone, PartialEq)]
+/// The two unknowns of every node: Cartesian, or (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    normal: Point,
-    turned: Vec<bool>,
+    normal: Option<Point>,
 }
 
 impl Frame {
-    /// All unknowns Cartesian.
+    /// Cartesian unknowns.
     pub fn cartesian() -> Self {
-        Self { normal: [0.0, 1.0], turned: Vec::new() }
+        Self { normal: None }
     }
 
-    /// Turned at the nodes marked.
-    pub fn turned(normal: Point, turned: Vec<bool>) -> Self {
-        Self { normal, turned }
+    /// (u_T, u_N) for the given unit normal.
+    pub fn turned(normal: Point) -> Self {
+        Self { normal: Some(normal) }
     }
 
-    fn is_turned(&self, node: usize) -> bool {
-        self.turned.get(node).copied().unwrap_or(false)
+    /// (u_T, u_N) from Cartesian components.
+    pub fn to_frame(&self, [x, y]: Point) -> Point {
+        let Some([nx, ny]) = self.normal else { return [x, y] };
+        [ny.mul_add(-x, nx * y), nx.mul_add(x, ny * y)]
     }
 
-    /// (u_T, u_N) from Cartesian components, where the node is turned.
-    pub fn to_frame(&self, node: usize, [x, y]: Point) -> Point {
-        let [nx, ny] = self.normal;
-        if self.is_turned(node) { [ny.mul_add(-x, nx * y), nx.mul_add(x, ny * y)] } else { [x, y] }
+    /// Cartesian components from (u_T, u_N).
+    pub fn to_cartesian(&self, [t, n]: Point) -> Point {
+        let Some([nx, ny]) = self.normal else { return [t, n] };
+        [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)]
     }
 
-    /// Cartesian components from (u_T, u_N), where the node is turned.
-    pub fn to_cartesian(&self, node: usize, [t, n]: Point) -> Point {
-        let [nx, ny] = self.normal;
-        if self.is_turned(node) { [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)] } else { [t, n] }
-    }
-
-    /// R_i B R_j' for the block of nodes i and j.
-    fn turn_block(&self, i: usize, j: usize, block: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
-        if !self.is_turned(i) && !self.is_turned(j) {
+    /// R B R'.
+    pub(super) fn turn_block(&self, block: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        if self.normal.is_none() {
             return block;
         }
-        let rows = block.map(|row| self.to_frame(j, row));
-        let columns = [0, 1].map(|b| self.to_frame(i, [rows[0][b], rows[1][b]]));
+        let rows = block.map(|row| self.to_frame(row));
+        let columns = [0, 1].map(|b| self.to_frame([rows[0][b], rows[1][b]]));
         [[columns[0][0], columns[1][0]], [columns[0][1], columns[1][1]]]
     }
 }
@@ -153,7 +148,7 @@ fn push_row(
         for j in 0..3 {
             let block = element.block(form, mesh.region(t), i, j);
             let at = rows.columns[start..].partition_point(|&column| (column as usize) < corners[j]);
-            let block = if c == 1 { block } else { frame.turn_block(node, corners[j], block) };
+            let block = if c == 1 { block } else { frame.turn_block(block) };
             for a in 0..c {
                 for b in 0..c {
                     rows.values[base + (at * c + a) * c + b] += block[a][b];

@@ -44,6 +44,12 @@ impl BlockMatrix {
         &self.columns[self.offsets[node]..self.offsets[node + 1]]
     }
 
+    /// The blocks of a node's rows, beside its neighbours, each in row-major order.
+    pub(crate) fn blocks(&self, node: usize) -> &[f64] {
+        let block = self.components * self.components;
+        &self.values[self.offsets[node] * block..self.offsets[node + 1] * block]
+    }
+
     /// The entries of row `unknown` as (column, value).
     pub fn row(&self, unknown: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let c = self.components;
@@ -63,6 +69,29 @@ impl BlockMatrix {
     /// K x.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         self.map_rows(|column, value| value * x[column])
+    }
+
+    /// out ← K x.
+    pub(crate) fn multiply_into(&self, x: &[f64], out: &mut [f64]) {
+        match self.components {
+            1 => self.multiply_blocks::<1>(x, out),
+            _ => self.multiply_blocks::<2>(x, out),
+        }
+    }
+
+    fn multiply_blocks<const C: usize>(&self, x: &[f64], out: &mut [f64]) {
+        out.par_chunks_mut(C).enumerate().with_min_len(CHUNK).for_each(|(node, out)| {
+            let mut sum = [0.0; C];
+            for (&column, block) in self.neighbours(node).iter().zip(self.blocks(node).chunks_exact(C * C)) {
+                let x = &x[column as usize * C..(column as usize + 1) * C];
+                for a in 0..C {
+                    for b in 0..C {
+                        sum[a] += block[a * C + b] * x[b];
+                    }
+                }
+            }
+            out.copy_from_slice(&sum);
+        });
     }
 
     /// |K| |x|: the size of the terms in every row of K x.

@@ -13,6 +13,7 @@ mod loads;
 mod matrix;
 mod ordering;
 mod pool;
+mod stencil;
 mod stress;
 
 pub use assembly::{Frame, stiffness};
@@ -23,4 +24,5 @@ pub use field::Field;
 pub use form::{Form, Lame};
 pub use loads::{consistent_load, surface_load, volume_load};
 pub use matrix::BlockMatrix;
+pub(crate) use stencil::{Block, NEIGHBOURS, Stencils};
 pub use stress::{Stress, gradients, stresses};

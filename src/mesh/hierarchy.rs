@@ -134,6 +134,14 @@ impl Hierarchy {
         &self.levels[self.levels.len() - 1]
     }
 
+    /// The two nodes of level k − 1 in the middle of which every node of level k > 0 lies; twice the same for
+    /// a node that was there already.
+    pub(crate) fn parents(&self, level: usize) -> Vec<[u32; 2]> {
+        let old = 0..self.levels[level - 1].nodes().len() as u32;
+        let new = self.parents[level - 1].iter().map(|pair| pair.map(|node| node as u32));
+        old.map(|node| [node; 2]).chain(new).collect()
+    }
+
     /// Nodal values on level `from` (`components` per node) as nodal values of the same function on level
     /// `to` ≥ `from`.
     ///

@@ -1,0 +1,95 @@
+//! What is asked of the multigrid solver and what it answers.
+
+use super::super::solution::ContactSolution;
+use crate::estimate::{Estimate, Tolerance};
+use std::fmt;
+
+/// How exact a discrete solution is to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Accuracy {
+    /// The algebraic error is this share of the error of discretisation, as estimated on the way up: more is
+    /// worth nothing to the continuous solution.
+    OfDiscretisation(f64),
+    /// The algebraic error over the solution, both in the energy norm.
+    Relative(Tolerance),
+}
+
+impl Default for Accuracy {
+    /// A hundredth of the error of discretisation.
+    fn default() -> Self {
+        Accuracy::OfDiscretisation(0.01)
+    }
+}
+
+/// Where an iteration is, for those who wait.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MultigridProgress {
+    /// The level, from 1.
+    pub level: usize,
+    /// How many levels there are.
+    pub levels: usize,
+    /// Unknowns of the level.
+    pub unknowns: usize,
+    /// The step of the contact iteration there, from 1.
+    pub step: usize,
+    /// The estimated error in the energy norm.
+    pub error: f64,
+}
+
+/// Why the direct solver was taken instead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fallback {
+    /// No coarser meshes: neither a hierarchy nor a grid that can be halved.
+    NoLevels,
+    /// λ/μ beyond [`MOST_INCOMPRESSIBLE`]: cycles of point smoothers hardly converge.
+    NearlyIncompressible,
+    /// The accuracy asked for was not reached.
+    NotReached,
+}
+
+/// λ/μ up to which cycles converge fast enough to be worth it.
+pub const MOST_INCOMPRESSIBLE: f64 = 20.0;
+
+impl fmt::Display for Fallback {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Fallback::NoLevels => "direct solver: no coarser meshes",
+            Fallback::NearlyIncompressible => "direct solver: nearly incompressible",
+            Fallback::NotReached => "direct solver: accuracy not reached by cycles",
+        })
+    }
+}
+
+/// What happened on one level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MultigridLevel {
+    /// Unknowns, prescribed ones included.
+    pub unknowns: usize,
+    /// Contact sets tried.
+    pub steps: usize,
+    /// Conjugate gradient steps, one cycle each.
+    pub gradient_steps: usize,
+    /// The factor of one cycle alone, from the gradients: 1 − κ.
+    pub factor: f64,
+    /// The estimated algebraic error in the energy norm.
+    pub error: f64,
+    /// The expected error of discretisation in the energy norm; `None` on the first levels.
+    pub discretisation: Option<f64>,
+    /// Seconds.
+    pub seconds: f64,
+}
+
+/// A solution with its accuracy.
+#[derive(Debug, Clone)]
+pub struct MultigridSolution {
+    /// The solution; its solver is the one that was taken.
+    pub solution: ContactSolution,
+    /// |u_h|_a with the estimated error of u_h in the same norm; `None` for the direct solver.
+    pub error: Option<Estimate>,
+    /// The expected error of discretisation in the energy norm.
+    pub discretisation: Option<f64>,
+    /// The levels above the coarsest one.
+    pub levels: Vec<MultigridLevel>,
+    /// Why the direct solver was taken, if it was.
+    pub fallback: Option<Fallback>,
+}

@@ -1,0 +1,50 @@
+//! The coarsest level: condensed to its contact edge once, solved exactly for every contact set.
+
+use super::super::problem::ContactProblem;
+use crate::error::{Error, Result};
+use crate::fem::Condensation;
+use faer::linalg::solvers::{Llt, Solve};
+use faer::{Mat, Side};
+
+/// The condensation and the factor of S on the free nodes.
+pub(super) struct Coarsest {
+    condensation: Condensation,
+    free: Vec<usize>,
+    factor: Option<Llt<f64>>,
+}
+
+impl Coarsest {
+    pub(super) fn new(problem: &ContactProblem) -> Result<Self> {
+        let normals = problem.normal_unknowns();
+        let condensation =
+            Condensation::new(problem.matrix(), problem.mesh.nodes(), &problem.prescribed, &normals)?;
+        Ok(Self { condensation, free: Vec::new(), factor: None })
+    }
+
+    /// Holds the marked nodes of the contact edge.
+    pub(super) fn hold(&mut self, held: &[bool]) -> Result<()> {
+        self.free = (0..held.len()).filter(|&k| !held[k]).collect();
+        let (schur, free) = (self.condensation.schur(), &self.free);
+        if free.is_empty() {
+            self.factor = None;
+            return Ok(());
+        }
+        let part = Mat::from_fn(free.len(), free.len(), |i, j| schur[(free[i], free[j])]);
+        let what = "condensed stiffness on the coarsest contact edge";
+        let failed = |_| Error::NotPositiveDefinite { what, pivot: free.len() };
+        self.factor = Some(part.llt(Side::Lower).map_err(failed)?);
+        Ok(())
+    }
+
+    /// K⁻¹ b on the free unknowns, node-major.
+    pub(super) fn solve(&self, b: &[f64]) -> Vec<f64> {
+        let reduced = self.condensation.reduce(b);
+        let mut edge = vec![0.0; reduced.kept().len()];
+        if let Some(factor) = &self.factor {
+            let mut right = Mat::from_fn(self.free.len(), 1, |i, _| reduced.kept()[self.free[i]]);
+            factor.solve_in_place(&mut right);
+            self.free.iter().enumerate().for_each(|(i, &k)| edge[k] = right[(i, 0)]);
+        }
+        self.condensation.recover(&reduced, &edge)
+    }
+}

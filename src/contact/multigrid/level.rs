@@ -1,0 +1,38 @@
+//! What a cycle needs to know of a level, however its matrix is kept.
+
+use super::real::Real;
+
+/// The order of a sweep: the second is the adjoint of the first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sweep {
+    Forward,
+    Backward,
+}
+
+/// A level: its matrix, and the way to the coarser level. Vectors have the layout of the level; the f32
+/// operations work with K / [`Level::unit`].
+pub(super) trait Level: Sync {
+    /// Number of unknowns, prescribed ones included.
+    fn unknowns(&self) -> usize;
+
+    /// The unit of K: its largest diagonal entry.
+    fn unit(&self) -> f64;
+
+    /// Where an unknown (node-major) lies.
+    fn place(&self, unknown: usize) -> usize;
+
+    /// out ← K x.
+    fn multiply(&self, x: &[f64], out: &mut [f64]);
+
+    /// One block Gauss-Seidel sweep for K x = b; fixed unknowns stay.
+    fn sweep(&self, x: &mut [f32], b: &[f32], fixed: &[bool], direction: Sweep);
+
+    /// out ← b − K x.
+    fn residual(&self, x: &[f32], b: &[f32], out: &mut [f32]);
+
+    /// coarse ← P' fine.
+    fn restrict(&self, fine: &[f32], coarse: &mut [f32]);
+
+    /// fine ← fine + P coarse.
+    fn prolong<T: Real>(&self, coarse: &[T], fine: &mut [T]);
+}

@@ -1,0 +1,202 @@
+//! Nested iteration: contact on the coarsest mesh by the direct solver, then level after level from the
+//! coarser one.
+
+use super::super::condensed;
+use super::super::problem::ContactProblem;
+use super::super::solution::{Candidate, Seconds, conclude, sizes};
+use super::super::solver::Solver;
+use super::accuracy::{Accuracy, MultigridLevel, MultigridProgress, MultigridSolution};
+use super::chain::Chain;
+use super::coarsest::Coarsest;
+use super::cycle::Cycle;
+use super::discretisation::Discretisation;
+use super::grid_level::GridLevel;
+use super::level::Level;
+use super::newton::{Goal, Outcome, Stage};
+use super::sparse_level::SparseLevel;
+use crate::cone::{Cone, ContactSet};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::fem::Stencils;
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// On a level that is not the last, the algebraic error over the error of discretisation that is expected
+/// there.
+const ON_THE_WAY: f64 = 0.1;
+/// The same over the first error where nothing is expected yet.
+const AT_FIRST: f64 = 0.05;
+
+/// What hears of every step.
+pub(super) type Observer<'o> = dyn FnMut(&MultigridProgress) -> Result<()> + Send + 'o;
+
+/// Solves on all levels of a chain that is not empty.
+pub(super) fn solve(
+    problem: &ContactProblem,
+    chain: &Chain,
+    cone: Cone,
+    accuracy: Accuracy,
+    observe: &mut Observer<'_>,
+) -> Result<MultigridSolution> {
+    let problems: Vec<&ContactProblem> = chain.problems.iter().chain([problem]).collect();
+    let stencils: Option<Vec<&Stencils>> = problems.iter().map(|problem| problem.stencils()).collect();
+    let job = Job { problems: &problems, chain, cone, accuracy };
+    match (stencils, problem.form.components()) {
+        (Some(stencils), 1) => {
+            job.run(&stencils.into_iter().map(GridLevel::<1>::new).collect::<Vec<_>>(), observe)
+        }
+        (Some(stencils), _) => {
+            job.run(&stencils.into_iter().map(GridLevel::<2>::new).collect::<Vec<_>>(), observe)
+        }
+        (None, 1) => job.run(&job.sparse::<1>(), observe),
+        (None, _) => job.run(&job.sparse::<2>(), observe),
+    }
+}
+
+/// What is to be solved.
+struct Job<'a> {
+    problems: &'a [&'a ContactProblem],
+    chain: &'a Chain,
+    cone: Cone,
+    accuracy: Accuracy,
+}
+
+impl<'a> Job<'a> {
+    fn sparse<const C: usize>(&self) -> Vec<SparseLevel<'a, C>> {
+        let none = [Vec::new()];
+        let parents = none.iter().chain(&self.chain.parents);
+        self.problems
+            .iter()
+            .zip(parents)
+            .map(|(p, parents)| SparseLevel::new(p.matrix(), parents.clone()))
+            .collect()
+    }
+
+    fn run<L: Level>(&self, levels: &[L], observe: &mut Observer<'_>) -> Result<MultigridSolution> {
+        let start = Instant::now();
+        let last = levels.len() - 1;
+        let mut coarsest = Coarsest::new(self.problems[0])?;
+        let edge = self.problems[0].edge_cone(self.cone);
+        let (first, _) =
+            condensed::solve(self.problems[0], self.cone, ContactSet::empty(edge.constraints()), None)?;
+        let factorization = start.elapsed().as_secs_f64();
+        let start = Instant::now();
+        let places: Vec<usize> = (0..levels[0].unknowns()).map(|unknown| levels[0].place(unknown)).collect();
+        let mut x = vec![0.0; places.len()];
+        let framed = self.problems[0].to_frame(&first.displacement);
+        framed.into_iter().zip(&places).for_each(|(value, &place)| x[place] = value);
+        let mut discretisation = Discretisation::new(first.energy);
+        let mut reports: Vec<MultigridLevel> = Vec::new();
+        let mut outcome = None;
+        let (mut set, mut least) = (first.contact_set, 1.0);
+        for k in 1..=last {
+            let begun = Instant::now();
+            let goal = self.goal(k == last, &discretisation);
+            let link = &self.chain.links[k - 1];
+            let guess = link.refined(self.cone, self.problems[k].edge_cone(self.cone).constraints(), &set);
+            x = prolonged(&levels[k], self.problems[k], &x);
+            let links = &self.chain.links[..k];
+            let mut cycle = Cycle::new(&levels[..=k], &self.problems[..=k], links, &mut coarsest, &places);
+            let unknowns = levels[k].unknowns();
+            let mut report = |step: usize, error: f64| {
+                observe(&MultigridProgress { level: k, levels: last + 1, unknowns, step, error })
+            };
+            let mut stage = Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, least);
+            let here = stage.solve(&mut x, guess, goal, &mut report)?;
+            discretisation.add(here.energy);
+            reports.push(MultigridLevel {
+                unknowns,
+                steps: here.history.len(),
+                gradient_steps: here.gradient_steps,
+                factor: 1.0 - here.least,
+                error: here.error,
+                discretisation: discretisation.here(),
+                seconds: begun.elapsed().as_secs_f64(),
+            });
+            least = here.least;
+            set = here.set.clone();
+            outcome = Some(here);
+        }
+        let Some(outcome) = outcome else {
+            return Err(Error::CountOutOfRange { name: "levels", value: levels.len(), range: "[2, inf)" });
+        };
+        let unknowns = node_major(&levels[last], x);
+        self.conclude(
+            unknowns,
+            outcome,
+            reports,
+            Seconds {
+                assembly: self.problems.iter().map(|problem| problem.assembly_seconds()).sum(),
+                factorization,
+                contact: start.elapsed().as_secs_f64(),
+                recovery: 0.0,
+            },
+        )
+    }
+
+    fn conclude(
+        &self,
+        unknowns: Vec<f64>,
+        outcome: Outcome,
+        levels: Vec<MultigridLevel>,
+        seconds: Seconds,
+    ) -> Result<MultigridSolution> {
+        let start = Instant::now();
+        let problem = self.problems[self.problems.len() - 1];
+        let iterations = levels.iter().map(|level| level.gradient_steps as u64).sum();
+        let work = Work { iterations, factorizations: 1, ..Work::default() };
+        let rounding = rounding(problem, &unknowns);
+        let mut solution = conclude(
+            problem,
+            self.cone,
+            Candidate {
+                solver: Solver::Multigrid,
+                unknowns,
+                multiplier: outcome.multiplier,
+                contact_set: outcome.set,
+                status: outcome.status,
+                history: outcome.history,
+                work,
+                seconds,
+                accepted: f64::INFINITY,
+            },
+        )?;
+        solution.seconds = Seconds { recovery: start.elapsed().as_secs_f64(), ..seconds };
+        let error = Estimate::new(outcome.norm, outcome.error + rounding, work)?;
+        let discretisation = levels.last().and_then(|level| level.discretisation);
+        Ok(MultigridSolution { solution, error: Some(error), discretisation, levels, fallback: None })
+    }
+
+    fn goal(&self, is_last: bool, discretisation: &Discretisation) -> Goal {
+        match (is_last, self.accuracy, discretisation.next()) {
+            (true, Accuracy::Relative(tolerance), _) => Goal::Relative(tolerance.relative()),
+            (true, Accuracy::OfDiscretisation(share), Some(error)) => Goal::Absolute(share * error),
+            (true, Accuracy::OfDiscretisation(share), None) => Goal::Share(share),
+            (false, _, Some(error)) => Goal::Absolute(ON_THE_WAY * error),
+            (false, _, None) => Goal::Share(AT_FIRST),
+        }
+    }
+}
+
+/// P x with the prescribed values of the finer level.
+fn prolonged<L: Level>(level: &L, problem: &ContactProblem, coarse: &[f64]) -> Vec<f64> {
+    let mut fine = vec![0.0; level.unknowns()];
+    level.prolong(coarse, &mut fine);
+    for (unknown, _) in problem.prescribed.iter().enumerate().filter(|&(_, &held)| held) {
+        fine[level.place(unknown)] = problem.values[unknown];
+    }
+    fine
+}
+
+/// From the layout of the level.
+fn node_major<L: Level>(level: &L, x: Vec<f64>) -> Vec<f64> {
+    (0..x.len()).into_par_iter().with_min_len(1 << 14).map(|unknown| x[level.place(unknown)]).collect()
+}
+
+/// The rounding of F − K u in the dual norm, about: one unit of each row over the root of its diagonal, and a
+/// logarithm for what the coarse functions see of it.
+fn rounding(problem: &ContactProblem, u: &[f64]) -> f64 {
+    let stiff = (0..u.len()).step_by(7).map(|i| problem.diagonal(i)).fold(0.0, f64::max);
+    let rows = sizes(problem, u).into_iter().fold(0.0, f64::hypot);
+    f64::EPSILON * rows / stiff.sqrt()
+}

@@ -1,0 +1,19 @@
+//! The stiffness matrix of a problem: constant stencils where the mesh is a grid with constant steps, and an
+//! assembled matrix where it is not, or where a factorization asks for one.
+
+use crate::fem::{BlockMatrix, Form, Frame, Stencils};
+use crate::mesh::Triangulation;
+use std::sync::OnceLock;
+
+/// Stencils, and the assembled matrix once it is wanted, with the seconds it took.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Operator {
+    pub(super) stencils: Option<Stencils>,
+    pub(super) assembled: OnceLock<(BlockMatrix, f64)>,
+}
+
+impl Operator {
+    pub(super) fn of(mesh: &Triangulation, form: &Form, frame: &Frame) -> Self {
+        Self { stencils: Stencils::of(mesh, form, frame), assembled: OnceLock::new() }
+    }
+}

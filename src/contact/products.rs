@@ -1,0 +1,63 @@
+//! Products with the stiffness matrix of a problem, its rows and its diagonal, without assembling it where
+//! stencils do.
+
+use super::problem::ContactProblem;
+use crate::fem::{BlockMatrix, Stencils, stiffness};
+use std::time::Instant;
+
+impl ContactProblem {
+    /// The stencils, on a grid with constant steps.
+    pub(super) fn stencils(&self) -> Option<&Stencils> {
+        self.operator.stencils.as_ref()
+    }
+
+    /// K, assembled when it is first asked for.
+    pub(super) fn matrix(&self) -> &BlockMatrix {
+        let assemble = || {
+            let start = Instant::now();
+            let matrix = stiffness(&self.mesh, &self.form, &self.frame);
+            (matrix, start.elapsed().as_secs_f64())
+        };
+        &self.operator.assembled.get_or_init(assemble).0
+    }
+
+    /// Seconds for load, edge and the matrix so far.
+    pub(super) fn assembly_seconds(&self) -> f64 {
+        self.preparation_seconds + self.operator.assembled.get().map_or(0.0, |assembled| assembled.1)
+    }
+
+    /// Number of unknowns, prescribed ones included.
+    pub(super) fn unknowns(&self) -> usize {
+        self.mesh.nodes().len() * self.form.components()
+    }
+
+    /// K x.
+    pub(super) fn multiply(&self, x: &[f64]) -> Vec<f64> {
+        self.stencils().map_or_else(|| self.matrix().multiply(x), |stencils| stencils.multiply(x))
+    }
+
+    /// |K| |x|.
+    pub(super) fn multiply_absolute(&self, x: &[f64]) -> Vec<f64> {
+        match self.stencils() {
+            Some(stencils) => stencils.multiply_absolute(x),
+            None => self.matrix().multiply_absolute(x),
+        }
+    }
+
+    /// The entries of row `unknown` as (column, value).
+    pub(super) fn row(&self, unknown: usize) -> Vec<(usize, f64)> {
+        match self.stencils() {
+            Some(stencils) => stencils.row(unknown).collect(),
+            None => self.matrix().row(unknown).collect(),
+        }
+    }
+
+    /// K_ii.
+    pub(super) fn diagonal(&self, unknown: usize) -> f64 {
+        let is_own = |&(column, _): &(usize, f64)| column == unknown;
+        match self.stencils() {
+            Some(stencils) => stencils.row(unknown).find(is_own).map_or(0.0, |(_, value)| value),
+            None => self.matrix().diagonal(unknown),
+        }
+    }
+}

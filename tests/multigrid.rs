@@ -1,0 +1,276 @@
+//! Contact by multigrid against the direct solver: the same solution, an honest estimate of the error, few
+//! steps.
+
+use signorini::cone::Cone;
+use signorini::contact::{
+    Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, MultigridSolution, Solver,
+};
+use signorini::fem::{Form, Lame};
+use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Sides, Triangulation, mapped_grid, unit_square};
+use signorini::numeric::random::SplitMix;
+use signorini::scenes::MeshScene;
+use signorini::{Error, Tolerance};
+
+/// J of two roads at the tolerance 1e-12: it differs by the square of the error, and by rounding.
+const ENERGIES: f64 = 1e-11;
+/// Forces at the tolerance 1e-12: the edge norm of the error grows at most like n.
+const FORCES: f64 = 1e-8;
+
+fn direct(problem: &ContactProblem, cone: Cone) -> ContactSolution {
+    let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
+    assert!(solution.status.is_converged());
+    solution
+}
+
+fn multigrid(
+    problem: &ContactProblem,
+    cone: Cone,
+    hierarchy: Option<&Hierarchy>,
+    tolerance: f64,
+) -> MultigridSolution {
+    let accuracy = Accuracy::Relative(Tolerance::new(tolerance).unwrap());
+    problem.solve_by_multigrid(cone, hierarchy, accuracy, |_| Ok(())).unwrap()
+}
+
+/// |u − v|_a.
+fn apart(problem: &ContactProblem, u: &ContactSolution, v: &ContactSolution) -> f64 {
+    let difference: Vec<f64> = u.displacement.iter().zip(&v.displacement).map(|(a, b)| a - b).collect();
+    problem.energy_norm(&difference).unwrap()
+}
+
+fn assert_same(problem: &ContactProblem, cone: Cone, found: &MultigridSolution, case: &str) {
+    let (one, other) = (&found.solution, direct(problem, cone));
+    assert_eq!(one.status.to_string(), "converged", "{case}");
+    let scale = other.energy.abs().max(other.force_scale * other.displacement_scale * 1e-6);
+    assert!((one.energy - other.energy).abs() <= ENERGIES * scale, "{case}: {} {}", one.energy, other.energy);
+    let force = other.contact_force.abs().max(other.force_scale);
+    assert!((one.contact_force - other.contact_force).abs() <= FORCES * force, "{case}");
+    if !other.margins.is_weak(1e-9) {
+        assert_eq!(one.contact_set, other.contact_set, "{case}");
+    }
+}
+
+#[test]
+fn every_scene_is_solved_as_by_the_direct_solver() {
+    for scene in MeshScene::all() {
+        for cone in Cone::ALL {
+            for n in [16, 64, 128] {
+                let problem = scene.problem(n).unwrap();
+                if cone == Cone::Midpoint && problem.edge().is_closed() {
+                    continue;
+                }
+                let case = format!("{scene} {cone} {n}");
+                let found = multigrid(&problem, cone, None, 1e-12);
+                let expected = (scene == MeshScene::Incompressible).then_some(Fallback::NearlyIncompressible);
+                assert_eq!(found.fallback, expected, "{case}: {:?}", found.levels);
+                assert_same(&problem, cone, &found, &case);
+                let steps = found.levels.iter().map(|level| level.steps).max().unwrap_or(0);
+                assert!(steps <= 4, "{case}: {:?}", found.levels);
+            }
+        }
+    }
+}
+
+/// A quadrilateral on a distorted grid, or a triangle fan over a contact edge, refined uniformly and toward a
+/// contact point; materials over four decades, rough or smooth loads, gaps or none.
+fn random_problem(seed: u64) -> (ContactProblem, Hierarchy) {
+    let mut random = SplitMix::new(seed);
+    let side = |random: &mut SplitMix| if random.below(3) == 0 { Part::Dirichlet } else { Part::Neumann };
+    let coarse = if random.below(2) == 0 {
+        let sides = Sides {
+            bottom: Part::Contact,
+            right: side(&mut random),
+            top: Part::Dirichlet,
+            left: side(&mut random),
+        };
+        let [a, b] = [random.between(-0.3, 0.3), random.between(-0.3, 0.3)];
+        let height = random.between(0.5, 2.0);
+        mapped_grid(1 + random.below(4), 1 + random.below(4), sides, |[x, y]| {
+            [x + y * (a + (b - a) * x), height * y * (1.0 + 0.3 * x)]
+        })
+    } else {
+        let top = [random.between(-0.4, 1.4), random.between(0.4, 1.5)];
+        let nodes = vec![[0.0, 0.0], [0.6, 0.0], [1.0, 0.0], [1.2, 0.5], top, [-0.3, 0.4]];
+        let triangles = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5]];
+        let edge = |a, b, part| BoundaryEdge { nodes: [a, b], part };
+        let boundary = vec![
+            edge(0, 1, Part::Contact),
+            edge(1, 2, Part::Contact),
+            edge(2, 3, side(&mut random)),
+            edge(3, 4, Part::Dirichlet),
+            edge(4, 5, side(&mut random)),
+            edge(5, 0, side(&mut random)),
+        ];
+        Triangulation::new(nodes, triangles, boundary)
+    };
+    let Ok(coarse) = coarse else { return random_problem(seed + 1_000_000) };
+    let mut hierarchy = Hierarchy::refined(coarse, 2 + random.below(2)).unwrap();
+    let contact = signorini::mesh::ContactEdge::of(hierarchy.finest()).unwrap();
+    let point = contact.points()[random.below(contact.points().len())];
+    hierarchy.refine_toward_point(point, random.below(4)).unwrap();
+    let form = if random.below(2) == 0 {
+        Form::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) } }
+    } else {
+        let mu = 10_f64.powf(random.between(-2.0, 2.0));
+        Form::elastic(Lame::new(mu * 10_f64.powf(random.between(-1.0, 1.0)), mu).unwrap())
+    };
+    let (rough, waves) = (random.below(2) == 0, random.between(0.5, 6.0));
+    let mesh = hierarchy.finest().clone();
+    let load: Vec<f64> = (0..mesh.nodes().len() * form.components())
+        .map(|i| {
+            let [x, _] = mesh.nodes()[i / form.components()];
+            if rough { random.between(-1.0, 1.0) } else { (waves * x + i as f64 % 2.0).cos() }
+        })
+        .collect();
+    let mut problem = ContactProblem::new(mesh, form, &load).unwrap();
+    let size = if random.below(3) == 0 { 0.02 } else { 0.0 };
+    problem.set_gap(|_| size * random.uniform()).unwrap();
+    (problem, hierarchy)
+}
+
+#[test]
+fn random_bodies_are_solved_on_their_hierarchies() {
+    let mut fallbacks = Vec::new();
+    for seed in 0..120 {
+        let (problem, hierarchy) = random_problem(seed);
+        for cone in Cone::ALL {
+            let found = multigrid(&problem, cone, Some(&hierarchy), 1e-12);
+            fallbacks.extend(found.fallback.map(|why| format!("{seed} {cone}: {why}, {:?}", found.levels)));
+            assert_same(&problem, cone, &found, &format!("seed {seed}, {cone}"));
+        }
+    }
+    // Rounding keeps 1e-12 out of reach of a few.
+    assert!(fallbacks.len() <= 6, "{} fell back: {fallbacks:#?}", fallbacks.len());
+}
+
+/// What two f64 solutions of one problem may differ by in the energy norm, relative.
+const ROUNDING: f64 = 1e-13;
+
+#[test]
+fn true_errors_lie_below_their_estimates_and_not_far_below() {
+    let tolerances: Vec<f64> = (2..=11).map(|k| 10_f64.powi(-k)).collect();
+    let (mut runs, mut near) = (0, 0);
+    let mut check = |problem: &ContactProblem, hierarchy: Option<&Hierarchy>, cone: Cone, case: &str| {
+        let exact = direct(problem, cone);
+        for &tolerance in &tolerances {
+            let found = multigrid(problem, cone, hierarchy, tolerance);
+            let Some(estimate) = found.error else { continue };
+            let error = apart(problem, &found.solution, &exact);
+            let floor = ROUNDING * estimate.value;
+            assert!(
+                error <= estimate.error + floor,
+                "{case} {tolerance}: {error:e} beyond {:e}",
+                estimate.error
+            );
+            assert!(estimate.error <= tolerance * estimate.value * 1.01 + floor, "{case} {tolerance}");
+            runs += 1;
+            near += usize::from(estimate.error <= 10.0 * error + floor);
+        }
+    };
+    for scene in MeshScene::all().into_iter().filter(|&scene| scene != MeshScene::Incompressible) {
+        for cone in Cone::ALL {
+            for n in [16, 32, 64] {
+                let problem = scene.problem(n).unwrap();
+                if cone == Cone::Nodal || !problem.edge().is_closed() {
+                    check(&problem, None, cone, &format!("{scene} {cone} {n}"));
+                }
+            }
+        }
+    }
+    for seed in 200..215 {
+        let (problem, hierarchy) = random_problem(seed);
+        check(&problem, Some(&hierarchy), Cone::Nodal, &format!("seed {seed}"));
+    }
+    assert!(runs >= 500, "{runs} runs");
+    assert!(near as f64 >= 0.95 * runs as f64, "{near} of {runs} within a factor 10");
+}
+
+#[test]
+fn the_accuracy_by_default_is_a_share_of_the_error_of_discretisation() {
+    for scene in [MeshScene::Block, MeshScene::Membrane, MeshScene::Corner] {
+        let (fine, coarse) = (scene.problem(256).unwrap(), scene.problem(64).unwrap());
+        let accuracy = Accuracy::default();
+        let found = coarse.solve_by_multigrid(Cone::Nodal, None, accuracy, |_| Ok(())).unwrap();
+        let (error, expected) = (found.error.unwrap().error, found.discretisation.unwrap());
+        assert!(error <= 0.03 * expected, "{scene}: {error:e}, {expected:e}");
+        // Another road to the error of discretisation: the energy of the mesh four times as fine.
+        let seen = (2.0 * (found.solution.energy - direct(&fine, Cone::Nodal).energy)).sqrt();
+        assert!((0.5..2.0).contains(&(expected / seen)), "{scene}: {expected:e}, {seen:e}");
+    }
+}
+
+#[test]
+fn what_multigrid_cannot_do_is_said() {
+    let problem = MeshScene::Block.problem(15).unwrap();
+    assert_eq!(multigrid(&problem, Cone::Nodal, None, 1e-8).fallback, Some(Fallback::NoLevels));
+    let problem = MeshScene::Block.problem(32).unwrap();
+    let beyond = multigrid(&problem, Cone::Nodal, None, 1e-15);
+    assert!(beyond.fallback == Some(Fallback::NotReached) || beyond.solution.status.is_converged());
+    let other = Hierarchy::refined(unit_square(2, Sides::HANGING).unwrap(), 2).unwrap();
+    let accuracy = Accuracy::default();
+    let refused = problem.solve_by_multigrid(Cone::Nodal, Some(&other), accuracy, |_| Ok(()));
+    assert!(matches!(refused, Err(Error::LengthMismatch { .. })));
+    let shares = [0.0, -1.0, 2.0, f64::NAN].map(Accuracy::OfDiscretisation);
+    for accuracy in shares {
+        assert!(problem.solve_by_multigrid(Cone::Nodal, None, accuracy, |_| Ok(())).is_err());
+    }
+}
+
+#[test]
+fn an_observer_may_stop_the_iteration() {
+    let problem = MeshScene::Block.problem(64).unwrap();
+    let mut heard: Vec<MultigridProgress> = Vec::new();
+    let stopped = problem.solve_by_multigrid(Cone::Nodal, None, Accuracy::default(), |progress| {
+        heard.push(*progress);
+        let reason = "enough".to_owned();
+        if progress.level == 2 { Err(Error::Solver { reason }) } else { Ok(()) }
+    });
+    assert!(stopped.is_err_and(|e| e.to_string().contains("enough")));
+    assert!(heard.iter().all(|progress| progress.levels == 4 && progress.error.is_finite()));
+    assert_eq!(heard.last().map(|progress| progress.level), Some(2));
+}
+
+/// Two squares, the lower one with the contact edge held by nothing.
+#[test]
+fn a_body_that_is_not_held_is_an_error() {
+    let square = unit_square(1, Sides::HANGING).unwrap();
+    let mut nodes = square.nodes().to_vec();
+    nodes.extend(square.nodes().iter().map(|&[x, y]| [x, y + 2.0]));
+    let mut triangles = square.triangles().to_vec();
+    triangles.extend(square.triangles().iter().map(|t| t.map(|node| node + 4)));
+    let labels = |lower: bool| {
+        square.boundary().iter().map(move |edge| match (lower, edge.part) {
+            (true, Part::Dirichlet) => BoundaryEdge { part: Part::Neumann, ..*edge },
+            (true, _) => *edge,
+            (false, part) => BoundaryEdge {
+                nodes: edge.nodes.map(|node| node + 4),
+                part: if part == Part::Contact { Part::Neumann } else { part },
+            },
+        })
+    };
+    let boundary = labels(true).chain(labels(false)).collect();
+    let coarse = Triangulation::new(nodes, triangles, boundary).unwrap();
+    let hierarchy = Hierarchy::refined(coarse, 3).unwrap();
+    let mesh = hierarchy.finest().clone();
+    let load = vec![1.0; mesh.nodes().len()];
+    let problem = ContactProblem::new(mesh, Form::LAPLACE, &load).unwrap();
+    let found = problem.solve_by_multigrid(Cone::Nodal, Some(&hierarchy), Accuracy::default(), |_| Ok(()));
+    assert!(
+        matches!(found, Err(Error::NotPositiveDefinite { .. })),
+        "{:?}",
+        found.map(|f| f.solution.status)
+    );
+}
+
+#[test]
+fn without_load_nothing_moves_and_huge_loads_do_no_harm() {
+    let mesh = unit_square(16, Sides::HANGING).unwrap();
+    for (load, form) in [(0.0, Form::LAPLACE), (-1e140, Form::LAPLACE), (1e-140, Form::LAPLACE)] {
+        let values = vec![load; mesh.nodes().len()];
+        let problem = ContactProblem::new(mesh.clone(), form, &values).unwrap();
+        let found = multigrid(&problem, Cone::Nodal, None, 1e-10);
+        let exact = direct(&problem, Cone::Nodal);
+        assert_eq!(found.solution.contact_set, exact.contact_set, "{load}");
+        assert!((found.solution.energy - exact.energy).abs() <= 1e-10 * exact.energy.abs(), "{load}");
+    }
+}
