@@ -1,5 +1,4 @@
-//! Section 2: where tau comes from. The singular exponents of corners and transitions, and the scenes'
-//! regularity.
+//! Section 2: where tau comes from. Singular exponents of corners and transitions, regularity of the scenes.
 //!
 //! `cargo run --release --example section_2_singular_exponents -- --omega 90 --pair D-N --out out`
 

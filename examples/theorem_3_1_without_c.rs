@@ -80,7 +80,7 @@ pub fn findings(studies: &[BoundStudy]) -> Vec<Finding> {
         findings.push(claim.at_least(1.0, "the error itself").told());
     }
     let near =
-        Finding::claim("near", "with kappa and |u|_2 near the edge it is at most {value} times the error");
+        Finding::remark("near", "with kappa and |u|_2 near the edge it is at most {value} times the error");
     findings.push(decide(near, all(last, true).concat(), f64::max).at_most(4.0, "effectivity 4").told());
     let whole =
         Finding::remark("whole", "with kappa and |u|_2 of the whole body at most {value} times the error");
@@ -116,13 +116,13 @@ fn table(studies: &[BoundStudy]) -> Table {
     let (number, two) = (Format::Scientific(3), Format::Fixed(2));
     let mut columns = vec![
         Column::new("problem", "problem, cone", Format::Plain, ""),
-        Column::new("n", "1/h", Format::Plain, "squares along each side: first and last mesh"),
+        Column::new("n", "1/h", Format::Plain, "squares along each side, first and last mesh"),
         Column::new("error", "error", number, "|u - u_h|_a"),
         Column::new("interpolation", "interp", number, "|u - I^h u|_a"),
         Column::new("share", "near", two, "|u|_2 in the squares on the contact edge over |u|_2"),
     ];
     for [name, whole] in VERSIONS {
-        columns.push(Column::new(name, name, two, "bound over error"));
+        columns.push(Column::new(name, name, two, "bound over error; midpoint cone: c/2, K/2, K/2"));
         columns.push(Column::new(whole, whole, two, "the same from |u|_2 alone"));
     }
     let mut table = Table::new(columns);

@@ -75,8 +75,8 @@ fn a_hundred_decades_say_the_same() {
     assert!((short.borders()[0] - long.borders()[0]).abs() < 1e-9);
 }
 
-/// Near Poisson's ratio 1/2 ε is small, and coarse rings, which have an ε of their own, move the zone by many decades:
-/// they keep it.
+/// Near Poisson's ratio 1/2 ε is small, and coarse rings, which have an ε of their own, move the zone by many
+/// decades: they keep it.
 #[test]
 fn coarse_rings_move_the_zone_and_keep_it() {
     let borders = |angles: usize| {

@@ -12,16 +12,20 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Twelve digits.
 const DIGITS: f64 = 1e-12;
-/// What thin wedges leave of binary64 on the arc, times ω⁻⁴: in a film between clamped sides pressure drives a flow ω⁴ times as large.
+/// What thin wedges leave of binary64 on the arc, times ω⁻⁴: in a film between clamped sides pressure drives
+/// a flow ω⁴ times as large.
 const THIN: f64 = 1e-15;
-/// Below this opening that is all of it. Only λ = 1 is left there, and for nearly incompressible films the zeros near it.
+/// Below this opening that is all of it. Only λ = 1 is left there, and for nearly incompressible films the
+/// zeros near it.
 const THINNEST: f64 = 0.03;
-/// Zeros nearer than this are compared by their mean: the nearer they are, the fewer digits their own eigenvalues keep.
+/// Zeros nearer than this are compared by their mean: the nearer they are, the fewer digits their own
+/// eigenvalues keep.
 const NEAR: f64 = 0.05;
 /// Near 0 and 3 one road may see what the other counts as outside.
 const MARGIN: f64 = 1e-3;
 
-/// Openings: thin, straight, with the sign of the sine changed, cracks, and tan ω = ω, where λ = 1 is double for N-N.
+/// Openings: thin, straight, with the sign of the sine changed, cracks, and tan ω = ω, where λ = 1 is double
+/// for N-N.
 const OPENINGS: [f64; 20] = [
     1e-5,
     1e-3,
@@ -50,7 +54,8 @@ fn elastic(angle: f64, poisson: f64, sides: Sides) -> Wedge {
     Wedge::new(angle, sides, Medium::PlaneStrain(poisson)).unwrap()
 }
 
-/// The nodes of the grid, and openings to the last bit on both sides of where two real exponents become complex.
+/// The nodes of the grid, and openings to the last bit on both sides of where two real exponents become
+/// complex.
 fn grid() -> Vec<Wedge> {
     let mut wedges = Vec::new();
     for sides in Sides::ALL {
@@ -240,8 +245,8 @@ fn signs_of_contact_leave_three_halves() {
     assert!(said[0].1 == Admission::Signed && (tau - 1.5).abs() < DIGITS, "{said:?} {tau}");
 }
 
-/// C-C: λ = |kπ/ω ± 1|. Odd k is odd about the bisector, presses on one side and pulls on the other, and is out; even
-/// k is left. One closed side alone excludes no real exponent, and every complex one.
+/// C-C: λ = |kπ/ω ± 1|. Odd k is odd about the bisector, presses on one side and pulls on the other, and is
+/// out; even k is left. One closed side alone excludes no real exponent, and every complex one.
 #[test]
 fn closed_corners_keep_even_fields() {
     for angle in [0.9, 1.3, 2.0, 2.6, 3.4, 4.0, 5.2, 5.9] {
@@ -265,8 +270,8 @@ fn closed_corners_keep_even_fields() {
     }
 }
 
-/// Contact decides: the same polygon, open or closed at its clamped corner, has two exponents, and squares do not see
-/// which one it is where the gap is small.
+/// Contact decides: the same polygon, open or closed at its clamped corner, has two exponents, and squares do
+/// not see which one it is where the gap is small.
 #[test]
 fn exponents_are_read_at_the_corners_of_scenes() {
     let setting = Setting::default();
@@ -282,6 +287,21 @@ fn exponents_are_read_at_the_corners_of_scenes() {
         assert_eq!(reading.corner.wedge.sides().to_string(), sides, "{scene}");
         assert!(reading.deviation() <= 1.0 && reading.exponent.error < 0.05, "{scene}: {reading:?}");
     }
+    // Three angles: open to a ten thousandth of the edge, and closed.
+    let border = |angle| {
+        let reading =
+            CornerReading::of(MeshScene::Leaning, &Setting { angle, ..setting }, 4).unwrap().unwrap();
+        assert!(reading.deviation() <= 1.0, "{angle}: {reading:?}");
+        (reading.corner.wedge.sides().to_string(), reading.border.unwrap())
+    };
+    let (sides, gap) = border(120.0);
+    assert!(sides == "O-D" && 0.9e-4 < gap && gap < 1.15e-4, "{gap}");
+    for angle in [135.0, 150.0] {
+        let (sides, zone) = border(angle);
+        assert!(sides == "C-D" && zone > 0.1, "{angle}: {sides} {zone:e}");
+    }
+    let scalar = Setting { angle: 150.0, ..setting };
+    assert!(CornerReading::of(MeshScene::Corner, &scalar, 4).unwrap().unwrap().deviation() <= 1.0);
     assert_eq!(CornerReading::of(MeshScene::Membrane, &setting, 4).unwrap(), None);
     for cells in [0, 1, 65] {
         assert!(CornerReading::of(MeshScene::Block, &setting, cells).is_err());

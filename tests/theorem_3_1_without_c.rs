@@ -7,7 +7,7 @@ mod example;
 use example_frame::Outcome;
 use signorini::cone::Cone;
 use signorini::fem::{Form, Lame};
-use signorini::proof::{BoundStudy, BoundWithoutC, MeshShape, half_plane_korn, unit_square_korn};
+use signorini::proof::{BoundStudy, BoundWithoutC, MeshShape, half_plane_korn};
 use signorini::quadrature::Rule;
 use signorini::scenes::ClosedForm;
 use std::f64::consts::PI;
@@ -19,7 +19,9 @@ fn options() -> example::Options {
 #[test]
 fn the_bound_is_above_the_error_on_every_mesh() {
     let studies = example::compute(&options()).unwrap();
-    assert!(example_frame::Verdict::of(&example::findings(&studies)).is_confirmed());
+    let found = example::findings(&studies);
+    assert!(example_frame::Verdict::of(&found).is_confirmed());
+    assert_eq!(found.iter().find(|f| f.key() == "near").unwrap().outcome(), Outcome::Holds);
     for study in studies {
         for (row, version) in study.rows.iter().flat_map(|row| (0..3).map(move |version| (row, version))) {
             let [near, whole] = [true, false].map(|local| row.effectivity(version, local));
@@ -82,7 +84,7 @@ fn half_plane(waves: &[[f64; 3]], lambda: f64) -> [f64; 2] {
 
 #[test]
 fn the_korn_constant_of_the_half_plane_is_sharp() {
-    let square = half_plane_korn(Lame::new(0.0, 1.0).unwrap()).unwrap().powi(2);
+    let square = half_plane_korn(Lame::new(0.0, 1.0).unwrap()).powi(2);
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     assert!((square - 0.5 * golden * golden).abs() < 1e-13);
     // f = e^{−y/φ} − φ e^{−y}, g = φ e^{−y} − φ² e^{−y/φ} attains it.
@@ -96,14 +98,13 @@ fn the_korn_constant_of_the_half_plane_is_sharp() {
     };
     let mut largest = 0.0f64;
     for trial in 0..20_000 {
-        let lambda = if trial % 2 == 0 { 0.0 } else { 10.0 * random() };
+        let lambda = [0.0, 10.0 * random(), -0.9 * random()][trial % 3];
         let waves: Vec<[f64; 3]> =
             (0..3).map(|_| [random() - 0.5, random() - 0.5, 0.05 + 3.0 * random()]).collect();
         let [gradient, energy] = half_plane(&waves, lambda);
-        largest = largest.max(gradient / energy);
+        largest = largest.max(gradient / energy * (1.0 + lambda.min(0.0)));
     }
     assert!(largest <= square && largest > 0.9 * square, "{largest} {square}");
-    assert!(half_plane_korn(Lame::new(-0.1, 1.0).unwrap()).is_err());
 }
 
 /// The best constant of |w|²_{1/2,(0,1)} ≤ C ‖∇w‖² over traces Σ a_k cos kπx, k ≤ 24, least ‖∇w‖² = Σ ½ a_k²
@@ -137,7 +138,7 @@ fn the_trace_constant_of_the_square_is_nearly_attained() {
 }
 
 #[test]
-fn random_quadratics_obey_the_interpolation_constant() {
+fn quadratics_obey_the_interpolation_constant() {
     // On the triangle (0,0), (1,0), (0,1), u = a x²/2 + b xy + c y²/2: ∇(u − Iu) = (a (x − ½) + b y, b x + c
     // (y − ½)).
     let constant = MeshShape::right_isosceles().interpolation;
@@ -165,7 +166,6 @@ fn bad_bounds_are_refused() {
     let good = bound(&Form::LAPLACE, shape, 0.25).unwrap();
     assert!(good.bound(0.0, 1.0, 1.0).is_err() && good.bound(0.1, 1.0, 2.0).is_err());
     assert!(good.bound(0.1, f64::INFINITY, 1.0).is_err());
-    assert!(unit_square_korn(Lame::new(-0.1, 1.0).unwrap()).is_err());
     let scene = ClosedForm { two_transitions: false, lame: None };
     assert!(scene.levels(Cone::Nodal, 1, || ()).is_err());
 }

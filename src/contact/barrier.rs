@@ -1,17 +1,18 @@
 //! An interior point method on the condensed edge, nodal cone, whose barrier has a weight for every node.
 //!
-//! min ½ w'S w − b'w − μ Σ ω_i ln s_i, s = g − w. On its central path S w + λ = b and λ_i s_i = μ ω_i. One weight for
-//! all, as in a general solver, sees one scale: where force and gap are far below the largest ones, both stay where they are until μ
-//! is as small. With ω_i = S_ii d_i², d_i the size that is expected of the displacement at node i, the path
-//! stays everywhere at the same distance from both answers, λ_i = 0 and s_i = 0. Every step (Mehrotra's
-//! predictor and corrector) is Newton's for
+//! min ½ w'S w − b'w − μ Σ ω_i ln s_i, s = g − w. On its central path S w + λ = b and λ_i s_i = μ ω_i. One
+//! weight for all, as in a general solver, sees one scale: where force and gap are far below the largest
+//! ones, both stay where they are until μ is as small. With ω_i = S_ii d_i², d_i the size that is expected of
+//! the displacement at node i, the path stays everywhere at the same distance from both answers, λ_i = 0 and
+//! s_i = 0. Every step (Mehrotra's predictor and corrector) is Newton's for
 //!
 //! (S + diag(λ/s)) δw = …,
 //!
-//! and a Cholesky factorization does not notice the d_i: it commutes with scaling. Nodes are to be numbered from the
-//! small to the large, so that what is small is not a difference of what is large. It ends when every node is
-//! decided: λ_i/(S_ii s_i) below 1e-12 or above 1e12. Nothing of the active set is used; S is. In the
-//! midpoint cone λ/s would hide the sawtooth from S. Cost: one dense factorization per step, 15 to 60 steps.
+//! and a Cholesky factorization does not notice the d_i: it commutes with scaling. Nodes are to be numbered
+//! from the small to the large, so that what is small is not a difference of what is large. It ends when
+//! every node is decided: λ_i/(S_ii s_i) below 1e-12 or above 1e12. Nothing of the active set is used; S is.
+//! In the midpoint cone λ/s would hide the sawtooth from S. Cost: one dense factorization per step, 15 to 60
+//! steps.
 
 use super::active_set::EdgeOutcome;
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -49,8 +50,8 @@ struct Change {
 /// Solves the edge problem; `sizes` are the relative sizes expected of the displacement at the nodes.
 ///
 /// # Errors
-/// [`Error::NotPositiveDefinite`] when S is not; [`Error::LengthMismatch`] when lengths disagree; [`Error::OutOfRange`] for sizes
-/// that are not positive; [`Error::Incompatible`] for the midpoint cone.
+/// [`Error::NotPositiveDefinite`] when S is not; [`Error::LengthMismatch`] when lengths disagree;
+/// [`Error::OutOfRange`] for sizes that are not positive; [`Error::Incompatible`] for the midpoint cone.
 pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
     if problem.cone != Cone::Nodal {
         let given = problem.cone.to_string();

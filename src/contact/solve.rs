@@ -69,12 +69,13 @@ impl ContactProblem {
         condensed::solve(self, cone, guess, None).map(|(solution, _)| solution)
     }
 
-    /// The discrete solution in the nodal cone by an interior point method on the condensed edge whose barrier knows the
-    /// relative `sizes` expected of the displacement at the nodes of the edge ([`super::solve_by_barrier`]): near a
-    /// singular point it sees the contact set in every decade.
+    /// The discrete solution in the nodal cone by an interior point method on the condensed edge whose
+    /// barrier knows the relative `sizes` expected of the displacement at the nodes of the edge
+    /// ([`super::solve_by_barrier`]): near a singular point it sees the contact set in every decade.
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`Error::CountOutOfRange`] on a closed edge.
+    /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`Error::CountOutOfRange`] on a
+    /// closed edge.
     pub fn solve_by_sizes(&self, sizes: &[f64]) -> Result<ContactSolution> {
         if self.edge().is_closed() {
             let range = "2 for the barrier on the edge";

@@ -1,11 +1,12 @@
-//! What happens at a clamped end: contact and gaps in ln r, the power of the pressure, the conditions by decade.
+//! What happens at a clamped end: contact and gaps in ln r, the power of the pressure, the conditions by
+//! decade.
 //!
-//! The fan that closes the innermost ring spoils what is near it, by the order of the ratio of radii: the innermost
-//! decade is not read. In the midpoint cone the multipliers
-//! of a singular pressure ring, so that every other segment may be off the set: a single segment between two
-//! that touch is read as contact. The power is the slope of ln(−σ_N) against ln r over the contact that reaches the end,
-//! without its first two and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same length over the
-//! last four decades before ℓ/4: largest relative deviation, one common factor.
+//! The fan that closes the innermost ring spoils what is near it, by the order of the ratio of radii: the
+//! innermost decade is not read. In the midpoint cone the multipliers of a singular pressure ring, so that
+//! every other segment may be off the set: a single segment between two that touch is read as contact. The
+//! power is the slope of ln(−σ_N) against ln r over the contact that reaches the end, without its first two
+//! and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same
+//! length over the last four decades before ℓ/4: largest relative deviation, one common factor.
 
 use crate::cone::{Cone, ContactSet, Judgement};
 use crate::contact::{ContactSolution, Solver};
@@ -38,7 +39,8 @@ pub struct EndRun {
     pub decades: Vec<Judgement>,
     /// The power of the pressure at the end; `None` without fourteen decades of contact there.
     pub power: Option<f64>,
-    /// How far the pressure is from the closed form; `None` without a zone that ends inside, or for scalar scenes.
+    /// How far the pressure is from the closed form; `None` without a zone that ends inside, or for scalar
+    /// scenes.
     pub shape: Option<f64>,
     /// The solution.
     pub solution: ContactSolution,

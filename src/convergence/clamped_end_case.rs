@@ -1,7 +1,7 @@
 //! One body at its clamped end, solved in every way: the roads that must agree, and what they agree in.
 //!
-//! Errors of linear elements are of order h² in powers, energies and forces: with n and 2n angles the limit is put at fine +
-//! (fine − coarse)/3, and its distance from the finer value is the estimate of its error.
+//! Errors of linear elements are of order h² in powers, energies and forces: with n and 2n angles the limit
+//! is put at fine + (fine − coarse)/3, and its distance from the finer value is the estimate of its error.
 
 use super::clamped_end::{EndRun, Start};
 use crate::cone::Cone;
@@ -17,12 +17,13 @@ use std::f64::consts::LN_10;
 pub struct EndCase {
     /// The scene.
     pub scene: ClampedEnd,
-    /// Nodal cone, active set from no contact: on the given rings, and with twice the angles and half the step.
+    /// Nodal cone, active set from no contact: on the given rings, and with twice the angles and half the
+    /// step.
     pub runs: [EndRun; 2],
     /// From full contact; with half the decades; on a rectangle with rings 4/5 as far apart.
     pub again: [EndRun; 3],
-    /// The midpoint cone; the interior point method on the whole body, with half the decades: more it does not
-    /// see.
+    /// The midpoint cone; the interior point method on the whole body, with half the decades: more it does
+    /// not see.
     pub others: [EndRun; 2],
     /// The interior point method that expects r^{1/2}, on the meshes of `runs`.
     pub scaled: [EndRun; 2],
@@ -68,8 +69,8 @@ impl EndCase {
         Estimate::new(fine + change, change.abs(), Work::default()).ok()
     }
 
-    /// Constraints in which the sets from no contact and from full contact differ; the clamped end itself does not
-    /// count, since nothing is decided there.
+    /// Constraints in which the sets from no contact and from full contact differ; the clamped end itself
+    /// does not count, since nothing is decided there.
     pub fn starts_apart(&self) -> usize {
         let [a, b] = [&self.runs[0], &self.again[0]].map(|run| run.solution.contact_set.as_slice());
         a.iter().zip(b).skip(1).filter(|(a, b)| a != b).count()
@@ -104,7 +105,8 @@ impl EndCase {
         if coarse.borders().len() == fine.borders().len() { moved } else { f64::INFINITY }
     }
 
-    /// The logarithmic length of the gap between two stretches of contact over that at which the field of one zone closes again.
+    /// The logarithmic length of the gap between two stretches of contact over that at which the field of one
+    /// zone closes again.
     pub fn reach(&self) -> Option<Estimate> {
         let zone = ContactZone::new(self.scene.poisson?, 1.0).ok()?;
         let gap =

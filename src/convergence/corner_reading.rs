@@ -1,20 +1,21 @@
 //! The exponent of a corner, read off discrete solutions on meshes graded toward it.
 //!
-//! On uniform meshes the corner has A h^{2λ} of e² and the smooth part B h²: where λ is near one, or A small, the
-//! levels that can be computed do not tell the order from one. Near the corner itself u is r^λ U(θ), and nothing
-//! else. The triangles whose middle is nearer than R_k = 2^{−k}/4 are cut for k = 0, 1, …: every shell R_{k+1} ≤ r < R_k is the
-//! same mesh but for scale, `cells` elements along its radius, and the stress energy of shell k is
-//! W_k = c 4^{−λ_h k} (1 + …), so that
+//! On uniform meshes the corner has A h^{2λ} of e² and the smooth part B h²: where λ is near one, or A small,
+//! the levels that can be computed do not tell the order from one. Near the corner itself u is r^λ U(θ), and
+//! nothing else. The triangles whose middle is nearer than R_k = 2^{−k}/4 are cut for k = 0, 1, …: every
+//! shell R_{k+1} ≤ r < R_k is the same mesh but for scale, `cells` elements along its radius, and the stress
+//! energy of shell k is W_k = c 4^{−λ_h k} (1 + …), so that
 //!
 //! p_k = log₂(W_k/W_{k+2})/4 → λ_h.
 //!
-//! What is left far outside of the tip and far inside of the body is the next exponent, 2^{−(λ₂ − λ₁) k}: extrapolated
-//! (Aitken). λ_h = λ + O(cells^{−2}), an eigenvalue of the map from one shell to the next: extrapolated from cells and 2 cells.
-//! The error of the [`Estimate`] is the distance of these two, three times what is extrapolated, and what the last shells
-//! still move. Cost: two solutions of some 10⁴ nodes.
+//! What is left far outside of the tip and far inside of the body is the next exponent, 2^{−(λ₂ − λ₁) k}:
+//! extrapolated (Aitken). λ_h = λ + O(cells^{−2}), an eigenvalue of the map from one shell to the next:
+//! extrapolated from cells and 2 cells. The error of the [`Estimate`] is twice the distance of these two, six
+//! times what is extrapolated, and what the last shells still move. Cost: two solutions of some 10⁴ nodes.
 
-use crate::cone::Cone;
+use crate::cone::{Cone, ContactSet};
 use crate::contact::{ContactProblem, ContactSolution, Solver};
+use crate::edge::radial_intervals;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::{Form, gradients, stresses};
@@ -40,15 +41,19 @@ pub struct CornerReading {
     pub meshes: [f64; 2],
     /// λ.
     pub exponent: Estimate,
+    /// Where the stretch of contact or gap at the corner ends, by its distance, seen from shell 28 outwards;
+    /// `None` off the ends of the contact edge, and where all the edge is one stretch.
+    pub border: Option<f64>,
 }
 
 impl CornerReading {
-    /// Reads the exponent with `cells` and 2 `cells` elements along a shell, nodal cone; `None` where no exponent limits τ,
-    /// where it is complex, and for the end of contact on a straight edge, whose place is not a node.
+    /// Reads the exponent with `cells` and 2 `cells` elements along a shell, nodal cone; `None` where no
+    /// exponent limits τ, where it is complex, and for the end of contact on a straight edge, whose place is
+    /// not a node.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ cells ≤ 64; those of meshes and solvers; [`Error::ToleranceNotMet`] when a
-    /// solver did not converge or the stress vanishes at the corner.
+    /// [`Error::CountOutOfRange`] unless 2 ≤ cells ≤ 64; those of meshes and solvers;
+    /// [`Error::ToleranceNotMet`] when a solver did not converge or the stress vanishes at the corner.
     pub fn of(scene: MeshScene, setting: &Setting, cells: usize) -> Result<Option<Self>> {
         if !(2..=64).contains(&cells) {
             return Err(Error::CountOutOfRange { name: "cells of a shell", value: cells, range: "[2, 64]" });
@@ -59,14 +64,12 @@ impl CornerReading {
             corner.wedge.angle() != PI && exponent.is_some_and(|exponent| !exponent.is_complex())
         };
         let Some(corner) = found.responsible().filter(is_read).cloned() else { return Ok(None) };
-        let mut meshes = [0.0; 2];
-        let mut drift = 0.0;
-        for (k, mesh) in meshes.iter_mut().enumerate() {
-            (*mesh, drift) = read(scene, setting, corner.place, cells << k)?;
-        }
-        let change = meshes[1] - meshes[0];
-        let exponent = Estimate::new(meshes[1] + change / 3.0, change.abs() + drift, Work::default())?;
-        Ok(Some(Self { corner, meshes, exponent }))
+        let coarse = Read::of(scene, setting, corner.place, cells)?;
+        let Read { exponent, drift, border } = Read::of(scene, setting, corner.place, 2 * cells)?;
+        let (meshes, change) = ([coarse.exponent, exponent], exponent - coarse.exponent);
+        let error = 2.0 * change.abs() + drift;
+        let exponent = Estimate::new(exponent + change / 3.0, error, Work::default())?;
+        Ok(Some(Self { corner, meshes, exponent, border }))
     }
 
     /// |reading − Re λ| over the error of the reading; infinite where nothing limits τ.
@@ -76,26 +79,55 @@ impl CornerReading {
     }
 }
 
-/// λ_h, and how far extrapolation to the corner and the last shell moved it.
-fn read(scene: MeshScene, setting: &Setting, place: Point, cells: usize) -> Result<(f64, f64)> {
-    let mut hierarchy = Hierarchy::new(scene.mesh_with(4 * cells, setting)?);
-    hierarchy.refine_around(place, RADIUS, SHELLS)?;
-    let fine = hierarchy.finest();
-    // Checked: near a corner whose coordinates are not short binary fractions triangles may collapse.
-    let (nodes, triangles) = (fine.nodes().to_vec(), fine.triangles().to_vec());
-    let mesh = Triangulation::new(nodes, triangles, fine.boundary().to_vec())?;
-    let problem = scene.on_with(mesh, setting)?;
-    let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
-    let energies = shells(&problem, &solution, place)?;
-    let p = |k: usize| 0.25 * (energies[k] / energies[k + 2]).log2();
-    let [a, b, d, c] = [READ - 2 * APART, READ - APART, READ - 1, READ].map(p);
-    let failed = Error::ToleranceNotMet { what: "exponent of a corner", asked: 1.0, reached: c };
-    if !solution.status.is_converged() || !(a.is_finite() && b.is_finite() && c.is_finite()) {
-        return Err(failed);
+/// One mesh.
+struct Read {
+    /// λ_h.
+    exponent: f64,
+    /// How far extrapolation to the corner and the last shell moved it.
+    drift: f64,
+    border: Option<f64>,
+}
+
+impl Read {
+    fn of(scene: MeshScene, setting: &Setting, place: Point, cells: usize) -> Result<Self> {
+        let mut hierarchy = Hierarchy::new(scene.mesh_with(4 * cells, setting)?);
+        hierarchy.refine_around(place, RADIUS, SHELLS)?;
+        let fine = hierarchy.finest();
+        // Checked: coordinates that are not short binary fractions are rounded, and triangles may collapse.
+        let (nodes, triangles) = (fine.nodes().to_vec(), fine.triangles().to_vec());
+        let mesh = Triangulation::new(nodes, triangles, fine.boundary().to_vec())?;
+        let problem = scene.on_with(mesh, setting)?;
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+        let energies = shells(&problem, &solution, place)?;
+        let p = |k: usize| 0.25 * (energies[k] / energies[k + 2]).log2();
+        let [a, b, d, c] = [READ - 2 * APART, READ - APART, READ - 1, READ].map(p);
+        let is_finite = [a, b, c, d].iter().all(|p| p.is_finite());
+        if !is_finite || !solution.status.is_converged() {
+            return Err(Error::ToleranceNotMet { what: "exponent of a corner", asked: 1.0, reached: c });
+        }
+        let (first, second) = (b - a, c - b);
+        let step = if (second / first).abs() < 1.0 { second * second / (first - second) } else { second };
+        let border = border(&problem, &solution, place)?;
+        Ok(Self { exponent: c + step, drift: step.abs() + (c - d).abs(), border })
     }
-    let (first, second) = (b - a, c - b);
-    let step = if (second / first).abs() < 1.0 { second * second / (first - second) } else { second };
-    Ok((c + step, step.abs() + (c - d).abs()))
+}
+
+/// Where the stretch of contact or gap at an end of the contact edge ends; what is nearer than the shell that is
+/// read does not count.
+fn border(problem: &ContactProblem, solution: &ContactSolution, place: Point) -> Result<Option<f64>> {
+    let points = problem.edge().points();
+    let mut nodes: Vec<usize> = (0..points.len()).collect();
+    if points[points.len() - 1] == place {
+        nodes.reverse();
+    } else if points[0] != place {
+        return Ok(None);
+    }
+    let nearest = RADIUS * 0.5f64.powi(READ as i32);
+    nodes.retain(|&i| distance(points[i], place) >= nearest);
+    let radii: Vec<f64> = nodes.iter().map(|&i| distance(points[i], place)).collect();
+    let set = nodes.iter().map(|&i| solution.contact_set.contains(i)).collect();
+    let found = radial_intervals(&radii, &ContactSet::new(set))?;
+    Ok(found.first().filter(|_| found.len() > 1).map(|stretch| stretch.to))
 }
 
 /// ∫ |σ|², or ∫ |∇u|², over every shell.

@@ -1,5 +1,5 @@
-//! The regularity of every mesh scene beside the order of its error on nested meshes, and beside the exponent read
-//! at the corner responsible, which is known far more sharply.
+//! The regularity of every mesh scene beside the order of its error on nested meshes, and beside the exponent
+//! read at the corner responsible, which is known far more sharply.
 
 use super::corner_reading::CornerReading;
 use super::fit::Fit;
@@ -33,11 +33,13 @@ impl SceneOrder {
         self.order.map(|fit| (fit.order - (self.tau - 1.0).min(1.0)).abs() / fit.half_width)
     }
 
-    /// Its numbers by name: tau, on_squares, and read with read_error where an exponent was read.
+    /// Its numbers by name: tau, on_squares, and read with read_error where an exponent was read, border
+    /// where contact begins or ends near that corner.
     pub fn numbers(&self) -> Vec<(&'static str, f64)> {
         let mut numbers = vec![("tau", self.tau), ("on_squares", self.on_squares)];
         if let Some(reading) = &self.reading {
             numbers.extend([("read", reading.exponent.value), ("read_error", reading.exponent.error)]);
+            numbers.extend(reading.border.map(|border| ("border", border)));
         }
         numbers
     }
@@ -48,8 +50,8 @@ impl SceneOrder {
         Some((self.corner.as_ref()?.wedge.angle().to_degrees(), read))
     }
 
-    /// The reading whose distance from the exponent of its corner is the largest part of its error; `None` without
-    /// readings.
+    /// The reading whose distance from the exponent of its corner is the largest part of its error; `None`
+    /// without readings.
     pub fn worst_reading(rows: &[Self]) -> Option<&CornerReading> {
         let all = rows.iter().filter_map(|row| row.reading.as_ref());
         all.max_by(|a, b| a.deviation().total_cmp(&b.deviation()))
@@ -81,7 +83,8 @@ const SAME: f64 = 1e-9;
 /// Cells of the coarser mesh of a reading.
 const CELLS: usize = 4;
 
-/// All mesh scenes in the nodal cone on meshes of n, 2n, ... squares along each side; `report` is called after each.
+/// All mesh scenes in the nodal cone on meshes of n, 2n, ... squares along each side; `report` is called
+/// after each.
 ///
 /// # Errors
 /// As [`MeshScene::regularity`], [`MeshRates::study`] and [`CornerReading::of`].

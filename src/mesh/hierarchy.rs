@@ -96,8 +96,9 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose middle is nearer than `radius` 2^−k are
-    /// cut. In every shell the mesh is the same but for scale, as fine as in the first: `radius` over mesh size.
+    /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose middle is nearer than
+    /// `radius` 2^−k are cut. In every shell the mesh is the same but for scale, as fine as in the first:
+    /// `radius` over mesh size.
     ///
     /// # Errors
     /// As for [`Hierarchy::refined`]; [`Error::OutOfRange`] unless the radius is positive and finite.

@@ -84,12 +84,12 @@ pub fn mapped_grid(
     rectangles(nx, ny, sides)?.mapped(map)
 }
 
-/// Unit squares in n x n squares each, cut as in [`rectangles`]; `places` are their corners at the bottom left, `part` is
-/// asked at the middle of every boundary edge.
+/// Unit squares in n x n squares each, cut as in [`rectangles`]; `places` are their corners at the bottom
+/// left, `part` is asked at the middle of every boundary edge.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] for a count outside 1 ... 4096, or without squares; two squares in one place as an error of
-/// [`Triangulation::new`].
+/// [`Error::CountOutOfRange`] for a count outside 1 ... 4096, or without squares; two squares in one place as
+/// an error of [`Triangulation::new`].
 pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
     for (name, value) in [("cells of a square", n), ("squares", places.len())] {
         if !(1..=4096).contains(&value) {

@@ -6,15 +6,15 @@
 //! c h^{2τ−2} (Σ_T |σ_N|²)^{1/2} (Σ_T |u_N'|²)^{1/2}, hence o(h^{2τ−2}), and for the nodal cone
 //! |u − u_h|_a² ≤ |u − I^h u|_a² + o(h^{2τ−2}).
 //!
-//! The order of the term over h^{2τ−2} in a scene of [`StripScene`], from the segments that hold a transition, of
-//! which there are h^{−d}, d the dimension of the boundary of the contact set ([`CostStudy::theory`]):
+//! The order of the term over h^{2τ−2} in a scene of [`StripScene`], from the gaps longer than h, h^{−d} of them (this
+//! defines d; shorter ones, of length l, count with weight l/h and add no more), [`CostStudy::theory`]:
 //!
 //! | scene | on one segment: ∫\|σ_N\|, \|u_N\| | sum | over h^{2τ−2} |
 //! | --- | --- | --- | --- |
 //! | transitions, τ ≤ 2 | h^{τ−1}, h^{τ−1} | h^{2τ−2} | 0 |
 //! | transitions, τ = 5/2 | h^{3/2}, h^{3/2} | h³ | 1, over h² |
 //! | fat Cantor set, d = 4 − 2τ | h, h | h^{2−d} | 0 |
-//! | Cantor set, σ_N = −1 on all of its pieces, fixed measure | h^d, h^{τ−1+d/2} | h^{τ−1+d/2} | 1 − τ + d/2 |
+//! | Cantor set, σ_N = −1 on all of its pieces, of fixed total | h^d, h^{τ−1+d/2} | h^{τ−1+d/2} | 1 − τ + d/2 |
 //!
 //! Where the order is 0 the regularity τ is a supremum: the sums that have to tend to zero for u ∈ H^τ do not.
 //!
@@ -71,9 +71,15 @@ pub struct CostStudy {
     pub tau: f64,
     /// The cone.
     pub cone: Cone,
+    /// Cells of the grid of reference.
+    pub reference: usize,
     /// Coarsest mesh first.
     pub rows: Vec<CostRow>,
 }
+
+/// Cells of reference in a segment for quotients: what the discrete reference misses of the squared errors is (h_r/h)^{2τ−2},
+/// 1 % for τ = 1.55.
+const RESOLVED: usize = 64;
 
 impl CostStudy {
     /// Solves a case; `report` is called after each mesh.
@@ -82,14 +88,17 @@ impl CostStudy {
     /// As [`contact_cost`].
     pub fn of(case: &StripCase, report: impl FnMut()) -> Result<Self> {
         let (scene, rows) = (case.source.clone(), contact_cost(case, report)?);
-        Ok(Self { scene, tau: case.tau, cone: case.cone, rows })
+        let reference = case.levels.reference_cells();
+        Ok(Self { scene, tau: case.tau, cone: case.cone, reference, rows })
     }
 
-    /// A quotient on the finest of at least three meshes, and what it changed by over the last two halvings of h.
+    /// A quotient on the finest of at least three meshes whose segments have 64 cells of reference, and what it changed
+    /// by over the last two halvings of h.
     pub fn limit(&self, quotient: fn(&CostRow) -> f64) -> Option<(f64, f64)> {
-        let last = self.rows.len().checked_sub(3)?;
-        let found: Vec<f64> = self.rows[last..].iter().map(quotient).collect();
-        Some((found[2], (found[2] - found[1]).abs().max((found[2] - found[0]).abs())))
+        let resolved = self.rows.iter().filter(|row| RESOLVED * row.n <= self.reference);
+        let found: Vec<f64> = resolved.map(quotient).collect();
+        let [.., before, half, last] = found.as_slice() else { return None };
+        Some((*last, (last - half).abs().max((last - before).abs())))
     }
 
     /// The order of the consistency term over h^{2τ−2}, τ at most 2, and its uncertainty.
@@ -97,7 +106,13 @@ impl CostStudy {
         term_order(&self.rows, self.tau.min(2.0)).map(|found| (found.value, found.uncertainty))
     }
 
-    /// The same by the table of the module.
+    /// How far the order is from the theory, and its uncertainty.
+    pub fn off(&self) -> Option<(f64, f64)> {
+        let (found, theory) = (self.order()?, self.theory()?);
+        Some(((found.0 - theory).abs(), found.1))
+    }
+
+    /// The order by the table of the module.
     pub fn theory(&self) -> Option<f64> {
         term_theory(&self.scene, self.tau)
     }

@@ -58,7 +58,7 @@ pub use segment_sets::{RatedSet, SegmentSearch, SegmentSets};
 pub use setting::SegmentSetting;
 pub use step::{Step, TwoLaws};
 pub use theta::{ThetaRule, printed_exponent, printed_theta};
-pub use without_c::{BoundRow, BoundWithoutC, MeshShape, half_plane_korn, unit_square_korn};
+pub use without_c::{BoundRow, BoundWithoutC, MeshShape, half_plane_korn};
 pub use without_c_study::{BoundProblem, BoundStudy};
 pub use worst_pair::worst_ratio;
 pub use worst_sets::{ContactFamily, SetTerms};

@@ -53,7 +53,7 @@ impl BoundStudy {
         report: impl FnMut(),
     ) -> Result<Self> {
         // B plays no part in scalar problems.
-        let korn = scene.lame.map_or(Ok(1.0), half_plane_korn)?;
+        let korn = scene.lame.map_or(1.0, half_plane_korn);
         let shape = MeshShape::right_isosceles();
         let bound = |&c: &f64| BoundWithoutC::new(&scene.form(), cone, shape, c, korn);
         let bounds: Vec<BoundWithoutC> = segment.iter().map(bound).collect::<Result<_>>()?;

@@ -255,6 +255,20 @@ mod tests {
     }
 
     #[test]
+    fn the_rule_of_the_errors_is_fine_enough() {
+        for scene in scenes() {
+            let problem = scene.problem(8).unwrap();
+            let values = scene.interpolant(&problem).unwrap();
+            let coarse = scene.error(&problem, &values).unwrap().energy;
+            let (gradient, rule) = (|point| scene.gradient(point), scene.rule(POINTS[2]).unwrap());
+            let fine = scene.with_field(|exact| {
+                error_norms(problem.mesh(), problem.form(), &values, (exact, &gradient), &rule)
+            });
+            assert!((coarse / fine.unwrap().energy - 1.0).abs() < 1e-3, "{scene}");
+        }
+    }
+
+    #[test]
     fn the_seminorm_of_one_transition_is_the_closed_form() {
         // |F''|² = 9/(16 r); ∫ 1/r over (0, p) × (0, q) from its corner is p asinh(q/p) + q asinh(p/q).
         let corner = |p: f64, q: f64| p * (q / p).asinh() + q * (p / q).asinh();

@@ -25,6 +25,15 @@ pub struct ClosedFormLevel {
     pub kkt: f64,
 }
 
+impl ClosedFormLevel {
+    /// |u − u_h|_a / |u − I^h u|_a on the finest of at least two meshes, and what it changed by from the one before.
+    pub fn limit(levels: &[Self]) -> Option<(f64, f64)> {
+        let [.., before, last] = levels else { return None };
+        let [before, last] = [before, last].map(|level| level.error / level.interpolation);
+        Some((last, (last - before).abs()))
+    }
+}
+
 impl ClosedForm {
     /// n = 4, 8, ..., 2^finest, each solved from the contact set of the mesh before; `report` is called after each.
     ///

@@ -1,9 +1,10 @@
 //! Scenes on meshes: domain, data, and what is known of their solutions.
 //!
-//! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` from its left side,
-//! which meets the bottom at the angle ω. On the unit square except these, `taper` and `bracket`; n = (0, −1) on the
-//! bottom, so u_N = −u_y ≤ 0 for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are replaced by their P1 interpolants. How
-//! smooth the solutions are follows from corners and contact set: `regularity`.
+//! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` from its left
+//! side, which meets the bottom at the angle ω. On the unit square except these, `taper` and `bracket`; n =
+//! (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are
+//! replaced by their P1 interpolants. How smooth the solutions are follows from corners and contact set:
+//! `regularity`.
 
 use super::manufactured;
 use super::registry::registry;
@@ -54,8 +55,8 @@ registry! {
             ..MeshScene::Block.form()
         };
 
-        /// Elastic corner of given opening ω between a clamped side and the contact edge, pressed on the plane
-        /// there: f = (0, −cos πx − 1/2).
+        /// Elastic corner of given opening ω between a clamped side and the contact edge, pressed on the
+        /// plane there: f = (0, −cos πx − 1/2). At ω = 120° the corner itself stays open, up to r = 1e-4.
         Leaning("leaning") => Body {
             mesh: |n, setting| leaning_square(n, setting.angle),
             load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
@@ -68,16 +69,16 @@ registry! {
             ..MeshScene::Leaning.form()
         };
 
-        /// Elastic, hanging from its top, with free sides that leave the contact edge at the opening ω; pressed
-        /// on the left: f = (0, −cos πx − 1/2).
+        /// Elastic, hanging from its top, with free sides that leave the contact edge at the opening ω;
+        /// pressed on the left: f = (0, −cos πx − 1/2).
         Taper("taper") => Body {
             mesh: |n, setting| taper(n, setting.angle),
             load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
             ..ELASTIC
         };
 
-        /// Elastic, three unit squares around a free reentrant corner of 270°: a leg on the plane, an arm held
-        /// at its end x = −1, f = (0, −cos πx − 1/2).
+        /// Elastic, three unit squares around a free reentrant corner of 270°: a leg on the plane, an arm
+        /// held at its end x = −1, f = (0, −cos πx − 1/2).
         Bracket("bracket") => Body {
             mesh: |n, _| bracket(n),
             load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
@@ -134,7 +135,7 @@ fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
     mapped_grid(n, n, LEFT_HELD, |[x, y]| [x + y * ((1.0 - x) * lean + x * lean.max(0.0)), y])
 }
 
-/// The square with both sides leaning outwards to the angle ω, in degrees, at its bottom; inwards for ω < 90°.
+/// The square with both sides leaning outwards to the angle ω, in degrees, at its bottom; inwards for acute ω.
 fn taper(n: usize, angle: f64) -> Result<Triangulation> {
     Error::require("angle in degrees", angle, "[70, 160]", (70.0..=160.0).contains(&angle))?;
     let lean = -1.0 / angle.to_radians().tan();
@@ -153,8 +154,8 @@ fn bracket(n: usize) -> Result<Triangulation> {
 /// Parameters of the scenes that have some.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setting {
-    /// Opening ω at the left end of the contact edge of `corner`, `leaning` and `raised`, at both ends of that of
-    /// `taper`, in degrees, in [20, 160]; for `taper` in [70, 160].
+    /// Opening ω at the left end of the contact edge of `corner`, `leaning` and `raised`, at both ends of
+    /// that of `taper`, in degrees, in [20, 160]; for `taper` in [70, 160].
     pub angle: f64,
     /// Poisson's ratio of `incompressible`, in (0, 1/2).
     pub poisson: f64,

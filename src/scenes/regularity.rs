@@ -1,6 +1,7 @@
 //! How smooth a scene is: from its polygon, its conditions, and the contact set found on a mesh.
 //!
-//! Whether contact reaches the ends of its edge is seen on a mesh graded toward them: squares may be too coarse for it.
+//! Whether contact reaches the ends of its edge is seen on a mesh graded toward them: squares may be too
+//! coarse for it.
 //!
 //! | scene | sup τ | corner responsible |
 //! | --- | --- | --- |
@@ -23,8 +24,8 @@ use crate::mesh::Hierarchy;
 
 /// Squares along each side of the mesh on which the contact set is found.
 const SQUARES: usize = 32;
-/// Squares and levels of the meshes graded toward the ends of contact, and the radius of the first level: four
-/// squares.
+/// Squares and levels of the meshes graded toward the ends of contact, and the radius of the first level:
+/// four squares.
 const COARSE: usize = 16;
 const LEVELS: usize = 36;
 const RADIUS: f64 = 0.25;
@@ -32,8 +33,8 @@ const RADIUS: f64 = 0.25;
 const READ: f64 = 1e-7;
 
 impl MeshScene {
-    /// Corners, transitions and the supremum of the τ with u ∈ H^τ, with the contact set of the nodal cone on 32 x 32 squares;
-    /// at the ends of the contact edge with that of meshes graded toward them.
+    /// Corners, transitions and the supremum of the τ with u ∈ H^τ, with the contact set of the nodal cone on
+    /// 32 x 32 squares; at the ends of the contact edge with that of meshes graded toward them.
     ///
     /// # Errors
     /// As [`MeshScene::problem_with`] and [`super::body_regularity`].
