@@ -102,9 +102,9 @@ pub fn findings(options: &Options, Computed { profile, rungs, limits }: &Compute
             .number_or(exponent(Step::Term), "no exponent")
             .within(SCATTER, 2.0 * tau - 2.0, "2 tau - 2")
             .told(),
-        Finding::claim("globally", "at tau = 2 the bound is h^2 ln(1/h) times a number, to {value}")
-            .number(limits.globally - 1.0, 0.0)
-            .at_most(CONSTANTS, "(3.2), (4.3) with theta = h^2, the error of the constants"),
+        Finding::claim("globally", "at tau = 2 bound over h^2 ln(1/h) has factors {value} or less per mesh")
+            .number(limits.globally, 0.0)
+            .at_most(1.0 + CONSTANTS, "(3.2), (4.3) with theta = h^2: no growth"),
     ];
     for LimitLine { line, pairs, count, violations, sharpest } in &limits.lines {
         let words = format!("{line}: left/right at most {{value}} on {count} segments of {pairs} pairs");
