@@ -15,6 +15,7 @@ chapters! {
     tour: "tour.md",
     introduction_rates: "introduction_rates.md",
     section_1_norms: "section_1_norms.md",
+    section_1_norms_in_the_plane: "section_1_norms_in_the_plane.md",
     section_1_clamped_end: "section_1_clamped_end.md",
     section_2_elastic_contact: "section_2_elastic_contact.md",
     section_2_scalar_contact: "section_2_scalar_contact.md",

@@ -1,10 +1,10 @@
 //! Means of (w(x)−w(y))² |x−y|^{-2-2s} over two simplices that do not touch.
 //!
-//! Tensor Gauss rules; on a triangle the rule is a product after collapsing one side to a corner, x = A + r (B − A
-//! + t (C − B)) with the weight 2r. Along a segment of length ℓ at distance d the kernel is analytic in the
-//! ellipse with ρ = δ + √(1+δ²), δ = 2d/ℓ, and n points leave about ρ^{-2n}. Pieces longer than twice their
-//! distance are halved first. Every mean is computed with n − 2, n − 1 and n points: the Gauss error of a convex
-//! kernel has one sign, so that the three values of a whole sum tell how fast it settles.
+//! Tensor Gauss rules; on a triangle the rule is a product after collapsing one side to a corner, x = A + r
+//! (B − A + t (C − B)) with the weight 2r. Along a segment of length ℓ at distance d the kernel is analytic
+//! in the ellipse with ρ = δ + √(1+δ²), δ = 2d/ℓ, and n points leave about ρ^{-2n}. Pieces longer than twice
+//! their distance are halved first. Every mean is computed with n − 2, n − 1 and n points: the Gauss error of
+//! a convex kernel has one sign, so that the three values of a whole sum tell how fast it settles.
 
 use super::simplex::Simplex;
 use crate::error::{Error, Result};
@@ -32,7 +32,7 @@ const PATIENCE: usize = 2_000_000;
 type Points = Vec<([f64; 2], f64)>;
 
 /// The rule with n points in each direction on a simplex of that dimension.
-fn points(dimension: usize, n: usize) -> Result<&'static Points> {
+pub(super) fn points(dimension: usize, n: usize) -> Result<&'static Points> {
     static KNOWN: [[OnceLock<Points>; MOST + 1]; 3] = [const { [const { OnceLock::new() }; MOST + 1] }; 3];
     let known = &KNOWN[dimension][n];
     if let Some(points) = known.get() {
@@ -71,7 +71,7 @@ impl Leaves {
         }
         let delta = 2.0 * distance / size;
         let logarithm = (delta + (1.0 + delta * delta).sqrt()).ln();
-        ((0.5 * AVERAGE * self.digits / logarithm).ceil() as usize + 2).clamp(FEWEST, MOST)
+        ((0.5 * AVERAGE * self.digits / logarithm).ceil() as usize + 1).clamp(FEWEST, MOST)
     }
 
     /// `weight` times the mean over both; counts evaluations in `work`.

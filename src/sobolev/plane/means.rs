@@ -1,13 +1,13 @@
 //! Means of homogeneous integrands over pairs of simplices: one dimension less per common corner.
 //!
-//! Let F(x, y) be homogeneous of degree p about a corner that σ and σ' share, d and d' their dimensions, φ and φ'
-//! the faces opposite that corner. Euler's identity and the divergence theorem in d + d' dimensions give, with
-//! m(·,·) the mean of F,
+//! Let F(x, y) be homogeneous of degree p about a corner that σ and σ' share, d and d' their dimensions, φ
+//! and φ' the faces opposite that corner. Euler's identity and the divergence theorem in d + d' dimensions
+//! give, with m(·,·) the mean of F,
 //!
 //! (p + d + d') m(σ, σ') = d m(φ, σ') + d' m(σ, φ').
 //!
-//! F = (w(x)−w(y))² |x−y|^{-2-2s} has p = −2s for a continuous piecewise linear w and p = −2 − 2s for a piecewise
-//! constant one, about *every* common corner. So
+//! F = (w(x)−w(y))² |x−y|^{-2-2s} has p = −2s for a continuous piecewise linear w and p = −2 − 2s for a
+//! piecewise constant one, about *every* common corner. So
 //! - one triangle: m(T, T) = 8 / ((4−2s)(3−2s)(2−2s)) Σ_P m(P, edge opposite P), three integrals on segments;
 //! - a common edge PQ: integrals point-triangle and segment-segment over pieces that do not touch;
 //! - a common corner: integrals segment-triangle over pieces that do not touch.
@@ -57,7 +57,8 @@ impl Means {
         }
     }
 
-    /// `weight` times the mean of the products of differences over two simplices; counts evaluations in `work`.
+    /// `weight` times the mean of the products of differences over two simplices; counts evaluations in
+    /// `work`.
     ///
     /// # Errors
     /// As [`Leaves::mean`].

@@ -5,15 +5,27 @@
 //! | what | where |
 //! | --- | --- |
 //! | triangulations | [`Triangles`] |
-//! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`] |
+//! | products with the Gram matrix on a uniform grid | [`GridOperator`] |
+//! | a closed form and limits | [`coordinate_on_unit_square`], [`gradient_limit`], [`perimeter_limit`] |
+//! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`]
+//! |
 
+mod cell_pairs;
+mod closed_forms;
+mod convolution;
+mod far;
 mod function;
 mod geometry;
+mod grid;
 mod leaves;
 mod means;
 mod norms;
 mod simplex;
+mod sums;
+mod tree;
 mod triangles;
 
+pub use closed_forms::{coordinate_on_unit_square, gradient_limit, perimeter_limit};
 pub use function::PlaneFunction;
+pub use grid::GridOperator;
 pub use triangles::Triangles;

@@ -1,34 +1,31 @@
 //! Norms of order s and 1 + s of piecewise constants and linears in the plane.
 //!
-//! |w|²_s = ∫∫ (w(x)−w(y))² / |x−y|^{2+2s},  ||w||²_s = ||w||² + |w|²_s,  ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s
-//! + |∂₂w|²_s.
+//! |w|²_s = ∫∫ (w(x)−w(y))² / |x−y|^{2+2s},  ||w||²_s = ||w||² + |w|²_s,  ||w||²_{1+s} = ||w||² + ||∇w||² +
+//! |∂₁w|²_s + |∂₂w|²_s.
 //!
-//! The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of [`super::means`]. Piecewise constants have
-//! a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every integral is computed by three
-//! rules: the second gives the value, the third and the first judge it. Limits: (1−s)|w|²_s → (π/2)||∇w||² as s → 1; s|w|²_s stays below π ||w||² times a constant as
-//! s → 0, and |w|_s itself has a limit on a bounded set. |w(·/l)|_s = l^{1−s}|w|_s. Cost O(N²) integrals for N
-//! triangles.
+//! The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of [`super::means`]. Piecewise
+//! constants have a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every
+//! integral is computed by three rules: the second gives the value, the third and the first judge it. Limits:
+//! (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral with s = 0. |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are
+//! integrated; beyond, clusters that are apart are compressed: cost O(N log N), errors included.
 
 use super::function::PlaneFunction;
-use super::leaves::{LEVELS, Levels};
 use super::means::{Means, Shape};
-use super::simplex::{Corner, Simplex};
+use super::sums::PairSum;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::{power_of_two, unit_of};
-use crate::numeric::sum::{RunningSum, compensated};
+use crate::numeric::sum::RunningSum;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled, scaled_root};
-use rayon::prelude::*;
 
 /// How often the accuracy of every integral is raised.
 const ATTEMPTS: usize = 3;
-/// By how much.
-const SHARPER: f64 = 0.01;
-/// What is off over its change by the next rule, which is off less.
-const SAFETY: f64 = 3.0;
-/// A change is not believed below this part of the one before.
-const LEAST_CHANGE: f64 = 0.05;
+/// Its first value over the tolerance.
+const FIRST: f64 = 0.4;
+/// By how much beyond the quotient of what is asked and reached, and at most.
+const SHARPER: f64 = 0.1;
+const LEAST_SHARPER: f64 = 1e-4;
 
 impl PlaneFunction {
     /// The seminorm |w|_s.
@@ -44,8 +41,8 @@ impl PlaneFunction {
     /// ```
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles that touch
-    /// without a common node or are too close for their length; [`Error::ToleranceNotMet`].
+    /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles
+    /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
@@ -120,20 +117,21 @@ impl PlaneFunction {
         unit: f64,
         extent: f64,
     ) -> Result<Estimate> {
-        let mut accuracy = tolerance.relative().max(ENTRY_ROUNDING);
+        let sum = PairSum::new(self, unit, extent);
+        let mut accuracy = FIRST * tolerance.relative().max(ENTRY_ROUNDING);
         let (mut best, mut work) = (None::<Estimate>, Work::default());
         for _ in 0..ATTEMPTS {
-            let found = self.all_pairs(&Means::new(order, self.shape(), accuracy), unit, extent)?;
+            let means = Means::new(order, self.shape(), accuracy);
+            let found = sum.squared(&means, order.value(), accuracy)?;
             work += found.work;
             let is_better = best.is_none_or(|best| found.error < best.error);
             best = if is_better { Some(found) } else { best };
             // The root halves the relative error.
-            if best
-                .is_some_and(|best| best.relative_error() <= 2.0 * tolerance.relative().max(ENTRY_ROUNDING))
-            {
+            let goal = 2.0 * tolerance.relative().max(ENTRY_ROUNDING);
+            if found.relative_error() <= goal {
                 break;
             }
-            accuracy *= SHARPER;
+            accuracy *= (SHARPER * goal / found.relative_error()).max(LEAST_SHARPER);
         }
         let best = best.ok_or(Error::ToleranceNotMet {
             what: "seminorm",
@@ -142,46 +140,4 @@ impl PlaneFunction {
         })?;
         Estimate::new(best.value, best.error, work)
     }
-
-    fn all_pairs(&self, means: &Means, unit: f64, extent: f64) -> Result<Estimate> {
-        let count = self.mesh().triangles().len();
-        let simplices: Vec<Simplex<1>> = (0..count).map(|t| self.simplex(t, unit, extent)).collect();
-        let areas: Vec<f64> = self.mesh().areas().iter().map(|area| area / extent / extent).collect();
-        let row = |i: usize| -> Result<([f64; LEVELS], Work)> {
-            let (mut sums, mut work) = ([RunningSum::default(); LEVELS], Work::default());
-            for j in i..count {
-                let twice = if i == j { 1.0 } else { 2.0 };
-                if self.shape() == Shape::Constants && self.values()[i] == self.values()[j] {
-                    continue;
-                }
-                let weight = [twice * areas[i], areas[j]];
-                let mean: Levels<1> = means.mean(&simplices[i], &simplices[j], weight, &mut work.points)?;
-                work.pairs += 1;
-                sums.iter_mut().zip(mean).for_each(|(sum, [[part]])| sum.add(part));
-            }
-            Ok((sums.map(|sum| sum.value()), work))
-        };
-        let rows = (0..count).into_par_iter().map(row).collect::<Result<Vec<_>>>()?;
-        let sums: [f64; LEVELS] = std::array::from_fn(|k| compensated(rows.iter().map(|row| row.0[k])));
-        let work = rows.iter().fold(Work::default(), |work, row| work + row.1);
-        settled(sums, work)
-    }
-
-    fn simplex(&self, triangle: usize, unit: f64, extent: f64) -> Simplex<1> {
-        let (nodes, places, values) =
-            (self.mesh().triangles()[triangle], self.mesh().corners(triangle), self.on(triangle));
-        Simplex::triangle(std::array::from_fn(|k| Corner {
-            node: nodes[k],
-            at: places[k].map(|x| x / extent),
-            values: [values[k] / unit],
-        }))
-    }
-}
-
-/// The second of three sums that settle, judged by the third; a last change is not believed when it is far below the
-/// one before.
-fn settled(sums: [f64; LEVELS], work: Work) -> Result<Estimate> {
-    let [first, value, judge] = sums;
-    let (before, after) = ((value - first).abs(), (judge - value).abs());
-    Estimate::new(value, SAFETY * after.max(LEAST_CHANGE * before) + ENTRY_ROUNDING * value, work)
 }

@@ -29,8 +29,8 @@ impl Triangles {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate,
-    /// [`Error::Triangle`] for a node number out of range or no area, [`Error::Edge`] for an edge of more than two
-    /// triangles.
+    /// [`Error::Triangle`] for a node number out of range or no area, [`Error::Edge`] for an edge of more
+    /// than two triangles.
     pub fn new(nodes: Vec<[f64; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self> {
         if triangles.is_empty() {
             return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "n >= 1" });
@@ -86,7 +86,7 @@ impl Triangles {
     ///
     /// # Errors
     /// As [`Triangles::new`] for the moved nodes.
-    pub fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2]) -> Result<Self> {
+    pub fn mapped(&self, map: impl FnMut([f64; 2]) -> [f64; 2]) -> Result<Self> {
         Self::new(self.nodes.iter().copied().map(map).collect(), self.triangles.clone())
     }
 
