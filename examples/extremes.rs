@@ -1,7 +1,7 @@
 //! Extremes: the hardest admissible input gets digits, the inadmissible an error that names what was wrong.
 //!
-//! Two lists, in `cases/extremes.rs`. Each admissible case is computed and compared with a value found another
-//! way: a closed form, a law of scaling, the other solver.
+//! Two lists, in `cases/extremes.rs`. Each admissible case is computed and compared with a value found
+//! another way: a closed form, a law of scaling, the other solver.
 //!
 //! `cargo run --release --example extremes`
 

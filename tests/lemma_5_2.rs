@@ -373,8 +373,8 @@ fn induction_example_confirms_its_claim() {
 static CHAINS: LazyLock<Vec<induction::Chain>> =
     LazyLock::new(|| induction::compute(&induction::Options::default()).unwrap());
 
-/// (5.6), and the end of the proof in its three cases, also where θ is no power of θ₀; at ν = 1/2 the induction
-/// gives away √2 per step.
+/// (5.6), and the end of the proof in its three cases, also where θ is no power of θ₀; at ν = 1/2 the
+/// induction gives away √2 per step.
 #[test]
 fn the_end_of_the_proof_holds_in_three_cases() {
     // Five digits: no bound is nearer than that.

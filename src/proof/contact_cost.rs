@@ -6,8 +6,9 @@
 //! c h^{2τ−2} (Σ_T |σ_N|²)^{1/2} (Σ_T |u_N'|²)^{1/2}, hence o(h^{2τ−2}), and for the nodal cone
 //! |u − u_h|_a² ≤ |u − I^h u|_a² + o(h^{2τ−2}).
 //!
-//! The order of the term over h^{2τ−2} in a scene of [`StripScene`], from the gaps longer than h, h^{−d} of them (this
-//! defines d; shorter ones, of length l, count with weight l/h and add no more), [`CostStudy::theory`]:
+//! The order of the term over h^{2τ−2} in a scene of [`StripScene`], from the gaps longer than h, h^{−d} of
+//! them (this defines d; shorter ones, of length l, count with weight l/h and add no more),
+//! [`CostStudy::theory`]:
 //!
 //! | scene | on one segment: ∫\|σ_N\|, \|u_N\| | sum | over h^{2τ−2} |
 //! | --- | --- | --- | --- |
@@ -16,7 +17,8 @@
 //! | fat Cantor set, d = 4 − 2τ | h, h | h^{2−d} | 0 |
 //! | Cantor set, σ_N = −1 on all of its pieces, of fixed total | h^d, h^{τ−1+d/2} | h^{τ−1+d/2} | 1 − τ + d/2 |
 //!
-//! Where the order is 0 the regularity τ is a supremum: the sums that have to tend to zero for u ∈ H^τ do not.
+//! Where the order is 0 the regularity τ is a supremum: the sums that have to tend to zero for u ∈ H^τ do
+//! not.
 //!
 //! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete
 //! solution for the forces A g that hold the exact edge: no contact problem. Cost as [`super::falk_terms`].
@@ -77,8 +79,8 @@ pub struct CostStudy {
     pub rows: Vec<CostRow>,
 }
 
-/// Cells of reference in a segment for quotients: what the discrete reference misses of the squared errors is (h_r/h)^{2τ−2},
-/// 1 % for τ = 1.55.
+/// Cells of reference in a segment for quotients: what the discrete reference misses of the squared errors is
+/// (h_r/h)^{2τ−2}, 1 % for τ = 1.55.
 const RESOLVED: usize = 64;
 
 impl CostStudy {
@@ -92,8 +94,8 @@ impl CostStudy {
         Ok(Self { scene, tau: case.tau, cone: case.cone, reference, rows })
     }
 
-    /// A quotient on the finest of at least three meshes whose segments have 64 cells of reference, and what it changed
-    /// by over the last two halvings of h.
+    /// A quotient on the finest of at least three meshes whose segments have 64 cells of reference, and what
+    /// it changed by over the last two halvings of h.
     pub fn limit(&self, quotient: fn(&CostRow) -> f64) -> Option<(f64, f64)> {
         let resolved = self.rows.iter().filter(|row| RESOLVED * row.n <= self.reference);
         let found: Vec<f64> = resolved.map(quotient).collect();
@@ -126,8 +128,8 @@ fn term_order(rows: &[CostRow], tau: f64) -> Option<Exponent> {
     Exponent::fit(&points).ok()
 }
 
-/// The order of the term over h^{2τ−2}, τ at most 2; `None` for samples and for transitions with 2 < τ < 5/2, which
-/// no row of the table describes.
+/// The order of the term over h^{2τ−2}, τ at most 2; `None` for samples and for transitions with 2 < τ < 5/2,
+/// which no row of the table describes.
 fn term_theory(scene: &StripScene, tau: f64) -> Option<f64> {
     match scene {
         StripScene::Transition { .. } | StripScene::Transitions { .. } if tau <= 2.0 => Some(0.0),

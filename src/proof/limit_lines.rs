@@ -1,7 +1,7 @@
 //! The lines of the proofs for τ ≥ 2, (3.10), (3.15), (4.12), (4.13) and (4.14), on several pairs each.
 //!
-//! τ = 2: one transition, five gaps, and a Cantor set; (4.14): one transition of regularity 2.05, 2.25 and 2.45. Cost:
-//! six profiles of meshes h = 1/8 ... 1/256 at most.
+//! τ = 2: one transition, five gaps, and a Cantor set; (4.14): one transition of regularity 2.05, 2.25 and
+//! 2.45. Cost: six profiles of meshes h = 1/8 ... 1/256 at most.
 
 use super::case::ProofCase;
 use super::line::Line;
@@ -33,8 +33,8 @@ pub struct LimitLine {
 pub struct LimitLines {
     /// Every line that is stated for τ ≥ 2 only, in the order of the paper.
     pub lines: Vec<LimitLine>,
-    /// "Globally" at τ = 2, θ = h²: the most that the bound on the whole edge over h² ln(1/h) is multiplied by from one
-    /// mesh to the next, over all pairs.
+    /// "Globally" at τ = 2, θ = h²: the most that the bound on the whole edge over h² ln(1/h) is multiplied
+    /// by from one mesh to the next, over all pairs.
     pub globally: f64,
 }
 

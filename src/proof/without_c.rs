@@ -1,9 +1,9 @@
 //! An a priori bound for Signorini's problem with every constant known, τ = 2.
 //!
 //! Γ_C straight, n its outward normal, its segments of length h; on each the rectangle Q of height H h lies
-//! in Ω, and S_h is their union. No friction, no initial gap, one material, u_h = I^h u on Γ_D. |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v;
-//! M = 2μ + 2 max(λ, 0), S = (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at
-//! ν = 1/2 and θ = coth(πH),
+//! in Ω, and S_h is their union. No friction, no initial gap, one material, u_h = I^h u on Γ_D.
+//! |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0),
+//! S = (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at ν = 1/2 and θ = coth(πH),
 //!
 //! |u − u_h|_a² ≤ h² (M A² |u|₂² + (b² + 2 c π θ S) |u|²_{2,S_h}),
 //!
@@ -17,8 +17,8 @@
 //! 2. |u − I^h u|₁ ≤ A h |u|₂; right isosceles triangles with legs h: A = 1/t, t + tan t = 0 (F. Kikuchi, X.
 //!   Liu, Japan J. Indust. Appl. Math. 23 (2006) 75-82). |v|_a² ≤ M |∇v|²: split ∇v into trace, deviator,
 //!   rotation.
-//! 3. A segment: t ≤ c h² |σ_N|_{1/2,T} |u_N'|_{1/2,T}. For the midpoint cone ∫_T πσ_N (I^h u)_N is at most half of
-//!   ‖σ_N‖_{L¹} ‖u_N'‖_{L¹}.
+//! 3. A segment: t ≤ c h² |σ_N|_{1/2,T} |u_N'|_{1/2,T}. For the midpoint cone ∫_T πσ_N (I^h u)_N is at most
+//!   half of ‖σ_N‖_{L¹} ‖u_N'‖_{L¹}.
 //! 4. Trace on a rectangle: |w|²_{1/2,T} ≤ 2πθ ‖∇w‖²_Q, ‖w − πw‖²_T ≤ (θ/π) h ‖∇w‖²_Q (cosine series).
 //!   For w = σ_N = λ div u + 2μ ∂_n u_n and w = ∂_t u_n: ‖∇σ_N‖ ‖∇∂_t u_n‖ ≤ ½ S |u|²_{2}, ‖∇σ_N‖ ≤ S |u|₂;
 //!   ‖∇z_N‖ ≤ B |z|_a.
@@ -56,14 +56,14 @@ impl MeshShape {
 /// B in ‖∇v_y‖ ≤ B |v|_a for v = 0 on ∂Ω \ Γ_C, Γ_C straight and Ω on one side of its line:
 /// φ/(2μ + 2 min(λ, 0))^{1/2}, φ = (1 + √5)/2.
 ///
-/// Continued by zero v lives on the half-plane. In a Fourier mode v = (i f, g)(ky) e^{ikx}, k > 0, with primes for
-/// d/d(ky), φ² |ε|² − |∇v_y|² is k² times
+/// Continued by zero v lives on the half-plane. In a Fourier mode v = (i f, g)(ky) e^{ikx}, k > 0, with
+/// primes for d/d(ky), φ² |ε|² − |∇v_y|² is k² times
 ///
 /// φ² (f² + g'² + ½ (f' + g)²) − g² − g'²
 ///   = ½ φ² (f' + 2f/φ + g/φ³)² + φ (g' − f/φ + g/φ²)² − (1/φ) d/d(ky) (φ f − g)²,
 ///
-/// and the integral of the last term is (φ f(0) − g(0))²/φ ≥ 0. |v|_a² ≥ 2 (μ + min(λ, 0)) ‖ε‖². Sharp for λ = 0;
-/// for λ = μ the least B² μ is 1.183 against φ²/2 = 1.309.
+/// and the integral of the last term is (φ f(0) − g(0))²/φ ≥ 0. |v|_a² ≥ 2 (μ + min(λ, 0)) ‖ε‖². Sharp for λ
+/// = 0; for λ = μ the least B² μ is 1.183 against φ²/2 = 1.309.
 pub fn half_plane_korn(lame: Lame) -> f64 {
     ROUND_UP * GOLDEN_RATIO / (2.0 * (lame.mu() + lame.lambda().min(0.0))).sqrt()
 }
@@ -80,9 +80,9 @@ pub struct BoundWithoutC {
 }
 
 impl BoundWithoutC {
-    /// `segment` is c, rounded up: the consistency term of a segment (step 3) is at most c h² |σ_N| |u_N'| at ν = 1/2,
-    /// [`super::half_sharpened`], K or κ for the nodal cone and half of the first two for the midpoint cone. `korn` is B,
-    /// used by the midpoint cone in elasticity only.
+    /// `segment` is c, rounded up: the consistency term of a segment (step 3) is at most c h² |σ_N| |u_N'| at
+    /// ν = 1/2, [`super::half_sharpened`], K or κ for the nodal cone and half of the first two for the
+    /// midpoint cone. `korn` is B, used by the midpoint cone in elasticity only.
     ///
     /// # Errors
     /// [`Error::Incompatible`] for a form with a reaction term or several materials; [`Error::OutOfRange`]
@@ -151,7 +151,8 @@ pub struct BoundRow {
     pub interpolation: f64,
     /// On the square, |u|₂ in the rectangles on the contact edge over |u|₂.
     pub share: Option<f64>,
-    /// Bounds from |u|₂ near the edge, on the strip from the data of its edge; one for each constant of a segment.
+    /// Bounds from |u|₂ near the edge, on the strip from the data of its edge; one for each constant of a
+    /// segment.
     pub near: Vec<f64>,
     /// On the square, the same from |u|₂ alone.
     pub whole: Option<Vec<f64>>,

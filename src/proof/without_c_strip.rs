@@ -1,23 +1,26 @@
-//! The bound without C on the scalar strip with natural transitions (τ = 5/2, u ∈ H²), from the data of its edge.
+//! The bound without C on the scalar strip with natural transitions (τ = 5/2, u ∈ H²), from the data of its
+//! edge.
 //!
 //! The edge carries a load beside the contact forces, so that σ_N is not ∂_n u: in step 4 of
-//! [`super::without_c`] the seminorms of every segment, which are known, take the place of the trace inequality,
+//! [`super::without_c`] the seminorms of every segment, which are known, take the place of the trace
+//! inequality,
 //!
 //! |u − u_h|_a² ≤ A² h² |u|₂² + 2 c h² Σ_T |σ_N|_{1/2,T} |u_N'|_{1/2,T} + b²,
 //!
-//! b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T, θ = coth π, for the midpoint cone and 0 for the nodal one; A is that of the
-//! right isosceles triangles the strip is cut into.
+//! b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T, θ = coth π, for the midpoint cone and 0 for the nodal one; A is that of
+//! the right isosceles triangles the strip is cut into.
 //!
-//! *|u|₂ from the edge.* For u = Σ a_k cos(κx) sinh(κ(1−y))/sinh κ, κ = kπ, the norm is that of the edge: |u|₂² = Σ κ³ coth(κ) a_k².
-//! For n gaps of half length l = 1/(4n) around (i + 1/2)/n with u_N = −δ^{3/2}, δ = (l² − s²)/(2l), only
-//! k = 2nm counts, ∫ δ^{3/2} cos κs ds = (2l)^{−3/2} 3π l² J₂(κl)/κ², and
+//! *|u|₂ from the edge.* For u = Σ a_k cos(κx) sinh(κ(1−y))/sinh κ, κ = kπ, the norm is that of the edge:
+//! |u|₂² = Σ κ³ coth(κ) a_k². For n gaps of half length l = 1/(4n) around (i + 1/2)/n with u_N = −δ^{3/2},
+//! δ = (l² − s²)/(2l), only k = 2nm counts, ∫ δ^{3/2} cos κs ds = (2l)^{−3/2} 3π l² J₂(κl)/κ², and
 //!
 //! |u|₂² = (9π/16) Σ_m J₂(mπ/2)² coth(2πnm)/m.
 //!
-//! As z (J₂² + Y₂²) falls to 2/π, what is left after M ≥ 6 terms is below (9π/16) 4.1/(π² M). The solution of reference has piecewise
-//! linear data and ends of gaps on its grid of size h_r: not in H², but nearer to u than h_r^{3/2} in energy, 1e-4 of the error
-//! with 64 cells of reference in the finest segment; the rounding of the ends changes |u|₂ by less than 1e-7. Cost: one contact
-//! iteration for each mesh, two seminorms for each transition on it.
+//! As z (J₂² + Y₂²) falls to 2/π, what is left after M ≥ 6 terms is below (9π/16) 4.1/(π² M). The solution of
+//! reference has piecewise linear data and ends of gaps on its grid of size h_r: not in H², but nearer to u
+//! than h_r^{3/2} in energy, 1e-4 of the error with 64 cells of reference in the finest segment; the rounding
+//! of the ends changes |u|₂ by less than 1e-7. Cost: one contact iteration for each mesh, two seminorms for
+//! each transition on it.
 
 use super::contact_cost::{CostRow, contact_cost};
 use super::without_c::{BoundRow, MeshShape};
@@ -36,8 +39,8 @@ const TERMS: usize = 2000;
 /// [`super::without_c`], rounded up. Ends of gaps lie on nodes of the grid of reference.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] where a segment of the coarsest mesh would be longer than half of a gap; those of
-/// the scenes and of the contact iteration.
+/// [`Error::CountOutOfRange`] where a segment of the coarsest mesh would be longer than half of a gap; those
+/// of the scenes and of the contact iteration.
 pub(super) fn strip_bounds(
     gaps: usize,
     cone: Cone,
@@ -86,7 +89,8 @@ fn second_seminorm(gaps: usize) -> Result<Estimate> {
     Estimate::new(9.0 * PI / 16.0 * (sum + 0.5 * rest), 9.0 * PI / 32.0 * rest, work)?.sqrt()
 }
 
-/// J₂(z) = (1/π) ∫_0^π cos(2t − z sin t) dt; the trapezoid rule with more than z + 40 cells is exact to rounding.
+/// J₂(z) = (1/π) ∫_0^π cos(2t − z sin t) dt; the trapezoid rule with more than z + 40 cells is exact to
+/// rounding.
 fn bessel_two(z: f64) -> f64 {
     let cells = z.ceil() as usize + 40;
     let value = |i: usize| {

@@ -1,8 +1,9 @@
-//! Contact problems on the unit square with solution in closed form, scalar and elastic, with one transition or two.
+//! Contact problems on the unit square with solution in closed form, scalar and elastic, with one transition
+//! or two.
 //!
-//! With z = x + iy let F = (z − a)^{3/2}, or F = ((z − a)(b − z))^{3/2}, both with roots of real part ≥ 0 for each
-//! factor. On y = 0 either F > 0 and F' real (the gap: x > a, or a < x < b), or Re F = 0 and Im F' ≥ 0 (contact).
-//! All second derivatives are of size r^{−1/2} at the transitions, so u ∈ H^{5/2−ε}.
+//! With z = x + iy let F = (z − a)^{3/2}, or F = ((z − a)(b − z))^{3/2}, both with roots of real part ≥ 0 for
+//! each factor. On y = 0 either F > 0 and F' real (the gap: x > a, or a < x < b), or Re F = 0 and Im F' ≥ 0
+//! (contact). All second derivatives are of size r^{−1/2} at the transitions, so u ∈ H^{5/2−ε}.
 //!
 //! * *Scalar*: u = −Re F, harmonic, ∂u/∂n = −Im F' on y = 0.
 //! * *Elastic* (Westergaard's function iF'; α = μ/(λ+μ), β = 1 + α, no volume force):
@@ -165,8 +166,8 @@ impl ClosedForm {
         self.with_field(|field| field.sample(problem.mesh().nodes()))
     }
 
-    /// |u|₂ on (0, 1) × (0, 1/n): (Σ over components of ∫ u_xx² + 2 u_xy² + u_yy²)^{1/2}; the error is what a rule of
-    /// fewer points changes.
+    /// |u|₂ on (0, 1) × (0, 1/n), the root of the sum over components of ∫ u_xx² + 2 u_xy² + u_yy²; the error is
+    /// what a rule of fewer points changes.
     ///
     /// # Errors
     /// [`crate::Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.

@@ -1,5 +1,6 @@
-//! Three roads to the discrete solutions of the scene with known solution, with seconds and true errors: the active set
-//! from no contact, the active set from the contact set of the mesh before, the interior-point method.
+//! Three roads to the discrete solutions of the scene with known solution, with seconds and true errors: the
+//! active set from no contact, the active set from the contact set of the mesh before, the interior-point
+//! method.
 
 use super::manufactured;
 use super::mesh::MeshScene;
@@ -56,8 +57,8 @@ pub struct RoadRow {
     pub kkt: f64,
 }
 
-/// [`MeshScene::Manufactured`] on n, 2n, ..., 2^{levels − 1} n squares along each side, coarsest first; on the coarsest
-/// mesh there is no nested start. `report` is called after each mesh.
+/// [`MeshScene::Manufactured`] on n, 2n, ..., 2^{levels − 1} n squares along each side, coarsest first; on
+/// the coarsest mesh there is no nested start. `report` is called after each mesh.
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`] unless 2 ≤ levels ≤ 8; whatever meshes, problems and solvers return.

@@ -41,7 +41,8 @@ pub struct SceneRun {
 }
 
 impl SceneStudy {
-    /// J on n × n squares as other packages have found it ([`MeshScene::known_energy`]); `None` for another setting.
+    /// J on n × n squares as other packages have found it ([`MeshScene::known_energy`]); `None` for another
+    /// setting.
     pub fn known_energy(&self, n: usize) -> Option<f64> {
         self.scene.known_energy(self.cone, n).filter(|_| self.setting == Setting::default())
     }
@@ -77,7 +78,8 @@ impl SceneStudy {
 }
 
 impl SceneRun {
-    /// The Karush-Kuhn-Tucker figures of multipliers and gaps as they stand; the balance is that of the solution.
+    /// The Karush-Kuhn-Tucker figures of multipliers and gaps as they stand; the balance is that of the
+    /// solution.
     ///
     /// # Errors
     /// [`Error::NotFinite`] where a multiplier or a gap is not a number.
@@ -93,7 +95,8 @@ impl SceneRun {
         Ok(Judgement { balance: solution.judgement.balance, ..evidence.judge()? })
     }
 
-    /// How many constraints are weak: force and gap both below 1e-6 of their largest, so that no solver can tell contact from none.
+    /// How many constraints are weak: force and gap both below 1e-6 of their largest, so that no solver can
+    /// tell contact from none.
     pub fn weak_constraints(&self) -> usize {
         let solution = &self.solution;
         let force = solution.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
@@ -108,8 +111,8 @@ fn pairs(runs: &[SceneRun]) -> impl Iterator<Item = [&SceneRun; 2]> {
     runs.windows(2).filter(|pair| pair[0].n == pair[1].n).map(|pair| [&pair[0], &pair[1]])
 }
 
-/// The largest difference in J between two solutions on the same mesh, relative, and what rounding leaves uncertain in
-/// it. `None` without two solutions on a mesh; not a number if a J is not.
+/// The largest difference in J between two solutions on the same mesh, relative, and what rounding leaves
+/// uncertain in it. `None` without two solutions on a mesh; not a number if a J is not.
 pub fn energies_apart(runs: &[SceneRun]) -> Option<(f64, f64)> {
     pairs(runs)
         .map(|[a, b]| {
@@ -122,8 +125,8 @@ pub fn energies_apart(runs: &[SceneRun]) -> Option<(f64, f64)> {
         .reduce(|worst, apart| if worst.0 >= apart.0 || worst.0.is_nan() { worst } else { apart })
 }
 
-/// The largest number of constraints that are active in one of two solutions on the same mesh only, and how many are
-/// weak there. `None` without two solutions on a mesh.
+/// The largest number of constraints that are active in one of two solutions on the same mesh only, and how
+/// many are weak there. `None` without two solutions on a mesh.
 pub fn sets_apart(runs: &[SceneRun]) -> Option<(usize, usize)> {
     pairs(runs)
         .map(|[a, b]| {

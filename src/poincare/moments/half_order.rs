@@ -13,11 +13,11 @@
 //! M(e)² = ∫₀ᵉ h² ds/(s(1−s)),  s = q/(1+q).
 //!
 //! h has its only singularities on q ≤ −1, and w = (√(1+q) − 1)/(√(1+q) + 1) takes the plane without them to
-//! the unit disc: h = Σ c_m w^m with c_m = Σ_k 4^k C(m+k−1, m−k) f_k/g_k, since q = 4w/(1−w)². At w = −1, which
-//! is q = −1, h grows like (1+w)^{−5} for m = x (f_k/g_k is like k^{3/2}) and like (1+w)^{−3} for m = 1, so that (1+w)⁵ h =
-//! Σ d_m w^m has small coefficients (`Series::at`). They are sums of alternating terms as large as (3 + 2√2)^m, whose rounding is
-//! carried along; w ≤ 0.3 for s ≤ 0.7, where Euler's transformation (powers of s, terms up to 2^m) loses more. Cost: 4000 roots,
-//! 120 000 logarithms, once.
+//! the unit disc: h = Σ c_m w^m with c_m = Σ_k 4^k C(m+k−1, m−k) f_k/g_k, since q = 4w/(1−w)². At w = −1,
+//! which is q = −1, h grows like (1+w)^{−5} for m = x (f_k/g_k is like k^{3/2}) and like (1+w)^{−3} for m =
+//! 1, so that (1+w)⁵ h = Σ d_m w^m has small coefficients (`Series::at`). They are sums of alternating terms
+//! as large as (3 + 2√2)^m, whose rounding is carried along; w ≤ 0.3 for s ≤ 0.7, where Euler's
+//! transformation (powers of s, terms up to 2^m) loses more. Cost: 4000 roots, 120 000 logarithms, once.
 
 use super::dual::Moment;
 use crate::error::{Error, Result};
@@ -114,8 +114,8 @@ impl Series {
 
     /// h at w and its error, with as many terms as make rounding and what is left smallest together.
     ///
-    /// The larger of two neighbours of the d_m falls from m = 2 on (seen to m = 40, not proved): what is left after M
-    /// terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
+    /// The larger of two neighbours of the d_m falls from m = 2 on (seen to m = 40, not proved): what is left
+    /// after M terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
     fn at(&self, w: f64) -> (f64, f64) {
         let (mut value, mut rounding, mut power) = (0.0, 0.0, 1.0);
         let mut best = (0.0, f64::INFINITY);
