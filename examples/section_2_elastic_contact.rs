@@ -1,4 +1,5 @@
-//! Section 2: problems on meshes by two unrelated solvers, judged by one function; `section_2_scalar_contact` is Remark 1.
+//! Section 2: problems on meshes by two unrelated solvers, judged by one function; `section_2_scalar_contact`
+//! is Remark 1.
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
@@ -27,7 +28,8 @@ example_frame::options! {
         /// active-set, interior-point, multigrid or auto; unless given two, the second one for a check
         #[arg(long)]
         pub solver: Option<Solver>,
-        /// Energy norm of the algebraic error asked of multigrid (default: 1/100 of the error of discretisation)
+        /// Energy norm of the algebraic error asked of multigrid (default: 1/100 of the error of
+        /// discretisation)
         #[arg(long)]
         pub tolerance: Option<Tolerance>,
         /// Poisson's ratio of `incompressible`
@@ -51,7 +53,8 @@ pub enum Problem {
     Scalar,
 }
 
-/// What is computed: every solution, coarsest mesh first, on each mesh the active set before the interior point.
+/// What is computed: every solution, coarsest mesh first, on each mesh the active set before the interior
+/// point.
 pub struct Computed {
     study: SceneStudy,
     /// All of them.
@@ -75,14 +78,16 @@ pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
     Ok(Computed { study, runs: contact::watched(&study)? })
 }
 
-/// A scaled condition may be violated by the error asked for, or by this: a duality gap of 1e-13 summed over the unknowns of a mesh of n = 32.
+/// A scaled condition may be violated by the error asked for, or by this: a duality gap of 1e-13 summed over
+/// the unknowns of a mesh of n = 32.
 const JUDGED: f64 = 1e-10;
 /// What a sum over all nodes, or a second solver, must confirm.
 const EIGHT_DIGITS: f64 = 1e-8;
 /// The packages agree among themselves to 12 digits or more.
 const PACKAGES: f64 = 1e-11;
 
-/// What decides: every solution meets the four conditions, forces add up, both solvers and other packages agree.
+/// What decides: every solution meets the four conditions, forces add up, both solvers and other packages
+/// agree.
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let Computed { study, runs } = computed;
     let judged: Option<Vec<Judgement>> = runs.iter().map(|run| run.judged().ok()).collect();

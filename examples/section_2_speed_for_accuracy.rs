@@ -1,4 +1,5 @@
-//! Section 2: true error and true algebraic error against seconds, for three solvers, on a scene with known solution.
+//! Section 2: true error and true algebraic error against seconds, for three solvers, on a scene with known
+//! solution.
 //!
 //! `cargo run --release --example section_2_speed_for_accuracy -- --levels 6`
 
@@ -46,7 +47,8 @@ const JUDGED: f64 = 1e-10;
 const SETTLING: f64 = 0.1;
 /// Digits of the error that two ways to one discrete solution share: half of those of J.
 const SHARED: f64 = 1e-6;
-/// A hundredth of the error of discretisation beside it changes the error by 1e-4 / 2; tenfold for an estimate that is off.
+/// A hundredth of the error of discretisation beside it changes the error by 1e-4 / 2; tenfold for an
+/// estimate that is off.
 const WORTHLESS: f64 = 1e-3;
 /// What two solutions in binary64 may differ by in the energy norm, relative.
 const ROUNDING: f64 = 1e-13;

@@ -38,6 +38,7 @@ pub use piecewise::{
     PiecewisePolynomial, near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random,
 };
 pub use plane::{
-    GridOperator, PlaneFunction, Triangles, coordinate_on_unit_square, gradient_limit, perimeter_limit,
+    GridOperator, PlaneFunction, SectorPower, Triangles, coordinate_on_unit_square, gradient_limit,
+    perimeter_limit,
 };
 pub(crate) use root::root_of_squares;

@@ -29,8 +29,15 @@ pub struct GridOperator {
     spectra: Vec<((usize, usize), Spectrum)>,
     /// 2 D(c) for every square
     own: Vec<Square>,
-    /// forms of squares that touch, on a patch of 3 × 3 nodes: origin in the patch, offset
-    touching: Vec<([usize; 2], [i64; 2], [[f64; 9]; 9])>,
+    touching: Vec<Touching>,
+}
+
+/// The form of two squares that touch, on a patch of 3 × 3 nodes: the first at `origin`, the second at
+/// `offset` from it.
+struct Touching {
+    origin: [usize; 2],
+    offset: [i64; 2],
+    form: [[f64; 9]; 9],
 }
 
 impl GridOperator {
@@ -52,7 +59,7 @@ impl GridOperator {
         for (origin, offset) in
             [([0, 0], [0, 0]), ([0, 0], [1, 0]), ([0, 0], [0, 1]), ([0, 0], [1, 1]), ([1, 0], [-1, 1])]
         {
-            touching.push((origin, offset, pairs.touching(origin, offset)?));
+            touching.push(Touching { origin, offset, form: pairs.touching(origin, offset)? });
         }
         let scale = h.powf(2.0 * order.complement());
         Ok(Self { squares, scale, torus, spectra, own: offsets.own(), touching })
@@ -149,7 +156,7 @@ impl GridOperator {
                 for (a, row) in nodes.iter().zip(own) {
                     image[*a] += row.iter().zip(nodes).map(|(entry, node)| entry * w[node]).sum::<f64>();
                 }
-                for (origin, offset, form) in &self.touching {
+                for Touching { origin, offset, form } in &self.touching {
                     let other = [i as i64 + offset[0], j as i64 + offset[1]];
                     if other[0] < 0 || other[0] >= columns as i64 || other[1] >= rows as i64 {
                         continue;

@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | triangulations | [`Triangles`] |
 //! | products with the Gram matrix on a uniform grid | [`GridOperator`] |
+//! | corner singularities r^a sin(bφ) on sectors | [`SectorPower`] |
 //! | a closed form and limits | [`coordinate_on_unit_square`], [`gradient_limit`], [`perimeter_limit`] |
 //! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`]
 //! |
@@ -20,6 +21,7 @@ mod grid;
 mod leaves;
 mod means;
 mod norms;
+mod sector;
 mod simplex;
 mod sums;
 mod tree;
@@ -28,4 +30,5 @@ mod triangles;
 pub use closed_forms::{coordinate_on_unit_square, gradient_limit, perimeter_limit};
 pub use function::PlaneFunction;
 pub use grid::GridOperator;
+pub use sector::SectorPower;
 pub use triangles::Triangles;

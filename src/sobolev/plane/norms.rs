@@ -6,8 +6,9 @@
 //! The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of [`super::means`]. Piecewise
 //! constants have a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every
 //! integral is computed by three rules: the second gives the value, the third and the first judge it. Limits:
-//! (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral with s = 0. |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are
-//! integrated; beyond, clusters that are apart are compressed: cost O(N log N), errors included.
+//! (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral with s = 0.
+//! |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; beyond, clusters that are apart
+//! are compressed: cost O(N log N), errors included.
 
 use super::function::PlaneFunction;
 use super::means::{Means, Shape};

@@ -52,7 +52,8 @@ pub fn road_chart(rows: &[RoadRow]) -> Chart {
     })
 }
 
-/// Work against the precision of the algebra alone: a row for every mesh and road whose algebraic error is known.
+/// Work against the precision of the algebra alone: a row for every mesh and road whose algebraic error is
+/// known.
 pub fn algebraic_chart(rows: &[RoadRow]) -> Chart {
     let (x, y) = (Axis::logarithmic("seconds"), Axis::logarithmic("true algebraic error, relative"));
     let chart = Chart::new("Known solution: seconds for digits of the discrete solution", x, y);

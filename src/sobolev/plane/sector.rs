@@ -1,0 +1,143 @@
+//! Corner singularities w = r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω.
+//!
+//! F(x, y) = (w(x)−w(y))² |x−y|^{-2-2s} is homogeneous of degree 2a − 2 − 2s about the corner. As for
+//! simplices ([`super::means`]) one radius can be taken to be R; with the other R e^{-u} and ψ the angle
+//! between x and y,
+//!
+//! |w|²_s = R^{2a+2−2s} / (a+1−s) ∫₀^ω ∫₀^∞ e^{-(1-s)u} J(u, ψ) (4 sinh²(u/2) + 4 sin²(ψ/2))^{-1-s} du dψ,
+//! J = (1−τ)² P(ψ) + 2τ Q(ψ), τ = e^{-au}, L = ω − ψ,
+//! P = ∫₀^L sin²(bφ) + sin²(b(φ+ψ)) dφ,  Q = ∫₀^L (sin(b(φ+ψ)) − sin(bφ))² dφ = 2 sin²(bψ/2) (L + cos(bω)
+//! sin(bL)/b): nothing cancels. It is finite exactly for a > s − 1. At u = ψ = 0 the integrand is ξ^{-2s}
+//! times an analytic function of polar kind: Duffy's coordinates and a Gauss-Jacobi rule in ξ; elsewhere
+//! Gauss rules on cells that grow away from it.
+
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::quadrature::Rule;
+use crate::sobolev::order::FractionalOrder;
+use crate::sobolev::root::{ENTRY_ROUNDING, accept, scaled};
+use std::f64::consts::PI;
+
+/// r^a sin(bφ) on a sector.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectorPower {
+    exponent: f64,
+    frequency: f64,
+    angle: f64,
+    radius: f64,
+}
+
+/// Points in each direction, and those of the rule that judges.
+const POINTS: [usize; 2] = [16, 22];
+/// Largest cells.
+const CELL: f64 = 0.5;
+/// Widest sector: beyond, both sides come close to each other.
+const WIDEST: f64 = 1.75 * PI;
+/// e^{-40} is nothing.
+const NOTHING: f64 = 40.0;
+
+impl SectorPower {
+    /// r^a sin(bφ) for r < R, 0 < φ < ω.
+    ///
+    /// ```
+    /// use signorini::sobolev::{FractionalOrder, SectorPower};
+    /// use signorini::Tolerance;
+    /// // The corner singularity of the L-shape.
+    /// let w = SectorPower::new(2.0 / 3.0, 2.0 / 3.0, 1.5 * std::f64::consts::PI, 1.0)?;
+    /// let norm = w.seminorm(FractionalOrder::new(0.9)?, Tolerance::reference())?;
+    /// assert!(norm.relative_error() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless −1 < a ≤ 20, 0 < b ≤ 20, 0 < ω ≤ 7π/4, R > 0.
+    pub fn new(exponent: f64, frequency: f64, angle: f64, radius: f64) -> Result<Self> {
+        Error::require("exponent a", exponent, "(-1, 20]", exponent > -1.0 && exponent <= 20.0)?;
+        Error::require("frequency b", frequency, "(0, 20]", frequency > 0.0 && frequency <= 20.0)?;
+        Error::require("angle", angle, "(0, 7 pi/4]", angle > 0.0 && angle <= WIDEST)?;
+        Error::require("radius", radius, "(0, inf)", radius > 0.0 && radius.is_finite())?;
+        Ok(Self { exponent, frequency, angle, radius })
+    }
+
+    /// |w|_s; scales like R^{a+1−s}.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] for a ≤ s − 1, [`Error::ToleranceNotMet`].
+    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        let gap = self.exponent + order.complement();
+        if gap <= 0.0 {
+            let why = "r^a times a smooth angular part is in H^s near a corner only for a > s - 1";
+            return Err(Error::InfiniteNorm { order: order.value(), why });
+        }
+        let [value, judge] = POINTS.map(|n| self.integral(order, n));
+        let ((value, points), (judge, more)) = (value?, judge?);
+        let work = Work { points: points + more, ..Work::default() };
+        // What the rounding of a does where a + 1 − s is small.
+        let rounding = value * (ENTRY_ROUNDING + f64::EPSILON / gap);
+        let squared = Estimate::new(judge / gap, ((judge - value).abs() + rounding) / gap, work)?;
+        accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance)
+    }
+
+    /// The double integral with n points in each direction, and how many points that is.
+    fn integral(&self, order: FractionalOrder, n: usize) -> Result<(f64, u64)> {
+        let near = self.angle.min(1.0);
+        let (plain, power) = (Rule::gauss_legendre(n)?, 2.0 * order.complement() - 1.0);
+        let weighted = Rule::gauss_jacobi(n, 0.0, power)?;
+        let (mut sum, mut points) = (0.0, 0);
+        let cells = (near / CELL).max(self.frequency * near / PI).ceil();
+        // The square next to the singular point in Duffy's coordinates: the part ξ < near/cells, then the
+        // rest.
+        let inner = near / cells;
+        for (xi, v) in weighted.iter() {
+            for (t, w) in plain.iter() {
+                let size = inner * xi;
+                let scale = size * xi.powf(-power);
+                let both = self.density(order, size, size * t) + self.density(order, size * t, size);
+                sum += inner * v * w * scale * both;
+                points += 2;
+            }
+        }
+        let mut rectangle = |u: [f64; 2], psi: [f64; 2]| {
+            for (s, v) in plain.iter() {
+                for (t, w) in plain.iter() {
+                    let at = [u[0] + (u[1] - u[0]) * s, psi[0] + (psi[1] - psi[0]) * t];
+                    sum += v * w * (u[1] - u[0]) * (psi[1] - psi[0]) * self.density(order, at[0], at[1]);
+                    points += 1;
+                }
+            }
+        };
+        let decay = 2.0 * (1.0 + self.exponent.min(0.0));
+        let depth = NOTHING / decay + 2.0;
+        let grown = |end: f64, most: f64| {
+            let mut cuts = vec![0.0, inner];
+            while cuts[cuts.len() - 1] < end {
+                let last = cuts[cuts.len() - 1];
+                cuts.push((last + last.min(most)).min(end));
+            }
+            cuts
+        };
+        let widest = CELL.min(1.0 / self.frequency);
+        let (us, psis) = (grown(depth, 1.0 / (1.0 + self.exponent.abs())), grown(self.angle, widest));
+        for (i, u) in us.windows(2).enumerate() {
+            for (j, psi) in psis.windows(2).enumerate() {
+                if (i, j) != (0, 0) && psi[1] > psi[0] {
+                    rectangle([u[0], u[1]], [psi[0], psi[1]]);
+                }
+            }
+        }
+        Ok((sum, points))
+    }
+
+    fn density(&self, order: FractionalOrder, u: f64, psi: f64) -> f64 {
+        let (b, s) = (self.frequency, order.value());
+        let rest = self.angle - psi;
+        let (tau, one_minus) = ((-self.exponent * u).exp(), -(-self.exponent * u).exp_m1());
+        let half = (0.5 * b * psi).sin();
+        let q = 2.0 * half * half * (rest + (b * self.angle).cos() * (b * rest).sin() / b);
+        let sines = (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
+        let p = rest - sines / (4.0 * b);
+        let distance = 4.0 * ((0.5 * u).sinh().powi(2) + (0.5 * psi).sin().powi(2));
+        let weight = (-order.complement() * u - (1.0 + s) * distance.ln()).exp();
+        weight * (one_minus * one_minus * p + 2.0 * tau * q)
+    }
+}
