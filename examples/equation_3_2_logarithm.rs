@@ -1,6 +1,6 @@
 //! (3.2), (4.3): at τ = 2, does the error need a power of |ln h|?
 //!
-//! Three transitions whose slopes behave like |ln r|^{−α}: a kink outside H² (α = 0), and two in H² (α > 1/2).
+//! Transitions with slopes like |ln r|^{−α}: a kink outside H² (α = 0), and three in H² (α > 1/2).
 //!
 //! `cargo run --release --example equation_3_2_logarithm -- --levels 3-18`
 
@@ -22,16 +22,16 @@ example_frame::options! {
     }
 }
 
-/// Powers α of the scenes: a kink outside H², and two in it.
-const ALPHAS: [f64; 3] = [0.0, 1.0, 1.5];
+/// Powers α of the scenes: a kink outside H², and three in it.
+const ALPHAS: [f64; 4] = [0.0, 0.75, 1.0, 1.5];
 
-/// What is computed: scene after scene, nodal cone first, with the power q = 1 − 2α of the logarithm in (e/h)².
+/// What is computed: scene after scene, nodal cone first, with the power q = 1 − 2α of ln(1/h) in (e/h)².
 pub struct Computed {
     /// α, the levels, the fit; `None` for too few levels or an error that is not a positive number.
     pub rows: Vec<(f64, RateStudy, Option<LogarithmFit>)>,
 }
 
-/// Solves three scenes in both cones.
+/// Solves every scene in both cones.
 pub fn compute(options: &Options) -> Result<Computed> {
     let levels = options.levels;
     let mut group = StripGroup::new(StripKind::Scalar, levels, (16 * levels.finest_cells()).min(1 << 22));
@@ -61,7 +61,7 @@ fn growth(study: &RateStudy, bound: Bound) -> Option<(f64, f64)> {
     Some((growth, 2.0 * study.precision() * growth))
 }
 
-/// What decides: the sign of q in H², where q < 0 is no logarithm; that e/h does not fall either; that (3.2) holds outside as well.
+/// What decides: the sign of q in H² (q < 0: no logarithm), that e/h does not fall either, (3.2) outside H².
 pub fn findings(_: &Options, Computed { rows }: &Computed) -> Vec<Finding> {
     let mut found = vec![complete(rows.iter().map(|row| &row.1))];
     for (alpha, study, fit) in rows {
@@ -102,7 +102,7 @@ pub fn findings(_: &Options, Computed { rows }: &Computed) -> Vec<Finding> {
     found
 }
 
-/// Measures three scenes in both cones.
+/// Measures every scene in both cones.
 pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let claim = "u in H^2: the error is at most C h |ln h|^(1/2); with the sharp Lemma 5.2 C h |ln h|^(1/4); proved later: C h";

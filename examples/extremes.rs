@@ -1,7 +1,7 @@
 //! Extremes: the hardest admissible input gets digits, the inadmissible an error that names what was wrong.
 //!
-//! The two lists are in `cases/extremes.rs`. Each admissible case is computed and compared with a value found another way: a
-//! closed form, a law of scaling, the other solver.
+//! Two lists, in `cases/extremes.rs`. Each admissible case is computed and compared with a value found
+//! another way: a closed form, a law of scaling, the other solver.
 //!
 //! `cargo run --release --example extremes`
 
@@ -21,7 +21,7 @@ example_frame::options! {
     pub struct Options {}
 }
 
-/// A relative error above this is no digits: sums of a million terms of one sign, condition numbers up to 1e5.
+/// A relative error above this is no digits: sums of a million positive terms, condition numbers up to 1e5.
 pub const DIGITS: f64 = 1e-9;
 
 /// An admissible case and its answer.
@@ -85,7 +85,7 @@ pub fn compute() -> Result<Computed> {
 /// Of the constants over 300 decades and of their law.
 const TOLERANCE: Tolerance = Tolerance::fast();
 
-/// What decides: errors against values found another way, what was refused and how, and the constant against its law.
+/// What decides: errors against values found another way, what was refused and how, the constant's law.
 pub fn findings(computed: &Computed) -> Vec<Finding> {
     let Computed { hard, bad, decades } = computed;
     let worst = hard.iter().max_by(|a, b| a.error.total_cmp(&b.error));

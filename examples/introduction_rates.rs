@@ -1,6 +1,6 @@
 //! The introduction: (E1)-(E4), (N1), (N2), each with what a scene of its regularity shows.
 //!
-//! "Any" contact set is shown by a fat Cantor set (τ < 2) and by 22 transitions; a natural transition inside an edge is r^{3/2}.
+//! "Any" contact set: a fat Cantor set (τ < 2), 22 transitions; a natural transition inside an edge is r^{3/2}.
 //!
 //! `cargo run --release --example introduction_rates -- --levels 3-16 --out out`
 
@@ -21,7 +21,7 @@ example_frame::options! {
     }
 }
 
-/// What stands for a regularity: one transition, one in H² itself (slopes like |ln r|^{−1}), 22 transitions, a fat Cantor set.
+/// What stands for a regularity: one transition, one in H² (slopes like |ln r|^{−1}), 22, a fat Cantor set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)]
 pub enum Shape {
@@ -31,7 +31,7 @@ pub enum Shape {
     FatCantor,
 }
 
-/// Key, label, regularity, scene, "finite" for finitely many transitions only, printed rate, exponent of h in it.
+/// Key, label, regularity, scene, "finite" for finitely many transitions only, printed rate, its exponent.
 type Printed = (&'static str, &'static str, f64, Shape, &'static str, &'static str, f64);
 const PRINTED: [Printed; 11] = [
     ("e1.below", "(E1)", 1.4, Shape::Transition, "", "h^(tau-1)", 0.4),
@@ -70,8 +70,8 @@ pub fn compute(options: &Options) -> Result<Computed> {
     Ok(Computed { rows: PRINTED.into_iter().zip(both_cones(&group)?).collect() })
 }
 
-/// An order that is read off a finite series may stay this far below the exponent it tends to; |ln h|^{1/2} alone takes
-/// 1/(2 |ln h|) = 0.07 from it at h = 2^{−10}.
+/// An order read off a finite series may stay this far below the exponent it tends to; |ln h|^{1/2} alone
+/// takes 1/(2 |ln h|) = 0.07 from it at h = 2^{−10}.
 const SERIES: f64 = 0.1;
 
 /// What decides: each measured order against the printed exponent, and against min(τ − 1, 1).

@@ -1,9 +1,9 @@
 //! Lemma 5.2 at ν = 1/2: γ_θ² / ln(1/θ) tends to 3/(2π²), between two proved bounds.
 //!
-//! With L = ln(1/θ) the law is γ² = A L + c + d/γ² + e/γ⁴ + ..., A = 3/(2π²); c, d, e come from one dual norm. What is
-//! left of γ² − A L − c is of order 1/L. The proof bounds γ² from below by a ramp and from above along chains of
-//! equal steps in ln x, all constants explicit: its two bounds enclose γ² and close as L grows, far beyond the
-//! shortest zone that has a number.
+//! With L = ln(1/θ) the law is γ² = A L + c + d/γ² + e/γ⁴ + ..., A = 3/(2π²); c, d, e come from one dual
+//! norm. What is left of γ² − A L − c is of order 1/L. The proof bounds γ² from below by a ramp and from
+//! above along chains of equal steps in ln x, all constants explicit: its two bounds enclose γ² and close as
+//! L grows, far beyond the shortest zone that has a number.
 //!
 //! `cargo run --release --example lemma_5_2_exact_law`
 

@@ -1,6 +1,6 @@
 //! Remark 7 as a theorem: of all sets of one measure the interval at an end has the largest constant.
 //!
-//! The decreasing rearrangement v* has |v*|_ν ≤ |v|_ν: sorting lowers Σ (f_i − f_j)² over |i − j| ≤ k for every k.
+//! The decreasing rearrangement v* has |v*|_ν ≤ |v|_ν: sorting lowers Σ (f_i − f_j)² over |i − j| ≤ k, all k.
 //!
 //! `cargo run --release --example remark_7_rearrangement`
 
@@ -32,7 +32,7 @@ example_frame::options! {
 
 /// What was tried.
 pub struct Computed {
-    /// Near differences, sorted over given: the largest over all orders of eight squares, and random sequences.
+    /// Near differences, sorted over given: the largest over all orders of 8 squares, and random sequences.
     pub sorted: f64,
     /// |v*|_ν / |v|_ν: the largest of each family, and the mean.
     pub functions: Vec<(RoughFamily, Estimate, f64)>,

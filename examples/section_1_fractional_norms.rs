@@ -12,7 +12,7 @@ use std::time::Instant;
 example_frame::options! {
     /// Norms of fractional order of functions of one variable
     pub struct Options {
-        /// Functions: power:A, step:X, hat, log:ALPHA, samples:FILE (rows of x, value, read as piecewise linear)
+        /// Functions: power:A, step:X, hat, log:ALPHA, samples:FILE (rows of x, value: piecewise linear)
         #[arg(long, value_delimiter = ',', default_values = ["power:0.6", "power:-0.2", "step:0.4", "hat", "log:0.25"], allow_hyphen_values = true)]
         pub function: Vec<GalleryFunction>,
         /// Orders nu in (0, 1)
@@ -66,7 +66,7 @@ fn largest(numbers: impl Iterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
     numbers.max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// What decides: where norms are said to be infinite, distances to closed forms, and what ten times the tolerance changes.
+/// What decides: where norms are said to be infinite, distances to closed forms, ten times the tolerance.
 pub fn findings(options: &Options, rows: &[Row]) -> Vec<Finding> {
     let asked = options.tolerance.relative();
     let norms: Vec<&Norm> = rows.iter().filter_map(|row| row.2.as_ref()).collect();

@@ -1,6 +1,6 @@
-//! The sharp constants of one contact segment: how much of one half is lost, on the worst contact set there is?
+//! The sharp constants of one contact segment: how much of one half is lost on the worst contact set?
 //!
-//! c(ν) by potentials, K(ν) for the product of L¹ norms, κ(ν) for one gap, κ̄(ν) for every set, midpoint cone.
+//! c(ν) by potentials, K(ν) for products of L¹ norms, κ(ν) for one gap, κ̄(ν) for all sets, midpoint cone.
 //!
 //! `cargo run --release --example segment_constants`
 

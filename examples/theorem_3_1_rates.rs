@@ -1,4 +1,4 @@
-//! Theorems 3.1 (nodal cone) and 4.1 (midpoint cone): errors and consistency terms against h, beside the paper's bounds and h^{τ−1}.
+//! Theorems 3.1 (nodal cone), 4.1 (midpoint cone): errors and consistency terms beside the bounds and h^{τ−1}.
 //!
 //! `cargo run --release --example theorem_3_1_rates`
 //! `cargo run --release --example theorem_3_1_rates -- --scene fat-cantor --tau 1.65 --levels 4-14`
@@ -31,7 +31,7 @@ example_frame::options! {
         /// Positions of a single transition in its cell over which --scene averages
         #[arg(long, default_value_t = 7)]
         pub positions: usize,
-        /// The study of the book: minutes; finished levels are kept in a file under --out and not computed again
+        /// The study of the book: minutes; finished levels are kept in a file under --out, not computed again
         #[arg(long)]
         pub full: bool,
     }
@@ -69,7 +69,7 @@ pub fn compute(cone: Cone, options: &Options) -> Result<Computed> {
 /// Beyond τ = 2 orders creep up to one from below: they need to have come this near.
 const NEAR_ONE: f64 = 0.1;
 
-/// What decides: each order against the theorem's exponent; all of them against τ − 1, which is true (Drouet and Hild 2015).
+/// What decides: each order against the theorem's exponent; all against τ − 1 (Drouet and Hild 2015).
 pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Finding> {
     let mut found = vec![complete(rows.iter().map(|row| &row.study))];
     found.extend(rows.iter().map(|row| against_theorem(*cone, row)));
@@ -100,8 +100,8 @@ pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Find
     found
 }
 
-/// One order against (3.1), (4.2), a remark for fat Cantor sets, whose orders are not sharp; at τ = 2, whose logarithm no order
-/// shows, the growth of error/bound; beyond τ = 2 order one.
+/// One order against (3.1), (4.2), a remark for fat Cantor sets, whose orders are not sharp; at τ = 2, whose
+/// logarithm no order shows, the growth of error/bound; beyond τ = 2 order one.
 fn against_theorem(cone: Cone, row: &RateRow) -> Finding {
     let [power, logarithm, one] =
         if cone == Cone::Nodal { ["(3.1)", "(3.2)", "(E4)"] } else { ["(4.2)", "(4.3)", "(4.4)"] };

@@ -44,7 +44,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     Ok(Computed { balance, rows, exponents, share })
 }
 
-/// Contact intervals lie on a grid of powers of 1/2: the supremum is above the largest by less than this part.
+/// Contact intervals lie on a grid of powers of 1/2: the supremum exceeds the largest by less than this part.
 const GRID: f64 = 0.05;
 /// Powers of h without a logarithm: what rounding leaves of a fit over ten lengths.
 const ROUNDING: f64 = 1e-9;

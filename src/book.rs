@@ -54,6 +54,7 @@ chapters! {
     speed_for_accuracy: "speed_for_accuracy.md",
     extremes: "extremes.md",
     toolkit: "toolkit.md",
+    every_label: "every_label.md",
     errata: "errata.md",
     after_2012: "after_2012.md",
     lemma_cards: "lemma_cards.md",

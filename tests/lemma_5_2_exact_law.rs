@@ -31,7 +31,8 @@ fn the_bounds_close_on_the_law() {
         let log = 10f64.powi(exponent);
         let HalfBracket { lower, upper, .. } = HalfBracket::new(log).unwrap();
         let law = END_SLOPE * log;
-        // The ramp is right up to 1/L. The chains lose b = A^(1/2) ∫ C w / L^(1/2), and N ≤ (A L)^(1/2) (b + (1 + b²)^(1/2)).
+        // The ramp is right up to 1/L. The chains lose b = A^(1/2) ∫ C w / L^(1/2), and N ≤ (A L)^(1/2) (b +
+        // (1 + b²)^(1/2)).
         assert!((lower / law - 1.0).abs() < 1.0 / log, "L {log}: {lower} against {law}");
         let above = upper / law - 1.0;
         assert!(above > 0.0 && above < before, "L {log}: {above} after {before}");
@@ -62,7 +63,8 @@ fn another_law_is_not_confirmed() {
     let options =
         example::Options { theta: vec![1e-5, 1e-20, 1e-80], log: vec![1e12], ..example::Options::default() };
     assert!(Verdict::of(&example::findings(&example::compute(&options).unwrap())).is_confirmed());
-    // A constant one per cent above the bound along chains; and the law with a slope one part in 1e4 too large.
+    // A constant one per cent above the bound along chains; and the law with a slope one part in 1e4 too
+    // large.
     let mut above = example::compute(&options).unwrap();
     above.points[1].1.square.value = 1.01 * above.points[1].0.upper;
     assert!(!Verdict::of(&example::findings(&above)).is_confirmed());

@@ -61,11 +61,26 @@ fn every_scene_is_solved_as_by_the_direct_solver() {
                 }
                 let case = format!("{scene} {cone} {n}");
                 let found = multigrid(&problem, cone, None, 1e-12);
-                let expected = (scene == MeshScene::Incompressible).then_some(Fallback::NearlyIncompressible);
+                let expected = match scene {
+                    MeshScene::Incompressible => Some(Fallback::NearlyIncompressible),
+                    // Its mesh is no grid.
+                    MeshScene::Bracket => Some(Fallback::NoLevels),
+                    _ => None,
+                };
                 assert_eq!(found.fallback, expected, "{case}: {:?}", found.levels);
                 assert_same(&problem, cone, &found, &case);
-                let steps = found.levels.iter().map(|level| level.steps).max().unwrap_or(0);
-                assert!(steps <= 4, "{case}: {:?}", found.levels);
+                // On coarse meshes the midpoint cone may need tens of steps; the direct solver does, too.
+                let all = &found.levels[..];
+                let finest = &all[all.len().saturating_sub(1)..];
+                let few = if cone == Cone::Nodal { all } else { finest };
+                let allowed = if n < 64 {
+                    40
+                } else if cone == Cone::Nodal {
+                    4
+                } else {
+                    10
+                };
+                assert!(few.iter().all(|level| level.steps <= allowed), "{case}: {:?}", found.levels);
             }
         }
     }
@@ -272,5 +287,33 @@ fn without_load_nothing_moves_and_huge_loads_do_no_harm() {
         let exact = direct(&problem, Cone::Nodal);
         assert_eq!(found.solution.contact_set, exact.contact_set, "{load}");
         assert!((found.solution.energy - exact.energy).abs() <= 1e-10 * exact.energy.abs(), "{load}");
+    }
+}
+
+/// The minima that five other packages found.
+#[test]
+fn energies_are_those_of_other_packages() {
+    let mut known = 0;
+    for scene in MeshScene::all() {
+        for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [16, 32, 64].map(|n| (cone, n))) {
+            let Some(j) = scene.known_energy(cone, n) else { continue };
+            let found = multigrid(&scene.problem(n).unwrap(), cone, None, 1e-12);
+            assert_eq!(found.fallback, None, "{scene} {cone} {n}");
+            assert!((found.solution.energy / j - 1.0).abs() <= 1e-10, "{scene} {cone} {n}");
+            known += 1;
+        }
+    }
+    assert_eq!(known, 12);
+}
+
+/// Bounded over n, with the same factor.
+#[test]
+fn gradient_steps_do_not_grow_with_the_mesh() {
+    for cone in Cone::ALL {
+        let steps = [64, 128, 256].map(|n| {
+            let found = multigrid(&MeshScene::Block.problem(n).unwrap(), cone, None, 1e-10);
+            found.levels.last().unwrap().gradient_steps
+        });
+        assert!(steps.iter().all(|&count| count <= 30), "{cone}: {steps:?}");
     }
 }

@@ -6,22 +6,30 @@ use example_frame::{Outcome, Verdict};
 #[allow(dead_code)]
 mod example;
 
+use std::sync::LazyLock;
+
+/// At default size, once for all tests; `tests/findings.rs` runs the example itself.
+static COMPUTED: LazyLock<example::Computed> =
+    LazyLock::new(|| example::compute(&example::Options::default()).unwrap());
+
+fn outcome(key: &str) -> Outcome {
+    let found = example::findings(&COMPUTED);
+    found.iter().find(|finding| finding.key() == key).unwrap().outcome()
+}
+
 #[test]
 fn statement_is_confirmed() {
-    let headline = example::run(&example::Options::default()).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{headline}");
+    assert!(Verdict::of(&example::findings(&COMPUTED)).is_confirmed());
     for key in ["below", "repaired", "constant", "grows.alpha0.25", "grows.alpha0.45", "slope.alpha1"] {
-        assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {headline}");
+        assert_eq!(outcome(key), Outcome::Holds, "{key}");
     }
     // The quotients still grow faster than L^α over the zones computed.
-    assert_eq!(headline.finding("power.alpha0.25").unwrap().outcome(), Outcome::Refuted, "{headline}");
+    assert_eq!(outcome("power.alpha0.25"), Outcome::Refuted);
 }
 
 #[test]
 fn the_printed_chain_fails_and_the_repaired_one_holds() {
-    let options = example::Options::default();
-    let computed = example::compute(&options).unwrap();
-    for family in computed.families.iter().filter(|family| family.alpha < 0.5) {
+    for family in COMPUTED.families.iter().filter(|family| family.alpha < 0.5) {
         for (norms, (log, _)) in family.chain.iter().zip(&family.quotients) {
             let label = format!("alpha = {}, L = {log}: {norms:?}", family.alpha);
             // ‖w‖ tends to one: the printed bound 1/n fails once n is above it.
@@ -29,15 +37,13 @@ fn the_printed_chain_fails_and_the_repaired_one_holds() {
             assert!(norms.repaired <= norms.truncation && norms.truncation < 1.0 + 1e-3, "{label}");
         }
     }
-    let headline = example::run(&options).unwrap();
-    assert_eq!(headline.finding("chain").unwrap().outcome(), Outcome::Refuted, "{headline}");
-    assert!(matches!(headline.verdict(), Verdict::PrintedFormFails(_)), "{headline}");
+    assert_eq!(outcome("chain"), Outcome::Refuted);
+    assert!(matches!(Verdict::of(&example::findings(&COMPUTED)), Verdict::PrintedFormFails(_)));
 }
 
 #[test]
 fn the_ramp_has_the_sharp_factor_and_other_powers_less() {
-    let computed = example::compute(&example::Options::default()).unwrap();
-    let slope = |alpha: f64| computed.families.iter().find(|f| f.alpha == alpha).unwrap().slope.unwrap();
+    let slope = |alpha: f64| COMPUTED.families.iter().find(|f| f.alpha == alpha).unwrap().slope.unwrap();
     let sharp = 3.0 / (2.0 * std::f64::consts::PI.powi(2));
     assert!((slope(1.0).value / sharp - 1.0).abs() < 1e-3, "{:?}", slope(1.0));
     assert!(slope(0.75).value < 0.95 * sharp, "{:?}", slope(0.75));

@@ -78,9 +78,9 @@ fn ten_thousand_functions_of_each_family_lose_seminorm() {
 
 #[test]
 fn a_thousand_unions_are_no_worse_than_the_interval_at_the_end() {
-    let cases = random_zones(1000, 19, Tolerance::new(1e-2).unwrap()).unwrap();
+    let cases = random_zones(1010, 19, Tolerance::new(1e-2).unwrap()).unwrap();
     let computed = cases.iter().filter_map(|(case, ratio)| Some((case, (*ratio)?)));
-    assert!(computed.clone().count() > 950);
+    assert!(computed.clone().count() >= 1000);
     for (case, ratio) in computed {
         let ZoneCase { order, zones, condition } = case;
         assert!(ratio.value <= 1.0 + ratio.error, "nu {order}, {condition}, {zones}: {ratio}");

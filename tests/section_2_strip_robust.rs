@@ -14,6 +14,7 @@ use signorini::strip::{
     EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, Sides,
     solve_contact,
 };
+use std::sync::LazyLock;
 
 #[path = "../examples/section_2_strip.rs"]
 #[allow(dead_code)]
@@ -261,14 +262,16 @@ fn nothing_is_hidden() {
     std::fs::remove_file(&path).unwrap();
 }
 
+/// The example at default size, once for all tests.
+static SOUND: LazyLock<example::Computed> =
+    LazyLock::new(|| example::compute(&example::Options::default()).unwrap());
+
 /// The default outcome with other errors, beside a bound that is constant.
 fn with_errors(errors: impl Fn(i32) -> f64) -> Verdict {
-    let options = example::Options::default();
-    let mut computed = example::compute(&options).unwrap();
-    let levels = || (3..15).map(|i| (0.5f64.powi(i), errors(i)));
-    computed.errors = levels().collect();
-    computed.bounds = vec![levels().map(|(h, _)| (h, 1.0)).collect(); 2];
-    Verdict::of(&example::findings(&options, &computed))
+    let errors: Vec<(f64, f64)> = (3..15).map(|i| (0.5f64.powi(i), errors(i))).collect();
+    let bounds = vec![errors.iter().map(|&(h, _)| (h, 1.0)).collect(); 2];
+    let computed = example::Computed { study: SOUND.study.clone(), errors, bounds };
+    Verdict::of(&example::findings(&example::Options::default(), &computed))
 }
 
 #[test]
@@ -288,8 +291,7 @@ fn growth_is_told_from_alternation() {
 
 #[test]
 fn planted_faults_turn_the_verdict() {
-    let options = example::Options::default();
-    let sound = example::compute(&options).unwrap();
+    let (options, sound) = (example::Options::default(), &*SOUND);
     let turned = |spoil: &dyn Fn(&mut Vec<Level>), key: &str| {
         let mut study = sound.study.clone();
         spoil(&mut study.studies[0]);
@@ -301,7 +303,7 @@ fn planted_faults_turn_the_verdict() {
             found.iter().filter(|f| f.outcome() == Outcome::Refuted).map(|f| f.key()).collect();
         assert_eq!(refuted, [key]);
     };
-    assert!(Verdict::of(&example::findings(&options, &sound)).is_confirmed());
+    assert!(Verdict::of(&example::findings(&options, sound)).is_confirmed());
     turned(&|levels| levels[4].facts.kkt = 1e-9, "kkt");
     turned(&|levels| levels[0].facts.status = Status::StepLimit { steps: 200 }, "converged");
     turned(&|levels| levels[11].facts.inner_iterations.push(31), "inner");

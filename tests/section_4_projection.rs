@@ -14,6 +14,7 @@ use signorini::interpolation::{
 use signorini::poincare::{Condition, Zone, gamma};
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Error, Tolerance};
+use std::sync::LazyLock;
 
 /// Required of the measured rates.
 const RATE_TOLERANCE: f64 = 0.02;
@@ -149,25 +150,23 @@ fn inadmissible_orders_are_errors() {
     }
 }
 
+/// The example at default size, once for all tests; `tests/findings.rs` runs it whole.
+static ROWS: LazyLock<Vec<example::Row>> =
+    LazyLock::new(|| example::compute(&example::Options::default()).unwrap());
+
 #[test]
 fn the_example_measures_the_rates_on_both_roads_in_both_norms() {
-    let headline = example::run(&example::Options::default()).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{}", headline.verdict());
-    assert_eq!(headline.table.rows().len(), 10);
-    for row in 0..10 {
-        let number = |key| headline.table.number(row, key).unwrap();
-        let r = number("r");
-        for (key, theory) in
-            [("function_l2", r), ("supremum_l2", r), ("function_dual", r + 0.5), ("supremum_dual", r + 0.5)]
-        {
-            assert!((number(key) - theory).abs() < RATE_TOLERANCE, "{key} {r}: {}", number(key));
-        }
-        // the uncertainty of the fit is honest and says something
-        for (rate, error, theory) in
-            [("supremum_l2", "error_l2", r), ("supremum_dual", "error_dual", r + 0.5)]
-        {
-            assert!((number(rate) - theory).abs() <= number(error) + 1e-6, "{rate} {r}: {}", number(rate));
-            assert!(number(error) < RATE_TOLERANCE, "{error} {r}");
+    let options = example::Options::default();
+    assert!(example_frame::Verdict::of(&example::findings(&options, &ROWS)).is_confirmed());
+    assert_eq!(ROWS.len(), 10);
+    for row in ROWS.iter() {
+        for (norm, theory) in row.norms.iter().zip([row.r, row.r + 0.5]) {
+            let (function, supremum) = (norm.function.value, norm.supremum.rate);
+            assert!((function - theory).abs() < RATE_TOLERANCE, "{}: {function}", row.r);
+            assert!((supremum.value - theory).abs() < RATE_TOLERANCE, "{}: {supremum}", row.r);
+            // the uncertainty of the fit is honest and says something
+            assert!((supremum.value - theory).abs() <= supremum.error + 1e-6, "{}: {supremum}", row.r);
+            assert!(supremum.error < RATE_TOLERANCE, "{}: {supremum}", row.r);
         }
     }
 }
@@ -188,9 +187,9 @@ fn an_order_below_all_defaults_is_measured_or_said_not_to_be() {
 #[test]
 fn spoiled_rates_and_constants_turn_the_verdict() {
     let options = example::Options { r: vec![0.5], ..Default::default() };
-    let rows = example::compute(&options).unwrap();
+    let half = ROWS.iter().find(|row| row.r == 0.5).unwrap();
     let spoiled = |spoil: fn(&mut example::Row)| {
-        let mut row = example::Row { norms: rows[0].norms, ..rows[0] };
+        let mut row = example::Row { ..*half };
         spoil(&mut row);
         example_frame::Verdict::of(&example::findings(&options, &[row])).is_confirmed()
     };
@@ -198,14 +197,6 @@ fn spoiled_rates_and_constants_turn_the_verdict() {
     assert!(!spoiled(|row| row.norms[1].function.value = 0.75), "half of the half order");
     assert!(!spoiled(|row| row.norms[0].supremum.rate.error = 0.1), "a rate nobody knows");
     assert!(!spoiled(|row| row.norms[0].constant.value = 0.5 * row.norms[0].supremum.scaled.value));
-    let options = saturation::Options { r: vec![0.5, 2.0], ..Default::default() };
-    let mut rows = saturation::compute(&options).unwrap();
-    let confirmed = |rows: &[saturation::Row]| {
-        example_frame::Verdict::of(&saturation::findings(&options, rows)).is_confirmed()
-    };
-    assert!(confirmed(&rows));
-    rows[1].projection.value = 1.1;
-    assert!(!confirmed(&rows), "a projection that gains beyond H^1");
 }
 
 #[test]
@@ -229,14 +220,20 @@ fn the_supremum_lies_between_its_bounds_on_every_mesh() {
 
 #[test]
 fn the_projection_saturates_at_h1() {
-    let headline = saturation::run(&saturation::Options::default()).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{}", headline.verdict());
-    for row in 0..headline.table.rows().len() {
-        let number = |key| headline.table.number(row, key);
-        let (r, rate) = (number("r").unwrap(), number("projection").unwrap());
+    let options = saturation::Options::default();
+    let mut rows = saturation::compute(&options).unwrap();
+    let confirmed = |rows: &[saturation::Row]| {
+        example_frame::Verdict::of(&saturation::findings(&options, rows)).is_confirmed()
+    };
+    assert!(confirmed(&rows));
+    for row in &rows {
+        let (r, rate) = (row.r, row.projection.value);
         assert!((rate - r.min(1.0)).abs() < RATE_TOLERANCE, "r {r}: {rate}");
-        if let Some(limit) = number("limit") {
-            assert!((limit - 1.0).abs() < 1e-3, "r {r}: {limit}");
+        if let Some(limit) = row.limit {
+            assert!((limit.value - 1.0).abs() < 1e-3, "r {r}: {limit}");
         }
     }
+    let smooth = rows.iter_mut().find(|row| row.r > 1.0).unwrap();
+    smooth.projection.value = 1.1;
+    assert!(!confirmed(&rows), "a projection that gains beyond H^1");
 }

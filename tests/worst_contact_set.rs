@@ -4,22 +4,30 @@
 #[path = "../examples/worst_contact_set.rs"]
 mod example;
 
-use example_frame::Outcome;
+use example_frame::{Outcome, Verdict};
 use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::proof::worst_ratio;
 
 #[test]
-fn no_set_is_bad() {
+fn no_set_is_bad_and_none_passes_the_sharp_constant() {
     let options = example::Options { depth: 15, ..example::Options::default() };
-    let headline = example::run(&options).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{headline}");
-    for row in 0..headline.table.rows().len() {
-        for key in ["nodal_share", "midpoint_share"] {
-            let share = headline.table.number(row, key).unwrap();
-            assert!((0.0..1.0).contains(&share), "{headline}");
-        }
+    let mut computed = example::compute(&options).unwrap();
+    assert!(Verdict::of(&example::findings(&computed)).is_confirmed());
+    for (family, terms, _) in &computed.sets {
+        assert!(terms.shares.iter().all(|share| (0.0..1.0).contains(share)), "{family}: {terms:?}");
     }
+    let sharp = computed.sharp[0].value.value;
+    // The two cones exchange their parts for one gap: no difference is left but that of the search.
+    for searched in &computed.searched {
+        assert!(searched.largest() < sharp && searched.largest() > 0.8 * sharp, "{searched:?} {sharp}");
+        assert_eq!(searched.climbed.gaps(), 1, "{searched:?}");
+    }
+    let [nodal, midpoint] = &computed.searched;
+    assert!((nodal.interval.ratio / midpoint.interval.ratio - 1.0).abs() < 1e-10);
+    assert_eq!(outcome(&computed, "search"), Outcome::Holds);
+    computed.searched[1].random.ratio = 1.001 * sharp;
+    assert_eq!(outcome(&computed, "search"), Outcome::Refuted);
 }
 
 #[test]
@@ -36,23 +44,6 @@ fn a_short_gap_makes_the_term_small_where_the_second_case_lets_it_grow() {
         let order = (ratios[1] / ratios[2]).log10();
         assert!((order - (2.0 * tau - 3.0)).abs() < 0.05, "{tau}: {order}");
     }
-}
-
-#[test]
-fn no_searched_set_passes_the_sharp_constant_and_a_larger_one_would_be_seen() {
-    let options = example::Options { depth: 13, ..example::Options::default() };
-    let mut computed = example::compute(&options).unwrap();
-    let sharp = computed.sharp[0].value.value;
-    // The two cones exchange their parts for one gap: no difference is left but that of the search.
-    for searched in &computed.searched {
-        assert!(searched.largest() < sharp && searched.largest() > 0.8 * sharp, "{searched:?} {sharp}");
-        assert_eq!(searched.climbed.gaps(), 1, "{searched:?}");
-    }
-    let [nodal, midpoint] = &computed.searched;
-    assert!((nodal.interval.ratio / midpoint.interval.ratio - 1.0).abs() < 1e-10);
-    assert_eq!(outcome(&computed, "search"), Outcome::Holds);
-    computed.searched[1].random.ratio = 1.001 * sharp;
-    assert_eq!(outcome(&computed, "search"), Outcome::Refuted);
 }
 
 fn outcome(computed: &example::Computed, key: &str) -> Outcome {

@@ -1,5 +1,5 @@
-//! The cones of (2.9) and (4.1) on an edge with a given number of nodes: constraints B w and their forces B'λ,
-//! supports, refinement, steps that stay inside.
+//! The cones of (2.9) and (4.1) on an edge with a given number of nodes: constraints B w and their forces
+//! B'λ, supports, refinement, steps that stay inside.
 //!
 //! On an edge with joined ends the last node is a neighbour of the first. Cost: O(nodes) for every operation.
 

@@ -13,12 +13,12 @@ use crate::numeric::check::require_values;
 use crate::numeric::scale::largest;
 
 impl ContactProblem {
-    /// The four figures of every ring `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; a ring without free unknowns
-    /// has zeros. Cost: O(unknowns) per ring.
+    /// The four figures of every ring `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; a ring without free
+    /// unknowns has zeros. Cost: O(unknowns) per ring.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the bounds increase; [`Error::LengthMismatch`], [`Error::NotFinite`] when the
-    /// solution is not one of this problem.
+    /// [`Error::OutOfRange`] unless the bounds increase; [`Error::LengthMismatch`], [`Error::NotFinite`] when
+    /// the solution is not one of this problem.
     pub fn judge_by_radius(
         &self,
         solution: &ContactSolution,

@@ -112,8 +112,8 @@ impl Read {
     }
 }
 
-/// Where the stretch of contact or gap at an end of the contact edge ends; what is nearer than the shell that is
-/// read does not count.
+/// Where the stretch of contact or gap at an end of the contact edge ends; what is nearer than the shell that
+/// is read does not count.
 fn border(problem: &ContactProblem, solution: &ContactSolution, place: Point) -> Result<Option<f64>> {
     let points = problem.edge().points();
     let mut nodes: Vec<usize> = (0..points.len()).collect();

@@ -12,8 +12,8 @@
 //! Of the two with a smooth part the one whose order moves least between windows of levels is reported; one
 //! power alone only where neither can be fitted (few levels, or no power below one) or both are lost in noise
 //! (half-width above 0.1 and above that of one power, the difference of the two orders included), since two
-//! halves of a series may agree by chance and both be off. That covers the orders of both: above 0.1 noise has
-//! fitted B, and the union of both intervals would only be wider (no order is missed in the tests below).
+//! halves of a series may agree by chance and both be off. That covers the orders of both: above 0.1 noise
+//! has fitted B, and the union of both intervals would only be wider (no order is missed in the tests below).
 //!
 //! # What the half-width is
 //!

@@ -12,17 +12,17 @@ use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use crate::cone::Cone;
-use crate::contact::{ContactProblem, ContactSolution, Solver};
+use crate::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::estimate::{Estimate, Tolerance, Work};
 use crate::fem::Form;
 use crate::mesh::{Hierarchy, Triangulation};
 use crate::scenes::{MeshScene, Setting, body_regularity};
 
 /// Uniform refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 1;
-/// Squares along each side of the largest reference: 8.4 million unknowns for a vector, some 16 GiB.
-const LARGEST_REFERENCE: usize = 2048;
+/// Squares along each side of the largest reference: 17 million unknowns for a scalar, by multigrid some 9 GB.
+const LARGEST_REFERENCE: usize = 4096;
 /// Rounding of the energy norm of a difference, relative to the norm of u.
 const ROUNDING: f64 = 1e-13;
 
@@ -57,7 +57,7 @@ impl MeshRates {
             self.levels - 1 + REFERENCE_DEPTH,
         )?;
         let problem = self.problem(hierarchy.finest().clone())?;
-        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+        let solution = solve(&problem, &hierarchy, Cone::Nodal)?;
         let tau = match self.constant_load {
             false => self.scene.regularity(&self.setting)?.tau,
             true => body_regularity(&problem, &solution)?.tau,
@@ -112,10 +112,22 @@ impl MeshRates {
             .and_then(|k| 1usize.checked_shl(k));
         let reference = finest.and_then(|factor| coarsest.checked_mul(factor));
         if levels < 2 || reference.is_none_or(|n| n > LARGEST_REFERENCE) {
-            let range = "[2, levels whose reference has at most 2048 squares along each side]";
+            let range = "[2, levels whose reference has at most 4096 squares along each side]";
             return Err(Error::CountOutOfRange { name: "levels", value: levels, range });
         }
         Ok(())
+    }
+}
+
+/// The discrete solution: by elimination on small meshes, by multigrid to twelve digits on large ones.
+fn solve(problem: &ContactProblem, hierarchy: &Hierarchy, cone: Cone) -> Result<ContactSolution> {
+    let unknowns = problem.mesh().nodes().len() * problem.form().components();
+    match Solver::Auto.for_unknowns(unknowns) {
+        Solver::Multigrid => {
+            let accuracy = Accuracy::Relative(Tolerance::reference());
+            Ok(problem.solve_by_multigrid(cone, Some(hierarchy), accuracy, |_| Ok(()))?.solution)
+        }
+        solver => problem.solve(cone, solver),
     }
 }
 
@@ -137,7 +149,7 @@ impl LevelProblem for Reference {
 
     fn solve(&self, level: usize, cone: Cone, _: Option<&Self::Solution>) -> Result<Self::Solution> {
         let problem = self.rates.problem(self.hierarchy.levels()[level].clone())?;
-        let solution = problem.solve(cone, Solver::ActiveSet)?;
+        let solution = solve(&problem, &self.hierarchy.up_to(level), cone)?;
         Ok((problem, solution))
     }
 

@@ -11,13 +11,14 @@
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
 //! | contact and gaps in ln r, r the distance from an end | [`radial_intervals`] |
 //!
-//! The consistency term stands three times, once per kind of data, and no one of them can serve for the others:
+//! The consistency term stands three times, once per kind of data, and no one of them can serve for the
+//! others:
 //!
-//! * [`nodal_term`], [`midpoint_term`]: point forces at any nodes, on any one segment. What a computed solution
-//!   gives, and what the alternatives sum over the segments of a case.
-//! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is exact,
-//!   so all levels together cost O(N) where segment by segment each costs O(N). To rounding the sum of the
-//!   first over all segments: the two are each other's second road (tests of Theorems 3.1 and 4.1).
+//! * [`nodal_term`], [`midpoint_term`]: point forces at any nodes, on any one segment. What a computed
+//!   solution gives, and what the alternatives sum over the segments of a case.
+//! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is
+//!   exact, so all levels together cost O(N) where segment by segment each costs O(N). To rounding the sum of
+//!   the first over all segments: the two are each other's second road (tests of Theorems 3.1 and 4.1).
 //! * [`SegmentNorms`]: densities. The inequalities of the proofs name ‖σ_N‖₀ and |σ_N|_ν, which a point force
 //!   does not have; spread over its cells it has, and the term of the spread force is another number, not the
 //!   same one rounded differently.

@@ -9,8 +9,8 @@
 //! | [`Traces::Linears`] | quadratic on cells, C¹ | linear, continuous | as u_N' | ν < 3/2; used for 2 ≤ τ < 5/2 |
 //!
 //! *Constants.* u_N interpolates the nodal values. A nodal force λ_i is spread evenly over the one or two
-//! cells at its node whose both ends are in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0 or σ_N
-//! = 0.
+//! cells at its node whose both ends are in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0
+//! or σ_N = 0.
 //!
 //! *Linears.* u_N' has the nodal values (u_{i+1} − u_{i−1})/(2δ), hence u_N(x_i) = (u_{i−1} + 2u_i +
 //! u_{i+1})/4: the quadratic spline of the data, which is ≤ 0 and vanishes on a cell only when four nodal

@@ -25,7 +25,8 @@ impl RadialInterval {
     }
 }
 
-/// The stretches of contact and gap, from the inside outwards; radii that are 0 (the end itself) are left out.
+/// The stretches of contact and gap, from the inside outwards; radii that are 0 (the end itself) are left
+/// out.
 ///
 /// ```
 /// use signorini::cone::ContactSet;
@@ -38,8 +39,8 @@ impl RadialInterval {
 /// ```
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] unless there is a radius per constraint, [`Error::NotFinite`], [`Error::OutOfRange`] for radii
-/// that are negative or do not increase.
+/// [`Error::LengthMismatch`] unless there is a radius per constraint, [`Error::NotFinite`],
+/// [`Error::OutOfRange`] for radii that are negative or do not increase.
 pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInterval>> {
     require_length("radii", radii.len(), set.constraints())?;
     require_finite("radius", radii)?;

@@ -5,8 +5,8 @@ use crate::estimate::Estimate;
 use std::f64::consts::LN_2;
 
 /// A rate whose own error falls by two ninths or more from one pair of meshes to the next is off by at most
-/// three and a half times its last change: beside the leading term one with another factor h^{1/2} and no larger
-/// a coefficient, or h^{3/4} and twice the coefficient, from eight elements on.
+/// three and a half times its last change: beside the leading term one with another factor h^{1/2} and no
+/// larger a coefficient, or h^{3/4} and twice the coefficient, from eight elements on.
 const CHANGES: f64 = 3.5;
 
 /// The exponents of h = 1/N between each mesh and the one before it; none for the first.

@@ -135,6 +135,13 @@ impl Hierarchy {
         &self.levels[self.levels.len() - 1]
     }
 
+    /// The levels up to a given one; all of them when there are fewer.
+    #[must_use]
+    pub fn up_to(&self, level: usize) -> Self {
+        let last = level.min(self.levels.len() - 1);
+        Self { levels: self.levels[..=last].to_vec(), parents: self.parents[..last].to_vec() }
+    }
+
     /// The two nodes of level k − 1 in the middle of which every node of level k > 0 lies; twice the same for
     /// a node that was there already.
     pub(crate) fn parents(&self, level: usize) -> Vec<[u32; 2]> {

@@ -1,12 +1,14 @@
 //! Polar rings around the origin, graded geometrically: the mesh for a transition of boundary conditions that
 //! lies at the origin.
 //!
-//! The body is star-shaped, above the axis y = 0, with the outline ϱ(θ) (cos θ, sin θ), 0 ≤ θ ≤ π, ϱ(0) = ϱ(π)
-//! = 1. Ring k is the outline times e^{−k s}, nodes at the angles jπ/n; the innermost ring is closed by a fan of
-//! triangles with its tip at the origin. Bottom: fixed for x < 0, contact for x > 0; free on the outline.
+//! The body is star-shaped, above the axis y = 0, with the outline ϱ(θ) (cos θ, sin θ), 0 ≤ θ ≤ π, ϱ(0) =
+//! ϱ(π) = 1. Ring k is the outline times e^{−k s}, nodes at the angles jπ/n; the innermost ring is closed by
+//! a fan of triangles with its tip at the origin. Bottom: fixed for x < 0, contact for x > 0; free on the
+//! outline.
 //!
 //! All rings are similar, and the stiffness of P1 elements in the plane does not change with scale, so the
-//! matrix is as good at r = 1e−100 as at r = 1. Coordinates near the origin keep all digits. Cost: O(n · rings).
+//! matrix is as good at r = 1e−100 as at r = 1. Coordinates near the origin keep all digits. Cost: O(n ·
+//! rings).
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
@@ -39,8 +41,9 @@ pub enum Outline {
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] unless `angles` is a multiple of 4 in [4, 512] and there are at most four million nodes;
-/// [`Error::OutOfRange`] unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: smaller rings collapse.
+/// [`Error::CountOutOfRange`] unless `angles` is a multiple of 4 in [4, 512] and there are at most four
+/// million nodes; [`Error::OutOfRange`] unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: smaller rings
+/// collapse.
 pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
         let range = "multiples of 4 in [4, 512]";

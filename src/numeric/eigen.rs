@@ -23,8 +23,8 @@ pub(crate) fn symmetric_eigen(a: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     Some(((0..size).map(|i| values[(i, 0)]).collect(), vectors))
 }
 
-/// The eigenvalues of a square matrix, conjugates both, in no order. `None` where the iteration does not converge.
-/// Cost O(n³).
+/// The eigenvalues of a square matrix, conjugates both, in no order. `None` where the iteration does not
+/// converge. Cost O(n³).
 #[cfg(feature = "contact")]
 pub(crate) fn general_eigenvalues(a: &Mat<f64>) -> Option<Vec<faer::c64>> {
     let size = a.nrows();

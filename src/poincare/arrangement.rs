@@ -37,7 +37,8 @@ pub struct ZoneCase {
 
 impl ZoneCase {
     /// A random case: 1 to 5 intervals of measure 1e-12 to 0.9 on an extent between θ and one, anywhere, a
-    /// quarter of the unions from the left end on; ν in \[0.001, 0.999\], half of them within a tenth of 0, 1/2 or 1.
+    /// quarter of the unions from the left end on; ν in \[0.001, 0.999\], half of them within a tenth of 0,
+    /// 1/2 or 1.
     ///
     /// # Errors
     /// None for the parameters drawn here; those of [`Zones::from_lengths`] are passed on.
@@ -112,13 +113,13 @@ pub struct MovedZone {
     pub order: FractionalOrder,
     /// Mean zero or vanishing.
     pub condition: Condition,
-    /// Where the constant of (a, a + θ) is least for a ≤ (1 − θ)/2, to a thousandth: a/(1 − θ), one half in the
-    /// middle.
+    /// Where the constant of (a, a + θ) is least for a ≤ (1 − θ)/2, to a thousandth: a/(1 − θ), one half in
+    /// the middle.
     pub share: f64,
     /// The least constant over that of (0, θ).
     pub least: Estimate,
-    /// γ₁ over that of (0, θ): with mean zero no set has less, and a symmetric one has γ₁ where an odd function is
-    /// extremal.
+    /// γ₁ over that of (0, θ): with mean zero no set has less, and a symmetric one has γ₁ where an odd
+    /// function is extremal.
     pub whole: Estimate,
     /// (g, γ_E / γ_(0,θ)) for two halves, symmetric about the middle, with the gap g between them: from
     /// 1e-4 (1 − θ) to 1 − θ, where they lie at both ends.
@@ -148,8 +149,8 @@ impl MovedZone {
 const GAPS: [f64; 16] =
     [1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 
-/// (g, γ_E / γ_(0,θ)) for the two halves of a zone of length θ, symmetric about the middle, as the gap g between
-/// them opens to 1 − θ, where they lie at both ends.
+/// (g, γ_E / γ_(0,θ)) for the two halves of a zone of length θ, symmetric about the middle, as the gap g
+/// between them opens to 1 − θ, where they lie at both ends.
 ///
 /// # Errors
 /// Those of [`ZoneCase::over_end`].

@@ -36,8 +36,9 @@ const COARSER: f64 = 4.0;
 ///
 /// # Errors
 /// [`Error::OutOfRange`] when the condition leaves only u = 0 (vanishing on the whole interval);
-/// [`Error::ToleranceNotMet`] when rounding (about 2e-13, up to 5e-11 for very short zones inside; for several
-/// intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the tolerance.
+/// [`Error::ToleranceNotMet`] when rounding (about 2e-13, up to 5e-11 for very short zones inside; for
+/// several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the
+/// tolerance.
 pub fn gamma(
     order: FractionalOrder,
     zone: impl Into<Zones>,

@@ -1,8 +1,8 @@
 //! The constrained problem on one slope space.
 //!
 //! The interval is a sequence of parts; the condition holds on one of them or on several together, a part of
-//! length zero being a point. Lengths are divided by the root of the shortest one, so that all of them lie between 1e-150 and
-//! 1e150.
+//! length zero being a point. Lengths are divided by the root of the shortest one, so that all of them lie
+//! between 1e-150 and 1e150.
 //!
 //! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length
 //! 1/unit of the interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.

@@ -2,7 +2,8 @@
 //!
 //! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}). With u the extremal function of V_{θ²} in the variable x/θ, I
 //! the stretched interval and c the mean of u over (0,1), (5.7) is
-//! |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I}, and (5.6) ‖u‖_{0,I} ≤ θ^{−1/2} |c| + θ^{−ν} γ_θ |u|_{ν,I}.
+//! |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I},
+//! and (5.6) ‖u‖_{0,I} ≤ θ^{−1/2} |c| + θ^{−ν} γ_θ |u|_{ν,I}.
 
 use super::constant::extremal;
 use super::extremal::ExtremalFunction;
@@ -44,7 +45,8 @@ pub struct InductionStep {
     pub closing: Estimate,
 }
 
-/// What the last lines of the proof make of the product (5.9), for a start θ₀ and any θ ≤ θ₀: γ_θ/γ_{θ₀} is at most
+/// What the last lines of the proof make of the product (5.9), for a start θ₀ and any θ ≤ θ₀: γ_θ/γ_{θ₀} is
+/// at most
 ///
 /// | ν | |
 /// | --- | --- |
@@ -52,8 +54,8 @@ pub struct InductionStep {
 /// | > 1/2 | exp Σ_i (θ₀^{ν−1/2})^{2^i} |
 /// | < 1/2 | θ^{ν−1/2} exp Σ_i (θ₀^{1/4−ν/2})^{2^i} |
 ///
-/// with all terms of the sums, so that only θ^{ν−1/2} and ln(1/θ) depend on θ. Infinite where exp overflows, for ν
-/// near 1/2.
+/// with all terms of the sums, so that only θ^{ν−1/2} and ln(1/θ) depend on θ. Infinite where exp overflows,
+/// for ν near 1/2.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ θ₀ < 1.

@@ -1,11 +1,11 @@
 //! Graded cells for the extremal function of a zone.
 //!
 //! The extremal function is analytic except at 0, 1 and the ends of the zone's intervals, where it behaves
-//! like powers of the distance r. Each of the intervals between these points is halved and each half graded to its point:
-//! an affine cell next to it, then cells on which u is a polynomial in ln r. In ln r the function is a sum of
-//! exponentials that have scales of order one near the *features* (r equal to the distance of another
-//! singular point, or to the half length) and is slow elsewhere: cells grow geometrically with their distance
-//! from the features, so θ = 1e-300 costs few cells more than θ = 1e-3.
+//! like powers of the distance r. Each of the intervals between these points is halved and each half graded
+//! to its point: an affine cell next to it, then cells on which u is a polynomial in ln r. In ln r the
+//! function is a sum of exponentials that have scales of order one near the *features* (r equal to the
+//! distance of another singular point, or to the half length) and is slow elsewhere: cells grow geometrically
+//! with their distance from the features, so θ = 1e-300 costs few cells more than θ = 1e-3.
 
 use super::slopes::cell::Cell;
 use crate::sobolev::FractionalOrder;
@@ -84,8 +84,8 @@ impl MeshModel {
     }
 
     /// Cells for consecutive parts of the given lengths, in order, and the range of cells of each part. A
-    /// part of length zero has no cells and marks a point at which u vanishes; each of the parts `frozen` is one
-    /// cell on which u is constant.
+    /// part of length zero has no cells and marks a point at which u vanishes; each of the parts `frozen` is
+    /// one cell on which u is constant.
     pub(crate) fn cells(&self, parts: &[f64], frozen: &[usize]) -> (Vec<Cell>, Vec<Range<usize>>) {
         let mut cells = Vec::new();
         let mut ranges = Vec::new();

@@ -3,7 +3,8 @@
 //! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1), 0 < ν < 1, whose mean over a [`Zone`] is zero or which vanish
 //! there; the zone may be a union of intervals, [`Zones`]. The seminorm is
 //! |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300. Moments in place
-//! of ‖u‖₀, for functions that vanish on a zone at an end: [`moment_norm`], and between two bounds [`StrongForm`].
+//! of ‖u‖₀, for functions that vanish on a zone at an end: [`moment_norm`], and between two bounds
+//! [`StrongForm`].
 
 mod arrangement;
 mod bracket;

@@ -191,8 +191,8 @@ mod tests {
         }
     }
 
-    /// A conforming value on continuous piecewise linear functions of a mesh that is graded to the ends of the
-    /// intervals: the constant is a sum of basis functions there and no slope appears.
+    /// A conforming value on continuous piecewise linear functions of a mesh that is graded to the ends of
+    /// the intervals: the constant is a sum of basis functions there and no slope appears.
     fn with_linears(nu: f64, zones: &Zones, condition: Condition) -> f64 {
         let order = FractionalOrder::new(nu).unwrap();
         let mut points = vec![0.0, 1.0];

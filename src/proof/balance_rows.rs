@@ -1,16 +1,19 @@
 //! The balance of θ over element lengths: the bounds at the printed θ and where they cross, beside the worst
 //! pairs there are.
 //!
-//! *θ of the segment's own.* Nodal cone: take the vertex with the larger |u_N|, at distance r h from the nearest zero, and
-//! m the mean of u_N' over T, |m| h ≤ M = max|u_N(a_i)| as both values have one sign. From the vertex to the zero,
+//! *θ of the segment's own.* Nodal cone: take the vertex with the larger |u_N|, at distance r h from the
+//! nearest zero, and m the mean of u_N' over T, |m| h ≤ M = max|u_N(a_i)| as both values have one sign. From
+//! the vertex to the zero,
 //!
 //! M ≤ ∫|u_N' − m| + r h |m| ≤ (rh)^{1−1/q} ‖u_N' − m‖_{L^q} + r M,  ‖σ_N‖₀ ≤ γ_r h^ν |σ_N|_ν,
 //!
-//! the second because σ_N = 0 on that piece: (3.5) and (3.12) at the same θ = r. With ‖v − m‖_{L^q(0,1)} ≤ C(q) (1 +
-//! γ₁²)^{1/2} |v|_ν the term is at most C r^{1−1/q} γ_r/(1−r) h^{2τ−2} |σ_N|_ν |u_N'|_ν for r ≤ 1/2, and r^{1−1/q} γ_r is
-//! r^{2ν}, at ν = 1/2 r^{1−1/q} times a logarithm. For r ≥ 1/2 (3.14) with θ = 1/2 does it. Midpoint cone, r h the distance
-//! of the first and the last contact point: σ_N = 0 off this piece and u_N' has mean zero on it, and the same with
-//! ‖σ_N‖_{L¹} ≤ (rh)^{1−1/q} ‖σ_N‖_{L^q}, ‖u_N − π^h u_N‖_{L^∞} ≤ h^{1/2} ‖u_N'‖₀/√3, ‖u_N'‖₀ ≤ γ_r h^ν |u_N'|_ν.
+//! the second because σ_N = 0 on that piece: (3.5) and (3.12) at the same θ = r. With
+//! ‖v − m‖_{L^q(0,1)} ≤ C(q) (1 + γ₁²)^{1/2} |v|_ν the term is at most
+//! C r^{1−1/q} γ_r/(1−r) h^{2τ−2} |σ_N|_ν |u_N'|_ν for r ≤ 1/2, and r^{1−1/q} γ_r is r^{2ν}, at ν = 1/2
+//! r^{1−1/q} times a logarithm. For r ≥ 1/2 (3.14) with θ = 1/2 does it. Midpoint cone, r h
+//! the distance of the first and the last contact point: σ_N = 0 off this piece and u_N' has mean zero on it,
+//! and the same with ‖σ_N‖_{L¹} ≤ (rh)^{1−1/q} ‖σ_N‖_{L^q},
+//! ‖u_N − π^h u_N‖_{L^∞} ≤ h^{1/2} ‖u_N'‖₀/√3, ‖u_N'‖₀ ≤ γ_r h^ν |u_N'|_ν.
 
 use super::balance::{ElementBalance, WorstPair};
 use super::exponent::Exponent;
@@ -41,8 +44,8 @@ pub struct BalanceRow {
     pub own_share: f64,
 }
 
-/// r of a worst pair: the distance of the vertex with the larger |u_N| from contact, in units of h; for the midpoint cone
-/// the diameter of the contact set.
+/// r of a worst pair: the distance of the vertex with the larger |u_N| from contact, in units of h; for the
+/// midpoint cone the diameter of the contact set.
 fn own_theta(pair: &WorstPair, cone: Cone) -> f64 {
     let ([a, b], [left, right]) = (pair.ends, pair.direction);
     match cone {
@@ -76,8 +79,8 @@ impl ElementBalance {
         lengths.iter().map(|&h| self.row(h)).collect()
     }
 
-    /// The bound of the consistency term over |σ_N|_ν |u_N'|_ν on an element of length h ≤ 1 with θ_T = r in (0, 1]: both
-    /// cases at once.
+    /// The bound of the consistency term over |σ_N|_ν |u_N'|_ν on an element of length h ≤ 1 with θ_T = r in
+    /// (0, 1]: both cases at once.
     pub fn own_bound(&self, cone: Cone, h: f64, r: f64) -> f64 {
         let constants = self.constants();
         let scale = h.powf(1.0 + 2.0 * constants.order().value());

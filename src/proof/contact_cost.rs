@@ -1,18 +1,36 @@
-//! What contact costs: the error beside the one of interpolation and that of the best approximation without constraint.
+//! What contact costs: the error beside the one of interpolation and that of the best approximation without
+//! constraint.
 //!
-//! For each u in H^τ(Ω) and each contact set Σ_T |σ_N|²_{ν,T} ≤ ∬_{|x−y|≤h} (σ_N(x)−σ_N(y))²/|x−y|^{1+2ν} → 0, and the same for
-//! u_N'; with the constant c of a segment the consistency term is at most c h^{2τ−2} (Σ_T |σ_N|²)^{1/2} (Σ_T |u_N'|²)^{1/2},
-//! hence o(h^{2τ−2}), and |u − u_h|_a² ≤ |u − I^h u|_a² + o(h^{2τ−2}) for the nodal cone.
+//! For each u in H^τ(Ω) and each contact set Σ_T |σ_N|²_{ν,T} ≤ ∬_{|x−y|≤h} (σ_N(x)−σ_N(y))²/|x−y|^{1+2ν},
+//! which tends to 0, and the same for u_N'; with the constant c of a segment the consistency term is at most
+//! c h^{2τ−2} (Σ_T |σ_N|²)^{1/2} (Σ_T |u_N'|²)^{1/2}, hence o(h^{2τ−2}), and for the nodal cone
+//! |u − u_h|_a² ≤ |u − I^h u|_a² + o(h^{2τ−2}).
 //!
-//! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete solution for the
-//! forces A g that hold the exact edge: no contact problem. Cost as [`super::falk_terms`].
+//! The order of the term over h^{2τ−2} in a scene of [`StripScene`], from the gaps longer than h, h^{−d} of
+//! them (this defines d; shorter ones, of length l, count with weight l/h and add no more),
+//! [`CostStudy::theory`]:
+//!
+//! | scene | on one segment: ∫\|σ_N\|, \|u_N\| | sum | over h^{2τ−2} |
+//! | --- | --- | --- | --- |
+//! | transitions, τ ≤ 2 | h^{τ−1}, h^{τ−1} | h^{2τ−2} | 0 |
+//! | transitions, τ = 5/2 | h^{3/2}, h^{3/2} | h³ | 1, over h² |
+//! | fat Cantor set, d = 4 − 2τ | h, h | h^{2−d} | 0 |
+//! | Cantor set, σ_N = −1 on all of its pieces, of fixed total | h^d, h^{τ−1+d/2} | h^{τ−1+d/2} | 1 − τ + d/2 |
+//!
+//! Where the order is 0 the regularity τ is a supremum: the sums that have to tend to zero for u ∈ H^τ do
+//! not.
+//!
+//! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete
+//! solution for the forces A g that hold the exact edge: no contact problem. Cost as [`super::falk_terms`].
 
 use super::exponent::Exponent;
+use crate::cone::Cone;
 use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use crate::edge::consistency_terms;
 use crate::error::Result;
-use crate::scenes::StripCase;
+use crate::scenes::{StripCase, StripScene};
 use crate::strip::{StripProblem, restrict};
+use std::f64::consts::LN_2;
 
 /// One mesh, mean over the positions of the scene; all squared.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -46,18 +64,80 @@ impl CostRow {
     }
 }
 
-/// A quotient on the finest of at least three meshes, and what it changed by over the last two halvings of h.
-pub fn cost_limit(rows: &[CostRow], quotient: fn(&CostRow) -> f64) -> Option<(f64, f64)> {
-    let last = rows.len().checked_sub(3)?;
-    let found: Vec<f64> = rows[last..].iter().map(quotient).collect();
-    Some((found[2], (found[2] - found[1]).abs().max((found[2] - found[0]).abs())))
+/// A scene on a strip in one cone, mesh after mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CostStudy {
+    /// The scene.
+    pub scene: StripScene,
+    /// Its regularity.
+    pub tau: f64,
+    /// The cone.
+    pub cone: Cone,
+    /// Cells of the grid of reference.
+    pub reference: usize,
+    /// Coarsest mesh first.
+    pub rows: Vec<CostRow>,
 }
 
-/// The order in h of the consistency term over h^{2τ−2}, over the meshes on which it is positive, three at least.
-pub fn term_order(rows: &[CostRow], tau: f64) -> Option<Exponent> {
+/// Cells of reference in a segment for quotients: what the discrete reference misses of the squared errors is
+/// (h_r/h)^{2τ−2}, 1 % for τ = 1.55.
+const RESOLVED: usize = 64;
+
+impl CostStudy {
+    /// Solves a case; `report` is called after each mesh.
+    ///
+    /// # Errors
+    /// As [`contact_cost`].
+    pub fn of(case: &StripCase, report: impl FnMut()) -> Result<Self> {
+        let (scene, rows) = (case.source.clone(), contact_cost(case, report)?);
+        let reference = case.levels.reference_cells();
+        Ok(Self { scene, tau: case.tau, cone: case.cone, reference, rows })
+    }
+
+    /// A quotient on the finest of at least three meshes whose segments have 64 cells of reference, and what
+    /// it changed by over the last two halvings of h.
+    pub fn limit(&self, quotient: fn(&CostRow) -> f64) -> Option<(f64, f64)> {
+        let resolved = self.rows.iter().filter(|row| RESOLVED * row.n <= self.reference);
+        let found: Vec<f64> = resolved.map(quotient).collect();
+        let [.., before, half, last] = found.as_slice() else { return None };
+        Some((*last, (last - half).abs().max((last - before).abs())))
+    }
+
+    /// The order of the consistency term over h^{2τ−2}, τ at most 2, and its uncertainty.
+    pub fn order(&self) -> Option<(f64, f64)> {
+        term_order(&self.rows, self.tau.min(2.0)).map(|found| (found.value, found.uncertainty))
+    }
+
+    /// How far the order is from the theory, and its uncertainty.
+    pub fn off(&self) -> Option<(f64, f64)> {
+        let (found, theory) = (self.order()?, self.theory()?);
+        Some(((found.0 - theory).abs(), found.1))
+    }
+
+    /// The order by the table of the module.
+    pub fn theory(&self) -> Option<f64> {
+        term_theory(&self.scene, self.tau)
+    }
+}
+
+/// The order in h of the consistency term over h^{2τ−2}, over the meshes on which it is positive, three at
+/// least.
+fn term_order(rows: &[CostRow], tau: f64) -> Option<Exponent> {
     let points = rows.iter().map(|row| (1.0 / row.n as f64, row.scaled_term(tau)));
     let points: Vec<(f64, f64)> = points.filter(|point| point.1 > 0.0).collect();
     Exponent::fit(&points).ok()
+}
+
+/// The order of the term over h^{2τ−2}, τ at most 2; `None` for samples and for transitions with 2 < τ < 5/2,
+/// which no row of the table describes.
+fn term_theory(scene: &StripScene, tau: f64) -> Option<f64> {
+    match scene {
+        StripScene::Transition { .. } | StripScene::Transitions { .. } if tau <= 2.0 => Some(0.0),
+        StripScene::Transition { .. } | StripScene::Transitions { .. } if tau == 2.5 => Some(1.0),
+        StripScene::FatCantor { .. } => Some(0.0),
+        StripScene::Cantor { ratio, .. } => Some(1.0 - tau + 0.5 * LN_2 / -ratio.ln()),
+        _ => None,
+    }
 }
 
 /// The rows of a case, coarsest mesh first; `report` is called after each mesh.

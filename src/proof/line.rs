@@ -74,6 +74,30 @@ pub enum Line {
 }
 
 impl Line {
+    /// Its name in small letters with hyphens: `first-case-two`.
+    pub fn key(self) -> String {
+        let name = format!("{self:?}");
+        let letter = |(i, c): (usize, char)| {
+            let hyphen = (i > 0 && c.is_uppercase()).then_some('-');
+            hyphen.into_iter().chain(c.to_lowercase())
+        };
+        name.chars().enumerate().flat_map(letter).collect()
+    }
+
+    /// Whether the line is stated for τ ≥ 2 only.
+    pub fn is_limit(self) -> bool {
+        matches!(
+            self,
+            Line::FirstCaseTwo
+                | Line::FirstYoungTwo
+                | Line::SecondCaseTwo
+                | Line::SecondYoungTwo
+                | Line::SetFirstCaseTwo
+                | Line::SetSecondCaseTwo
+                | Line::AnyContact
+        )
+    }
+
     /// Whether both sides are equal, up to rounding.
     pub fn is_equality(self) -> bool {
         matches!(self, Line::VertexToZero | Line::Complementarity | Line::MeanZero)

@@ -106,8 +106,8 @@ impl ProofCase {
     /// and zones ([`ProofCase::zones`]).
     ///
     /// # Errors
-    /// [`crate::Error::OutOfRange`] for τ, θ or constants of another τ; [`crate::Error::CountOutOfRange`] for positions or
-    /// a resolution out of range; those of the scenes.
+    /// [`crate::Error::OutOfRange`] for τ, θ or constants of another τ; [`crate::Error::CountOutOfRange`] for
+    /// positions or a resolution out of range; those of the scenes.
     pub fn profile(&self, constants: &ProofConstants) -> Result<ProofProfile> {
         self.check(constants)?;
         let traces = Traces::for_regularity(self.tau);

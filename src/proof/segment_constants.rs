@@ -12,20 +12,21 @@
 //! B, A, D are the moments of 1, x and e − x of functions that vanish beyond (0, e), x the distance from the
 //! free end: [`crate::poincare::moment_norm`].
 //!
-//! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far as it can be: at least ∫_n^1 t^{−1−2ν} dt = e
-//! G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|², and ‖σ‖_{L¹}
-//! ‖w‖_{L¹} ≤ √(en) ‖σ‖ ‖w‖ ≤ ½ (G(e) G(n))^{−1/2} |σ| |w|. The mean of t^{−1−2ν} over (s, 1) is that of
-//! (1−θ+θs)^{−1−2ν} over 0 < θ < 1; each is log-convex in s, so is G, and G(e) G(1−e) is least at e = 1/2, where it
-//! is ((4^ν − 1)/ν)².
+//! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far as it can be: at least ∫_n^1 t^{−1−2ν}
+//! dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|², and
+//! ‖σ‖_{L¹} ‖w‖_{L¹} ≤ √(en) ‖σ‖ ‖w‖ ≤ ½ (G(e) G(n))^{−1/2} |σ| |w|. The mean of t^{−1−2ν} over (s, 1) is
+//! that of (1−θ+θs)^{−1−2ν} over 0 < θ < 1; each is log-convex in s, so is G, and G(e) G(1−e) is least at e =
+//! 1/2, where it is ((4^ν − 1)/ν)².
 //!
-//! **K.** |·|_ν does not grow when |σ|, |w| are replaced by their monotone rearrangements, ‖·‖_{L¹} stays: E = (0, e),
-//! N = (e, 1) is the worst of all sets of measure e.
+//! **K.** |·|_ν does not grow when |σ|, |w| are replaced by their monotone rearrangements, ‖·‖_{L¹} stays: E
+//! = (0, e), N = (e, 1) is the worst of all sets of measure e.
 //!
-//! **κ.** One gap (0, b): the nodal term is u(0) ∫ σ (1−x), u(0) = −∫ w, the midpoint term ∫_N u ∫ σ, ∫_N u = −∫ x w:
-//! each a product of two moments, A(1−b) B(b) and A(b) B(1−b). The same maximum.
+//! **κ.** One gap (0, b): the nodal term is u(0) ∫ σ (1−x), u(0) = −∫ w, the midpoint term ∫_N u ∫ σ, ∫_N u =
+//! −∫ x w: each a product of two moments, A(1−b) B(b) and A(b) B(1−b). The same maximum.
 //!
-//! **κ̄.** On a gap inside, ∫ w = 0, so ∫_N |u| ≤ ∫ ρ |w| with ρ the distance from the middle of the gap, or from the
-//! free end of a gap at an end. |{ρ > s}| = Σ (a − s)_+ + Σ (l − 2s)_+ ≤ (n − s)_+, and rearranged ∫ ρ |w| ≤ D(n) |w|.
+//! **κ̄.** On a gap inside, ∫ w = 0, so ∫_N |u| ≤ ∫ ρ |w| with ρ the distance from the middle of the gap, or
+//! from the free end of a gap at an end. |{ρ > s}| = Σ (a − s)_+ + Σ (l − 2s)_+ ≤ (n − s)_+, and rearranged ∫
+//! ρ |w| ≤ D(n) |w|.
 //!
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 
@@ -48,7 +49,8 @@ pub struct SegmentConstant {
 }
 
 impl SegmentConstant {
-    /// The product of the bounds of both moments by the strong form: a second road to the value at this contact set.
+    /// The product of the bounds of both moments by the strong form: a second road to the value at this
+    /// contact set.
     ///
     /// # Errors
     /// As for [`StrongForm::moment`].
@@ -105,8 +107,8 @@ pub fn midpoint_bound(order: FractionalOrder, tolerance: Tolerance) -> Result<Se
     largest_product(order, Moment::Mass, Moment::FromZone, tolerance)
 }
 
-/// The best constant of the consistency term for one gap of the given length at an end: A(1−b) B(b) for the nodal
-/// cone, A(b) B(1−b) for the midpoint cone.
+/// The best constant of the consistency term for one gap of the given length at an end: A(1−b) B(b) for the
+/// nodal cone, A(b) B(1−b) for the midpoint cone.
 ///
 /// ```
 /// use signorini::{Tolerance, cone::Cone, proof::one_gap_ratio, sobolev::FractionalOrder};
@@ -117,7 +119,8 @@ pub fn midpoint_bound(order: FractionalOrder, tolerance: Tolerance) -> Result<Se
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for [`product_constant`].
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for
+/// [`product_constant`].
 pub fn one_gap_ratio(cone: Cone, order: FractionalOrder, gap: f64, tolerance: Tolerance) -> Result<Estimate> {
     match cone {
         Cone::Nodal => product(order, (Moment::Mass, Moment::FromFreeEnd), gap, tolerance),

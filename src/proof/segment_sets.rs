@@ -1,16 +1,16 @@
 //! The consistency term of one segment for any contact set made of the cells of a mesh, both cones.
 //!
-//! T = (0, 1), E a union of cells, N the rest; σ lives on E, w = u' on N. In the continuous piecewise linears that
-//! vanish where they must, the best pair for the term is a small dense problem:
+//! T = (0, 1), E a union of cells, N the rest; σ lives on E, w = u' on N. In the continuous piecewise linears
+//! that vanish where they must, the best pair for the term is a small dense problem:
 //!
 //! | cone | term | σ enters through | w enters through |
 //! | --- | --- | --- | --- |
 //! | nodal | u(0) ∫σ(1−x) + u(1) ∫σx | ∫σ(1−x), ∫σx | −∫w over the gap at 0, ∫w over that at 1 |
 //! | midpoint | ∫_N u ∫σ | ∫σ | −∫w x over gaps at 0 and inside, ∫w(1−x) over that at 1 |
 //!
-//! with ∫w = 0 on each gap inside, because u vanishes at both its ends. The space is conforming: every value is a lower
-//! bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost: two Cholesky factorizations of the
-//! size of the mesh per set; the Gram matrix once.
+//! with ∫w = 0 on each gap inside, because u vanishes at both its ends. The space is conforming: every value
+//! is a lower bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost: two
+//! Cholesky factorizations of the size of the mesh per set; the Gram matrix once.
 
 use crate::cone::Cone;
 use crate::error::{Error, Result};
@@ -132,8 +132,8 @@ impl SegmentSets {
         Ok(square.max(0.0).sqrt())
     }
 
-    /// `count` random sets with up to `gaps` gaps of lengths of all sizes, the ascent from the best of them, and
-    /// every contact interval.
+    /// `count` random sets with up to `gaps` gaps of lengths of all sizes, the ascent from the best of them,
+    /// and every contact interval.
     ///
     /// # Errors
     /// As for [`SegmentSets::ratio`].

@@ -1,22 +1,27 @@
 //! An a priori bound for Signorini's problem with every constant known, τ = 2.
 //!
-//! Γ_C straight, n its outward normal, its segments of length h; on each the rectangle Q of height H h lies in Ω, and S
-//! is their union. |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0), S =
-//! (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at ν = 1/2 and θ = coth(πH),
+//! Γ_C straight, n its outward normal, its segments of length h; on each the rectangle Q of height H h lies
+//! in Ω, and S_h is their union. No friction, no initial gap, one material, u_h = I^h u on Γ_D.
+//! |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0),
+//! S = (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at ν = 1/2 and θ = coth(πH),
 //!
-//! nodal cone:    |u − u_h|_a² ≤ h² (M A² |u|₂² + 2 c π θ S |u|²_{2,S}),
-//! midpoint cone: |u − u_h|_a² ≤ h² ((M^{1/2} A |u|₂ + (θ/π) S B |u|_{2,S})² + 4 c π θ S |u|²_{2,S} + P |u|₂ |u|_{2,S}),
-//! P = 0 for ∫∇u·∇v and 2 (θ/π) S A (1 + B M^{1/2}) for elasticity, where B asks for zero displacements on Γ_D and I^h u −
-//! u_h has them.
+//! |u − u_h|_a² ≤ h² (M A² |u|₂² + (b² + 2 c π θ S) |u|²_{2,S_h}),
 //!
-//! 1. Falk: |u − u_h|_a² ≤ |u − I^h u|_a² + 2 ∫ σ_N (I^h u)_N.
-//! 2. |u − I^h u|₁ ≤ A h |u|₂; right isosceles triangles with legs h: A = 1/t, t + tan t = 0 (F. Kikuchi, X. Liu, Japan
-//!    J. Indust. Appl. Math. 23 (2006) 75-82). |v|_a² ≤ M |∇v|²: split ∇v into trace, deviator, rotation.
-//! 3. A segment: ∫_T σ_N (I^h u)_N ≤ c h² |σ_N|_{1/2,T} |u_N'|_{1/2,T}; also for (1/h) ∫σ_N ∫u_N, the midpoint term.
-//! 4. Trace on a rectangle: |w|²_{1/2,T} ≤ 2πθ ‖∇w‖²_Q, ‖w − πw‖²_T ≤ (θ/π) h ‖∇w‖²_Q (cosine series). For w = σ_N =
-//!    λ div u + 2μ ∂_n u_n and w = ∂_t u_n: ‖∇σ_N‖ ‖∇∂_t u_n‖ ≤ ½ S |u|²_{2}, ‖∇σ_N‖ ≤ S |u|₂.
-//! 5. Midpoint cone: also ∫ (σ_N − πσ_N)(u − u_h)_N ≤ (θ/π) h ‖∇σ_N‖_S ‖∇(u − u_h)_N‖_S, and ‖∇v_N‖ ≤ B |v|_a: B = 1
-//!    for ∫∇u·∇v, a constant of Korn's inequality for elasticity ([`unit_square_korn`]).
+//! b = 0 for the nodal cone; for the midpoint cone b = (θ/π) S B, B = 1 for ∫∇u·∇v and a constant of Korn's
+//! inequality for elasticity ([`half_plane_korn`]).
+//!
+//! 1. Let d = u − I^h u, z = I^h u − u_h. z = 0 on Γ_D, and |u − u_h|_a² = |d|_a² + 2 a(u − u_h, z) − |z|_a²,
+//!   a(u − u_h, z) ≤ ∫ σ_N z_N; nodal cone: at most t = ∫ σ_N (I^h u)_N. Midpoint cone: at most
+//!   t + ∫ (σ_N − πσ_N) z_N with t = ∫ πσ_N (I^h u)_N, and ∫ (σ_N − πσ_N) z_N ≤ b h |u|_{2,S_h} |z|_a; then
+//!   2 x |z| − |z|² ≤ x².
+//! 2. |u − I^h u|₁ ≤ A h |u|₂; right isosceles triangles with legs h: A = 1/t, t + tan t = 0 (F. Kikuchi, X.
+//!   Liu, Japan J. Indust. Appl. Math. 23 (2006) 75-82). |v|_a² ≤ M |∇v|²: split ∇v into trace, deviator,
+//!   rotation.
+//! 3. A segment: t ≤ c h² |σ_N|_{1/2,T} |u_N'|_{1/2,T}. For the midpoint cone ∫_T πσ_N (I^h u)_N is at most
+//!   half of ‖σ_N‖_{L¹} ‖u_N'‖_{L¹}.
+//! 4. Trace on a rectangle: |w|²_{1/2,T} ≤ 2πθ ‖∇w‖²_Q, ‖w − πw‖²_T ≤ (θ/π) h ‖∇w‖²_Q (cosine series).
+//!   For w = σ_N = λ div u + 2μ ∂_n u_n and w = ∂_t u_n: ‖∇σ_N‖ ‖∇∂_t u_n‖ ≤ ½ S |u|²_{2}, ‖∇σ_N‖ ≤ S |u|₂;
+//!   ‖∇z_N‖ ≤ B |z|_a.
 //!
 //! Proofs: `book/src/theorem_3_1_without_c.md`. Cost: none.
 
@@ -24,7 +29,7 @@ use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::fem::{Form, Lame};
 use crate::numeric::search::sign_change;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, SQRT_2};
+use std::f64::consts::{FRAC_PI_2, GOLDEN_RATIO, PI};
 
 /// More than the rounding of a few dozen operations.
 const ROUND_UP: f64 = 1.0 + 1e-14;
@@ -32,8 +37,8 @@ const ROUND_UP: f64 = 1.0 + 1e-14;
 /// What the bound needs to know of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshShape {
-    /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For any triangles the largest circumradius over h (K. Kobayashi,
-    /// T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
+    /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For any triangles the largest circumradius over h (K.
+    /// Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
     pub interpolation: f64,
     /// H: over each contact segment the rectangle of height H h lies in Ω.
     pub height: f64,
@@ -48,20 +53,19 @@ impl MeshShape {
     }
 }
 
-/// B in ‖∇v_y‖ ≤ B |v|_a on the unit square, v = 0 on y = 1, λ ≥ 0: (A₁² + (A₁ π/√8 + π/2)² + ½)^{1/2} μ^{−1/2}, A₁ =
-/// 1/sin(π/8).
+/// B in ‖∇v_y‖ ≤ B |v|_a for v = 0 on ∂Ω \ Γ_C, Γ_C straight and Ω on one side of its line:
+/// φ/(2μ + 2 min(λ, 0))^{1/2}, φ = (1 + √5)/2.
 ///
-/// w = ∂_x v_y has ∇w = (2∂_xε_xy − ∂_yε_xx, ∂_xε_yy), so by the inf-sup constant of the square, at least sin(π/8) (M.
-/// Costabel, M. Dauge, Arch. Ration. Mech. Anal. 217 (2015) 873-898), ‖w − m‖ ≤ A₁ μ^{−1/2} |v|_a, m the mean. With φ =
-/// (π/2) sin πx, m = −∫ v_y φ' − ∫ (w − m) φ, and ‖v_y‖ ≤ (2/π) ‖ε_yy‖ ≤ (2/π) (2μ)^{−1/2} |v|_a.
+/// Continued by zero v lives on the half-plane. In a Fourier mode v = (i f, g)(ky) e^{ikx}, k > 0, with
+/// primes for d/d(ky), φ² |ε|² − |∇v_y|² is k² times
 ///
-/// # Errors
-/// [`Error::OutOfRange`] for λ < 0.
-pub fn unit_square_korn(lame: Lame) -> Result<f64> {
-    Error::require("lambda", lame.lambda(), "[0, inf)", lame.lambda() >= 0.0)?;
-    let inverse = 1.0 / FRAC_PI_8.sin();
-    let mean = inverse * PI / (2.0 * SQRT_2) + FRAC_PI_2;
-    Ok(ROUND_UP * ((inverse * inverse + mean * mean + 0.5) / lame.mu()).sqrt())
+/// φ² (f² + g'² + ½ (f' + g)²) − g² − g'²
+///   = ½ φ² (f' + 2f/φ + g/φ³)² + φ (g' − f/φ + g/φ²)² − (1/φ) d/d(ky) (φ f − g)²,
+///
+/// and the integral of the last term is (φ f(0) − g(0))²/φ ≥ 0. |v|_a² ≥ 2 (μ + min(λ, 0)) ‖ε‖². Sharp for λ
+/// = 0; for λ = μ the least B² μ is 1.183 against φ²/2 = 1.309.
+pub fn half_plane_korn(lame: Lame) -> f64 {
+    ROUND_UP * GOLDEN_RATIO / (2.0 * (lame.mu() + lame.lambda().min(0.0))).sqrt()
 }
 
 /// The bound for one form, cone, and shape of mesh.
@@ -69,21 +73,20 @@ pub fn unit_square_korn(lame: Lame) -> Result<f64> {
 pub struct BoundWithoutC {
     /// M^{1/2} A.
     pub approximation: f64,
-    /// (θ/π) S B for the midpoint cone, 0 for the nodal one.
+    /// b: (θ/π) S B for the midpoint cone, 0 for the nodal one.
     pub projection: f64,
-    /// 2 c π θ S, twice that for the midpoint cone.
+    /// 2 c π θ S.
     pub consistency: f64,
-    /// P, for elasticity with the midpoint cone, else 0: what prescribed displacements that are not zero may add.
-    pub prescribed: f64,
 }
 
 impl BoundWithoutC {
-    /// `segment` is c, or a better constant of a segment at ν = 1/2, rounded up; `korn` is B, used by the midpoint cone
-    /// in elasticity only.
+    /// `segment` is c, rounded up: the consistency term of a segment (step 3) is at most c h² |σ_N| |u_N'| at
+    /// ν = 1/2, [`super::half_sharpened`], K or κ for the nodal cone and half of the first two for the
+    /// midpoint cone. `korn` is B, used by the midpoint cone in elasticity only.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a form with a reaction term or several materials; [`Error::OutOfRange`] for constants
-    /// that are not positive and finite.
+    /// [`Error::Incompatible`] for a form with a reaction term or several materials; [`Error::OutOfRange`]
+    /// for constants that are not positive and finite.
     pub fn new(form: &Form, cone: Cone, shape: MeshShape, segment: f64, korn: f64) -> Result<Self> {
         for (name, value) in [
             ("interpolation", shape.interpolation),
@@ -109,23 +112,17 @@ impl BoundWithoutC {
             }
         };
         let theta = 1.0 / (PI * shape.height).tanh();
-        let term = 2.0 * segment * PI * theta * stress;
-        let (projection, consistency) = match cone {
-            Cone::Nodal => (0.0, term),
-            Cone::Midpoint => (theta / PI * stress * korn, 2.0 * term),
-        };
-        let prescribed = match (form, cone) {
-            (Form::Elastic { .. }, Cone::Midpoint) => {
-                2.0 * theta / PI * stress * shape.interpolation * (1.0 + korn * energy.sqrt())
-            }
-            _ => 0.0,
+        let consistency = 2.0 * segment * PI * theta * stress;
+        let projection = match cone {
+            Cone::Nodal => 0.0,
+            Cone::Midpoint => theta / PI * stress * korn,
         };
         let approximation = energy.sqrt() * shape.interpolation;
-        Ok(Self { approximation, projection, consistency, prescribed })
+        Ok(Self { approximation, projection, consistency })
     }
 
-    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles; [`BoundWithoutC::constant`] h |u|₂ if
-    /// only `whole` is known: pass it twice.
+    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles; [`BoundWithoutC::constant`]
+    /// h |u|₂ if only `whole` is known: pass it twice.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless h > 0 and 0 ≤ near ≤ whole, all finite.
@@ -133,13 +130,38 @@ impl BoundWithoutC {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         Error::require("|u|_2", whole, "[0, inf)", whole >= 0.0 && whole.is_finite())?;
         Error::require("|u|_2 near the edge", near, "[0, |u|_2]", near >= 0.0 && near <= whole)?;
-        let smooth = self.approximation * whole + self.projection * near;
-        let term = (self.consistency * near + self.prescribed * whole) * near;
-        Ok(ROUND_UP * h * smooth.hypot(term.sqrt()))
+        let edge = self.projection.hypot(self.consistency.sqrt()) * near;
+        Ok(ROUND_UP * h * (self.approximation * whole).hypot(edge))
     }
 
     /// C in |u − u_h|_a ≤ C h |u|₂.
     pub fn constant(&self) -> f64 {
-        ROUND_UP * (self.approximation + self.projection).hypot((self.consistency + self.prescribed).sqrt())
+        ROUND_UP * self.approximation.hypot(self.projection).hypot(self.consistency.sqrt())
+    }
+}
+
+/// The bound beside the error on one mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoundRow {
+    /// Segments n; h = 1/n.
+    pub n: usize,
+    /// |u − u_h|_a.
+    pub error: f64,
+    /// |u − I^h u|_a.
+    pub interpolation: f64,
+    /// On the square, |u|₂ in the rectangles on the contact edge over |u|₂.
+    pub share: Option<f64>,
+    /// Bounds from |u|₂ near the edge, on the strip from the data of its edge; one for each constant of a
+    /// segment.
+    pub near: Vec<f64>,
+    /// On the square, the same from |u|₂ alone.
+    pub whole: Option<Vec<f64>>,
+}
+
+impl BoundRow {
+    /// Bound over error with constant `version`: from |u|₂ near the edge, or (not `local`) from |u|₂ alone.
+    pub fn effectivity(&self, version: usize, local: bool) -> Option<f64> {
+        let bounds = if local { Some(&self.near) } else { self.whole.as_ref() };
+        Some(bounds?.get(version)? / self.error)
     }
 }

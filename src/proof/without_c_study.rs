@@ -1,34 +1,51 @@
-//! The bound without C beside the error of a problem in closed form, mesh after mesh.
+//! The bound without C beside the error of a problem whose solution is known, mesh after mesh.
 
-use super::without_c::{BoundWithoutC, MeshShape, unit_square_korn};
+use super::without_c::{BoundRow, BoundWithoutC, MeshShape, half_plane_korn};
+use super::without_c_strip::strip_bounds;
 use crate::cone::Cone;
 use crate::error::Result;
-use crate::estimate::Estimate;
 use crate::scenes::{ClosedForm, ClosedFormLevel};
+use crate::strip::Levels;
 use std::fmt;
+
+/// Where the solution is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BoundProblem {
+    /// The unit square.
+    Square(ClosedForm),
+    /// The scalar strip with this many gaps between natural transitions.
+    Strip(usize),
+}
+
+impl fmt::Display for BoundProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Square(scene) => scene.fmt(f),
+            Self::Strip(gaps) => write!(f, "strip, {gaps} gaps"),
+        }
+    }
+}
 
 /// One problem in one cone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundStudy {
     /// The problem.
-    pub scene: ClosedForm,
+    pub problem: BoundProblem,
     /// The cone.
     pub cone: Cone,
-    /// |u|₂.
-    pub whole: Estimate,
-    /// Errors, coarsest mesh first.
-    pub levels: Vec<ClosedFormLevel>,
-    /// Bounds, one for each constant of a segment.
+    /// Coarsest mesh first.
+    pub rows: Vec<BoundRow>,
+    /// On the square, one for each constant of a segment.
     pub bounds: Vec<BoundWithoutC>,
 }
 
 impl BoundStudy {
-    /// Meshes of 4 × 4 ... 2^finest × 2^finest squares, and the given constants of a segment; `report` is called after
-    /// each mesh.
+    /// Meshes of 4 × 4 ... 2^finest × 2^finest squares, and the given constants of a segment; `report` is
+    /// called after each mesh.
     ///
     /// # Errors
     /// As [`ClosedForm::levels`] and [`BoundWithoutC::new`].
-    pub fn new(
+    pub fn square(
         scene: ClosedForm,
         cone: Cone,
         segment: &[f64],
@@ -36,32 +53,48 @@ impl BoundStudy {
         report: impl FnMut(),
     ) -> Result<Self> {
         // B plays no part in scalar problems.
-        let korn = scene.lame.map_or(Ok(1.0), unit_square_korn)?;
+        let korn = scene.lame.map_or(1.0, half_plane_korn);
         let shape = MeshShape::right_isosceles();
         let bound = |&c: &f64| BoundWithoutC::new(&scene.form(), cone, shape, c, korn);
-        let bounds = segment.iter().map(bound).collect::<Result<_>>()?;
+        let bounds: Vec<BoundWithoutC> = segment.iter().map(bound).collect::<Result<_>>()?;
         let whole = scene.second_seminorm(1)?;
-        Ok(Self { scene, cone, whole, levels: scene.levels(cone, finest, report)?, bounds })
+        let whole = whole.value + whole.error;
+        let row = |level: ClosedFormLevel| {
+            let ClosedFormLevel { n, error, interpolation, near, .. } = level;
+            let (h, near) = (1.0 / n as f64, (near.value + near.error).min(whole));
+            let of =
+                |near| bounds.iter().map(|bound| bound.bound(h, whole, near)).collect::<Result<Vec<f64>>>();
+            let share = Some(near / whole);
+            Ok(BoundRow { n, error, interpolation, share, near: of(near)?, whole: Some(of(whole)?) })
+        };
+        let rows = scene.levels(cone, finest, report)?.into_iter().map(row).collect::<Result<_>>()?;
+        Ok(Self { problem: BoundProblem::Square(scene), cone, rows, bounds })
     }
 
-    /// Bound over error on every mesh with constant `version`: from |u|₂ near the edge, or (not `local`) from |u|₂ on Ω
-    /// alone.
+    /// The scalar strip with equal gaps; `report` is called after each mesh.
     ///
     /// # Errors
-    /// As [`BoundWithoutC::bound`].
-    pub fn effectivities(&self, version: usize, local: bool) -> Result<Vec<f64>> {
-        let whole = self.whole.value + self.whole.error;
-        let quotient = |level: &ClosedFormLevel| {
-            let near = (level.near.value + level.near.error).min(whole);
-            let near = if local { near } else { whole };
-            Ok(self.bounds[version].bound(1.0 / level.n as f64, whole, near)? / level.error)
-        };
-        self.levels.iter().map(quotient).collect()
+    /// As [`strip_bounds`].
+    pub fn strip(
+        gaps: usize,
+        cone: Cone,
+        segment: &[f64],
+        levels: Levels,
+        report: impl FnMut(),
+    ) -> Result<Self> {
+        let rows = strip_bounds(gaps, cone, segment, levels, report)?;
+        Ok(Self { problem: BoundProblem::Strip(gaps), cone, rows, bounds: Vec::new() })
+    }
+
+    /// All quotients of bound and error with constant `version`, coarsest mesh first; none where the bound is
+    /// not known.
+    pub fn effectivities(&self, version: usize, local: bool) -> Vec<f64> {
+        self.rows.iter().filter_map(|row| row.effectivity(version, local)).collect()
     }
 }
 
 impl fmt::Display for BoundStudy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, {}", self.scene, self.cone)
+        write!(f, "{}, {}", self.problem, self.cone)
     }
 }

@@ -16,12 +16,12 @@
 //! Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor by itself, and
 //! pays θ^{τ−2} for the first.
 //!
-//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u; closing the others enlarges
-//! the space of σ_N and, as u_N ≤ 0, does not raise the norm of u_N': the worst set is the complement of (0, a) and (1
-//! − b, 1). For given a, b the best σ_N and u_N come from two linear solves with Gram matrices of piecewise constants,
-//! graded to all ends; the value is a lower bound of the supremum, from a mesh and therefore low by some per
-//! cent. For one gap [`super::one_gap_ratio`] has all digits, and [`super::consistency_constant`] the
-//! maximum. Cost: O(cells³) per set.
+//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u; closing the others
+//! enlarges the space of σ_N and, as u_N ≤ 0, does not raise the norm of u_N': the worst set is the
+//! complement of (0, a) and (1 − b, 1). For given a, b the best σ_N and u_N come from two linear solves with
+//! Gram matrices of piecewise constants, graded to all ends; the value is a lower bound of the supremum, from
+//! a mesh and therefore low by some per cent. For one gap [`super::one_gap_ratio`] has all digits, and
+//! [`super::consistency_constant`] the maximum. Cost: O(cells³) per set.
 
 use crate::cone::Cone;
 use crate::error::{Error, Result};

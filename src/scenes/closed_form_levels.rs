@@ -1,5 +1,5 @@
-//! Errors of the discrete solutions of a problem in closed form on the meshes with n × n squares, n = 4, 8, ..., and what
-//! is known of u there.
+//! Errors of the discrete solutions of a problem in closed form on the meshes with n × n squares, n = 4, 8,
+//! ..., and what is known of u there.
 
 use super::closed_form::ClosedForm;
 use crate::cone::Cone;
@@ -25,12 +25,23 @@ pub struct ClosedFormLevel {
     pub kkt: f64,
 }
 
+impl ClosedFormLevel {
+    /// |u − u_h|_a / |u − I^h u|_a on the finest of at least two meshes, and what it changed by from the one
+    /// before.
+    pub fn limit(levels: &[Self]) -> Option<(f64, f64)> {
+        let [.., before, last] = levels else { return None };
+        let [before, last] = [before, last].map(|level| level.error / level.interpolation);
+        Some((last, (last - before).abs()))
+    }
+}
+
 impl ClosedForm {
-    /// n = 4, 8, ..., 2^finest, each solved from the contact set of the mesh before; `report` is called after each.
+    /// n = 4, 8, ..., 2^finest, each solved from the contact set of the mesh before; `report` is called after
+    /// each.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ finest ≤ 11; [`Error::ToleranceNotMet`] for a solution that does not meet its
-    /// conditions to 1e-8; whatever problems and solvers return.
+    /// [`Error::CountOutOfRange`] unless 2 ≤ finest ≤ 11; [`Error::ToleranceNotMet`] for a solution that does
+    /// not meet its conditions to 1e-8; whatever problems and solvers return.
     pub fn levels(&self, cone: Cone, finest: u32, mut report: impl FnMut()) -> Result<Vec<ClosedFormLevel>> {
         if !(COARSEST..=11).contains(&finest) {
             let (name, value) = ("finest level", finest as usize);

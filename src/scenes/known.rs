@@ -1,5 +1,5 @@
-//! What others have found for the mesh scenes: minima of J by five finite element packages and six methods, on the same
-//! meshes, agreeing to 12 to 14 digits (`tests/reference/README.md`).
+//! What others have found for the mesh scenes: minima of J by five finite element packages and six methods,
+//! on the same meshes, agreeing to 12 to 14 digits (`tests/reference/README.md`).
 
 use super::mesh::MeshScene;
 use crate::cone::Cone;
@@ -8,8 +8,8 @@ use crate::cone::Cone;
 const MESHES: [usize; 4] = [8, 16, 32, 64];
 
 impl MeshScene {
-    /// J of the discrete solution on n × n squares by other packages, 12 digits, default setting; `None` where nobody has
-    /// computed it.
+    /// J of the discrete solution on n × n squares by other packages, 12 digits, default setting; `None`
+    /// where nobody has computed it.
     pub fn known_energy(self, cone: Cone, n: usize) -> Option<f64> {
         let energies = match (self, cone) {
             (MeshScene::Block, Cone::Nodal) => {

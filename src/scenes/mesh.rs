@@ -135,7 +135,8 @@ fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
     mapped_grid(n, n, LEFT_HELD, |[x, y]| [x + y * ((1.0 - x) * lean + x * lean.max(0.0)), y])
 }
 
-/// The square with both sides leaning outwards to the angle ω, in degrees, at its bottom; inwards for acute ω.
+/// The square with both sides leaning outwards to the angle ω, in degrees, at its bottom; inwards for acute
+/// ω.
 fn taper(n: usize, angle: f64) -> Result<Triangulation> {
     Error::require("angle in degrees", angle, "[70, 160]", (70.0..=160.0).contains(&angle))?;
     let lean = -1.0 / angle.to_radians().tan();

@@ -214,7 +214,8 @@ mod tests {
     use std::collections::BTreeSet;
     use std::str::FromStr;
 
-    /// Defaults are read back from name and grammar, wrong parameters refused by an error that lists all names.
+    /// Defaults are read back from name and grammar, wrong parameters refused by an error that lists all
+    /// names.
     fn is_read_back<S>(all: &[S], names: &str) -> BTreeSet<String>
     where
         S: Registered + Clone + PartialEq + fmt::Debug + fmt::Display + FromStr<Err = Error>,

@@ -1,17 +1,23 @@
-//! Three roads to the discrete solutions of the scene with known solution, with seconds and true errors: the active set
-//! from no contact, the active set from the contact set of the mesh before, the interior-point method.
+//! Five roads to the discrete solutions of the scene with known solution, with seconds, true errors and true
+//! algebraic errors: the active set from no contact and from the contact set of the mesh before, the
+//! interior-point method, and multigrid at two accuracies.
 
 use super::manufactured;
 use super::mesh::MeshScene;
 use crate::cone::Cone;
-use crate::contact::{ContactSolution, Solver};
+use crate::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
 use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
 use crate::fem::{Cubature, Field, error_norms};
 use std::fmt;
 use std::time::Instant;
 
 /// Points along each side of a triangle's rule; graded toward the transition.
 const POINTS: usize = 4;
+/// Cells along each side up to which the interior-point method takes its turn.
+const INTERIOR: usize = 128;
+/// Cells along each side up to which elimination takes its turn: some 4 GB at n = 1024 for two components.
+const ELIMINATED: usize = 1024;
 
 /// A way to a discrete solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,11 +28,24 @@ pub enum Road {
     Nested,
     /// The interior-point method.
     Interior,
+    /// Multigrid to the relative tolerance 1e-10.
+    Multigrid,
+    /// Multigrid to a hundredth of the error of discretisation.
+    Share,
 }
 
 impl Road {
     /// All roads.
-    pub const ALL: [Road; 3] = [Road::Cold, Road::Nested, Road::Interior];
+    pub const ALL: [Road; 5] = [Road::Cold, Road::Nested, Road::Interior, Road::Multigrid, Road::Share];
+
+    /// Whether the road is taken on n × n squares.
+    fn is_taken(self, n: usize) -> bool {
+        match self {
+            Road::Cold | Road::Nested => n <= ELIMINATED,
+            Road::Interior => n <= INTERIOR,
+            Road::Multigrid | Road::Share => true,
+        }
+    }
 }
 
 impl fmt::Display for Road {
@@ -35,6 +54,8 @@ impl fmt::Display for Road {
             Road::Cold => "active set, cold",
             Road::Nested => "active set, nested",
             Road::Interior => "interior point",
+            Road::Multigrid => "multigrid, 1e-10",
+            Road::Share => "multigrid, 1/100 of h",
         })
     }
 }
@@ -48,6 +69,11 @@ pub struct RoadRow {
     pub road: Road,
     /// |u − u_h| in the H¹ seminorm.
     pub error: f64,
+    /// The true algebraic error: the energy norm of the difference from the active set on the same mesh,
+    /// relative; `None` for that itself, and where it is too expensive.
+    pub algebraic: Option<f64>,
+    /// The algebraic error as multigrid estimates it, relative.
+    pub estimate: Option<f64>,
     /// For mesh, assembly, solution and judgement.
     pub seconds: f64,
     /// Iterations.
@@ -56,46 +82,76 @@ pub struct RoadRow {
     pub kkt: f64,
 }
 
-/// [`MeshScene::Manufactured`] on n, 2n, ..., 2^{levels − 1} n squares along each side, coarsest first; on the coarsest
-/// mesh there is no nested start. `report` is called after each mesh.
+/// [`MeshScene::Manufactured`] on n, 2n, ..., 2^{levels − 1} n squares along each side, coarsest first; on
+/// the coarsest mesh there is no nested start, and where nothing coarser is left no multigrid; the interior
+/// point goes to n = 128, elimination to n = 1024. `report` is called before each solution.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] unless 2 ≤ levels ≤ 8; whatever meshes, problems and solvers return.
+/// [`Error::CountOutOfRange`] unless 2 ≤ levels ≤ 9; whatever meshes, problems, solvers and `report` return.
 pub fn manufactured_by_every_road(
     n: usize,
     levels: usize,
     cone: Cone,
-    mut report: impl FnMut(),
+    mut report: impl FnMut(usize, Road) -> Result<()>,
 ) -> Result<Vec<RoadRow>> {
-    if !(2..=8).contains(&levels) {
-        return Err(Error::CountOutOfRange { name: "levels", value: levels, range: "[2, 8]" });
+    if !(2..=9).contains(&levels) {
+        return Err(Error::CountOutOfRange { name: "levels", value: levels, range: "[2, 9]" });
     }
     let rule = Cubature::new(POINTS)?.singular_at(&[[manufactured::TRANSITION, 0.0]]);
     let exact = Field::Scalar(&manufactured::exact);
     let gradient = |point| [manufactured::gradient(point), [0.0; 2]];
     let (mut rows, mut coarse): (Vec<RoadRow>, Option<ContactSolution>) = (Vec::new(), None);
     for n in (0..levels).map(|level| n.saturating_mul(1 << level)) {
-        let mut next = None;
-        for road in Road::ALL {
+        let mut here: Option<ContactSolution> = None;
+        for road in Road::ALL.into_iter().filter(|road| road.is_taken(n)) {
+            report(n, road)?;
             let start = Instant::now();
             let problem = MeshScene::Manufactured.problem(n)?;
-            let solution = match (road, &coarse) {
-                (Road::Nested, None) => continue,
-                (Road::Nested, Some(coarse)) => problem.solve_after(coarse)?,
-                (Road::Cold, _) => problem.solve(cone, Solver::ActiveSet)?,
-                (Road::Interior, _) => problem.solve(cone, Solver::InteriorPoint)?,
-            };
+            let Some((solution, estimate)) = travel(road, &problem, cone, coarse.as_ref())? else { continue };
             let seconds = start.elapsed().as_secs_f64();
             let values = &solution.displacement;
             let error = error_norms(problem.mesh(), problem.form(), values, (&exact, &gradient), &rule)?.h1;
+            let algebraic = match &here {
+                Some(direct) if road != Road::Nested => Some(apart(&problem, &solution, direct)?),
+                _ => None,
+            };
             let (steps, kkt) = (solution.work.iterations as usize, solution.judgement.worst());
-            rows.push(RoadRow { n, road, error, seconds, steps, kkt });
-            if road != Road::Interior {
-                next = Some(solution);
+            rows.push(RoadRow { n, road, error, algebraic, estimate, seconds, steps, kkt });
+            if matches!(road, Road::Cold | Road::Nested) {
+                here = Some(solution);
             }
         }
-        coarse = next;
-        report();
+        coarse = here;
     }
     Ok(rows)
+}
+
+/// The solution and its estimated algebraic error, relative, where there is one; `None` where the road begins
+/// later.
+fn travel(
+    road: Road,
+    problem: &ContactProblem,
+    cone: Cone,
+    coarse: Option<&ContactSolution>,
+) -> Result<Option<(ContactSolution, Option<f64>)>> {
+    let multigrid = |accuracy| {
+        let found = problem.solve_by_multigrid(cone, None, accuracy, |_| Ok(()))?;
+        let taken = found.fallback.is_none();
+        Ok(taken.then_some((found.solution, found.error.map(|error| error.relative_error()))))
+    };
+    let solution = match (road, coarse) {
+        (Road::Multigrid, _) => return multigrid(Accuracy::Relative(Tolerance::new(1e-10)?)),
+        (Road::Share, _) => return multigrid(Accuracy::default()),
+        (Road::Nested, None) => return Ok(None),
+        (Road::Nested, Some(coarse)) => problem.solve_after(coarse)?,
+        (Road::Cold, _) => problem.solve(cone, Solver::ActiveSet)?,
+        (Road::Interior, _) => problem.solve(cone, Solver::InteriorPoint)?,
+    };
+    Ok(Some((solution, None)))
+}
+
+/// |u − v|_a / |v|_a.
+fn apart(problem: &ContactProblem, u: &ContactSolution, v: &ContactSolution) -> Result<f64> {
+    let difference: Vec<f64> = u.displacement.iter().zip(&v.displacement).map(|(a, b)| a - b).collect();
+    Ok(problem.energy_norm(&difference)? / problem.energy_norm(&v.displacement)?)
 }

@@ -5,14 +5,13 @@
 //! U' = T + (1 − λ) V,  V' = −U − nλU + (1 − n) S/2,  S' = −(1 + λ) T,  T' = S − λ n S − λ² 2U/(1 − ν_P).
 //!
 //! The first and second are the law of the material (1/(Λ + 2μ) = (1 − n)/2, Λ Lamé's first constant), the
-//! others the equilibrium; no coefficient grows as ν_P → 1/2. λ is quadratic in the last, so W = λU is a further
-//! unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold at the N
-//! Gauss points, two conditions at each end (one, scalar) close the system: (A − λB) y = 0. Unknowns are the
-//! Legendre coefficients of the slopes: A is the identity and an integral operator, and no digit is lost to
-//! differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A − sB)⁻¹B. Nothing of the
-//! characteristic functions is used.
-//! Simple eigenvalues converge exponentially in N; nearly double ones keep half the digits, their mean all.
-//! Cost: O((5N)³).
+//! others the equilibrium; no coefficient grows as ν_P → 1/2. λ is quadratic in the last, so W = λU is a
+//! further unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold at
+//! the N Gauss points, two conditions at each end (one, scalar) close the system: (A − λB) y = 0. Unknowns
+//! are the Legendre coefficients of the slopes: A is the identity and an integral operator, and no digit is
+//! lost to differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A − sB)⁻¹B.
+//! Nothing of the characteristic functions is used. Simple eigenvalues converge exponentially in N; nearly
+//! double ones keep half the digits, their mean all. Cost: O((5N)³).
 
 use super::wedge::{Medium, Side, Wedge};
 use crate::error::{Error, Result};
@@ -37,12 +36,13 @@ pub struct ArcExponent {
 }
 
 impl Wedge {
-    /// The eigenvalues with 0 < Re λ < 3 and |Im λ| ≤ `height`, by collocation of the given degree; ω |λ| should stay below
-    /// half of it. By increasing real part, each as often as its multiplicity, conjugates both.
+    /// The eigenvalues with 0 < Re λ < 3 and |Im λ| ≤ `height`, by collocation of the given degree; ω |λ|
+    /// should stay below half of it. By increasing real part, each as often as its multiplicity, conjugates
+    /// both.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ degree ≤ 200; [`Error::OutOfRange`] for a height that is negative or not
-    /// finite; [`Error::Solver`] when the eigenvalues do not converge.
+    /// [`Error::CountOutOfRange`] unless 2 ≤ degree ≤ 200; [`Error::OutOfRange`] for a height that is
+    /// negative or not finite; [`Error::Solver`] when the eigenvalues do not converge.
     pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<ArcExponent>> {
         if !(2..=DEGREES).contains(&degree) {
             return Err(Error::CountOutOfRange { name: "degree", value: degree, range: "[2, 200]" });
@@ -68,8 +68,9 @@ impl Wedge {
         Ok(found)
     }
 
-    /// A and B: the functions one after the other, each by its value at 0 and the Legendre coefficients of its slope, then
-    /// √w λU at the Gauss points; equations times √w, w the weights, so that slopes are an orthogonal matrix.
+    /// A and B: the functions one after the other, each by its value at 0 and the Legendre coefficients of
+    /// its slope, then √w λU at the Gauss points; equations times √w, w the weights, so that slopes are an
+    /// orthogonal matrix.
     fn pencil(&self, degree: usize) -> Result<(Mat<f64>, Mat<f64>)> {
         let rule = Rule::gauss_legendre(degree)?;
         let omega = self.angle();
@@ -162,7 +163,8 @@ fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
     values.into_iter().map(|value| factor * value).collect()
 }
 
-/// Values and slopes at x of 1 and of the integrals from 0 to x of the orthonormal Legendre polynomials on (0, 1).
+/// Values and slopes at x of 1 and of the integrals from 0 to x of the orthonormal Legendre polynomials on
+/// (0, 1).
 fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
     let mut legendre = vec![0.0; count + 1];
     legendre::fill(&mut legendre, 2.0 * x - 1.0);

@@ -9,7 +9,8 @@ use faer::c64;
 /// Rays on which a function is sampled for its size.
 const RAYS: usize = 64;
 
-/// An angular function of a wedge, scaled so that its largest displacement on 65 rays is one; real for real λ.
+/// An angular function of a wedge, scaled so that its largest displacement on 65 rays is one; real for real
+/// λ.
 ///
 /// Elastic: displacement (u_r, u_θ), traction (σ_θθ, σ_rθ), shear modulus 1/2. Scalar: (u, 0) and (∂u/∂θ, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,7 +104,8 @@ impl Mode {
         [a, b]
     }
 
-    /// (u_N, σ_N) at a side, the first or the second: outward displacement and normal stress; scalar (u, ∂u/∂n).
+    /// (u_N, σ_N) at a side, the first or the second: outward displacement and normal stress; scalar (u,
+    /// ∂u/∂n).
     pub(super) fn contact(&self, is_second: bool) -> (c64, c64) {
         let theta = if is_second { self.wedge.angle() } else { 0.0 };
         let outward = if is_second { 1.0 } else { -1.0 };

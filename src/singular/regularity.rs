@@ -7,9 +7,9 @@
 //! u_N σ_N alternating in sign: r^{1/2} pulls or penetrates whatever its sign, r^{3/2} does neither for one.
 //!
 //! r^λ U(θ), not a polynomial, lies in H^s for s < 1 + Re λ. So u ∈ H^τ for τ < 1 + Re λ with the first
-//! exponent that is neither excluded nor polynomial; polynomials do not count. An exponent above one that leads
-//! with a strict sign is free of conditions. Data are taken as smooth; for whole exponents, and loads that meet
-//! one, r^k ln r may occur from k = 2 on, which limits τ to 3 at the earliest.
+//! exponent that is neither excluded nor polynomial; polynomials do not count. An exponent above one that
+//! leads with a strict sign is free of conditions. Data are taken as smooth; for whole exponents, and loads
+//! that meet one, r^k ln r may occur from k = 2 on, which limits τ to 3 at the earliest.
 
 use super::mode::Mode;
 use super::spectrum::{Exponent, LARGEST};

@@ -20,14 +20,14 @@ pub struct Roads {
     pub listed: usize,
     /// Zeros by the argument principle, from half the first exponent to next to 3.
     pub counted: usize,
-    /// Largest distance of an exponent from the eigenvalues on the arc, relative; of nearby ones that of their means.
-    /// Infinite where their numbers differ.
+    /// Largest distance of an exponent from the eigenvalues on the arc, relative; of nearby ones that of
+    /// their means. Infinite where their numbers differ.
     pub apart: f64,
 }
 
 impl Roads {
-    /// The six pairs of sides, each with the openings 2π/n, 2 · 2π/n, ..., 2π and each with these Poisson's ratios; `report` is
-    /// called after each opening.
+    /// The six pairs of sides, each with the openings 2π/n, 2 · 2π/n, ..., 2π and each with these Poisson's
+    /// ratios; `report` is called after each opening.
     ///
     /// # Errors
     /// As [`Wedge::new`] and [`Wedge::roads`].

@@ -64,12 +64,14 @@ impl Spectrum {
 }
 
 impl Wedge {
-    /// All exponents with 0 < Re λ < 3; those within 1e-12 of 0 or 3 do not count, and exponents within 1e-12 of each other,
-    /// relative, are one. The error of each is the rounding of its characteristic function, taken in double-double, and of
-    /// the result; opening and ratio are taken as they are. Cost: a millisecond.
+    /// All exponents with 0 < Re λ < 3; those within 1e-12 of 0 or 3 do not count, and exponents within 1e-12
+    /// of each other, relative, are one. The error of each is the rounding of its characteristic function,
+    /// taken in double-double, and of the result; opening and ratio are taken as they are. Cost: a
+    /// millisecond.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] when a count fails on all paths tried: three zeros nearer than 1e-5 of each other.
+    /// [`Error::ToleranceNotMet`] when a count fails on all paths tried: three zeros nearer than 1e-5 of each
+    /// other.
     pub fn exponents(&self) -> Result<Spectrum> {
         let mut work = Work::default();
         let mut found: Vec<(Zero, Mode)> = Vec::new();
@@ -111,11 +113,13 @@ impl Wedge {
         Ok(self.exponents()?.exponents.into_iter().find(|exponent| !exponent.is_polynomial()))
     }
 
-    /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the argument
-    /// principle on one rectangle per factor. The zero at 0 that belongs to translations, or to nothing, counts.
+    /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the
+    /// argument principle on one rectangle per factor. The zero at 0 that belongs to translations, or to
+    /// nothing, counts.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless −3 ≤ left < right ≤ 4; [`Error::ToleranceNotMet`] with a zero on one of the lines.
+    /// [`Error::OutOfRange`] unless −3 ≤ left < right ≤ 4; [`Error::ToleranceNotMet`] with a zero on one of
+    /// the lines.
     pub fn count(&self, left: f64, right: f64) -> Result<usize> {
         Error::require("left end", left, "[-3, right end)", left >= -LARGEST && left < right)?;
         Error::require("right end", right, "(left end, 4]", right <= LARGEST + 1.0)?;

@@ -1,6 +1,7 @@
 //! The wedge: opening, medium, what holds on its two sides, and the factors of its characteristic function.
 //!
-//! Sides: clamped D (u = 0), free N (σ n = 0), frictionless contact, closed C (u_N = 0, σ_T = 0). With κ = 3 − 4 ν_P
+//! Sides: clamped D (u = 0), free N (σ n = 0), frictionless contact, closed C (u_N = 0, σ_T = 0). With κ = 3
+//! − 4 ν_P
 //!
 //! | sides | characteristic equation | factors |
 //! | --- | --- | --- |

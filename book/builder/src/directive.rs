@@ -118,7 +118,9 @@ fn finding(finding: &Value) -> String {
         _ => String::new(),
     };
     let class = outcome.replace(' ', "-");
-    format!("<span class=\"finding {class}\" title=\"{}\">{mark}{words}</span>", escape(part("comparison")))
+    let title = escape(part("comparison"));
+    // A bar would end the cell of a table.
+    format!("<span class=\"finding {class}\" title=\"{title}\">{mark}{words}</span>").replace('|', "&#124;")
 }
 
 /// All findings of an example as a table.

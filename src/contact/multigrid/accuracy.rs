@@ -48,7 +48,7 @@ pub enum Fallback {
 }
 
 /// λ/μ up to which cycles converge fast enough to be worth it.
-pub const MOST_INCOMPRESSIBLE: f64 = 20.0;
+pub const MOST_INCOMPRESSIBLE: f64 = 100.0;
 
 impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -21,6 +21,14 @@ impl Coarsest {
         Ok(Self { condensation, free: Vec::new(), factor: None })
     }
 
+    /// The mean of S_kk/K_kk along the contact edge; both scale alike from level to level.
+    pub(super) fn condensed_share(&self, problem: &ContactProblem) -> f64 {
+        let (schur, normals) = (self.condensation.schur(), problem.normal_unknowns());
+        let shares =
+            normals.iter().enumerate().map(|(k, &unknown)| schur[(k, k)] / problem.diagonal(unknown));
+        shares.sum::<f64>() / normals.len() as f64
+    }
+
     /// Holds the marked nodes of the contact edge.
     pub(super) fn hold(&mut self, held: &[bool]) -> Result<()> {
         self.free = (0..held.len()).filter(|&k| !held[k]).collect();

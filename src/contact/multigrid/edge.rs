@@ -7,9 +7,6 @@ use crate::error::Result;
 
 /// Signs below this multiple of the size of the terms are rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// The diagonal of the condensed matrix over that of K at a contact node, about: 1.5 of 2 for the Laplacian
-/// on squares.
-const CONDENSED: f64 = 0.75;
 
 /// What is known of the edge.
 pub(super) struct Edge {
@@ -21,6 +18,8 @@ pub(super) struct Edge {
     places: Vec<usize>,
     /// K_ii.
     diagonals: Vec<f64>,
+    /// The diagonal of the condensed matrix over that of K, about.
+    condensed: f64,
     /// Rows of |K| at the places, and |F|.
     rows: Vec<Vec<(usize, f64)>>,
     loads: Vec<f64>,
@@ -37,7 +36,7 @@ pub(super) struct Contact {
 }
 
 impl Edge {
-    pub(super) fn new<L: Level>(problem: &ContactProblem, level: &L, cone: Cone) -> Self {
+    pub(super) fn new<L: Level>(problem: &ContactProblem, level: &L, cone: Cone, condensed: f64) -> Self {
         let cone = problem.edge_cone(cone);
         let normals = problem.normal_unknowns();
         let row = |&unknown: &usize| {
@@ -54,6 +53,7 @@ impl Edge {
             places: normals.iter().map(|&unknown| level.place(unknown)).collect(),
             diagonals: normals.iter().map(|&unknown| problem.diagonal(unknown)).collect(),
             rows: normals.iter().map(row).collect(),
+            condensed,
             loads: normals.iter().map(|&unknown| problem.load[unknown].abs()).collect(),
         }
     }
@@ -110,7 +110,7 @@ impl Edge {
                 if nodes.iter().any(|&k| self.fixed[k]) {
                     continue;
                 }
-                let sign = |i: usize| if i % 2 == 0 { 1.0 } else { -1.0 };
+                let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
                 let sum: f64 = nodes.iter().enumerate().map(|(i, &k)| sign(i) * force[k]).sum();
                 let mean = sum / nodes.len() as f64;
                 nodes.iter().enumerate().for_each(|(i, &k)| force[k] -= sign(i) * mean);
@@ -125,7 +125,7 @@ impl Edge {
             return Ok(changed(set, &contact.wrong));
         }
         let force = self.cone.apply_transposed(&contact.multiplier)?;
-        let weight = |k: usize| CONDENSED * self.diagonals[k];
+        let weight = |k: usize| self.condensed * self.diagonals[k];
         let target: Vec<f64> = force
             .iter()
             .enumerate()

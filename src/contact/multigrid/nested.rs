@@ -76,6 +76,7 @@ impl<'a> Job<'a> {
         let start = Instant::now();
         let last = levels.len() - 1;
         let mut coarsest = Coarsest::new(self.problems[0])?;
+        let condensed = coarsest.condensed_share(self.problems[0]);
         let edge = self.problems[0].edge_cone(self.cone);
         let (first, _) =
             condensed::solve(self.problems[0], self.cone, ContactSet::empty(edge.constraints()), None)?;
@@ -101,7 +102,8 @@ impl<'a> Job<'a> {
             let mut report = |step: usize, error: f64| {
                 observe(&MultigridProgress { level: k, levels: last + 1, unknowns, step, error })
             };
-            let mut stage = Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, least);
+            let mut stage =
+                Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, (least, condensed));
             let here = stage.solve(&mut x, guess, goal, &mut report)?;
             discretisation.add(here.energy);
             reports.push(MultigridLevel {

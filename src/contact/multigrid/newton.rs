@@ -92,13 +92,21 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         level: &'s L,
         cycle: &'s mut Cycle<'c, L>,
         cone: Cone,
-        least: f64,
+        (least, condensed): (f64, f64),
     ) -> Self {
         let mut load = vec![0.0; problem.load.len()];
         problem.load.iter().enumerate().for_each(|(unknown, &f)| load[level.place(unknown)] = f);
         let held = (0..load.len()).filter(|&unknown| problem.prescribed[unknown]);
         let prescribed = held.map(|unknown| level.place(unknown)).collect();
-        Self { problem, level, cycle, edge: Edge::new(problem, level, cone), load, prescribed, least }
+        Self {
+            problem,
+            level,
+            cycle,
+            edge: Edge::new(problem, level, cone, condensed),
+            load,
+            prescribed,
+            least,
+        }
     }
 
     /// From an iterate and a guess of the set; `report` hears of the step and the estimated error.

@@ -1,5 +1,5 @@
-//! Moments of functions that vanish on a zone at one end, ∫ m w / |w|_ν: by slopes, between the bounds of the strong
-//! form, and at ν = 1/2 in closed form.
+//! Moments of functions that vanish on a zone at one end, ∫ m w / |w|_ν: by slopes, between the bounds of the
+//! strong form, and at ν = 1/2 in closed form.
 
 mod dual;
 mod half_order;

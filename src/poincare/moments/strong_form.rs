@@ -15,7 +15,8 @@
 //! v is the least squares solution of r = 0 in that weight over the functions of [`super::strong_basis`].
 //!
 //! The bounds hold up to the rounding and the quadrature of these integrals, by which they are widened.
-//! Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million values of the basis for one ν, all e.
+//! Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million values
+//! of the basis for one ν, all e.
 
 use super::dual::Moment;
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
@@ -23,8 +24,8 @@ use crate::error::{Error, Result};
 use crate::poincare::slopes::kernel::exp_quotient;
 use crate::sobolev::FractionalOrder;
 
-/// Columns that shrink to less when made orthogonal are combinations of those before; v keeps nine digits then, and the
-/// bounds, stationary in v, all that the rules have.
+/// Columns that shrink to less when made orthogonal are combinations of those before; v keeps nine digits
+/// then, and the bounds, stationary in v, all that the rules have.
 const DEPENDENT: f64 = 1e-7;
 /// By what the integrals may be off, relative to M²: rules with two more points change 2e-12 at most.
 const QUADRATURE: f64 = 1e-10;

@@ -75,8 +75,8 @@ fn offsets(lengths: &[f64], origin: usize) -> Vec<f64> {
 }
 
 impl Local {
-    /// The group around the cells of `zone`, from the first to the last of a zone of several intervals, if there
-    /// is need for one.
+    /// The group around the cells of `zone`, from the first to the last of a zone of several intervals, if
+    /// there is need for one.
     pub(crate) fn new(space: &SlopeSpace, zone: &Range<usize>, p: f64) -> Option<Self> {
         let lengths: Vec<f64> = space.cells.iter().map(|cell| cell.length).collect();
         let length: f64 = lengths[zone.clone()].iter().sum();

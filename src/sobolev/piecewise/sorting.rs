@@ -1,5 +1,6 @@
-//! The sorting lemma: of all orders of n numbers the sorted one has the smallest Σ (f_i − f_j)² over the pairs
-//! at distance |i − j| ≤ k, for every k; with every weight that decreases in |i − j| in place of the pairs.
+//! The sorting lemma: of all orders of n numbers the sorted one has the smallest Σ (f_i − f_j)² over the
+//! pairs at distance |i − j| ≤ k, for every k; with every weight that decreases in |i − j| in place of the
+//! pairs.
 
 use crate::numeric::random::SplitMix;
 
@@ -17,8 +18,8 @@ pub fn near_differences(values: &[f64], reach: usize) -> f64 {
     values.iter().enumerate().map(row).sum()
 }
 
-/// The largest quotient over all reaches of [`near_differences`] in sorted and in given order: at most one, by
-/// the lemma. Zero for equal numbers. Exact comparisons as long as the sums are, as for whole numbers.
+/// The largest quotient over all reaches of [`near_differences`] in sorted and in given order: at most one,
+/// by the lemma. Zero for equal numbers. Exact comparisons as long as the sums are, as for whole numbers.
 pub fn sorted_share(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -58,6 +58,7 @@ fn columns() -> Vec<Column> {
             "iterations from no contact, where the solution started from a coarser one",
         ),
         Column::hidden("status"),
+        Column::hidden("algebraic_error"),
         Column::new(
             "seconds",
             "s",
@@ -72,7 +73,8 @@ fn columns() -> Vec<Column> {
 }
 
 fn row(run: &SceneRun) -> Vec<Cell> {
-    let SceneRun { n, problem, solution, cold_steps } = run;
+    let SceneRun { n, problem, solution, cold_steps, error, fallback } = run;
+    let status = fallback.map_or(solution.status.to_string(), |why| format!("{}, {why}", solution.status));
     let ends = solution.contact_set.runs().into_iter().flat_map(|run| [run.start, run.end - 1]);
     let runs: Vec<f64> = ends.map(|i| solution.positions[i]).collect();
     vec![
@@ -97,7 +99,8 @@ fn row(run: &SceneRun) -> Vec<Cell> {
         solution.margins.gap.into(),
         (solution.work.iterations as usize).into(),
         cold_steps.map(|steps| steps as usize).into(),
-        solution.status.to_string().into(),
+        status.into(),
+        error.map(|norm| norm.relative_error()).into(),
         solution.seconds.total().into(),
         solution.seconds.assembly.into(),
         solution.seconds.factorization.into(),

@@ -1,9 +1,15 @@
 //! Contact solutions on meshes as the examples of Section 2 show them: the table, the deformed body, the
 //! contact edge, and the contact sets that an active-set iteration visits.
 
+mod conditions;
 mod history;
 mod listing;
 mod picture;
+mod roads;
+mod watch;
 
+pub use conditions::{CONDITIONS, Condition};
 pub use listing::{table, worst};
 pub use picture::quote_and_draw;
+pub use roads::{algebraic_chart, road_chart, road_table};
+pub use watch::watched;

@@ -90,8 +90,8 @@ pub enum Relation {
 /// assert!(order.with_number(0.6, 0.006).words().contains("more slowly"));
 /// ```
 ///
-/// Words may hold `{value}`, `{uncertainty}` and `{bound}`, filled in when they are shown, and `{count:noun}`: "no noun",
-/// "1 noun", "2 nouns".
+/// Words may hold `{value}`, `{uncertainty}` and `{bound}`, filled in when they are shown, and
+/// `{count:noun}`: "no noun", "1 noun", "2 nouns".
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     key: String,

@@ -65,7 +65,7 @@ impl RatePlan {
                 });
             }
         }
-        Ok(Self { strips, meshes: CORNERS.map(|angle| corner(angle, 4, 8)).to_vec() })
+        Ok(Self { strips, meshes: CORNERS.map(|angle| corner(angle, 4, 9)).to_vec() })
     }
 
     /// One scene, with its own load on meshes.
