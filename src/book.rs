@@ -29,6 +29,7 @@ chapters! {
     equation_3_2_logarithm: "equation_3_2_logarithm.md",
     theorem_4_1_rates: "theorem_4_1_rates.md",
     remark_2: "remark_2.md",
+    remark_3_face: "remark_3_face.md",
     remark_4: "remark_4.md",
     lemma_5_1: "lemma_5_1.md",
     lemma_5_2: "lemma_5_2.md",

@@ -21,6 +21,7 @@
 //! | Figure 3.1: exponents over tau | [`convergence::Bound::exponent`] |
 //! | (3.2), (4.3): tau = 2 and its logarithm | [`convergence::LogarithmFit`], [`scenes::TransitionPowers`] |
 //! | Remark 2: no better bound in the dual norm | [`interpolation::AliasedWave`], [`interpolation::DualNorm`] |
+//! | Remark 3, a face: one face with small gaps about its corners | [`proof::FaceGaps`] |
 //! | Figure 3.2: first and second case, nodal cone | [`proof::NearVertices`], [`proof::Classification`] |
 //! | (3.3) to (3.9), (3.11) to (3.15): both sides of every line | [`proof::section_three_checks`], [`proof::ProofCase`], [`proof::ProofConstants`] |
 //! | (3.6), (3.10): embedding constants C(q) | [`interpolation::EmbeddingSpace`], [`interpolation::embedding_upper_bound`] |

@@ -109,6 +109,7 @@ examples! {
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
     lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",
     remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
+    remark_3_face: "../examples/remark_3_face.rs",
     remark_4_saturation: "../examples/remark_4_saturation.rs",
     remark_5_log_counterexample: "../examples/remark_5_log_counterexample.rs",
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
