@@ -98,7 +98,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let mut found = vec![
         Finding::claim("forces", "loads, reactions and contact force add up to zero")
             .number(sum, NOISE)
-            .at_most(EIGHT_DIGITS, "eight digits of a sum over all nodes")
+            .at_most(asked.max(EIGHT_DIGITS), "eight digits of a sum over all nodes, or the error asked for")
             .otherwise("too few digits: loads, reactions and contact force add up to {value}"),
         Finding::claim("push", "the foundation pushes with {value}")
             .number_or(force, "no solution")
