@@ -11,17 +11,17 @@
 //! inequality for elasticity ([`half_plane_korn`]).
 //!
 //! 1. Let d = u − I^h u, z = I^h u − u_h. z = 0 on Γ_D, and |u − u_h|_a² = |d|_a² + 2 a(u − u_h, z) − |z|_a²,
-//!   a(u − u_h, z) ≤ ∫ σ_N z_N; nodal cone: at most t = ∫ σ_N (I^h u)_N. Midpoint cone: at most
-//!   t + ∫ (σ_N − πσ_N) z_N with t = ∫ πσ_N (I^h u)_N, and ∫ (σ_N − πσ_N) z_N ≤ b h |u|_{2,S_h} |z|_a; then
-//!   2 x |z| − |z|² ≤ x².
+//!    a(u − u_h, z) ≤ ∫ σ_N z_N; nodal cone: at most t = ∫ σ_N (I^h u)_N. Midpoint cone: at most
+//!    t + ∫ (σ_N − πσ_N) z_N with t = ∫ πσ_N (I^h u)_N, and ∫ (σ_N − πσ_N) z_N ≤ b h |u|_{2,S_h} |z|_a; then
+//!    2 x |z| − |z|² ≤ x².
 //! 2. |u − I^h u|₁ ≤ A h |u|₂; right isosceles triangles with legs h: A = 1/t, t + tan t = 0 (F. Kikuchi, X.
-//!   Liu, Japan J. Indust. Appl. Math. 23 (2006) 75-82). |v|_a² ≤ M |∇v|²: split ∇v into trace, deviator,
-//!   rotation.
+//!    Liu, Japan J. Indust. Appl. Math. 23 (2006) 75-82). |v|_a² ≤ M |∇v|²: split ∇v into trace, deviator,
+//!    rotation.
 //! 3. A segment: t ≤ c h² |σ_N|_{1/2,T} |u_N'|_{1/2,T}. For the midpoint cone ∫_T πσ_N (I^h u)_N is at most
-//!   half of ‖σ_N‖_{L¹} ‖u_N'‖_{L¹}.
+//!    half of ‖σ_N‖_{L¹} ‖u_N'‖_{L¹}.
 //! 4. Trace on a rectangle: |w|²_{1/2,T} ≤ 2πθ ‖∇w‖²_Q, ‖w − πw‖²_T ≤ (θ/π) h ‖∇w‖²_Q (cosine series).
-//!   For w = σ_N = λ div u + 2μ ∂_n u_n and w = ∂_t u_n: ‖∇σ_N‖ ‖∇∂_t u_n‖ ≤ ½ S |u|²_{2}, ‖∇σ_N‖ ≤ S |u|₂;
-//!   ‖∇z_N‖ ≤ B |z|_a.
+//!    For w = σ_N = λ div u + 2μ ∂_n u_n and w = ∂_t u_n: ‖∇σ_N‖ ‖∇∂_t u_n‖ ≤ ½ S |u|²_{2}, ‖∇σ_N‖ ≤ S |u|₂;
+//!    ‖∇z_N‖ ≤ B |z|_a.
 //!
 //! Proofs: `book/src/theorem_3_1_without_c.md`. Cost: none.
 
