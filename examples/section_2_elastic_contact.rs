@@ -1,5 +1,4 @@
-//! Section 2: problems on meshes by two unrelated solvers, judged by one function; `section_2_scalar_contact`
-//! is Remark 1.
+//! Section 2: problems on meshes by two unrelated solvers, judged by one function. Scalar: Remark 1.
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
@@ -28,8 +27,7 @@ example_frame::options! {
         /// active-set, interior-point, multigrid or auto; unless given two, the second one for a check
         #[arg(long)]
         pub solver: Option<Solver>,
-        /// Energy norm of the algebraic error asked of multigrid (default: 1/100 of the error of
-        /// discretisation)
+        /// Algebraic error asked of multigrid, energy norm, relative (default: 1/100 of that of the mesh)
         #[arg(long)]
         pub tolerance: Option<Tolerance>,
         /// Poisson's ratio of `incompressible`
@@ -53,8 +51,7 @@ pub enum Problem {
     Scalar,
 }
 
-/// What is computed: every solution, coarsest mesh first, on each mesh the active set before the interior
-/// point.
+/// What is computed: every solution, coarsest mesh first, on each mesh one solver after the other.
 pub struct Computed {
     study: SceneStudy,
     /// All of them.
@@ -78,16 +75,14 @@ pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
     Ok(Computed { study, runs: contact::watched(&study)? })
 }
 
-/// A scaled condition may be violated by the error asked for, or by this: a duality gap of 1e-13 summed over
-/// the unknowns of a mesh of n = 32.
+/// A scaled condition may be violated by the error asked for, or by a duality gap of 1e-13 over 1000 unknowns.
 const JUDGED: f64 = 1e-10;
 /// What a sum over all nodes, or a second solver, must confirm.
 const EIGHT_DIGITS: f64 = 1e-8;
 /// The packages agree among themselves to 12 digits or more.
 const PACKAGES: f64 = 1e-11;
 
-/// What decides: every solution meets the four conditions, forces add up, both solvers and other packages
-/// agree.
+/// What decides: every solution meets the four conditions, forces add up, solvers and packages agree.
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let Computed { study, runs } = computed;
     let judged: Option<Vec<Judgement>> = runs.iter().map(|run| run.judged().ok()).collect();
@@ -113,11 +108,8 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     for (key, holds, fails, figure) in contact::CONDITIONS {
         let worst = judged.as_ref().map(|all| (contact::worst(all.iter().map(figure)), NOISE));
         let condition = Finding::claim(key, holds).number_or(worst, "a force or a gap is not a number");
-        found.push(
-            condition
-                .at_most(asked, "a duality gap of 1e-13 over 1000 unknowns, or the error asked for")
-                .otherwise(fails),
-        );
+        let bound = "a duality gap of 1e-13 over 1000 unknowns, or the error asked for";
+        found.push(condition.at_most(asked, bound).otherwise(fails));
     }
     if runs.len() > study.levels {
         let sets = sets_apart(runs).map(|(apart, weak)| (apart as f64, weak as f64));
@@ -134,12 +126,10 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
         ]);
     }
     if let Some((run, j)) = runs.last().and_then(|run| Some((run, study.known_energy(run.n)?))) {
+        let error = run.solution.energy_rounding + run.error.map_or(0.0, |e| e.error * e.error);
         found.push(
             Finding::claim("packages", "five other packages find the same J = {value}")
-                .number(
-                    run.solution.energy,
-                    run.solution.energy_rounding + run.error.map_or(0.0, |e| e.error * e.error),
-                )
+                .number(run.solution.energy, error)
                 .within(PACKAGES * j.abs(), j, "tests/reference, signorini_square.json")
                 .told(),
         );
