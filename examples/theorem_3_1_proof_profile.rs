@@ -108,7 +108,8 @@ pub fn findings(options: &Options, Computed { profile, rungs, limits }: &Compute
     ];
     for LimitLine { line, pairs, count, violations, sharpest } in &limits.lines {
         let words = format!("{line}: left/right at most {{value}} on {count} segments of {pairs} pairs");
-        let claim = Finding::claim(line.key(), words).number(*sharpest, 0.0);
+        let number = (*count > 0).then_some((*sharpest, 0.0));
+        let claim = Finding::claim(line.key(), words).number_or(number, "no segment");
         findings.push(claim.at_most(1.0 + CONSTANTS, format!("left <= right; {violations} fail")));
     }
     // With another theta, and with the logarithm of tau = 2, the bound is no power of that exponent.

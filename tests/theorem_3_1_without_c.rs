@@ -6,6 +6,7 @@ mod example;
 
 use example_frame::Outcome;
 use signorini::cone::Cone;
+use signorini::contact::Solver;
 use signorini::fem::{Form, Lame};
 use signorini::proof::{BoundStudy, BoundWithoutC, MeshShape, half_plane_korn};
 use signorini::quadrature::Rule;
@@ -154,6 +155,15 @@ fn quadratics_obey_the_interpolation_constant() {
         }
     }
     assert!(largest < constant && largest > 0.9 * constant, "{largest} {constant}");
+}
+
+/// A run of contact from a clamped end to a gap has multipliers with a sawtooth, and has to be broken up at the right
+/// place: changing sides by the least index did not end on this mesh.
+#[test]
+fn contact_at_clamped_ends_is_found_in_the_midpoint_cone() {
+    let scene = ClosedForm { two_transitions: true, lame: None };
+    let solution = scene.problem(512).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
+    assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-12, "{:?}", solution.status);
 }
 
 #[test]

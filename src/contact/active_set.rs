@@ -10,8 +10,10 @@
 //!   falls into checkerboards there, because the constraints of neighbouring segments are coupled through B
 //!   B'.
 //!
-//! A set that reproduces itself solves the problem. When a set comes back, only the wrong constraint with the
-//! least index changes sides until fewer constraints are wrong than ever before: finite for every symmetric
+//! A set that reproduces itself solves the problem. When a set comes back, only one wrong constraint changes
+//! sides until fewer constraints are wrong than ever before: for some steps the one that is furthest off, which finds the
+//! place where a run of contact between a fixed node and a gap has to be broken up (its multipliers carry a sawtooth
+//! that B' does not see, largest against them beside the gap), then the one with the least index: finite for every symmetric
 //! positive definite S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this
 //! phase the next set is a function of the set alone, so one that comes back a second time comes back for
 //! ever: [`Status::Cycled`]. Only rounding, or an S that is not symmetric positive definite, gets there.
@@ -29,6 +31,10 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// sides one by one takes a few per constraint.
 const FEWEST_STEPS: usize = 100;
 const STEPS_PER_CONSTRAINT: usize = 20;
+
+/// Steps by the constraint that is furthest off before the least index decides, no more than there are
+/// constraints.
+const FURTHEST_FIRST: usize = 64;
 
 /// How the iteration on the edge went.
 #[derive(Debug, Clone)]
@@ -49,11 +55,13 @@ pub struct EdgeOutcome {
 /// As for [`EdgeProblem::solve_with`].
 pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
     let limit = FEWEST_STEPS + STEPS_PER_CONSTRAINT * start.constraints();
+    let furthest_first = FURTHEST_FIRST.min(start.constraints());
     let mut set = start;
     let mut history: Vec<ContactSet> = Vec::new();
     let mut seen: HashSet<ContactSet> = HashSet::new();
     let mut fewest = usize::MAX;
     let mut one_at_a_time = false;
+    let mut single_steps = 0;
     // The sets from which one constraint changed sides, with their steps.
     let mut changed_one: HashMap<ContactSet, usize> = HashMap::new();
     loop {
@@ -65,11 +73,14 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
         if wrong.len() < fewest {
             fewest = wrong.len();
             one_at_a_time = false;
+            single_steps = 0;
             changed_one.clear();
         } else {
             one_at_a_time |= came_back;
         }
-        let before = if one_at_a_time { changed_one.insert(set.clone(), steps) } else { None };
+        single_steps += usize::from(one_at_a_time);
+        let by_index = single_steps > furthest_first;
+        let before = if by_index { changed_one.insert(set.clone(), steps) } else { None };
         let status = match before {
             _ if wrong.is_empty() => Some(Status::Converged),
             Some(before) => Some(Status::Cycled { period: steps - before }),
@@ -79,7 +90,8 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
             return Ok(EdgeOutcome { state, set, status, history });
         }
         set = match (one_at_a_time, problem.cone) {
-            (true, _) => changed(&set, &wrong[..1]),
+            (true, _) if by_index => changed(&set, &wrong[..1]),
+            (true, _) => changed(&set, &[furthest(problem, &set, &state, &wrong)]),
             (false, Cone::Nodal) => changed(&set, &wrong),
             (false, Cone::Midpoint) => projected_set(problem, &state)?,
         };
@@ -91,6 +103,19 @@ fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);
     ContactSet::new(active)
+}
+
+/// The wrong constraint that is furthest off: by its gap, or by its multiplier over the diagonal of S.
+fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wrong: &[usize]) -> usize {
+    let cone = problem.edge_cone();
+    let off = |i: usize| {
+        if !set.contains(i) {
+            return state.gap[i];
+        }
+        let stiffness = cone.support(i).map(|node| problem.stiffness[(node, node)]).fold(0.0, f64::max);
+        -state.multiplier[i] / stiffness
+    };
+    wrong.iter().copied().max_by(|&i, &j| off(i).total_cmp(&off(j))).unwrap_or(0)
 }
 
 /// The constraints active at the projection of w − D⁻¹ ∇J = w + D⁻¹ B'λ, D the diagonal of S.

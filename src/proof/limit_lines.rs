@@ -1,7 +1,7 @@
 //! The lines of the proofs for τ ≥ 2, (3.10), (3.15), (4.12), (4.13) and (4.14), on several pairs each.
 //!
-//! τ = 2: one transition, five gaps, and a Cantor set; (4.14): one transition of regularity 2.05, 2.25 and
-//! 2.45. Cost: six profiles of meshes h = 1/8 ... 1/256 at most.
+//! τ = 2, θ = h² and θ = 1/2: one transition, five gaps, and a Cantor set; (4.14): one transition of regularity 2.05, 2.25 and
+//! 2.45. Cost: nine profiles of meshes h = 1/8 ... 1/256 at most.
 
 use super::case::ProofCase;
 use super::line::Line;
@@ -53,29 +53,40 @@ pub fn limit_lines(section: Section, q: f64) -> Result<LimitLines> {
     let pairs = pairs.chain(above.iter().map(|&tau| (StripScene::transition(), tau)));
     let (mut found, mut globally): (Vec<LimitLine>, f64) = (Vec::new(), 0.0);
     for (source, tau) in pairs {
-        let rule = ThetaRule::Printed { tau: 2.0 };
-        let levels = Levels::new(3, 8)?;
-        let case = ProofCase { source, tau, scene_tau: tau, levels, rule, ..ProofCase::standard(section)? };
-        let profile = case.profile(&case.constants(q)?)?;
-        if tau == 2.0 {
-            let over = |level: &LevelProfile| {
-                let h = level.h();
-                level.rung(Step::WholeEdge).printed / (h * h * (1.0 / h).ln())
-            };
-            let quotients: Vec<f64> = profile.levels.iter().map(over).collect();
-            globally = quotients.windows(2).map(|pair| pair[1] / pair[0]).fold(globally, f64::max);
-        }
-        for line in profile.lines().into_iter().filter(|profile| profile.line.is_limit()) {
-            let known = found.iter().position(|known| known.line == line.line);
-            let place = known.unwrap_or_else(|| {
-                found.push(LimitLine { line: line.line, pairs: 0, count: 0, violations: 0, sharpest: 0.0 });
-                found.len() - 1
-            });
-            let total = &mut found[place];
-            total.pairs += 1;
-            total.count += line.count;
-            total.violations += line.violations;
-            total.sharpest = total.sharpest.max(line.sharpest);
+        // With θ = h² no segment with a term is in the first case on these meshes; with θ = 1/2 there are some.
+        let rules = [ThetaRule::Printed { tau: 2.0 }, ThetaRule::Fixed(0.5)];
+        let mut met: Vec<Line> = Vec::new();
+        for rule in &rules[..if tau == 2.0 { 2 } else { 1 }] {
+            let (levels, rule) = (Levels::new(3, 8)?, *rule);
+            let source = source.clone();
+            let case =
+                ProofCase { source, tau, scene_tau: tau, levels, rule, ..ProofCase::standard(section)? };
+            let profile = case.profile(&case.constants(q)?)?;
+            if tau == 2.0 && rule == rules[0] {
+                let over = |level: &LevelProfile| {
+                    let h = level.h();
+                    level.rung(Step::WholeEdge).printed / (h * h * (1.0 / h).ln())
+                };
+                let quotients: Vec<f64> = profile.levels.iter().map(over).collect();
+                globally = quotients.windows(2).map(|pair| pair[1] / pair[0]).fold(globally, f64::max);
+            }
+            let lines = profile.lines();
+            for line in lines.iter().filter(|found| found.line.is_limit() && found.count > 0) {
+                let known = found.iter().position(|known| known.line == line.line);
+                let place = known.unwrap_or_else(|| {
+                    let (line, pairs, count) = (line.line, 0, 0);
+                    found.push(LimitLine { line, pairs, count, violations: 0, sharpest: 0.0 });
+                    found.len() - 1
+                });
+                let total = &mut found[place];
+                if !met.contains(&line.line) {
+                    met.push(line.line);
+                    total.pairs += 1;
+                }
+                total.count += line.count;
+                total.violations += line.violations;
+                total.sharpest = total.sharpest.max(line.sharpest);
+            }
         }
     }
     found.sort_by_key(|line| line.line);
@@ -97,7 +108,7 @@ mod tests {
                 assert!(found.iter().any(|line| line.line.to_string().starts_with(label)), "{label}");
             }
             for LimitLine { line, pairs, count, violations, sharpest } in found {
-                assert!(pairs >= 3 && count > 0 && violations == 0, "{line}: {pairs} {count} {violations}");
+                assert!(pairs >= 2 && count > 0 && violations == 0, "{line}: {pairs} {count} {violations}");
                 assert!(sharpest > 0.0 && sharpest <= 1.0, "{line}: {sharpest}");
             }
         }

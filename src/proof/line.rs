@@ -127,7 +127,7 @@ impl fmt::Display for Line {
             Line::SecondCaseTwo => "(3.15) second case, τ = 2",
             Line::SecondYoungTwo => "(3.15) Young",
             Line::MeanZero => "(4.9) mean zero",
-            Line::ForceTimesHeight => "(4.10) L¹ and L^∞",
+            Line::ForceTimesHeight => "(4.10) L¹ and L∞",
             Line::Pointwise => "(4.10) by (6.2)",
             Line::SupportHoelder => "(4.10) Hölder on S",
             Line::StressEmbedding => "(4.10) embedding",
