@@ -114,7 +114,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
             .number_or(faster.map(|factor| (factor, 0.5 * factor)), "a road is missing")
             .at_least(1.0, "equal seconds; a busy machine halves or doubles them"),
         Finding::remark(
-            "multigrid",
+            "seconds.multigrid",
             "multigrid on the finest mesh is {value} times as fast as the nested active set",
         )
         .number_or(cheaper.map(|factor| (factor, 0.5 * factor)), "a road is missing")
@@ -138,7 +138,8 @@ pub fn run(options: &Options) -> Result<Headline> {
     }
     let name = |what: &str| format!("section_2_{what}_{}", options.cone);
     headline.draw(&options.output, &name("seconds"), || Ok(contact::road_chart(&computed.rows)))?;
-    headline.draw(&options.output, &name("algebraic"), || Ok(contact::algebraic_chart(&computed.rows)))?;
+    headline
+        .draw(&options.output, &name("algebraic_seconds"), || Ok(contact::algebraic_chart(&computed.rows)))?;
     Ok(headline)
 }
 

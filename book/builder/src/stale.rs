@@ -75,7 +75,8 @@ fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, Str
         (Value::Object(a), Value::Object(b)) if a.contains_key("finding") && b.contains_key("finding") => {
             // Words and comparison repeat the number, as far as it has digits.
             for key in ["finding", "outcome", "role", "bound", "value"] {
-                let is_timed = key == "value" && a["finding"].as_str().is_some_and(is_timed);
+                let is_timed = matches!(key, "outcome" | "bound" | "value")
+                    && a["finding"].as_str().is_some_and(is_timed);
                 let entry =
                     |map: &serde_json::Map<String, Value>| map.get(key).cloned().unwrap_or(Value::Null);
                 if !is_timed {

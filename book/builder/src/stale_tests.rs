@@ -60,3 +60,18 @@ fn figures_are_compared() {
     assert_eq!(compare(&old, &gone).len(), 1);
     assert_eq!(compare(&gone, &old), [], "figures no page shows are not committed");
 }
+
+#[test]
+fn a_finding_about_seconds_may_turn_on_a_busy_machine_and_no_other() {
+    let finding = |name: &str, outcome: &str, value: f64| {
+        let text = format!(
+            r#"{{"ex": {{"findings": [{{"finding": "{name}", "outcome": "{outcome}", "role": "remark", "bound": 1, "value": {value}}}]}}}}"#
+        );
+        data(&text, "<svg/>")
+    };
+    let pair = |name: &str| compare(&finding(name, "holds", 4.6), &finding(name, "undecided", 1.2));
+    assert_eq!(pair("seconds.multigrid"), []);
+    let found = pair("multigrid");
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found.iter().any(|s| s.entry == "ex/findings/0/outcome"), "{found:?}");
+}

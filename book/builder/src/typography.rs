@@ -23,7 +23,7 @@ pub fn html(text: &str) -> String {
     let mut before = ' ';
     while let Some(c) = text[at..].chars().next() {
         let rest = &text[at..];
-        let (piece, length) = raised(rest, before)
+        let (piece, length) = raised(rest, &text[..at])
             .or_else(|| minus(rest, before))
             .or_else(|| power(rest, before))
             .unwrap_or_else(|| (escape(&rest[..c.len_utf8()]), c.len_utf8()));
@@ -48,11 +48,14 @@ fn greek(text: &str) -> String {
     (result + rest).replace("<=", "≤").replace(">=", "≥").replace("->", "→").replace("sqrt(", "√(")
 }
 
-/// An exponent or an index at the start of `text`, as HTML, and its length.
-fn raised(text: &str, before: char) -> Option<(String, usize)> {
+/// An exponent or an index at the start of `text`, as HTML, and its length. A symbol is one letter: the names of
+/// pages and examples keep their underscores.
+fn raised(text: &str, before: &str) -> Option<(String, usize)> {
+    let last = before.chars().next_back().unwrap_or(' ');
+    let is_symbol = before.chars().rev().take_while(|c| c.is_alphanumeric()).count() == 1;
     let tag = match text.chars().next()? {
-        '^' if !before.is_whitespace() => "sup",
-        '_' if before.is_alphabetic() || matches!(before, '|' | ')') => "sub",
+        '^' if !last.is_whitespace() => "sup",
+        '_' if (last.is_alphabetic() && is_symbol) || matches!(last, '|' | ')') => "sub",
         _ => return None,
     };
     let rest = &text[1..];
@@ -129,6 +132,7 @@ mod tests {
             ("a < b, 1 element, e-6, x1e-3", "a &lt; b, 1 element, e-6, x1e-3"),
             ("J = -1.5, (2nu-1), sqrt(2), a-1", "J = \u{2212}1.5, (2ν-1), √(2), a-1"),
             ("^ a _ b", "^ a _ b"),
+            ("gamma_theta on the page lemma_5_2_a", "γ<sub>θ</sub> on the page lemma_5_2_a"),
         ] {
             assert_eq!(html(text), expected, "{text}");
         }
