@@ -13,6 +13,7 @@
 //! | [`ClampedEnd`] | a body clamped up to the end of its contact edge, on polar rings | `clamped_end` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
+//! | [`MeshTransition`] | one transition of given regularity, on the bottom or the whole boundary | `mesh_transition` |
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
 //!
 //! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data.
@@ -28,6 +29,8 @@ mod gap_data;
 mod known;
 pub mod manufactured;
 mod mesh;
+mod mesh_transition;
+mod mesh_transition_problem;
 mod pressure;
 mod registry;
 mod regularity;
@@ -44,6 +47,7 @@ pub use closed_form::ClosedForm;
 pub use closed_form_levels::ClosedFormLevel;
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};
 pub use mesh::{MeshScene, Setting};
+pub use mesh_transition::MeshTransition;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
 pub use scene::Scene;
 pub use strip::StripScene;

@@ -20,6 +20,7 @@ pub mod markup;
 pub mod number;
 pub mod page;
 pub mod scan;
+pub mod sentence;
 pub mod slider;
 pub mod stale;
 pub mod tables;

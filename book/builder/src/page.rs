@@ -7,6 +7,7 @@ use crate::error::Fault;
 use crate::formula::{self, Formula, Labels};
 use crate::markup::escape;
 use crate::scan::{Kind, Piece, line_at, pieces};
+use crate::sentence;
 use std::path::PathBuf;
 
 /// Marks are numbers between these two characters of Unicode's private use area.
@@ -117,7 +118,10 @@ impl Marker<'_> {
     fn directive(&mut self, page: &Page, piece: &Piece<'_>, text: &mut String) {
         match directive::resolve(piece.text, self.sources) {
             Ok(Meaning::Number(number)) => self.marked.push(text, Snippet::Inline(number.html())),
-            Ok(Meaning::Words(words)) => self.marked.push(text, Snippet::Inline(words)),
+            Ok(Meaning::Words(words)) => {
+                let words = if sentence::begins(text) { sentence::capitalised(&words) } else { words };
+                self.marked.push(text, Snippet::Inline(words));
+            }
             Ok(Meaning::Name(name)) => {
                 // Long names may break between their words.
                 let name = escape(&name).replace("::", "::<wbr>").replace('_', "_<wbr>");
