@@ -25,8 +25,9 @@ fn no_logarithm_in_h2_and_a_square_root_of_one_outside() {
             assert!(power + half < 0.0, "row {row}: {headline}");
             assert!(number("paper") < 1.0 && number("sharpened") < 1.0, "row {row}: {headline}");
         }
-    }    // Twenty-two transitions with α = 0, 3/4, 1, a Cantor set with 0, 1, 3/2, in both cones: the sign of q.
-    for (row, alpha) in [0.0, 0.0, 0.75, 0.75, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.5, 1.5].into_iter().enumerate() {
+    } // Twenty-two transitions with α = 0, 3/4, 1, a Cantor set with 0, 1, 3/2, in both cones: the sign of q.
+    for (row, alpha) in [0.0, 0.0, 0.75, 0.75, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.5, 1.5].into_iter().enumerate()
+    {
         let number = |key: &str| headline.table.number(8 + row, key).unwrap();
         let (power, half) = (number("power"), number("half_width"));
         assert_eq!(number("expected"), 1.0 - 2.0 * alpha, "row {row}");

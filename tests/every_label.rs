@@ -125,8 +125,7 @@ fn every_row_is_decided() {
 fn every_label_of_the_paper_has_a_row() {
     let all = rows(&read("book/src/every_label.md"));
     let known: BTreeSet<String> = all.iter().flat_map(|row| labels(&row[0])).collect();
-    let numbered =
-        (0..6).flat_map(|s| (1..=NUMBERED[s]).map(move |n| format!("({}.{n})", s + 1)));
+    let numbered = (0..6).flat_map(|s| (1..=NUMBERED[s]).map(move |n| format!("({}.{n})", s + 1)));
     let wanted = numbered.chain(NAMED.map(str::to_owned));
     let missing: Vec<String> = wanted.filter(|label| !known.contains(label)).collect();
     assert!(missing.is_empty(), "{missing:?}");

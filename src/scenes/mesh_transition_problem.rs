@@ -10,7 +10,7 @@ use crate::fem::{Cubature, Field, Form, error_norms};
 use crate::mesh::{Part, Point, Sides, Triangulation, distance, unit_square};
 use crate::quadrature::Rule;
 
-/// Points along each side of a triangle's rule, below and above p = 3/5; for the error the coarser one says how
+/// Points along each side of a triangle's rule, below p = 1 and from there on; for the error the coarser one says how
 /// exact the finer is.
 const POINTS: [[usize; 2]; 2] = [[4, 5], [3, 4]];
 /// Gauss points on a segment, and m: t^{mp−1} is smooth enough for p ≥ 3/10.
@@ -58,7 +58,7 @@ impl MeshTransition {
     }
 
     fn points(&self) -> [usize; 2] {
-        POINTS[usize::from(self.powers.opening > 0.6)]
+        POINTS[usize::from(self.powers.opening >= 1.0)]
     }
 
     fn rule(&self, points: usize) -> Result<Cubature> {
