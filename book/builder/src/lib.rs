@@ -21,7 +21,9 @@ pub mod markup;
 pub mod number;
 pub mod options;
 pub mod page;
+pub mod print;
 pub mod scan;
+pub mod search;
 pub mod serve;
 pub mod slider;
 pub mod stale;
@@ -31,7 +33,7 @@ pub mod verify;
 
 use data::Data;
 use directive::Sources;
-use error::{Fault, Result, none_of, read};
+use error::{Fault, Result, none_of, read, write};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -82,6 +84,8 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     };
     none_of(faults)?;
     let output = html::build(&layout.book, &marked)?;
+    write(&output.join(search::INDEX), search::script(&output, &pages)?)?;
+    print::finish(&output, &pages)?;
     none_of(verify::faults(&output, &pages)?)?;
     Ok(output)
 }

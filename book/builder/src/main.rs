@@ -2,19 +2,20 @@
 //! `cargo book build`: builds the pages from the committed data.
 //! `cargo book labels`: writes the tables made from `labels.toml`, the list of chapters in `src/book.rs` and that of examples
 //! in `tests/findings.rs`, and nothing else.
+//! `cargo book print`: builds the pages and prints them, as a PDF where a Chromium is installed.
 //! `cargo book serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address.
 //! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;
 use book_builder::serve::{Laboratory, Limits, Server};
-use book_builder::{Layout, build, check_fresh, examples, labels, shown, tables};
+use book_builder::{Layout, build, check_fresh, examples, labels, print, shown, tables};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
-const USAGE: &str = "usage: cargo book [build | check | labels | serve [--port P]]";
+const USAGE: &str = "usage: cargo book [build | check | labels | print | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -25,6 +26,10 @@ fn main() -> ExitCode {
         [] => renew(&layout),
         ["build"] => Data::read(&layout.generated()).and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
+        ["print"] => {
+            let built = Data::read(&layout.generated()).and_then(|data| build(&layout, &data));
+            return said(built.and_then(|output| print::pdf(&output)));
+        }
         ["serve"] => serve(&layout, PORT),
         ["serve", "--port", port] => match port.parse() {
             Ok(port) => serve(&layout, port),
@@ -45,9 +50,14 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    said(done.map(|output| output.join("index.html")))
+}
+
+/// Where the outcome is, or what is wrong.
+fn said(done: Result<PathBuf>) -> ExitCode {
     match done {
-        Ok(output) => {
-            println!("file://{}", output.join("index.html").display());
+        Ok(file) => {
+            println!("file://{}", file.display());
             ExitCode::SUCCESS
         }
         Err(error) => {

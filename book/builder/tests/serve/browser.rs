@@ -25,13 +25,34 @@ fn page(browser: &str, address: &str) -> Option<String> {
 }
 
 #[test]
-fn a_browser_computes_with_the_parameters_of_the_address() {
+fn words_are_looked_up_in_a_book_of_files() {
+    let Some(browser) = browser() else { return };
+    let book = Book::serve(short());
+    let page = |query: &str| page(browser, &format!("file://{}?search={query}", book.file())).unwrap();
+    let found = page("it%20is%20said");
+    assert!(found.contains("1 section<") && found.contains("href=\"first.html#first\""), "{found}");
+    assert!(page("nowhere").contains("0 sections"));
+    // Opened as a file, the page says how to start the server.
+    assert!(
+        found.contains("cargo book serve</code> in the repository") && found.contains("disabled=\"\""),
+        "{found}"
+    );
+}
+
+/// A Chromium, if there is one.
+fn browser() -> Option<&'static str> {
     let is_there =
         |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
-    let Some(browser) = BROWSERS.into_iter().find(is_there) else {
+    let found = BROWSERS.into_iter().find(is_there);
+    if found.is_none() {
         println!("skipped: no Chromium here");
-        return;
-    };
+    }
+    found
+}
+
+#[test]
+fn a_browser_computes_with_the_parameters_of_the_address() {
+    let Some(browser) = browser() else { return };
     let book = Book::serve(short());
     let at = |query: &str| page(browser, &format!("http://{}/first.html{query}", book.host())).unwrap();
     let plain = at("");
