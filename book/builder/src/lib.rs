@@ -11,6 +11,7 @@ pub mod decimal;
 pub mod directive;
 pub mod error;
 pub mod examples;
+pub mod exercises;
 pub mod figure;
 pub mod formula;
 pub mod html;
@@ -73,6 +74,7 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
     let allowed = decimal::allow_list(&allowed);
     faults.extend(labels::faults(&list, &layout.repository)?);
+    faults.extend(exercises::faults(&exercises::list(&layout.book)?, &pages, &layout.book));
     faults.extend(coverage::faults(&pages, &layout.repository)?);
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
