@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Which of h, h |ln h|^1/4, h |ln h|^1/2 is the error at tau = 2?
-    pub struct Options {
+    pub struct Options: Long {
         /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 16 times finer
         #[arg(long, default_value = "3-16")]
         pub levels: Levels,

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// How far a function can be from its mean, point by point
-    pub struct Options {
+    pub struct Options: Quick {
         /// Cells with a constant slope each, a multiple of 16
         #[arg(long, default_value_t = 256)]
         pub cells: usize,

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Printed rates and measured orders
-    pub struct Options {
+    pub struct Options: Long {
         /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 16 times finer
         #[arg(long, default_value = "4-14")]
         pub levels: Levels,

@@ -17,7 +17,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// The scalar problem of Remark 1: rates of both cones with contact on all four sides
-    pub struct Options {
+    pub struct Options: Long {
         /// Number of meshes with 2, 4, 8, ... squares along each side
         #[arg(long, default_value_t = 8)]
         pub meshes: usize,

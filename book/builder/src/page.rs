@@ -5,9 +5,11 @@ use crate::decimal;
 use crate::directive::{self, Meaning, Sources};
 use crate::error::Fault;
 use crate::formula::{self, Formula, Labels};
+use crate::live;
 use crate::markup::escape;
 use crate::scan::{Kind, Piece, line_at, pieces};
 use crate::sentence;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// Marks are numbers between these two characters of Unicode's private use area.
@@ -55,6 +57,8 @@ pub fn mark(pages: &[Page], sources: &Sources<'_>) -> Result<Marked, Vec<Fault>>
         formulas: Vec::new(),
         places: Vec::new(),
         faults: Vec::new(),
+        live: BTreeSet::new(),
+        panels: BTreeSet::new(),
     };
     for (number, page) in pages.iter().enumerate() {
         let text = marker.page(number, page);
@@ -72,10 +76,16 @@ struct Marker<'a> {
     /// The snippet of each formula.
     places: Vec<usize>,
     faults: Vec<Fault>,
+    /// Examples that can be computed anew on this page.
+    live: BTreeSet<String>,
+    /// Those whose panel is still to come.
+    panels: BTreeSet<String>,
 }
 
 impl Marker<'_> {
     fn page(&mut self, number: usize, page: &Page) -> String {
+        self.panels = live::examples(&page.text, self.sources.data);
+        self.live = self.panels.clone();
         let found = pieces(&page.text).unwrap_or_else(|error| {
             let rest = page.text[error.start..].lines().next().unwrap_or("");
             self.faults.push(Fault::new(&page.file, line_at(&page.text, error.start), error.what, rest));
@@ -116,11 +126,16 @@ impl Marker<'_> {
     }
 
     fn directive(&mut self, page: &Page, piece: &Piece<'_>, text: &mut String) {
+        let example = live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
+        let inline = |html: String| match example {
+            Some(_) => Snippet::Inline(live::inline(piece.text, &html)),
+            None => Snippet::Inline(html),
+        };
         match directive::resolve(piece.text, self.sources) {
-            Ok(Meaning::Number(number)) => self.marked.push(text, Snippet::Inline(number.html())),
+            Ok(Meaning::Number(number)) => self.marked.push(text, inline(number.html())),
             Ok(Meaning::Words(words)) => {
                 let words = if sentence::begins(text) { sentence::capitalised(&words) } else { words };
-                self.marked.push(text, Snippet::Inline(words));
+                self.marked.push(text, inline(words));
             }
             Ok(Meaning::Name(name)) => {
                 // Long names may break between their words.
@@ -128,7 +143,13 @@ impl Marker<'_> {
                 let html = format!("<code>{name}</code>");
                 self.marked.push(text, Snippet::Inline(html));
             }
-            Ok(Meaning::Block(html)) => self.marked.push(text, Snippet::Block(html)),
+            Ok(Meaning::Block(html)) => {
+                let mut html = if example.is_some() { live::block(piece.text, &html) } else { html };
+                if let Some(example) = example.filter(|example| self.panels.remove(example)) {
+                    html.push_str(&live::panel(&example, &self.sources.data.options[&example]));
+                }
+                self.marked.push(text, Snippet::Block(html));
+            }
             Ok(Meaning::Markdown(block)) => text.push_str(&block),
             Err(what) => {
                 let line = line_at(&page.text, piece.start);
@@ -238,7 +259,7 @@ impl Marked {
                     let before = before.strip_suffix("<p>").ok_or("a figure or table inside a paragraph")?;
                     rest = behind.strip_prefix("</p>").ok_or("a figure or table inside a paragraph")?;
                     html.push_str(before);
-                    html.push_str(block);
+                    html.push_str(if name == "print.html" { live::without_panel(block) } else { block });
                 }
             }
         }
