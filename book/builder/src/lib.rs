@@ -24,12 +24,9 @@ pub mod options;
 pub mod page;
 pub mod print;
 pub mod scan;
-<<<<<<< HEAD
-pub mod sentence;
-=======
 pub mod search;
+pub mod sentence;
 pub mod serve;
->>>>>>> main
 pub mod slider;
 pub mod stale;
 pub mod tables;
