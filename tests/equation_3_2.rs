@@ -37,7 +37,7 @@ fn no_logarithm_in_h2_and_a_square_root_of_one_outside() {
 
 #[test]
 fn planted_faults_turn_the_outcome() {
-    let options = example::Options { levels: "3-12".parse().unwrap(), ..example::Options::default() };
+    let options = example::Options { levels: "3-14".parse().unwrap(), ..example::Options::default() };
     let mut computed = example::compute(&options).unwrap();
     let outcome = |computed: &example::Computed, key: &str| {
         let found = example::findings(&options, computed);

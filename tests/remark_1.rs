@@ -67,10 +67,10 @@ fn the_theorems_hold_on_the_whole_boundary_and_planted_faults_turn_them() {
     assert!(keys.is_empty(), "{keys:?}");
     // A level without an error, a wrong order, a second minimum.
     let mut spoilt = example::Computed { rows: computed.rows.clone(), solved: computed.solved.clone() };
-    spoilt.rows[1][1].study.levels[3].error = f64::NAN;
+    spoilt.rows[0][1].study.levels[3].error = f64::NAN;
     assert_eq!(outcome(&spoilt, "levels"), Outcome::Refuted);
     let mut spoilt = example::Computed { rows: computed.rows.clone(), solved: computed.solved.clone() };
-    if let Some(fit) = &mut spoilt.rows[1][1].error {
+    if let Some(fit) = &mut spoilt.rows[0][1].error {
         fit.order -= 0.2;
     }
     assert_eq!(outcome(&spoilt, "closed.transition.175.midpoint"), Outcome::Refuted);
