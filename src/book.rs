@@ -12,6 +12,7 @@ chapters! {
     // chapters
     readme: "../../README.md",
     introduction: "introduction.md",
+    notation: "notation.md",
     tour: "tour.md",
     introduction_rates: "introduction_rates.md",
     section_1_norms: "section_1_norms.md",
@@ -58,5 +59,7 @@ chapters! {
     errata: "errata.md",
     after_2012: "after_2012.md",
     lemma_cards: "lemma_cards.md",
+    sessions: "sessions.md",
+    bibliography: "bibliography.md",
     // end of chapters
 }

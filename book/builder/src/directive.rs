@@ -197,6 +197,7 @@ mod tests {
         Data {
             examples: parse_object(Path::new("test"), text).unwrap(),
             figures: [("ex/f".to_owned(), "<svg viewBox=\"0 0 1 1\"/>".to_owned())].into(),
+            ..Data::default()
         }
     }
 
