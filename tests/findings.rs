@@ -136,7 +136,5 @@ examples! {
     theta_balance: "../examples/theta_balance.rs",
     tour: "../examples/tour.rs",
     worst_contact_set: "../examples/worst_contact_set.rs",
-    zz_probe: "../examples/zz_probe.rs",
-    zz_steps: "../examples/zz_steps.rs",
     // end of examples
 }
