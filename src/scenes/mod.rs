@@ -14,6 +14,7 @@
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
+//! | [`HardCase`], [`TwoRoads`] | what is hard for multigrid, beside elimination | `hard_cases` |
 //!
 //! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data.
 //! List of all, help texts, reading, writing and errors follow from it.
@@ -25,6 +26,7 @@ mod closed_form_levels;
 mod contact_sets;
 mod corners;
 mod gap_data;
+mod hard_cases;
 mod known;
 pub mod manufactured;
 mod mesh;
@@ -43,6 +45,7 @@ pub use clamped_end::ClampedEnd;
 pub use closed_form::ClosedForm;
 pub use closed_form_levels::ClosedFormLevel;
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};
+pub use hard_cases::{HardCase, TwoRoads};
 pub use mesh::{MeshScene, Setting};
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
 pub use scene::Scene;

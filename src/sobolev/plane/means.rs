@@ -36,7 +36,7 @@ const CELL: f64 = 1.0;
 const CELL_POINTS: usize = 12;
 
 /// Integrals for one order, one shape and one accuracy.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Means {
     order: FractionalOrder,
     shape: Shape,
