@@ -23,6 +23,7 @@ chapters! {
     remark_1: "remark_1.md",
     section_2_singular_exponents: "section_2_singular_exponents.md",
     section_4_midpoint_cone: "section_4_midpoint_cone.md",
+    scenes: "scenes.md",
     falk: "falk.md",
     figure_3_2_alternative: "figure_3_2_alternative.md",
     figure_4_1_alternative: "figure_4_1_alternative.md",
