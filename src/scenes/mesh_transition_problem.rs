@@ -21,7 +21,7 @@ impl MeshTransition {
     /// The problem on the structured mesh with n × n squares.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    /// [`crate::Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
     pub fn problem(&self, n: usize) -> Result<ContactProblem> {
         let other = if self.whole_boundary { Part::Contact } else { Part::Dirichlet };
         let mesh = unit_square(n, Sides { bottom: Part::Contact, right: other, top: other, left: other })?;
@@ -174,17 +174,22 @@ mod tests {
     fn contact_is_found_where_it_is_in_both_cones() {
         for scene in scenes(true).into_iter().chain(scenes(false)) {
             let problem = scene.problem(16).unwrap();
-            for cone in Cone::ALL {
+            let [nodal, midpoint] = [Cone::Nodal, Cone::Midpoint].map(|cone| {
                 let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
                 assert!(
                     solution.status.is_converged() && solution.judgement.worst() < 1e-12,
                     "{scene} {cone}"
                 );
-                let expected = 2 * 16 / 3;
-                assert!(solution.contact_set.count().abs_diff(expected) <= 2, "{scene} {cone}");
                 let error = scene.error(&problem, &solution.displacement).unwrap();
                 assert!(error.error < 1e-3 * error.value, "{scene} {cone}: {error:?}");
-            }
+                (solution.contact_set.count(), error.value)
+            });
+            assert!(nodal.0.abs_diff(2 * 16 / 3) <= 2, "{scene}: {nodal:?}");
+            // The errors of the two cones are of one size on every scene.
+            assert!(
+                midpoint.1 < 1.5 * nodal.1 && nodal.1 < 1.5 * midpoint.1,
+                "{scene}: {nodal:?} {midpoint:?}"
+            );
         }
         for opening in [0.2, 0.95, 1.6, f64::NAN] {
             let powers = TransitionPowers { opening, ..TransitionPowers::of_regularity(1.75) };

@@ -218,9 +218,9 @@ mod tests {
             assert_eq!(scene.damped_data(0.0, cells, Sides::Natural).unwrap().values(), plain.values());
             let damped = scene.damped_data(alpha, cells, Sides::Natural).unwrap();
             for (u, v) in plain.values().iter().zip(damped.values()).filter(|(u, _)| **u != 0.0) {
-                // ℓ ≥ 2, and the weight of a depth between 1/cells and 1.
+                // ℓ ≥ 2, and the weight of a depth between half a cell and 1.
                 let weight = v / u;
-                let least = (2.0 + (cells as f64).ln()).powf(-alpha);
+                let least = (2.0 + (2.0 * cells as f64).ln()).powf(-alpha);
                 assert!(weight >= least && weight <= 2f64.powf(-alpha), "{scene}: {weight}");
             }
             let [total, less] = [&plain, &damped].map(|data| data.forces().iter().sum::<f64>());
