@@ -14,6 +14,7 @@
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
+//! | [`RoughTransition`] | a known solution of any regularity about one transition | `rough_transition` |
 //!
 //! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data.
 //! List of all, help texts, reading, writing and errors follow from it.
@@ -32,6 +33,7 @@ mod pressure;
 mod registry;
 mod regularity;
 mod roads;
+mod rough_transition;
 mod scene;
 mod strip;
 mod study;
@@ -45,6 +47,7 @@ pub use closed_form_levels::ClosedFormLevel;
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};
 pub use mesh::{MeshScene, Setting};
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
+pub use rough_transition::{EdgeDatum, RoughLevel, RoughTransition};
 pub use scene::Scene;
 pub use strip::StripScene;
 pub use study::{SceneRun, SceneStudy, energies_apart, sets_apart};

@@ -19,6 +19,8 @@ use rustfft::num_complex::Complex64;
 
 /// Accuracy of entries beyond which they are not asked.
 const FINEST: f64 = 1e-14;
+/// Rows of squares in a band, which one thread works through.
+const BAND: usize = 16;
 
 /// The Gram matrix of |·|_s on a uniform grid, as a fast product.
 pub struct GridOperator {
@@ -89,88 +91,111 @@ impl GridOperator {
     /// The convolutions; real fields travel in pairs as real and imaginary part.
     fn far(&self, w: &[f64]) -> Vec<f64> {
         let [columns, rows] = self.squares;
+        let width = self.torus.size()[0];
         let field = |first: usize, second: usize| {
             let mut field = self.torus.zeros();
-            for j in 0..rows {
-                for i in 0..columns {
-                    let value = |a: usize| w[self.node(i + CORNERS[a][0], j + CORNERS[a][1])];
-                    field[self.torus.at([i as i64, j as i64])] = Complex64::new(value(first), value(second));
-                }
-            }
+            field.par_chunks_mut(width).take(rows).enumerate().for_each(|(j, row)| {
+                let value = |i: usize, a: usize| w[self.node(i + CORNERS[a][0], j + CORNERS[a][1])];
+                (0..columns).for_each(|i| row[i] = Complex64::new(value(i, first), value(i, second)));
+            });
             self.torus.transform(field, rows)
         };
         let packed = [field(0, 1), field(2, 3)];
-        let images = [0, 1].map(|half| self.torus.back(self.multiplied(&packed, half), rows));
+        let images = self.multiplied(&packed).map(|image| self.torus.back(image, rows));
         let mut image = vec![0.0; self.size()];
-        for j in 0..rows {
-            for i in 0..columns {
-                let at = self.torus.at([i as i64, j as i64]);
-                for (a, corner) in CORNERS.iter().enumerate() {
-                    let value = images[a / 2][at];
-                    let part = if a % 2 == 0 { value.re } else { value.im };
-                    image[self.node(i + corner[0], j + corner[1])] -= 2.0 * part;
+        image.par_chunks_mut(columns + 1).enumerate().for_each(|(y, line)| {
+            for (a, corner) in CORNERS.iter().enumerate() {
+                let Some(j) = y.checked_sub(corner[1]).filter(|j| *j < rows) else { continue };
+                let values = &images[a / 2][j * width..j * width + columns];
+                for (place, value) in line[corner[0]..].iter_mut().zip(values) {
+                    *place -= 2.0 * if a % 2 == 0 { value.re } else { value.im };
                 }
             }
-        }
+        });
         image
     }
 
-    /// The transforms of the images 2·half and 2·half + 1, packed.
-    fn multiplied(&self, packed: &[Spectrum; 2], half: usize) -> Spectrum {
+    /// The transforms of the images, 0 packed with 1 and 2 with 3.
+    fn multiplied(&self, packed: &[Spectrum; 2]) -> [Spectrum; 2] {
         let [n, m] = self.torus.size();
         let i = Complex64::i();
-        let line = |k: usize| -> Vec<Complex64> {
+        let mut images = [self.torus.zeros(), self.torus.zeros()];
+        let [first, second] = &mut images;
+        let lines = first.par_chunks_mut(m).zip(second.par_chunks_mut(m)).enumerate();
+        lines.for_each(|(k, (first, second))| {
             let opposite = (n - k) % n;
-            (0..m)
-                .map(|l| {
-                    let (at, other) = (k * m + l, opposite * m + (m - l) % m);
-                    // Both real fields of a packed one: (z + z̄(−·))/2 and (z − z̄(−·))/2i.
-                    let parts = packed.each_ref().map(|z| {
-                        let (z, conjugate) = (z[at], z[other].conj());
-                        [0.5 * (z + conjugate), -0.5 * i * (z - conjugate)]
-                    });
-                    let fields = [parts[0][0], parts[0][1], parts[1][0], parts[1][1]];
-                    let mut images = [Complex64::default(); 2];
-                    for ((a, b), spectrum) in &self.spectra {
-                        // The image of field b on hat a is a correlation: conj; C_ba(Δ) = C_ab(−Δ).
-                        if a / 2 == half {
-                            images[a % 2] += spectrum[at].conj() * fields[*b];
-                        }
-                        if a != b && b / 2 == half {
-                            images[b % 2] += spectrum[at] * fields[*a];
-                        }
+            for l in 0..m {
+                let (at, other) = (k * m + l, opposite * m + (m - l) % m);
+                // Both real fields of a packed one: (z + z̄(−·))/2 and (z − z̄(−·))/2i.
+                let parts = packed.each_ref().map(|z| {
+                    let (z, conjugate) = (z[at], z[other].conj());
+                    [0.5 * (z + conjugate), -0.5 * i * (z - conjugate)]
+                });
+                let fields = [parts[0][0], parts[0][1], parts[1][0], parts[1][1]];
+                let mut images = [Complex64::default(); HATS];
+                for ((a, b), spectrum) in &self.spectra {
+                    // The image of field b on hat a is a correlation: conj; C_ba(Δ) = C_ab(−Δ).
+                    images[*a] += spectrum[at].conj() * fields[*b];
+                    if a != b {
+                        images[*b] += spectrum[at] * fields[*a];
                     }
-                    images[0] + i * images[1]
-                })
-                .collect()
-        };
-        (0..n).into_par_iter().flat_map_iter(line).collect()
+                }
+                (first[l], second[l]) = (images[0] + i * images[1], images[2] + i * images[3]);
+            }
+        });
+        images
     }
 
+    /// The squares themselves and those that touch, band by band of rows of squares.
     fn near(&self, w: &[f64], image: &mut [f64]) {
         let [columns, rows] = self.squares;
-        for j in 0..rows {
-            for i in 0..columns {
-                let nodes = CORNERS.map(|[x, y]| self.node(i + x, j + y));
-                let own = &self.own[j * columns + i];
-                for (a, row) in nodes.iter().zip(own) {
-                    image[*a] += row.iter().zip(nodes).map(|(entry, node)| entry * w[node]).sum::<f64>();
+        let bands: Vec<usize> = (0..rows).step_by(BAND).collect();
+        let found: Vec<Vec<f64>> = bands
+            .par_iter()
+            .map(|&from| {
+                let to = (from + BAND).min(rows);
+                let mut part = vec![0.0; (to.min(rows - 1) + 2 - from) * (columns + 1)];
+                (from..to).for_each(|j| self.near_row(w, j, from, &mut part));
+                part
+            })
+            .collect();
+        for (from, part) in bands.into_iter().zip(found) {
+            let places = image[from * (columns + 1)..].iter_mut();
+            places.zip(part).for_each(|(place, value)| *place += value);
+        }
+    }
+
+    /// The squares of row j with those that touch, onto rows of nodes that begin with `from`.
+    fn near_row(&self, w: &[f64], j: usize, from: usize, image: &mut [f64]) {
+        let [columns, rows] = self.squares;
+        let first = from * (columns + 1);
+        for i in 0..columns {
+            let nodes = CORNERS.map(|[x, y]| self.node(i + x, j + y));
+            let own = &self.own[j * columns + i];
+            for (a, row) in nodes.iter().zip(own) {
+                image[*a - first] += row.iter().zip(nodes).map(|(entry, node)| entry * w[node]).sum::<f64>();
+            }
+            for Touching { origin, offset, form } in &self.touching {
+                let other = [i as i64 + offset[0], j as i64 + offset[1]];
+                if other[0] < 0 || other[0] >= columns as i64 || other[1] >= rows as i64 {
+                    continue;
                 }
-                for Touching { origin, offset, form } in &self.touching {
-                    let other = [i as i64 + offset[0], j as i64 + offset[1]];
-                    if other[0] < 0 || other[0] >= columns as i64 || other[1] >= rows as i64 {
-                        continue;
+                let twice = if *offset == [0, 0] { 1.0 } else { 2.0 };
+                let squares = [[i, j], other.map(|x| x as usize)];
+                // Places on the patch and nodes, each once.
+                let mut patch = [(0, 0); 8];
+                let mut count = 0;
+                for [x, y] in CORNERS.iter().flat_map(|c| squares.map(|s| [s[0] + c[0], s[1] + c[1]])) {
+                    let entry = (3 * (y + origin[1] - j) + x + origin[0] - i, self.node(x, y));
+                    if !patch[..count].contains(&entry) {
+                        patch[count] = entry;
+                        count += 1;
                     }
-                    let twice = if *offset == [0, 0] { 1.0 } else { 2.0 };
-                    let squares = [[i, j], other.map(|x| x as usize)];
-                    let mut patch = [usize::MAX; 9];
-                    for [x, y] in CORNERS.iter().flat_map(|c| squares.map(|s| [s[0] + c[0], s[1] + c[1]])) {
-                        patch[3 * (y + origin[1] - j) + x + origin[0] - i] = self.node(x, y);
-                    }
-                    for (row, &node) in form.iter().zip(&patch).filter(|(_, node)| **node != usize::MAX) {
-                        let used = row.iter().zip(&patch).filter(|(_, node)| **node != usize::MAX);
-                        image[node] += twice * used.map(|(entry, &other)| entry * w[other]).sum::<f64>();
-                    }
+                }
+                let values = patch.map(|(_, node)| twice * w[node]);
+                for &(row, node) in &patch[..count] {
+                    let entries = patch[..count].iter().zip(values).map(|((at, _), w)| form[row][*at] * w);
+                    image[node - first] += entries.sum::<f64>();
                 }
             }
         }
