@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Terms of Falk's lemma for the nodal or the midpoint cone on a scene with known solution
-    pub struct Options {
+    pub struct Options: Quick {
         /// scalar or elastic
         #[arg(long, default_value_t = StripKind::Scalar)]
         pub kind: StripKind,

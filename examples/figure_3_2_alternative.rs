@@ -15,7 +15,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
-    pub struct Options {
+    pub struct Options: Quick {
         /// A scene of a mesh or of the strip
         #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block), help = Scene::names())]
         pub scene: Scene,

@@ -16,7 +16,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// The constant alpha of the Peetre-Tartar lemma for functions of mean zero on (0, theta)
-    pub struct Options {
+    pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,

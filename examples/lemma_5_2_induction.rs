@@ -17,7 +17,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Every step of the induction (5.5)-(5.9) beside its bound
-    pub struct Options {
+    pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,

@@ -18,7 +18,7 @@ use std::time::Instant;
 
 example_frame::options! {
     /// The Poincare constant of a zone of length theta in three regimes of nu, beside printed and true law
-    pub struct Options {
+    pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,

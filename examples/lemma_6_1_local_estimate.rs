@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Local interpolation estimate: ratios of rough functions and the best constants
-    pub struct Options {
+    pub struct Options: Quick {
         /// Orders nu in (0, 1), comma separated
         #[arg(long, value_delimiter = ',', default_values = ["0.01", "0.1", "0.25", "0.5", "0.75", "0.9", "0.99"])]
         pub nu: Vec<FractionalOrder>,

@@ -18,7 +18,7 @@ const LARGEST_MESH: usize = 32;
 
 example_frame::options! {
     /// Global interpolation estimate: ratios of one function and the best constants on a mesh
-    pub struct Options {
+    pub struct Options: Quick {
         /// Orders nu in (0, 1), comma separated
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,

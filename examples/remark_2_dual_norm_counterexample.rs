@@ -22,7 +22,7 @@ const ALL_WAVES: (usize, f64) = (170, 0.6);
 
 example_frame::options! {
     /// The interpolation error in the dual norm of H^(1/2): a family at h^(3/2), a smooth function at h^2
-    pub struct Options {
+    pub struct Options: Quick {
         /// Elements of the coarsest mesh
         #[arg(long, default_value_t = 16)]
         pub elements: usize,

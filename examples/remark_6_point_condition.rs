@@ -15,7 +15,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// The Poincare constant of functions that vanish at one point
-    pub struct Options {
+    pub struct Options: Quick {
         /// Orders nu in (1/2, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.75", "0.9", "0.99"])]
         pub nu: Vec<FractionalOrder>,

@@ -23,7 +23,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Poincare constants of zones at several places, the printed step and its repair
-    pub struct Options {
+    pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Solve a scene in one of the paper's two cones, on one mesh or on nested ones
-    pub struct Options {
+    pub struct Options: Quick {
         /// The scene
         #[arg(long, help = format!("A scene of {}", MeshScene::names()))]
         pub scene: Option<MeshScene>,

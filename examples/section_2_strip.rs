@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Solve a contact scene on nested strips and print exact energy errors and orders
-    pub struct Options {
+    pub struct Options: Quick {
         /// scalar (Laplace, natural sides) or elastic (periodic sides)
         #[arg(long, default_value_t = StripKind::Scalar)]
         pub kind: StripKind,

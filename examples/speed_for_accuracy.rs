@@ -17,7 +17,7 @@ mod toolkit;
 
 example_frame::options! {
     /// Seconds against true error
-    pub struct Options {
+    pub struct Options: Long {
         /// Only cases whose name contains this
         #[arg(long, default_value = "")]
         pub case: String,

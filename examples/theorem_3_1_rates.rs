@@ -15,7 +15,7 @@ use std::process::ExitCode;
 
 example_frame::options! {
     /// Errors and consistency terms against h for many regularities; with --scene one scene level by level
-    pub struct Options {
+    pub struct Options: Long {
         /// One scene, level by level
         #[arg(long, help = format!("One scene, level by level: {}", Scene::names()))]
         pub scene: Option<Scene>,

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 example_frame::options! {
     /// Compare the bounds of both cases with an optimisation over complementary pairs (u_N, sigma_N) on one
     /// element
-    pub struct Options {
+    pub struct Options: Quick {
         /// Regularity, in (3/2, 2]
         #[arg(long, default_value_t = 1.75)]
         pub tau: f64,

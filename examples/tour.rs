@@ -14,7 +14,7 @@ use std::time::Instant;
 
 example_frame::options! {
     /// The main arguments of the paper: claim, measured, verdict, how many findings hold, seconds
-    pub struct Options {
+    pub struct Options: Long {
         /// Smaller meshes and fewer values: a few seconds instead of up to a minute
         #[arg(long)]
         pub quick: bool,

@@ -12,6 +12,7 @@ chapters! {
     // chapters
     readme: "../../README.md",
     introduction: "introduction.md",
+    notation: "notation.md",
     tour: "tour.md",
     introduction_rates: "introduction_rates.md",
     section_1_norms: "section_1_norms.md",
@@ -21,6 +22,7 @@ chapters! {
     section_2_scalar_contact: "section_2_scalar_contact.md",
     section_2_singular_exponents: "section_2_singular_exponents.md",
     section_4_midpoint_cone: "section_4_midpoint_cone.md",
+    scenes: "scenes.md",
     falk: "falk.md",
     figure_3_2_alternative: "figure_3_2_alternative.md",
     figure_4_1_alternative: "figure_4_1_alternative.md",
@@ -61,5 +63,7 @@ chapters! {
     errata: "errata.md",
     after_2012: "after_2012.md",
     lemma_cards: "lemma_cards.md",
+    sessions: "sessions.md",
+    bibliography: "bibliography.md",
     // end of chapters
 }

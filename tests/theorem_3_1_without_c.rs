@@ -33,6 +33,22 @@ fn the_bound_is_above_the_error_on_every_mesh() {
     }
 }
 
+/// Changes of sides alone take hundreds of steps from n = 256 on and find no end at n = 1024: contact between a
+/// clamped end and a gap.
+#[test]
+fn contact_beside_a_clamped_end_takes_few_steps_in_either_cone() {
+    for (two_transitions, cone) in [false, true].into_iter().flat_map(|two| Cone::ALL.map(|cone| (two, cone)))
+    {
+        let scene = ClosedForm { two_transitions, lame: None };
+        let coarse = scene.problem(128).unwrap().solve(cone, Solver::ActiveSet).unwrap();
+        let (nested, cold) = scene.problem(256).unwrap().solve_after_beside_cold(&coarse).unwrap();
+        assert!(nested.status.is_converged() && nested.judgement.worst() < 1e-12, "{scene} {cone}");
+        for steps in [coarse.history.len() as u64, nested.work.iterations, cold.unwrap()] {
+            assert!(steps <= 20, "{scene} {cone}: {steps} steps");
+        }
+    }
+}
+
 #[test]
 fn a_constant_that_is_too_small_is_seen() {
     // Half of A, and nothing for the edge.

@@ -11,9 +11,10 @@
     "figure-slider",
     class extends HTMLElement {
       connectedCallback() {
-        // The script runs at the end of the page, so the frames are there; a second call finds the control in place.
+        // The script runs at the end of the page, so the frames are there; a copy of a slider holds a dead control.
         const frames = Array.from(this.querySelectorAll(".frame"));
-        if (frames.length < 2 || this.querySelector("input")) return;
+        if (frames.length < 2) return;
+        this.querySelector(".slider-control")?.remove();
         const control = document.createElement("label");
         const range = document.createElement("input");
         const value = document.createElement("output");
@@ -31,7 +32,7 @@
         range.addEventListener("input", show);
         // The arrow keys move the slider here; elsewhere they turn the pages of the book.
         range.addEventListener("keydown", (event) => event.stopPropagation());
-        this.append(control);
+        this.prepend(control);
         show();
       }
     },

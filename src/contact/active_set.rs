@@ -10,15 +10,18 @@
 //!   falls into checkerboards there, because the constraints of neighbouring segments are coupled through B
 //!   B'.
 //!
-//! A set that reproduces itself solves the problem. When a set comes back, only one wrong constraint changes
-//! sides until fewer constraints are wrong than ever before: for some steps the one that is furthest off, which finds the
-//! place where a run of contact between a fixed node and a gap has to be broken up (its multipliers carry a sawtooth
-//! that B' does not see, largest against them beside the gap), then the one with the least index: finite for every symmetric
-//! positive definite S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this
-//! phase the next set is a function of the set alone, so one that comes back a second time comes back for
-//! ever: [`Status::Cycled`]. Only rounding, or an S that is not symmetric positive definite, gets there.
-//! Cost: one dense factorization on the edge per step, however fine the mesh behind it.
+//! A set that reproduces itself solves the problem. Between a fixed node and a gap the multipliers of a run
+//! may carry a sawtooth that B' does not see, half of them pull, and the run has to be broken up at places
+//! that such a step does not find. When a set comes back, in the midpoint cone already when a step has made
+//! nothing better, the set is found by the dual method (`dual_active_set`), once. What rounding leaves
+//! wrong there changes sides one by one, the constraint with the least index, until fewer constraints are
+//! wrong than ever before: finite for every symmetric positive definite S (K. G. Murty 1974; J. J. Júdice and
+//! F. M. Pires 1994), in exact arithmetic. In this phase the next set is a function of the set alone, so one
+//! that comes back a second time comes back for ever: [`Status::Cycled`]. Only rounding, or an S that is not
+//! symmetric positive definite, gets there. Cost: one dense factorization on the edge per step, however fine
+//! the mesh behind it.
 
+use super::dual_active_set::dual_active_set;
 use super::edge_problem::{EdgeProblem, EdgeState};
 use crate::cone::{Cone, ContactSet, Status, Weighted, project_weighted};
 use crate::error::Result;
@@ -32,9 +35,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 const FEWEST_STEPS: usize = 100;
 const STEPS_PER_CONSTRAINT: usize = 20;
 
-/// Steps by the constraint that is furthest off before the least index decides, no more than there are
-/// constraints.
-const FURTHEST_FIRST: usize = 64;
+/// Steps in the midpoint cone, one after the other, with no fewer wrong constraints than ever before.
+const PATIENCE: usize = 1;
 
 /// How the iteration on the edge went.
 #[derive(Debug, Clone)]
@@ -55,13 +57,12 @@ pub struct EdgeOutcome {
 /// As for [`EdgeProblem::solve_with`].
 pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
     let limit = FEWEST_STEPS + STEPS_PER_CONSTRAINT * start.constraints();
-    let furthest_first = FURTHEST_FIRST.min(start.constraints());
     let mut set = start;
     let mut history: Vec<ContactSet> = Vec::new();
     let mut seen: HashSet<ContactSet> = HashSet::new();
-    let mut fewest = usize::MAX;
+    let (mut fewest, mut in_vain) = (usize::MAX, 0);
     let mut one_at_a_time = false;
-    let mut single_steps = 0;
+    let mut is_dual_tried = false;
     // The sets from which one constraint changed sides, with their steps.
     let mut changed_one: HashMap<ContactSet, usize> = HashMap::new();
     loop {
@@ -71,15 +72,14 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
         let steps = history.len();
         let came_back = !seen.insert(set.clone());
         if wrong.len() < fewest {
-            fewest = wrong.len();
+            (fewest, in_vain) = (wrong.len(), 0);
             one_at_a_time = false;
-            single_steps = 0;
             changed_one.clear();
         } else {
-            one_at_a_time |= came_back;
+            in_vain += 1;
+            one_at_a_time |= came_back || problem.cone == Cone::Midpoint && in_vain >= PATIENCE;
         }
-        single_steps += usize::from(one_at_a_time);
-        let by_index = single_steps > furthest_first;
+        let by_index = one_at_a_time && is_dual_tried;
         let before = if by_index { changed_one.insert(set.clone(), steps) } else { None };
         let status = match before {
             _ if wrong.is_empty() => Some(Status::Converged),
@@ -91,10 +91,11 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
         }
         set = match (one_at_a_time, problem.cone) {
             (true, _) if by_index => changed(&set, &wrong[..1]),
-            (true, _) => changed(&set, &[furthest(problem, &set, &state, &wrong)]),
+            (true, _) => dual_active_set(problem)?.0,
             (false, Cone::Nodal) => changed(&set, &wrong),
             (false, Cone::Midpoint) => projected_set(problem, &state)?,
         };
+        is_dual_tried |= one_at_a_time;
     }
 }
 
@@ -103,19 +104,6 @@ fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);
     ContactSet::new(active)
-}
-
-/// The wrong constraint that is furthest off: by its gap, or by its multiplier over the diagonal of S.
-fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wrong: &[usize]) -> usize {
-    let cone = problem.edge_cone();
-    let off = |i: usize| {
-        if !set.contains(i) {
-            return state.gap[i];
-        }
-        let stiffness = cone.support(i).map(|node| problem.stiffness[(node, node)]).fold(0.0, f64::max);
-        -state.multiplier[i] / stiffness
-    };
-    wrong.iter().copied().max_by(|&i, &j| off(i).total_cmp(&off(j))).unwrap_or(0)
 }
 
 /// The constraints active at the projection of w − D⁻¹ ∇J = w + D⁻¹ B'λ, D the diagonal of S.
@@ -130,33 +118,15 @@ fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<Contact
 
 /// The constraints on the wrong side, ascending.
 fn wrong_constraints(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState) -> Vec<usize> {
-    let sizes = terms(problem, &state.displacement);
-    let cone = problem.edge_cone();
-    (0..set.constraints())
-        .filter(|&i| {
-            let force = cone.support(i).map(|node| sizes[node]).fold(0.0, f64::max);
-            if set.contains(i) {
-                state.multiplier[i] < -ROUNDING * force
-            } else {
-                let alone = |node: usize| sizes[node] / problem.stiffness[(node, node)];
-                let displacement = cone.support(i).map(alone).fold(problem.bound[i].abs(), f64::max);
-                state.gap[i] > ROUNDING * displacement && !problem.is_settled(i)
-            }
-        })
-        .collect()
-}
-
-/// (|b| + |S||w|)_i, the size of what is summed in b − S w at every node. On an edge graded over many decades
-/// displacements and forces have no common scale: what is rounding is decided node by node.
-fn terms(problem: &EdgeProblem<'_>, w: &[f64]) -> Vec<f64> {
-    let mut sizes: Vec<f64> = problem.load.iter().map(|b| b.abs()).collect();
-    for (j, &value) in w.iter().enumerate() {
-        let column = problem.stiffness.col(j);
-        for i in 0..sizes.len() {
-            sizes[i] += (column[i] * value).abs();
+    let sizes = problem.sizes(&state.displacement);
+    let is_wrong = |&i: &usize| {
+        if set.contains(i) {
+            state.multiplier[i] < -ROUNDING * sizes.force(i)
+        } else {
+            state.gap[i] > ROUNDING * sizes.gap(i) && !problem.is_settled(i)
         }
-    }
-    sizes
+    };
+    (0..set.constraints()).filter(is_wrong).collect()
 }
 
 #[cfg(test)]

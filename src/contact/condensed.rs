@@ -3,7 +3,7 @@
 //! Refinement repeats recovery for the residual of the full system with the contact set held fixed; the
 //! factorization is not repeated. It removes what rounding in the elimination left in the balance of forces.
 
-use super::active_set::solve_on_edge;
+use super::active_set::{EdgeOutcome, solve_on_edge};
 use super::barrier::solve_by_barrier;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
@@ -33,6 +33,29 @@ pub(super) fn solve(
     guess: ContactSet,
     other: Option<ContactSet>,
 ) -> Result<(ContactSolution, Option<u64>)> {
+    let steps_from = |edge: &EdgeProblem<'_>, guess| {
+        solve_on_edge(edge, guess).map(|outcome| outcome.history.len() as u64)
+    };
+    by_edge(
+        (problem, cone, Solver::ActiveSet),
+        |edge| solve_on_edge(edge, guess),
+        |edge| other.map(|other| steps_from(edge, other)).transpose(),
+    )
+}
+
+/// The solution by the barrier with the given sizes of displacements, recovered once.
+pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<ContactSolution> {
+    let road = (problem, Cone::Nodal, Solver::InteriorPoint);
+    by_edge(road, |edge| solve_by_barrier(edge, sizes), |_| Ok(())).map(|(solution, ())| solution)
+}
+
+/// Elimination, `on_edge` for the problem on the edge, recovery, a step of refinement for the active set; and
+/// what `beside` says of the problem on the edge, in no one's seconds.
+fn by_edge<T>(
+    (problem, cone, solver): (&ContactProblem, Cone, Solver),
+    on_edge: impl FnOnce(&EdgeProblem<'_>) -> Result<EdgeOutcome>,
+    beside: impl FnOnce(&EdgeProblem<'_>) -> Result<T>,
+) -> Result<(ContactSolution, T)> {
     problem.matrix();
     let start = Instant::now();
     let mut iterate = Condensed::new(problem, cone)?;
@@ -40,72 +63,35 @@ pub(super) fn solve(
     let start = Instant::now();
     let (reduced, bound) = iterate.remainder()?;
     let edge = iterate.edge_problem(&reduced, &bound);
-    let outcome = solve_on_edge(&edge, guess)?;
+    let outcome = on_edge(&edge)?;
     let contact = start.elapsed().as_secs_f64();
-    let steps_from = |guess| solve_on_edge(&edge, guess).map(|outcome| outcome.history.len() as u64);
-    let steps_from_other = other.map(steps_from).transpose()?;
+    let said = beside(&edge)?;
     let start = Instant::now();
     iterate.add(&reduced, &outcome.state.displacement, &outcome.state.multiplier);
-    let (reduced, bound) = iterate.remainder()?;
-    let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
-    iterate.add(&reduced, &correction.displacement, &correction.multiplier);
-    let steps = outcome.history.len() as u64;
+    if solver == Solver::ActiveSet {
+        let (reduced, bound) = iterate.remainder()?;
+        let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
+        iterate.add(&reduced, &correction.displacement, &correction.multiplier);
+    }
+    let iterations = outcome.history.len() as u64;
     let mut solution = conclude(
         problem,
         cone,
         Candidate {
-            solver: Solver::ActiveSet,
+            solver,
             unknowns: iterate.unknowns,
             multiplier: iterate.multiplier,
             contact_set: outcome.set,
             status: outcome.status,
             history: outcome.history,
-            work: Work { iterations: steps, factorizations: 1, ..Work::default() },
+            work: Work { iterations, factorizations: 1, ..Work::default() },
             seconds: Seconds::default(),
             accepted: ACCEPTED,
         },
     )?;
-    solution.seconds = Seconds {
-        assembly: problem.assembly_seconds(),
-        factorization,
-        contact,
-        recovery: start.elapsed().as_secs_f64(),
-    };
-    Ok((solution, steps_from_other))
-}
-
-/// The solution by the barrier with the given sizes of displacements, recovered once.
-pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<ContactSolution> {
-    let cone = Cone::Nodal;
-    problem.matrix();
-    let start = Instant::now();
-    let mut iterate = Condensed::new(problem, cone)?;
-    let factorization = start.elapsed().as_secs_f64();
-    let start = Instant::now();
-    let (reduced, bound) = iterate.remainder()?;
-    let outcome = solve_by_barrier(&iterate.edge_problem(&reduced, &bound), sizes)?;
-    let contact = start.elapsed().as_secs_f64();
-    let start = Instant::now();
-    iterate.add(&reduced, &outcome.state.displacement, &outcome.state.multiplier);
-    let mut solution = conclude(
-        problem,
-        cone,
-        Candidate {
-            solver: Solver::InteriorPoint,
-            unknowns: iterate.unknowns,
-            multiplier: iterate.multiplier,
-            contact_set: outcome.set,
-            status: outcome.status,
-            history: Vec::new(),
-            work: Work { factorizations: 1, ..Work::default() },
-            seconds: Seconds::default(),
-            accepted: ACCEPTED,
-        },
-    )?;
-    let recovery = start.elapsed().as_secs_f64();
-    let assembly = problem.assembly_seconds();
+    let (assembly, recovery) = (problem.assembly_seconds(), start.elapsed().as_secs_f64());
     solution.seconds = Seconds { assembly, factorization, contact, recovery };
-    Ok(solution)
+    Ok((solution, said))
 }
 
 impl<'a> Condensed<'a> {

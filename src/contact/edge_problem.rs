@@ -73,6 +73,18 @@ impl EdgeProblem<'_> {
         residual
     }
 
+    /// The sizes of what is summed at a displacement.
+    pub(super) fn sizes(&self, w: &[f64]) -> Sizes<'_> {
+        let mut terms: Vec<f64> = self.load.iter().map(|b| b.abs()).collect();
+        for (j, &value) in w.iter().enumerate() {
+            let column = self.stiffness.col(j);
+            for i in 0..terms.len() {
+                terms[i] += (column[i] * value).abs();
+            }
+        }
+        Sizes { problem: self, terms }
+    }
+
     pub(super) fn check(&self, set: &ContactSet) -> Result<()> {
         let nodes = self.stiffness.nrows();
         let constraints = self.edge_cone().constraints();
@@ -126,6 +138,28 @@ impl EdgeProblem<'_> {
             w[i] += s * right[(row, 0)];
         }
         Ok(w)
+    }
+}
+
+/// (|b| + |S||w|)_i, the size of what is summed in b − S w at every node. On an edge graded over many decades
+/// displacements and forces have no common scale: what is rounding is decided node by node.
+pub(super) struct Sizes<'a> {
+    problem: &'a EdgeProblem<'a>,
+    terms: Vec<f64>,
+}
+
+impl Sizes<'_> {
+    /// At the nodes of a constraint, as a force.
+    pub(super) fn force(&self, constraint: usize) -> f64 {
+        let support = self.problem.edge_cone().support(constraint);
+        support.map(|node| self.terms[node]).fold(0.0, f64::max)
+    }
+
+    /// The same as a displacement, by the diagonal of S, and the bound of the constraint.
+    pub(super) fn gap(&self, constraint: usize) -> f64 {
+        let alone = |node: usize| self.terms[node] / self.problem.stiffness[(node, node)];
+        let support = self.problem.edge_cone().support(constraint);
+        support.map(alone).fold(self.problem.bound[constraint].abs(), f64::max)
     }
 }
 

@@ -10,6 +10,7 @@ mod barrier;
 mod by_radius;
 mod condensed;
 mod data;
+mod dual_active_set;
 mod edge_problem;
 mod interior_point;
 mod multigrid;

@@ -15,6 +15,7 @@
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
 //! | [`RoughTransition`] | a known solution of any regularity about one transition | `rough_transition` |
+//! | [`HardCase`], [`TwoRoads`] | what is hard for multigrid, beside elimination | `hard_cases` |
 //!
 //! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data.
 //! List of all, help texts, reading, writing and errors follow from it.
@@ -26,6 +27,7 @@ mod closed_form_levels;
 mod contact_sets;
 mod corners;
 mod gap_data;
+mod hard_cases;
 mod known;
 pub mod manufactured;
 mod mesh;
@@ -45,6 +47,7 @@ pub use clamped_end::ClampedEnd;
 pub use closed_form::ClosedForm;
 pub use closed_form_levels::ClosedFormLevel;
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};
+pub use hard_cases::{HardCase, TwoRoads};
 pub use mesh::{MeshScene, Setting};
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
 pub use rough_transition::{EdgeDatum, RoughLevel, RoughTransition};

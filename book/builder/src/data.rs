@@ -1,6 +1,7 @@
 //! What the examples computed: headlines by example, figures by example and name.
 //!
 //! `book/generated/values.json` holds one object per example, as the examples' option `--values` writes them;
+//! `book/generated/options.json` what may be asked of each (`--describe`),
 //! `book/generated/figures/EXAMPLE/NAME.svg` the figures that pages show. A key on a page is `example/key`, or `key`
 //! alone where only one example has it.
 
@@ -14,6 +15,8 @@ use std::path::Path;
 pub struct Data {
     /// One object per example: label, claim, measured, verdict, confirmed, values, columns, rows.
     pub examples: Map<String, Value>,
+    /// One object per example: about, cost, options.
+    pub options: Map<String, Value>,
     /// SVG text by `example/name`.
     pub figures: BTreeMap<String, String>,
 }
@@ -50,6 +53,10 @@ impl Data {
         if path.exists() {
             data.examples = parse_object(&path, &read(&path)?)?;
         }
+        let path = directory.join("options.json");
+        if path.exists() {
+            data.options = parse_object(&path, &read(&path)?)?;
+        }
         let figures = directory.join("figures");
         for name in names(&figures)? {
             for file in names(&figures.join(&name))? {
@@ -66,9 +73,11 @@ impl Data {
     /// # Errors
     /// [`Error::File`].
     pub fn write(&self, directory: &Path) -> Result<()> {
-        let mut values = String::new();
-        push_json(&mut values, &Value::Object(self.examples.clone()), 0);
-        write(&directory.join("values.json"), values + "\n")?;
+        for (file, map) in [("values.json", &self.examples), ("options.json", &self.options)] {
+            let mut text = String::new();
+            push_json(&mut text, &Value::Object(map.clone()), 0);
+            write(&directory.join(file), text + "\n")?;
+        }
         let figures = directory.join("figures");
         if figures.exists() {
             std::fs::remove_dir_all(&figures)
@@ -189,6 +198,7 @@ mod tests {
             r#"{"a": {"values": {"x": 1.5, "own": 2}}, "b": {"values": {"x": 3}, "verdict": "holds"}}"#;
         Data {
             examples: parse_object(Path::new("test"), text).unwrap(),
+            options: parse_object(Path::new("test"), r#"{"a": {"options": []}}"#).unwrap(),
             figures: [("a/f".to_owned(), "<svg/>".to_owned())].into(),
         }
     }

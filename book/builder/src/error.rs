@@ -60,6 +60,14 @@ pub enum Error {
         /// What it said.
         message: String,
     },
+    /// The book could not be served.
+    #[error("port {port}: {source}")]
+    Server {
+        /// The port asked for.
+        port: u16,
+        /// What the system said.
+        source: std::io::Error,
+    },
     /// mdBook refused the book.
     #[error("mdbook: {0}")]
     Mdbook(String),

@@ -28,13 +28,17 @@ pub fn gather(repository: &Path) -> Result<Data> {
             run(&name, program, &cache)?;
         }
         collect(&name, &cache, &mut data)?;
+        data.options.insert(name.clone(), describe(&name, program)?);
         write(&cache.join("stamp"), &stamp)?;
     }
     Ok(data)
 }
 
 /// Builds all examples in release and returns their programs, sorted by name.
-fn build(repository: &Path) -> Result<Vec<PathBuf>> {
+///
+/// # Errors
+/// [`Error::Example`] when one does not build.
+pub fn build(repository: &Path) -> Result<Vec<PathBuf>> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let failed = |message: String| Error::Example { name: "(cargo build)".to_owned(), message };
     let output = Command::new(cargo)
@@ -90,6 +94,13 @@ fn run(name: &str, program: &Path, cache: &Path) -> Result<()> {
         Some(0 | 1) => Ok(()),
         _ => Err(failed(String::from_utf8_lossy(&output.stderr).trim().to_owned())),
     }
+}
+
+/// What may be asked of an example, as it says itself.
+fn describe(name: &str, program: &Path) -> Result<Value> {
+    let failed = |message: String| Error::Example { name: name.to_owned(), message };
+    let output = Command::new(program).arg("--describe").output().map_err(|e| failed(e.to_string()))?;
+    serde_json::from_slice(&output.stdout).map_err(|e| failed(format!("--describe: {e}")))
 }
 
 fn collect(name: &str, cache: &Path, data: &mut Data) -> Result<()> {

@@ -2,6 +2,7 @@
 
 use crate::data::names;
 use crate::error::{Error, Result, read, write};
+use crate::exercises;
 use crate::page::{Marked, Page};
 use mdbook_driver::MDBook;
 use mdbook_driver::book::BookItem;
@@ -10,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// File name of the math font in the output; the style sheet names the same.
 pub const FONT: &str = "NewCMMath-Regular.otf";
 
-/// The chapters of the book at `root`, in order, named relative to `base` in messages.
+/// The chapters of the book at `root`, in order, each with its exercises, named relative to `base` in messages.
 ///
 /// # Errors
 /// [`Error::Mdbook`] when the summary or a chapter cannot be read; chapters must stand in one directory.
@@ -31,6 +32,7 @@ pub fn chapters(root: &Path, base: &Path) -> Result<Vec<Page>> {
             html: path.with_extension("html").display().to_string(),
         });
     }
+    exercises::append(&mut pages, &exercises::list(root)?);
     Ok(pages)
 }
 

@@ -11,15 +11,22 @@ pub mod decimal;
 pub mod directive;
 pub mod error;
 pub mod examples;
+pub mod exercises;
 pub mod figure;
 pub mod formula;
 pub mod html;
+pub mod idea;
 pub mod include;
 pub mod labels;
+pub mod live;
 pub mod markup;
 pub mod number;
+pub mod options;
 pub mod page;
+pub mod print;
 pub mod scan;
+pub mod search;
+pub mod serve;
 pub mod slider;
 pub mod stale;
 pub mod tables;
@@ -28,7 +35,7 @@ pub mod verify;
 
 use data::Data;
 use directive::Sources;
-use error::{Fault, Result, none_of, read};
+use error::{Fault, Result, none_of, read, write};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -68,6 +75,7 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
     let allowed = decimal::allow_list(&allowed);
     faults.extend(labels::faults(&list, &layout.repository)?);
+    faults.extend(exercises::faults(&exercises::list(&layout.book)?, &pages, &layout.book));
     faults.extend(coverage::faults(&pages, &layout.repository)?);
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
@@ -79,6 +87,8 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     };
     none_of(faults)?;
     let output = html::build(&layout.book, &marked)?;
+    write(&output.join(search::INDEX), search::script(&output, &pages)?)?;
+    print::finish(&output, &pages)?;
     none_of(verify::faults(&output, &pages)?)?;
     Ok(output)
 }

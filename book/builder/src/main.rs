@@ -2,15 +2,20 @@
 //! `cargo book build`: builds the pages from the committed data.
 //! `cargo book labels`: writes the tables made from `labels.toml`, the list of chapters in `src/book.rs` and that of examples
 //! in `tests/findings.rs`, and nothing else.
+//! `cargo book print`: builds the pages and prints them, as a PDF where a Chromium is installed.
+//! `cargo book serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address.
 //! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;
-use book_builder::{Layout, build, check_fresh, examples, labels, shown, tables};
+use book_builder::serve::{Laboratory, Limits, Server};
+use book_builder::{Layout, build, check_fresh, examples, labels, print, shown, tables};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo book [build | check | labels]";
+/// Where the book is served unless said otherwise.
+const PORT: u16 = 8012;
+const USAGE: &str = "usage: cargo book [build | check | labels | print | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -21,6 +26,18 @@ fn main() -> ExitCode {
         [] => renew(&layout),
         ["build"] => Data::read(&layout.generated()).and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
+        ["print"] => {
+            let built = Data::read(&layout.generated()).and_then(|data| build(&layout, &data));
+            return said(built.and_then(|output| print::pdf(&output)));
+        }
+        ["serve"] => serve(&layout, PORT),
+        ["serve", "--port", port] => match port.parse() {
+            Ok(port) => serve(&layout, port),
+            Err(_) => {
+                eprintln!("{USAGE}");
+                return ExitCode::from(2);
+            }
+        },
         ["labels"] => labels::list(&layout.repository)
             .and_then(|list| tables::renew(&list, &layout.repository))
             .map(|()| layout.repository.clone()),
@@ -33,9 +50,14 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    said(done.map(|output| output.join("index.html")))
+}
+
+/// Where the outcome is, or what is wrong.
+fn said(done: Result<PathBuf>) -> ExitCode {
     match done {
-        Ok(output) => {
-            println!("file://{}", output.join("index.html").display());
+        Ok(file) => {
+            println!("file://{}", file.display());
             ExitCode::SUCCESS
         }
         Err(error) => {
@@ -50,6 +72,16 @@ fn renew(layout: &Layout) -> Result<PathBuf> {
     data.write(&layout.generated())?;
     tables::renew(&labels::list(&layout.repository)?, &layout.repository)?;
     build(layout, &data)
+}
+
+/// The book as a laboratory; ends when it is interrupted.
+fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
+    let data = Data::read(&layout.generated())?;
+    let output = build(layout, &data)?;
+    let programs = examples::build(&layout.repository)?;
+    let server = Server::bind(Laboratory::new(layout, data, &output, &programs, Limits::default())?, port)?;
+    println!("http://{}/ (Ctrl-C ends it)", server.address());
+    server.run().map(|()| output)
 }
 
 /// Pages first: their faults show at once, without the examples.

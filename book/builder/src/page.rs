@@ -5,8 +5,10 @@ use crate::decimal;
 use crate::directive::{self, Meaning, Sources};
 use crate::error::Fault;
 use crate::formula::{self, Formula, Labels};
+use crate::live;
 use crate::markup::escape;
 use crate::scan::{Kind, Piece, line_at, pieces};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// Marks are numbers between these two characters of Unicode's private use area.
@@ -54,6 +56,8 @@ pub fn mark(pages: &[Page], sources: &Sources<'_>) -> Result<Marked, Vec<Fault>>
         formulas: Vec::new(),
         places: Vec::new(),
         faults: Vec::new(),
+        live: BTreeSet::new(),
+        panels: BTreeSet::new(),
     };
     for (number, page) in pages.iter().enumerate() {
         let text = marker.page(number, page);
@@ -71,10 +75,16 @@ struct Marker<'a> {
     /// The snippet of each formula.
     places: Vec<usize>,
     faults: Vec<Fault>,
+    /// Examples that can be computed anew on this page.
+    live: BTreeSet<String>,
+    /// Those whose panel is still to come.
+    panels: BTreeSet<String>,
 }
 
 impl Marker<'_> {
     fn page(&mut self, number: usize, page: &Page) -> String {
+        self.panels = live::examples(&page.text, self.sources.data);
+        self.live = self.panels.clone();
         let found = pieces(&page.text).unwrap_or_else(|error| {
             let rest = page.text[error.start..].lines().next().unwrap_or("");
             self.faults.push(Fault::new(&page.file, line_at(&page.text, error.start), error.what, rest));
@@ -115,16 +125,27 @@ impl Marker<'_> {
     }
 
     fn directive(&mut self, page: &Page, piece: &Piece<'_>, text: &mut String) {
+        let example = live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
+        let inline = |html: String| match example {
+            Some(_) => Snippet::Inline(live::inline(piece.text, &html)),
+            None => Snippet::Inline(html),
+        };
         match directive::resolve(piece.text, self.sources) {
-            Ok(Meaning::Number(number)) => self.marked.push(text, Snippet::Inline(number.html())),
-            Ok(Meaning::Words(words)) => self.marked.push(text, Snippet::Inline(words)),
+            Ok(Meaning::Number(number)) => self.marked.push(text, inline(number.html())),
+            Ok(Meaning::Words(words)) => self.marked.push(text, inline(words)),
             Ok(Meaning::Name(name)) => {
                 // Long names may break between their words.
                 let name = escape(&name).replace("::", "::<wbr>").replace('_', "_<wbr>");
                 let html = format!("<code>{name}</code>");
                 self.marked.push(text, Snippet::Inline(html));
             }
-            Ok(Meaning::Block(html)) => self.marked.push(text, Snippet::Block(html)),
+            Ok(Meaning::Block(html)) => {
+                let mut html = if example.is_some() { live::block(piece.text, &html) } else { html };
+                if let Some(example) = example.filter(|example| self.panels.remove(example)) {
+                    html.push_str(&live::panel(&example, &self.sources.data.options[&example]));
+                }
+                self.marked.push(text, Snippet::Block(html));
+            }
             Ok(Meaning::Markdown(block)) => text.push_str(&block),
             Err(what) => {
                 let line = line_at(&page.text, piece.start);
@@ -234,7 +255,7 @@ impl Marked {
                     let before = before.strip_suffix("<p>").ok_or("a figure or table inside a paragraph")?;
                     rest = behind.strip_prefix("</p>").ok_or("a figure or table inside a paragraph")?;
                     html.push_str(before);
-                    html.push_str(block);
+                    html.push_str(if name == "print.html" { live::without_panel(block) } else { block });
                 }
             }
         }

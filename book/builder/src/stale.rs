@@ -3,6 +3,7 @@
 
 use crate::data::Data;
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 /// Relative difference that counts as equal: far above the accuracy the examples converge to (1e-8 at worst), far
 /// below the digits a page quotes.
@@ -38,6 +39,12 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     }
     for name in committed.examples.keys().filter(|name| !computed.examples.contains_key(*name)) {
         found.push(values(name.clone(), "committed and no longer computed".to_owned()));
+    }
+    for name in committed.options.keys().chain(computed.options.keys()).collect::<BTreeSet<_>>() {
+        if committed.options.get(name) != computed.options.get(name) {
+            let (file, what) = ("options.json".to_owned(), "not what the example describes now".to_owned());
+            found.push(Stale { file, entry: name.clone(), what });
+        }
     }
     for (name, old) in &committed.figures {
         let what = match computed.figures.get(name) {

@@ -6,6 +6,7 @@ fn data(text: &str, svg: &str) -> Data {
     Data {
         examples: parse_object(Path::new("test"), text).unwrap(),
         figures: [("ex/f".to_owned(), svg.to_owned())].into(),
+        ..Data::default()
     }
 }
 

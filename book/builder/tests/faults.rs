@@ -44,6 +44,8 @@ impl Fixture {
         fixture.write("book/book.toml", &toml);
         fixture.write("book/style/slider.js", "");
         fixture.write("book/style/fit.js", "");
+        fixture.write("book/style/live.js", "");
+        fixture.write("book/style/search.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
@@ -101,7 +103,11 @@ fn data(gamma: f64) -> Data {
         ("ex/other".to_owned(), CHART.to_owned()),
         ("ex/unused".to_owned(), CHART.to_owned()),
     ];
-    Data { examples: [("ex".to_owned(), example)].into_iter().collect(), figures: figures.into() }
+    Data {
+        examples: [("ex".to_owned(), example)].into_iter().collect(),
+        figures: figures.into(),
+        ..Data::default()
+    }
 }
 
 #[test]

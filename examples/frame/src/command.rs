@@ -1,5 +1,6 @@
 //! The command line of an example: options for output, exit codes, progress.
 
+use crate::describe::{Cost, describe};
 use crate::{Headline, Result};
 use clap::{Args, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -20,6 +21,9 @@ pub struct Output {
     /// Write the whole outcome as one JSON object into this file (read by the book)
     #[arg(long, value_name = "FILE")]
     pub values: Option<PathBuf>,
+    /// Print what may be asked of this example as JSON, and compute nothing
+    #[arg(long)]
+    pub describe: bool,
 }
 
 impl Output {
@@ -54,6 +58,11 @@ impl Output {
 pub trait HasOutput {
     /// The output options.
     fn output(&self) -> &Output;
+
+    /// How long a run takes at default size.
+    fn cost() -> Cost {
+        Cost::default()
+    }
 }
 
 /// Parses the command line, runs the example and prints its headline.
@@ -62,6 +71,10 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
         Ok(options) => options,
         Err(error) => return report_usage(&error),
     };
+    if options.output().describe {
+        let _ = writeln!(std::io::stdout(), "{}", describe::<O>());
+        return ExitCode::SUCCESS;
+    }
     match show(&options, run) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {

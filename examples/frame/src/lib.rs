@@ -4,7 +4,7 @@
 //!
 //! An example is one argument of the paper, in the order in which a reader thinks:
 //!
-//! 1. [`options!`] declares its parameters, each with one line of help;
+//! 1. [`options!`] declares its parameters, each with one line of help; `--describe` hands them to the book;
 //! 2. `compute(&Options) -> Result<Computed>` calls the library; `Computed` is plain numbers;
 //! 3. `findings(&Options, &Computed) -> Vec<Finding>` says which comparisons decide;
 //! 4. `table` and `draw` show the rows and the figures;
@@ -19,6 +19,7 @@
 mod command;
 #[cfg(feature = "contact")]
 pub mod contact;
+mod describe;
 mod error;
 pub mod figures;
 mod outcome;
@@ -30,11 +31,12 @@ pub mod rates;
 pub mod shown;
 
 pub use command::{HasOutput, Output, main, progress};
+pub use describe::Cost;
 pub use error::{Error, Result};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command
-/// line.
+/// line. Behind a colon stands its [`Cost`] where it is not a matter of seconds.
 ///
 /// ```
 /// example_frame::options! {
@@ -51,7 +53,7 @@ pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Ro
 macro_rules! options {
     (
         $(#[$about:meta])*
-        pub struct $name:ident {
+        pub struct $name:ident $(: $cost:ident)? {
             $($(#[$attribute:meta])* pub $field:ident: $kind:ty),* $(,)?
         }
     ) => {
@@ -74,6 +76,10 @@ macro_rules! options {
             fn output(&self) -> &$crate::Output {
                 &self.output
             }
+
+            $(fn cost() -> $crate::Cost {
+                $crate::Cost::$cost
+            })?
         }
     };
 }

@@ -46,6 +46,18 @@ pub(super) struct Stage<'s, 'c, L> {
     prescribed: Vec<usize>,
     /// κ on coarser levels.
     least: f64,
+    guess: Guess,
+}
+
+/// What a guess of the set is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Guess {
+    /// Signs of forces and gaps decide, as long as it takes.
+    First,
+    /// The same for one step.
+    FirstOrSecond,
+    /// It is the set; inexact forces do not decide.
+    Known,
 }
 
 /// When to stop.
@@ -106,7 +118,14 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
             load,
             prescribed,
             least,
+            guess: Guess::First,
         }
+    }
+
+    /// With another view of the guess; at first signs decide.
+    pub(super) fn with(mut self, guess: Guess) -> Self {
+        self.guess = guess;
+        self
     }
 
     /// From an iterate and a guess of the set; `report` hears of the step and the estimated error.
@@ -142,14 +161,18 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
                 }
                 before = error_of(&gradients);
                 report(history.len(), before)?;
-                let wrong = self.edge.contact(x, &gradients.residual, &set).wrong;
+                let wrong = match self.guess {
+                    Guess::Known => Vec::new(),
+                    _ => self.edge.contact(x, &gradients.residual, &set).wrong,
+                };
                 if !wrong.is_empty() || stuck || before <= SPARE * goal {
                     break (wrong, stuck);
                 }
             };
             gradient_steps += steps_here;
             let came_back = !wrong.is_empty() && !seen.insert(set.clone());
-            let given_up = stuck || history.len() >= STEPS;
+            let in_vain = self.guess == Guess::FirstOrSecond && history.len() > 1;
+            let given_up = stuck || in_vain || history.len() >= STEPS;
             if wrong.is_empty() || given_up {
                 tries += 1;
                 let outcome = self.end(x, &set, &mut gradients, goal)?;

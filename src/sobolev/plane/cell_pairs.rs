@@ -7,6 +7,7 @@
 //! products are known once for all.
 
 use super::far::Nodes;
+use super::kernel::InversePower;
 use super::leaves::{LEVELS, points};
 use super::means::{Means, Shape};
 use super::simplex::{Corner, NO_NODE, Simplex};
@@ -44,7 +45,7 @@ struct Moments {
 /// Pairs of squares for one order and one accuracy.
 pub(super) struct CellPairs {
     means: Means,
-    power: f64,
+    kernel: InversePower,
     digits: f64,
     moments: Vec<Moments>,
 }
@@ -54,7 +55,7 @@ impl CellPairs {
         let moments = (0..=POINTS.1).map(|q| Moments::new(q.max(1))).collect::<Result<_>>()?;
         Ok(Self {
             means: Means::new(order, Shape::Linears, accuracy),
-            power: 1.0 + order.value(),
+            kernel: InversePower::new(1.0 + order.value()),
             digits: -accuracy.ln(),
             moments,
         })
@@ -98,7 +99,7 @@ impl CellPairs {
             for j in 0..q * q {
                 let dx = place(i / q) - place(j / q) - offset[0] as f64;
                 let dy = place(i % q) - place(j % q) - offset[1] as f64;
-                let kernel = (-self.power * (dx * dx + dy * dy).ln()).exp();
+                let kernel = self.kernel.at(dx * dx + dy * dy);
                 whole += kernel * ones[j];
                 (0..HATS).for_each(|b| row[b] += kernel * hats[j][b]);
             }

@@ -8,10 +8,12 @@
 //! values for a pair.
 
 use super::geometry::Point;
+use super::kernel::InversePower;
 use super::leaves::points;
 use super::tree::{Cluster, Tree};
 use crate::error::Result;
 use crate::numeric::scale::power_of_two;
+use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// Triangles with the values at their corners, as the moments need them.
@@ -61,6 +63,7 @@ pub(super) struct FarField<'a> {
     moments: Vec<Moments>,
     /// 1 + s
     power: f64,
+    kernel: InversePower,
 }
 
 fn from_box(cluster: &Cluster, k: usize, x: f64) -> f64 {
@@ -69,18 +72,22 @@ fn from_box(cluster: &Cluster, k: usize, x: f64) -> f64 {
 
 impl<'a> FarField<'a> {
     pub(super) fn new(tree: &'a Tree, source: &Source<'_>, q: usize, s: f64) -> Result<Self> {
-        let mut field = Self { tree, nodes: Nodes::new(q), moments: Vec::new(), power: 1.0 + s };
-        let mut moments: Vec<Option<Moments>> = tree.clusters.iter().map(|_| None).collect();
-        for index in (0..tree.clusters.len()).rev() {
-            let cluster = &tree.clusters[index];
-            let made = match cluster.children {
-                None => field.of_leaf(cluster, source)?,
-                Some(children) => {
-                    let parts = children.map(|child| (child, moments[child].as_ref()));
-                    field.of_parent(cluster, &parts)
-                }
-            };
-            moments[index] = Some(made);
+        let mut field = Self {
+            tree,
+            nodes: Nodes::new(q),
+            moments: Vec::new(),
+            power: 1.0 + s,
+            kernel: InversePower::new(1.0 + s),
+        };
+        let leaf = |cluster: &Cluster| -> Result<Option<Moments>> {
+            if cluster.children.is_none() { field.of_leaf(cluster, source).map(Some) } else { Ok(None) }
+        };
+        let mut moments = tree.clusters.par_iter().map(leaf).collect::<Result<Vec<_>>>()?;
+        for (index, cluster) in tree.clusters.iter().enumerate().rev() {
+            if let Some(children) = cluster.children {
+                let parts = children.map(|child| (child, moments[child].as_ref()));
+                moments[index] = Some(field.of_parent(cluster, &parts));
+            }
         }
         field.moments = moments.into_iter().flatten().collect();
         Ok(field)
@@ -160,7 +167,7 @@ impl<'a> FarField<'a> {
             let mut rows = [0.0; 3];
             for (l, y) in to.iter().enumerate() {
                 let (dx, dy) = (x[0] - y[0], x[1] - y[1]);
-                let kernel = (-self.power * (dx * dx + dy * dy).ln()).exp();
+                let kernel = self.kernel.at(dx * dx + dy * dy);
                 (0..3).for_each(|j| rows[j] += kernel * n[j][l]);
             }
             sum += m[2][k] * rows[0] - 2.0 * m[1][k] * rows[1] + m[0][k] * rows[2];

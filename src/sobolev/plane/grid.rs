@@ -19,8 +19,6 @@ use rustfft::num_complex::Complex64;
 
 /// Accuracy of entries beyond which they are not asked.
 const FINEST: f64 = 1e-14;
-/// Rows of squares in a band, which one thread works through.
-const BAND: usize = 16;
 
 /// The Gram matrix of |·|_s on a uniform grid, as a fast product.
 pub struct GridOperator {
@@ -34,13 +32,17 @@ pub struct GridOperator {
     touching: Vec<Touching>,
 }
 
-/// The form of two squares that touch, on a patch of 3 × 3 nodes: the first at `origin`, the second at
-/// `offset` from it.
+/// The form of two squares that touch, twice unless they are one: on the nodes of both, the second square at
+/// `offset` from the first.
 struct Touching {
-    origin: [usize; 2],
     offset: [i64; 2],
-    form: [[f64; 9]; 9],
+    /// from the bottom left node of the first square
+    nodes: Vec<[i64; 2]>,
+    form: Vec<f64>,
 }
+
+/// Rows of squares that share one pass over the touching forms.
+const BAND: usize = 32;
 
 impl GridOperator {
     /// For the grid of [`super::Triangles::grid`]; entries to the relative tolerance.
@@ -61,7 +63,7 @@ impl GridOperator {
         for (origin, offset) in
             [([0, 0], [0, 0]), ([0, 0], [1, 0]), ([0, 0], [0, 1]), ([0, 0], [1, 1]), ([1, 0], [-1, 1])]
         {
-            touching.push(Touching { origin, offset, form: pairs.touching(origin, offset)? });
+            touching.push(Touching::new(origin, offset, &pairs.touching(origin, offset)?));
         }
         let scale = h.powf(2.0 * order.complement());
         Ok(Self { squares, scale, torus, spectra, own: offsets.own(), touching })
@@ -94,33 +96,35 @@ impl GridOperator {
         let width = self.torus.size()[0];
         let field = |first: usize, second: usize| {
             let mut field = self.torus.zeros();
-            field.par_chunks_mut(width).take(rows).enumerate().for_each(|(j, row)| {
-                let value = |i: usize, a: usize| w[self.node(i + CORNERS[a][0], j + CORNERS[a][1])];
-                (0..columns).for_each(|i| row[i] = Complex64::new(value(i, first), value(i, second)));
+            field[..rows * width].par_chunks_mut(width).enumerate().for_each(|(j, line)| {
+                for (i, value) in line[..columns].iter_mut().enumerate() {
+                    let of = |a: usize| w[self.node(i + CORNERS[a][0], j + CORNERS[a][1])];
+                    *value = Complex64::new(of(first), of(second));
+                }
             });
             self.torus.transform(field, rows)
         };
         let packed = [field(0, 1), field(2, 3)];
-        let images = self.multiplied(&packed).map(|image| self.torus.back(image, rows));
+        let images = self.multiplied(&packed).map(|spectrum| self.torus.back(spectrum, rows));
         let mut image = vec![0.0; self.size()];
-        image.par_chunks_mut(columns + 1).enumerate().for_each(|(y, line)| {
-            for (a, corner) in CORNERS.iter().enumerate() {
-                let Some(j) = y.checked_sub(corner[1]).filter(|j| *j < rows) else { continue };
-                let values = &images[a / 2][j * width..j * width + columns];
-                for (place, value) in line[corner[0]..].iter_mut().zip(values) {
-                    *place -= 2.0 * if a % 2 == 0 { value.re } else { value.im };
-                }
+        // Row j of nodes is the bottom of row j of squares and the top of row j − 1.
+        image.par_chunks_mut(columns + 1).enumerate().for_each(|(j, line)| {
+            for (a, &[x, y]) in CORNERS.iter().enumerate().filter(|(_, [_, y])| (*y..rows + *y).contains(&j))
+            {
+                let row = &images[a / 2][(j - y) * width..][..columns];
+                let parts = row.iter().map(|value| if a % 2 == 0 { value.re } else { value.im });
+                line[x..].iter_mut().zip(parts).for_each(|(entry, part)| *entry -= 2.0 * part);
             }
         });
         image
     }
 
-    /// The transforms of the images, 0 packed with 1 and 2 with 3.
+    /// The transforms of the images of the hats 0 and 1, and 2 and 3, packed.
     fn multiplied(&self, packed: &[Spectrum; 2]) -> [Spectrum; 2] {
         let [n, m] = self.torus.size();
         let i = Complex64::i();
-        let mut images = [self.torus.zeros(), self.torus.zeros()];
-        let [first, second] = &mut images;
+        let mut products = [0, 1].map(|_| self.torus.zeros());
+        let [first, second] = &mut products;
         let lines = first.par_chunks_mut(m).zip(second.par_chunks_mut(m)).enumerate();
         lines.for_each(|(k, (first, second))| {
             let opposite = (n - k) % n;
@@ -143,61 +147,66 @@ impl GridOperator {
                 (first[l], second[l]) = (images[0] + i * images[1], images[2] + i * images[3]);
             }
         });
-        images
+        products
     }
 
-    /// The squares themselves and those that touch, band by band of rows of squares.
     fn near(&self, w: &[f64], image: &mut [f64]) {
         let [columns, rows] = self.squares;
-        let bands: Vec<usize> = (0..rows).step_by(BAND).collect();
-        let found: Vec<Vec<f64>> = bands
-            .par_iter()
-            .map(|&from| {
-                let to = (from + BAND).min(rows);
-                let mut part = vec![0.0; (to.min(rows - 1) + 2 - from) * (columns + 1)];
-                (from..to).for_each(|j| self.near_row(w, j, from, &mut part));
-                part
-            })
-            .collect();
-        for (from, part) in bands.into_iter().zip(found) {
-            let places = image[from * (columns + 1)..].iter_mut();
-            places.zip(part).for_each(|(place, value)| *place += value);
+        let width = columns + 1;
+        // A band of squares reaches two rows of nodes beyond its last row of squares.
+        let band = |first: usize| -> (usize, Vec<f64>) {
+            let end = (first + BAND).min(rows);
+            let mut part = vec![0.0; width * ((end + 2).min(rows + 1) - first)];
+            for j in first..end {
+                for i in 0..columns {
+                    let nodes = CORNERS.map(|[x, y]| self.node(i + x, j + y));
+                    for (a, row) in nodes.iter().zip(&self.own[j * columns + i]) {
+                        let value = row.iter().zip(nodes).map(|(entry, node)| entry * w[node]).sum::<f64>();
+                        part[a - first * width] += value;
+                    }
+                    let fits = |other: &&Touching| {
+                        let [x, y] = [i as i64 + other.offset[0], j as i64 + other.offset[1]];
+                        (0..columns as i64).contains(&x) && y < rows as i64
+                    };
+                    self.touching
+                        .iter()
+                        .filter(fits)
+                        .for_each(|other| other.add([i, j], width, first, w, &mut part));
+                }
+            }
+            (first * width, part)
+        };
+        let starts: Vec<usize> = (0..rows).step_by(BAND).collect();
+        for (start, part) in starts.into_par_iter().map(band).collect::<Vec<_>>() {
+            image[start..].iter_mut().zip(part).for_each(|(entry, value)| *entry += value);
         }
     }
+}
 
-    /// The squares of row j with those that touch, onto rows of nodes that begin with `from`.
-    fn near_row(&self, w: &[f64], j: usize, from: usize, image: &mut [f64]) {
-        let [columns, rows] = self.squares;
-        let first = from * (columns + 1);
-        for i in 0..columns {
-            let nodes = CORNERS.map(|[x, y]| self.node(i + x, j + y));
-            let own = &self.own[j * columns + i];
-            for (a, row) in nodes.iter().zip(own) {
-                image[*a - first] += row.iter().zip(nodes).map(|(entry, node)| entry * w[node]).sum::<f64>();
-            }
-            for Touching { origin, offset, form } in &self.touching {
-                let other = [i as i64 + offset[0], j as i64 + offset[1]];
-                if other[0] < 0 || other[0] >= columns as i64 || other[1] >= rows as i64 {
-                    continue;
-                }
-                let twice = if *offset == [0, 0] { 1.0 } else { 2.0 };
-                let squares = [[i, j], other.map(|x| x as usize)];
-                // Places on the patch and nodes, each once.
-                let mut patch = [(0, 0); 8];
-                let mut count = 0;
-                for [x, y] in CORNERS.iter().flat_map(|c| squares.map(|s| [s[0] + c[0], s[1] + c[1]])) {
-                    let entry = (3 * (y + origin[1] - j) + x + origin[0] - i, self.node(x, y));
-                    if !patch[..count].contains(&entry) {
-                        patch[count] = entry;
-                        count += 1;
-                    }
-                }
-                let values = patch.map(|(_, node)| twice * w[node]);
-                for &(row, node) in &patch[..count] {
-                    let entries = patch[..count].iter().zip(values).map(|((at, _), w)| form[row][*at] * w);
-                    image[node - first] += entries.sum::<f64>();
-                }
-            }
+impl Touching {
+    /// From the form on a patch of 3 × 3 nodes, the first square at `origin`.
+    fn new(origin: [usize; 2], offset: [i64; 2], patch: &[[f64; 9]; 9]) -> Self {
+        let twice = if offset == [0, 0] { 1.0 } else { 2.0 };
+        let of = |at: [i64; 2]| CORNERS.map(|corner| [0, 1].map(|k| corner[k] as i64 + at[k]));
+        let mut nodes: Vec<[i64; 2]> = [of([0, 0]), of(offset)].concat();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let place =
+            |node: &[i64; 2]| (3 * (node[1] + origin[1] as i64) + node[0] + origin[0] as i64) as usize;
+        let places: Vec<usize> = nodes.iter().map(place).collect();
+        let row = |&a: &usize| places.iter().map(move |&b| (a, b));
+        let form = places.iter().flat_map(row).map(|(a, b)| twice * patch[a][b]).collect();
+        Self { offset, nodes, form }
+    }
+
+    /// Adds the form's product for the first square at `at` to rows of nodes from `first` on.
+    fn add(&self, at: [usize; 2], width: usize, first: usize, w: &[f64], part: &mut [f64]) {
+        let node = |[x, y]: [i64; 2]| ((at[1] as i64 + y) * width as i64 + at[0] as i64 + x) as usize;
+        let mut values = [0.0; 9];
+        values.iter_mut().zip(&self.nodes).for_each(|(value, &place)| *value = w[node(place)]);
+        for (row, &place) in self.form.chunks_exact(self.nodes.len()).zip(&self.nodes) {
+            let value: f64 = row.iter().zip(&values).map(|(entry, value)| entry * value).sum();
+            part[node(place) - first * width] += value;
         }
     }
 }

@@ -6,6 +6,7 @@
 //! their distance are halved first. Every mean is computed with n − 2, n − 1 and n points: the Gauss error of
 //! a convex kernel has one sign, so that the three values of a whole sum tell how fast it settles.
 
+use super::kernel::InversePower;
 use super::simplex::Simplex;
 use crate::error::{Error, Result};
 use crate::numeric::scale::power_of_two;
@@ -51,17 +52,18 @@ pub(super) fn points(dimension: usize, n: usize) -> Result<&'static Points> {
 }
 
 /// The kernel |x−y|^{-2-2s} and the accuracy asked of every mean.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Leaves {
     /// 1 + s
     power: f64,
+    kernel: InversePower,
     /// ln(1 / relative accuracy)
     digits: f64,
 }
 
 impl Leaves {
     pub(super) fn new(s: f64, accuracy: f64) -> Self {
-        Self { power: 1.0 + s, digits: -accuracy.ln() }
+        Self { power: 1.0 + s, kernel: InversePower::new(1.0 + s), digits: -accuracy.ln() }
     }
 
     /// Points in each direction for a piece of length ℓ at distance d.
@@ -135,8 +137,13 @@ impl Leaves {
             for (x, u, v) in &first {
                 for (y, z, w) in &second {
                     let (dx, dy) = (x[0] - y[0], x[1] - y[1]);
-                    let kernel = v * w * (-self.power * (dx * dx + dy * dy).ln()).exp();
-                    add_square(&mut part, kernel, std::array::from_fn(|k| u[k] - z[k]));
+                    let kernel = v * w * self.kernel.at(dx * dx + dy * dy);
+                    let difference: [f64; K] = std::array::from_fn(|k| u[k] - z[k]);
+                    for i in 0..K {
+                        for j in 0..=i {
+                            part[i][j] += kernel * difference[i] * difference[j];
+                        }
+                    }
                 }
             }
             for i in 0..K {
@@ -146,15 +153,6 @@ impl Leaves {
             }
         }
         Ok(work)
-    }
-}
-
-/// Adds k d dᵀ to the lower triangle of a matrix.
-pub(super) fn add_square<const K: usize>(entries: &mut [[f64; K]; K], k: f64, d: [f64; K]) {
-    for i in 0..K {
-        for j in 0..=i {
-            entries[i][j] += k * d[i] * d[j];
-        }
     }
 }
 

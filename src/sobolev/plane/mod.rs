@@ -18,6 +18,7 @@ mod far;
 mod function;
 mod geometry;
 mod grid;
+mod kernel;
 mod leaves;
 mod means;
 mod norms;

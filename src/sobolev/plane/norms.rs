@@ -25,7 +25,7 @@ const ATTEMPTS: usize = 3;
 /// Its first value over the tolerance.
 const FIRST: f64 = 0.4;
 /// By how much beyond the quotient of what is asked and reached, and at most.
-const SHARPER: f64 = 0.1;
+const SHARPER: f64 = 0.04;
 const LEAST_SHARPER: f64 = 1e-4;
 
 impl PlaneFunction {

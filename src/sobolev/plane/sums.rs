@@ -19,7 +19,7 @@ const DIRECT: usize = 200;
 /// What is off over its change by the next rule, which is off less.
 const SAFETY: f64 = 3.0;
 /// A change is not believed below this part of the one before.
-const LEAST_CHANGE: f64 = 0.05;
+const LEAST_CHANGE: f64 = 0.02;
 /// The error of q Chebyshev points over the change from q − 1.
 const FAR_SAFETY: f64 = 0.5;
 /// ln of what a further Chebyshev point gains at the nearest corners of clusters that are apart, on the

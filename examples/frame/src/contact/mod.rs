@@ -6,10 +6,12 @@ mod history;
 mod listing;
 mod picture;
 mod roads;
+mod two_roads;
 mod watch;
 
 pub use conditions::{CONDITIONS, Condition};
 pub use listing::{table, worst};
 pub use picture::quote_and_draw;
 pub use roads::{algebraic_chart, road_chart, road_table};
+pub use two_roads::{RoadsRow, compressibility_chart, two_roads_table};
 pub use watch::watched;

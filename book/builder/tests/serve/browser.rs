@@ -1,0 +1,69 @@
+//! The page in a browser that is there: the address carries the parameters, the page computes and shows.
+
+use super::http::{Book, short};
+use std::process::Command;
+
+/// Where a Chromium may be.
+const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+
+/// The page after its scripts have run, as HTML.
+fn page(browser: &str, address: &str) -> Option<String> {
+    let profile = tempfile::tempdir().unwrap();
+    let output = Command::new(browser)
+        .args([
+            "--headless=new",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--no-first-run",
+            "--virtual-time-budget=8000",
+        ])
+        .arg(format!("--user-data-dir={}", profile.path().display()))
+        .args(["--dump-dom", address])
+        .output()
+        .ok()?;
+    Some(String::from_utf8_lossy(&output.stdout).into_owned()).filter(|html| html.contains("</html>"))
+}
+
+#[test]
+fn words_are_looked_up_in_a_book_of_files() {
+    let Some(browser) = browser() else { return };
+    let book = Book::serve(short());
+    let page = |query: &str| page(browser, &format!("file://{}?search={query}", book.file())).unwrap();
+    let found = page("it%20is%20said");
+    assert!(found.contains("1 section<") && found.contains("href=\"first.html#first\""), "{found}");
+    assert!(page("nowhere").contains("0 sections"));
+    // Opened as a file, the page says how to start the server.
+    assert!(
+        found.contains("cargo book serve</code> in the repository") && found.contains("disabled=\"\""),
+        "{found}"
+    );
+}
+
+/// A Chromium, if there is one.
+fn browser() -> Option<&'static str> {
+    let is_there =
+        |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
+    let found = BROWSERS.into_iter().find(is_there);
+    if found.is_none() {
+        println!("skipped: no Chromium here");
+    }
+    found
+}
+
+#[test]
+fn a_browser_computes_with_the_parameters_of_the_address() {
+    let Some(browser) = browser() else { return };
+    let book = Book::serve(short());
+    let at = |query: &str| page(browser, &format!("http://{}/first.html{query}", book.host())).unwrap();
+    let plain = at("");
+    assert!(plain.contains("x is 1/2") && plain.contains(">Compute</button>"), "{plain}");
+    assert_eq!(book.runs().len(), 0, "a page computes only when asked");
+    let tried = at("?try=planted&x=0.25");
+    for part in ["x is 0.25", "x = 0.25", "class=\"computed\"", "holds ("] {
+        assert!(tried.contains(part), "{part} not in {tried}");
+    }
+    assert_eq!(book.runs().len(), 1);
+    let refused = at("?try=planted&x=nan");
+    assert!(refused.contains("not a number") && refused.contains("x is 1/2"), "{refused}");
+    assert_eq!(book.runs().len(), 1);
+}

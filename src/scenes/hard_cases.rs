@@ -1,0 +1,194 @@
+//! Contact problems that are hard for cycles of point smoothers, and any problem by multigrid and by
+//! elimination beside each other.
+//!
+//! Compared are J (relative), the contact sets, the true algebraic error |u − v|_a/|v|_a (v by elimination)
+//! and its estimate. Cost: one elimination and one multigrid solution.
+
+use super::mesh::{MeshScene, Setting};
+use crate::cone::Cone;
+use crate::contact::{Accuracy, ContactProblem, Fallback, Solver};
+use crate::error::Result;
+use crate::estimate::Tolerance;
+use crate::fem::{Field, Form, Lame};
+use crate::mesh::{Hierarchy, Sides, mapped_grid};
+use std::f64::consts::PI;
+use std::fmt;
+
+/// Squares along each side of the coarsest mesh of a graded hierarchy.
+const COARSEST: usize = 8;
+/// λ/μ.
+const RATIOS: [f64; 8] = [0.0, 1.0, 10.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
+/// Openings in degrees.
+const ANGLES: [f64; 3] = [60.0, 120.0, 150.0];
+/// Quotients of the legs of a triangle.
+const ASPECTS: [f64; 3] = [4.0, 20.0, 100.0];
+/// Bisections.
+const BISECTED: [usize; 2] = [10, 30];
+/// Margins below this leave the contact set to rounding.
+const WEAK: f64 = 1e-9;
+
+/// What makes it hard; the mesh has n × n cells, the graded one as many to begin with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HardCase {
+    /// A scene with its default setting.
+    Scene(MeshScene),
+    /// `block` with this λ/μ.
+    Compressibility(f64),
+    /// `corner`, or `leaning` (elastic), with this opening in degrees.
+    Angle {
+        /// The opening.
+        degrees: f64,
+        /// Elastic or scalar.
+        is_elastic: bool,
+    },
+    /// `block` or `membrane` pressed flat: triangles with legs h and h over this.
+    Aspect {
+        /// The quotient of the legs.
+        aspect: f64,
+        /// Elastic or scalar.
+        is_elastic: bool,
+    },
+    /// `block` or `membrane`, bisected so many times toward the middle of the contact edge.
+    Graded {
+        /// Levels of bisection.
+        levels: usize,
+        /// Elastic or scalar.
+        is_elastic: bool,
+    },
+}
+
+/// A problem by two roads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoRoads {
+    /// Unknowns, prescribed ones included.
+    pub unknowns: usize,
+    /// |J − J'|/|J'|, J' by elimination; 0 for 0/0.
+    pub energies_apart: f64,
+    /// Constraints that are active for one road only; `None` where contact is so weak that rounding decides.
+    pub sets_apart: Option<usize>,
+    /// True algebraic error in the energy norm, relative.
+    pub algebraic: f64,
+    /// Its estimate; `None` where elimination took over.
+    pub estimate: Option<f64>,
+    /// The factor 1 − κ of one cycle alone, as the gradients see it on the finest level.
+    pub factor: Option<f64>,
+    /// Gradient steps on the finest level.
+    pub gradient_steps: Option<usize>,
+    /// Most contact sets tried on a level.
+    pub set_steps: Option<usize>,
+    /// Contact sets that elimination tries from no contact.
+    pub cold_steps: usize,
+    /// Whether both ended well.
+    pub is_converged: bool,
+    /// Why elimination took over.
+    pub fallback: Option<Fallback>,
+}
+
+/// `block` where it is elastic, `membrane` where it is not.
+fn plain(is_elastic: bool) -> MeshScene {
+    if is_elastic { MeshScene::Block } else { MeshScene::Membrane }
+}
+
+impl HardCase {
+    /// The scenes; `block` for λ/μ from 0 to 1000; and, scalar and elastic, corners, slivers, graded meshes.
+    pub fn all() -> Vec<Self> {
+        let mut cases: Vec<Self> = MeshScene::all().into_iter().map(Self::Scene).collect();
+        cases.extend(RATIOS.map(Self::Compressibility));
+        for is_elastic in [false, true] {
+            cases.extend(ANGLES.map(|degrees| Self::Angle { degrees, is_elastic }));
+            cases.extend(ASPECTS.map(|aspect| Self::Aspect { aspect, is_elastic }));
+            cases.extend(BISECTED.map(|levels| Self::Graded { levels, is_elastic }));
+        }
+        cases
+    }
+
+    /// The problem, and its hierarchy where the mesh is no grid.
+    ///
+    /// # Errors
+    /// Those of meshes and problems.
+    pub fn problem(&self, n: usize) -> Result<(ContactProblem, Option<Hierarchy>)> {
+        let with = |scene: MeshScene, setting| Ok((scene.problem_with(n, &setting)?, None));
+        let setting = Setting::default();
+        match *self {
+            Self::Scene(scene) => with(scene, setting),
+            Self::Compressibility(ratio) => {
+                let form = Form::elastic(Lame::new(ratio, 1.0)?);
+                let mesh = MeshScene::Block.mesh(n)?;
+                let load = Field::Vector(&|[x, _]| [0.0, -(PI * x).cos()]).sample(mesh.nodes())?;
+                Ok((ContactProblem::new(mesh, form, &load)?, None))
+            }
+            Self::Angle { degrees, is_elastic } => {
+                let scene = if is_elastic { MeshScene::Leaning } else { MeshScene::Corner };
+                with(scene, Setting { angle: degrees, ..setting })
+            }
+            Self::Aspect { aspect, is_elastic } => {
+                let mesh = mapped_grid(n, n, Sides::HANGING, |[x, y]| [x, y / aspect])?;
+                Ok((plain(is_elastic).on(mesh)?, None))
+            }
+            Self::Graded { levels, is_elastic } => {
+                let scene = plain(is_elastic);
+                let doublings = (n / COARSEST).max(1).ilog2() as usize;
+                let mut hierarchy = Hierarchy::refined(scene.mesh(COARSEST)?, doublings)?;
+                hierarchy.refine_toward_point([0.5, 0.0], levels)?;
+                Ok((scene.on(hierarchy.finest().clone())?, Some(hierarchy)))
+            }
+        }
+    }
+
+    /// Both roads, multigrid to the given tolerance.
+    ///
+    /// # Errors
+    /// Those of problems and solvers.
+    pub fn by_two_roads(&self, n: usize, cone: Cone, tolerance: Tolerance) -> Result<TwoRoads> {
+        let (problem, hierarchy) = self.problem(n)?;
+        TwoRoads::of(&problem, hierarchy.as_ref(), cone, tolerance)
+    }
+}
+
+impl TwoRoads {
+    /// Both roads for a problem, multigrid on the given hierarchy or on every other line of its grid.
+    ///
+    /// # Errors
+    /// Those of solvers.
+    pub fn of(
+        problem: &ContactProblem,
+        hierarchy: Option<&Hierarchy>,
+        cone: Cone,
+        tolerance: Tolerance,
+    ) -> Result<Self> {
+        let found = problem.solve_by_multigrid(cone, hierarchy, Accuracy::Relative(tolerance), |_| Ok(()))?;
+        let (one, other) = (&found.solution, problem.solve(cone, Solver::ActiveSet)?);
+        let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
+        let difference: Vec<f64> =
+            one.displacement.iter().zip(&other.displacement).map(|(a, b)| a - b).collect();
+        let norm = problem.energy_norm(&other.displacement)?;
+        let last = found.levels.last().filter(|_| found.fallback.is_none());
+        let is_weak = other.margins.is_weak(WEAK);
+        Ok(Self {
+            unknowns: other.displacement.len(),
+            energies_apart: share((one.energy - other.energy).abs(), other.energy.abs()),
+            sets_apart: (!is_weak).then(|| one.contact_set.distance(&other.contact_set)),
+            algebraic: share(problem.energy_norm(&difference)?, norm),
+            estimate: found.error.filter(|_| found.fallback.is_none()).map(|error| error.relative_error()),
+            factor: last.map(|level| level.factor),
+            gradient_steps: last.map(|level| level.gradient_steps),
+            set_steps: last.and_then(|_| found.levels.iter().map(|level| level.steps).max()),
+            cold_steps: other.history.len(),
+            is_converged: one.status.is_converged() && other.status.is_converged(),
+            fallback: found.fallback,
+        })
+    }
+}
+
+impl fmt::Display for HardCase {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = |is_elastic| if is_elastic { "elastic" } else { "scalar" };
+        match *self {
+            Self::Scene(scene) => write!(f, "{scene}"),
+            Self::Compressibility(ratio) => write!(f, "lambda/mu = {ratio}"),
+            Self::Angle { degrees, is_elastic } => write!(f, "corner of {degrees}, {}", kind(is_elastic)),
+            Self::Aspect { aspect, is_elastic } => write!(f, "aspect {aspect}, {}", kind(is_elastic)),
+            Self::Graded { levels, is_elastic } => write!(f, "bisected {levels} times, {}", kind(is_elastic)),
+        }
+    }
+}
