@@ -26,6 +26,7 @@ pub mod page;
 pub mod print;
 pub mod scan;
 pub mod search;
+pub mod sentence;
 pub mod serve;
 pub mod slider;
 pub mod stale;
