@@ -22,6 +22,7 @@ chapters! {
     section_2_scalar_contact: "section_2_scalar_contact.md",
     section_2_singular_exponents: "section_2_singular_exponents.md",
     section_4_midpoint_cone: "section_4_midpoint_cone.md",
+    scenes: "scenes.md",
     falk: "falk.md",
     figure_3_2_alternative: "figure_3_2_alternative.md",
     figure_4_1_alternative: "figure_4_1_alternative.md",

@@ -32,7 +32,7 @@
         range.addEventListener("input", show);
         // The arrow keys move the slider here; elsewhere they turn the pages of the book.
         range.addEventListener("keydown", (event) => event.stopPropagation());
-        this.append(control);
+        this.prepend(control);
         show();
       }
     },

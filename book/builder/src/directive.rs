@@ -9,12 +9,14 @@
 //! | `{{table: example}}` | the example's table, with what its columns mean |
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
 //! | `{{slider: parameter: frames: caption}}` | several figures and a slider between them, see [`crate::slider`] |
+//! | `{{idea: name: caption}}` | a picture of an idea, see [`crate::idea`] |
 //! | `{{code: example: function}}` | that function of the example |
 //! | `{{example: name}}`, `{{test: file}}`, `{{test: file::function}}` | a name that must exist, in code type |
 
 use crate::code;
 use crate::data::{Data, Unknown};
 use crate::figure;
+use crate::idea;
 use crate::markup::escape;
 use crate::number::{Format, Written};
 use crate::slider;
@@ -86,13 +88,14 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             let (full, svg) = data.figure(key).map_err(|e| e.words("figure"))?;
             figure::inline(full, svg, caption).map(Meaning::Block)
         }
+        ("idea", Some(caption)) if !caption.is_empty() => idea::inline(key, caption).map(Meaning::Block),
         ("slider", Some(rest)) => match rest.split_once(':').map(|(list, caption)| (list, caption.trim())) {
             Some((list, caption)) if !caption.is_empty() => {
                 slider::inline(key, list, caption, data).map(Meaning::Block)
             }
             _ => Err("slider without a caption".to_owned()),
         },
-        ("figure" | "slider", _) => Err(format!("{name} without a caption")),
+        ("figure" | "slider" | "idea", _) => Err(format!("{name} without a caption")),
         _ => Err("unknown directive".to_owned()),
     }
 }

@@ -15,6 +15,7 @@ pub mod exercises;
 pub mod figure;
 pub mod formula;
 pub mod html;
+pub mod idea;
 pub mod include;
 pub mod labels;
 pub mod live;

@@ -9,7 +9,7 @@ use crate::figure;
 use crate::markup::escape;
 use std::fmt::Write as _;
 
-/// A frame: its label and the full name of its figure.
+/// A frame: its label, and the full name of its figure or the figure itself.
 pub type Frame = (String, String);
 
 /// The frames of a list, in order.
@@ -43,20 +43,27 @@ pub fn frames(list: &str, data: &Data) -> Result<Vec<Frame>, String> {
 /// # Errors
 /// In words, what is wrong with a frame or a figure.
 pub fn inline(parameter: &str, list: &str, caption: &str, data: &Data) -> Result<String, String> {
-    let frames = frames(list, data)?;
+    let mut drawn = Vec::new();
+    for (label, name) in frames(list, data)? {
+        let spoken = format!("{caption}; {parameter}: {label}");
+        drawn.push((label, figure::svg(&name, &data.figures[&name], &spoken)?));
+    }
+    Ok(html(parameter, &drawn, caption))
+}
+
+/// Frames with their labels and the slider between them.
+pub fn html(parameter: &str, frames: &[Frame], caption: &str) -> String {
     let shown = (frames.len() - 1) / 2;
     let mut html = format!(
         "<figure class=\"chart\"><figure-slider data-parameter=\"{}\" data-shown=\"{shown}\">",
         escape(parameter)
     );
-    for (k, (label, name)) in frames.iter().enumerate() {
+    for (k, (label, svg)) in frames.iter().enumerate() {
         let hidden = if k == shown { "" } else { " hidden" };
-        let spoken = format!("{caption}; {parameter}: {label}");
-        let svg = figure::svg(name, &data.figures[name], &spoken)?;
         let _ = write!(html, "<div class=\"frame\" data-label=\"{}\"{hidden}>{svg}</div>", escape(label));
     }
     let _ = write!(html, "</figure-slider><figcaption>{}</figcaption></figure>", escape(caption));
-    Ok(html)
+    html
 }
 
 #[cfg(test)]
