@@ -1,51 +1,28 @@
 //! The introduction: (E1)-(E4), (N1), (N2), each with what a scene of its regularity shows.
 //!
 //! "Any" contact set: a fat Cantor set (τ < 2), 22 transitions; a natural transition inside an edge is r^{3/2}.
+//! (E1), (E3), (E4) on strips and on meshes of the square.
 //!
 //! `cargo run --release --example introduction_rates -- --levels 3-16 --out out`
 
-use example_frame::rates::{HALF_WIDTH, order_columns, printed_and_measured};
-use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
+use example_frame::rates::{HALF_WIDTH, order_columns, printed_and_measured, printed_rates};
+use example_frame::rates::{Printed, RateRow, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use signorini::convergence::{Bound, SceneFamily, StripGroup};
-use signorini::scenes::{StripScene, TransitionPowers};
-use signorini::strip::{Levels, StripKind};
+use signorini::convergence::Bound;
+use signorini::strip::Levels;
 use std::process::ExitCode;
 
 example_frame::options! {
     /// Printed rates and measured orders
-    pub struct Options {
+    pub struct Options: Long {
         /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 16 times finer
         #[arg(long, default_value = "4-14")]
         pub levels: Levels,
+        /// Number of meshes with 2, 4, 8, ... squares along each side
+        #[arg(long, default_value_t = 7)]
+        pub meshes: usize,
     }
 }
-
-/// What stands for a regularity: one transition, one in H² (slopes like |ln r|^{−1}), 22, a fat Cantor set.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[allow(missing_docs)]
-pub enum Shape {
-    Transition,
-    InH2,
-    Many,
-    FatCantor,
-}
-
-/// Key, label, regularity, scene, "finite" for finitely many transitions only, printed rate, its exponent.
-type Printed = (&'static str, &'static str, f64, Shape, &'static str, &'static str, f64);
-const PRINTED: [Printed; 11] = [
-    ("e1.below", "(E1)", 1.4, Shape::Transition, "", "h^(tau-1)", 0.4),
-    ("e1", "(E1)", 1.5, Shape::Transition, "", "h^(tau-1)", 0.5),
-    ("e2", "(E2)", 1.75, Shape::FatCantor, "", "h^(tau/2-1/4)", 0.625),
-    ("e2.finite", "(E2)", 1.75, Shape::Transition, "finite", "h^(tau-1)", 0.75),
-    ("n1.cantor", "(N1)", 1.75, Shape::FatCantor, "", "h^(tau^2-5tau/2+2)", 0.6875),
-    ("n1.many", "(N1)", 1.75, Shape::Many, "", "h^(tau^2-5tau/2+2)", 0.6875),
-    ("e3", "(E3)", 2.0, Shape::Many, "", "h^(3/4)", 0.75),
-    ("e3.finite", "(E3)", 2.0, Shape::InH2, "finite", "h |ln h|^(1/2) ... h", 1.0),
-    ("n2", "(N2)", 2.0, Shape::InH2, "", "h |ln h|^(1/2)", 1.0),
-    ("e4", "(E4)", 2.25, Shape::Transition, "", "h", 1.0),
-    ("e4.natural", "(E4)", 2.5, Shape::Transition, "", "h", 1.0),
-];
 
 /// What is computed: each printed rate with its scene in both cones, nodal first.
 pub struct Computed {
@@ -53,21 +30,9 @@ pub struct Computed {
     pub rows: Vec<(Printed, [RateRow; 2])>,
 }
 
-/// Solves the scene of each printed rate in both cones; scenes that come twice are solved once.
+/// Solves the scene of each printed rate in both cones.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let coarsest = options.levels.coarsest_cells();
-    let named = |scene: StripScene, tau| SceneFamily::named(&scene, tau, StripKind::Scalar, coarsest, 1);
-    let in_h2 = TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: 1.0 };
-    let family = |&(_, _, tau, shape, ..): &Printed| match shape {
-        Shape::Transition => Ok(SceneFamily::at_thirds(TransitionPowers::of_regularity(tau), tau, coarsest)),
-        Shape::InH2 => Ok(SceneFamily::at_thirds(in_h2, tau, coarsest)),
-        Shape::Many => named(StripScene::Transitions { gaps: 11 }, tau),
-        Shape::FatCantor => named(StripScene::FatCantor { depth: 30 }, tau),
-    };
-    let reference = (16 * options.levels.finest_cells()).min(1 << 22);
-    let mut group = StripGroup::new(StripKind::Scalar, options.levels, reference);
-    group.families = PRINTED.iter().map(family).collect::<signorini::Result<_>>()?;
-    Ok(Computed { rows: PRINTED.into_iter().zip(both_cones(&group)?).collect() })
+    Ok(Computed { rows: printed_rates(options.levels, options.meshes)? })
 }
 
 /// An order read off a finite series may stay this far below the exponent it tends to; |ln h|^{1/2} alone
@@ -79,7 +44,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let rows = || computed.rows.iter().flat_map(|(_, pair)| pair);
     let without = "an order is missing";
     let mut found = vec![complete(rows().map(|row| &row.study))];
-    for (&(key, label, .., exponent), pair) in computed.rows.iter().map(|(printed, pair)| (printed, pair)) {
+    for (&Printed { key, label, exponent, .. }, pair) in computed.rows.iter().map(|(row, pair)| (row, pair)) {
         for row in pair {
             // A printed rate that is the optimal one is approached, not passed.
             let less = if exponent >= (row.study.tau - 1.0).min(1.0) { SERIES } else { 0.0 };
@@ -139,14 +104,16 @@ fn table(Computed { rows }: &Computed) -> Table {
     columns.extend(order_columns(["midpoint", "midpoint_half"], "midp.", "error, midpoint cone", ""));
     columns.push(Column::new("left_out", "out", Format::Plain, "levels left out"));
     let mut table = Table::new(columns);
-    for (&(_, label, tau, shape, finite, rate, exponent), pair) in rows.iter().map(|(p, pair)| (p, pair)) {
-        let scene = match shape {
-            Shape::Transition => "transition",
-            Shape::InH2 => "transition in H^2",
-            Shape::Many => "transitions",
-            Shape::FatCantor => "fat-cantor",
-        };
-        let printed = [label.into(), tau.into(), finite.into(), rate.into(), exponent.into(), scene.into()];
+    for (printed, pair) in rows {
+        let Printed { label, tau, assumption, rate, exponent, .. } = *printed;
+        let printed = [
+            label.into(),
+            tau.into(),
+            assumption.into(),
+            rate.into(),
+            exponent.into(),
+            printed.scene().into(),
+        ];
         let mut row: Vec<Cell> = printed.to_vec();
         row.extend(pair.iter().flat_map(|row| fit_cells(row.error)));
         row.push(pair.iter().map(|row| row.study.left_out()).sum::<usize>().into());

@@ -2,14 +2,14 @@
 //!
 //! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}), hence γ at θ₀^{2ⁿ} is at most γ_{θ₀} times a product. (5.7) is
 //! followed on the extremal function u of V_{θ²}: |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I} in
-//! the variable x/θ, c its mean over (0,1). The first is Cauchy-Schwarz, the last is plain; the middle one
-//! can fail. (5.6) adds up what is left, and the last lines of the proof bound the product in three cases.
+//! the variable x/θ, c its mean over (0,1). The middle one can fail. (5.6) adds up what is left, and the last
+//! lines of the proof bound the product in three cases.
 //!
 //! `cargo run --release --example lemma_5_2_induction`
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use signorini::poincare::{InductionStep, induction};
+use signorini::poincare::{InductionStep, induction, scaling_defect};
 use signorini::sobolev::FractionalOrder;
 use signorini::{Estimate, Tolerance};
 use std::f64::consts::SQRT_2;
@@ -39,18 +39,24 @@ pub struct Chain {
     pub order: FractionalOrder,
     /// From θ to θ², θ⁴, ...
     pub steps: Vec<InductionStep>,
+    /// How far both norms are from (5.5) on the interval stretched by 1/θ.
+    pub scaling: Estimate,
 }
 
 /// Squares θ step by step, for every order.
 pub fn compute(options: &Options) -> Result<Vec<Chain>> {
     let chain = |&order: &FractionalOrder| -> Result<Chain> {
-        Ok(Chain { order, steps: induction(order, options.theta, options.steps, options.tolerance)? })
+        let (theta, tolerance) = (options.theta, options.tolerance);
+        let steps = induction(order, theta, options.steps, tolerance)?;
+        Ok(Chain { order, steps, scaling: scaling_defect(order, theta, tolerance)? })
     };
     options.nu.iter().map(chain).collect()
 }
 
 /// How near to sqrt 2 the last step has to be, the change from the step before included.
 const SETTLED: f64 = 0.02;
+/// What two quadratures may differ by.
+const SCALED: f64 = 1e-6;
 
 /// What decides: no factor, no quotient of (5.7) and no product passes its bound; what a step gives away.
 pub fn findings(chains: &[Chain]) -> Vec<Finding> {
@@ -65,12 +71,15 @@ pub fn findings(chains: &[Chain]) -> Vec<Finding> {
             .otherwise("a step takes {percent} % of 1 + theta^(nu-1/2)")
             .told(),
         quotient("poincare", "(5.7), its middle inequality, holds on the extremal functions", |s| s.poincare),
+        Finding::claim("scaling", "norm and seminorm scale as in (5.5), to {value} by quadrature")
+            .largest(chains.iter().map(|chain| chain.scaling))
+            .at_most(SCALED, "0: a change of variables"),
         quotient("stretched", "(5.6) holds on them, at {percent} % of its right side", |s| s.stretched),
         quotient("product", "no product passes (5.9): at most {percent} % of it", |s| s.product),
         quotient("closing", "the last lines of the proof hold, at {percent} % of them", |s| s.closing),
         Finding::remark("mean", "|c| <= ||u|| by Cauchy-Schwarz").by_proof("lemma_5_2_induction"),
     ];
-    for Chain { order, steps } in chains {
+    for Chain { order, steps, .. } in chains {
         let (Some(last), Some(before)) = (steps.last(), steps.iter().rev().nth(1)) else {
             continue;
         };
@@ -138,7 +147,7 @@ fn table(chains: &[Chain]) -> Table {
 fn draw(chains: &[Chain]) -> Chart {
     let (x, y) = ("θ, length of the zone (interval = 1)", "constant over its bound");
     let chart = Chart::new("γ over the bound (5.9)", Axis::logarithmic(x), Axis::logarithmic(y));
-    chains.iter().fold(chart, |chart, Chain { order, steps }| {
+    chains.iter().fold(chart, |chart, Chain { order, steps, .. }| {
         let points = steps.iter().map(|s| (s.theta, s.product.value)).collect();
         chart.with(Series::line_and_points(format!("ν = {order}"), points))
     })

@@ -4,8 +4,8 @@
 //! `cargo run --release --example theorem_3_1_rates -- --scene fat-cantor --tau 1.65 --levels 4-14`
 //! `cargo run --release --example theorem_4_1_rates -- --full --out out`
 
-use example_frame::rates::{LevelStore, RatePlan, RateRow, complete, largest, lowest};
-use example_frame::rates::{level_table, rate_table, term_remarks, write_and_draw};
+use example_frame::rates::{LevelStore, RatePlan, RateRow, against_theorem, complete, largest, lowest};
+use example_frame::rates::{level_table, rate_table, term_above_one, term_remarks, write_and_draw};
 use example_frame::{Finding, Headline, Result};
 use signorini::cone::Cone;
 use signorini::convergence::{Bound, Quantity};
@@ -19,7 +19,7 @@ example_frame::options! {
         /// One scene, level by level
         #[arg(long, help = format!("One scene, level by level: {}", Scene::names()))]
         pub scene: Option<Scene>,
-        /// Regularities in (3/2, 5/2] (default: 1.55 to 1.95, 2, 2.1)
+        /// Regularities in (3/2, 5/2] (default: 1.55 to 1.95, 2, 2.1, 2.25, 2.4)
         #[arg(long, value_delimiter = ',')]
         pub tau: Vec<f64>,
         /// Strip of --scene: scalar or elastic
@@ -39,7 +39,6 @@ example_frame::options! {
 
 /// What is computed: each scene at each τ, with the orders of error and consistency term.
 pub struct Computed {
-    cone: Cone,
     /// Strips before corners.
     pub rows: Vec<RateRow>,
     /// The first scene at τ = 7/4 in the other cone, to stand in the same figure.
@@ -63,16 +62,14 @@ pub fn compute(cone: Cone, options: &Options) -> Result<Computed> {
     let rows = plan.rows(cone, &mut store)?;
     let beside = if cone == Cone::Nodal { Cone::Midpoint } else { Cone::Nodal };
     let other = directory.map(|_| plan.first_at(SHOWN).rows(beside, &mut store)).transpose()?;
-    Ok(Computed { cone, rows, other: other.and_then(|mut rows| rows.pop()) })
+    Ok(Computed { rows, other: other.and_then(|mut rows| rows.pop()) })
 }
 
-/// Beyond τ = 2 orders creep up to one from below: they need to have come this near.
-const NEAR_ONE: f64 = 0.1;
-
 /// What decides: each order against the theorem's exponent; all against τ − 1 (Drouet and Hild 2015).
-pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Finding> {
+pub fn findings(_: &Options, Computed { rows, .. }: &Computed) -> Vec<Finding> {
     let mut found = vec![complete(rows.iter().map(|row| &row.study))];
-    found.extend(rows.iter().map(|row| against_theorem(*cone, row)));
+    found.extend(rows.iter().map(|row| against_theorem(format!("{}.theorem", row.key()), &row.words(), row)));
+    found.extend(rows.iter().filter(|row| row.study.tau > 2.0).map(term_above_one));
     let below: Vec<&RateRow> = rows.iter().filter(|row| row.study.tau < 2.0).collect();
     if below.is_empty() {
         return found;
@@ -98,29 +95,6 @@ pub fn findings(_: &Options, Computed { cone, rows, .. }: &Computed) -> Vec<Find
     ]);
     found.extend(term_remarks(&below));
     found
-}
-
-/// One order against (3.1), (4.2), a remark for fat Cantor sets, whose orders are not sharp; at τ = 2, whose
-/// logarithm no order shows, the growth of error/bound; beyond τ = 2 order one.
-fn against_theorem(cone: Cone, row: &RateRow) -> Finding {
-    let [power, logarithm, one] =
-        if cone == Cone::Nodal { ["(3.1)", "(3.2)", "(E4)"] } else { ["(4.2)", "(4.3)", "(4.4)"] };
-    let (tau, words, key) = (row.study.tau, row.words(), format!("{}.theorem", row.key()));
-    if tau == 2.0 {
-        return Finding::claim(key, format!("{words}: error/bound does not grow, factor {{value}}"))
-            .number_or(row.growth(), "too few levels")
-            .at_most(1.0, logarithm)
-            .otherwise(format!("{words}: error/bound grows, factor {{value}}"));
-    }
-    let (bound, source) = match Bound::Paper.exponent(tau) {
-        Ok(exponent) if tau < 2.0 => (exponent, power.to_owned()),
-        _ => (1.0 - NEAR_ONE, format!("{one}, less {NEAR_ONE}: orders creep up to one")),
-    };
-    let role: fn(String, String) -> Finding = if row.is_fat() { Finding::remark } else { Finding::claim };
-    role(key, format!("{words}: the error has order {{value}}, at least {{bound}}"))
-        .number_or(row.order(), "too few levels, or an error that is not a positive number")
-        .at_least(bound, source)
-        .otherwise(format!("{words}: the error has order {{value}} only, below {{bound}}"))
 }
 
 /// The number of the theorem, and how its files begin.

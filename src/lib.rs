@@ -15,6 +15,7 @@
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
 //! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`], [`convergence::CornerReading`] |
 //! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |
+//! | Remark 1, as printed: a reaction term, contact on the whole boundary | [`scenes::MeshTransition`], [`convergence::TransitionRates`] |
 //! | (2.8), (2.9): linear elements and the cone K^h | [`cone::Cone::Nodal`], [`cone::EdgeCone`], [`contact::Solver`], [`cone::Judgement`] |
 //! | Theorem 3.1, (3.1), (3.2): rates for K^h | [`convergence::Bound`], [`convergence::RateStudy`], [`convergence::Fit`] |
 //! | Theorem 3.1 on a strip: any contact set, reduced exactly to its edge | [`strip::EdgeOperator`], [`strip::StripProblem`], [`scenes::StripScene`] |
@@ -44,7 +45,7 @@
 //! | Lemma 6.1, (6.1): interpolation on one interval | [`interpolation::element_constant`], [`interpolation::InterpolationError`] |
 //! | Lemma 6.1, triangles: interpolation on one triangle: best constants | [`interpolation::TriangleConstants`], [`interpolation::TriangleShape`], [`interpolation::kobayashi`] |
 //! | Lemma 6.1, shapes: interpolation on triangles of all angles | [`interpolation::TriangleShape`], [`interpolation::TriangleExtremal`] |
-//! | (6.2): deviation from the mean | [`interpolation::limits::pointwise`] |
+//! | (6.2): deviation from the mean | [`interpolation::limits::pointwise`], [`interpolation::mean_deviation`] |
 //! | Lemma 6.2: interpolation on a mesh | [`interpolation::mesh_constant`] |
 //! | Remark 7, sharp: of all sets of one measure the end is the worst | [`poincare::Zones`], [`poincare::ZoneCase`], [`poincare::MovedZone`], [`sobolev::PiecewisePolynomial::decreasing_rearrangement`] |
 //! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |

@@ -96,6 +96,7 @@ examples! {
     // examples
     contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
+    equation_6_2_mean: "../examples/equation_6_2_mean.rs",
     extremes: "../examples/extremes.rs",
     falk_terms: "../examples/falk_terms.rs",
     figure_3_1: "../examples/figure_3_1.rs",
@@ -110,6 +111,7 @@ examples! {
     lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
     lemma_6_1_over_shapes: "../examples/lemma_6_1_over_shapes.rs",
     lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",
+    remark_1_whole_boundary: "../examples/remark_1_whole_boundary.rs",
     remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
     remark_3_face: "../examples/remark_3_face.rs",
     remark_4_saturation: "../examples/remark_4_saturation.rs",

@@ -399,6 +399,10 @@ fn the_end_of_the_proof_holds_in_three_cases() {
     let mut chains = induction::compute(&induction::Options { steps: 2, ..Default::default() }).unwrap();
     chains[0].steps[1].stretched.value = 1.001;
     assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
+    // A norm that scales with another power of θ.
+    let mut chains = induction::compute(&induction::Options { steps: 2, ..Default::default() }).unwrap();
+    chains[1].scaling.value = 0.5f64.powf(-0.01) - 1.0;
+    assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
     for (start, theta) in [(0.5, 0.6), (1.0, 0.5), (0.5, 0.0), (0.5, f64::NAN), (f64::NAN, 0.1)] {
         assert!(matches!(closing_factor(order(0.5), start, theta), Err(Error::OutOfRange { .. })));
     }

@@ -7,7 +7,7 @@
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use signorini::cone::{Cone, ContactSet};
+use signorini::cone::{Cone, ContactSet, Ends};
 use signorini::contact::{EdgeProblem, Solver, solve_on_edge};
 use signorini::fem::Lame;
 use signorini::scenes::MeshScene;
@@ -146,7 +146,14 @@ fn elastic_strip_and_periodic_mesh_agree() {
             let matrix = Mat::from_fn(n, n, |i, j| stiffness[(turned(i), turned(j))]);
             let b: Vec<f64> = (0..n).map(|i| force[turned(i)]).collect();
             let (bound, fixed) = (vec![0.0; cone.constraints(n)], vec![false; n]);
-            let problem = EdgeProblem { stiffness: &matrix, load: &b, bound: &bound, fixed: &fixed, cone };
+            let problem = EdgeProblem {
+                stiffness: &matrix,
+                load: &b,
+                bound: &bound,
+                fixed: &fixed,
+                cone,
+                ends: Ends::Open,
+            };
             let outcome = solve_on_edge(&problem, ContactSet::empty(cone.constraints(n))).unwrap();
             let w = &outcome.state.displacement;
             assert!(outcome.status.is_converged() && (cone == Cone::Nodal || w[n - 1] + w[0] <= 0.0));

@@ -5,7 +5,7 @@ use example_frame::{Outcome, Verdict};
 use faer::Mat;
 use proptest::prelude::*;
 use signorini::Error;
-use signorini::cone::{Cone, ContactSet, Status};
+use signorini::cone::{Cone, ContactSet, Ends, Status};
 use signorini::contact::{EdgeProblem, solve_on_edge};
 use signorini::convergence::Level;
 use signorini::fem::Lame;
@@ -56,7 +56,7 @@ proptest! {
             prop_assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
             prop_assert!(solution.judgement.worst() < KKT, "{cone}: {:?}", solution.judgement);
             let (bound, fixed) = (vec![0.0; cone.constraints(33)], vec![false; 33]);
-            let problem = EdgeProblem { stiffness: &matrix, load: &force, bound: &bound, fixed: &fixed, cone };
+            let problem = EdgeProblem { stiffness: &matrix, load: &force, bound: &bound, fixed: &fixed, cone, ends: Ends::Open };
             let outcome = solve_on_edge(&problem, ContactSet::empty(cone.constraints(33))).unwrap();
             let energy = -0.5 * force.iter().zip(&outcome.state.displacement).map(|(b, w)| b * w).sum::<f64>();
             prop_assert!((solution.energy - energy).abs() <= ENERGY * energy.abs(), "{} {energy}", solution.energy);

@@ -236,4 +236,12 @@ fn the_projection_saturates_at_h1() {
     let smooth = rows.iter_mut().find(|row| row.r > 1.0).unwrap();
     smooth.projection.value = 1.1;
     assert!(!confirmed(&rows), "a projection that gains beyond H^1");
+    // The product of both projections with the power of the term: nothing would be lost.
+    let product = |rows: &[saturation::Row]| {
+        let found = saturation::findings(&options, rows);
+        found.into_iter().find(|finding| finding.key() == "product").unwrap().outcome()
+    };
+    assert_eq!(product(&rows), example_frame::Outcome::Holds);
+    rows.iter_mut().find(|row| row.r == 1.25).unwrap().projection.value = 1.3;
+    assert_eq!(product(&rows), example_frame::Outcome::Refuted);
 }

@@ -31,6 +31,6 @@ pub use edge_cone::{EdgeCone, Ends};
 pub(crate) use face::{Block, Face};
 pub use judge::{Evidence, Judgement, Margins, NOISE};
 pub use kind::Cone;
-pub(crate) use projection::{Weighted, project_weighted};
+pub(crate) use projection::{Weighted, active_on_ring, project_weighted};
 pub(crate) use sawtooth::Coordinates;
 pub use status::Status;

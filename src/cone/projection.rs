@@ -12,7 +12,7 @@
 //! upper bound.
 //!
 //! On a ring a segment that is inactive in the projection is a place to cut; the chain projection that
-//! satisfies the constraint left out is the projection.
+//! satisfies the constraint left out is the projection. Without any such segment p is a sawtooth.
 
 use super::edge_cone::{EdgeCone, Ends};
 use super::kind::Cone;
@@ -26,12 +26,18 @@ impl EdgeCone {
                 (z.iter().map(|v| v.min(0.0)).collect(), z.iter().map(|&v| v > 0.0).collect())
             }
             (Cone::Midpoint, Ends::Open) => project_chain(z),
-            (Cone::Midpoint, Ends::Joined) => {
-                let deepest = (0..z.len()).min_by(|&a, &b| z[a].total_cmp(&z[b])).unwrap_or(0);
-                project_ring(z, deepest)
-            }
+            (Cone::Midpoint, Ends::Joined) => project_ring(
+                z,
+                &Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false },
+                deepest(z),
+            ),
         }
     }
+}
+
+/// The node with the least value: a segment there is probably inactive.
+fn deepest(z: &[f64]) -> usize {
+    (0..z.len()).min_by(|&a, &b| z[a].total_cmp(&z[b])).unwrap_or(0)
 }
 
 /// What a projection along a chain minimises, and where: d > 0, g (one entry less), and which nodes stay at
@@ -204,37 +210,80 @@ where
 /// Places tried on a ring. A place with room is found in two or three tries unless hardly any is left.
 const TRIES: usize = 32;
 
-/// Projects z onto the ring cone (x_{n−1} + x_0 ≤ 0 as well); returns x and the n active flags.
+/// The constraints active at the projection on a ring in the norm with weights d.
+pub(crate) fn active_on_ring<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<bool>
+where
+    W: Fn(usize) -> f64,
+    G: Fn(usize) -> f64,
+    F: Fn(usize) -> bool,
+{
+    project_ring(z, data, deepest(z)).1
+}
+
+/// Projects z onto the ring cone (x_{n−1} + x_0 ≤ 2 g_{n−1} as well); returns x and the n active flags.
 ///
 /// `cut` is a segment that is probably inactive. After the tries allowed, all constraints are taken as
-/// active, which is the projection whenever none can be left out.
-fn project_ring(z: &[f64], cut: usize) -> (Vec<f64>, Vec<bool>) {
+/// active, which is the projection whenever none can be left out. Cost: O(n) for each try.
+fn project_ring<W, G, F>(z: &[f64], data: &Weighted<W, G, F>, cut: usize) -> (Vec<f64>, Vec<bool>)
+where
+    W: Fn(usize) -> f64,
+    G: Fn(usize) -> f64,
+    F: Fn(usize) -> bool,
+{
     let n = z.len();
     let mut cut = cut % n.max(1);
     let mut tried = vec![false; n];
     for _ in 0..TRIES.min(n) {
         tried[cut] = true;
         // Segment `cut` joins node `cut` and the next one: the chain starts there.
-        let turned: Vec<f64> = (0..n).map(|i| z[(cut + 1 + i) % n]).collect();
-        let (x, active) = project_chain(&turned);
+        let at = |i: usize| (cut + 1 + i) % n;
+        let turned: Vec<f64> = (0..n).map(|i| z[at(i)]).collect();
+        let (x, active) = project_weighted(
+            &turned,
+            &Weighted {
+                weight: |i| (data.weight)(at(i)),
+                bound: |i| (data.bound)(at(i)),
+                is_fixed: |i| (data.is_fixed)(at(i)),
+            },
+        );
         let back = |i: usize| (i + n - (cut + 1) % n) % n;
-        if x[n - 1] + x[0] <= 0.0 {
+        if x[n - 1] + x[0] <= 2.0 * (data.bound)(cut) {
             // A closed ring determines its multipliers up to ±c, and the chain shows those with a zero at the
             // cut.
-            let closed = (0..n).all(|i| x[i] + x[(i + 1) % n] == 0.0);
+            let closed = (0..n).all(|i| x[i] + x[(i + 1) % n] == 2.0 * (data.bound)(at(i)));
             let flags = (0..n).map(|s| closed || (s != cut && active[back(s)])).collect();
             return ((0..n).map(|i| x[back(i)]).collect(), flags);
         }
-        let slack = |s: usize| x[back(s)] + x[back((s + 1) % n)];
+        let slack = |s: usize| x[back(s)] + x[back((s + 1) % n)] - 2.0 * (data.bound)(s);
         let next = (0..n).filter(|&s| !tried[s]).min_by(|&a, &b| slack(a).total_cmp(&slack(b)));
         match next {
             Some(segment) => cut = segment,
             None => break,
         }
     }
-    let mean = (0..n).map(|i| if i % 2 == 0 { z[i] } else { -z[i] }).sum::<f64>() / n as f64;
-    let x = (0..n).map(|i| if i % 2 == 0 { mean } else { -mean }).collect();
-    (x, vec![true; n])
+    (sawtooth(z, data), vec![true; n])
+}
+
+/// The nearest x with x_i + x_{i+1} = 2 g_i all round: x = o ± q; an odd ring leaves no q free.
+fn sawtooth<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<f64>
+where
+    W: Fn(usize) -> f64,
+    G: Fn(usize) -> f64,
+    F: Fn(usize) -> bool,
+{
+    let n = z.len();
+    let sign = |i: usize| if i % 2 == 0 { 1.0 } else { -1.0 };
+    let mut offset = vec![0.0; n];
+    for i in 1..n {
+        offset[i] = 2.0 * (data.bound)(i - 1) - offset[i - 1];
+    }
+    let q = if n % 2 == 1 {
+        (data.bound)(n - 1) - 0.5 * offset[n - 1]
+    } else {
+        let shares = (0..n).map(|i| (data.weight)(i) * sign(i) * (z[i] - offset[i]));
+        shares.sum::<f64>() / (0..n).map(&data.weight).sum::<f64>().max(f64::MIN_POSITIVE)
+    };
+    (0..n).map(|i| offset[i] + sign(i) * q).collect()
 }
 
 #[cfg(test)]
@@ -268,7 +317,8 @@ mod tests {
         #[test]
         fn ring_projection_is_the_chain_of_many_turns(z in prop::collection::vec(-1.0f64..1.0, 2..20), cut in 0usize..40) {
             prop_assume!(z.len().is_multiple_of(2));
-            let (x, active) = project_ring(&z, cut);
+            let plain = Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false };
+            let (x, active) = project_ring(&z, &plain, cut);
             let n = z.len();
             for s in 0..n {
                 prop_assert!(x[s] + x[(s + 1) % n] <= 1e-12);
@@ -279,6 +329,26 @@ mod tests {
                 let (y, _) = project_chain(&unrolled);
                 let worst = (0..n).map(|i| (x[i] - y[10 * n + i]).abs()).fold(0.0, f64::max);
                 prop_assert!(worst < 1e-10, "{worst}");
+            }
+        }
+
+        #[test]
+        fn weighted_ring_projection_is_optimal(
+            z in prop::collection::vec((-1.0f64..1.0, 0.5f64..2.0, -0.2f64..0.2), 3..40)
+        ) {
+            let data = Weighted { weight: |i: usize| z[i].1, bound: |i: usize| z[i].2, is_fixed: |_| false };
+            let values: Vec<f64> = z.iter().map(|z| z.0).collect();
+            let (n, (x, active)) = (z.len(), project_ring(&values, &data, 0));
+            let slack = |s: usize| x[s] + x[(s + 1) % n] - 2.0 * z[s].2;
+            // All round even rings have a solution for compatible bounds only.
+            prop_assume!(active.iter().any(|a| !a));
+            prop_assert!((0..n).all(|s| slack(s) <= 1e-12 && (!active[s] || slack(s) > -1e-12)));
+            // d (z − x) = B'λ from an inactive segment on: λ ≥ 0 proves optimality.
+            let cut = active.iter().position(|a| !a).unwrap();
+            let mut multiplier = 0.0;
+            for i in (0..n).map(|i| (cut + 1 + i) % n) {
+                multiplier = z[i].1 * (values[i] - x[i]) - multiplier;
+                prop_assert!(multiplier > -1e-10 && (active[i] || multiplier < 1e-10), "{i}: {multiplier}");
             }
         }
     }

@@ -27,8 +27,8 @@ impl Coordinates {
 }
 
 impl EdgeCone {
-    /// Coordinates of { w : (B w)_i = g_i on the set, w = 0 at fixed nodes } on an open edge; fixed are end
-    /// nodes.
+    /// Coordinates of { w : (B w)_i = g_i on the set, w = 0 at fixed nodes }; fixed are end nodes of an open
+    /// edge, none of a ring. On a ring in contact all round g is taken as compatible when its nodes are even.
     pub(crate) fn coordinates(self, active: &[bool], bound: &[f64], fixed: &[bool]) -> Coordinates {
         let nodes = self.nodes();
         let mut free = Coordinates { offset: vec![0.0; nodes], amplitude: vec![None; nodes], count: 0 };
@@ -37,6 +37,10 @@ impl EdgeCone {
                 (false, _) => block.nodes(nodes).filter(|&i| !fixed[i]).for_each(|i| free.add(i)),
                 (true, Cone::Nodal) => {
                     block.nodes(nodes).filter(|&i| !fixed[i]).for_each(|i| free.offset[i] = bound[i]);
+                }
+                (true, Cone::Midpoint) if self.ends() == Ends::Joined => {
+                    let list: Vec<usize> = block.nodes(nodes).collect();
+                    free.add_ring_sawtooth(&list, bound, active.iter().all(|&a| a));
                 }
                 (true, Cone::Midpoint) => free.add_sawtooth(block, bound, fixed),
             }
@@ -85,7 +89,11 @@ impl EdgeCone {
                 previous = 2.0 * force[pair[1]] - previous;
                 multiplier[pair[0]] = previous;
             }
-            if is_ring {
+            if is_ring && nodes % 2 == 1 {
+                // λ_{−1} was taken as 0 and is λ_{n−1}.
+                let shift = -0.5 * multiplier[nodes - 1];
+                shift_sawtooth(&mut multiplier, shift);
+            } else if is_ring {
                 center_sawtooth(&mut multiplier);
             } else if open == 1 {
                 center_sawtooth(&mut multiplier[first..last]);
@@ -96,6 +104,26 @@ impl EdgeCone {
 }
 
 impl Coordinates {
+    /// A run of a ring; one that is the whole ring closes, and with an odd number of nodes leaves nothing free.
+    fn add_ring_sawtooth(&mut self, run: &[usize], bound: &[f64], whole: bool) {
+        let (first, last) = (run[0], run[run.len() - 1]);
+        for pair in run.windows(2) {
+            self.offset[pair[1]] = 2.0 * bound[pair[0]] - self.offset[pair[0]];
+        }
+        if whole && run.len() % 2 == 1 {
+            let mut start = bound[last] - 0.5 * self.offset[last];
+            for &node in run {
+                self.offset[node] += start;
+                start = -start;
+            }
+            return;
+        }
+        self.add(first);
+        for pair in run.windows(2) {
+            self.amplitude[pair[1]] = self.amplitude[pair[0]].map(|(q, sign)| (q, -sign));
+        }
+    }
+
     /// Starts where the value is known: at a fixed end, else at the left end with a new amplitude.
     fn add_sawtooth(&mut self, run: Block, bound: &[f64], fixed: &[bool]) {
         let (first, last) = (run.start, run.start + run.len - 1);
@@ -115,16 +143,20 @@ impl Coordinates {
     }
 }
 
+/// Adds ±c, + to the first.
+fn shift_sawtooth(multiplier: &mut [f64], c: f64) {
+    for (k, value) in multiplier.iter_mut().enumerate() {
+        *value += if k % 2 == 0 { c } else { -c };
+    }
+}
+
 /// Adds ±c so that the smallest even and the smallest odd multiplier are equal.
 fn center_sawtooth(multiplier: &mut [f64]) {
     let least = |parity: usize| multiplier.iter().skip(parity).step_by(2).copied().reduce(f64::min);
     let (Some(even), Some(odd)) = (least(0), least(1)) else {
         return;
     };
-    let shift = 0.5 * (odd - even);
-    for (k, value) in multiplier.iter_mut().enumerate() {
-        *value += if k % 2 == 0 { shift } else { -shift };
-    }
+    shift_sawtooth(multiplier, 0.5 * (odd - even));
 }
 
 #[cfg(test)]
@@ -147,6 +179,9 @@ mod tests {
         for (k, (value, known)) in centred.iter().zip(known).enumerate() {
             assert_eq!(*value, known + if k % 2 == 0 { shift } else { -shift });
         }
+        let odd = Cone::Midpoint.on(5, Ends::Joined);
+        let force = odd.apply_transposed(&known).unwrap();
+        assert_eq!(odd.multipliers(&[true; 5], &force, |_| false), known);
         let ring = Cone::Midpoint.on(4, Ends::Joined);
         let force = ring.apply_transposed(&[1.0, 3.0, 2.0, 4.0]).unwrap();
         assert_eq!(ring.multipliers(&[true; 4], &force, |_| false), [2.0, 2.0, 3.0, 3.0]);

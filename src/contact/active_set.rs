@@ -23,7 +23,7 @@
 
 use super::dual_active_set::dual_active_set;
 use super::edge_problem::{EdgeProblem, EdgeState};
-use crate::cone::{Cone, ContactSet, Status, Weighted, project_weighted};
+use crate::cone::{Cone, ContactSet, Ends, Status, Weighted, active_on_ring, project_weighted};
 use crate::error::Result;
 use std::collections::{HashMap, HashSet};
 
@@ -113,7 +113,10 @@ fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<Contact
     let target: Vec<f64> = (0..force.len()).map(|i| state.displacement[i] + force[i] / weight(i)).collect();
     let nearest =
         Weighted { weight, bound: |i: usize| problem.bound[i], is_fixed: |i: usize| problem.fixed[i] };
-    Ok(ContactSet::new(project_weighted(&target, &nearest).1))
+    Ok(ContactSet::new(match problem.ends {
+        Ends::Open => project_weighted(&target, &nearest).1,
+        Ends::Joined => active_on_ring(&target, &nearest),
+    }))
 }
 
 /// The constraints on the wrong side, ascending.
@@ -147,6 +150,7 @@ mod tests {
                 bound: &[0.0; 3],
                 fixed: &[false; 3],
                 cone: Cone::Nodal,
+                ends: Ends::Open,
             };
             for first in 0..8u32 {
                 let start = ContactSet::new((0..3).map(|i| first >> i & 1 == 1).collect());
@@ -168,6 +172,7 @@ mod tests {
             bound: &[0.0; 2],
             fixed: &[false; 2],
             cone: Cone::Nodal,
+            ends: Ends::Open,
         };
         let outcome = solve_on_edge(&problem, ContactSet::empty(2)).unwrap();
         assert_eq!(outcome.status, Status::Cycled { period: 2 });

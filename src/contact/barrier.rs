@@ -193,6 +193,7 @@ impl<'a> Iterate<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cone::Ends;
     use crate::contact::solve_on_edge;
 
     /// Loads of either sign that fall over sixty decades from the last node to the first.
@@ -214,6 +215,7 @@ mod tests {
             bound: &bound,
             fixed: &fixed,
             cone: Cone::Nodal,
+            ends: Ends::Open,
         };
         let exact = solve_on_edge(&problem, ContactSet::empty(nodes)).unwrap();
         let found = solve_by_barrier(&problem, &size).unwrap();

@@ -137,6 +137,7 @@ impl<'a> Condensed<'a> {
             bound,
             fixed: &self.fixed,
             cone: self.cone.kind(),
+            ends: self.cone.ends(),
         }
     }
 

@@ -239,7 +239,7 @@ impl Turn {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cone::Cone;
+    use crate::cone::{Cone, Ends};
     use crate::contact::solve_on_edge;
     use crate::numeric::random::SplitMix;
 
@@ -260,7 +260,8 @@ mod tests {
                 let bound: Vec<f64> =
                     (0..cone.constraints(nodes)).map(|_| random.between(0.0, 0.3)).collect();
                 let (load, fixed, bound) = (&load[..], &fixed[..], &bound[..]);
-                let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone };
+                let ends = Ends::Open;
+                let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone, ends };
                 let (set, changes) = dual_active_set(&problem).unwrap();
                 let state = problem.solve_with(&set).unwrap();
                 let case = format!("{trial} {cone}: {set:?}");
@@ -287,7 +288,8 @@ mod tests {
         let load: Vec<f64> = (0..nodes).map(|i| if i < 3 * nodes / 10 { 1.0 } else { -1.0 }).collect();
         let (bound, fixed) = (vec![0.0; nodes - 1], (0..nodes).map(|i| i == 0).collect::<Vec<_>>());
         let (load, bound, fixed) = (&load[..], &bound[..], &fixed[..]);
-        let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone: Cone::Midpoint };
+        let (cone, ends) = (Cone::Midpoint, Ends::Open);
+        let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone, ends };
         let (set, _) = dual_active_set(&problem).unwrap();
         let found = solve_on_edge(&problem, ContactSet::empty(nodes - 1)).unwrap();
         assert!(

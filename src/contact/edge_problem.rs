@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
-/// A dense contact problem on a chain of nodes.
+/// A dense contact problem on a chain or a ring of nodes.
 #[derive(Debug, Clone)]
 pub struct EdgeProblem<'a> {
     /// S, symmetric positive definite.
@@ -24,6 +24,8 @@ pub struct EdgeProblem<'a> {
     pub fixed: &'a [bool],
     /// B.
     pub cone: Cone,
+    /// Whether the chain closes to a ring, which has no fixed nodes.
+    pub ends: Ends,
 }
 
 /// The solution for one contact set, admissible or not.
@@ -101,9 +103,9 @@ impl EdgeProblem<'_> {
         Ok(())
     }
 
-    /// The cone on the open edge of this problem.
+    /// The cone on the edge of this problem.
     pub(super) fn edge_cone(&self) -> EdgeCone {
-        self.cone.on(self.load.len(), Ends::Open)
+        self.cone.on(self.load.len(), self.ends)
     }
 
     /// w = o + Z q with Z'S Z q = Z'(b − S o).
@@ -185,8 +187,14 @@ mod tests {
                 fixed[nodes - 1] = fixed_ends & 2 == 2;
                 let constraints = cone.constraints(nodes);
                 let bound: Vec<f64> = (0..constraints).map(|i| 0.1 * i as f64).collect();
-                let problem =
-                    EdgeProblem { stiffness: &stiffness, load: &load, bound: &bound, fixed: &fixed, cone };
+                let problem = EdgeProblem {
+                    stiffness: &stiffness,
+                    load: &load,
+                    bound: &bound,
+                    fixed: &fixed,
+                    cone,
+                    ends: Ends::Open,
+                };
                 for pattern in 0..1u32 << (constraints - 1) {
                     let set = ContactSet::new((0..constraints).map(|i| pattern >> i & 1 == 1).collect());
                     check(&problem, &set);
@@ -226,7 +234,8 @@ mod tests {
         let nodes = target.len();
         let stiffness = Mat::from_fn(nodes, nodes, |i, j| if i == j { weights[i] } else { 0.0 });
         let load: Vec<f64> = target.iter().zip(weights).map(|(z, d)| z * d).collect();
-        let problem = EdgeProblem { stiffness: &stiffness, load: &load, bound, fixed, cone: Cone::Midpoint };
+        let (cone, ends) = (Cone::Midpoint, Ends::Open);
+        let problem = EdgeProblem { stiffness: &stiffness, load: &load, bound, fixed, cone, ends };
         (0..1_u32 << bound.len())
             .map(|pattern| ContactSet::new((0..bound.len()).map(|i| pattern >> i & 1 == 1).collect()))
             .map(|set| problem.solve_with(&set).unwrap())

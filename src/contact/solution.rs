@@ -156,7 +156,7 @@ pub(super) fn conclude(
         normal_displacement,
         contact_force: compensated(candidate.multiplier.iter().copied()),
         multiplier: candidate.multiplier,
-        positions: edge_cone.apply(problem.edge.arc()),
+        positions: positions(problem, edge_cone),
         gap,
         contact_set: candidate.contact_set,
         status,
@@ -172,6 +172,21 @@ pub(super) fn conclude(
         work: candidate.work,
         seconds: candidate.seconds,
     })
+}
+
+/// Arc lengths of the constraints; the closing segment of a ring lies behind the last node.
+fn positions(problem: &ContactProblem, cone: EdgeCone) -> Vec<f64> {
+    let arc = problem.edge.arc();
+    let mut positions = cone.apply(arc);
+    if let (true, [.., last], Some(closing)) = (
+        positions.len() == arc.len() && cone.kind() == Cone::Midpoint,
+        arc,
+        problem.edge.segment_lengths().last(),
+    ) && let Some(position) = positions.last_mut()
+    {
+        *position = last + 0.5 * closing;
+    }
+    positions
 }
 
 /// (K u − F) over the nodal lengths, along the contact edge.

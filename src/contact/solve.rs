@@ -13,6 +13,10 @@ impl ContactProblem {
     /// The discrete solution in the given cone by the given solver, judged. The active set starts without
     /// contact; multigrid is asked for twelve digits in the energy norm.
     ///
+    /// On a closed edge with an even number of segments, all of them in contact, the means of the midpoint cone
+    /// are dependent: of the multipliers, which differ by a sawtooth, the one with the greatest minimum is
+    /// returned.
+    ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, scenes::MeshScene};
     /// let solution = MeshScene::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
@@ -21,8 +25,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when some part of the body is not held, [`Error::CountOutOfRange`] for
-    /// the midpoint cone on a closed edge. How the iteration ended is in the status.
+    /// [`Error::NotPositiveDefinite`] when some part of the body is not held. How the iteration ended is in the
+    /// status.
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
         match solver.for_unknowns(self.unknowns()) {
             Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),
@@ -30,10 +34,7 @@ impl ContactProblem {
                 let accuracy = Accuracy::Relative(Tolerance::reference());
                 Ok(self.solve_by_multigrid(cone, None, accuracy, |_| Ok(()))?.solution)
             }
-            Solver::InteriorPoint => {
-                self.check_ends(cone)?;
-                interior_point::solve(self, cone)
-            }
+            Solver::InteriorPoint => interior_point::solve(self, cone),
         }
     }
 
@@ -54,7 +55,6 @@ impl ContactProblem {
         &self,
         coarse: &ContactSolution,
     ) -> Result<(ContactSolution, Option<u64>)> {
-        self.check_ends(coarse.cone)?;
         let guess = self.edge_cone(coarse.cone).refined_set(&coarse.contact_set)?;
         condensed::solve(self, coarse.cone, guess, Some(self.no_contact(coarse.cone)))
     }
@@ -65,7 +65,6 @@ impl ContactProblem {
     /// # Errors
     /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] when the guess has the wrong length.
     pub fn solve_from(&self, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
-        self.check_ends(cone)?;
         condensed::solve(self, cone, guess, None).map(|(solution, _)| solution)
     }
 
@@ -86,15 +85,5 @@ impl ContactProblem {
 
     fn no_contact(&self, cone: Cone) -> ContactSet {
         ContactSet::empty(self.edge_cone(cone).constraints())
-    }
-
-    /// On a closed edge with as many segments as nodes the means may be dependent, and multipliers are not
-    /// unique.
-    pub(super) fn check_ends(&self, cone: Cone) -> Result<()> {
-        if cone == Cone::Midpoint && self.edge().is_closed() {
-            let range = "2 for the midpoint cone: a closed contact edge has as many segments as nodes";
-            return Err(Error::CountOutOfRange { name: "ends of the contact edge", value: 0, range });
-        }
-        Ok(())
     }
 }

@@ -58,6 +58,31 @@ impl SceneFamily<'static> {
         })
     }
 
+    /// A named scene at τ = 2 with data times ℓ^{−α} ([`StripScene::damped_data`]); one transition is moved over
+    /// `positions` places of a cell of the coarsest level.
+    ///
+    /// # Errors
+    /// As [`SceneFamily::named`].
+    pub fn damped(
+        source: &StripScene,
+        logarithm: f64,
+        kind: StripKind,
+        coarsest: usize,
+        positions: usize,
+    ) -> Result<Self> {
+        let named = Self::named(source, 2.0, kind, coarsest, positions)?;
+        let (source, sides) = (source.clone(), kind.sides());
+        let scene = FamilyScene::Damped(source.clone(), logarithm);
+        let member = move |i: usize, cells| match source {
+            StripScene::Transition { position } => {
+                let position = position + i as f64 / positions as f64 / coarsest as f64;
+                StripScene::Transition { position }.damped_data(logarithm, cells, sides)
+            }
+            _ => source.damped_data(logarithm, cells, sides),
+        };
+        Ok(Self { scene, member: Box::new(member), ..named })
+    }
+
     /// One transition of given powers near x = 0.4, at one and at two thirds of a coarsest cell: doubling
     /// exchanges the two, so that the mean has no phase at all.
     pub fn at_thirds(powers: TransitionPowers, tau: f64, coarsest: usize) -> Self {

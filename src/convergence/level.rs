@@ -111,6 +111,17 @@ impl RateLevel {
             ..first.clone()
         })
     }
+
+    /// [`RateLevel::mean`] of each level over members that have the same levels.
+    ///
+    /// # Errors
+    /// As [`RateLevel::mean`].
+    pub(super) fn means(members: &[Vec<RateLevel>]) -> Result<Vec<RateLevel>> {
+        let count = members.iter().map(Vec::len).min().unwrap_or(0);
+        (0..count)
+            .map(|k| Self::mean(&members.iter().map(|levels| levels[k].clone()).collect::<Vec<_>>()))
+            .collect()
+    }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
 //! | the levels of a strip; of a case at all positions | [`StripLevels`], [`strip_levels`]; [`CaseStudy`] |
 //! | a scene in one cone, strips and meshes | [`RateStrip`], [`StripGroup`], [`MeshRates`], [`RateStudy`] |
+//! | one transition on meshes, against its known solution | [`TransitionRates`] |
 //! | the scenes' regularity beside their orders | [`scene_orders`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
 //! | the order p ± what it may be off by; of an alternating series | [`Fit`]; [`Trend`] |
@@ -33,6 +34,7 @@ mod strip_levels;
 mod strip_rates;
 mod study;
 mod subject;
+mod transition_rates;
 mod trend;
 
 pub use bounds::Bound;
@@ -54,4 +56,5 @@ pub use strip_levels::{StripLevels, StripSolution, strip_levels};
 pub use strip_rates::RateStrip;
 pub use study::{Quantity, RateReference, RateStudy};
 pub use subject::{FamilyScene, Subject};
+pub use transition_rates::TransitionRates;
 pub use trend::Trend;

@@ -81,12 +81,7 @@ impl RateStrip {
             }
         }
         let planned = self.levels.cells().count();
-        let levels = (0..members.first().map_or(0, Vec::len))
-            .map(|k| {
-                let same: Vec<RateLevel> = members.iter().map(|levels| levels[k].clone()).collect();
-                RateLevel::mean(&same)
-            })
-            .collect::<Result<_>>()?;
+        let levels = RateLevel::means(&members)?;
         let reference = RateReference::Resolved(1.0 / self.reference_cells as f64);
         let subject = Subject::Strip(self.kind, family.scene.clone());
         Ok(RateStudy { subject, tau: family.tau, cone, norm, reference, planned, levels })

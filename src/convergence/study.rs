@@ -16,6 +16,8 @@ pub enum RateReference {
     /// The exact solution of data that are smooth below this mesh size: a singularity of order p lacks a
     /// share (h_r/h)^{2p} of e².
     Resolved(f64),
+    /// The exact solution itself.
+    Exact,
 }
 
 /// Up to here what the reference grid does not resolve is a large share of the error, and the order is fitted
@@ -100,6 +102,7 @@ impl RateStudy {
     fn error_fit(&self, points: &[(f64, f64)]) -> Option<Fit> {
         let h = match self.reference {
             RateReference::Discrete(h) => return Fit::against(points, Some(h)),
+            RateReference::Exact => return Fit::of(points),
             RateReference::Resolved(h) => h,
         };
         let (with, without) = (Fit::against(points, Some(h))?, Fit::of(points)?);

@@ -9,6 +9,8 @@ use std::fmt;
 pub enum FamilyScene {
     /// From the registry.
     Named(StripScene),
+    /// From the registry at τ = 2, times ℓ^{−α}.
+    Damped(StripScene, f64),
     /// One transition with a gap that is mirrored at the side, at one and at two thirds of a cell.
     Powers(TransitionPowers),
 }
@@ -17,7 +19,7 @@ impl FamilyScene {
     /// Without parameters: `transition`, `fat-cantor`.
     pub fn name(&self) -> &'static str {
         match self {
-            FamilyScene::Named(scene) => scene.name(),
+            FamilyScene::Named(scene) | FamilyScene::Damped(scene, _) => scene.name(),
             FamilyScene::Powers(_) => "transition",
         }
     }
@@ -27,6 +29,7 @@ impl fmt::Display for FamilyScene {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             FamilyScene::Named(scene) => scene.fmt(f),
+            FamilyScene::Damped(scene, alpha) => write!(f, "{scene}, |ln r|^-{alpha}"),
             FamilyScene::Powers(TransitionPowers { opening, pressure, logarithm }) => {
                 write!(f, "transition r^{opening}, r^{pressure}, |ln r|^-{logarithm}")
             }
@@ -48,6 +51,13 @@ pub enum Subject {
         /// f = −1.
         constant_load: bool,
     },
+    /// One transition on meshes, with contact conditions on the bottom of the square or everywhere.
+    Transition {
+        /// Of opening and pressure.
+        powers: TransitionPowers,
+        /// Everywhere, with a reaction term.
+        whole_boundary: bool,
+    },
 }
 
 impl Subject {
@@ -55,6 +65,8 @@ impl Subject {
     pub fn name(&self) -> String {
         match self {
             Subject::Strip(kind, scene) => format!("{kind} {}", scene.name()),
+            Subject::Transition { whole_boundary: false, .. } => "mesh transition".to_owned(),
+            Subject::Transition { whole_boundary: true, .. } => "closed transition".to_owned(),
             other => other.to_string(),
         }
     }
@@ -66,6 +78,10 @@ impl fmt::Display for Subject {
             Subject::Strip(kind, scene) => write!(f, "{kind} {scene}"),
             Subject::Mesh(scene) => scene.fmt(f),
             Subject::Corner { angle, constant_load: true } => write!(f, "corner {angle} f=-1"),
+            Subject::Transition { powers, whole_boundary } => {
+                let place = if *whole_boundary { "closed" } else { "mesh" };
+                write!(f, "{place} {}", FamilyScene::Powers(*powers))
+            }
             Subject::Corner { angle, constant_load: false } => write!(f, "corner {angle}"),
         }
     }

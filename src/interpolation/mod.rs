@@ -22,6 +22,7 @@
 //! | C(q) in (3.6), (3.10), (4.12), from both sides | [`embedding_upper_bound`], [`EmbeddingSpace`] |
 //! | C(α) in (E3) | [`EndIncrements`] |
 //! | limits ν → 0, ν → 1, (6.2) | [`limits`] |
+//! | (6.2) for one v | [`mean_deviation`], [`extremal_slopes`] |
 //!
 //! All constants are those of the seminorm (1.1) as the paper defines it, on an interval of length h = 1
 //! unless said.
@@ -40,7 +41,8 @@ mod triangle;
 
 pub use dual::{AliasedWave, DualNorm, all_waves_mean, all_waves_rate, smooth_dual_error};
 pub use element::{
-    ElementExtremal, ErrorNorm, LocalConstants, element_constant, element_extremal, limits, longest_element,
+    ElementExtremal, ErrorNorm, LocalConstants, element_constant, element_extremal, extremal_slopes,
+    largest_share, limits, longest_element, mean_deviation,
 };
 pub use elements::{ElementMesh, lagrange};
 pub use embedding::{

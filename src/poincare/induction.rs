@@ -10,7 +10,7 @@ use super::extremal::ExtremalFunction;
 use super::zone::{Condition, Zone};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
-use crate::sobolev::FractionalOrder;
+use crate::sobolev::{FractionalOrder, SingularFunction};
 
 /// The extremal function is interpolated by polynomials of this degree on its cells, each cut into pieces.
 const DEGREE: usize = 2;
@@ -43,6 +43,34 @@ pub struct InductionStep {
     pub product: Estimate,
     /// γ over γ of the first zone and [`closing_factor`].
     pub closing: Estimate,
+}
+
+/// (5.5) by quadrature on both intervals: the larger of |q − 1|, q = θ^{1/2} ‖u‖_{0,I} / ‖ũ‖₀ and
+/// θ^{1/2−ν} |u|_{ν,I} / |ũ|_ν, for ũ(x) = e^x + x^{3/5} on (0, 1) and u(x) = ũ(θx) on I = (0, 1/θ).
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < θ ≤ 1; those of the quadrature.
+pub fn scaling_defect(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<Estimate> {
+    Error::require("theta", theta, "(0, 1]", theta > 0.0 && theta <= 1.0)?;
+    let function = |x: f64| x.exp() + x.powf(0.6);
+    let unit = SingularFunction::new(&[0.0, 1.0], function)?;
+    let stretched = SingularFunction::new(&[0.0, 1.0 / theta], |x: f64| function(theta * x))?;
+    let off = |long: Estimate, short: Estimate, factor: f64| {
+        let quotient = factor * long.value / short.value;
+        let error = quotient * (long.relative_error() + short.relative_error());
+        Estimate::new((quotient - 1.0).abs(), error, long.work + short.work)
+    };
+    let norms = off(stretched.l2_norm(tolerance)?, unit.l2_norm(tolerance)?, theta.sqrt())?;
+    let seminorms = off(
+        stretched.seminorm(order, tolerance)?,
+        unit.seminorm(order, tolerance)?,
+        theta.powf(-order.offset()),
+    )?;
+    Estimate::largest([norms, seminorms]).ok_or(Error::CountOutOfRange {
+        name: "norms",
+        value: 0,
+        range: "[1, inf)",
+    })
 }
 
 /// What the last lines of the proof make of the product (5.9), for a start θ₀ and any θ ≤ θ₀: γ_θ/γ_{θ₀} is

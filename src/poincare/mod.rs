@@ -32,7 +32,7 @@ pub use arrangement::{MovedZone, ZoneCase, random_zones};
 pub use bracket::HalfBracket;
 pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
-pub use induction::{InductionStep, closing_factor, induction};
+pub use induction::{InductionStep, closing_factor, induction, scaling_defect};
 pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use location::{Placed, Places};

@@ -20,6 +20,8 @@ pub(super) struct SceneGaps {
     dimension: f64,
     /// λ = dist^q.
     pressure: f64,
+    /// Both times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends.
+    logarithm: f64,
     /// How far beyond its left node a single gap begins, in cells, below 1.
     advance: f64,
 }
@@ -27,12 +29,12 @@ pub(super) struct SceneGaps {
 impl SceneGaps {
     /// Ends of gaps are transitions: λ = dist^{τ−2}, d = 0.
     pub(super) fn with_transitions(gaps: Vec<Gap>, grid: Grid) -> Self {
-        Self { gaps, dimension: 0.0, pressure: grid.tau - 2.0, advance: 0.0 }
+        Self { gaps, dimension: 0.0, pressure: grid.tau - 2.0, logarithm: 0.0, advance: 0.0 }
     }
 
     /// λ = 1 on the contact set, gaps of boundary dimension d.
     pub(super) fn fractal(gaps: Vec<Gap>, dimension: f64) -> Self {
-        Self { gaps, dimension, pressure: 0.0, advance: 0.0 }
+        Self { gaps, dimension, pressure: 0.0, logarithm: 0.0, advance: 0.0 }
     }
 
     /// The gap after one transition at `place`: to half a period later, or beyond the side.
@@ -48,6 +50,11 @@ impl SceneGaps {
             Sides::Periodic => left + grid.cells / 2,
         };
         Ok(Self { advance: start.fract(), ..Self::with_transitions(vec![Gap { left, right }], grid) })
+    }
+
+    /// The same gaps with data times ℓ^{−α}.
+    pub(super) fn damped(self, logarithm: f64) -> Self {
+        Self { logarithm, ..self }
     }
 
     /// u_N and λ.
@@ -67,11 +74,12 @@ impl SceneGaps {
             for i in gap.left + 1..gap.right.min(gap.left + nodes) {
                 let node = if sides == Sides::Periodic { i % cells } else { i };
                 if node < nodes {
-                    values[node] = -(h * self.depth(gap, i, grid)).powf(exponent);
+                    let depth = h * self.depth(gap, i, grid);
+                    values[node] = -depth.powf(exponent) * (2.0 - depth.ln()).powf(-self.logarithm);
                 }
             }
         }
-        let forces = contact_forces(&values, cells, sides, self.pressure);
+        let forces = contact_forces(&values, cells, sides, (self.pressure, self.logarithm));
         Ok(EdgeData::new(cells, sides, values, forces)?.with_regularity(tau))
     }
 

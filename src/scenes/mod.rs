@@ -13,6 +13,7 @@
 //! | [`ClampedEnd`] | a body clamped up to the end of its contact edge, on polar rings | `clamped_end` |
 //! | [`MeshScene::known_energy`] | minima that other packages have found | `known` |
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
+//! | [`MeshTransition`] | one transition of given regularity, on the bottom or the whole boundary | `mesh_transition` |
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
 //! | [`RoughTransition`] | a known solution of any regularity about one transition | `rough_transition` |
 //! | [`HardCase`], [`TwoRoads`] | what is hard for multigrid, beside elimination | `hard_cases` |
@@ -31,6 +32,8 @@ mod hard_cases;
 mod known;
 pub mod manufactured;
 mod mesh;
+mod mesh_transition;
+mod mesh_transition_problem;
 mod pressure;
 mod registry;
 mod regularity;
@@ -49,6 +52,7 @@ pub use closed_form_levels::ClosedFormLevel;
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};
 pub use hard_cases::{HardCase, TwoRoads};
 pub use mesh::{MeshScene, Setting};
+pub use mesh_transition::MeshTransition;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
 pub use rough_transition::{EdgeDatum, RoughLevel, RoughTransition};
 pub use scene::Scene;

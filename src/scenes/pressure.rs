@@ -2,9 +2,10 @@
 
 use crate::strip::Sides;
 
-/// Nodal forces of the density dist^q on the contact cells (both ends in contact), dist to the nearest gap;
-/// half of each cell's integral goes to either end.
-pub(crate) fn contact_forces(values: &[f64], cells: usize, sides: Sides, q: f64) -> Vec<f64> {
+/// Nodal forces of the density dist^q ℓ(dist)^{−α} on the contact cells (both ends in contact), ℓ(r) = 2 +
+/// ln(1/r), dist to the nearest gap; half of each cell's integral goes to either end. ℓ is that of the middle
+/// of the cell.
+pub(crate) fn contact_forces(values: &[f64], cells: usize, sides: Sides, (q, alpha): (f64, f64)) -> Vec<f64> {
     let nodes = values.len();
     let distance = distance_to_gap(values, cells, sides);
     let h = 1.0 / cells as f64;
@@ -25,6 +26,8 @@ pub(crate) fn contact_forces(values: &[f64], cells: usize, sides: Sides, q: f64)
         } else {
             integral(a.min(b) * h, a.max(b) * h)
         };
+        let middle = if a.is_finite() { 0.5 * (a + b).max(1.0) * h } else { 1.0 };
+        let force = force * (2.0 - middle.ln()).powf(-alpha);
         forces[cell] += 0.5 * force;
         forces[right] += 0.5 * force;
     }

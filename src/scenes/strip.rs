@@ -155,6 +155,25 @@ impl StripScene {
         }
     }
 
+    /// The pair at τ = 2 with u_N and λ times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends of their
+    /// gap or piece: for α > 1/2 in H² itself, where at α = 0 only every τ < 2 is reached.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 ≤ α < ∞; [`Error::Incompatible`] for samples; as [`StripScene::data`].
+    pub fn damped_data(&self, logarithm: f64, cells: usize, sides: Sides) -> Result<EdgeData> {
+        let is_in = logarithm >= 0.0 && logarithm.is_finite();
+        Error::require("alpha", logarithm, "[0, inf)", is_in)?;
+        let form = self.form();
+        let Data::Powers(gaps) = form.data else {
+            let (what, with, expected) = ("scene", "a logarithm", "a scene whose data are powers");
+            return Err(Error::Incompatible { what, given: self.to_string(), with, expected });
+        };
+        sides.check_cells(cells)?;
+        (form.tau)(sides).check(2.0)?;
+        let grid = Grid { tau: 2.0, cells, sides };
+        gaps(grid)?.damped(logarithm).pair(grid)
+    }
+
     /// How many gaps the construction has, `None` for samples; on a grid those without a free node, or
     /// without contact beside them, are left out with all that would follow them.
     pub fn gaps(&self) -> Option<u64> {
@@ -189,6 +208,30 @@ mod tests {
         for bad in ["transitions:1e300", "transitions:-1", "cantor::9", "cantor:0.2:", "fat-cantor:3:4"] {
             assert!(bad.parse::<StripScene>().is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn a_logarithm_damps_both_data() {
+        let (cells, alpha) = (1 << 10, 0.75);
+        for scene in [StripScene::Transitions { gaps: 5 }, StripScene::Cantor { ratio: 0.3, depth: 9 }] {
+            let plain = scene.data(2.0, cells, Sides::Natural).unwrap();
+            assert_eq!(scene.damped_data(0.0, cells, Sides::Natural).unwrap().values(), plain.values());
+            let damped = scene.damped_data(alpha, cells, Sides::Natural).unwrap();
+            for (u, v) in plain.values().iter().zip(damped.values()).filter(|(u, _)| **u != 0.0) {
+                // ℓ ≥ 2, and the weight of a depth between 1/cells and 1.
+                let weight = v / u;
+                let least = (2.0 + (cells as f64).ln()).powf(-alpha);
+                assert!(weight >= least && weight <= 2f64.powf(-alpha), "{scene}: {weight}");
+            }
+            let [total, less] = [&plain, &damped].map(|data| data.forces().iter().sum::<f64>());
+            assert!(less < total * 2f64.powf(-alpha) && less > 0.0, "{scene}: {less} {total}");
+        }
+        for bad in [-0.1, f64::NAN, f64::INFINITY] {
+            assert!(StripScene::Transitions { gaps: 5 }.damped_data(bad, cells, Sides::Natural).is_err());
+        }
+        let samples = StripScene::Samples { file: "edge.txt".into() };
+        assert!(samples.damped_data(1.0, cells, Sides::Natural).is_err());
+        assert!(StripScene::FatCantor { depth: 9 }.damped_data(1.0, cells, Sides::Natural).is_err());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! `book/generated/values.json` holds one object per example, as the examples' option `--values` writes them;
 //! `book/generated/options.json` what may be asked of each (`--describe`),
-//! `book/generated/figures/EXAMPLE/NAME.svg` the figures that pages show. A key on a page is `example/key`, or `key`
+//! `book/generated/figures/EXAMPLE/NAME.svg` the figures that pages show, `NAME.csv` the numbers behind a chart. A key on a page is `example/key`, or `key`
 //! alone where only one example has it.
 
 use crate::error::{Error, Result, read, write};
@@ -19,6 +19,8 @@ pub struct Data {
     pub options: Map<String, Value>,
     /// SVG text by `example/name`.
     pub figures: BTreeMap<String, String>,
+    /// Numbers behind charts, comma-separated, by `example/name`.
+    pub series: BTreeMap<String, String>,
 }
 
 /// Why a key could not be resolved.
@@ -60,12 +62,21 @@ impl Data {
         let figures = directory.join("figures");
         for name in names(&figures)? {
             for file in names(&figures.join(&name))? {
-                let Some(stem) = file.strip_suffix(".svg") else { continue };
-                let svg = read(&figures.join(&name).join(&file))?;
-                data.figures.insert(format!("{name}/{stem}"), svg);
+                data.insert(&name, &figures.join(&name), &file)?;
             }
         }
         Ok(data)
+    }
+
+    /// Takes up a figure, or the numbers behind one, of an example.
+    pub(crate) fn insert(&mut self, example: &str, directory: &Path, file: &str) -> Result<()> {
+        let (map, stem) = match file.rsplit_once('.') {
+            Some((stem, "svg")) => (&mut self.figures, stem),
+            Some((stem, "csv")) => (&mut self.series, stem),
+            _ => return Ok(()),
+        };
+        map.insert(format!("{example}/{stem}"), read(&directory.join(file))?);
+        Ok(())
     }
 
     /// Writes `values.json` and the figures below `directory`; figures that are no longer there are removed.
@@ -85,6 +96,9 @@ impl Data {
         }
         for (name, svg) in &self.figures {
             write(&figures.join(format!("{name}.svg")), svg)?;
+        }
+        for (name, csv) in &self.series {
+            write(&figures.join(format!("{name}.csv")), csv)?;
         }
         Ok(())
     }
@@ -200,6 +214,7 @@ mod tests {
             examples: parse_object(Path::new("test"), text).unwrap(),
             options: parse_object(Path::new("test"), r#"{"a": {"options": []}}"#).unwrap(),
             figures: [("a/f".to_owned(), "<svg/>".to_owned())].into(),
+            series: [("a/f".to_owned(), "x,y\n".to_owned())].into(),
         }
     }
 

@@ -86,7 +86,7 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
         ("table", None) => table(key, data).map(Meaning::Block),
         ("figure", Some(caption)) if !caption.is_empty() => {
             let (full, svg) = data.figure(key).map_err(|e| e.words("figure"))?;
-            figure::inline(full, svg, caption).map(Meaning::Block)
+            figure::inline(full, svg, caption, data.series.contains_key(full)).map(Meaning::Block)
         }
         ("idea", Some(caption)) if !caption.is_empty() => idea::inline(key, caption).map(Meaning::Block),
         ("slider", Some(rest)) => match rest.split_once(':').map(|(list, caption)| (list, caption.trim())) {

@@ -112,9 +112,7 @@ fn collect(name: &str, cache: &Path, data: &mut Data) -> Result<()> {
     data.examples.insert(name.to_owned(), Value::Object(headline));
     let figures = cache.join("figures");
     for file in names(&figures)? {
-        if let Some(stem) = file.strip_suffix(".svg") {
-            data.figures.insert(format!("{name}/{stem}"), read(&figures.join(&file))?);
-        }
+        data.insert(name, &figures, &file)?;
     }
     Ok(())
 }

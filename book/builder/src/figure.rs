@@ -9,13 +9,25 @@ const INK: [&str; 5] = ["black", "#000", "#000000", "rgb(0,0,0)", "rgb(0, 0, 0)"
 /// Paper written by chart writers that is left out.
 const PAPER: [&str; 4] = ["white", "#fff", "#ffffff", "rgb(255,255,255)"];
 
-/// The figure `name` as HTML: a `<figure>` with the SVG and its caption, which is also its label.
+/// The figure `name` as HTML: a `<figure>` with the SVG and its caption, which is also its label, and a link to the
+/// numbers behind it where there are some.
 ///
 /// # Errors
 /// In words, when the text is no self-contained SVG.
-pub fn inline(name: &str, text: &str, caption: &str) -> Result<String, String> {
+pub fn inline(name: &str, text: &str, caption: &str, has_data: bool) -> Result<String, String> {
     let svg = svg(name, text, caption)?;
-    Ok(format!("<figure class=\"chart\">{svg}<figcaption>{}</figcaption></figure>", escape(caption)))
+    let data = if has_data { data_link(name) } else { String::new() };
+    Ok(format!("<figure class=\"chart\">{svg}<figcaption>{}{data}</figcaption></figure>", escape(caption)))
+}
+
+/// A link to the numbers behind the figure `name`.
+pub fn data_link(name: &str) -> String {
+    format!(" <a class=\"figure-data\" href=\"{}\" download>data (CSV)</a>", data_file(name))
+}
+
+/// Where these numbers are, below the directory of the pages.
+pub fn data_file(name: &str) -> String {
+    format!("data/{}.csv", name.replace('/', "."))
 }
 
 /// The SVG of the figure `name` alone, carrying a label.
@@ -105,7 +117,7 @@ mod tests {
 
     #[test]
     fn ink_names_and_size_belong_to_the_page() {
-        let html = inline("ex/one", CHART, "gamma & theta").unwrap();
+        let html = inline("ex/one", CHART, "gamma & theta", false).unwrap();
         for part in [
             r#"<svg viewBox="0 0 640 480" role="img" aria-label="gamma &amp; theta">"#,
             r#"id="ex-one-c""#,
@@ -124,7 +136,7 @@ mod tests {
     fn what_is_no_picture_is_refused() {
         for svg in ["", "<p/>", "<svg/>", "<svg viewBox='0 0 1 1'><script></script></svg>", "<svg width='1'>"]
         {
-            assert!(inline("x", svg, "c").is_err(), "{svg}");
+            assert!(inline("x", svg, "c", false).is_err(), "{svg}");
         }
     }
 }

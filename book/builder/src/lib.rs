@@ -26,6 +26,7 @@ pub mod page;
 pub mod print;
 pub mod scan;
 pub mod search;
+pub mod sentence;
 pub mod serve;
 pub mod slider;
 pub mod stale;
@@ -88,6 +89,9 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     none_of(faults)?;
     let output = html::build(&layout.book, &marked)?;
     write(&output.join(search::INDEX), search::script(&output, &pages)?)?;
+    for (name, csv) in &data.series {
+        write(&output.join(figure::data_file(name)), csv)?;
+    }
     print::finish(&output, &pages)?;
     none_of(verify::faults(&output, &pages)?)?;
     Ok(output)
@@ -134,5 +138,6 @@ pub fn shown(layout: &Layout, mut data: Data) -> Result<Data> {
         }
     }
     data.figures.retain(|name, _| names.contains(name));
+    data.series.retain(|name, _| names.contains(name));
     Ok(data)
 }

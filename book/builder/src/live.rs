@@ -93,6 +93,7 @@ mod tests {
             examples: parse_object(Path::new("test"), examples).unwrap(),
             options: parse_object(Path::new("test"), options).unwrap(),
             figures: ["ex/a", "ex/b", "other/a"].map(|name| (name.to_owned(), svg.clone())).into(),
+            ..Data::default()
         }
     }
 

@@ -8,6 +8,7 @@ use crate::formula::{self, Formula, Labels};
 use crate::live;
 use crate::markup::escape;
 use crate::scan::{Kind, Piece, line_at, pieces};
+use crate::sentence;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -132,7 +133,10 @@ impl Marker<'_> {
         };
         match directive::resolve(piece.text, self.sources) {
             Ok(Meaning::Number(number)) => self.marked.push(text, inline(number.html())),
-            Ok(Meaning::Words(words)) => self.marked.push(text, inline(words)),
+            Ok(Meaning::Words(words)) => {
+                let words = if sentence::begins(text) { sentence::capitalised(&words) } else { words };
+                self.marked.push(text, inline(words));
+            }
             Ok(Meaning::Name(name)) => {
                 // Long names may break between their words.
                 let name = escape(&name).replace("::", "::<wbr>").replace('_', "_<wbr>");

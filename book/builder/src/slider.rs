@@ -46,7 +46,8 @@ pub fn inline(parameter: &str, list: &str, caption: &str, data: &Data) -> Result
     let mut drawn = Vec::new();
     for (label, name) in frames(list, data)? {
         let spoken = format!("{caption}; {parameter}: {label}");
-        drawn.push((label, figure::svg(&name, &data.figures[&name], &spoken)?));
+        let link = if data.series.contains_key(&name) { figure::data_link(&name) } else { String::new() };
+        drawn.push((label, figure::svg(&name, &data.figures[&name], &spoken)? + &link));
     }
     Ok(html(parameter, &drawn, caption))
 }

@@ -46,6 +46,12 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
             found.push(Stale { file, entry: name.clone(), what });
         }
     }
+    for (name, old) in committed.series.iter().filter(|(name, _)| !is_timed(name)) {
+        if !computed.series.get(name).is_some_and(|new| same_text(old, new)) {
+            let (file, what) = (format!("figures/{name}.csv"), "other numbers now".to_owned());
+            found.push(Stale { file, entry: name.clone(), what });
+        }
+    }
     for (name, old) in &committed.figures {
         let what = match computed.figures.get(name) {
             None => "committed and no longer drawn",

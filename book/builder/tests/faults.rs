@@ -111,6 +111,20 @@ fn data(gamma: f64) -> Data {
 }
 
 #[test]
+fn numbers_behind_a_chart_stand_beside_it() {
+    let fixture = Fixture::new();
+    fixture.write("book/generated/figures/ex/chart.csv", "series,x,y\na,1,2\n");
+    fixture.build().unwrap();
+    assert_eq!(fixture.read("book/html/data/ex.chart.csv"), "series,x,y\na,1,2\n");
+    assert!(fixture.read("book/html/first.html").contains("href=\"data/ex.chart.csv\" download"));
+    let committed = Data::read(&fixture.layout().generated()).unwrap();
+    let mut computed = committed.clone();
+    computed.series.insert("ex/chart".to_owned(), "series,x,y\na,1,3\n".to_owned());
+    let message = check_fresh(&fixture.layout(), &committed, &computed).unwrap_err().to_string();
+    assert!(message.contains("figures/ex/chart.csv"), "{message}");
+}
+
+#[test]
 fn a_sound_book_builds_and_is_complete() {
     let fixture = Fixture::new();
     fixture.build().unwrap();

@@ -32,7 +32,6 @@ impl ContactProblem {
         accuracy: Accuracy,
         mut observe: impl FnMut(&MultigridProgress) -> Result<()> + Send,
     ) -> Result<MultigridSolution> {
-        self.check_ends(cone)?;
         if let Accuracy::OfDiscretisation(share) = accuracy {
             Error::require(
                 "share of the error of discretisation",
@@ -40,6 +39,9 @@ impl ContactProblem {
                 "(0, 1]",
                 share > 0.0 && share <= 1.0,
             )?;
+        }
+        if cone == Cone::Midpoint && self.edge().is_closed() {
+            return self.directly(cone, Fallback::ClosedEdge);
         }
         if self.compressibility() > MOST_INCOMPRESSIBLE {
             return self.directly(cone, Fallback::NearlyIncompressible);

@@ -15,6 +15,7 @@ pub(super) fn render(laboratory: &Laboratory, example: &str, page: &str, outcome
     let of_example = |name: &str| name.split_once('/').is_some_and(|(owner, _)| owner == example);
     let directives = live::directives(page, &data);
     data.figures.retain(|name, _| !of_example(name));
+    data.series.retain(|name, _| !of_example(name));
     let figures = outcome.figures.iter().map(|(name, svg)| (format!("{example}/{name}"), svg.clone()));
     data.figures.extend(figures);
     data.examples.insert(example.to_owned(), Value::Object(outcome.headline.clone()));
@@ -34,7 +35,8 @@ pub(super) fn render(laboratory: &Laboratory, example: &str, page: &str, outcome
         }
     });
     let others = data.figures.iter().filter(|(name, _)| of_example(name) && !shown.contains(*name));
-    let more: Vec<String> = others.filter_map(|(name, svg)| figure::inline(name, svg, name).ok()).collect();
+    let more: Vec<String> =
+        others.filter_map(|(name, svg)| figure::inline(name, svg, name, false).ok()).collect();
     let verdict = outcome.headline.get("verdict").cloned().unwrap_or(Value::Null);
     json!({"seconds": outcome.seconds, "verdict": verdict, "blocks": blocks, "more": more})
 }

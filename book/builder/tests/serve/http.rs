@@ -175,5 +175,6 @@ fn data() -> Data {
         examples: [("planted".to_owned(), example)].into_iter().collect(),
         options: [("planted".to_owned(), options)].into_iter().collect(),
         figures: [("planted/chart".to_owned(), svg)].into(),
+        ..Data::default()
     }
 }

@@ -6,7 +6,6 @@ use super::scale::Scale;
 use super::series::{Axis, Mark, Series};
 use super::{Colour, PALETTE};
 use crate::Result;
-use std::path::{Path, PathBuf};
 
 const WIDTH: f64 = 640.0;
 const PLOT_HEIGHT: f64 = 320.0;
@@ -32,9 +31,9 @@ struct Bands {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     title: String,
-    x: Axis,
-    y: Axis,
-    series: Vec<Series>,
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+    pub(super) series: Vec<Series>,
     bands: Vec<Bands>,
 }
 
@@ -74,15 +73,6 @@ impl Chart {
             self.series.iter().enumerate().try_for_each(|(k, s)| draw_series(canvas, &frame, s, k))?;
             self.draw_legend(canvas, &rows)
         })
-    }
-
-    /// Writes `directory/name.svg` and returns its path.
-    ///
-    /// # Errors
-    /// [`crate::Error::Figure`] when the drawing backend fails, [`signorini::Error::File`] when the file
-    /// cannot be written.
-    pub fn save(&self, directory: &Path, name: &str) -> Result<PathBuf> {
-        save_svg(&self.svg()?, directory, name)
     }
 
     fn frame(&self) -> Frame {
@@ -179,13 +169,6 @@ impl Chart {
         }
         Ok(())
     }
-}
-
-/// Writes `directory/name.svg`.
-pub(super) fn save_svg(text: &str, directory: &Path, name: &str) -> Result<PathBuf> {
-    let path = directory.join(format!("{name}.svg"));
-    std::fs::write(&path, text).map_err(|e| signorini::Error::file(&path, e))?;
-    Ok(path)
 }
 
 enum Entry<'a> {

@@ -6,6 +6,7 @@
 
 mod canvas;
 mod chart;
+mod data;
 mod picture;
 mod scale;
 mod series;

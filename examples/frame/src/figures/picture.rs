@@ -4,7 +4,7 @@
 //! Triangles of one colour share one SVG path, so a mesh of 10⁵ triangles is a file of a few dozen elements.
 
 use super::Colour;
-use super::chart::save_svg;
+use super::data::save_svg;
 use super::scale::power_of_ten;
 use crate::Result;
 use signorini::Error;

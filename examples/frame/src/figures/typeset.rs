@@ -77,7 +77,12 @@ fn shifted(text: &str) -> String {
     if rest.is_empty() {
         return index;
     }
-    format!("{index}<tspan dy=\"{:.4}em\">{}</tspan>", -shift * SIZE, shifted(rest))
+    // A space at the start of an element is dropped by some viewers; one that does not break is not.
+    let rest = match rest.strip_prefix(' ') {
+        Some(words) => format!("\u{a0}{}", shifted(words)),
+        None => shifted(rest),
+    };
+    format!("{index}<tspan dy=\"{:.4}em\">{rest}</tspan>", -shift * SIZE)
 }
 
 /// Letters and digits, with a sign in front and a point or a slash between two of them.
@@ -107,6 +112,7 @@ mod tests {
         assert!(shifted("|u|_(3/2)").starts_with("|u|<tspan dy=\"0.3em\""));
         assert_eq!(shifted("x^0.6"), "x<tspan dy=\"-0.45em\" font-size=\"75%\">0.6</tspan>");
         assert!(shifted("h^(tau-1), H^1/2.").contains(">tau−1</tspan>"));
+        assert!(shifted("|x|^2 over").ends_with(">\u{a0}over</tspan>"));
         assert!(shifted("H^1/2.").contains(">1/2</tspan>"));
         for plain in ["no index", "a ^ b", "_x", "f_", "10⁻³"] {
             assert_eq!(shifted(plain), plain);

@@ -2,14 +2,20 @@
 //! tables, charts, files, the store.
 
 mod charts;
+mod claims;
 mod listing;
+mod logarithms;
 mod plan;
+mod printed;
 mod row;
 mod store;
 
 pub use charts::{error_over_h, orders_on_curves, printed_and_measured};
+pub use claims::{against_theorem, term_above_one};
 pub use listing::{level_table, write_and_draw};
-pub use plan::{RatePlan, both_cones};
+pub use logarithms::LogarithmRow;
+pub use plan::{RatePlan, both_cones, on_meshes};
+pub use printed::{Printed, Shape, printed_rates};
 pub use row::{
     HALF_WIDTH, RateRow, complete, fit_cells, largest, lowest, order_columns, rate_table, term_remarks,
 };

@@ -4,7 +4,7 @@ use super::row::RateRow;
 use super::store::LevelStore;
 use crate::{Error, Result, progress};
 use signorini::cone::Cone;
-use signorini::convergence::{LevelMemory, MeshRates, StripGroup};
+use signorini::convergence::{LevelMemory, MeshRates, StripGroup, TransitionRates};
 use signorini::scenes::{MeshScene, Scene, Setting, StripScene};
 use signorini::strip::{Levels, StripKind};
 
@@ -22,7 +22,7 @@ const CORNERS: [f64; 4] = [100.0, 120.0, 135.0, 150.0];
 const FIVE: [f64; 5] = [1.55, 1.65, 1.75, 1.85, 1.95];
 const NINE: [f64; 9] = [1.55, 1.6, 1.65, 1.7, 1.75, 1.8, 1.85, 1.9, 1.95];
 /// Regularities from 2 on.
-const SMOOTH: [f64; 2] = [2.0, 2.1];
+const SMOOTH: [f64; 4] = [2.0, 2.1, 2.25, 2.4];
 /// Many transitions: 22 of them, none at a node of a dyadic mesh.
 const MANY: StripScene = StripScene::Transitions { gaps: 11 };
 /// Deeper than any grid resolves. These sets repeat themselves after a factor 2^{1/(4−2τ)} in h: only τ ≤ 1.8
@@ -49,7 +49,7 @@ impl RatePlan {
         Ok(Self { strips, meshes: CORNERS.map(|angle| corner(angle, 3, 7)).to_vec() })
     }
 
-    /// The study of the book: minutes.
+    /// The long study: minutes, corners to h = 1/2048 with 9 GB for their references.
     ///
     /// # Errors
     /// None for these values.
@@ -65,7 +65,8 @@ impl RatePlan {
                 });
             }
         }
-        Ok(Self { strips, meshes: CORNERS.map(|angle| corner(angle, 4, 9)).to_vec() })
+        let meshes = CORNERS.map(|angle| corner(angle, 4, 10)).to_vec();
+        Ok(Self { strips, meshes })
     }
 
     /// One scene, with its own load on meshes.
@@ -107,7 +108,7 @@ impl RatePlan {
         self.strips.retain(|group| !group.families.is_empty());
         self.meshes.retain(|mesh| wanted(1.0 + 90.0 / mesh.setting.angle));
         if self.steps() == 0 {
-            let all = "1.55, 1.65, ..., 1.95, 2 or 2.1; with --scene any in (3/2, 5/2]";
+            let all = "1.55, 1.65, ..., 1.95, 2, 2.1, 2.25 or 2.4; with --scene any in (3/2, 5/2]";
             return Err(Error::Option(format!("unknown tau {taus:?}: expected {all}")));
         }
         Ok(self)
@@ -169,6 +170,18 @@ pub fn both_cones(group: &StripGroup) -> Result<Vec<[RateRow; 2]>> {
     }
     bar.finish_and_clear();
     Ok(pairs)
+}
+
+/// One transition on meshes in both cones, nodal first, with its fits.
+///
+/// # Errors
+/// Those of [`TransitionRates::study`].
+pub fn on_meshes(transition: &TransitionRates) -> Result<[RateRow; 2]> {
+    let bar = progress(2 * transition.steps() as u64);
+    let studies = transition.study(&[Cone::Nodal, Cone::Midpoint], || bar.inc(1))?;
+    bar.finish_and_clear();
+    let rows: Vec<RateRow> = studies.into_iter().map(RateRow::new).collect();
+    rows.try_into().map_err(|_| Error::Option("a study is missing: expected one per cone".to_owned()))
 }
 
 /// With f = −1: u < 0 by the maximum principle, the contact edge is free and the corner is all there is.

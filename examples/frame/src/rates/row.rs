@@ -36,6 +36,9 @@ impl RateRow {
             Subject::Strip(kind, scene) => format!("{kind}.{}", scene.name()),
             Subject::Mesh(scene) => scene.to_string(),
             Subject::Corner { angle, .. } => format!("corner.{angle}"),
+            Subject::Transition { whole_boundary, .. } => {
+                if *whole_boundary { "closed.transition" } else { "mesh.transition" }.to_owned()
+            }
         };
         format!("{scene}.{:.0}", 100.0 * self.study.tau)
     }

@@ -1,0 +1,149 @@
+//! Scalar problems on the unit square with one transition of given regularity and known solution.
+//!
+//! With z = x − a + iy, a on the bottom edge, ℓ = 2 − ln z, p = τ − 1 and s = 4: u = Re F − s y,
+//!
+//! F = i z^p / sin πp,  at p = 1: F = i z ℓ^{1−α} / (π (1 − α)),  and i z ln ℓ / π for α = 1.
+//!
+//! u is harmonic. On y = 0 it is zero beyond a, and before a it is −r^p, at p = 1 like −r ℓ(r)^{−α}: contact
+//! [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; a load g = ∂u/∂n − σ_N on the edge makes up for the rest, as on a strip
+//! ([`super::TransitionPowers`]). −s y keeps u < 0 on the other sides, and no element sees it.
+//!
+//! * *three sides held*: −Δu = 0, u is prescribed on them;
+//! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where
+//!   they are open. The load is normal to a side that turns at the corners; u has one value there.
+
+use super::transition_powers::TransitionPowers;
+use crate::error::{Error, Result};
+use crate::mesh::Point;
+use realfft::num_complex::Complex;
+use std::f64::consts::PI;
+use std::fmt;
+
+/// s: above Re F / y on the other three sides for all p admitted, 3.5 at most.
+pub(super) const SLOPE: f64 = 4.0;
+
+/// One transition on a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshTransition {
+    pub(super) powers: TransitionPowers,
+    pub(super) position: f64,
+    pub(super) whole_boundary: bool,
+}
+
+impl MeshTransition {
+    /// The powers of a transition at `position`, with contact conditions on the bottom or everywhere.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < a < 1; for p ≠ 1 also |p − 1| ≥ 1/10
+    /// and α = 0.
+    pub fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
+        let TransitionPowers { opening, pressure, logarithm } = powers;
+        let is_in = (0.3..=1.5).contains(&opening) && (opening == 1.0 || (opening - 1.0).abs() > 0.0999);
+        Error::require("p", opening, "[3/10, 9/10], 1, [11/10, 3/2]", is_in)?;
+        Error::require("q", pressure, "(-1, inf)", pressure > -1.0 && pressure.is_finite())?;
+        let is_log = logarithm == 0.0 || opening == 1.0 && logarithm > 0.0 && logarithm.is_finite();
+        Error::require("alpha", logarithm, "0; [0, inf) at p = 1", is_log)?;
+        Error::require("position", position, "(0, 1)", position > 0.0 && position < 1.0)?;
+        Ok(Self { powers, position, whole_boundary })
+    }
+
+    /// F and F' at (x − a, y).
+    pub(super) fn potential(&self, x: f64, y: f64) -> [Complex<f64>; 2] {
+        let (r, phi) = (x.hypot(y), y.atan2(x));
+        let TransitionPowers { opening: p, logarithm: alpha, .. } = self.powers;
+        let z = Complex::new(x, y);
+        if p != 1.0 {
+            let power = Complex::from_polar(p * r.powf(p - 1.0), (p - 1.0) * phi);
+            let slope = Complex::<f64>::I * power / (p * PI).sin();
+            // z^p → 0 where z^{p−1} is no number.
+            let value = if r == 0.0 { Complex::ZERO } else { slope * z / p };
+            return [value, slope];
+        }
+        let ell = Complex::new(2.0 - r.ln(), -phi);
+        let (whole, below) = if alpha == 1.0 {
+            (ell.ln(), ell.inv())
+        } else {
+            (ell.powf(1.0 - alpha) / (1.0 - alpha), ell.powf(-alpha))
+        };
+        let factor = Complex::<f64>::I / PI;
+        let value = if r == 0.0 { Complex::ZERO } else { factor * z * whole };
+        [value, factor * (whole - below)]
+    }
+
+    /// u.
+    pub fn displacement(&self, [x, y]: Point) -> f64 {
+        self.potential(x - self.position, y)[0].re - SLOPE * y
+    }
+
+    /// ∇u.
+    pub fn gradient(&self, [x, y]: Point) -> Point {
+        let slope = self.potential(x - self.position, y)[1];
+        [slope.re, -slope.im - SLOPE]
+    }
+
+    /// σ_N on the bottom at x − a.
+    pub fn stress(&self, beyond: f64) -> f64 {
+        if beyond <= 0.0 {
+            return 0.0;
+        }
+        let TransitionPowers { pressure, logarithm, .. } = self.powers;
+        -beyond.powf(pressure) * (2.0 - beyond.ln()).powf(-logarithm)
+    }
+}
+
+impl fmt::Display for MeshTransition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let TransitionPowers { opening, pressure, logarithm } = self.powers;
+        let where_ = if self.whole_boundary { "whole boundary" } else { "bottom" };
+        write!(f, "mesh transition r^{opening}, r^{pressure}, |ln r|^-{logarithm}, contact on the {where_}")
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    pub(crate) fn scenes(whole_boundary: bool) -> Vec<MeshTransition> {
+        let of_tau = [1.4, 1.5, 1.75, 2.1, 2.25, 2.5].map(TransitionPowers::of_regularity);
+        let of_log = [0.0, 0.75, 1.0, 1.5].map(|logarithm| TransitionPowers {
+            opening: 1.0,
+            pressure: 0.0,
+            logarithm,
+        });
+        let all = of_tau.into_iter().chain(of_log);
+        all.map(|powers| MeshTransition::new(powers, 1.0 / 3.0, whole_boundary).unwrap()).collect()
+    }
+
+    #[test]
+    fn signs_and_derivatives_are_those_claimed() {
+        for scene in scenes(true) {
+            for i in 1..100 {
+                let t = f64::from(i) / 100.0;
+                let bottom = scene.displacement([t, 0.0]);
+                let beyond = t - scene.position;
+                assert!(
+                    if beyond > 0.0 { bottom.abs() < 1e-15 } else { bottom < 0.0 },
+                    "{scene} {t} {bottom}"
+                );
+                assert!(scene.stress(beyond) <= 0.0 && bottom * scene.stress(beyond) == 0.0, "{scene} {t}");
+                for point in [[0.0, t], [1.0, t], [t, 1.0]] {
+                    assert!(scene.displacement(point) < 0.0, "{scene} {point:?}");
+                }
+            }
+            // Central differences: h² times third derivatives, ε/h of rounding.
+            let (h, [x, y]) = (1e-4, [0.7, 0.3]);
+            let around = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| scene.displacement(p));
+            let [p, q] = scene.gradient([x, y]);
+            assert!(((around[0] - around[1]) / (2.0 * h) - p).abs() < 1e-7, "{scene}");
+            assert!(((around[2] - around[3]) / (2.0 * h) - q).abs() < 1e-7, "{scene}");
+            let laplace = (around.iter().sum::<f64>() - 4.0 * scene.displacement([x, y])) / (h * h);
+            assert!(laplace.abs() < 1e-5, "{scene}: {laplace}");
+            // u_N = −r^p, and at p = 1 near −r ℓ^{−α}.
+            let r = 1e-9;
+            let (found, p) = (-scene.displacement([scene.position - r, 0.0]), scene.powers.opening);
+            let expected = r.powf(p) * (2.0 - r.ln()).powf(-scene.powers.logarithm);
+            let near = if scene.powers.logarithm == 0.0 { 1e-5 } else { 0.05 };
+            assert!((found / expected - 1.0).abs() < near, "{scene}: {found} {expected}");
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! The contact problem of a transition with known solution, and the error of a discrete one.
+//!
+//! Loads and norms are integrated by rules graded toward the transition: on its segment x = a ± L t^m.
+
+use super::mesh_transition::{MeshTransition, SLOPE};
+use crate::contact::ContactProblem;
+use crate::error::Result;
+use crate::estimate::{Estimate, Work};
+use crate::fem::{Cubature, Field, Form, error_norms};
+use crate::mesh::{Part, Point, Sides, Triangulation, distance, unit_square};
+use crate::quadrature::Rule;
+
+/// Points along each side of a triangle's rule, below p = 1 and from there on; for the error the coarser one says how
+/// exact the finer is.
+const POINTS: [[usize; 2]; 2] = [[4, 5], [3, 4]];
+/// Gauss points on a segment, and m: t^{mp−1} is smooth enough for p ≥ 3/10.
+const EDGE_POINTS: usize = 24;
+const GRADING: i32 = 12;
+
+impl MeshTransition {
+    /// The problem on the structured mesh with n × n squares.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    pub fn problem(&self, n: usize) -> Result<ContactProblem> {
+        let other = if self.whole_boundary { Part::Contact } else { Part::Dirichlet };
+        let mesh = unit_square(n, Sides { bottom: Part::Contact, right: other, top: other, left: other })?;
+        let load = self.edge_load(&mesh)?;
+        let zero = vec![0.0; load.len()];
+        let u = |point: Point| self.displacement(point);
+        let mut problem = if self.whole_boundary {
+            let mut problem = ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &zero)?;
+            problem.add_volume_load(&Field::Scalar(&u), &self.rule(self.points()[0])?)?;
+            problem
+        } else {
+            let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &zero)?;
+            problem.set_dirichlet(&Field::Scalar(&u))?;
+            problem
+        };
+        problem.add_load(&load)?;
+        Ok(problem)
+    }
+
+    /// a(u − v, u − v)^{1/2} for nodal values v on the mesh of a problem; the error is what a rule of fewer
+    /// points changes.
+    ///
+    /// # Errors
+    /// As [`error_norms`].
+    pub fn error(&self, problem: &ContactProblem, values: &[f64]) -> Result<Estimate> {
+        let (u, gradient) = (|point| self.displacement(point), |point| [self.gradient(point), [0.0; 2]]);
+        let norm = |points| {
+            let exact = (&Field::Scalar(&u), &gradient as &dyn Fn(Point) -> [Point; 2]);
+            error_norms(problem.mesh(), problem.form(), values, exact, &self.rule(points)?)
+        };
+        let [coarse, fine] = self.points();
+        let [coarse, fine] = [norm(coarse)?.energy, norm(fine)?.energy];
+        Estimate::new(fine, fine - coarse, Work::default())
+    }
+
+    fn points(&self) -> [usize; 2] {
+        POINTS[usize::from(self.powers.opening >= 1.0)]
+    }
+
+    fn rule(&self, points: usize) -> Result<Cubature> {
+        Ok(Cubature::new(points)?.singular_at(&[[self.position, 0.0]]))
+    }
+
+    /// ∫ g φ_i over the contact part.
+    fn edge_load(&self, mesh: &Triangulation) -> Result<Vec<f64>> {
+        let rule = Rule::gauss_legendre(EDGE_POINTS)?;
+        let mut load = vec![0.0; mesh.nodes().len()];
+        for edge in mesh.boundary().iter().filter(|edge| edge.part == Part::Contact) {
+            let [from, to] = mesh.ends(edge);
+            let length = distance(from, to);
+            let normal = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
+            let mut add = |t: f64, weight: f64, density: f64| {
+                for (node, share) in edge.nodes.into_iter().zip([1.0 - t, t]) {
+                    load[node] += weight * length * share * density;
+                }
+            };
+            if from[1] == 0.0 && to[1] == 0.0 {
+                for (t, weight, beyond) in self.points_on_bottom(from[0], length, &rule) {
+                    let slope = self.potential(beyond, 0.0)[1].im + SLOPE;
+                    add(t, weight, slope - self.stress(beyond));
+                }
+                continue;
+            }
+            for (t, weight) in rule.iter() {
+                let [p, q] =
+                    self.gradient([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
+                add(t, weight, p * normal[0] + q * normal[1]);
+            }
+        }
+        Ok(load)
+    }
+
+    /// (t, weight, x − a) on the segment x = start + t · length, graded toward a where it lies inside.
+    fn points_on_bottom(&self, start: f64, length: f64, rule: &Rule) -> Vec<(f64, f64, f64)> {
+        let cut = (self.position - start) / length;
+        if !(0.0..=1.0).contains(&cut) {
+            return rule.iter().map(|(t, weight)| (t, weight, (t - cut) * length)).collect();
+        }
+        let halves = [(-1.0, cut), (1.0, 1.0 - cut)];
+        halves
+            .iter()
+            .flat_map(|&(side, width)| {
+                rule.iter().map(move |(s, weight)| {
+                    let distance = width * s.powi(GRADING);
+                    let stretch = width * f64::from(GRADING) * s.powi(GRADING - 1);
+                    (cut + side * distance, weight * stretch, side * distance * length)
+                })
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::mesh_transition::tests::scenes;
+    use super::*;
+    use crate::cone::Cone;
+    use crate::contact::Solver;
+    use crate::mesh::doubled_area;
+    use crate::scenes::TransitionPowers;
+
+    /// a(u, φ_i) = ∫ f φ_i + ∫ (g + σ_N) φ_i at every node that is not held: u solves the problem of its loads.
+    #[test]
+    fn the_loads_are_those_of_u() {
+        let n = 4;
+        for whole_boundary in [false, true] {
+            for scene in scenes(whole_boundary) {
+                let problem = scene.problem(n).unwrap();
+                let mesh = problem.mesh();
+                let held = mesh.nodes_on(Part::Dirichlet);
+                let mut work = vec![0.0; mesh.nodes().len()];
+                let rule = scene.rule(10).unwrap();
+                let reaction = f64::from(u8::from(whole_boundary));
+                let mut volume = work.clone();
+                for (t, corners) in mesh.triangles().iter().enumerate() {
+                    let triangle = mesh.corners(t);
+                    for (k, &node) in corners.iter().enumerate() {
+                        let (b, c) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+                        let doubled = doubled_area(triangle);
+                        let slope = [(b[1] - c[1]) / doubled, (c[0] - b[0]) / doubled];
+                        rule.on(triangle, &mut |point, weight| {
+                            let ([p, q], u) = (scene.gradient(point), scene.displacement(point));
+                            let share = doubled_area([point, b, c]) / doubled;
+                            work[node] += weight * (p * slope[0] + q * slope[1] + reaction * u * share);
+                            volume[node] += weight * reaction * u * share;
+                            Ok(())
+                        })
+                        .unwrap();
+                    }
+                }
+                let mut load = scene.edge_load(mesh).unwrap();
+                let rule = Rule::gauss_legendre(EDGE_POINTS).unwrap();
+                for i in 0..n {
+                    let start = i as f64 / n as f64;
+                    for (t, weight, beyond) in scene.points_on_bottom(start, 1.0 / n as f64, &rule) {
+                        for (node, share) in [(i, 1.0 - t), (i + 1, t)] {
+                            load[node] += weight * share / n as f64 * scene.stress(beyond);
+                        }
+                    }
+                }
+                for node in (0..work.len()).filter(|&node| !held[node]) {
+                    let off = work[node] - volume[node] - load[node];
+                    assert!(off.abs() < 2e-6, "{scene} node {node}: {off:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn contact_is_found_where_it_is_in_both_cones() {
+        for scene in scenes(true).into_iter().chain(scenes(false)) {
+            let problem = scene.problem(16).unwrap();
+            for cone in Cone::ALL {
+                let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
+                assert!(
+                    solution.status.is_converged() && solution.judgement.worst() < 1e-12,
+                    "{scene} {cone}"
+                );
+                let expected = 2 * 16 / 3;
+                assert!(solution.contact_set.count().abs_diff(expected) <= 2, "{scene} {cone}");
+                let error = scene.error(&problem, &solution.displacement).unwrap();
+                assert!(error.error < 1e-3 * error.value, "{scene} {cone}: {error:?}");
+            }
+        }
+        for opening in [0.2, 0.95, 1.6, f64::NAN] {
+            let powers = TransitionPowers { opening, ..TransitionPowers::of_regularity(1.75) };
+            assert!(MeshTransition::new(powers, 0.5, true).is_err(), "{opening}");
+        }
+        assert!(MeshTransition::new(TransitionPowers::of_regularity(1.75), 1.0, true).is_err());
+    }
+}
