@@ -113,7 +113,8 @@ pub fn findings(_: &Options, rows: &[Row]) -> Vec<Finding> {
             "but for slivers the next mesh takes {value} times as many gradient steps at most",
         )
         .number_or(growth, "a single mesh")
-        .at_most(1.25, "five steps for four"),
+        .at_most(1.25, "five steps for four")
+        .otherwise("but for slivers the next mesh takes up to {value} times as many gradient steps"),
         Finding::remark("slivers", "on slivers the factor of a cycle reaches {value}")
             .number_or(slow.map(|factor| (factor, 0.0)), "no run")
             .at_least(0.99, "230 cycles for a digit")

@@ -43,12 +43,15 @@
 //! | Remark 6: one point is enough above 1/2 | [`poincare::gamma_at_point`] |
 //! | Remark 7: the zone may lie anywhere | [`poincare::Places`], [`poincare::Zone::at`] |
 //! | Lemma 6.1, (6.1): interpolation on one interval | [`interpolation::element_constant`], [`interpolation::InterpolationError`] |
+//! | Lemma 6.1, triangles: interpolation on one triangle: best constants | [`interpolation::TriangleConstants`], [`interpolation::TriangleShape`], [`interpolation::kobayashi`] |
+//! | Lemma 6.1, shapes: interpolation on triangles of all angles | [`interpolation::TriangleShape`], [`interpolation::TriangleExtremal`] |
 //! | (6.2): deviation from the mean | [`interpolation::limits::pointwise`], [`interpolation::mean_deviation`] |
 //! | Lemma 6.2: interpolation on a mesh | [`interpolation::mesh_constant`] |
 //! | Remark 7, sharp: of all sets of one measure the end is the worst | [`poincare::Zones`], [`poincare::ZoneCase`], [`poincare::MovedZone`], [`sobolev::PiecewisePolynomial::decreasing_rearrangement`] |
 //! | (5.2), exact: the law at one half between two bounds | [`poincare::HalfBracket`], [`poincare::UniformLaw`] |
 //! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`], [`poincare::half_order_moment`] |
 //! | Theorems 3.1 and 4.1, tau = 2: a bound without C | [`proof::BoundWithoutC`], [`proof::MeshShape`], [`scenes::ClosedForm`] |
+//! | Theorems 3.1 and 4.1, numbers: a bound with every constant a number, below tau = 2 | [`proof::TheoremNumbers`], [`proof::NumberedStudy`], [`scenes::RoughTransition`] |
 //! | Theorem 3.1, the limit: contact costs nothing | [`proof::contact_cost`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |

@@ -272,7 +272,7 @@ where
     F: Fn(usize) -> bool,
 {
     let n = z.len();
-    let sign = |i: usize| [1.0, -1.0][i % 2];
+    let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
     let mut offset = vec![0.0; n];
     for i in 1..n {
         offset[i] = 2.0 * (data.bound)(i - 1) - offset[i - 1];

@@ -7,6 +7,7 @@
 //! | e = u − I^h u, e' = u' − (mean of u' on the element) | everything is written in the slope v = u' |
 //! | \|u\|_{1+ν} = \|u'\|_ν | [`crate::sobolev`], double integral over both orders of x and y |
 //! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|_{1+ν} | [`element_constant`] |
+//! | Lemma 6.1 on a triangle | [`TriangleConstants`], [`kobayashi`] |
 //! | Lemma 6.1 for one u | [`InterpolationError`], [`power_slope`] |
 //! | Lemma 6.2: for one u on a mesh, best constants on a mesh | [`InterpolationError`], [`mesh_constant`] |
 //! | functions to try, and an optimiser | [`RoughSlopes`], [`worst_ratios`], [`ascend`] |
@@ -36,6 +37,7 @@ mod mesh;
 mod projection;
 mod rate;
 mod trial;
+mod triangle;
 
 pub use dual::{AliasedWave, DualNorm, all_waves_mean, all_waves_rate, smooth_dual_error};
 pub use element::{
@@ -58,3 +60,4 @@ pub use trial::{
     InterpolationError, RoughFamily, RoughSlopes, SampleSlope, WorstRatios, power_slope, rearranged_shares,
     worst_ratios,
 };
+pub use triangle::{TriangleConstant, TriangleConstants, TriangleExtremal, TriangleShape, kobayashi};

@@ -41,20 +41,25 @@ pub fn series_with_slope(coefficients: impl IntoIterator<Item = f64>, x: f64) ->
     (sum, derivative)
 }
 
-/// (P_k(b) − P_k(a))/(b − a) for k < `count`, from the recurrence itself and so without a difference:
-/// (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
+/// (P_k(b) − P_k(a))/(b − a) for k < `count`, as [`fill_with_quotients`].
 pub fn difference_quotients(count: usize, a: f64, b: f64) -> Vec<f64> {
-    let mut quotients = Vec::with_capacity(count);
-    let (mut previous, mut quotient) = (0.0, 0.0);
-    let (mut legendre_before, mut legendre) = (0.0, 1.0);
-    for k in 0..count {
-        quotients.push(quotient);
-        let n = k as f64;
-        let following = ((2.0 * n + 1.0) * (b * quotient + legendre) - n * previous) / (n + 1.0);
-        (previous, quotient) = (quotient, following);
-        (legendre_before, legendre) = (legendre, next(k, a, legendre, legendre_before));
-    }
+    let mut quotients = vec![0.0; count];
+    fill_with_quotients(&mut vec![0.0; count], &mut quotients, a, b);
     quotients
+}
+
+/// P_k(a) and (P_k(b) − P_k(a))/(b − a) into all places, from the recurrence itself and so without a
+/// difference: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
+pub fn fill_with_quotients(values: &mut [f64], quotients: &mut [f64], a: f64, b: f64) {
+    let (mut previous, mut quotient) = (0.0, 0.0);
+    let (mut before, mut current) = (0.0, 1.0);
+    for (k, (value, place)) in values.iter_mut().zip(quotients).enumerate() {
+        (*value, *place) = (current, quotient);
+        let n = k as f64;
+        let following = ((2.0 * n + 1.0) * (b * quotient + current) - n * previous) / (n + 1.0);
+        (previous, quotient) = (quotient, following);
+        (before, current) = (current, next(k, a, current, before));
+    }
 }
 
 #[cfg(test)]

@@ -138,12 +138,7 @@ impl Leaves {
                 for (y, z, w) in &second {
                     let (dx, dy) = (x[0] - y[0], x[1] - y[1]);
                     let kernel = v * w * self.kernel.at(dx * dx + dy * dy);
-                    let difference: [f64; K] = std::array::from_fn(|k| u[k] - z[k]);
-                    for i in 0..K {
-                        for j in 0..=i {
-                            part[i][j] += kernel * difference[i] * difference[j];
-                        }
-                    }
+                    add_square(&mut part, kernel, std::array::from_fn(|k| u[k] - z[k]));
                 }
             }
             for i in 0..K {
@@ -153,6 +148,16 @@ impl Leaves {
             }
         }
         Ok(work)
+    }
+}
+
+/// Adds k d dᵀ to the lower triangle of a matrix.
+#[inline]
+pub(super) fn add_square<const K: usize>(entries: &mut [[f64; K]; K], k: f64, d: [f64; K]) {
+    for i in 0..K {
+        for j in 0..=i {
+            entries[i][j] += k * d[i] * d[j];
+        }
     }
 }
 

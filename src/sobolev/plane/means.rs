@@ -17,7 +17,7 @@
 //! times sinh θ: exact to rounding for every sliver.
 
 use super::geometry::{dot, length, minus, product_difference, twice_area};
-use super::leaves::{LEVELS, Leaves, Levels};
+use super::leaves::{LEVELS, Leaves, Levels, add_square};
 use super::simplex::Simplex;
 use crate::error::Result;
 use crate::numeric::scale::power_of_two;
@@ -123,11 +123,7 @@ impl Means {
                 let u = height * theta.sinh();
                 let kernel = factor * w * width * theta.cosh().powf(-1.0 - 2.0 * s);
                 let difference: [f64; K] = std::array::from_fn(|k| slopes[k].mul_add(u, at_foot[k]));
-                for i in 0..K {
-                    for j in 0..=i {
-                        entries[i][j] += kernel * difference[i] * difference[j];
-                    }
-                }
+                add_square(&mut entries, kernel, difference);
             }
         }
         *work += CELL_POINTS as u64 * cells as u64;

@@ -10,6 +10,9 @@
 //! sin(bL)/b): nothing cancels. It is finite exactly for a > s − 1. At u = ψ = 0 the integrand is ξ^{-2s}
 //! times an analytic function of polar kind: Duffy's coordinates and a Gauss-Jacobi rule in ξ; elsewhere
 //! Gauss rules on cells that grow away from it.
+//!
+//! The gradient of the harmonic r^p sin(pφ) is p r^{p−1} (cos, sin) of (p−1)φ in fixed directions: both
+//! components together have P = 2L and Q = 4 sin²((p−1)ψ/2) L, a = p − 1, times p².
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -18,9 +21,19 @@ use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{ENTRY_ROUNDING, accept, scaled};
 use std::f64::consts::PI;
 
+/// What stands beside r^a.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Part {
+    /// sin(bφ).
+    Sine,
+    /// The vector (cos(bφ), sin(bφ)).
+    Rotation,
+}
+
 /// r^a sin(bφ) on a sector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SectorPower {
+    part: Part,
     exponent: f64,
     frequency: f64,
     angle: f64,
@@ -56,7 +69,32 @@ impl SectorPower {
         Error::require("frequency b", frequency, "(0, 20]", frequency > 0.0 && frequency <= 20.0)?;
         Error::require("angle", angle, "(0, 7 pi/4]", angle > 0.0 && angle <= WIDEST)?;
         Error::require("radius", radius, "(0, inf)", radius > 0.0 && radius.is_finite())?;
-        Ok(Self { exponent, frequency, angle, radius })
+        Ok(Self { part: Part::Sine, exponent, frequency, angle, radius })
+    }
+
+    /// |∇(r^p sin(pφ))|_s on the half disc 0 < φ < π, r < R; scales like R^{p−s}.
+    ///
+    /// ```
+    /// use signorini::sobolev::{FractionalOrder, SectorPower};
+    /// use signorini::Tolerance;
+    /// // p = 2: the gradient of 2xy, 2(y, x), on the half disc
+    /// let s = FractionalOrder::new(0.5)?;
+    /// let norm = SectorPower::harmonic_gradient(2.0, 1.0, s, Tolerance::reference())?;
+    /// assert!(norm.relative_error() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SectorPower::new`] and [`SectorPower::seminorm`], with a = p − 1.
+    pub fn harmonic_gradient(
+        power: f64,
+        radius: f64,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        let gradient = Self { part: Part::Rotation, ..Self::new(power - 1.0, 1.0, PI, radius)? };
+        let gradient = Self { frequency: (power - 1.0).abs(), ..gradient };
+        scaled(power.abs(), gradient.seminorm(order, tolerance)?)
     }
 
     /// |w|_s; scales like R^{a+1−s}.
@@ -133,9 +171,14 @@ impl SectorPower {
         let rest = self.angle - psi;
         let (tau, one_minus) = ((-self.exponent * u).exp(), -(-self.exponent * u).exp_m1());
         let half = (0.5 * b * psi).sin();
-        let q = 2.0 * half * half * (rest + (b * self.angle).cos() * (b * rest).sin() / b);
-        let sines = (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
-        let p = rest - sines / (4.0 * b);
+        let (p, q) = match self.part {
+            Part::Rotation => (2.0 * rest, 4.0 * half * half * rest),
+            Part::Sine => {
+                let sines = (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
+                let q = 2.0 * half * half * (rest + (b * self.angle).cos() * (b * rest).sin() / b);
+                (rest - sines / (4.0 * b), q)
+            }
+        };
         let distance = 4.0 * ((0.5 * u).sinh().powi(2) + (0.5 * psi).sin().powi(2));
         let weight = (-order.complement() * u - (1.0 + s) * distance.ln()).exp();
         weight * (one_minus * one_minus * p + 2.0 * tau * q)

@@ -1,6 +1,7 @@
 //! Pictures of an idea: `{{idea: name: caption}}`. They show no result, so no example draws them: a segment with its
 //! zones, a wave with its nodes, a staircase. Some are frames of a slider.
 
+mod bounds;
 mod edge;
 mod functions;
 mod pen;
@@ -50,6 +51,10 @@ fn frames(name: &str) -> Option<Frames> {
         "truncated" => ("L", over(&[2.0, 4.0, 8.0, 16.0], functions::truncated)),
         "stretching" => ("θ", over(&[0.25, 0.35, 0.5, 0.7], functions::stretching)),
         "odd" => ("θ", over(&[0.1, 0.3, 0.6], functions::odd)),
+        "projections" => ("", vec![(String::new(), bounds::projections())]),
+        "balance" => ("1/h", over(&[4.0, 16.0, 64.0, 256.0], bounds::balance)),
+        "interpolation" => ("cells", over(&[1, 2, 4, 8], bounds::interpolation)),
+        "pinned" => ("half width", over(&[0.15, 0.05, 0.01, 0.0], bounds::pinned)),
         _ => return None,
     })
 }
@@ -73,6 +78,10 @@ mod tests {
             "truncated",
             "stretching",
             "odd",
+            "projections",
+            "balance",
+            "interpolation",
+            "pinned",
         ];
         for name in names {
             let html = inline(name, "what it shows").unwrap();

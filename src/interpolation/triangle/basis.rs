@@ -1,0 +1,204 @@
+//! Functions on a triangle: orthonormal polynomials, and powers about the corners.
+//!
+//! Polynomials (Koornwinder 1975, Dubiner 1991), from a corner with τ, a of [`super::shape`]:
+//! w_km = (2|T|)^{-1/2} P_k(a) R_km(τ), P_k Legendre's polynomials orthonormal on (0, 1) and R_km =
+//! (2m+2k+2)^{1/2} τ^k P_m^{(0,2k+1)}(2τ − 1) orthonormal with the weight τ. Degree k + m, orthonormal in L².
+//!
+//! Powers: τ^μ P_k(a), k ≤ J. Their gradients are τ^{μ−1} (μ P_k ∇τ + P_k' (∇β_C − a ∇τ)), again polynomials
+//! of degree k in a times τ^{μ−1}.
+
+use super::shape::{Barycentric, TriangleShape, collapsed};
+use crate::error::Result;
+use crate::quadrature::Rule;
+
+/// Distances up to which differences are integrals of slopes, and the points of those: degrees up to 40 leave
+/// (CLOSE k²)^{2 SLOPES} / (2 SLOPES)!.
+const CLOSE: f64 = 5e-3;
+const SLOPES: usize = 8;
+
+/// Values P_0 ... and slopes of the orthonormal Legendre polynomials on (0, 1).
+pub(super) fn angular(count: usize, a: f64) -> (Vec<f64>, Vec<f64>) {
+    let (values, slopes) = (jacobi(0.0, count, 2.0 * a - 1.0), shifted_slopes(count, a));
+    let scaled = |list: Vec<f64>| {
+        list.into_iter().enumerate().map(|(k, x)| (2.0 * k as f64 + 1.0).sqrt() * x).collect()
+    };
+    (scaled(values), scaled(slopes))
+}
+
+/// Slopes in a of P_k(2a − 1): P_k' = (k+1)/2 P_{k−1}^{(1,1)} in 2a − 1.
+fn shifted_slopes(count: usize, a: f64) -> Vec<f64> {
+    let inner = jacobi_of(1.0, 1.0, count.max(1) - 1, 2.0 * a - 1.0);
+    std::iter::once(0.0)
+        .chain(inner.iter().enumerate().map(|(k, x)| (k as f64 + 2.0) * x))
+        .take(count)
+        .collect()
+}
+
+/// P_m^{(0,β)}(x) for m < count.
+fn jacobi(beta: f64, count: usize, x: f64) -> Vec<f64> {
+    jacobi_of(0.0, beta, count, x)
+}
+
+/// P_m^{(α,β)}(x) for m < count, by the recurrence.
+fn jacobi_of(alpha: f64, beta: f64, count: usize, x: f64) -> Vec<f64> {
+    let mut values = vec![1.0, 0.5 * (alpha - beta + (alpha + beta + 2.0) * x)];
+    for m in 2..count {
+        let n = m as f64;
+        let sum = 2.0 * n + alpha + beta;
+        let first = (sum - 1.0) * (sum * (sum - 2.0) * x + alpha * alpha - beta * beta);
+        let second = 2.0 * (n + alpha - 1.0) * (n + beta - 1.0) * sum;
+        let over = 2.0 * n * (n + alpha + beta) * (sum - 2.0);
+        values.push((first * values[m - 1] - second * values[m - 2]) / over);
+    }
+    values.truncate(count);
+    values
+}
+
+/// R_km(τ) and its slope for m < count.
+fn radial(k: usize, count: usize, tau: f64) -> Vec<(f64, f64)> {
+    let beta = 2.0 * k as f64 + 1.0;
+    let x = 2.0 * tau - 1.0;
+    let (values, inner) = (jacobi(beta, count, x), jacobi_of(1.0, beta + 1.0, count.max(1) - 1, x));
+    let power = tau.powi(k as i32);
+    let slope_of_power = if k == 0 { 0.0 } else { k as f64 * tau.powi(k as i32 - 1) };
+    let one = |m: usize| {
+        let unit = (2.0 * (m + k) as f64 + 2.0).sqrt();
+        let slope = if m == 0 { 0.0 } else { (m as f64 + beta + 1.0) * inner[m - 1] };
+        (unit * power * values[m], unit * (slope_of_power * values[m] + power * slope))
+    };
+    (0..count).map(one).collect()
+}
+
+/// The polynomials of a degree, in the order of [`Polynomials::index`].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Polynomials(pub(super) usize);
+
+impl Polynomials {
+    /// Pairs (k, m) with k + m at most the degree.
+    pub(super) fn index(self) -> Vec<(usize, usize)> {
+        (0..=self.0).flat_map(|k| (0..=self.0 - k).map(move |m| (k, m))).collect()
+    }
+
+    /// R_km(τ) in that order.
+    pub(super) fn radials(self, tau: f64) -> Vec<f64> {
+        (0..=self.0).flat_map(|k| radial(k, self.0 + 1 - k, tau)).map(|(value, _)| value).collect()
+    }
+
+    /// R_km(τ) − R_km(τ(1−ε)) without cancellation: where the two are close, the integral of the slope.
+    pub(super) fn radial_differences(self, tau: f64, epsilon: f64) -> Result<Vec<f64>> {
+        if epsilon > CLOSE {
+            let (here, there) = (self.radials(tau), self.radials(tau * (1.0 - epsilon)));
+            return Ok(here.iter().zip(there).map(|(a, b)| a - b).collect());
+        }
+        let mut sum = vec![0.0; self.index().len()];
+        for (t, w) in Rule::gauss_legendre(SLOPES)?.iter() {
+            let at = tau * (1.0 - epsilon * t);
+            let slopes = (0..=self.0).flat_map(|k| radial(k, self.0 + 1 - k, at)).map(|(_, slope)| slope);
+            sum.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += tau * epsilon * w * slope);
+        }
+        Ok(sum)
+    }
+
+    /// All values at a point, seen from a corner.
+    pub(super) fn values(self, shape: &TriangleShape, apex: usize, beta: Barycentric) -> Vec<f64> {
+        let (tau, a) = collapsed(apex, beta);
+        let (p, _) = angular(self.0 + 1, a);
+        let unit = shape.twice().sqrt();
+        self.index().iter().zip(self.radials(tau)).map(|((k, _), r)| p[*k] * r / unit).collect()
+    }
+
+    /// All gradients at a point other than the first corner, seen from that corner.
+    pub(super) fn gradients(self, shape: &TriangleShape, beta: Barycentric) -> Vec<[f64; 2]> {
+        let (tau, a) = collapsed(0, beta);
+        let (p, slopes) = angular(self.0 + 1, a);
+        let unit = shape.twice().sqrt();
+        let [along, across] = directions(shape, 0, a);
+        let radials =
+            (0..=self.0).flat_map(|k| radial(k, self.0 + 1 - k, tau).into_iter().map(move |r| (k, r)));
+        radials
+            .map(|(k, (r, slope))| {
+                let (first, second) = (slope * p[k] / unit, r / tau * slopes[k] / unit);
+                [0, 1].map(|c| first * along[c] + second * across[c])
+            })
+            .collect()
+    }
+}
+
+/// ∇τ and τ∇a.
+fn directions(shape: &TriangleShape, apex: usize, a: f64) -> [[f64; 2]; 2] {
+    let (b, c) = (shape.gradients()[(apex + 1) % 3], shape.gradients()[(apex + 2) % 3]);
+    let along = [b[0] + c[0], b[1] + c[1]];
+    [along, [c[0] - a * along[0], c[1] - a * along[1]]]
+}
+
+/// τ^μ P_k(a) for k < count, about every corner.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Powers {
+    pub(super) exponent: f64,
+    pub(super) count: usize,
+}
+
+impl Powers {
+    pub(super) fn values(self, apex: usize, beta: Barycentric) -> Vec<f64> {
+        let (tau, a) = collapsed(apex, beta);
+        let power = tau.powf(self.exponent);
+        angular(self.count, a).0.into_iter().map(|p| power * p).collect()
+    }
+
+    pub(super) fn gradients(self, shape: &TriangleShape, apex: usize, beta: Barycentric) -> Vec<[f64; 2]> {
+        let (tau, a) = collapsed(apex, beta);
+        let power = tau.powf(self.exponent - 1.0);
+        self.angular_gradients(shape, apex, a).into_iter().map(|g| g.map(|x| power * x)).collect()
+    }
+
+    /// τ^{1−μ} times the gradients.
+    pub(super) fn angular_gradients(self, shape: &TriangleShape, apex: usize, a: f64) -> Vec<[f64; 2]> {
+        let (p, slopes) = angular(self.count, a);
+        let [along, across] = directions(shape, apex, a);
+        let one = |(p, slope): (&f64, &f64)| [0, 1].map(|c| self.exponent * p * along[c] + slope * across[c]);
+        p.iter().zip(&slopes).map(one).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shape::barycentric;
+    use super::*;
+    use crate::quadrature::Rule;
+
+    #[test]
+    fn orthonormal_with_slopes_that_are_slopes() {
+        let shape = TriangleShape::new([[0.0, 0.0], [2.0, 0.3], [0.4, 1.1]]).unwrap().unit();
+        let (set, apex) = (Polynomials(5), 1);
+        let (radial, across) = (Rule::gauss_jacobi(8, 0.0, 1.0).unwrap(), Rule::gauss_legendre(8).unwrap());
+        let count = set.index().len();
+        let mut gram = vec![0.0; count * count];
+        for (tau, v) in radial.iter() {
+            for (a, w) in across.iter() {
+                let values = set.values(&shape, apex, barycentric(apex, tau, a));
+                for i in 0..count {
+                    for j in 0..count {
+                        gram[i * count + j] += shape.twice() * v * w * values[i] * values[j];
+                    }
+                }
+            }
+        }
+        for i in 0..count {
+            for j in 0..count {
+                let exact = if i == j { 1.0 } else { 0.0 };
+                assert!((gram[i * count + j] - exact).abs() < 1e-13, "{i} {j}");
+            }
+        }
+        let (beta, step) = ([0.3, 0.25, 0.45], 1e-6);
+        let powers = Powers { exponent: 0.7, count: 4 };
+        let moved = |c: usize, h: f64| [0, 1, 2].map(|k| beta[k] + h * shape.gradients()[k][c]);
+        for c in 0..2 {
+            let (up, down) = (moved(c, step), moved(c, -step));
+            let of = |beta| [set.values(&shape, 0, beta), powers.values(2, beta)].concat();
+            let slopes = [set.gradients(&shape, beta), powers.gradients(&shape, 2, beta)].concat();
+            for ((up, down), slope) in of(up).iter().zip(of(down)).zip(slopes) {
+                assert!(((up - down) / (2.0 * step) - slope[c]).abs() < 1e-8);
+            }
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! The largest quotient of two forms on a part of a space, and the function that takes it.
+
+use super::space::Space;
+use crate::error::{Error, Result};
+use crate::numeric::eigen::symmetric_eigen;
+use faer::Mat;
+use std::sync::Arc;
+
+/// Directions in which the scaled seminorm is below this part of its largest value are left out: what is left
+/// of them is rounding. The quotient of what stays is a lower bound all the same.
+const CUT: f64 = 1e-11;
+
+/// An extremal function less its interpolant.
+#[derive(Clone)]
+pub struct TriangleExtremal {
+    pub(super) space: Arc<Space>,
+    pub(super) coefficients: Vec<f64>,
+}
+
+impl std::fmt::Debug for TriangleExtremal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("TriangleExtremal").field("coefficients", &self.coefficients.len()).finish()
+    }
+}
+
+impl TriangleExtremal {
+    /// u − Iu at barycentric coordinates, on the triangle with longest edge 1; |∇u|_s = 1, the sign is free.
+    pub fn value(&self, barycentric: [f64; 3]) -> f64 {
+        self.space.errors(barycentric).iter().zip(&self.coefficients).map(|(value, c)| value * c).sum()
+    }
+}
+
+/// The largest λ with B x = λ A x on the span of the `kept` functions, and its vector with xᵀ A x = 1.
+///
+/// # Errors
+/// [`Error::NotPositiveDefinite`] when A is not.
+pub(super) fn largest_quotient(a: &Mat<f64>, b: &Mat<f64>, kept: &[usize]) -> Result<(f64, Vec<f64>)> {
+    let size = kept.len();
+    let bad = || Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: size };
+    let scale: Vec<f64> = kept.iter().map(|&i| a[(i, i)].sqrt().recip()).collect();
+    let part =
+        |form: &Mat<f64>| Mat::from_fn(size, size, |i, j| scale[i] * scale[j] * form[(kept[i], kept[j])]);
+    let (values, vectors) = symmetric_eigen(&part(a)).ok_or_else(bad)?;
+    let least = CUT * values.last().ok_or_else(bad)?;
+    let from = values.iter().position(|value| *value > least).ok_or_else(bad)?;
+    let root = Mat::from_fn(size, size - from, |i, j| vectors[(i, from + j)] / values[from + j].sqrt());
+    let (found, inner) = symmetric_eigen(&(root.transpose() * part(b) * &root)).ok_or_else(bad)?;
+    let last = found.len() - 1;
+    let entry = |i: usize| (0..=last).map(|j| root[(i, j)] * inner[(j, last)]).sum::<f64>();
+    let mut vector = vec![0.0; a.nrows()];
+    (0..size).for_each(|i| vector[kept[i]] = scale[i] * entry(i));
+    Ok((found[last], vector))
+}

@@ -1,0 +1,166 @@
+//! Theorems 3.1 and 4.1 for 3/2 < τ ≤ 2 with every constant a number, beside the error of a problem whose
+//! solution is known.
+//!
+//! s = τ − 1, ν = τ − 3/2, right isosceles triangles with legs h, the Laplacian:
+//!
+//! |u − u_h|₁² ≤ C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + b²,
+//!
+//! C(s) of [`crate::interpolation::TriangleConstants`], value plus error; the sum over triangles of
+//! |∇u|²_{s,T} is at most that over a half disc that holds Ω. c(ν) = K(ν) of [`super::product_constant`] for
+//! the nodal cone and half of it for the midpoint cone, value plus error: for any contact set. b = 0 for the
+//! nodal cone; for the midpoint cone b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T ≤ (θ/π) P(ν)² h^{2τ−2} |σ_N|_ν², θ =
+//! coth π, P of [`projection_constant`], as in
+//! [`super::without_c`], steps 1 and 4. On a segment of length h the integrals ‖σ_N‖_{L¹} ‖u_N'‖_{L¹} scale
+//! like h^{1+2ν}
+//! |σ_N|_ν |u_N'|_ν, and 1 + 2ν = 2τ − 2; seminorms over all segments together are at most that of the edge.
+//!
+//! At τ = 2: ‖D²u‖ for |∇u|_s, Kobayashi's bound for C.
+
+use super::segment_constants::product_constant;
+use crate::cone::Cone;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance};
+use crate::interpolation::{TriangleConstants, TriangleShape, kobayashi, projection_constant};
+use crate::scenes::{EdgeDatum, RoughLevel, RoughTransition};
+use crate::sobolev::{FractionalOrder, SectorPower};
+use std::f64::consts::PI;
+
+/// Degree of the polynomials for C(s).
+const DEGREE: usize = 10;
+/// Relative accuracy of constants and norms; all are rounded up by their errors.
+const ACCURACY: f64 = 1e-5;
+/// More than the rounding of a few dozen operations.
+const ROUND_UP: f64 = 1.0 + 1e-13;
+
+/// The constants of one τ, all rounded up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TheoremNumbers {
+    /// τ.
+    pub tau: f64,
+    /// ν = τ − 3/2.
+    pub order: FractionalOrder,
+    /// C(τ − 1).
+    pub interpolation: f64,
+    /// K(ν).
+    pub segment: f64,
+    /// (θ/π)^{1/2} P(ν).
+    pub projection: f64,
+}
+
+/// The bound on one mesh, and what it bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NumberedRow {
+    /// n; h = 1/n.
+    pub n: usize,
+    /// |u − u_h|₁.
+    pub error: f64,
+    /// |u − I^h u|₁.
+    pub interpolation: f64,
+    /// The bound with the norms of all of Ω and of the edge.
+    pub bound: f64,
+    /// The same with |u − I^h u|₁ itself and the seminorms of the segment of the transition.
+    pub near: f64,
+}
+
+/// One scene in one cone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NumberedStudy {
+    /// Constants.
+    pub numbers: TheoremNumbers,
+    /// The scene.
+    pub scene: RoughTransition,
+    /// The cone.
+    pub cone: Cone,
+    /// |∇u|_{τ−1} on the half disc.
+    pub norm: f64,
+    /// |σ_N|_ν and |u_N'|_ν on the edge.
+    pub edge: [f64; 2],
+    /// Coarsest mesh first.
+    pub rows: Vec<NumberedRow>,
+}
+
+fn up(estimate: Estimate) -> f64 {
+    ROUND_UP * (estimate.value + estimate.error)
+}
+
+impl TheoremNumbers {
+    /// All constants for one τ.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 3/2 < τ ≤ 2; as the constants.
+    pub fn new(tau: f64) -> Result<Self> {
+        let tau = Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
+        let (order, asked) = (FractionalOrder::from_offset(tau - 2.0)?, Tolerance::new(ACCURACY)?);
+        let shape = TriangleShape::right_isosceles()?;
+        let interpolation = if tau == 2.0 {
+            ROUND_UP * kobayashi(&shape)
+        } else {
+            up(TriangleConstants::new(&shape, FractionalOrder::new(tau - 1.0)?, DEGREE)?.derivative.value)
+        };
+        let theta = 1.0 / PI.tanh();
+        Ok(Self {
+            tau,
+            order,
+            interpolation,
+            segment: up(product_constant(order, asked)?.value),
+            projection: (theta / PI).sqrt() * up(projection_constant(order.value(), asked)?),
+        })
+    }
+
+    /// The bound of |u − u_h|₁ for a mesh size, given a bound of |u − I^h u|₁, Σ_T |σ_N|_{ν,T} |u_N'|_{ν,T}
+    /// or more, and
+    /// |σ_N|_ν.
+    pub fn bound(&self, cone: Cone, h: f64, interpolation: f64, product: f64, pressure: f64) -> f64 {
+        let scale = h.powf(self.tau - 1.0);
+        let (segment, projection) = match cone {
+            Cone::Nodal => (self.segment, 0.0),
+            Cone::Midpoint => (0.5 * self.segment, self.projection),
+        };
+        let term = scale * (2.0 * segment * product).sqrt();
+        ROUND_UP * interpolation.hypot(term).hypot(scale * projection * pressure)
+    }
+}
+
+impl NumberedStudy {
+    /// The bound and the error on meshes of 4 × 4 ... 2^finest × 2^finest squares.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] where u is not in H^τ, p ≤ τ − 1; as [`RoughTransition::levels`].
+    pub fn new(numbers: TheoremNumbers, scene: RoughTransition, cone: Cone, finest: u32) -> Result<Self> {
+        let (p, radius, tau) = (scene.power(), scene.radius(), numbers.tau);
+        let asked = Tolerance::new(ACCURACY)?;
+        let norm = if tau == 2.0 {
+            second_seminorm(p, radius)?
+        } else {
+            up(SectorPower::harmonic_gradient(p, radius, FractionalOrder::new(tau - 1.0)?, asked)?)
+        };
+        let both = |part: [f64; 2]| -> Result<[f64; 2]> {
+            let one = |datum| Ok(up(scene.edge_seminorm(datum, part, numbers.order, asked)?));
+            Ok([one(EdgeDatum::Pressure)?, one(EdgeDatum::Slope)?])
+        };
+        let edge = both([0.0, 1.0])?;
+        let row = |level: RoughLevel| -> Result<NumberedRow> {
+            let RoughLevel { n, error, interpolation } = level;
+            let h = 1.0 / n as f64;
+            let [pressure, slope] = both(scene.segment(n))?;
+            let smooth = numbers.interpolation * h.powf(tau - 1.0) * norm;
+            Ok(NumberedRow {
+                n,
+                error,
+                interpolation,
+                bound: numbers.bound(cone, h, smooth, edge[0] * edge[1], edge[0]),
+                near: numbers.bound(cone, h, interpolation, pressure * slope, edge[0]),
+            })
+        };
+        let rows = scene.levels(cone, finest)?.into_iter().map(row).collect::<Result<_>>()?;
+        Ok(Self { numbers, scene, cone, norm, edge, rows })
+    }
+}
+
+/// ‖D²(r^p sin(pφ))‖ on the half disc: |D²|² = 2 p² (p−1)² r^{2p−4}.
+fn second_seminorm(p: f64, radius: f64) -> Result<f64> {
+    if p <= 1.0 {
+        return Err(Error::InfiniteNorm { order: 2.0, why: "r^p is in H^2 only for p > 1" });
+    }
+    Ok(ROUND_UP * p * ((p - 1.0) * PI * radius.powf(2.0 * p - 2.0)).sqrt())
+}
