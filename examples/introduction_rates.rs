@@ -1,7 +1,7 @@
 //! The introduction: (E1)-(E4), (N1), (N2), each with what a scene of its regularity shows.
 //!
-//! "Any" contact set: a fat Cantor set (τ < 2), 22 transitions; a natural transition inside an edge is r^{3/2}.
-//! (E1), (E3), (E4) on strips and on meshes of the square.
+//! "Any" contact set: a fat Cantor set (τ < 2), 22 transitions; a natural transition inside an edge is
+//! r^{3/2}. (E1), (E3), (E4) on strips and on meshes of the square.
 //!
 //! `cargo run --release --example introduction_rates -- --levels 3-16 --out out`
 

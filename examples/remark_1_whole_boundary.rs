@@ -1,7 +1,7 @@
 //! Remark 1 as printed: −Δu + u = f, u ≤ 0, ∂u/∂n ≤ 0, u ∂u/∂n = 0 on the whole boundary, in both cones.
 //!
-//! Rates of one transition whose solution is known; `membrane-reaction`, whose load knows nothing of its contact
-//! set, by two solvers.
+//! Rates of one transition whose solution is known; `membrane-reaction`, whose load knows nothing of its
+//! contact set, by two solvers.
 //!
 //! `cargo run --release --example remark_1_whole_boundary -- --meshes 9`
 

@@ -1,4 +1,5 @@
-//! Theorems 3.1 (nodal cone), 4.1 (midpoint cone): errors and consistency terms beside the bounds and h^{τ−1}.
+//! Theorems 3.1 (nodal cone), 4.1 (midpoint cone): errors and consistency terms beside the bounds and
+//! h^{τ−1}.
 //!
 //! `cargo run --release --example theorem_3_1_rates`
 //! `cargo run --release --example theorem_3_1_rates -- --scene fat-cantor --tau 1.65 --levels 4-14`

@@ -1,5 +1,5 @@
-//! The table of every label: no label of the paper without a row, no row whose finding is missing or undecided,
-//! whose page or test does not exist.
+//! The table of every label: no label of the paper without a row, no row whose finding is missing or
+//! undecided, whose page or test does not exist.
 
 use serde_json::Value;
 use std::collections::BTreeSet;

@@ -33,8 +33,8 @@ fn the_bound_is_above_the_error_on_every_mesh() {
     }
 }
 
-/// Changes of sides alone take hundreds of steps from n = 256 on and find no end at n = 1024: contact between a
-/// clamped end and a gap.
+/// Changes of sides alone take hundreds of steps from n = 256 on and find no end at n = 1024: contact between
+/// a clamped end and a gap.
 #[test]
 fn contact_beside_a_clamped_end_takes_few_steps_in_either_cone() {
     for (two_transitions, cone) in [false, true].into_iter().flat_map(|two| Cone::ALL.map(|cone| (two, cone)))
@@ -173,8 +173,8 @@ fn quadratics_obey_the_interpolation_constant() {
     assert!(largest < constant && largest > 0.9 * constant, "{largest} {constant}");
 }
 
-/// A run of contact from a clamped end to a gap has multipliers with a sawtooth, and has to be broken up at the right
-/// place: changing sides by the least index did not end on this mesh.
+/// A run of contact from a clamped end to a gap has multipliers with a sawtooth, and has to be broken up at
+/// the right place: changing sides by the least index did not end on this mesh.
 #[test]
 fn contact_at_clamped_ends_is_found_in_the_midpoint_cone() {
     let scene = ClosedForm { two_transitions: true, lame: None };

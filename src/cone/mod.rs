@@ -18,6 +18,7 @@
 //! knows no mesh and no operator.
 
 mod contact_set;
+mod derivative;
 mod edge_cone;
 mod face;
 mod judge;

@@ -104,7 +104,8 @@ impl EdgeCone {
 }
 
 impl Coordinates {
-    /// A run of a ring; one that is the whole ring closes, and with an odd number of nodes leaves nothing free.
+    /// A run of a ring; one that is the whole ring closes, and with an odd number of nodes leaves nothing
+    /// free.
     fn add_ring_sawtooth(&mut self, run: &[usize], bound: &[f64], whole: bool) {
         let (first, last) = (run[0], run[run.len() - 1]);
         for pair in run.windows(2) {

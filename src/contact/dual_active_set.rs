@@ -292,12 +292,8 @@ mod tests {
         let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone, ends };
         let (set, _) = dual_active_set(&problem).unwrap();
         let found = solve_on_edge(&problem, ContactSet::empty(nodes - 1)).unwrap();
-        assert!(
-            found.status.is_converged() && found.history.len() < 30,
-            "{} {}",
-            found.status,
-            found.history.len()
-        );
+        let (status, steps) = (found.status, found.history.len());
+        assert!(status.is_converged() && steps < 30, "{status} {steps}");
         assert_eq!(found.set, set);
     }
 }

@@ -13,9 +13,9 @@ impl ContactProblem {
     /// The discrete solution in the given cone by the given solver, judged. The active set starts without
     /// contact; multigrid is asked for twelve digits in the energy norm.
     ///
-    /// On a closed edge with an even number of segments, all of them in contact, the means of the midpoint cone
-    /// are dependent: of the multipliers, which differ by a sawtooth, the one with the greatest minimum is
-    /// returned.
+    /// On a closed edge with an even number of segments, all of them in contact, the means of the midpoint
+    /// cone are dependent: of the multipliers, which differ by a sawtooth, the one with the greatest minimum
+    /// is returned.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, scenes::MeshScene};
@@ -25,8 +25,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when some part of the body is not held. How the iteration ended is in the
-    /// status.
+    /// [`Error::NotPositiveDefinite`] when some part of the body is not held. How the iteration ended is in
+    /// the status.
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
         match solver.for_unknowns(self.unknowns()) {
             Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),

@@ -58,8 +58,8 @@ impl SceneFamily<'static> {
         })
     }
 
-    /// A named scene at τ = 2 with data times ℓ^{−α} ([`StripScene::damped_data`]); one transition is moved over
-    /// `positions` places of a cell of the coarsest level.
+    /// A named scene at τ = 2 with data times ℓ^{−α} ([`StripScene::damped_data`]); one transition is moved
+    /// over `positions` places of a cell of the coarsest level.
     ///
     /// # Errors
     /// As [`SceneFamily::named`].

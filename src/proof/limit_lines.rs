@@ -1,7 +1,7 @@
 //! The lines of the proofs for τ ≥ 2, (3.10), (3.15), (4.12), (4.13) and (4.14), on several pairs each.
 //!
-//! τ = 2, θ = h² and θ = 1/2: one transition, five gaps, and a Cantor set; (4.14): one transition of regularity 2.05, 2.25 and
-//! 2.45. Cost: nine profiles of meshes h = 1/8 ... 1/256 at most.
+//! τ = 2, θ = h² and θ = 1/2: one transition, five gaps, and a Cantor set; (4.14): one transition of
+//! regularity 2.05, 2.25 and 2.45. Cost: nine profiles of meshes h = 1/8 ... 1/256 at most.
 
 use super::case::ProofCase;
 use super::line::Line;
@@ -53,7 +53,8 @@ pub fn limit_lines(section: Section, q: f64) -> Result<LimitLines> {
     let pairs = pairs.chain(above.iter().map(|&tau| (StripScene::transition(), tau)));
     let (mut found, mut globally): (Vec<LimitLine>, f64) = (Vec::new(), 0.0);
     for (source, tau) in pairs {
-        // With θ = h² no segment with a term is in the first case on these meshes; with θ = 1/2 there are some.
+        // With θ = h² no segment with a term is in the first case on these meshes; with θ = 1/2 there are
+        // some.
         let rules = [ThetaRule::Printed { tau: 2.0 }, ThetaRule::Fixed(0.5)];
         let mut met: Vec<Line> = Vec::new();
         for rule in &rules[..if tau == 2.0 { 2 } else { 1 }] {

@@ -5,8 +5,8 @@
 //! F = i z^p / sin πp,  at p = 1: F = i z ℓ^{1−α} / (π (1 − α)),  and i z ln ℓ / π for α = 1.
 //!
 //! u is harmonic. On y = 0 it is zero beyond a, and before a it is −r^p, at p = 1 like −r ℓ(r)^{−α}: contact
-//! [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; a load g = ∂u/∂n − σ_N on the edge makes up for the rest, as on a strip
-//! ([`super::TransitionPowers`]). −s y keeps u < 0 on the other sides, and no element sees it.
+//! [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; a load g = ∂u/∂n − σ_N on the edge makes up for the rest, as on a
+//! strip ([`super::TransitionPowers`]). −s y keeps u < 0 on the other sides, and no element sees it.
 //!
 //! * *three sides held*: −Δu = 0, u is prescribed on them;
 //! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where

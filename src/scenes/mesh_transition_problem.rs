@@ -10,8 +10,8 @@ use crate::fem::{Cubature, Field, Form, error_norms};
 use crate::mesh::{Part, Point, Sides, Triangulation, distance, unit_square};
 use crate::quadrature::Rule;
 
-/// Points along each side of a triangle's rule, below p = 1 and from there on; for the error the coarser one says how
-/// exact the finer is.
+/// Points along each side of a triangle's rule, below p = 1 and from there on; for the error the coarser one
+/// says how exact the finer is.
 const POINTS: [[usize; 2]; 2] = [[4, 5], [3, 4]];
 /// Gauss points on a segment, and m: t^{mp−1} is smooth enough for p ≥ 3/10.
 const EDGE_POINTS: usize = 24;
@@ -123,7 +123,8 @@ mod tests {
     use crate::mesh::doubled_area;
     use crate::scenes::TransitionPowers;
 
-    /// a(u, φ_i) = ∫ f φ_i + ∫ (g + σ_N) φ_i at every node that is not held: u solves the problem of its loads.
+    /// a(u, φ_i) = ∫ f φ_i + ∫ (g + σ_N) φ_i at every node that is not held: u solves the problem of its
+    /// loads.
     #[test]
     fn the_loads_are_those_of_u() {
         let n = 4;

@@ -1,5 +1,5 @@
-//! Code that a page shows or names: one function of an example with the comment above it; the name of an example or of
-//! a test, which must exist.
+//! Code that a page shows or names: one function of an example with the comment above it; the name of an
+//! example or of a test, which must exist.
 
 use std::path::Path;
 

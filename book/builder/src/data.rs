@@ -2,8 +2,8 @@
 //!
 //! `book/generated/values.json` holds one object per example, as the examples' option `--values` writes them;
 //! `book/generated/options.json` what may be asked of each (`--describe`),
-//! `book/generated/figures/EXAMPLE/NAME.svg` the figures that pages show, `NAME.csv` the numbers behind a chart. A key on a page is `example/key`, or `key`
-//! alone where only one example has it.
+//! `book/generated/figures/EXAMPLE/NAME.svg` the figures that pages show, `NAME.csv` the numbers behind a
+//! chart. A key on a page is `example/key`, or `key` alone where only one example has it.
 
 use crate::error::{Error, Result, read, write};
 use serde_json::{Map, Value};
@@ -163,8 +163,8 @@ pub(crate) fn parse_object(path: &Path, text: &str) -> Result<Map<String, Value>
     serde_json::from_str(text).map_err(|e| Error::Data { path: path.to_owned(), message: e.to_string() })
 }
 
-/// JSON with one entry of an object per line, and arrays of plain values and innermost objects on one line: changes
-/// show line by line.
+/// JSON with one entry of an object per line, and arrays of plain values and innermost objects on one line:
+/// changes show line by line.
 fn push_json(text: &mut String, value: &Value, depth: usize) {
     let is_plain = |v: &Value| !v.is_array() && !v.is_object();
     let (open, close, entries): (char, char, Vec<(String, &Value)>) = match value {

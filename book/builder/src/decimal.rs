@@ -1,5 +1,6 @@
-//! Decimals typed by hand: a number with a fractional part or a power of ten in prose or in a formula must come from
-//! a computation (`{{value:...}}`) or be on the allow-list. The paper's own labels (Lemma 5.2, (3.15)) are no numbers.
+//! Decimals typed by hand: a number with a fractional part or a power of ten in prose or in a formula must
+//! come from a computation (`{{value:...}}`) or be on the allow-list. The paper's own labels (Lemma 5.2,
+//! (3.15)) are no numbers.
 
 /// Highest equation number of each section of the paper: (1.1), (2.1)-(2.9), ... (6.1)-(6.2).
 const LAST_EQUATION: [(u32, u32); 6] = [(1, 1), (2, 9), (3, 15), (4, 14), (5, 9), (6, 2)];

@@ -1,7 +1,7 @@
 //! Runs every example of the library at its default size and collects what it computed.
 //!
-//! An outcome is kept in `target/book-cache` beside a stamp of the program that computed it, so that only examples
-//! whose program changed run again.
+//! An outcome is kept in `target/book-cache` beside a stamp of the program that computed it, so that only
+//! examples whose program changed run again.
 
 use crate::data::{Data, names, parse_object};
 use crate::error::{Error, Result, read, write};

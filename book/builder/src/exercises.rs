@@ -1,8 +1,9 @@
 //! Exercises at the end of pages, from `exercises.toml`: what is asked, a hint, a solution, both folded.
 //!
-//! A table per exercise, under the name of its page: `kind` is `why`, `prove`, `number` or `try`; `ask` and `answer` are
-//! Markdown as on a page, `hint` may be left out. The answer of a `number` is one that an example computed, so it holds a
-//! `{{value: ...}}` or a `{{finding: ...}}`. A page with exercises has two to four, and asks at least one "why".
+//! A table per exercise, under the name of its page: `kind` is `why`, `prove`, `number` or `try`; `ask` and
+//! `answer` are Markdown as on a page, `hint` may be left out. The answer of a `number` is one that an
+//! example computed, so it holds a `{{value: ...}}` or a `{{finding: ...}}`. A page with exercises has two to
+//! four, and asks at least one "why".
 
 use crate::error::{Error, Fault, Result, read};
 use crate::page::Page;

@@ -1,5 +1,5 @@
-//! A figure of an example made part of a page: inline SVG that takes the ink of the page (light, dark, print) and
-//! carries a label for those who do not see it.
+//! A figure of an example made part of a page: inline SVG that takes the ink of the page (light, dark, print)
+//! and carries a label for those who do not see it.
 
 use crate::markup::{Tag, escape, tags, well_formed};
 use std::fmt::Write as _;
@@ -9,8 +9,8 @@ const INK: [&str; 5] = ["black", "#000", "#000000", "rgb(0,0,0)", "rgb(0, 0, 0)"
 /// Paper written by chart writers that is left out.
 const PAPER: [&str; 4] = ["white", "#fff", "#ffffff", "rgb(255,255,255)"];
 
-/// The figure `name` as HTML: a `<figure>` with the SVG and its caption, which is also its label, and a link to the
-/// numbers behind it where there are some.
+/// The figure `name` as HTML: a `<figure>` with the SVG and its caption, which is also its label, and a link
+/// to the numbers behind it where there are some.
 ///
 /// # Errors
 /// In words, when the text is no self-contained SVG.

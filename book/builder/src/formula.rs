@@ -1,4 +1,5 @@
-//! Formulas: LaTeX to MathML for the whole book at once, so that numbers and references run through all pages.
+//! Formulas: LaTeX to MathML for the whole book at once, so that numbers and references run through all
+//! pages.
 
 use crate::markup;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
@@ -109,8 +110,8 @@ fn mathml(formulas: &[Formula]) -> Vec<Converted> {
         .collect()
 }
 
-/// Primes at full size and lowered: Chromium does not take the font's glyph for a superscript (feature `ssty`) and
-/// sets the one that is small and high already still smaller and higher.
+/// Primes at full size and lowered: Chromium does not take the font's glyph for a superscript (feature
+/// `ssty`) and sets the one that is small and high already still smaller and higher.
 fn primes(mathml: &str) -> String {
     const PRIME: &str = "<mo>′</mo>";
     const LOWERED: &str = r#"<mpadded voffset="-0.4em" height="0.2em"><mo scriptlevel="0">′</mo></mpadded>"#;

@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 /// File name of the math font in the output; the style sheet names the same.
 pub const FONT: &str = "NewCMMath-Regular.otf";
 
-/// The chapters of the book at `root`, in order, each with its exercises, named relative to `base` in messages.
+/// The chapters of the book at `root`, in order, each with its exercises, named relative to `base` in
+/// messages.
 ///
 /// # Errors
 /// [`Error::Mdbook`] when the summary or a chapter cannot be read; chapters must stand in one directory.

@@ -1,5 +1,6 @@
-//! Code included from examples: the file and the anchor must exist (mdBook itself would pass over them in silence),
-//! and Rust code must stand in a block marked `rust,ignore`, because chapters are documentation tests.
+//! Code included from examples: the file and the anchor must exist (mdBook itself would pass over them in
+//! silence), and Rust code must stand in a block marked `rust,ignore`, because chapters are documentation
+//! tests.
 
 use crate::error::Fault;
 use crate::page::Page;

@@ -1,6 +1,7 @@
 //! The list of labels: every statement of the paper with its example, test, page and room, in `labels.toml`.
 //!
-//! Tables are made from it ([`crate::tables`]). Every name in the list must exist; every example must have a label.
+//! Tables are made from it ([`crate::tables`]). Every name in the list must exist; every example must have a
+//! label.
 
 use crate::code;
 use crate::data::names;

@@ -1,8 +1,8 @@
-//! Builds the book of the library `signorini`: runs the examples, puts their numbers, tables and figures into the
-//! chapters, renders the formulas, drives mdBook, and checks the result.
+//! Builds the book of the library `signorini`: runs the examples, puts their numbers, tables and figures into
+//! the chapters, renders the formulas, drives mdBook, and checks the result.
 //!
-//! A chapter is Markdown with formulas between dollars and directives ([`directive`]); nothing computed is typed by
-//! hand. Every fault names file, line and the offending text.
+//! A chapter is Markdown with formulas between dollars and directives ([`directive`]); nothing computed is
+//! typed by hand. Every fault names file, line and the offending text.
 
 pub mod code;
 pub mod coverage;

@@ -1,8 +1,8 @@
-//! What of a page a laboratory may compute anew: marks around everything that stands for a directive of an example with
-//! options, and a panel with its parameters behind the first table or figure.
+//! What of a page a laboratory may compute anew: marks around everything that stands for a directive of an
+//! example with options, and a panel with its parameters behind the first table or figure.
 //!
-//! The marks carry the directive, so that `serve` resolves the same text against new data and the page puts the answer in
-//! the same place.
+//! The marks carry the directive, so that `serve` resolves the same text against new data and the page puts
+//! the answer in the same place.
 
 use crate::data::Data;
 use crate::directive;

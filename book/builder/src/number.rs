@@ -1,7 +1,7 @@
 //! How a computed number is written on a page: digits by a short format, as HTML or as LaTeX.
 //!
-//! Formats: `s4` four significant digits (the default), `f3` three digits after the point, `e2` a mantissa with two
-//! digits and a power of ten, `i` the nearest integer, `p1` percent with one digit after the point.
+//! Formats: `s4` four significant digits (the default), `f3` three digits after the point, `e2` a mantissa
+//! with two digits and a power of ten, `i` the nearest integer, `p1` percent with one digit after the point.
 
 /// How many digits, in which notation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +73,8 @@ impl Written {
         Self { mantissa, exponent: None, suffix }
     }
 
-    /// Takes a number apart that was printed by Rust, such as `1.5e-7`; other text stays as it is, and a zero is 0.
+    /// Takes a number apart that was printed by Rust, such as `1.5e-7`; other text stays as it is, and a zero
+    /// is 0.
     pub fn from_text(text: &str) -> Self {
         let parts = text
             .split_once('e')

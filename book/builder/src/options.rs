@@ -1,7 +1,9 @@
-//! What may be asked of an example, as it describes itself (`--describe`), and the arguments that a request becomes.
+//! What may be asked of an example, as it describes itself (`--describe`), and the arguments that a request
+//! becomes.
 //!
 //! Only declared options are known, each value is checked by its kind before it is handed on, always as one
-//! argument `--name=value`. No kind holds a slash, a dot alone, a quote or a space, so that nothing names a file.
+//! argument `--name=value`. No kind holds a slash, a dot alone, a quote or a space, so that nothing names a
+//! file.
 
 use serde_json::{Map, Value};
 

@@ -1,5 +1,5 @@
-//! Pages of the book made ready for mdBook: formulas, numbers, figures and tables replaced by marks that Markdown
-//! leaves alone; after mdBook the marks are replaced by what they stand for.
+//! Pages of the book made ready for mdBook: formulas, numbers, figures and tables replaced by marks that
+//! Markdown leaves alone; after mdBook the marks are replaced by what they stand for.
 
 use crate::decimal;
 use crate::directive::{self, Meaning, Sources};
@@ -237,7 +237,8 @@ impl Marked {
         self.snippets.push(snippet);
     }
 
-    /// Puts what the marks stand for into a built page; references to formulas of other pages become links there.
+    /// Puts what the marks stand for into a built page; references to formulas of other pages become links
+    /// there.
     ///
     /// # Errors
     /// In words, a mark that cannot stand where it is.

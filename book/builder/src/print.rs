@@ -1,5 +1,5 @@
-//! The printed edition: the page that holds all pages gets a title page and a table of contents, everything folded is
-//! opened; where a Chromium is installed it becomes a PDF.
+//! The printed edition: the page that holds all pages gets a title page and a table of contents, everything
+//! folded is opened; where a Chromium is installed it becomes a PDF.
 
 use crate::error::{Error, Result, read, write};
 use crate::markup::escape;

@@ -1,8 +1,8 @@
 //! Cuts a chapter into prose, code, formulas and directives, before Markdown sees it.
 //!
-//! `$..$` and `$$..$$` are formulas, `{{name: ...}}` a directive of this builder, `{{#include ...}}` one of mdBook
-//! (left alone). Nothing is looked for inside code (fenced, or between backticks) and HTML comments. `\$` is a
-//! dollar sign. A formula may run over lines and not over an empty line.
+//! `$..$` and `$$..$$` are formulas, `{{name: ...}}` a directive of this builder, `{{#include ...}}` one of
+//! mdBook (left alone). Nothing is looked for inside code (fenced, or between backticks) and HTML comments.
+//! `\$` is a dollar sign. A formula may run over lines and not over an empty line.
 
 use std::ops::Range;
 

@@ -1,5 +1,5 @@
-//! The index for looking up words without a server: every section of every page with its text, as a script that the
-//! pages load when a reader looks for something (`book/style/search.js`).
+//! The index for looking up words without a server: every section of every page with its text, as a script
+//! that the pages load when a reader looks for something (`book/style/search.js`).
 
 use crate::markup::{Tag, tags};
 use crate::page::Page;

@@ -1,7 +1,7 @@
 //! Words of a finding begin with a small letter; at the start of a sentence they get a capital.
 
-/// Whether what follows `text`, Markdown so far, begins a sentence: at the start of a paragraph, of an item of a
-/// list or of a page, or behind a full stop, bold or not.
+/// Whether what follows `text`, Markdown so far, begins a sentence: at the start of a paragraph, of an item
+/// of a list or of a page, or behind a full stop, bold or not.
 pub fn begins(text: &str) -> bool {
     let trimmed = text.trim_end();
     let gap = &text[trimmed.len()..];
@@ -15,8 +15,8 @@ pub fn begins(text: &str) -> bool {
     !gap.is_empty() && (is_item || stop.ends_with(['.', '?', '!']))
 }
 
-/// The HTML with the first letter of its text as a capital. Symbols are left: letters that stand alone, or carry
-/// an exponent, an index or an operation, as in `h* is`, `e/h`, `u<sub>N</sub>`.
+/// The HTML with the first letter of its text as a capital. Symbols are left: letters that stand alone, or
+/// carry an exponent, an index or an operation, as in `h* is`, `e/h`, `u<sub>N</sub>`.
 pub fn capitalised(html: &str) -> String {
     let mut at = 0;
     while html[at..].starts_with('<') {

@@ -1,8 +1,9 @@
 //! Frames of a figure with a slider to move between them: `{{slider: parameter: frames: caption}}`.
 //!
-//! Frames are separated by commas; each is `label = example/figure`, or `example/prefix*` for all figures of that
-//! prefix, labelled by the rest of their names. Numeric labels are put in order. Without JavaScript, and on paper, the
-//! middle frame is shown alone; with it, `book/style/slider.js` adds a native range input, which the keyboard moves.
+//! Frames are separated by commas; each is `label = example/figure`, or `example/prefix*` for all figures of
+//! that prefix, labelled by the rest of their names. Numeric labels are put in order. Without JavaScript, and
+//! on paper, the middle frame is shown alone; with it, `book/style/slider.js` adds a native range input,
+//! which the keyboard moves.
 
 use crate::data::Data;
 use crate::figure;

@@ -1,12 +1,12 @@
-//! Is committed data still what the examples compute? Compared as written, up to the last digits: processors and
-//! threads differ there. Times and counts of solver steps are not compared.
+//! Is committed data still what the examples compute? Compared as written, up to the last digits: processors
+//! and threads differ there. Times and counts of solver steps are not compared.
 
 use crate::data::Data;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-/// Relative difference that counts as equal: far above the accuracy the examples converge to (1e-8 at worst), far
-/// below the digits a page quotes.
+/// Relative difference that counts as equal: far above the accuracy the examples converge to (1e-8 at worst),
+/// far below the digits a page quotes.
 const RELATIVE: f64 = 1e-6;
 /// Below this both numbers are rounding errors (residuals, balances) and carry no digits.
 const ROUNDING: f64 = 1e-10;
@@ -63,8 +63,8 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     found
 }
 
-/// Keys, columns and figures that hold times or solver steps have a word `seconds`, `ms`, `speedup`, `iterations`, `steps`
-/// (words joined by `.`, `_`, `-`).
+/// Keys, columns and figures that hold times or solver steps have a word `seconds`, `ms`, `speedup`,
+/// `iterations`, `steps` (words joined by `.`, `_`, `-`).
 pub fn is_timed(key: &str) -> bool {
     key.split(['.', '_', '-', '/', ' '])
         .any(|word| matches!(word, "seconds" | "ms" | "speedup" | "iterations" | "steps"))

@@ -1,4 +1,5 @@
-//! Words of a terminal as words of a page: Greek letters by their sign, `x^2` raised, `u_N` lowered, `1e-6` as a power.
+//! Words of a terminal as words of a page: Greek letters by their sign, `x^2` raised, `u_N` lowered, `1e-6`
+//! as a power.
 
 use crate::markup::escape;
 use crate::number::Written;
@@ -48,8 +49,8 @@ fn greek(text: &str) -> String {
     (result + rest).replace("<=", "≤").replace(">=", "≥").replace("->", "→").replace("sqrt(", "√(")
 }
 
-/// An exponent or an index at the start of `text`, as HTML, and its length. A symbol is one letter: the names of
-/// pages and examples keep their underscores.
+/// An exponent or an index at the start of `text`, as HTML, and its length. A symbol is one letter: the names
+/// of pages and examples keep their underscores.
 fn raised(text: &str, before: &str) -> Option<(String, usize)> {
     let last = before.chars().next_back().unwrap_or(' ');
     let is_symbol = before.chars().rev().take_while(|c| c.is_alphanumeric()).count() == 1;

@@ -1,5 +1,5 @@
-//! The built pages, looked at as a browser would: every link and every anchor leads somewhere, nothing is fetched
-//! from elsewhere, every formula is well-formed.
+//! The built pages, looked at as a browser would: every link and every anchor leads somewhere, nothing is
+//! fetched from elsewhere, every formula is well-formed.
 
 use crate::data::names;
 use crate::error::{Fault, Result, read};

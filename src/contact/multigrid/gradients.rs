@@ -3,8 +3,9 @@
 //! A step makes the next direction conjugate to the last one by z'q/p'q, which allows for the roundings of
 //! the cycle. The coefficients are those of a Lanczos process: the least eigenvalue of its matrix estimates
 //! from above the least one, κ, of cycle times K, and ρ = r'z estimates the energy of the error, ρ/κ ≥ |e|² ≥
-//! ρ for exact coarse spaces. Beside `numeric::ConjugateGradients`, which is the plain method in f64, this one
-//! reads what the cycle leaves in f32 where it lies, turns by another quotient, and keeps its coefficients.
+//! ρ for exact coarse spaces. Beside `numeric::ConjugateGradients`, which is the plain method in f64, this
+//! one reads what the cycle leaves in f32 where it lies, turns by another quotient, and keeps its
+//! coefficients.
 
 use super::cycle::Cycle;
 use super::level::Level;

@@ -61,7 +61,8 @@ mod tests {
 
     #[test]
     fn the_area_of_a_sliver_has_all_its_digits() {
-        // 2^−30 is the area of the rounded points in rational arithmetic; products of differences are off by 6e-8.
+        // 2^−30 is the area of the rounded points in rational arithmetic; products of differences are off by
+        // 6e-8.
         let (x, height) = (1.0 / 3.0, 2f64.powi(-30));
         let (a, b, c) = ([x, x], [x + 1.0, x + 1.0], [x + 0.5, x + 0.5 + height]);
         let exact = height;

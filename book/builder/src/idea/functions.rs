@@ -1,4 +1,5 @@
-//! Pictures of functions: integrands of the seminorm, waves, staircases, truncated logarithms, stretching, an odd function.
+//! Pictures of functions: integrands of the seminorm, waves, staircases, truncated logarithms, stretching, an
+//! odd function.
 
 use super::pen::{BLUE, GREEN, INK, ORANGE, Pen};
 use std::f64::consts::PI;
@@ -7,7 +8,8 @@ use std::f64::consts::PI;
 const CELLS: usize = 48;
 const LEVELS: usize = 14;
 
-/// The integrand of the seminorm of order ν over (x, y), one scale of colour for all orders: from 1/100 to 10⁴.
+/// The integrand of the seminorm of order ν over (x, y), one scale of colour for all orders: from 1/100 to
+/// 10⁴.
 pub(super) fn integrand(nu: f64, v: impl Fn(f64) -> f64, words: &str) -> String {
     let mut pen = Pen::new(430.0, 400.0, 1.0);
     let place = |k: usize| (k as f64 + 0.5) / CELLS as f64;

@@ -1,5 +1,5 @@
-//! Pictures of an idea: `{{idea: name: caption}}`. They show no result, so no example draws them: a segment with its
-//! zones, a wave with its nodes, a staircase. Some are frames of a slider.
+//! Pictures of an idea: `{{idea: name: caption}}`. They show no result, so no example draws them: a segment
+//! with its zones, a wave with its nodes, a staircase. Some are frames of a slider.
 
 mod bounds;
 mod edge;

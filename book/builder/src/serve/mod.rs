@@ -1,9 +1,10 @@
 //! `cargo book serve`: the book on a loopback address, where a page may compute with other parameters.
 //!
-//! Only this machine is answered: the socket is bound to 127.0.0.1, `Host` must name it, and a request to compute must
-//! come from a page of this server (`Origin`). Files are looked up by their whole name among those of the built book;
-//! no request names a path. Only known examples run, with declared options ([`crate::options`]), one at a time, without
-//! a shell, within [`Limits`]; when the page that asked goes away, its connection closes and the run is killed.
+//! Only this machine is answered: the socket is bound to 127.0.0.1, `Host` must name it, and a request to
+//! compute must come from a page of this server (`Origin`). Files are looked up by their whole name among
+//! those of the built book; no request names a path. Only known examples run, with declared options
+//! ([`crate::options`]), one at a time, without a shell, within [`Limits`]; when the page that asked goes
+//! away, its connection closes and the run is killed.
 
 mod answer;
 mod laboratory;

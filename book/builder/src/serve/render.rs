@@ -8,8 +8,8 @@ use crate::{figure, live};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 
-/// `seconds`, `blocks` by directive (null where the outcome has no such entry), `more`: figures that the page does not
-/// show.
+/// `seconds`, `blocks` by directive (null where the outcome has no such entry), `more`: figures that the page
+/// does not show.
 pub(super) fn render(laboratory: &Laboratory, example: &str, page: &str, outcome: &Outcome) -> Value {
     let mut data: Data = laboratory.data().clone();
     let of_example = |name: &str| name.split_once('/').is_some_and(|(owner, _)| owner == example);

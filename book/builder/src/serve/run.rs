@@ -1,4 +1,5 @@
-//! One run of an example: its own process and directory, killed when it takes too much or nobody waits for it.
+//! One run of an example: its own process and directory, killed when it takes too much or nobody waits for
+//! it.
 
 use super::Limits;
 use crate::data::{names, parse_object};

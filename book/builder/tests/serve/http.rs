@@ -100,7 +100,8 @@ impl Book {
         self.directory.path().join("book/html/first.html").display().to_string()
     }
 
-    /// Sends bytes and returns the status and the body; status 0 where the connection was closed without an answer.
+    /// Sends bytes and returns the status and the body; status 0 where the connection was closed without an
+    /// answer.
     pub fn raw(&self, bytes: &[u8]) -> (u16, String) {
         let mut stream = TcpStream::connect(self.address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();

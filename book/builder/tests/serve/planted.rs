@@ -1,5 +1,5 @@
-//! An example for the tests of `cargo book serve`: it answers, waits, fails, writes or takes memory as it is told, and
-//! leaves a line beside its program each time it is started.
+//! An example for the tests of `cargo book serve`: it answers, waits, fails, writes or takes memory as it is
+//! told, and leaves a line beside its program each time it is started.
 
 use std::io::Write;
 use std::path::PathBuf;

@@ -1,4 +1,5 @@
-//! Saving a figure: the picture, and the numbers behind a chart as a table of comma-separated values beside it.
+//! Saving a figure: the picture, and the numbers behind a chart as a table of comma-separated values beside
+//! it.
 
 use super::chart::Chart;
 use crate::Result;
@@ -19,8 +20,8 @@ impl Chart {
         save_svg(&self.svg()?, directory, name)
     }
 
-    /// One line per point: series, x, y, and half the length of its bar if it has one. The heads of the columns
-    /// are the labels of the axes.
+    /// One line per point: series, x, y, and half the length of its bar if it has one. The heads of the
+    /// columns are the labels of the axes.
     fn csv(&self) -> String {
         let [x, y] = [&self.x.label, &self.y.label].map(|label| quoted(label));
         let mut text = format!("series,{x},{y},half bar\n");

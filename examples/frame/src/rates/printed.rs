@@ -134,8 +134,8 @@ impl Printed {
 const POSITIONS: usize = 5;
 const COARSEST: usize = 2;
 
-/// All printed rates with the scenes that stand for them solved in both cones, nodal first, on these levels of
-/// a strip and so many meshes; scenes on strips that come twice are solved once.
+/// All printed rates with the scenes that stand for them solved in both cones, nodal first, on these levels
+/// of a strip and so many meshes; scenes on strips that come twice are solved once.
 ///
 /// # Errors
 /// Those of the studies.

@@ -1,0 +1,99 @@
+//! An increasing piecewise linear derivative F' that is reflected, added to and cut off at its zero.
+//!
+//! The pieces are kept in a deque in coordinates that absorb reflection and addition, so that each is created
+//! and removed once: n steps cost O(n).
+
+use std::collections::VecDeque;
+
+/// On t in a piece (between its neighbours' breakpoints), all in stored coordinates: F' = (slope + count)·t +
+/// (intercept + shift).
+#[derive(Clone, Copy)]
+struct Piece {
+    left: f64,
+    slope: f64,
+    intercept: f64,
+}
+
+/// F' = 0 everywhere.
+const FLAT: Piece = Piece { left: f64::NEG_INFINITY, slope: 0.0, intercept: 0.0 };
+
+/// F_i' with its reflections and additions so far: t is stored as σ t + offset, F' as σ F'.
+pub(super) struct Derivative {
+    pieces: VecDeque<Piece>,
+    sigma: f64,
+    offset: f64,
+    /// Added to every slope and every intercept.
+    count: f64,
+    shift: f64,
+}
+
+impl Derivative {
+    pub(super) fn flat() -> Self {
+        Self { pieces: VecDeque::from([FLAT]), sigma: 1.0, offset: 0.0, count: 0.0, shift: 0.0 }
+    }
+
+    /// F'(t) ← −F'(c − t).
+    pub(super) fn reflect(&mut self, c: f64) {
+        self.offset += self.sigma * c;
+        self.sigma = -self.sigma;
+    }
+
+    /// F'(t) ← F'(t) + d (t − z).
+    pub(super) fn add(&mut self, d: f64, z: f64) {
+        self.count += d;
+        self.shift -= d * (self.offset + self.sigma * z);
+    }
+
+    /// Puts zero in the place of the positive part; returns where F' vanishes.
+    pub(super) fn cut(&mut self) -> f64 {
+        let zero = if self.sigma > 0.0 { self.cut_right() } else { self.cut_left() };
+        self.sigma * (zero - self.offset)
+    }
+
+    /// F' may jump where a chain begins behind a fixed node: a zero beyond the piece it was found in is at
+    /// its end.
+    fn cut_right(&mut self) -> f64 {
+        let (mut zero, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
+        while let Some(&piece) = self.pieces.back() {
+            zero = (-(piece.intercept + self.shift) / (piece.slope + self.count)).min(end);
+            if zero >= piece.left {
+                break;
+            }
+            (zero, end) = (piece.left, piece.left);
+            self.pieces.pop_back();
+        }
+        self.pieces.push_back(Piece { left: zero, slope: -self.count, intercept: -self.shift });
+        zero
+    }
+
+    fn cut_left(&mut self) -> f64 {
+        let (mut zero, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
+        while let Some(&piece) = self.pieces.front() {
+            let right = self.pieces.get(1).map_or(f64::INFINITY, |next| next.left);
+            zero = (-(piece.intercept + self.shift) / (piece.slope + self.count)).max(end);
+            if zero <= right {
+                if let Some(front) = self.pieces.front_mut() {
+                    front.left = zero;
+                }
+                break;
+            }
+            (zero, end) = (right, right);
+            self.pieces.pop_front();
+        }
+        self.pieces.push_front(Piece { left: f64::NEG_INFINITY, slope: -self.count, intercept: -self.shift });
+        zero
+    }
+
+    /// Of a chain's first node: F' jumps to zero at `limit` if it has not vanished there. Returns where it
+    /// does.
+    pub(super) fn cut_first(&mut self, limit: f64) -> f64 {
+        let zero = self.cut();
+        if zero <= limit {
+            return zero;
+        }
+        if let Some(last) = self.pieces.back_mut() {
+            last.left = limit;
+        }
+        limit
+    }
+}
