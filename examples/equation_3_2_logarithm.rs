@@ -77,10 +77,13 @@ pub fn findings(_: &Options, Computed { rows }: &Computed) -> Vec<Finding> {
     }
     let in_h2 = rows.iter().filter(|row| row.alpha > 0.5);
     found.push(
-        Finding::sharpness("whole", "in H^2 the whole logarithm: q stays {value} +- {uncertainty} below 0")
-            .number_or(lowest(in_h2.map(|row| row.fit.map(|fit| (-fit.power, fit.half_width)))), "no fit")
-            .at_least(0.0, "no logarithm")
-            .told(),
+        Finding::sharpness(
+            "whole",
+            "in H^2 the whole logarithm: every q is below 0, the least sure one by {value} +- {uncertainty}",
+        )
+        .number_or(lowest(in_h2.map(|row| row.fit.map(|fit| (-fit.power, fit.half_width)))), "no fit")
+        .at_least(0.0, "no logarithm")
+        .told(),
     );
     found
 }

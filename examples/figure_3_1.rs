@@ -62,7 +62,7 @@ pub fn findings(_: &Options, Computed { pairs }: &Computed) -> Vec<Finding> {
         complete(rows().map(|row| &row.study)),
         Finding::claim(
             "above",
-            "every measured order lies above the curve of the paper, the nearest by {value} +- {uncertainty}",
+            "every measured order lies above the curve of the paper, the least sure by {value} +- {uncertainty}",
         )
         .number_or(lowest(rows().map(|row| row.above(Bound::Paper))), without)
         .at_least(0.0, "tau^2 - 5tau/2 + 2, (3.1)")

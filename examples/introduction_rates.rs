@@ -48,11 +48,16 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
         for row in pair {
             // A printed rate that is the optimal one is approached, not passed.
             let less = if exponent >= (row.study.tau - 1.0).min(1.0) { SERIES } else { 0.0 };
-            let words = format!("reached in the {} cone, {}: order {{value}}", row.study.cone, row.words());
+            let (to, source) = match less > 0.0 {
+                true => (" to a tenth of an order", ", less a tenth: finite series"),
+                false => ("", ""),
+            };
+            let words =
+                format!("reached{to} in the {} cone, {}: order {{value}}", row.study.cone, row.words());
             found.push(
                 Finding::claim(format!("{key}.{}", row.study.cone), format!("{label} is {words}"))
                     .number_or(row.order(), "too few levels, or an error that is not a positive number")
-                    .at_least(exponent - less, format!("{label}, {exponent}; less {less}: finite series"))
+                    .at_least(exponent - less, format!("{label}, {exponent:.4}{source}"))
                     .otherwise(format!("{label} is not {words}")),
             );
         }
@@ -62,11 +67,14 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let above = largest(off().map(|number| number.map(|(distance, u)| distance - u)));
     let gains = rows().filter(|row| row.study.tau == 1.75).map(|row| row.above(Bound::Paper));
     found.extend([
-        Finding::sharpness("gain", "at tau = 7/4 the nearest order is {value} +- {uncertainty} above (N1)")
-            .number_or(lowest(gains), without)
-            .at_least(0.0, "11/16, (N1); fat Cantor sets included")
-            .told(),
-        Finding::remark("bars", "every bar holds min(tau - 1, 1), whatever the contact set")
+        Finding::sharpness(
+            "gain",
+            "at tau = 7/4 the least sure order is {value} +- {uncertainty} above (N1)",
+        )
+        .number_or(lowest(gains), without)
+        .at_least(0.0, "11/16, (N1); fat Cantor sets included")
+        .told(),
+        Finding::remark("bars", "every bar holds min(tau - 1, 1), for every contact set tried")
             .number_or(missed.map(|count| (count, 0.0)), without)
             .at_most(0.0, "the optimal exponent; orders of the scenes in both cones")
             .otherwise("{value} of the bars do not hold min(tau - 1, 1)")

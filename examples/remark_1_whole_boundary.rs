@@ -92,10 +92,13 @@ pub fn findings(_: &Options, Computed { rows, solved }: &Computed) -> Vec<Findin
         Finding::claim("conditions", "balance, signs and complementarity hold to {value} on every mesh")
             .number_or(largest(kkt.map(Some)), "no level")
             .at_most(1e-10, "worst scaled Karush-Kuhn-Tucker figure"),
-        Finding::sharpness("loss", "for tau < 2 the nearest order is {value} +- {uncertainty} above (3.1)")
-            .number_or(lowest(below().map(|row| row.above(Bound::Paper))), "an order is missing")
-            .at_least(0.0, "the exponent of the theorem")
-            .told(),
+        Finding::sharpness(
+            "loss",
+            "for tau < 2 the least sure order is {value} +- {uncertainty} above (3.1), (4.2)",
+        )
+        .number_or(lowest(below().map(|row| row.above(Bound::Paper))), "an order is missing")
+        .at_least(0.0, "the exponent of the theorem")
+        .told(),
         Finding::remark("bars", "every order is min(tau - 1, 1) within its bar")
             .number_or(largest(off), "no order")
             .at_most(1.0, "the optimal exponent; in units of +-")

@@ -1,4 +1,4 @@
-//! Section 2: multigrid beside elimination on every scene in both cones, and on what is hard for its cycles:
+//! Section 2: multigrid beside elimination on every scene, and on what is hard for its cycles:
 //! materials that are nearly incompressible, corners, slivers, graded meshes.
 //!
 //! `cargo run --release --example section_2_multigrid -- --n 512 --levels 1`
@@ -29,7 +29,7 @@ example_frame::options! {
 /// Digits asked for in the hard cases: conditions of a million leave no twelve.
 const HARD: f64 = 1e-10;
 
-/// Every case on every mesh, scenes in both cones; the midpoint cone has no closed edge.
+/// Every case on every mesh, scenes in both cones; on a closed edge multigrid leaves means to elimination.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let [asked, hard] = [options.tolerance, options.tolerance.max(HARD)].map(Tolerance::new);
     let (asked, hard) = (asked?, hard?);

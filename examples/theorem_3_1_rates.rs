@@ -77,7 +77,7 @@ pub fn findings(_: &Options, Computed { rows, .. }: &Computed) -> Vec<Finding> {
     }
     let ratios = || below.iter().map(|row| row.from_optimal()[0]);
     let gains = below.iter().filter(|row| !row.is_fat()).map(|row| row.above(Bound::Paper));
-    let nearest = "for tau < 2 the nearest order is {value} +- {uncertainty} above the theorem's";
+    let nearest = "for tau < 2 the least sure order is {value} +- {uncertainty} above the theorem's";
     let without = "an order is missing";
     found.extend([
         Finding::sharpness("loss", nearest)

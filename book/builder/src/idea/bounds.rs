@@ -8,8 +8,8 @@ pub(super) fn projections() -> String {
     // K and, inside it, K^h: wedges with the same tip.
     pen.fill(&[(0.05, 0.0), (0.95, 0.1), (0.95, 0.95), (0.3, 0.95)], BLUE);
     pen.fill(&[(0.05, 0.0), (0.95, 0.28), (0.95, 0.8), (0.5, 0.8)], GREEN);
-    pen.note(0.82, 0.87, "K", BLUE);
-    pen.note(0.82, 0.62, "K^h", GREEN);
+    pen.note(0.82, 0.87, "K", INK);
+    pen.note(0.82, 0.62, "K^h", INK);
     // Without the constraint the minimum lies outside; u and u^h are its nearest points.
     let (free, u, discrete, any) = ((0.62, -0.07), (0.6166, 0.063), (0.6026, 0.1719), (0.78, 0.32));
     pen.dashed(free, discrete);
@@ -17,9 +17,9 @@ pub(super) fn projections() -> String {
     pen.line(u, discrete, INK, "");
     for ((x, y), name, colour, right) in [
         (free, "minimum without constraint", INK, 0.015),
-        (u, "u", BLUE, 0.015),
-        (discrete, "u^h", GREEN, -0.04),
-        (any, "any other v^h", GREEN, 0.015),
+        (u, "u", INK, 0.015),
+        (discrete, "u^h", INK, -0.04),
+        (any, "any other v^h", INK, 0.015),
     ] {
         pen.dot(x, y, colour);
         pen.note(x + right, y - 0.02, name, colour);

@@ -70,7 +70,7 @@ pub(super) fn wave(cells: u32) -> String {
         0.5,
         -2.5,
         &format!(
-            "{cells} cells: zero at every node, so the interpolant is zero; the mean of the error is one"
+            "{cells} cells: zero at every node, so the interpolant is zero; the mean of the error is minus one"
         ),
         INK,
     );
@@ -119,8 +119,8 @@ pub(super) fn truncated(length: f64) -> String {
 pub(super) fn stretching(theta: f64) -> String {
     let mut pen = Pen::new(210.0, 50.0, 20.0);
     let bars = [
-        ("(0, 1)", theta * theta, theta, "zone θ²"),
-        ("stretched by 1/θ", theta, 1.0, "first unit interval"),
+        ("(0, 1): zone θ², orange", theta * theta, theta, "length θ"),
+        ("stretched by 1/θ: zone θ", theta, 1.0, "first unit interval"),
     ];
     for (k, (name, zone, unit, words)) in bars.into_iter().enumerate() {
         pen.at(55.0 + 85.0 * k as f64, 20.0);
