@@ -13,13 +13,14 @@
 //! A set that reproduces itself solves the problem. Between a fixed node and a gap the multipliers of a run
 //! may carry a sawtooth that B' does not see, half of them pull, and the run has to be broken up at places
 //! that such a step does not find. When a set comes back, in the midpoint cone already when a step has made
-//! nothing better, the set is found by the dual method (`dual_active_set`), once. What rounding leaves
-//! wrong there changes sides one by one, the constraint with the least index, until fewer constraints are
-//! wrong than ever before: finite for every symmetric positive definite S (K. G. Murty 1974; J. J. Júdice and
-//! F. M. Pires 1994), in exact arithmetic. In this phase the next set is a function of the set alone, so one
-//! that comes back a second time comes back for ever: [`Status::Cycled`]. Only rounding, or an S that is not
-//! symmetric positive definite, gets there. Cost: one dense factorization on the edge per step, however fine
-//! the mesh behind it.
+//! nothing better, the dual method (`dual_active_set`) is asked, once. Its set is taken if fewer constraints
+//! are wrong there than ever before: on an edge graded over many decades rounding may spoil it. Else, when a
+//! set has come back, constraints change sides one by one until fewer are wrong than ever before: for some
+//! steps the one that is furthest off, then the one with the least index, which is finite for every symmetric
+//! positive definite S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this
+//! phase the next set is a function of the set alone, so one that comes back a second time comes back for
+//! ever: [`Status::Cycled`]. Only rounding, or an S that is not symmetric positive definite, gets there. Cost:
+//! one dense factorization on the edge per step, however fine the mesh behind it.
 
 use super::dual_active_set::dual_active_set;
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -37,6 +38,10 @@ const STEPS_PER_CONSTRAINT: usize = 20;
 
 /// Steps in the midpoint cone, one after the other, with no fewer wrong constraints than ever before.
 const PATIENCE: usize = 1;
+
+/// Steps by the constraint that is furthest off before the least index decides, no more than there are
+/// constraints.
+const FURTHEST_FIRST: usize = 64;
 
 /// How the iteration on the edge went.
 #[derive(Debug, Clone)]
@@ -57,11 +62,13 @@ pub struct EdgeOutcome {
 /// As for [`EdgeProblem::solve_with`].
 pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
     let limit = FEWEST_STEPS + STEPS_PER_CONSTRAINT * start.constraints();
+    let furthest_first = FURTHEST_FIRST.min(start.constraints());
     let mut set = start;
     let mut history: Vec<ContactSet> = Vec::new();
     let mut seen: HashSet<ContactSet> = HashSet::new();
     let (mut fewest, mut in_vain) = (usize::MAX, 0);
     let mut one_at_a_time = false;
+    let mut single_steps = 0;
     let mut is_dual_tried = false;
     // The sets from which one constraint changed sides, with their steps.
     let mut changed_one: HashMap<ContactSet, usize> = HashMap::new();
@@ -74,12 +81,14 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
         if wrong.len() < fewest {
             (fewest, in_vain) = (wrong.len(), 0);
             one_at_a_time = false;
+            single_steps = 0;
             changed_one.clear();
         } else {
             in_vain += 1;
-            one_at_a_time |= came_back || problem.cone == Cone::Midpoint && in_vain >= PATIENCE;
+            one_at_a_time |= came_back;
         }
-        let by_index = one_at_a_time && is_dual_tried;
+        single_steps += usize::from(one_at_a_time);
+        let by_index = single_steps > furthest_first;
         let before = if by_index { changed_one.insert(set.clone(), steps) } else { None };
         let status = match before {
             _ if wrong.is_empty() => Some(Status::Converged),
@@ -89,14 +98,28 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
         if let Some(status) = status {
             return Ok(EdgeOutcome { state, set, status, history });
         }
+        let is_stuck = one_at_a_time || problem.cone == Cone::Midpoint && in_vain >= PATIENCE;
+        if is_stuck && !is_dual_tried {
+            is_dual_tried = true;
+            if let Some(found) = by_dual(problem, fewest)? {
+                set = found;
+                continue;
+            }
+        }
         set = match (one_at_a_time, problem.cone) {
             (true, _) if by_index => changed(&set, &wrong[..1]),
-            (true, _) => dual_active_set(problem)?.0,
+            (true, _) => changed(&set, &[furthest(problem, &set, &state, &wrong)]),
             (false, Cone::Nodal) => changed(&set, &wrong),
             (false, Cone::Midpoint) => projected_set(problem, &state)?,
         };
-        is_dual_tried |= one_at_a_time;
     }
+}
+
+/// The set of the dual method, unless as many constraints are wrong there as before.
+fn by_dual(problem: &EdgeProblem<'_>, fewest: usize) -> Result<Option<ContactSet>> {
+    let (set, _) = dual_active_set(problem)?;
+    let state = problem.solve_with(&set)?;
+    Ok((wrong_constraints(problem, &set, &state).len() < fewest).then_some(set))
 }
 
 /// The set with the given constraints on the other side.
@@ -104,6 +127,19 @@ fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);
     ContactSet::new(active)
+}
+
+/// The wrong constraint that is furthest off: by its gap, or by its multiplier over the diagonal of S.
+fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wrong: &[usize]) -> usize {
+    let cone = problem.edge_cone();
+    let off = |i: usize| {
+        if !set.contains(i) {
+            return state.gap[i];
+        }
+        let stiffness = cone.support(i).map(|node| problem.stiffness[(node, node)]).fold(0.0, f64::max);
+        -state.multiplier[i] / stiffness
+    };
+    wrong.iter().copied().max_by(|&i, &j| off(i).total_cmp(&off(j))).unwrap_or(0)
 }
 
 /// The constraints active at the projection of w − D⁻¹ ∇J = w + D⁻¹ B'λ, D the diagonal of S.
