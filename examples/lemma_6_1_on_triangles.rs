@@ -78,12 +78,9 @@ pub fn findings(rows: &[Row]) -> Vec<Finding> {
         Finding::claim("lower", "quotients of functions reach {value} of value plus error, never more")
             .number_or(exact(lower), "no order")
             .at_most(1.0, "such quotients are lower bounds"),
-        Finding::claim(
-            "upper",
-            "for s < 1 every constant is at most {value} times its computable upper bound",
-        )
-        .largest(over)
-        .at_most(1.0, "telescoping over halved triangles"),
+        Finding::claim("upper", "for s < 1 each constant is at most {value} times its computable bound")
+            .largest(over)
+            .at_most(1.0, "telescoping over halved triangles"),
         Finding::claim("monotone", "normalised, both fall with s, to {value} of the one before or less")
             .largest(falls)
             .at_most(1.0, "the constant of the order before")

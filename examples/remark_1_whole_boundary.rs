@@ -120,6 +120,19 @@ pub fn run(options: &Options) -> Result<Headline> {
     Ok(headline)
 }
 
+/// Errors of both cones against h.
+fn draw(Computed { rows, .. }: &Computed) -> Chart {
+    let (x, y) = (Axis::logarithmic("mesh size h"), Axis::logarithmic("error in the energy norm"));
+    let mut chart = Chart::new("Remark 1: contact on the whole boundary", x, y);
+    for [nodal, midpoint] in rows {
+        let points = |row: &RateRow| row.study.points(Quantity::Error);
+        let name = format!("{}, midpoint", nodal.words());
+        chart = chart.with(Series::line(nodal.words(), points(nodal)));
+        chart = chart.with(Series::points(name, points(midpoint)));
+    }
+    chart
+}
+
 fn table(Computed { rows, .. }: &Computed) -> Table {
     let mut columns = vec![
         Column::new("scene", "scene", Format::Plain, "closed transition: u is known"),
@@ -134,19 +147,6 @@ fn table(Computed { rows, .. }: &Computed) -> Table {
         let first: [Cell; 3] = [study.subject.name().into(), study.tau.into(), paper.into()];
         first.into_iter().chain(pair.iter().flat_map(|row| fit_cells(row.error))).collect::<Vec<_>>()
     }))
-}
-
-/// Errors of both cones against h.
-fn draw(Computed { rows, .. }: &Computed) -> Chart {
-    let (x, y) = (Axis::logarithmic("mesh size h"), Axis::logarithmic("error in the energy norm"));
-    let mut chart = Chart::new("Remark 1: contact on the whole boundary", x, y);
-    for [nodal, midpoint] in rows {
-        let points = |row: &RateRow| row.study.points(Quantity::Error);
-        let name = format!("{}, midpoint", nodal.words());
-        chart = chart.with(Series::line(nodal.words(), points(nodal)));
-        chart = chart.with(Series::points(name, points(midpoint)));
-    }
-    chart
 }
 
 fn main() -> ExitCode {

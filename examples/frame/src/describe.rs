@@ -49,6 +49,7 @@ enum Kind {
     /// fast, balanced, reference or a number.
     Tolerance,
     /// COARSEST-FINEST.
+    #[cfg(feature = "contact")]
     Levels,
     /// One of these words.
     Choice(Vec<String>),
@@ -66,6 +67,7 @@ impl Kind {
             Kind::Integer => "integer",
             Kind::Order => "order",
             Kind::Tolerance => "tolerance",
+            #[cfg(feature = "contact")]
             Kind::Levels => "levels",
             Kind::Choice(_) => "choice",
             Kind::Named(_) => "named",
