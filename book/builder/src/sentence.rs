@@ -9,6 +9,10 @@ pub fn begins(text: &str) -> bool {
         return true;
     }
     let line = trimmed.rsplit('\n').next().unwrap_or("").trim_start_matches('>').trim();
+    if line.is_empty() {
+        // The mark of a quotation: what stands before it decides.
+        return begins(trimmed.trim_end_matches('>'));
+    }
     let is_item = matches!(line, "-" | "*" | "+")
         || line.strip_suffix('.').is_some_and(|n| !n.is_empty() && n.chars().all(|c| c.is_ascii_digit()));
     let stop = trimmed.trim_end_matches("**");
@@ -40,13 +44,34 @@ mod tests {
 
     #[test]
     fn starts_of_sentences_are_seen() {
-        for text in
-            ["", "A.\n\n", "A. ", "A.\n", "- ", "text\n\n", "1. ", "**What fails.** ", "> ", "Why? ", "> - "]
-        {
+        for text in [
+            "",
+            "A.\n\n",
+            "A. ",
+            "A.\n",
+            "- ",
+            "text\n\n",
+            "1. ",
+            "**What fails.** ",
+            "> ",
+            "Why? ",
+            "> - ",
+            "> A.\n> ",
+        ] {
             assert!(begins(text), "{text:?}");
         }
-        for text in ["In words: ", "and ", "so\n", "A.", "| ", "\u{e000}3\u{e001}; ", "(", "h^0.5 is ", "A, "]
-        {
+        for text in [
+            "In words: ",
+            "and ",
+            "so\n",
+            "A.",
+            "| ",
+            "\u{e000}3\u{e001}; ",
+            "(",
+            "h^0.5 is ",
+            "A, ",
+            "> so\n> ",
+        ] {
             assert!(!begins(text), "{text:?}");
         }
     }
