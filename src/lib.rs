@@ -100,6 +100,7 @@ pub mod singular;
 pub mod sobolev;
 #[cfg(feature = "contact")]
 pub mod strip;
+pub mod value;
 
 pub use error::{Error, Result};
 pub use estimate::{Estimate, Tolerance, Work};

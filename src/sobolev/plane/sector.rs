@@ -113,7 +113,8 @@ impl SectorPower {
         // What the rounding of a does where a + 1 − s is small.
         let rounding = value * (ENTRY_ROUNDING + f64::EPSILON / gap);
         let squared = Estimate::new(judge / gap, ((judge - value).abs() + rounding) / gap, work)?;
-        accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance)
+        let why = "the rule in the angles has no more points, and rounding of a + 1 - s grows as it falls";
+        accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance, why)
     }
 
     /// The double integral with n points in each direction, and how many points that is.
