@@ -33,6 +33,18 @@ pub enum Error {
         /// The admissible set, as text.
         range: &'static str,
     },
+    /// A count that asks for more than the machine's memory.
+    #[error("{name} = {count} takes {needed:.3e} GB: this machine has {available:.1} GB")]
+    TooLarge {
+        /// What is counted.
+        name: &'static str,
+        /// The count that was given.
+        count: usize,
+        /// What it would take, in 10^9 bytes.
+        needed: f64,
+        /// The physical memory, in 10^9 bytes.
+        available: f64,
+    },
     /// A name that is none of the known ones.
     #[error("unknown {what} '{given}': expected {expected}")]
     UnknownName {
