@@ -1,17 +1,17 @@
 //! Contact problems on the unit square with known solution of any regularity about one transition, scalar and
 //! elastic.
 //!
-//! 1/2 < p < 3/2, p ≠ 1, r, φ from the transition (a, 0), φ = 0 on the side of contact x < a, ζ = (a − x) + iy.
+//! 1/2 < p < 3/2, p ≠ 1, r, φ from the transition (a, 0), φ = 0 on the side of contact x < a, ζ = (a−x) + iy.
 //!
-//! * *Scalar*: u = ± Im ζ^p = ± r^p sin(pφ), harmonic, u = 0 in contact and u = −|sin(pπ)| r^p in the gap. With
-//!   σ_N = −p |sin(pπ)| r^{p−1} in contact and 0 in the gap the edge carries the load ∂u/∂n − σ_N besides, a
-//!   power on each side.
+//! * *Scalar*: u = ± Im ζ^p = ± r^p sin(pφ), harmonic, u = 0 in contact and u = −|sin(pπ)| r^p in the gap.
+//!   With σ_N = −p |sin(pπ)| r^{p−1} in contact and 0 in the gap the edge carries the load ∂u/∂n − σ_N
+//!   besides, a power on each side.
 //! * *Elastic* (Westergaard's form, no volume force, zero shear on the edge): α = μ/(λ+μ), β = 1 + α, A = ∓1,
 //!   Z = Aζ^p, 2μ u_x = −α Re Z + y Im Z', 2μ u_y = β Im Z − y Re Z', the prime for d/dζ. On the edge u_N is
 //!   β/(2μ) times the scalar one, and the normal stress Re Z' is the scalar ∂u/∂n: same σ_N, same load.
 //!
-//! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for ν <
-//! p − 1/2. For p = 3/2 no load would be left.
+//! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for
+//! ν < p − 1/2. For p = 3/2 no load would be left.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -189,8 +189,8 @@ impl RoughTransition {
         [first, first + 1.0].map(|i| i / n as f64)
     }
 
-    /// What the edge carries besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in the
-    /// gap.
+    /// What the edge carries besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in
+    /// the gap.
     pub(super) fn loads(&self) -> [f64; 2] {
         let slope = self.sign() * self.power;
         [-slope - self.pressure(), slope * (PI * self.power).cos()]

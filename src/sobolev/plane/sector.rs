@@ -14,9 +14,9 @@
 //! The gradient of the harmonic r^p sin(pφ) is p r^{p−1} (cos, sin) of (p−1)φ in fixed directions: both
 //! components together have P = 2L and Q = 4 sin²((p−1)ψ/2) L, a = p − 1, times p².
 //!
-//! An elastic displacement with zero shear on y = 0 (Westergaard) is v = (α Re z^p − y Im pz^q, (1+α) Im z^p −
-//! y Re pz^q), q = p − 1. The conformal and the other part of ∇v give, with W = r^q (e^{iqφ} − e^{i(q−2)φ}) =
-//! 2iy z^{q−1},
+//! An elastic displacement with zero shear on y = 0 (Westergaard) is v = (α Re z^p − y Im pz^q, (1+α) Im z^p
+//! − y Re pz^q), q = p − 1. The conformal and the other part of ∇v give, with
+//! W = r^q (e^{iqφ} − e^{i(q−2)φ}) = 2iy z^{q−1},
 //!
 //! |∇v|_s² = p² (2α² |r^q e^{iqφ}|_s² + 2(1 + 2α) |r^q sin qφ|_s² + ½ q² |W|_s²).
 //!
@@ -108,8 +108,8 @@ impl SectorPower {
         scaled(power.abs(), gradient.seminorm(order, tolerance)?)
     }
 
-    /// |∇v|_s on the half disc 0 < φ < π, r < R, for the elastic v above; scales like R^{p−s}. α = μ/(λ+μ), and
-    /// the displacement of a body is v/(2μ).
+    /// |∇v|_s on the half disc 0 < φ < π, r < R, for the elastic v above; scales like R^{p−s}. α = μ/(λ+μ),
+    /// and the displacement of a body is v/(2μ).
     ///
     /// ```
     /// use signorini::sobolev::{FractionalOrder, SectorPower};
