@@ -145,7 +145,7 @@ fn begins(formula: &[String], at: usize, pattern: &[String]) -> bool {
         let before = at.checked_sub(1).map_or("", |k| formula[k].as_str());
         let behind = formula.get(at + 1).map_or("", String::as_str);
         let is_capital = one.chars().all(char::is_uppercase);
-        let is_part = matches!(before, "\\mathsf" | "\\mathrm" | "^")
+        let is_part = matches!(before, "\\mathsf" | "\\mathcal" | "^")
             || behind == "_"
             || is_capital && matches!(behind, "^" | "(" | "'");
         return formula[at] == *one && !is_part;
