@@ -127,14 +127,15 @@ impl Marker<'_> {
 
     fn directive(&mut self, page: &Page, piece: &Piece<'_>, text: &mut String) {
         let example = live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
+        let begins = sentence::begins(text);
         let inline = |html: String| match example {
-            Some(_) => Snippet::Inline(live::inline(piece.text, &html)),
+            Some(_) => Snippet::Inline(live::inline(piece.text, &html, begins)),
             None => Snippet::Inline(html),
         };
         match directive::resolve(piece.text, self.sources) {
             Ok(Meaning::Number(number)) => self.marked.push(text, inline(number.html())),
             Ok(Meaning::Words(words)) => {
-                let words = if sentence::begins(text) { sentence::capitalised(&words) } else { words };
+                let words = if begins { sentence::capitalised(&words) } else { words };
                 self.marked.push(text, inline(words));
             }
             Ok(Meaning::Name(name)) => {
