@@ -109,7 +109,8 @@ impl WedgeTrace {
         }
         // Pairs on different sides: 2 ∫ (cosh((1−s)u) − cos(τu)) (2cosh(u/2))^{-2s} du, even in u.
         let step = PI * PI / (36.0 + PI * tau);
-        let terms = (60.0 / (step * (2.0 * s - 1.0).max(0.5))).ceil() as usize;
+        // The terms fall like e^{−(2s−1)u}.
+        let terms = (36.0 / (step * (2.0 * nu).max(1e-4))).ceil() as usize;
         let across = |k: usize| {
             let u = k as f64 * step;
             let difference = (0.5 * (1.0 - s) * u).sinh().powi(2) + (0.5 * tau * u).sin().powi(2);
