@@ -133,17 +133,14 @@ fn table(computed: &Computed) -> Table {
     }))
 }
 
-/// Modes of the corner over s, and the profiles of the half-plane.
 fn draw_shares(computed: &Computed) -> Chart {
-    let y = Axis::linear("quotient over that of the half-plane");
-    let chart = Chart::new("Corner and square", Axis::linear("s"), y);
+    let chart = Chart::new("Corner and square", Axis::linear("s"), Axis::linear("quotient over half-plane"));
     let chart = CORNER.iter().enumerate().fold(chart, |chart, (k, tau)| {
         let points = computed.rows.iter().map(|row| (row.order.value(), row.corner[k].value)).collect();
         chart.with(Series::line_and_points(format!("corner, tau = {tau}"), points))
     });
-    let square =
-        computed.rows.iter().filter_map(|row| Some((row.order.value(), row.square?.value))).collect();
-    chart.with(Series::line_and_points("square, polynomials", square))
+    let point = |row: &Row| Some((row.order.value(), row.square?.value));
+    chart.with(Series::line_and_points("square", computed.rows.iter().filter_map(point).collect()))
 }
 
 fn draw_profiles() -> Result<Chart> {
