@@ -142,7 +142,8 @@ impl<'a> ClosureSum<'a> {
         };
         let start = parts.par_iter().map(|part| evaluate(part, None)).collect::<Result<Vec<_>>>()?;
         let whole = compensated(start.iter().map(|found| found.value));
-        let share = 0.3 * self.accuracy * whole;
+        // No more than the radial rules give.
+        let share = 0.3 * self.accuracy.max(self.radial_error) * whole;
         let refine = |(part, start): (&T, &Found)| -> Result<Found> {
             let mut found = evaluate(part, Some(*start))?;
             while found.level + 1 < POINTS.len() && found.error > share / (parts.len() as f64).sqrt() {
