@@ -121,7 +121,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     outcome(Section::Three, options)
 }
 
-/// The outcome of either section, figures saved as `PAGE` and `PAGE_shares`.
+/// The outcome of either section; figures `PAGE_h_N` or `PAGE_theta_THETA`, and `PAGE_shares`.
 pub fn outcome(section: Section, options: &Options) -> Result<Headline> {
     let computed = compute(section, options)?;
     let (label, key, claim) = match section {
@@ -144,11 +144,14 @@ pub fn outcome(section: Section, options: &Options) -> Result<Headline> {
             headline.quote(format!("{key}.{name}.term"), finest.classification.term(case));
         }
         headline.quote(format!("{key}.theta"), finest.theta);
-        headline.draw(&options.output, page(section), || Ok(edge_chart(label, &computed.study)))?;
     }
-    let shares = format!("{}_shares", page(section));
-    headline
-        .draw(&options.output, &shares, || Ok(shares_chart(label, options.over_theta, &computed.study)))?;
+    for row in &computed.study.rows {
+        let frame = if options.over_theta { format!("theta_{}", row.theta) } else { format!("h_{}", row.n) };
+        let name = format!("{}_{frame}", page(section));
+        headline.draw(&options.output, &name, || Ok(edge_chart(label, &computed.study, row)))?;
+    }
+    let shares = || Ok(shares_chart(label, options.over_theta, &computed.study));
+    headline.draw(&options.output, &format!("{}_shares", page(section)), shares)?;
     Ok(headline)
 }
 

@@ -53,6 +53,8 @@
 //! | Theorems 3.1 and 4.1, one segment: the best constants of the consistency term | [`proof::consistency_constant`], [`proof::product_constant`], [`poincare::moment_norm`], [`poincare::StrongForm`], [`poincare::half_order_moment`] |
 //! | Theorems 3.1 and 4.1, tau = 2: a bound without C | [`proof::BoundWithoutC`], [`proof::MeshShape`], [`scenes::ClosedForm`] |
 //! | Theorems 3.1 and 4.1, numbers: a bound with every constant a number, below tau = 2 | [`proof::TheoremNumbers`], [`proof::NumberedStudy`], [`scenes::RoughTransition`] |
+//! | Theorems 3.1 and 4.1, numbers, elastic: the same bound for elastic bodies | [`proof::TheoremNumbers`], [`scenes::RoughTransition`], [`sobolev::SectorPower`] |
+//! | Theorems 3.1 and 4.1, numbers, extrapolated: the same bounds where the solution is not known | [`proof::ExtrapolatedStudy`], [`proof::FineNorms`], [`scenes::LoadedBody`] |
 //! | Theorem 3.1, the limit: contact costs nothing | [`proof::contact_cost`] |
 //! | the knob: every tolerance is met | [`Tolerance`], [`Estimate`] |
 //! | extremes: hard input gets digits, bad input an error | [`Error`] |

@@ -136,6 +136,8 @@ examples! {
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
     theorem_3_1_with_numbers: "../examples/theorem_3_1_with_numbers.rs",
+    theorem_3_1_with_numbers_elastic: "../examples/theorem_3_1_with_numbers_elastic.rs",
+    theorem_3_1_with_numbers_extrapolated: "../examples/theorem_3_1_with_numbers_extrapolated.rs",
     theorem_3_1_without_c: "../examples/theorem_3_1_without_c.rs",
     theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
     theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",

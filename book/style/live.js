@@ -215,7 +215,9 @@
         const text = place.dataset.live;
         if (!(text in found.blocks)) continue;
         if (!this.known.has(place)) this.known.set(place, place.innerHTML);
-        const html = found.blocks[text];
+        // At the start of a sentence words begin with a capital.
+        const begins = "begins" in place.dataset && text in found.begins;
+        const html = begins ? found.begins[text] : found.blocks[text];
         const slider = place.querySelector("figure-slider input");
         const at = slider && slider.value;
         // Where these parameters have no such entry, what the book says stays and is dimmed.
@@ -229,6 +231,7 @@
         }
       }
       this.more.innerHTML = found.more.join("");
+      window.dispatchEvent(new Event("resize")); // new tables are looked at
       this.back.hidden = false;
       this.said.textContent = found.verdict + " (" + Math.round(milliseconds) + " ms)";
       this.said.dataset.milliseconds = Math.round(milliseconds);

@@ -13,6 +13,7 @@ mod loads;
 mod matrix;
 mod ordering;
 mod pool;
+mod recovery;
 mod stencil;
 mod stress;
 
@@ -24,5 +25,6 @@ pub use field::Field;
 pub use form::{Form, Lame};
 pub use loads::{consistent_load, surface_load, volume_load};
 pub use matrix::BlockMatrix;
+pub use recovery::recovered_gradients;
 pub(crate) use stencil::{Block, NEIGHBOURS, Stencils};
 pub use stress::{Stress, gradients, stresses};

@@ -15,14 +15,21 @@
 //! |σ_N|_ν |u_N'|_ν, and 1 + 2ν = 2τ − 2; seminorms over all segments together are at most that of the edge.
 //!
 //! At τ = 2: ‖D²u‖ for |∇u|_s, Kobayashi's bound for C.
+//!
+//! Elasticity, one material, u given on all of ∂Ω \ Γ_C for the midpoint cone: |v|_a² ≤ M ‖∇v‖², M = 2μ + 2
+//! max(λ, 0), applied to u − I^h u component by component, and ‖∇z_N‖ ≤ B |z|_a, B of [`half_plane_korn`]:
+//!
+//! |u − u_h|_a² ≤ M C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + B² b².
 
 use super::segment_constants::product_constant;
+use super::without_c::half_plane_korn;
 use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
+use crate::fem::Lame;
 use crate::interpolation::{TriangleConstants, TriangleShape, kobayashi, projection_constant};
 use crate::scenes::{EdgeDatum, RoughLevel, RoughTransition};
-use crate::sobolev::{FractionalOrder, SectorPower};
+use crate::sobolev::FractionalOrder;
 use std::f64::consts::PI;
 
 /// Degree of the polynomials for C(s).
@@ -39,11 +46,11 @@ pub struct TheoremNumbers {
     pub tau: f64,
     /// ν = τ − 3/2.
     pub order: FractionalOrder,
-    /// C(τ − 1).
+    /// C(τ − 1); M^{1/2} C(τ − 1) for elasticity.
     pub interpolation: f64,
     /// K(ν).
     pub segment: f64,
-    /// (θ/π)^{1/2} P(ν).
+    /// (θ/π)^{1/2} P(ν); B (θ/π)^{1/2} P(ν) for elasticity.
     pub projection: f64,
 }
 
@@ -52,13 +59,13 @@ pub struct TheoremNumbers {
 pub struct NumberedRow {
     /// n; h = 1/n.
     pub n: usize,
-    /// |u − u_h|₁.
+    /// |u − u_h|_a.
     pub error: f64,
-    /// |u − I^h u|₁.
+    /// |u − I^h u|_a.
     pub interpolation: f64,
     /// The bound with the norms of all of Ω and of the edge.
     pub bound: f64,
-    /// The same with |u − I^h u|₁ itself and the seminorms of the segment of the transition.
+    /// The same with |u − I^h u|_a itself and the seminorms of the segment of the transition.
     pub near: f64,
 }
 
@@ -84,7 +91,7 @@ fn up(estimate: Estimate) -> f64 {
 }
 
 impl TheoremNumbers {
-    /// All constants for one τ.
+    /// All constants for one τ, for the Laplacian.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 3/2 < τ ≤ 2; as the constants.
@@ -107,7 +114,15 @@ impl TheoremNumbers {
         })
     }
 
-    /// The bound of |u − u_h|₁ for a mesh size, given a bound of |u − I^h u|₁, Σ_T |σ_N|_{ν,T} |u_N'|_{ν,T}
+    /// These constants for elasticity.
+    #[must_use]
+    pub fn elastic(self, lame: Lame) -> Self {
+        let energy = 2.0 * lame.mu() + 2.0 * lame.lambda().max(0.0);
+        let interpolation = ROUND_UP * energy.sqrt() * self.interpolation;
+        Self { interpolation, projection: ROUND_UP * half_plane_korn(lame) * self.projection, ..self }
+    }
+
+    /// The bound of |u − u_h|_a for a mesh size, given a bound of |u − I^h u|_a, Σ_T |σ_N|_{ν,T} |u_N'|_{ν,T}
     /// or more, and
     /// |σ_N|_ν.
     pub fn bound(&self, cone: Cone, h: f64, interpolation: f64, product: f64, pressure: f64) -> f64 {
@@ -122,18 +137,15 @@ impl TheoremNumbers {
 }
 
 impl NumberedStudy {
-    /// The bound and the error on meshes of 4 × 4 ... 2^finest × 2^finest squares.
+    /// The bound and the error on meshes of 4 × 4 ... 2^finest × 2^finest squares; `numbers` are those of the
+    /// Laplacian.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] where u is not in H^τ, p ≤ τ − 1; as [`RoughTransition::levels`].
     pub fn new(numbers: TheoremNumbers, scene: RoughTransition, cone: Cone, finest: u32) -> Result<Self> {
-        let (p, radius, tau) = (scene.power(), scene.radius(), numbers.tau);
-        let asked = Tolerance::new(ACCURACY)?;
-        let norm = if tau == 2.0 {
-            second_seminorm(p, radius)?
-        } else {
-            up(SectorPower::harmonic_gradient(p, radius, FractionalOrder::new(tau - 1.0)?, asked)?)
-        };
+        let numbers = scene.lame().map_or(numbers, |lame| numbers.elastic(lame));
+        let (tau, asked) = (numbers.tau, Tolerance::new(ACCURACY)?);
+        let norm = up(scene.body_seminorm(tau, asked)?);
         let both = |part: [f64; 2]| -> Result<[f64; 2]> {
             let one = |datum| Ok(up(scene.edge_seminorm(datum, part, numbers.order, asked)?));
             Ok([one(EdgeDatum::Pressure)?, one(EdgeDatum::Slope)?])
@@ -155,12 +167,4 @@ impl NumberedStudy {
         let rows = scene.levels(cone, finest)?.into_iter().map(row).collect::<Result<_>>()?;
         Ok(Self { numbers, scene, cone, norm, edge, rows })
     }
-}
-
-/// ‖D²(r^p sin(pφ))‖ on the half disc: |D²|² = 2 p² (p−1)² r^{2p−4}.
-fn second_seminorm(p: f64, radius: f64) -> Result<f64> {
-    if p <= 1.0 {
-        return Err(Error::InfiniteNorm { order: 2.0, why: "r^p is in H^2 only for p > 1" });
-    }
-    Ok(ROUND_UP * p * ((p - 1.0) * PI * radius.powf(2.0 * p - 2.0)).sqrt())
 }

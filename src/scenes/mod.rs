@@ -15,7 +15,8 @@
 //! | [`manufactured`] | a scalar scene whose solution is known in closed form | `manufactured` |
 //! | [`MeshTransition`] | one transition of given regularity, on the bottom or the whole boundary | `mesh_transition` |
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
-//! | [`RoughTransition`] | a known solution of any regularity about one transition | `rough_transition` |
+//! | [`RoughTransition`] | a known solution of any regularity about one transition, scalar and elastic | `rough_transition` |
+//! | [`LoadedBody`] | bodies with loads that every mesh integrates exactly, solution unknown | `loaded_body` |
 //! | [`HardCase`], [`TwoRoads`] | what is hard for multigrid, beside elimination | `hard_cases` |
 //!
 //! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data.
@@ -30,6 +31,7 @@ mod corners;
 mod gap_data;
 mod hard_cases;
 mod known;
+mod loaded_body;
 pub mod manufactured;
 mod mesh;
 mod mesh_transition;
@@ -39,6 +41,7 @@ mod registry;
 mod regularity;
 mod roads;
 mod rough_transition;
+mod rough_transition_levels;
 mod scene;
 mod strip;
 mod study;
@@ -51,10 +54,12 @@ pub use closed_form::ClosedForm;
 pub use closed_form_levels::ClosedFormLevel;
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};
 pub use hard_cases::{HardCase, TwoRoads};
+pub use loaded_body::LoadedBody;
 pub use mesh::{MeshScene, Setting};
 pub use mesh_transition::MeshTransition;
 pub use roads::{Road, RoadRow, manufactured_by_every_road};
-pub use rough_transition::{EdgeDatum, RoughLevel, RoughTransition};
+pub use rough_transition::{EdgeDatum, RoughTransition};
+pub use rough_transition_levels::RoughLevel;
 pub use scene::Scene;
 pub use strip::StripScene;
 pub use study::{SceneRun, SceneStudy, energies_apart, sets_apart};

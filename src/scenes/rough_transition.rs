@@ -1,40 +1,35 @@
-//! A scalar contact problem on the unit square with known solution of any regularity about one transition.
+//! Contact problems on the unit square with known solution of any regularity about one transition, scalar and
+//! elastic.
 //!
-//! u = ± r^p sin(pφ), 1/2 < p < 3/2, p ≠ 1, with r, φ from the transition (a, 0), φ = 0 on the side of
-//! contact x < a: harmonic, u = 0 in contact and u = −|sin(pπ)| r^p in the gap. σ_N = −p |sin(pπ)| r^{p−1} in
-//! contact and 0 in the gap, of the size of u_N'; the edge carries the load ∂u/∂n − σ_N besides, which is
-//! again a power on each side, and u is prescribed on the other three sides. So u ∈ H^τ exactly for τ < p +
-//! 1, and σ_N, u_N' ∈ H^ν exactly for ν < p − 1/2. For p = 3/2 no load would be left.
+//! 1/2 < p < 3/2, p ≠ 1, r, φ from the transition (a, 0), φ = 0 on the side of contact x < a, ζ = (a−x) + iy.
+//!
+//! * *Scalar*: u = ± Im ζ^p = ± r^p sin(pφ), harmonic, u = 0 in contact and u = −|sin(pπ)| r^p in the gap.
+//!   With σ_N = −p |sin(pπ)| r^{p−1} in contact and 0 in the gap the edge carries the load ∂u/∂n − σ_N
+//!   besides, a power on each side.
+//! * *Elastic* (Westergaard's form, no volume force, zero shear on the edge): α = μ/(λ+μ), β = 1 + α, A = ∓1,
+//!   Z = Aζ^p, 2μ u_x = −α Re Z + y Im Z', 2μ u_y = β Im Z − y Re Z', the prime for d/dζ. On the edge u_N is
+//!   β/(2μ) times the scalar one, and the normal stress Re Z' is the scalar ∂u/∂n: same σ_N, same load.
+//!
+//! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for
+//! ν < p − 1/2. For p = 3/2 no load would be left.
 
-use crate::cone::Cone;
-use crate::contact::{ContactProblem, ContactSolution, Solver};
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance};
-use crate::fem::{Cubature, ErrorNorms, Field, Form, error_norms};
-use crate::mesh::{Part, Point, Sides, unit_square};
-use crate::sobolev::{FractionalOrder, Position, SingularFunction};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::fem::{Form, Lame};
+use crate::mesh::Point;
+use crate::sobolev::{FractionalOrder, Position, SectorPower, SingularFunction};
 use std::f64::consts::PI;
 
 /// a: no node of uniform dyadic meshes.
-const TRANSITION: f64 = 0.4;
-/// Points along each side of a triangle's rule for errors, graded towards the transition.
-const POINTS: usize = 4;
+pub(super) const TRANSITION: f64 = 0.4;
+/// Of a dozen operations.
+const ROUNDING: f64 = 1e-14;
 
-/// The scene, by its power.
+/// The scene, by its power and material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughTransition {
     power: f64,
-}
-
-/// One mesh with n × n squares.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RoughLevel {
-    /// n; h = 1/n.
-    pub n: usize,
-    /// |u − u_h|₁.
-    pub error: f64,
-    /// |u − I^h u|₁.
-    pub interpolation: f64,
+    lame: Option<Lame>,
 }
 
 /// Which function of the edge.
@@ -54,7 +49,23 @@ impl RoughTransition {
     pub fn new(power: f64) -> Result<Self> {
         let admissible = power > 0.5 && power < 1.5 && (power - 1.0).abs() >= 0.01;
         let power = Error::require("p", power, "(1/2, 3/2), not about 1", admissible)?;
-        Ok(Self { power })
+        Ok(Self { power, lame: None })
+    }
+
+    /// The elastic scene with the same power.
+    #[must_use]
+    pub fn elastic(self, lame: Lame) -> Self {
+        Self { lame: Some(lame), ..self }
+    }
+
+    /// Lamé's constants; none for the scalar scene.
+    pub fn lame(&self) -> Option<Lame> {
+        self.lame
+    }
+
+    /// The form.
+    pub fn form(&self) -> Form {
+        self.lame.map_or(Form::LAPLACE, Form::elastic)
     }
 
     /// p.
@@ -76,22 +87,71 @@ impl RoughTransition {
         ((x - TRANSITION).hypot(y), y.atan2(TRANSITION - x))
     }
 
-    /// u.
-    pub fn exact(&self, point: Point) -> f64 {
-        let (r, phi) = Self::polar(point);
-        self.sign() * r.powf(self.power) * (self.power * phi).sin()
+    /// α and 2μ.
+    fn moduli(lame: Lame) -> (f64, f64) {
+        (lame.mu() / (lame.lambda() + lame.mu()), 2.0 * lame.mu())
     }
 
-    /// ∇u.
-    pub fn gradient(&self, point: Point) -> Point {
-        let (r, phi) = Self::polar(point);
-        let (size, angle) = (self.sign() * self.power * r.powf(self.power - 1.0), (self.power - 1.0) * phi);
-        [-size * angle.sin(), size * angle.cos()]
+    /// u; a scalar solution has second entry 0.
+    pub fn displacement(&self, point: Point) -> Point {
+        let ((r, phi), p) = (Self::polar(point), self.power);
+        let size = -self.sign() * r.powf(p);
+        let (sin, cos) = (p * phi).sin_cos();
+        let Some(lame) = self.lame else { return [-size * sin, 0.0] };
+        let ((alpha, double), y) = (Self::moduli(lame), p * phi.sin());
+        let (low_sin, low_cos) = ((p - 1.0) * phi).sin_cos();
+        [y * low_sin - alpha * cos, (1.0 + alpha) * sin - y * low_cos].map(|part| size * part / double)
     }
 
-    /// σ_N before the transition and u_N' beyond, over r^{p−1}.
-    fn size(&self) -> f64 {
+    /// ∇u: row c is the gradient of component c.
+    pub fn gradient(&self, point: Point) -> [Point; 2] {
+        let ((r, phi), q) = (Self::polar(point), self.power - 1.0);
+        let size = -self.sign() * self.power * r.powf(q);
+        let (sin, cos) = (q * phi).sin_cos();
+        let Some(lame) = self.lame else { return [[size * sin, -size * cos], [0.0; 2]] };
+        let ((alpha, double), y) = (Self::moduli(lame), q * phi.sin());
+        let (low_sin, low_cos) = ((q - 1.0) * phi).sin_cos();
+        let (across, along) = ((1.0 + alpha) * sin, alpha * cos);
+        let rows = [[along - y * low_sin, across + y * low_cos], [y * low_cos - across, along + y * low_sin]];
+        rows.map(|row| row.map(|entry| size * entry / double))
+    }
+
+    /// |∇u|_{τ−1} on the half disc, 3/2 < τ < 2, ‖D²u‖ at τ = 2:
+    /// ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for elasticity α² + β² + 1 − q + q² times that over 4μ².
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] for τ ≥ p + 1; [`Error::OutOfRange`] unless 1 < τ ≤ 2; as
+    /// [`SectorPower::elastic_gradient`].
+    pub fn body_seminorm(&self, tau: f64, tolerance: Tolerance) -> Result<Estimate> {
+        let (p, radius, q) = (self.power, self.radius(), self.power - 1.0);
+        let material = self.lame.map(Self::moduli);
+        if tau == 2.0 {
+            if q <= 0.0 {
+                return Err(Error::InfiniteNorm { order: 2.0, why: "r^p is in H^2 only for p > 1" });
+            }
+            let shape = material.map_or(1.0, |(alpha, double)| {
+                (alpha * alpha + (1.0 + alpha).powi(2) + 1.0 - q + q * q).sqrt() / double
+            });
+            let value = shape * p * (q * PI * radius.powf(2.0 * q)).sqrt();
+            return Estimate::new(value, ROUNDING * value, Work::default());
+        }
+        let order = FractionalOrder::new(tau - 1.0)?;
+        match material {
+            None => SectorPower::harmonic_gradient(p, radius, order, tolerance),
+            Some((alpha, double)) => {
+                SectorPower::elastic_gradient(p, alpha, radius, order, tolerance)?.times(double.recip())
+            }
+        }
+    }
+
+    /// σ_N before the transition, over r^{p−1}.
+    pub(super) fn pressure(&self) -> f64 {
         -self.power * (PI * self.power).sin().abs()
+    }
+
+    /// u_N' beyond it, over r^{p−1}.
+    fn slope(&self) -> f64 {
+        self.pressure() * self.lame.map(Self::moduli).map_or(1.0, |(alpha, double)| (1.0 + alpha) / double)
     }
 
     /// |σ_N|_ν or |u_N'|_ν on the part (from, to) of the edge.
@@ -109,9 +169,10 @@ impl RoughTransition {
             let why = "r^(p-1) on one side of a point is in H^nu only for nu < p - 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
+        let size = if datum == EdgeDatum::Pressure { self.pressure() } else { self.slope() };
         let value = |distance: f64| {
             let is_inside = (distance < 0.0) == (datum == EdgeDatum::Pressure);
-            if is_inside { self.size() * distance.abs().powf(self.power - 1.0) } else { 0.0 }
+            if is_inside { size * distance.abs().powf(self.power - 1.0) } else { 0.0 }
         };
         if !(from < TRANSITION && TRANSITION < to) {
             let whole = SingularFunction::new(&[from, to], |x| value(x - TRANSITION))?;
@@ -128,88 +189,11 @@ impl RoughTransition {
         [first, first + 1.0].map(|i| i / n as f64)
     }
 
-    /// ∂u/∂n − σ_N on both sides, over r^{p−1}.
-    fn loads(&self) -> [f64; 2] {
+    /// What the edge carries besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in
+    /// the gap.
+    pub(super) fn loads(&self) -> [f64; 2] {
         let slope = self.sign() * self.power;
-        [-slope - self.size(), slope * (PI * self.power).cos()]
-    }
-
-    /// The problem on the structured mesh with n × n squares; the load of the edge is integrated exactly.
-    ///
-    /// # Errors
-    /// [`Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
-    pub fn problem(&self, n: usize) -> Result<ContactProblem> {
-        let given = Part::Dirichlet;
-        let mesh = unit_square(n, Sides { bottom: Part::Contact, right: given, top: given, left: given })?;
-        let mut load = vec![0.0; mesh.nodes().len()];
-        let (h, q) = (1.0 / n as f64, self.power - 1.0);
-        // ∫ r^q over the part and ∫ r^{q+1}, with r from `near` to `far`.
-        let moment = |k: f64, near: f64, far: f64| (far.powf(q + k) - near.powf(q + k)) / (q + k);
-        for i in 0..n {
-            let (left, right) = (i as f64 * h, (i + 1) as f64 * h);
-            for (size, side) in self.loads().into_iter().zip([-1.0, 1.0]) {
-                let (low, high) =
-                    if side < 0.0 { (left, right.min(TRANSITION)) } else { (left.max(TRANSITION), right) };
-                if low >= high {
-                    continue;
-                }
-                let distances = [low, high].map(|x| side * (x - TRANSITION));
-                let (near, far) = (distances[0].min(distances[1]).max(0.0), distances[0].max(distances[1]));
-                let (whole, first) = (moment(1.0, near, far), moment(2.0, near, far));
-                // The hat of the right node is (x − left)/h, x = a ± r.
-                let right_part = ((TRANSITION - left) * whole + side * first) / h;
-                load[i + 1] += size * right_part;
-                load[i] += size * (whole - right_part);
-            }
-        }
-        let nothing = vec![0.0; load.len()];
-        let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &nothing)?;
-        problem.add_load(&load)?;
-        problem.set_dirichlet(&Field::Scalar(&|point| self.exact(point)))?;
-        Ok(problem)
-    }
-
-    /// Norms of u − v for nodal values v on the mesh of a problem.
-    ///
-    /// # Errors
-    /// As [`error_norms`].
-    pub fn error(&self, problem: &ContactProblem, values: &[f64]) -> Result<ErrorNorms> {
-        let rule = Cubature::new(POINTS)?.singular_at(&[[TRANSITION, 0.0]]);
-        let (field, gradient) = (|point| self.exact(point), |point| [self.gradient(point), [0.0; 2]]);
-        error_norms(problem.mesh(), problem.form(), values, (&Field::Scalar(&field), &gradient), &rule)
-    }
-
-    /// n = 4, 8, ..., 2^finest, each solved from the contact set of the mesh before.
-    ///
-    /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ finest ≤ 11; [`Error::ToleranceNotMet`] for a solution that does
-    /// not meet its conditions; whatever problems and solvers return.
-    pub fn levels(&self, cone: Cone, finest: u32) -> Result<Vec<RoughLevel>> {
-        if !(2..=11).contains(&finest) {
-            let (name, value) = ("finest level", finest as usize);
-            return Err(Error::CountOutOfRange { name, value, range: "[2, 11]" });
-        }
-        let mut coarse: Option<ContactSolution> = None;
-        let mut levels = Vec::new();
-        for n in (2..=finest).map(|level| 1usize << level) {
-            let problem = self.problem(n)?;
-            let solution = match &coarse {
-                Some(coarse) => problem.solve_after(coarse)?,
-                None => problem.solve(cone, Solver::ActiveSet)?,
-            };
-            if !solution.status.is_converged() {
-                let reached = solution.judgement.worst();
-                return Err(Error::ToleranceNotMet { what: "contact conditions", asked: 1e-8, reached });
-            }
-            let sampled = Field::Scalar(&|point| self.exact(point)).sample(problem.mesh().nodes())?;
-            levels.push(RoughLevel {
-                n,
-                error: self.error(&problem, &solution.displacement)?.energy,
-                interpolation: self.error(&problem, &sampled)?.energy,
-            });
-            coarse = Some(solution);
-        }
-        Ok(levels)
+        [-slope - self.pressure(), slope * (PI * self.power).cos()]
     }
 }
 
@@ -224,17 +208,53 @@ mod tests {
             for i in 0..=20 {
                 let x = f64::from(i) / 20.0 + 1e-3;
                 let (r, side) = ((x - TRANSITION).abs(), usize::from(x > TRANSITION));
-                let (u, normal) = (scene.exact([x, 0.0]), -scene.gradient([x, 0.0])[1]);
+                let (u, normal) = (scene.displacement([x, 0.0])[0], -scene.gradient([x, 0.0])[0][1]);
                 let pressure = normal - scene.loads()[side] * r.powf(power - 1.0);
                 assert!(u <= 1e-15 && pressure <= 1e-14 && (u * pressure).abs() < 1e-14, "{power} {x}");
                 assert!(side == 0 || u < 0.0);
                 assert!(side == 1 || pressure < 0.0);
             }
             let (h, [x, y]) = (1e-5, [0.55, 0.2]);
-            let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| scene.exact(p));
-            let slope = scene.gradient([x, y]);
+            let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| scene.displacement(p)[0]);
+            let [slope, _] = scene.gradient([x, y]);
             assert!(((sides[0] - sides[1]) / (2.0 * h) - slope[0]).abs() < 1e-8);
             assert!(((sides[2] - sides[3]) / (2.0 * h) - slope[1]).abs() < 1e-8);
+        }
+    }
+
+    fn stress(lame: Lame, [[xx, xy], [yx, yy]]: [Point; 2]) -> [Point; 2] {
+        let (sum, shear) = (lame.lambda() * (xx + yy), lame.mu() * (xy + yx));
+        [[sum + 2.0 * lame.mu() * xx, shear], [shear, sum + 2.0 * lame.mu() * yy]]
+    }
+
+    #[test]
+    fn an_elastic_body_meets_all_conditions_and_is_in_balance() {
+        let lame = Lame::new(1.3, 0.7).unwrap();
+        for power in [0.65, 0.8, 0.95, 1.1, 1.3] {
+            let scene = RoughTransition::new(power).unwrap().elastic(lame);
+            for i in 0..=20 {
+                let x = f64::from(i) / 20.0 + 1e-3;
+                let (r, side) = ((x - TRANSITION).abs(), usize::from(x > TRANSITION));
+                let u = -scene.displacement([x, 0.0])[1];
+                let [_, [shear, normal]] = stress(lame, scene.gradient([x, 0.0]));
+                let pressure = normal - scene.loads()[side] * r.powf(power - 1.0);
+                assert!(u <= 1e-15 && pressure <= 1e-14 && (u * pressure).abs() < 1e-14, "{power} {x}");
+                assert!(shear.abs() < 1e-14, "{power} {x}: {shear}");
+                let exact = [scene.slope() / power * r.powf(power), scene.pressure() * r.powf(power - 1.0)];
+                let [given, found] = if side == 1 { [exact[0], u] } else { [exact[1], pressure] };
+                assert!((given - found).abs() < 1e-14, "{power} {x}: {given} {found}");
+            }
+            let (h, [x, y]) = (1e-5, [0.55, 0.2]);
+            let points = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]];
+            let (u, g) = (points.map(|p| scene.displacement(p)), scene.gradient([x, y]));
+            let s = points.map(|p| stress(lame, scene.gradient(p)));
+            for c in 0..2 {
+                for d in 0..2 {
+                    assert!(((u[2 * d][c] - u[2 * d + 1][c]) / (2.0 * h) - g[c][d]).abs() < 1e-8, "{power}");
+                }
+                let force = (s[0][c][0] - s[1][c][0] + s[2][c][1] - s[3][c][1]) / (2.0 * h);
+                assert!(force.abs() < 1e-7, "{power}: {force}");
+            }
         }
     }
 

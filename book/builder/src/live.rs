@@ -51,9 +51,10 @@ pub fn examples(page: &str, data: &Data) -> BTreeSet<String> {
     found.map(|(_, example)| example).filter(takes_options).collect()
 }
 
-/// A part of a line that may be computed anew.
-pub fn inline(text: &str, html: &str) -> String {
-    format!("<span data-live=\"{}\">{html}</span>", escape(text.trim()))
+/// A part of a line that may be computed anew; whether it begins a sentence is remembered.
+pub fn inline(text: &str, html: &str, begins: bool) -> String {
+    let begins = if begins { " data-begins=\"\"" } else { "" };
+    format!("<span data-live=\"{}\"{begins}>{html}</span>", escape(text.trim()))
 }
 
 /// A paragraph that may be computed anew.

@@ -13,12 +13,21 @@
 //!
 //! The gradient of the harmonic r^p sin(pφ) is p r^{p−1} (cos, sin) of (p−1)φ in fixed directions: both
 //! components together have P = 2L and Q = 4 sin²((p−1)ψ/2) L, a = p − 1, times p².
+//!
+//! An elastic displacement with zero shear on y = 0 (Westergaard) is v = (α Re z^p − y Im pz^q, (1+α) Im z^p
+//! − y Re pz^q), q = p − 1. The conformal and the other part of ∇v give, with
+//! W = r^q (e^{iqφ} − e^{i(q−2)φ}) = 2iy z^{q−1},
+//!
+//! |∇v|_s² = p² (2α² |r^q e^{iqφ}|_s² + 2(1 + 2α) |r^q sin qφ|_s² + ½ q² |W|_s²).
+//!
+//! W has P = ∫₀^L 4 sin²φ + 4 sin²(φ+ψ) dφ, Q = 4 ((S² + T²) L − 2 S T cos ω sin L), S = sin(qψ/2), T =
+//! sin((q−2)ψ/2).
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::quadrature::Rule;
 use crate::sobolev::order::FractionalOrder;
-use crate::sobolev::root::{ENTRY_ROUNDING, accept, scaled};
+use crate::sobolev::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use std::f64::consts::PI;
 
 /// What stands beside r^a.
@@ -28,6 +37,8 @@ enum Part {
     Sine,
     /// The vector (cos(bφ), sin(bφ)).
     Rotation,
+    /// e^{iaφ} − e^{i(a−2)φ}.
+    Bend,
 }
 
 /// r^a sin(bφ) on a sector.
@@ -95,6 +106,44 @@ impl SectorPower {
         let gradient = Self { part: Part::Rotation, ..Self::new(power - 1.0, 1.0, PI, radius)? };
         let gradient = Self { frequency: (power - 1.0).abs(), ..gradient };
         scaled(power.abs(), gradient.seminorm(order, tolerance)?)
+    }
+
+    /// |∇v|_s on the half disc 0 < φ < π, r < R, for the elastic v above; scales like R^{p−s}. α = μ/(λ+μ),
+    /// and the displacement of a body is v/(2μ).
+    ///
+    /// ```
+    /// use signorini::sobolev::{FractionalOrder, SectorPower};
+    /// use signorini::Tolerance;
+    /// // p = 2, α = 1: v = (x² − 3y², 2xy), ∇v has x² twice with 4 and y² with 36 and 4.
+    /// let (s, asked) = (FractionalOrder::new(0.5)?, Tolerance::reference());
+    /// let norm = SectorPower::elastic_gradient(2.0, 1.0, 1.0, s, asked)?;
+    /// let y = SectorPower::new(1.0, 1.0, std::f64::consts::PI, 1.0)?.seminorm(s, asked)?;
+    /// let both = SectorPower::harmonic_gradient(2.0, 1.0, s, asked)?;
+    /// let exact = (2.0 * both.value.powi(2) + 32.0 * y.value.powi(2)).sqrt();
+    /// assert!((norm.value / exact - 1.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SectorPower::harmonic_gradient`]; [`Error::OutOfRange`] unless α > 0.
+    pub fn elastic_gradient(
+        power: f64,
+        alpha: f64,
+        radius: f64,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        Error::require("alpha", alpha, "(0, inf)", alpha > 0.0 && alpha.is_finite())?;
+        let q = power - 1.0;
+        let one = Self::new(q, 1.0, PI, radius)?;
+        let part = |part, frequency, weight: f64| {
+            let seminorm = Self { part, frequency, ..one }.seminorm(order, tolerance)?;
+            scaled(power.abs() * weight.sqrt(), seminorm)
+        };
+        let rotation = part(Part::Rotation, q.abs(), 2.0 * alpha * alpha)?;
+        let sine = part(Part::Sine, q.abs(), 2.0 * (1.0 + 2.0 * alpha))?;
+        let bend = part(Part::Bend, (q - 2.0).abs().max(1.0), 0.5 * q * q)?;
+        accept("seminorm", root_of_squares(&[rotation, sine, bend])?, tolerance)
     }
 
     /// |w|_s; scales like R^{a+1−s}.
@@ -171,12 +220,21 @@ impl SectorPower {
         let rest = self.angle - psi;
         let (tau, one_minus) = ((-self.exponent * u).exp(), -(-self.exponent * u).exp_m1());
         let half = (0.5 * b * psi).sin();
+        // P of sin(bφ).
+        let sines = |b: f64| {
+            let ends = (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
+            rest - ends / (4.0 * b)
+        };
         let (p, q) = match self.part {
             Part::Rotation => (2.0 * rest, 4.0 * half * half * rest),
             Part::Sine => {
-                let sines = (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
                 let q = 2.0 * half * half * (rest + (b * self.angle).cos() * (b * rest).sin() / b);
-                (rest - sines / (4.0 * b), q)
+                (sines(b), q)
+            }
+            Part::Bend => {
+                let [first, second] = [0.0, 2.0].map(|k| (0.5 * (self.exponent - k) * psi).sin());
+                let mixed = 2.0 * first * second * self.angle.cos() * rest.sin();
+                (4.0 * sines(1.0), 4.0 * ((first * first + second * second) * rest - mixed))
             }
         };
         let distance = 4.0 * ((0.5 * u).sinh().powi(2) + (0.5 * psi).sin().powi(2));

@@ -1,58 +1,8 @@
-//! Pictures of functions: integrands of the seminorm, waves, staircases, truncated logarithms, stretching, an
-//! odd function.
+//! Pictures of functions: waves, staircases, truncated logarithms, stretching, an odd function.
 
+use super::means::mean;
 use super::pen::{BLUE, GREEN, INK, ORANGE, Pen};
 use std::f64::consts::PI;
-
-/// Cells of a side of the square, levels of colour.
-const CELLS: usize = 48;
-const LEVELS: usize = 14;
-
-/// The integrand of the seminorm of order ν over (x, y), one scale of colour for all orders: from 1/100 to
-/// 10⁴.
-pub(super) fn integrand(nu: f64, v: impl Fn(f64) -> f64, words: &str) -> String {
-    let mut pen = Pen::new(430.0, 400.0, 1.0);
-    let place = |k: usize| (k as f64 + 0.5) / CELLS as f64;
-    let level = |i: usize, j: usize| {
-        let (x, y) = (place(i), place(j));
-        // On the diagonal the next cell stands for it.
-        let (x, y) = if i == j { (x - 0.25 / CELLS as f64, y + 0.25 / CELLS as f64) } else { (x, y) };
-        let value = (v(x) - v(y)).powi(2) / (x - y).abs().powf(1.0 + 2.0 * nu);
-        let share = (value.max(1e-99).log10() + 2.0) / 6.0;
-        (share.clamp(0.0, 1.0) * (LEVELS - 1) as f64).round() as usize
-    };
-    let colour = |k: usize| {
-        let t = k as f64 / (LEVELS - 1) as f64;
-        let mix = |a: f64, b: f64, c: f64| {
-            (if t < 0.5 { a + (b - a) * 2.0 * t } else { b + (c - b) * (2.0 * t - 1.0) }).round() as u8
-        };
-        format!("#{:02x}{:02x}{:02x}", mix(20.0, 0.0, 255.0), mix(30.0, 130.0, 230.0), mix(70.0, 160.0, 60.0))
-    };
-    let colours: Vec<String> = (0..LEVELS).map(colour).collect();
-    pen.cells(CELLS, 20.0, 340.0, level, &colours);
-    pen.words(0.5, 15.0, "x", INK);
-    pen.words(0.13, 200.0, "y", INK);
-    pen.words(0.5, -15.0, words, INK);
-    pen.svg()
-}
-
-/// The step at one half and the hat.
-pub(super) fn step(nu: f64) -> String {
-    let words = if nu < 0.5 {
-        "a step: the two bright corners can be integrated"
-    } else {
-        "a step: the two bright corners cannot be integrated"
-    };
-    integrand(nu, |x| f64::from(u8::from(x > 0.5)), words)
-}
-
-pub(super) fn hat(nu: f64) -> String {
-    integrand(
-        nu,
-        |x| 1.0 - (2.0 * x - 1.0).abs(),
-        "a hat: as the order nears one, all of the diagonal lights up",
-    )
-}
 
 /// The wave of Remark 2 and its nodes.
 pub(super) fn wave(cells: u32) -> String {
@@ -84,7 +34,7 @@ pub(super) fn staircase(cells: u32) -> String {
     let n = f64::from(cells);
     for k in 0..cells {
         let (a, b) = (f64::from(k) / n, f64::from(k + 1) / n);
-        let mean = (0..16).map(|j| v(a + (b - a) * (f64::from(j) + 0.5) / 16.0)).sum::<f64>() / 16.0;
+        let mean = mean(v, a, b);
         pen.fill(&[(a, v(a)), (0.5 * (a + b), mean), (a, mean)], ORANGE);
         pen.fill(&[(b, v(b)), (0.5 * (a + b), mean), (b, mean)], ORANGE);
         pen.line((a, mean), (b, mean), ORANGE, "");
@@ -107,9 +57,7 @@ pub(super) fn truncated(length: f64) -> String {
     pen.shade((0.0, place(length)), (0.0, 1.1), ORANGE, 0.15);
     pen.line((0.0, 0.0), (1.0, 0.0), INK, "opacity=\"0.4\"");
     pen.graph(0.0, 1.0, BLUE, |x| 1.0 - ((20.0 * (1.0 - x)) / length).powf(0.4).min(1.0));
-    for t in [0.0, 5.0, 10.0, 15.0, 20.0] {
-        pen.words(place(t), -0.14, &if t == 0.0 { "1".to_owned() } else { format!("e^-{t}") }, INK);
-    }
+    pen.logarithms(-0.14);
     pen.note(0.02, 1.0, "zero here", ORANGE);
     pen.words(0.5, -0.34, "w, against x on a logarithmic axis", INK);
     pen.svg()

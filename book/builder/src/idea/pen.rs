@@ -11,6 +11,8 @@ pub(super) const INK: &str = "black";
 /// Left and right end of the axis on the paper.
 const LEFT: f64 = 70.0;
 const RIGHT: f64 = 590.0;
+/// The unit of y that makes lengths equal in all directions.
+pub(super) const SQUARE: f64 = RIGHT - LEFT;
 
 /// A picture that grows.
 pub(super) struct Pen {
@@ -86,12 +88,39 @@ impl Pen {
 
     /// A shaded polygon.
     pub(super) fn fill(&mut self, points: &[(f64, f64)], colour: &str) {
+        self.area(points, colour, 0.35);
+    }
+
+    /// A polygon of any opacity.
+    pub(super) fn area(&mut self, points: &[(f64, f64)], colour: &str, opacity: f64) {
         let corners: Vec<String> =
             points.iter().map(|&(x, y)| format!("{:.1},{:.1}", self.x(x), self.y(y))).collect();
         let _ = write!(
             self.body,
-            r#"<polygon points="{}" fill="{colour}" fill-opacity="0.35"/>"#,
+            r#"<polygon points="{}" fill="{colour}" fill-opacity="{opacity:.2}"/>"#,
             corners.join(" ")
+        );
+    }
+
+    /// A circle of a radius in units of x.
+    pub(super) fn circle(&mut self, (x, y): (f64, f64), radius: f64, colour: &str) {
+        let _ = write!(
+            self.body,
+            r#"<circle cx="{:.1}" cy="{:.1}" r="{:.1}" fill="none" stroke="{colour}" stroke-width="2"/>"#,
+            self.x(x),
+            self.y(y),
+            radius * (RIGHT - LEFT)
+        );
+    }
+
+    /// A thin line.
+    pub(super) fn thin(&mut self, points: &[(f64, f64)], colour: &str, opacity: f64) {
+        let path: Vec<String> =
+            points.iter().map(|&(x, y)| format!("{:.1} {:.1}", self.x(x), self.y(y))).collect();
+        let _ = write!(
+            self.body,
+            r#"<path d="M{}" fill="none" stroke="{colour}" stroke-opacity="{opacity}"/>"#,
+            path.join("L")
         );
     }
 
@@ -112,6 +141,14 @@ impl Pen {
     /// Words that begin at a point.
     pub(super) fn note(&mut self, x: f64, y: f64, words: &str, colour: &str) {
         self.text(x, y, words, colour, "start");
+    }
+
+    /// Labels at y of a logarithmic axis from e^-20 to 1.
+    pub(super) fn logarithms(&mut self, y: f64) {
+        for t in [0, 5, 10, 15, 20] {
+            let label = if t == 0 { "1".to_owned() } else { format!("e^-{t}") };
+            self.words(1.0 - f64::from(t) / 20.0, y, &label, INK);
+        }
     }
 
     fn text(&mut self, x: f64, y: f64, words: &str, colour: &str, anchor: &str) {

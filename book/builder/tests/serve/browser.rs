@@ -59,7 +59,7 @@ fn a_browser_computes_with_the_parameters_of_the_address() {
     assert!(plain.contains("x is 1/2") && plain.contains(">Compute</button>"), "{plain}");
     assert_eq!(book.runs().len(), 0, "a page computes only when asked");
     let tried = at("?try=planted&x=0.25");
-    for part in ["x is 0.25", "x = 0.25", "class=\"computed\"", "holds ("] {
+    for part in [">now x is 0.25", ">Now x is 0.25", "x = 0.25", "class=\"computed\"", "holds ("] {
         assert!(tried.contains(part), "{part} not in {tried}");
     }
     assert_eq!(book.runs().len(), 1);

@@ -16,7 +16,7 @@ pub const PAGE: &str = "# First {#first}
 
 {{table: planted}}
 
-It is said: {{finding: planted/k}}; and {{value: planted/x: s3}}.
+It is said: {{finding: planted/k}}; and {{value: planted/x: s3}}. {{finding: planted/k}}.
 ";
 
 /// Limits that a test can wait for.
@@ -155,7 +155,7 @@ pub fn answer(stream: &mut TcpStream) -> (u16, String) {
 fn data() -> Data {
     let example = json!({
         "label": "l", "claim": "c", "measured": "m", "verdict": "holds", "confirmed": true, "values": {"x": 0.5},
-        "findings": [{"finding": "k", "outcome": "holds", "words": "x is 1/2", "comparison": "0 <= 1"}],
+        "findings": [{"finding": "k", "outcome": "holds", "words": "now x is 1/2", "comparison": "0 <= 1"}],
         "columns": [{"key": "x", "title": "x", "meaning": ""}], "rows": [["0.5"]],
     });
     let modes = ["answer", "wait", "refuse", "crash", "silent", "write", "grow"];

@@ -36,7 +36,9 @@ fn a_run_answers_in_the_words_of_the_page_and_is_kept() {
     let block = |text: &str| found["blocks"][text].as_str().unwrap_or("").to_owned();
     assert!(block("figure: planted/chart: A chart").contains("x = 0.25"), "{found}");
     assert!(block("table: planted").contains("0.25"), "{found}");
-    assert!(block("finding: planted/k").contains("x is 0.25"), "{found}");
+    assert!(block("finding: planted/k").contains(">now x is 0.25"), "{found}");
+    let begins = found["begins"]["finding: planted/k"].as_str().unwrap_or("");
+    assert!(begins.contains(">Now x is 0.25"), "{found}");
     assert_eq!(block("value: planted/x: s3"), "0.250");
     assert_eq!(found["verdict"], "holds");
     let runs = book.runs();

@@ -40,7 +40,7 @@ fn main() -> std::io::Result<()> {
     }
     let x = option("x").unwrap_or("0.5");
     let finding =
-        format!(r#"{{"finding": "k", "outcome": "holds", "words": "x is {x}", "comparison": "0 <= 1"}}"#);
+        format!(r#"{{"finding": "k", "outcome": "holds", "words": "now x is {x}", "comparison": "0 <= 1"}}"#);
     let head = r#""label": "l", "claim": "c", "measured": "m", "verdict": "holds", "confirmed": true"#;
     let table = format!(r#""columns": [{{"key": "x", "title": "x", "meaning": ""}}], "rows": [["{x}"]]"#);
     let json = format!(r#"{{{head}, "values": {{"x": {x}}}, "findings": [{finding}], {table}}}"#);

@@ -1,6 +1,7 @@
 //! Contact solutions on meshes as the examples of Section 2 show them: the table, the deformed body, the
 //! contact edge, and the contact sets that an active-set iteration visits.
 
+mod body;
 mod conditions;
 mod history;
 mod listing;

@@ -1,0 +1,94 @@
+//! Contact problems on the unit square whose load every mesh integrates exactly and whose solution is not
+//! known.
+//!
+//! Volume loads that are linear on both halves x < 1/2 and x > 1/2: their P1 interpolants on structured
+//! meshes with an even number of squares are the loads themselves, so all discrete solutions belong to one
+//! problem.
+//! Displacements given are zero. Elastic: plane strain, λ = μ = 1, f vertical.
+
+use crate::cone::Cone;
+use crate::contact::ContactProblem;
+use crate::error::{Error, Result};
+use crate::fem::{Field, Form, Lame};
+use crate::mesh::{Part, Sides, Triangulation, unit_square};
+use std::fmt;
+
+/// One of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LoadedBody {
+    /// Scalar, u = 0 on top, free sides, f = 4 |x − 1/2| − 9/10: contact at both sides, a gap between.
+    Membrane,
+    /// Elastic, held on top and at both sides, f_y = 1 − 6 |x − 1/2|: pressed down beside both sides, where
+    /// it touches, lifted in the middle.
+    Held,
+    /// Elastic, held on top, free sides, f_y = 2x − 1: pressed down on the left.
+    Hanging,
+}
+
+impl LoadedBody {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Membrane, Self::Held, Self::Hanging];
+
+    /// Lamé's constants; none for the scalar body.
+    ///
+    /// # Errors
+    /// None for these constants.
+    pub fn lame(self) -> Result<Option<Lame>> {
+        match self {
+            Self::Membrane => Ok(None),
+            Self::Held | Self::Hanging => Lame::new(1.0, 1.0).map(Some),
+        }
+    }
+
+    /// True where displacements are given on all of the boundary but the contact edge.
+    pub fn is_held_all_around(self) -> bool {
+        self == Self::Held
+    }
+
+    /// The cones for which all constants are known: the midpoint cone needs Korn's constant of a body that is
+    /// held all around, unless it is scalar.
+    pub fn cones(self) -> &'static [Cone] {
+        if self == Self::Hanging { &[Cone::Nodal] } else { &[Cone::Nodal, Cone::Midpoint] }
+    }
+
+    /// The structured mesh with n × n squares.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] unless n is even and 2 ≤ n ≤ 16384.
+    pub fn mesh(self, n: usize) -> Result<Triangulation> {
+        if n < 2 || !n.is_multiple_of(2) {
+            return Err(Error::CountOutOfRange { name: "squares", value: n, range: "even, at least 2" });
+        }
+        let side = if self.is_held_all_around() { Part::Dirichlet } else { Part::Neumann };
+        unit_square(n, Sides { bottom: Part::Contact, right: side, top: Part::Dirichlet, left: side })
+    }
+
+    /// The problem on [`LoadedBody::mesh`] or a refinement of it.
+    ///
+    /// # Errors
+    /// As [`ContactProblem::new`].
+    pub fn on(self, mesh: Triangulation) -> Result<ContactProblem> {
+        let density = |x: f64| match self {
+            Self::Membrane => 4.0 * (x - 0.5).abs() - 0.9,
+            Self::Held => 1.0 - 6.0 * (x - 0.5).abs(),
+            Self::Hanging => 2.0 * x - 1.0,
+        };
+        let (form, load) = match self.lame()? {
+            None => (Form::LAPLACE, Field::Scalar(&|[x, _]| density(x)).sample(mesh.nodes())?),
+            Some(lame) => {
+                (Form::elastic(lame), Field::Vector(&|[x, _]| [0.0, density(x)]).sample(mesh.nodes())?)
+            }
+        };
+        ContactProblem::new(mesh, form, &load)
+    }
+}
+
+impl fmt::Display for LoadedBody {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Membrane => "membrane",
+            Self::Held => "held",
+            Self::Hanging => "hanging",
+        })
+    }
+}
