@@ -8,6 +8,7 @@
 //! | sign changes, golden sections | [`search`] |
 //! | the regression line | [`mod@line`] |
 //! | Legendre polynomials | [`legendre`] |
+//! | differences of ln Γ and ψ | `gamma` |
 //! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
@@ -17,6 +18,7 @@
 pub mod check;
 pub mod conjugate_gradients;
 pub(crate) mod eigen;
+pub(crate) mod gamma;
 pub mod legendre;
 pub mod line;
 pub(crate) mod pencil;
