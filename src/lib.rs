@@ -104,6 +104,7 @@ pub mod singular;
 pub mod sobolev;
 #[cfg(feature = "contact")]
 pub mod strip;
+pub mod value;
 
 pub use error::{Error, Result};
 pub use estimate::{Estimate, Tolerance, Work};

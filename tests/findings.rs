@@ -41,6 +41,7 @@ fn follows(role: Role, outcome: Outcome, headline: &Headline, words: &str) -> bo
 fn every_finding_turns(headline: &Headline) {
     assert_eq!(headline.exit_code(), 0, "{headline}");
     assert!(headline.findings.len() >= LEAST, "{headline}");
+    assert_eq!(headline.table.unexplained(), [""; 0], "missing entries without a reason: {headline}");
     let keys: BTreeSet<&str> = headline.findings.iter().map(Finding::key).collect();
     assert_eq!(keys.len(), headline.findings.len(), "two findings with one key: {headline}");
     let decided = headline.findings.iter().filter(|f| f.outcome() != Outcome::ByProof);

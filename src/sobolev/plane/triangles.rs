@@ -6,7 +6,11 @@
 use super::geometry::{Point, twice_area};
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
+use crate::numeric::memory::require_memory;
 use std::collections::HashMap;
+
+/// Of one square of a grid: a node, two triangles, and three edges in the table that checks them.
+const BYTES_OF_SQUARE: usize = 300;
 
 /// A triangulation of a polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,13 +69,15 @@ impl Triangles {
     /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no square, [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
+    /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
+    /// [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
     pub fn grid(squares: [usize; 2], h: f64) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         let [columns, rows] = squares;
         if columns == 0 || rows == 0 {
             return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
         }
+        require_memory("squares", columns.saturating_mul(rows), BYTES_OF_SQUARE)?;
         let node = |i: usize, j: usize| j * (columns + 1) + i;
         let places = (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * h, j as f64 * h]));
         let pair = |i: usize, j: usize| {
