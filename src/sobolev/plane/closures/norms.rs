@@ -18,6 +18,10 @@ use crate::numeric::scale::power_of_two;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{accept, root_of_squares, scaled, scaled_root};
 
+/// What ends the accuracy.
+const LIMIT: &str =
+    "the rules have no more points: it is not as smooth as declared, or what is left is rounding";
+
 impl SingularPlaneFunction<'_> {
     /// The seminorm |w|_s.
     ///
@@ -35,7 +39,7 @@ impl SingularPlaneFunction<'_> {
     /// 1/2; [`Error::OutOfRange`] for triangles that touch without a common node or are too close for their
     /// length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
+        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
     /// The norm of order s.
@@ -44,7 +48,7 @@ impl SingularPlaneFunction<'_> {
     /// As [`SingularPlaneFunction::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_as_it_is(tolerance)?];
-        accept("norm", root_of_squares(&parts)?, tolerance)
+        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
     /// The norm of order 1 + s, given both derivatives.
@@ -67,7 +71,7 @@ impl SingularPlaneFunction<'_> {
             parts.push(part.l2_as_it_is(tolerance)?);
             parts.push(part.seminorm_as_it_is(order, tolerance)?);
         }
-        accept("norm", root_of_squares(&parts)?, tolerance)
+        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
     /// The L² norm.
@@ -75,7 +79,7 @@ impl SingularPlaneFunction<'_> {
     /// # Errors
     /// [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
     pub fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        accept("L2 norm", self.l2_as_it_is(tolerance)?, tolerance)
+        accept("L2 norm", self.l2_as_it_is(tolerance)?, tolerance, LIMIT)
     }
 
     fn view(&self) -> View<'_> {
