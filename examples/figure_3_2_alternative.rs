@@ -38,6 +38,10 @@ example_frame::options! {
         #[arg(long)]
         pub over_theta: bool,
     }
+    without_effect(options) {
+        "meshes" if options.over_theta => "beside --over-theta",
+        "theta" if options.over_theta => "beside --over-theta",
+    }
 }
 
 /// The segments on the contact set asked for, and those of the finest mesh on the other one.
@@ -50,15 +54,10 @@ pub struct Computed {
 
 /// Classifies the segments of all meshes, or for all θ.
 pub fn compute(section: Section, options: &Options) -> Result<Computed> {
-    let case = AlternativeCase {
-        section,
-        source: options.scene.clone(),
-        n: options.n,
-        meshes: if options.over_theta { 1 } else { options.meshes },
-        rule: options.theta.map_or(ThetaRule::Printed { tau: options.tau }, ThetaRule::Fixed),
-        tau: options.tau,
-        against: options.against,
-    };
+    let Options { scene: source, n, tau, against, .. } = options.clone();
+    let meshes = if options.over_theta { 1 } else { options.meshes };
+    let rule = options.theta.map_or(ThetaRule::Printed { tau }, ThetaRule::Fixed);
+    let case = AlternativeCase { section, source, n, meshes, rule, tau, against };
     let study =
         |case: &AlternativeCase| if options.over_theta { case.over_theta() } else { case.over_size() };
     let other = AlternativeCase { meshes: 1, against: case.against.other(), ..case.clone() };

@@ -36,6 +36,14 @@ example_frame::options! {
         #[arg(long)]
         pub full: bool,
     }
+    without_effect(options) {
+        "kind" if !matches!(options.scene, Some(Scene::Strip(_))) => "unless --scene is a scene of the strip",
+        "levels" if options.scene.is_none() => "without --scene",
+        "positions" if !matches!(&options.scene, Some(Scene::Strip(scene)) if scene.moves()) => "unless --scene is one transition",
+        "tau" if matches!(options.scene, Some(Scene::Mesh(_))) => "on meshes: theirs follows from the angle",
+        "tau" if options.scene.is_some() && options.tau.len() > 1 => "beyond its first value with --scene",
+        "full" if options.scene.is_some() => "beside --scene",
+    }
 }
 
 /// What is computed: each scene at each τ, with the orders of error and consistency term.

@@ -5,6 +5,7 @@
 //! | sums with compensation or by halving, inner products | [`sum`] |
 //! | units that are powers of two | [`scale`] |
 //! | lengths and finite values of input | [`check`] |
+//! | what fits into memory | [`memory`] |
 //! | sign changes, golden sections | [`search`] |
 //! | the regression line | [`mod@line`] |
 //! | Legendre polynomials | [`legendre`] |
@@ -21,6 +22,7 @@ pub(crate) mod eigen;
 pub(crate) mod gamma;
 pub mod legendre;
 pub mod line;
+pub mod memory;
 pub(crate) mod pencil;
 pub mod random;
 pub mod scale;

@@ -24,9 +24,9 @@ const ROUNDING: f64 = 1e-14;
 /// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
 pub fn end_limit(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
-    let reached = limit.relative_error();
-    if reached > asked {
-        return Err(Error::ToleranceNotMet { what: "limit of the Poincare constant", asked, reached });
+    if limit.relative_error() > asked {
+        let why = "the order nu is rounded, and 1 - 2 nu holds no more digits";
+        return Err(Error::not_met("limit of the Poincare constant", asked, limit, why));
     }
     Ok(limit)
 }

@@ -10,7 +10,7 @@ mod roads;
 mod two_roads;
 mod watch;
 
-pub use conditions::{CONDITIONS, Condition};
+pub use conditions::{CONDITIONS, Condition, solvers_agree};
 pub use listing::{table, worst};
 pub use picture::quote_and_draw;
 pub use roads::{algebraic_chart, road_chart, road_table};

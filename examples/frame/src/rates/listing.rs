@@ -3,6 +3,7 @@
 use super::row::RateRow;
 use super::store::level_json;
 use crate::figures::{Axis, Chart, Series};
+use crate::files::write_whole;
 use crate::{Cell, Column, Format, Headline, Result, Table};
 use serde_json::{Value, json};
 use signorini::convergence::Bound;
@@ -187,7 +188,7 @@ fn write_studies(rows: &[RateRow], directory: &Path, name: &str) -> Result<()> {
         studies().map(|study| Ok(study_json(study)?.to_string())).collect::<Result<_>>()?;
     for (ending, text) in [("csv", csv.concat()), ("json", format!("[{}]\n", json.join(",\n")))] {
         let path = directory.join(format!("{name}_levels.{ending}"));
-        std::fs::write(&path, text).map_err(|e| signorini::Error::file(&path, e))?;
+        write_whole(&path, &text)?;
     }
     Ok(())
 }
