@@ -32,19 +32,15 @@ example_frame::options! {
         #[arg(long, default_value_t = 5)]
         pub positions: usize,
     }
+    without_effect(options) {
+        "positions" if !options.scene.moves() => "unless the scene is one transition",
+    }
 }
 
 /// Solves the scene on all meshes and integrates the terms, coarsest mesh first.
 pub fn compute(options: &Options) -> Result<Vec<FalkRow>> {
-    let case = StripCase {
-        kind: options.kind,
-        levels: options.levels,
-        source: options.scene.clone(),
-        tau: options.tau,
-        cone: options.cone,
-        reference: Reference::Nested,
-        positions: options.positions,
-    };
+    let Options { kind, levels, scene: source, tau, cone, positions, .. } = options.clone();
+    let case = StripCase { kind, levels, source, tau, cone, reference: Reference::Nested, positions };
     Ok(falk_terms(&case, |_| ())?)
 }
 

@@ -31,6 +31,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 5)]
         pub positions: usize,
     }
+    without_effect(options) {
+        "positions" if !options.scene.moves() => "unless the scene is one transition",
+    }
 }
 
 /// What is computed: the same scene at every τ in both cones, nodal first.

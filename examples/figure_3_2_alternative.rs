@@ -38,6 +38,10 @@ example_frame::options! {
         #[arg(long)]
         pub over_theta: bool,
     }
+    without_effect(options) {
+        "meshes" if options.over_theta => "beside --over-theta",
+        "theta" if options.over_theta => "beside --over-theta",
+    }
 }
 
 /// The segments on the contact set asked for, and those of the finest mesh on the other one.
@@ -50,15 +54,10 @@ pub struct Computed {
 
 /// Classifies the segments of all meshes, or for all θ.
 pub fn compute(section: Section, options: &Options) -> Result<Computed> {
-    let case = AlternativeCase {
-        section,
-        source: options.scene.clone(),
-        n: options.n,
-        meshes: if options.over_theta { 1 } else { options.meshes },
-        rule: options.theta.map_or(ThetaRule::Printed { tau: options.tau }, ThetaRule::Fixed),
-        tau: options.tau,
-        against: options.against,
-    };
+    let Options { scene: source, n, tau, against, .. } = options.clone();
+    let meshes = if options.over_theta { 1 } else { options.meshes };
+    let rule = options.theta.map_or(ThetaRule::Printed { tau }, ThetaRule::Fixed);
+    let case = AlternativeCase { section, source, n, meshes, rule, tau, against };
     let study =
         |case: &AlternativeCase| if options.over_theta { case.over_theta() } else { case.over_size() };
     let other = AlternativeCase { meshes: 1, against: case.against.other(), ..case.clone() };
@@ -121,7 +120,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     outcome(Section::Three, options)
 }
 
-/// The outcome of either section, figures saved as `PAGE` and `PAGE_shares`.
+/// The outcome of either section; figures `PAGE_h_N` or `PAGE_theta_THETA`, and `PAGE_shares`.
 pub fn outcome(section: Section, options: &Options) -> Result<Headline> {
     let computed = compute(section, options)?;
     let (label, key, claim) = match section {
@@ -144,11 +143,14 @@ pub fn outcome(section: Section, options: &Options) -> Result<Headline> {
             headline.quote(format!("{key}.{name}.term"), finest.classification.term(case));
         }
         headline.quote(format!("{key}.theta"), finest.theta);
-        headline.draw(&options.output, page(section), || Ok(edge_chart(label, &computed.study)))?;
     }
-    let shares = format!("{}_shares", page(section));
-    headline
-        .draw(&options.output, &shares, || Ok(shares_chart(label, options.over_theta, &computed.study)))?;
+    for row in &computed.study.rows {
+        let frame = if options.over_theta { format!("theta_{}", row.theta) } else { format!("h_{}", row.n) };
+        let name = format!("{}_{frame}", page(section));
+        headline.draw(&options.output, &name, || Ok(edge_chart(label, &computed.study, row)))?;
+    }
+    let shares = || Ok(shares_chart(label, options.over_theta, &computed.study));
+    headline.draw(&options.output, &format!("{}_shares", page(section)), shares)?;
     Ok(headline)
 }
 

@@ -139,6 +139,7 @@ fn draw(rows: &[Row], point: f64) -> Chart {
     let points = |value: fn(&Row) -> f64| rows.iter().map(|row| (row.nu.value(), value(row))).collect();
     Chart::new("Functions vanishing at a point", axes.0, axes.1)
         .with(Series::line_and_points("point at the end", points(|row| row.end.value)))
+        .with_asymptote(0.5)
         .with(Series::line_and_points(format!("point at {point}"), points(|row| row.inside.value)))
 }
 

@@ -102,7 +102,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let mut headline = Headline::new("Remark 7", claim, table(&places), findings(options, &places));
     let steps = places.iter().map(|places| places.step.value);
     headline.quote("remark.7.printed.step", steps.fold(f64::INFINITY, f64::min));
-    headline.draw(&options.output, "remark_7_zone_location", || Ok(draw(&places)))?;
+    headline.draw(&options.output, "remark_7_zone_location", || Ok(draw(&places, options.theta)))?;
     Ok(headline)
 }
 
@@ -126,11 +126,11 @@ fn table(places: &[Places]) -> Table {
     }))
 }
 
-fn draw(places: &[Places]) -> Chart {
-    let (x, y) = ("a, start of the zone (interval = 1)", "constant over that at the end");
-    let chart = Chart::new("Where the zone lies", Axis::linear(x), Axis::linear(y));
+fn draw(places: &[Places], theta: f64) -> Chart {
+    let (x, y) = ("a + θ, where the zone (a, a + θ) ends (interval = 1)", "constant over that at the end");
+    let chart = Chart::new("Where the zone lies", Axis::logarithmic(x), Axis::linear(y));
     places.iter().fold(chart, |chart, Places { order, zones, .. }| {
-        let points = zones.iter().map(|at| (at.start, at.ratio.value)).collect();
+        let points = zones.iter().map(|at| (at.start + theta, at.ratio.value)).collect();
         chart.with(Series::line_and_points(format!("ν = {order}"), points))
     })
 }

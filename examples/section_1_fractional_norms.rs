@@ -149,7 +149,7 @@ fn draw(options: &Options, rows: &[Row]) -> Chart {
         |chart, f| {
             let own = rows.iter().filter(|row| row.0 == *f);
             let curve = own.filter_map(|row| Some((row.1.value(), row.2.as_ref()?.seminorm[0].value)));
-            chart.with(Series::line_and_points(f.to_string(), curve.collect()))
+            chart.with(Series::line_and_points(f.to_string(), curve.collect())).with_asymptote(f.last_order())
         },
     )
 }

@@ -6,7 +6,8 @@ use example_frame::{Error, Finding, Headline, Result, contact};
 use signorini::Tolerance;
 use signorini::cone::{Cone, Judgement, NOISE};
 use signorini::contact::{Accuracy, Solver};
-use signorini::scenes::{MeshScene, SceneRun, SceneStudy, Setting, energies_apart, sets_apart};
+use signorini::scenes::MeshScene::{Corner, Leaning, Raised, Taper};
+use signorini::scenes::{MeshScene, SceneRun, SceneStudy, Setting};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -39,6 +40,12 @@ example_frame::options! {
         /// Factor on the load
         #[arg(long, default_value_t = 1.0)]
         pub load_scale: f64,
+    }
+    without_effect(options) {
+        "poisson" if options.scene != Some(MeshScene::Incompressible) => "unless the scene is incompressible",
+        "angle" if !matches!(options.scene, Some(Corner | Leaning | Raised | Taper)) =>
+            "unless the scene is corner, leaning, raised or taper",
+        "tolerance" if matches!(options.solver, Some(Solver::ActiveSet | Solver::InteriorPoint)) => "with a direct solver",
     }
 }
 
@@ -112,18 +119,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
         found.push(condition.at_most(asked, bound).otherwise(fails));
     }
     if runs.len() > study.levels {
-        let sets = sets_apart(runs).map(|(apart, weak)| (apart as f64, weak as f64));
-        let (apart, rounding) = energies_apart(runs).map_or((None, 0.0), |(d, u)| (Some((d, 0.0)), u));
-        found.extend([
-            Finding::claim("solvers", "two solvers without a common line agree in J, apart by {value}")
-                .number_or(apart, "no mesh was solved twice")
-                .at_most(EIGHT_DIGITS + rounding, "eight digits, and the rounding of J")
-                .otherwise("two solvers are apart by {value} in J")
-                .told(),
-            Finding::remark("sets", "both find the same contact set")
-                .number_or(sets, "no mesh was solved twice")
-                .at_most(0.0, "as many constraints differ as are weak"),
-        ]);
+        found.extend(contact::solvers_agree(runs, EIGHT_DIGITS));
     }
     if let Some((run, j)) = runs.last().and_then(|run| Some((run, study.known_energy(run.n)?))) {
         let error = run.solution.energy_rounding + run.error.map_or(0.0, |e| e.error * e.error);

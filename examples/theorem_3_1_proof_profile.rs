@@ -41,6 +41,9 @@ example_frame::options! {
         #[arg(long)]
         pub lines: bool,
     }
+    without_effect(options) {
+        "positions" if !options.scene.moves() => "unless the scene is one transition",
+    }
 }
 
 /// Both sides of every line on all meshes, and the rungs.
@@ -55,16 +58,10 @@ pub struct Computed {
 
 /// Profiles the proof on all meshes.
 pub fn compute(section: Section, options: &Options) -> Result<Computed> {
-    let case = ProofCase {
-        section,
-        source: options.scene.clone(),
-        tau: options.tau,
-        scene_tau: options.scene_tau.unwrap_or(options.tau),
-        levels: options.levels,
-        resolution: options.resolution,
-        rule: options.theta.map_or(ThetaRule::Printed { tau: options.tau.min(2.0) }, ThetaRule::Fixed),
-        positions: options.positions,
-    };
+    let Options { scene: source, tau, levels, resolution, positions, .. } = options.clone();
+    let scene_tau = options.scene_tau.unwrap_or(tau);
+    let rule = options.theta.map_or(ThetaRule::Printed { tau: tau.min(2.0) }, ThetaRule::Fixed);
+    let case = ProofCase { section, source, tau, scene_tau, levels, resolution, rule, positions };
     let profile = case.profile(&case.constants(options.q)?)?;
     let rungs = profile.ladder()?;
     Ok(Computed { profile, rungs, limits: limit_lines(section, options.q)? })

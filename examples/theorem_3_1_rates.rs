@@ -36,22 +36,28 @@ example_frame::options! {
         #[arg(long)]
         pub full: bool,
     }
+    without_effect(options) {
+        "kind" if !matches!(options.scene, Some(Scene::Strip(_))) => "unless --scene is a scene of the strip",
+        "levels" if options.scene.is_none() => "without --scene",
+        "positions" if !matches!(&options.scene, Some(Scene::Strip(scene)) if scene.moves()) => "unless --scene is one transition",
+        "tau" if matches!(options.scene, Some(Scene::Mesh(_))) => "on meshes: theirs follows from the angle",
+        "tau" if options.scene.is_some() && options.tau.len() > 1 => "beyond its first value with --scene",
+        "full" if options.scene.is_some() => "beside --scene",
+    }
 }
 
 /// What is computed: each scene at each τ, with the orders of error and consistency term.
 pub struct Computed {
     /// Strips before corners.
     pub rows: Vec<RateRow>,
-    /// The first scene at τ = 7/4 in the other cone, to stand in the same figure.
-    other: Option<RateRow>,
 }
 
-/// The regularity of the figure: the paper's rate is furthest from the optimal one.
-const SHOWN: f64 = 1.75;
+/// The regularity of the study of one scene: the paper's rate is furthest from the optimal one.
+const FURTHEST: f64 = 1.75;
 
 /// Solves all levels of all scenes in one cone.
 pub fn compute(cone: Cone, options: &Options) -> Result<Computed> {
-    let tau = options.tau.first().copied().unwrap_or(SHOWN);
+    let tau = options.tau.first().copied().unwrap_or(FURTHEST);
     let plan = match &options.scene {
         Some(scene) => RatePlan::of_scene(scene, options.kind, options.levels, tau, options.positions)?,
         None if options.full => RatePlan::full()?.with_taus(&options.tau)?,
@@ -61,9 +67,7 @@ pub fn compute(cone: Cone, options: &Options) -> Result<Computed> {
     let file = format!("{}_levels.jsonl", names(cone)[1]);
     let mut store = LevelStore::within(directory.filter(|_| options.full), &file)?;
     let rows = plan.rows(cone, &mut store)?;
-    let beside = if cone == Cone::Nodal { Cone::Midpoint } else { Cone::Nodal };
-    let other = directory.map(|_| plan.first_at(SHOWN).rows(beside, &mut store)).transpose()?;
-    Ok(Computed { rows, other: other.and_then(|mut rows| rows.pop()) })
+    Ok(Computed { rows })
 }
 
 /// What decides: each order against the theorem's exponent; all against τ − 1 (Drouet and Hild 2015).
@@ -119,8 +123,7 @@ pub fn outcome(cone: Cone, options: &Options) -> Result<Headline> {
         headline.quote(format!("{key}.ratio"), row.study.constant(Quantity::Error, Bound::Paper)?);
     }
     if let Some(directory) = options.output.directory()? {
-        let shown = single.or_else(|| rows.iter().find(|row| row.study.tau == SHOWN));
-        write_and_draw(&mut headline, rows, (shown, computed.other.as_ref()), (directory, name))?;
+        write_and_draw(&mut headline, rows, directory, name)?;
     }
     Ok(headline)
 }

@@ -77,7 +77,8 @@ pub fn findings(studies: &[NumberedStudy]) -> Vec<Finding> {
         "with the interpolation error itself and the segment's norms, {value} times or more",
     );
     let sharp = Finding::claim("effectivity", "from tau = 1.75 on it is at most {value} times the error");
-    let all = Finding::remark("all", "for every tau it is at most {value} times the error");
+    let all = Finding::remark("all", "for every tau it is at most {value} times the error")
+        .otherwise("over all tau it comes to {value} times the error, more than 10");
     vec![
         decide(above, quotients(|_| true, whole), f64::min).at_least(1.0, "the error itself").told(),
         decide(korn, quotients(is_midpoint, whole), f64::min).at_least(1.0, "the error itself"),

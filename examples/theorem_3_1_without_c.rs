@@ -141,8 +141,10 @@ fn table(studies: &[BoundStudy]) -> Table {
 
 /// Bound over error against h, the best version, one transition and the strip.
 fn draw(studies: &[BoundStudy]) -> Chart {
-    let (x, y) =
-        (Axis::logarithmic("h, mesh size (side of the square = 1)"), Axis::logarithmic("bound / error"));
+    let (x, y) = (
+        Axis::logarithmic("h, mesh size (side of the square or period of the strip = 1)"),
+        Axis::logarithmic("bound / error"),
+    );
     let mut chart = Chart::new("How far the bound without C is from the error", x, y);
     let drawn = |study: &&BoundStudy| {
         !matches!(study.problem, BoundProblem::Square(ClosedForm { two_transitions: true, .. }))

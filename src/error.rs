@@ -1,5 +1,7 @@
-//! The one error type of the library. Every variant carries the offending value.
+//! The one error type of the library. Every variant carries the offending value; a tolerance that is not met
+//! carries the best estimate.
 
+use crate::value::Estimate;
 use std::path::PathBuf;
 
 /// Result with the library's [`Error`].
@@ -30,6 +32,18 @@ pub enum Error {
         value: usize,
         /// The admissible set, as text.
         range: &'static str,
+    },
+    /// A count that asks for more than the machine's memory.
+    #[error("{name} = {count} takes {needed:.3e} GB: this machine has {available:.1} GB")]
+    TooLarge {
+        /// What is counted.
+        name: &'static str,
+        /// The count that was given.
+        count: usize,
+        /// What it would take, in 10^9 bytes.
+        needed: f64,
+        /// The physical memory, in 10^9 bytes.
+        available: f64,
     },
     /// A name that is none of the known ones.
     #[error("unknown {what} '{given}': expected {expected}")]
@@ -81,8 +95,8 @@ pub enum Error {
         /// The reason, as text.
         why: &'static str,
     },
-    /// The tolerance could not be met; carries what was reached.
-    #[error("{what}: relative error {reached:e} reached, {asked:e} asked")]
+    /// The tolerance could not be met; carries what was reached and why more is not to be had.
+    #[error("{what}: relative error {reached:.1e} reached, {asked:e} asked{}: {why}", value_of(best))]
     ToleranceNotMet {
         /// The quantity.
         what: &'static str,
@@ -90,6 +104,10 @@ pub enum Error {
         asked: f64,
         /// The estimated relative error reached.
         reached: f64,
+        /// The best estimate of the quantity; `None` where no value was reached at all.
+        best: Option<Estimate>,
+        /// Why more is not to be had, as text.
+        why: &'static str,
     },
     /// A matrix that should be positive definite is not, to working accuracy.
     #[error("{what} is not positive definite: pivot {pivot}")]
@@ -167,7 +185,48 @@ pub enum Error {
     },
 }
 
+/// The best value of a quantity, as it stands in the message.
+fn value_of(best: &Option<Estimate>) -> String {
+    best.map_or_else(String::new, |best| format!(" (best value {best})"))
+}
+
 impl Error {
+    /// The best estimate of `what` misses the tolerance that was asked, for the reason given.
+    pub fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
+        Error::ToleranceNotMet { what, asked, reached: best.relative_error(), best: Some(best), why }
+    }
+
+    /// Nothing of `what` was reached that could be called a value: the relative uncertainty, and why.
+    pub fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
+        Error::ToleranceNotMet { what, asked, reached, best: None, why }
+    }
+
+    /// [`Error::not_met`] with the best of several tries, if there is one.
+    pub(crate) fn best_of(what: &'static str, asked: f64, best: Option<Estimate>, why: &'static str) -> Self {
+        best.map_or(Self::out_of_reach(what, asked, f64::INFINITY, why), |best| {
+            Self::not_met(what, asked, best, why)
+        })
+    }
+
+    /// The best estimate of the quantity that a refusal names; `None` for all other errors.
+    pub fn best(&self) -> Option<Estimate> {
+        match self {
+            Error::ToleranceNotMet { best, .. } => *best,
+            _ => None,
+        }
+    }
+
+    /// The same refusal about a quantity that is made of the one refused.
+    pub(crate) fn carry(self, quantity: &'static str, of: impl FnOnce(Estimate) -> Result<Estimate>) -> Self {
+        match self {
+            Error::ToleranceNotMet { asked, best: Some(best), why, .. } => match of(best) {
+                Ok(best) => Self::not_met(quantity, asked, best, why),
+                Err(error) => error,
+            },
+            other => other,
+        }
+    }
+
     /// The parameter `name` if it satisfies `admissible`, else [`Error::OutOfRange`]. NaN is never
     /// admissible.
     pub fn require(name: &'static str, value: f64, range: &'static str, admissible: bool) -> Result<f64> {

@@ -5,8 +5,8 @@
 //! itself.
 
 use crate::error::{Error, Result};
+pub use crate::value::{Estimate, Work};
 use std::fmt;
-use std::ops::{Add, AddAssign};
 use std::str::FromStr;
 
 /// Requested relative accuracy, in [1e-15, 0.1].
@@ -81,56 +81,6 @@ impl FromStr for Tolerance {
     }
 }
 
-/// What an estimate cost, in counts that do not depend on the machine.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Work {
-    /// Evaluations of a function or a kernel.
-    pub points: u64,
-    /// Pairs of cells of a double integral.
-    pub pairs: u64,
-    /// Steps of an iteration.
-    pub iterations: u64,
-    /// Matrix factorizations or dense eigenproblems.
-    pub factorizations: u64,
-}
-
-impl Work {
-    /// All counts together: only for comparing a function with itself.
-    pub fn total(&self) -> u64 {
-        self.points + self.pairs + self.iterations + self.factorizations
-    }
-}
-
-impl Add for Work {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self {
-            points: self.points + other.points,
-            pairs: self.pairs + other.pairs,
-            iterations: self.iterations + other.iterations,
-            factorizations: self.factorizations + other.factorizations,
-        }
-    }
-}
-
-impl AddAssign for Work {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-/// A number with an honest absolute error estimate and the work it took.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
-    /// The value; finite.
-    pub value: f64,
-    /// Estimated absolute error; at least the rounding of `value`.
-    pub error: f64,
-    /// What it cost.
-    pub work: Work,
-}
-
 impl Estimate {
     /// A value with its absolute error; the error is raised to the rounding of the value.
     ///
@@ -146,9 +96,24 @@ impl Estimate {
         Ok(Self { value, error: error.abs().max(value.abs() * f64::EPSILON), work })
     }
 
-    /// error / |value|, or the absolute error when the value is zero.
-    pub fn relative_error(&self) -> f64 {
-        if self.value == 0.0 { self.error } else { self.error / self.value.abs() }
+    /// What was found, be it above the tolerance: the best estimate of a refusal is as good an answer for a
+    /// caller who reads its error.
+    ///
+    /// ```
+    /// use signorini::{Estimate, Tolerance, poincare::gamma, poincare::{Condition, Zone}};
+    /// use signorini::sobolev::FractionalOrder;
+    /// let order = FractionalOrder::new(0.25)?;
+    /// let refused = gamma(order, Zone::end(0.5)?, Condition::MeanZero, Tolerance::new(1e-15)?);
+    /// assert!(refused.is_err());
+    /// let best = Estimate::or_best(refused)?;
+    /// assert!(best.relative_error() < 1e-11);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those that carry no value.
+    pub fn or_best(found: Result<Self>) -> Result<Self> {
+        found.or_else(|error| error.best().ok_or(error))
     }
 
     /// (distance to a value found another way, what that value may itself be off by), both relative to it;
@@ -219,12 +184,6 @@ impl Estimate {
     pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
         let negated = |e: Self| Self { value: -e.value, ..e };
         Self::largest(estimates.into_iter().map(negated)).map(negated)
-    }
-}
-
-impl fmt::Display for Estimate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:.12e} ± {:.1e}", self.value, self.error)
     }
 }
 

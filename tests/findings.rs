@@ -41,6 +41,7 @@ fn follows(role: Role, outcome: Outcome, headline: &Headline, words: &str) -> bo
 fn every_finding_turns(headline: &Headline) {
     assert_eq!(headline.exit_code(), 0, "{headline}");
     assert!(headline.findings.len() >= LEAST, "{headline}");
+    assert_eq!(headline.table.unexplained(), [""; 0], "missing entries without a reason: {headline}");
     let keys: BTreeSet<&str> = headline.findings.iter().map(Finding::key).collect();
     assert_eq!(keys.len(), headline.findings.len(), "two findings with one key: {headline}");
     let decided = headline.findings.iter().filter(|f| f.outcome() != Outcome::ByProof);
@@ -120,8 +121,10 @@ examples! {
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     section_1_clamped_end: "../examples/section_1_clamped_end.rs",
+    section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_1_norms_in_the_plane: "../examples/section_1_norms_in_the_plane.rs",
+    section_1_trace_constants: "../examples/section_1_trace_constants.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_multigrid: "../examples/section_2_multigrid.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",

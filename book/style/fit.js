@@ -1,5 +1,5 @@
 // Sets a displayed formula smaller where it is wider than the page; without this script it scrolls. A long formula within a
-// line scrolls too. What is folded is looked at when it opens.
+// line scrolls too. What scrolls is marked. What is folded is looked at when it opens.
 (function () {
   "use strict";
   const smallest = 0.7;
@@ -20,7 +20,22 @@
       if (line && formula.offsetWidth > line.clientWidth) formula.classList.add("long");
     }
   }
-  document.fonts.ready.then(fit);
-  window.addEventListener("resize", fit);
-  document.addEventListener("toggle", fit, true);
+  // What is still wider is marked, and where its end is in sight.
+  function mark(box) {
+    const hidden = box.scrollWidth - box.clientWidth;
+    box.classList.toggle("scrolls", hidden > 1);
+    box.classList.toggle("at-end", hidden - box.scrollLeft <= 2);
+  }
+  const boxes = "main .table-wrapper, main .display-formula";
+  function all() {
+    fit();
+    document.querySelectorAll(boxes).forEach(mark);
+  }
+  function scrolled(event) {
+    if (event.target instanceof Element && event.target.matches(boxes)) mark(event.target);
+  }
+  document.addEventListener("scroll", scrolled, { capture: true, passive: true });
+  document.fonts.ready.then(all);
+  window.addEventListener("resize", all);
+  document.addEventListener("toggle", all, true);
 })();

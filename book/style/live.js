@@ -231,6 +231,7 @@
         }
       }
       this.more.innerHTML = found.more.join("");
+      window.dispatchEvent(new Event("resize")); // new tables are looked at
       this.back.hidden = false;
       this.said.textContent = found.verdict + " (" + Math.round(milliseconds) + " ms)";
       this.said.dataset.milliseconds = Math.round(milliseconds);

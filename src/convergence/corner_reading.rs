@@ -103,7 +103,8 @@ impl Read {
         let [a, b, d, c] = [READ - 2 * APART, READ - APART, READ - 1, READ].map(p);
         let is_finite = [a, b, c, d].iter().all(|p| p.is_finite());
         if !is_finite || !solution.status.is_converged() {
-            return Err(Error::ToleranceNotMet { what: "exponent of a corner", asked: 1.0, reached: c });
+            let why = "the solver did not converge, or the stress vanishes at the corner";
+            return Err(Error::out_of_reach("exponent of a corner", 1.0, c, why));
         }
         let (first, second) = (b - a, c - b);
         let step = if (second / first).abs() < 1.0 { second * second / (first - second) } else { second };

@@ -155,10 +155,10 @@ pub fn seminorm_by_quadrature(
     let scale = 2.0 * segment.cell.powf(order.one_minus_twice());
     let work = Work { points: adaptive.points, ..Work::default() };
     let estimate = Estimate::new(scale * total, scale * adaptive.error, work)?;
-    let reached = estimate.relative_error();
     // A constant trace has seminorm 0 and no relative error.
-    if total > 0.0 && reached > 10.0 * tolerance.relative() {
-        return Err(Error::ToleranceNotMet { what: "seminorm", asked: tolerance.relative(), reached });
+    if total > 0.0 && estimate.relative_error() > 10.0 * tolerance.relative() {
+        let why = "bisection of the cells ended at its deepest level";
+        return Err(Error::not_met("squared seminorm", tolerance.relative(), estimate, why));
     }
     Ok(estimate)
 }

@@ -19,10 +19,14 @@ use super::ordering::Ordering;
 use super::pool::Pool;
 use crate::error::{Error, Result};
 use crate::mesh::Point;
+use crate::numeric::memory::require_memory;
 use faer::Mat;
 
 /// Subtrees with at least this many nodes are worth a task of their own.
 const TASK: usize = 2000;
+
+/// What an unknown takes for each level of nested dissection, in bytes.
+const BYTES_PER_DEPTH: usize = 100;
 
 /// Position of an unknown that is prescribed.
 const PRESCRIBED: u32 = u32::MAX;
@@ -59,9 +63,13 @@ impl Condensation {
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] with the unknown whose pivot vanished: some part of the body is not
-    /// held. [`Error::LengthMismatch`] when the arrays do not fit.
+    /// held. [`Error::LengthMismatch`] when the arrays do not fit; [`Error::TooLarge`]
+    /// when the fronts do not fit into memory.
     pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
         check_lengths(matrix, points, prescribed)?;
+        // 4.4 GB at two million unknowns of a plane mesh.
+        let depth = matrix.unknowns().max(2).ilog2() as usize;
+        require_memory("unknowns of elimination", matrix.unknowns(), BYTES_PER_DEPTH * depth)?;
         let c = matrix.components();
         let mut is_kept = vec![false; matrix.unknowns()];
         kept.iter().for_each(|&unknown| is_kept[unknown] = true);

@@ -55,8 +55,9 @@ impl ElementMesh {
     /// # Errors
     /// [`Error::CountOutOfRange`] without elements or cells.
     pub fn uniform(elements: usize, cells: usize) -> Result<Self> {
-        let count = elements.checked_mul(cells).unwrap_or(0);
-        Self::new(Partition::uniform(count, 1.0)?, &vec![cells; elements])
+        let count = elements.saturating_mul(cells);
+        let partition = Partition::uniform(count, 1.0)?;
+        Self::new(partition, &vec![cells; elements])
     }
 
     /// The cells.

@@ -39,19 +39,20 @@ pub(super) fn extremal(
 ) -> Result<Estimate> {
     require_size(elements, FEWEST)?;
     let mut work = Work { factorizations: 2, ..Work::default() };
-    let (mut coarse, mut cells, mut reached) =
-        (quotient(elements, FEWEST / 2, &forms)?, FEWEST, f64::INFINITY);
+    let (mut coarse, mut cells) = (quotient(elements, FEWEST / 2, &forms)?, FEWEST);
+    let mut best: Option<Estimate> = None;
     while elements.saturating_mul(cells) <= MAX_CELLS {
         let fine = quotient(elements, cells, &forms)?;
         work += Work { factorizations: 2, iterations: 1, ..Work::default() };
         let estimate = Estimate::new(fine, fine - coarse, work)?;
-        reached = estimate.relative_error();
-        if reached <= tolerance.relative() {
+        if estimate.relative_error() <= tolerance.relative() {
             return Ok(estimate);
         }
+        best = Some(estimate);
         (coarse, cells) = (fine, 2 * cells);
     }
-    Err(Error::ToleranceNotMet { what: "best constant on a mesh", asked: tolerance.relative(), reached })
+    let why = "more than 4096 cells in all would be needed";
+    Err(Error::best_of("best constant on a mesh", tolerance.relative(), best, why))
 }
 
 fn require_size(elements: usize, cells: usize) -> Result<()> {

@@ -9,9 +9,13 @@ use super::edges::Edges;
 use super::geometry::{BoundaryEdge, Part, Point, distance, middle};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
+use crate::numeric::memory::require_memory;
 
 /// A node this near to a point, in mesh sizes, is the point: far above rounding, far below any element.
 const SAME_POINT: f64 = 1e-12;
+
+/// Of one triangle of a refined mesh: its corners, half a node, and the edges it is made from.
+const BYTES_OF_TRIANGLE: usize = 60;
 
 /// A triangulation and its uniform refinements, coarsest first.
 #[derive(Debug, Clone)]
@@ -30,7 +34,8 @@ impl Hierarchy {
     /// `coarsest` refined `times` times.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] when the finest level would have more than 2^32 triangles.
+    /// [`Error::CountOutOfRange`] when the finest level would have more than 2^32 triangles, [`Error::TooLarge`]
+    /// when it would not fit into memory.
     pub fn refined(coarsest: Triangulation, times: usize) -> Result<Self> {
         let mut hierarchy = Self::new(coarsest);
         for _ in 0..times {
@@ -52,6 +57,7 @@ impl Hierarchy {
                 range: "[1, 2^30]",
             });
         }
+        require_memory("triangles", 4 * coarse.triangles().len(), BYTES_OF_TRIANGLE)?;
         let (fine, parents) = red(coarse)?;
         self.levels.push(fine);
         self.parents.push(parents);

@@ -3,6 +3,7 @@
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
+use crate::numeric::memory::require_memory;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Labels of the four sides of a structured grid.
@@ -18,6 +19,9 @@ pub struct Sides {
     pub left: Part,
 }
 
+/// Of one cell: its node, two triangles, and what is built beside them.
+const BYTES_OF_CELL: usize = 100;
+
 impl Sides {
     /// Contact at the bottom, fixed at the top, free on both sides: the scenes `block` and `membrane`.
     pub const HANGING: Sides =
@@ -28,7 +32,8 @@ impl Sides {
 /// number j(nx + 1) + i.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] for a count outside 1 ... 16384.
+/// [`Error::CountOutOfRange`] for a count outside 1 ... 16384, [`Error::TooLarge`] for more cells than memory
+/// holds.
 pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
     for (name, value) in [("cells in x", nx), ("cells in y", ny)] {
         if !(1..=16384).contains(&value) {
@@ -36,6 +41,7 @@ pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
             return Err(Error::CountOutOfRange { name, value, range });
         }
     }
+    require_memory("cells", nx * ny, BYTES_OF_CELL)?;
     let node = |i: usize, j: usize| j * (nx + 1) + i;
     let nodes =
         (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64 / nx as f64, j as f64 / ny as f64])).collect();

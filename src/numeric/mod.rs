@@ -5,9 +5,11 @@
 //! | sums with compensation or by halving, inner products | [`sum`] |
 //! | units that are powers of two | [`scale`] |
 //! | lengths and finite values of input | [`check`] |
+//! | what fits into memory | [`memory`] |
 //! | sign changes, golden sections | [`search`] |
 //! | the regression line | [`mod@line`] |
 //! | Legendre polynomials | [`legendre`] |
+//! | differences of ln Γ and ψ | `gamma` |
 //! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
@@ -17,8 +19,10 @@
 pub mod check;
 pub mod conjugate_gradients;
 pub(crate) mod eigen;
+pub(crate) mod gamma;
 pub mod legendre;
 pub mod line;
+pub mod memory;
 pub(crate) mod pencil;
 pub mod random;
 pub mod scale;

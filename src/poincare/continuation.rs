@@ -72,11 +72,13 @@ impl Continuation {
         };
         let ((all, error), (fewer, _)) = (logarithm(points.len()), logarithm(points.len() - 1));
         let (asked, reached) = (self.tolerance.relative(), error + (all - fewer).abs());
-        if reached > asked {
-            return Err(Error::ToleranceNotMet { what: "Poincare constant", asked, reached });
-        }
         let work = points.iter().fold(Work::default(), |sum, point| sum + point.work);
-        Estimate::new(all.exp(), reached * all.exp(), work)
+        let found = Estimate::new(all.exp(), reached * all.exp(), work)?;
+        if reached > asked {
+            let why = "rounding of the constants at larger orders, from which it is continued";
+            return Err(Error::not_met("Poincare constant", asked, found, why));
+        }
+        Ok(found)
     }
 
     /// Weights of all points, for functions that depend on the order.
@@ -115,7 +117,7 @@ mod tests {
     #[test]
     fn only_a_tolerance_that_is_not_met_is_passed_over() {
         let calls = AtomicUsize::new(0);
-        let refused = Error::ToleranceNotMet { what: "test", asked: 1e-9, reached: 1e-8 };
+        let refused = Error::out_of_reach("test", 1e-9, 1e-8, "planted");
         let broken = Error::NotPositiveDefinite { what: "test", pivot: 3 };
         for (error, solves) in [(refused, 2), (broken, 1)] {
             calls.store(0, Ordering::Relaxed);

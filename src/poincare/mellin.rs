@@ -3,72 +3,13 @@
 //! B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ),
 //! C(t) = (1/ν) [ 2 Γ(1−2ν) Re( Γ(1/2+ν+it) / Γ(1/2−ν+it) ) − 1 ],
 //!
-//! C the symbol of the seminorm on (0,∞). With p = 1 − 2ν the bracket is Re[(1 + 2it/p) e^G] − 1,
-//! G = ln Γ(1+p) − [ln Γ(1+p/2+it) − ln Γ(1−p/2+it)]: differences of ln Γ over the distance p are formed term
-//! by term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
+//! C the symbol of the seminorm on (0,∞). Differences of ln Γ over the distance p = 1 − 2ν are formed term by
+//! term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::sobolev::FractionalOrder;
-use faer::c64;
+use crate::sobolev::{FractionalOrder, HalfLineSymbol};
 use std::f64::consts::PI;
-
-/// B_{2k} / (2k (2k−1)), k = 1, ..., 8: Stirling's series; the next term is below 1e-18 from |z| = 12 on.
-const STIRLING: [f64; 8] = [
-    1.0 / 12.0,
-    -1.0 / 360.0,
-    1.0 / 1260.0,
-    -1.0 / 1680.0,
-    1.0 / 1188.0,
-    -691.0 / 360360.0,
-    1.0 / 156.0,
-    -3617.0 / 122400.0,
-];
-
-/// Real part from which Stirling's series is used.
-const SHIFTED: f64 = 12.0;
-
-/// ln(a/b) for a = z + p/2, b = z − p/2: 2 artanh(p/(2z)), accurate for small p.
-fn log_ratio(z: c64, p: f64) -> c64 {
-    // |a/b|² = 1 + 2 p Re z / |b|²
-    let b = z - 0.5 * p;
-    let modulus = 0.5 * (2.0 * p * z.re / b.norm_sqr()).ln_1p();
-    // a b̄ = |z|² − p²/4 − i p Im z
-    let angle = (-p * z.im).atan2(z.norm_sqr() - 0.25 * p * p);
-    c64::new(modulus, angle)
-}
-
-/// e^z − 1.
-fn exp_m1(z: c64) -> c64 {
-    let half = (0.5 * z.im).sin();
-    c64::new(z.re.exp_m1() - 2.0 * z.re.exp() * half * half, z.re.exp() * z.im.sin())
-}
-
-/// ln Γ(z + p/2) − ln Γ(z − p/2), accurate relative to p; Re z > |p|/2.
-fn log_gamma_difference(mut z: c64, p: f64) -> c64 {
-    let mut difference = c64::new(0.0, 0.0);
-    while z.re - 0.5 * p.abs() < SHIFTED {
-        difference -= log_ratio(z, p);
-        z += 1.0;
-    }
-    let (a, b) = (z + 0.5 * p, z - 0.5 * p);
-    let ratio = log_ratio(z, p);
-    difference += ratio * (z - 0.5) + (a.ln() + b.ln()) * (0.5 * p) - p;
-    let mut power = b.inv();
-    let square = power * power;
-    for (k, &coefficient) in STIRLING.iter().enumerate() {
-        difference += power * exp_m1(-ratio * (2 * k + 1) as f64) * coefficient;
-        power *= square;
-    }
-    difference
-}
-
-/// ν C(t).
-fn symbol(p: f64, log_gamma: f64, t: f64) -> f64 {
-    let g = log_gamma - log_gamma_difference(c64::new(1.0, t), p);
-    let half = (0.5 * g.im).sin();
-    g.re.exp_m1() - g.re.exp() * (2.0 * half * half + 2.0 * t / p * g.im.sin())
-}
 
 /// Steps of the rule, each half of the one before, until two agree to the tolerance.
 const STEPS: [f64; 6] = [1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0, 1.0 / 128.0, 1.0 / 256.0];
@@ -83,9 +24,9 @@ const ROUNDING: f64 = 1e-14;
 /// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
 pub fn end_limit(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
-    let reached = limit.relative_error();
-    if reached > asked {
-        return Err(Error::ToleranceNotMet { what: "limit of the Poincare constant", asked, reached });
+    if limit.relative_error() > asked {
+        let why = "the order nu is rounded, and 1 - 2 nu holds no more digits";
+        return Err(Error::not_met("limit of the Poincare constant", asked, limit, why));
     }
     Ok(limit)
 }
@@ -94,8 +35,8 @@ pub fn end_limit(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimat
 pub(super) fn reached(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     let (nu, p) = (order.value(), order.one_minus_twice());
-    let log_gamma = log_gamma_difference(c64::new(1.0 + 0.5 * p, 0.0), p).re;
-    let integrand = |t: f64| nu / (((nu + 0.5).powi(2) + t * t) * symbol(p, log_gamma, t)) / PI;
+    let symbol = HalfLineSymbol::new(p);
+    let integrand = |t: f64| nu / (((nu + 0.5).powi(2) + t * t) * symbol.at(t)) / PI;
     // The symbol is of order p² where it matters; the order itself is rounded to f64.
     let rounding = ROUNDING + 4.0 * f64::EPSILON / p;
     let (mut square, mut points) = half_line(&integrand, STEPS[0]);

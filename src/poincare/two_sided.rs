@@ -56,7 +56,7 @@ pub fn two_sided(
         tolerance,
         |model| Sides::new(order, &parts, model, &whole),
         |fine, coarse| fine.join(&coarse, whole),
-        |found| found.gamma.relative_error(),
+        |found| found.gamma,
     );
     match direct {
         // At small orders that have no digits of their own both are continued from larger ones.

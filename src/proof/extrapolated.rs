@@ -168,7 +168,8 @@ fn solve(
         };
         if !solution.status.is_converged() {
             let reached = solution.judgement.worst();
-            return Err(Error::ToleranceNotMet { what: "contact conditions", asked: 1e-8, reached });
+            let why = "the active-set iteration did not converge";
+            return Err(Error::out_of_reach("contact conditions", 1e-8, reached, why));
         }
         solved.push((problem, solution));
     }

@@ -67,8 +67,9 @@ pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64, tolerance: Toler
             return Estimate::new(value, change, work);
         }
     }
-    let (what, reached) = ("worst ratio of a segment", change / before);
-    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached })
+    let why = "the cells were halved as often as the matrices can hold";
+    let best = Estimate::new(before, change, work)?;
+    Err(Error::not_met("worst ratio of a segment", tolerance.relative(), best, why))
 }
 
 /// The ratio of the best piecewise constants on a graded mesh, every cell halved so often.

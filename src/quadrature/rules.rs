@@ -29,7 +29,7 @@ impl Rule {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for n = 0.
+    /// [`Error::CountOutOfRange`] for n = 0 or n > 65536.
     pub fn gauss_legendre(n: usize) -> Result<Self> {
         require_points(n)?;
         match KNOWN.get(n) {
@@ -42,7 +42,7 @@ impl Rule {
     /// size.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for n = 0, [`Error::OutOfRange`] unless α, β > −1 and finite.
+    /// [`Error::CountOutOfRange`] for n = 0 or n > 65536, [`Error::OutOfRange`] unless α, β > −1 and finite.
     pub fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Self> {
         require_points(n)?;
         for (name, exponent) in [("alpha", alpha), ("beta", beta)] {
@@ -83,11 +83,14 @@ impl Rule {
     }
 }
 
+/// The points are the eigenvalues of a tridiagonal matrix: n² operations.
+const MOST_POINTS: usize = 1 << 16;
+
 fn require_points(n: usize) -> Result<()> {
-    if n > 0 {
+    if (1..=MOST_POINTS).contains(&n) {
         return Ok(());
     }
-    Err(Error::CountOutOfRange { name: "quadrature points", value: n, range: "n >= 1" })
+    Err(Error::CountOutOfRange { name: "quadrature points", value: n, range: "[1, 65536]" })
 }
 
 /// Gauss-Legendre rules that are asked for again and again, by their number of points.

@@ -57,7 +57,8 @@ impl ClosedForm {
             };
             let kkt = solution.judgement.worst();
             if !solution.status.is_converged() {
-                return Err(Error::ToleranceNotMet { what: "contact conditions", asked: 1e-8, reached: kkt });
+                let why = "the active-set iteration did not converge";
+                return Err(Error::out_of_reach("contact conditions", 1e-8, kkt, why));
             }
             levels.push(ClosedFormLevel {
                 n,

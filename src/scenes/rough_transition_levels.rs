@@ -101,7 +101,8 @@ impl RoughTransition {
             };
             if !solution.status.is_converged() {
                 let reached = solution.judgement.worst();
-                return Err(Error::ToleranceNotMet { what: "contact conditions", asked: 1e-8, reached });
+                let why = "the active-set iteration did not converge";
+                return Err(Error::out_of_reach("contact conditions", 1e-8, reached, why));
             }
             let sampled = self.with_field(|field| field.sample(problem.mesh().nodes()))?;
             levels.push(RoughLevel {

@@ -130,6 +130,11 @@ impl StripScene {
         StripScene::Transition { position: POSITION }
     }
 
+    /// Whether it is one transition, which studies move through its cell.
+    pub fn moves(&self) -> bool {
+        matches!(self, StripScene::Transition { .. })
+    }
+
     /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples bring
     /// their own number of cells and no regularity. Beyond 2 only transitions inside the edge: the gap of a
     /// single one on natural sides meets the side at a slope, where u leaves H² whatever τ is.

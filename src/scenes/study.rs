@@ -80,6 +80,18 @@ impl SceneStudy {
         self.scene.known_energy(self.cone, n).filter(|_| self.setting == Setting::default())
     }
 
+    /// About what the finest level takes, in bytes: elimination 100 log₂ N for each of N unknowns, multigrid
+    /// and its meshes 260 for each node.
+    pub fn bytes(&self) -> f64 {
+        let n = self.n as f64 * 2f64.powi(self.levels.min(LEVELS) as i32 - 1);
+        let nodes = (n + 1.0).powi(2);
+        let unknowns = nodes * if self.scene.is_elastic() { 2.0 } else { 1.0 };
+        let counted = unknowns.min(1e18) as usize;
+        let solvers = self.solvers_for(n.min(1e18) as usize, counted);
+        let is_direct = solvers.iter().any(|solver| *solver != Solver::Multigrid);
+        if is_direct { 100.0 * unknowns * unknowns.log2() } else { 260.0 * nodes }
+    }
+
     /// Solves on every level, coarsest first, the active set before the second solver; `observe` hears of
     /// every beginning and of every step of multigrid, and its error ends the study.
     ///
@@ -133,7 +145,10 @@ impl SceneStudy {
 
     /// The solvers on one mesh.
     fn solvers(&self, n: usize, problem: &ContactProblem) -> Vec<Solver> {
-        let unknowns = problem.mesh().nodes().len() * problem.form().components();
+        self.solvers_for(n, problem.mesh().nodes().len() * problem.form().components())
+    }
+
+    fn solvers_for(&self, n: usize, unknowns: usize) -> Vec<Solver> {
         match self.solver {
             Some(solver) => vec![solver.for_unknowns(unknowns)],
             None if n <= INTERIOR => vec![Solver::ActiveSet, Solver::InteriorPoint],

@@ -126,7 +126,8 @@ impl Wedge {
         let mut points = 0;
         let mut count = |factor| count_in_strip(factor, left, right, &mut points);
         let counts: Option<Vec<usize>> = self.factors().iter().map(&mut count).collect();
-        let near = Error::ToleranceNotMet { what: "count between lines", asked: SAME, reached: 1.0 };
+        let why = "a zero lies on one of the lines";
+        let near = Error::out_of_reach("count between lines", SAME, 1.0, why);
         Ok(counts.ok_or(near)?.into_iter().sum())
     }
 }

@@ -65,7 +65,8 @@ pub(super) fn zeros_in_strip(f: &Factor, right: f64, points: &mut u64) -> Result
 }
 
 fn lost() -> Error {
-    Error::ToleranceNotMet { what: "zeros of a characteristic function", asked: SAME, reached: 1.0 }
+    let why = "zeros too near to each other or to the path";
+    Error::out_of_reach("zeros of a characteristic function", SAME, 1.0, why)
 }
 
 fn search(f: &Factor, area: Rectangle, count: usize, points: &mut u64, found: &mut Vec<Zero>) -> Result<()> {

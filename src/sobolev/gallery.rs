@@ -92,6 +92,15 @@ impl GalleryFunction {
         }
     }
 
+    /// The least upper bound of the orders below one with |u|_ν < ∞: where a curve of seminorms over ν ends.
+    pub fn last_order(&self) -> f64 {
+        match *self {
+            Self::Power(a) if a != 0.0 => (a + 0.5).min(1.0),
+            Self::Step(_) | Self::Log(_) => 0.5,
+            Self::Power(_) | Self::Hat | Self::Samples(_) => 1.0,
+        }
+    }
+
     fn evaluated(&self) -> Result<Evaluated<'_>> {
         let closure = match *self {
             Self::Power(a) => SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
@@ -189,6 +198,19 @@ impl FromStr for GalleryFunction {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn orders_end_where_the_last_one_says() {
+        for name in ["power:-0.3", "power:0.2", "step:0.4", "log:0.25", "log:2"] {
+            let function: GalleryFunction = name.parse().unwrap();
+            let last = function.last_order();
+            let is_in = |nu: f64| function.is_in(FractionalOrder::new(nu).unwrap());
+            assert!(is_in(last - 1e-9) && !is_in(last + 1e-9), "{name}");
+        }
+        for name in ["power:0", "power:0.6", "hat"] {
+            assert_eq!(name.parse::<GalleryFunction>().unwrap().last_order(), 1.0, "{name}");
+        }
+    }
 
     #[test]
     fn names_are_read_and_written() {

@@ -11,7 +11,8 @@
 //! | norms of named functions | [`GalleryFunction`] |
 //! | Gram matrices, dense and as fast operators | [`gram_constants`], [`gram_linears`], [`GramOperator`] |
 //! | dual norms | [`dual_norm_of_functional`], [`PiecewisePolynomial::dual_norm`], [`DualOf`] |
-//! | norms in the plane, on triangulations | [`PlaneFunction`], [`Triangles`] |
+//! | norms in the plane, on triangulations | [`PlaneFunction`], [`SingularPlaneFunction`], [`Triangles`] |
+//! | traces with their constants | [`half_plane_trace`], [`WedgeTrace`], [`SquareTrace`] |
 //! | exact values | [`closed_forms`] |
 
 pub mod closed_forms;
@@ -25,6 +26,7 @@ mod partition;
 mod piecewise;
 mod plane;
 mod root;
+mod trace;
 
 pub use dual::{DualOf, dual_norm_of_functional};
 pub use functions::{Position, SingularFunction};
@@ -38,7 +40,9 @@ pub use piecewise::{
     PiecewisePolynomial, near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random,
 };
 pub use plane::{
-    GridOperator, PlaneFunction, SectorPower, Triangles, coordinate_on_unit_square, gradient_limit,
-    perimeter_limit,
+    GridOperator, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles,
+    coordinate_on_unit_square, gradient_limit, perimeter_limit,
 };
 pub(crate) use root::root_of_squares;
+pub(crate) use trace::HalfLineSymbol;
+pub use trace::{SquareTrace, WedgeTrace, extension_profile, half_plane_trace, half_plane_trace_at_one};

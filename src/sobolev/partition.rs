@@ -6,12 +6,16 @@
 //! relative error about 1 ulp whatever the count.
 
 use crate::error::{Error, Result};
+use crate::numeric::memory::require_memory;
 use crate::numeric::sum::RunningSum;
 
 /// Longest admissible quotient of the interval's length by an element's length.
 ///
 /// Scaled by its own size, every integral over two elements then stays inside the range of binary64.
 const LARGEST_RATIO: f64 = 1e303;
+
+/// Of one element: its length, its distances, and what their sums take on the way.
+const BYTES: usize = 48;
 
 /// Elements of an interval, left to right.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,8 +52,9 @@ impl Partition {
     /// `count` elements of equal length on (0, length).
     ///
     /// # Errors
-    /// As [`Partition::from_lengths`].
+    /// As [`Partition::from_lengths`]; [`Error::TooLarge`] for more elements than memory holds.
     pub fn uniform(count: usize, length: f64) -> Result<Self> {
+        require_memory("elements", count, BYTES)?;
         Self::from_lengths(vec![length / count.max(1) as f64; count])
     }
 
@@ -64,8 +69,9 @@ impl Partition {
     /// ```
     ///
     /// # Errors
-    /// As [`Partition::from_lengths`]; [`Error::OutOfRange`] unless 0 < σ < 1.
+    /// As [`Partition::uniform`]; [`Error::OutOfRange`] unless 0 < σ < 1.
     pub fn geometric(layers: usize, ratio: f64, length: f64) -> Result<Self> {
+        require_memory("layers", layers, BYTES)?;
         Self::from_lengths(geometric_lengths(layers, ratio, length)?)
     }
 
@@ -74,6 +80,7 @@ impl Partition {
     /// # Errors
     /// As [`Partition::geometric`].
     pub fn two_sided(layers: usize, ratio: f64, length: f64) -> Result<Self> {
+        require_memory("layers", layers, 2 * BYTES)?;
         let mut lengths = geometric_lengths(layers, ratio, 0.5 * length)?;
         let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
         lengths.extend(mirrored);
@@ -86,6 +93,7 @@ impl Partition {
     /// As [`Partition::two_sided`], on each part between neighbouring points.
     pub fn graded_to_points(points: &[f64], layers: usize, ratio: f64) -> Result<Self> {
         let coarse = Self::from_nodes(points)?;
+        require_memory("layers", layers, 2 * BYTES * coarse.len())?;
         let mut lengths = Vec::with_capacity(2 * (layers + 1) * coarse.len());
         for &length in &coarse.lengths {
             lengths.extend(Self::two_sided(layers, ratio, length)?.lengths);

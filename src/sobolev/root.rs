@@ -30,12 +30,17 @@ pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
     Estimate::new(value, error, work)
 }
 
-/// The estimate, unless its error exceeds the tolerance.
-pub(super) fn accept(what: &'static str, estimate: Estimate, tolerance: Tolerance) -> Result<Estimate> {
+/// The estimate, unless its error exceeds the tolerance; a refusal says why.
+pub(super) fn accept(
+    what: &'static str,
+    estimate: Estimate,
+    tolerance: Tolerance,
+    why: &'static str,
+) -> Result<Estimate> {
     // Nothing can be asked below the rounding of the result itself.
     let asked = tolerance.relative().max(ENTRY_ROUNDING);
     if estimate.relative_error() <= asked || estimate.value == 0.0 {
         return Ok(estimate);
     }
-    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached: estimate.relative_error() })
+    Err(Error::not_met(what, tolerance.relative(), estimate, why))
 }

@@ -90,6 +90,30 @@ pub fn allow_list(text: &str) -> Vec<String> {
         .collect()
 }
 
+/// Prose with link targets and HTML tags blanked out, length unchanged.
+pub fn without_links(text: &str) -> String {
+    let blank = blank(text, "](", ")");
+    self::blank(&blank, "<", ">")
+}
+
+/// A formula with its values blanked out, length unchanged.
+pub fn without_values(latex: &str) -> String {
+    blank(latex, "{{value:", "}}")
+}
+
+fn blank(text: &str, open: &str, close: &str) -> String {
+    let mut result = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(open) {
+        let Some(length) = rest[start + open.len()..].find(close) else { break };
+        result.push_str(&rest[..start + open.len()]);
+        result.push_str(&" ".repeat(length));
+        result.push_str(close);
+        rest = &rest[start + open.len() + length + close.len()..];
+    }
+    result + rest
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -18,6 +18,7 @@ pub mod html;
 pub mod idea;
 pub mod include;
 pub mod labels;
+pub mod letters;
 pub mod live;
 pub mod markup;
 pub mod number;

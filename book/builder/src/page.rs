@@ -5,6 +5,7 @@ use crate::decimal;
 use crate::directive::{self, Meaning, Sources};
 use crate::error::Fault;
 use crate::formula::{self, Formula, Labels};
+use crate::letters::Letters;
 use crate::live;
 use crate::markup::escape;
 use crate::scan::{Kind, Piece, line_at, pieces};
@@ -57,6 +58,8 @@ pub fn mark(pages: &[Page], sources: &Sources<'_>) -> Result<Marked, Vec<Fault>>
         formulas: Vec::new(),
         places: Vec::new(),
         faults: Vec::new(),
+        letters: Letters::read(pages),
+        opens: true,
         live: BTreeSet::new(),
         panels: BTreeSet::new(),
     };
@@ -76,6 +79,9 @@ struct Marker<'a> {
     /// The snippet of each formula.
     places: Vec<usize>,
     faults: Vec<Fault>,
+    letters: Letters,
+    /// Whether the opening picture of this page is still to come.
+    opens: bool,
     /// Examples that can be computed anew on this page.
     live: BTreeSet<String>,
     /// Those whose panel is still to come.
@@ -86,6 +92,7 @@ impl Marker<'_> {
     fn page(&mut self, number: usize, page: &Page) -> String {
         self.panels = live::examples(&page.text, self.sources.data);
         self.live = self.panels.clone();
+        self.opens = true;
         let found = pieces(&page.text).unwrap_or_else(|error| {
             let rest = page.text[error.start..].lines().next().unwrap_or("");
             self.faults.push(Fault::new(&page.file, line_at(&page.text, error.start), error.what, rest));
@@ -96,11 +103,11 @@ impl Marker<'_> {
             match piece.kind {
                 Kind::Code => text.push_str(piece.text),
                 Kind::Prose => {
-                    self.decimals(page, piece.start, &without_links(piece.text));
+                    self.decimals(page, piece.start, &decimal::without_links(piece.text));
                     text.push_str(piece.text);
                 }
                 Kind::Inline | Kind::Display => self.formula(number, page, &piece, &mut text),
-                Kind::Directive => self.directive(page, &piece, &mut text),
+                Kind::Directive => self.directive(number, page, &piece, &mut text),
             }
         }
         text
@@ -113,19 +120,33 @@ impl Marker<'_> {
         if start_of_line.starts_with('#') {
             self.faults.push(Fault::new(&page.file, line, "formula in a heading", piece.text));
         }
-        self.decimals(page, piece.start, &without_values(piece.text));
+        self.decimals(page, piece.start, &decimal::without_values(piece.text));
         let latex = if is_quoted { piece.text.replace("\n>", "\n") } else { piece.text.to_owned() };
         let latex = fill(&latex, self.sources).unwrap_or_else(|(what, key)| {
             self.faults.push(Fault::new(&page.file, line, what, key));
             String::new()
         });
         let is_display = piece.kind == Kind::Display;
+        self.push_formula(text, Formula { page: number, line, latex, is_display });
+    }
+
+    fn push_formula(&mut self, text: &mut String, formula: Formula) {
         self.places.push(self.marked.snippets.len());
-        self.formulas.push(Formula { page: number, line, latex, is_display });
+        self.formulas.push(formula);
         self.marked.push(text, Snippet::Inline(String::new()));
     }
 
-    fn directive(&mut self, page: &Page, piece: &Piece<'_>, text: &mut String) {
+    /// The letters of a page, each a link to what it means.
+    fn letters(&mut self, number: usize, page: &Page, text: &mut String) {
+        for (k, letter) in self.letters.of(page).into_iter().enumerate() {
+            text.push_str(if k == 0 { "\n\n*Letters:* [" } else { ", [" });
+            let latex = letter.latex;
+            self.push_formula(text, Formula { page: number, line: 1, latex, is_display: false });
+            text.push_str(&format!("](notation.md#{})", letter.section));
+        }
+    }
+
+    fn directive(&mut self, number: usize, page: &Page, piece: &Piece<'_>, text: &mut String) {
         let example = live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
         let begins = sentence::begins(text);
         let inline = |html: String| match example {
@@ -150,6 +171,9 @@ impl Marker<'_> {
                     html.push_str(&live::panel(&example, &self.sources.data.options[&example]));
                 }
                 self.marked.push(text, Snippet::Block(html));
+                if std::mem::take(&mut self.opens) {
+                    self.letters(number, page, text);
+                }
             }
             Ok(Meaning::Markdown(block)) => text.push_str(&block),
             Err(what) => {
@@ -184,30 +208,6 @@ impl Marker<'_> {
         }
         if self.faults.is_empty() { Ok(self.marked) } else { Err(self.faults) }
     }
-}
-
-/// Prose with link targets and HTML tags blanked out, length unchanged.
-fn without_links(text: &str) -> String {
-    let blank = blank(text, "](", ")");
-    self::blank(&blank, "<", ">")
-}
-
-/// A formula with its values blanked out, length unchanged.
-fn without_values(latex: &str) -> String {
-    blank(latex, "{{value:", "}}")
-}
-
-fn blank(text: &str, open: &str, close: &str) -> String {
-    let mut result = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(start) = rest.find(open) {
-        let Some(length) = rest[start + open.len()..].find(close) else { break };
-        result.push_str(&rest[..start + open.len()]);
-        result.push_str(&" ".repeat(length));
-        result.push_str(close);
-        rest = &rest[start + open.len() + length + close.len()..];
-    }
-    result + rest
 }
 
 /// A formula with its values filled in.

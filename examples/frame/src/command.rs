@@ -1,10 +1,14 @@
 //! The command line of an example: options for output, exit codes, progress.
 
 use crate::describe::{Cost, describe};
-use crate::{Headline, Result};
-use clap::{Args, Parser};
+use crate::files::{require_writable, write_whole};
+use crate::{Error, Headline, Result};
+use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, Args, Command, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use signorini::Error as LibraryError;
+use signorini::numeric::memory::physical;
+use std::any::TypeId;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -36,21 +40,17 @@ impl Output {
             return Ok(None);
         };
         std::fs::create_dir_all(directory).map_err(|e| LibraryError::file(directory, e))?;
-        let probe = directory.join(".signorini-write-probe");
-        std::fs::write(&probe, "")
-            .and_then(|()| std::fs::remove_file(&probe))
-            .map_err(|e| LibraryError::file(directory, e))?;
+        require_writable(&directory.join(".signorini-write-probe")).map_err(|error| match error {
+            LibraryError::File { reason, .. } => LibraryError::file(directory, reason),
+            other => other,
+        })?;
         Ok(Some(directory))
     }
 
     /// Finds places that cannot be written before the work, not after it.
     fn check(&self) -> Result<()> {
         self.directory()?;
-        let Some(file) = self.values.as_deref() else {
-            return Ok(());
-        };
-        let opened = std::fs::OpenOptions::new().create(true).append(true).open(file);
-        opened.map(drop).map_err(|e| LibraryError::file(file, e).into())
+        Ok(self.values.as_deref().map_or(Ok(()), require_writable)?)
     }
 }
 
@@ -58,6 +58,11 @@ impl Output {
 pub trait HasOutput {
     /// The output options.
     fn output(&self) -> &Output;
+
+    /// Options that have no effect as the others stand: their names, and when that is so.
+    fn without_effect(&self) -> Vec<(&'static str, &'static str)> {
+        Vec::new()
+    }
 
     /// How long a run takes at default size.
     fn cost() -> Cost {
@@ -67,7 +72,11 @@ pub trait HasOutput {
 
 /// Parses the command line, runs the example and prints its headline.
 pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> ExitCode {
-    let options = match parse::<O>() {
+    let matches = match command::<O>().try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) => return report_usage(&error),
+    };
+    let options = match O::from_arg_matches(&matches) {
         Ok(options) => options,
         Err(error) => return report_usage(&error),
     };
@@ -75,7 +84,8 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
         let _ = writeln!(std::io::stdout(), "{}", describe::<O>());
         return ExitCode::SUCCESS;
     }
-    match show(&options, run) {
+    let given = require_finite(&O::command(), &matches).and_then(|()| require_effect(&options, &matches));
+    match given.and_then(|()| show(&options, run)) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {
             eprintln!("error: {error}");
@@ -90,7 +100,7 @@ fn show<O: HasOutput>(options: &O, run: impl FnOnce(&O) -> Result<Headline>) -> 
     output.check()?;
     let headline = run(options)?;
     if let Some(file) = output.values.as_deref() {
-        std::fs::write(file, headline.json()).map_err(|e| LibraryError::file(file, e))?;
+        write_whole(file, &headline.json())?;
     }
     let text = if output.json { headline.json_lines() } else { headline.to_string() };
     // A closed pipe (`| head`) is the reader's choice, not a failure.
@@ -98,14 +108,37 @@ fn show<O: HasOutput>(options: &O, run: impl FnOnce(&O) -> Result<Headline>) -> 
     Ok(headline.exit_code())
 }
 
-/// The options of the command line; a value may be a negative number, so that `--nu -0.1` is answered by what
+/// The command line of an example; a value may be a negative number, so that `--nu -0.1` is answered by what
 /// it means.
-fn parse<O: Parser>() -> std::result::Result<O, clap::Error> {
-    let command = O::command().mut_args(|argument| {
+fn command<O: Parser>() -> Command {
+    O::command().mut_args(|argument| {
         let takes_value = argument.get_action().takes_values();
         argument.allow_negative_numbers(takes_value)
-    });
-    O::from_arg_matches(&command.try_get_matches()?)
+    })
+}
+
+/// Numbers are finite: nothing that is asked of an example has a meaning at NaN or beyond binary64.
+fn require_finite(command: &Command, matches: &ArgMatches) -> Result<()> {
+    let is_number = |argument: &&Arg| argument.get_value_parser().type_id() == TypeId::of::<f64>();
+    for argument in command.get_arguments().filter(is_number) {
+        let values = matches.get_many::<f64>(argument.get_id().as_str()).into_iter().flatten();
+        if let Some(value) = values.copied().find(|value| !value.is_finite()) {
+            let name = argument.get_long().unwrap_or_default();
+            return Err(Error::Option(format!("--{name} {value} is not a finite number")));
+        }
+    }
+    Ok(())
+}
+
+/// An option that was given has an effect.
+fn require_effect<O: HasOutput>(options: &O, matches: &ArgMatches) -> Result<()> {
+    let is_given = |name: &str| matches.value_source(name) == Some(ValueSource::CommandLine);
+    match options.without_effect().into_iter().find(|(name, _)| is_given(name)) {
+        Some((name, when)) => {
+            Err(Error::Option(format!("--{} has no effect {when}", name.replace('_', "-"))))
+        }
+        None => Ok(()),
+    }
 }
 
 /// `--help` and `--version` go to stdout; anything else is one line on stderr.
@@ -117,6 +150,23 @@ fn report_usage(error: &clap::Error) -> ExitCode {
     let text = error.to_string();
     eprintln!("{}", text.lines().next().unwrap_or("error: bad command line"));
     ExitCode::from(2)
+}
+
+/// Says what a run will need where that is above a gigabyte.
+///
+/// # Errors
+/// [`Error::Option`] above the memory of the machine, before anything is computed.
+pub fn announce_memory(bytes: f64) -> Result<()> {
+    let (needed, there) = (bytes / 1e9, physical() / 1e9);
+    if needed > there {
+        let what =
+            format!("this takes about {needed:.1e} GB of memory, more than the {there:.1} GB there are");
+        return Err(Error::Option(what));
+    }
+    if needed > 1.0 {
+        eprintln!("this takes about {needed:.1} GB of memory");
+    }
+    Ok(())
 }
 
 /// A progress bar over `steps`, drawn only on a terminal.

@@ -22,6 +22,7 @@ pub mod contact;
 mod describe;
 mod error;
 pub mod figures;
+mod files;
 mod outcome;
 #[cfg(feature = "contact")]
 pub mod poincare;
@@ -30,13 +31,14 @@ pub mod rates;
 #[cfg(feature = "contact")]
 pub mod shown;
 
-pub use command::{HasOutput, Output, main, progress};
+pub use command::{HasOutput, Output, announce_memory, main, progress};
 pub use describe::Cost;
 pub use error::{Error, Result};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command
-/// line. Behind a colon stands its [`Cost`] where it is not a matter of seconds.
+/// line. Behind a colon stands its [`Cost`] where it is not a matter of seconds. `without_effect` lists options
+/// that are refused where they would be ignored.
 ///
 /// ```
 /// example_frame::options! {
@@ -45,6 +47,12 @@ pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Ro
 ///         /// Regularity, in (3/2, 2]
 ///         #[arg(long, default_value_t = 1.75)]
 ///         pub tau: f64,
+///         /// A fixed step instead of one that follows from tau
+///         #[arg(long)]
+///         pub step: Option<f64>,
+///     }
+///     without_effect(options) {
+///         "tau" if options.step.is_some() => "beside --step",
 ///     }
 /// }
 /// assert_eq!(Options::default().tau, 1.75);
@@ -56,6 +64,9 @@ macro_rules! options {
         pub struct $name:ident $(: $cost:ident)? {
             $($(#[$attribute:meta])* pub $field:ident: $kind:ty),* $(,)?
         }
+        $(without_effect($options:ident) {
+            $($option:literal if $ignored:expr => $when:literal),* $(,)?
+        })?
     ) => {
         $(#[$about])*
         #[derive(Debug, Clone, clap::Parser)]
@@ -79,6 +90,12 @@ macro_rules! options {
 
             $(fn cost() -> $crate::Cost {
                 $crate::Cost::$cost
+            })?
+
+            $(fn without_effect(&self) -> Vec<(&'static str, &'static str)> {
+                let $options = self;
+                let all = [$(($option, $ignored, $when)),*];
+                all.into_iter().filter(|(_, ignored, _)| *ignored).map(|(o, _, w)| (o, w)).collect()
             })?
         }
     };

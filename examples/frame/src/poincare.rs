@@ -26,7 +26,8 @@ const NEAREST: f64 = 1e-8;
 /// # Ok::<(), example_frame::Error>(())
 /// ```
 pub fn extremal_chart(orders: &[FractionalOrder], theta: f64, tolerance: Tolerance) -> Result<Chart> {
-    let x = Axis::logarithmic("x, distance from the end of the zone (interval = 1)").range(NEAREST, 1.0);
+    let x =
+        Axis::logarithmic("x, distance from the end where the zone is (interval = 1)").range(NEAREST, 1.0);
     let y = Axis::linear("u, extremal function").range(-0.5, 1.5);
     let title = format!("Extremal functions of Lemma 5.2, zone of length θ = {theta:e}");
     let mut chart = Chart::new(title, x, y).with_bands("zone (0, θ)", vec![(NEAREST, theta)], PALETTE[6]);

@@ -104,7 +104,7 @@ pub(in crate::interpolation) fn converge(
 ) -> Result<Estimate> {
     let mut work = Work::default();
     let mut coarse: Option<f64> = None;
-    let mut reached = f64::INFINITY;
+    let mut best: Option<Estimate> = None;
     for count in COUNTS {
         let (value, cost) = value_of(count)?;
         work += cost + Work { iterations: 1, ..Work::default() };
@@ -112,14 +112,17 @@ pub(in crate::interpolation) fn converge(
             let truncation = (value - previous).abs() / GAIN_OF_DOUBLING;
             let rounding = ROUNDING_PER_FUNCTION * count as f64 * value;
             let estimate = Estimate::new(value, truncation + rounding, work)?;
-            reached = estimate.relative_error();
-            if reached <= tolerance.relative() {
+            if estimate.relative_error() <= tolerance.relative() {
                 return Ok(estimate);
+            }
+            if best.is_none_or(|best| estimate.relative_error() < best.relative_error()) {
+                best = Some(estimate);
             }
         }
         coarse = Some(value);
     }
-    Err(Error::ToleranceNotMet { what, asked: tolerance.relative(), reached })
+    let why = "rounding grows with the number of polynomials";
+    Err(Error::best_of(what, tolerance.relative(), best, why))
 }
 
 #[cfg(test)]

@@ -29,7 +29,10 @@ pub fn mesh_constant(
     elements: usize,
     tolerance: Tolerance,
 ) -> Result<Estimate> {
-    scaled(norm, order, elements, extremal(elements, tolerance, |mesh| forms(norm, order, mesh))?)
+    let constant = |quotient| scaled(norm, order, elements, quotient);
+    extremal(elements, tolerance, |mesh| forms(norm, order, mesh))
+        .map_err(|error| error.carry("best constant on a mesh", constant))
+        .and_then(constant)
 }
 
 /// The same from slopes linear on `cells` equal cells per element; the error is what halving the cells has

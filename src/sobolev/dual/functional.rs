@@ -66,10 +66,11 @@ pub fn dual_norm_of_functional(
     let squared = if load.len() <= DENSE {
         solve_dense(partition, order, &load)?
     } else {
-        solve_iteratively(partition, order, &load, tolerance)?
+        let root = |squared: Estimate| squared.sqrt()?.times(size);
+        solve_iteratively(partition, order, &load, tolerance).map_err(|e| e.carry("dual norm", root))?
     };
-    let root = squared.sqrt()?;
-    accept("dual norm", Estimate::new(size * root.value, size * root.error, root.work)?, tolerance)
+    let why = "rounding of the form and of its factorization";
+    accept("dual norm", squared.sqrt()?.times(size)?, tolerance, why)
 }
 
 impl PiecewisePolynomial {
@@ -118,11 +119,8 @@ impl PiecewisePolynomial {
                 }
             }
         }
-        Err(Error::ToleranceNotMet {
-            what: "dual norm",
-            asked: tolerance.relative(),
-            reached: best.map_or(1.0, |best| best.relative_error()),
-        })
+        let why = "meshes of 40 000 elements do not suffice for its jumps";
+        Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 
     /// ∫ u φ_i on the mesh with every element cut into 2^k.
@@ -255,9 +253,9 @@ fn solve_iteratively(
             return Estimate::new(value.value(), rest.min(value.value()) + rounding, work);
         }
     }
-    Err(Error::ToleranceNotMet {
-        what: "conjugate gradients for the dual norm",
-        asked: tolerance.relative(),
-        reached: gains.iter().rev().take(SETTLED).sum::<f64>() / value.value(),
-    })
+    let rest = gains.iter().rev().take(SETTLED).sum::<f64>();
+    let work = Work { iterations: gains.len() as u64, ..Work::default() };
+    let best = Estimate::new(value.value(), rest, work)?;
+    let why = "conjugate gradients took their last step";
+    Err(Error::not_met("square of the dual norm", tolerance.relative(), best, why))
 }

@@ -37,7 +37,7 @@ impl PiecewisePolynomial {
         }
         let (mut sum, mut seen) = (RunningSum::default(), RunningSum::default());
         let mut tail = Tail::new(whole, order, self.partition().len());
-        let mut work = Work::default();
+        let (mut work, mut best) = (Work::default(), None);
         for k in usize::from(zero)..MAX_MODES {
             let half_waves = k as f64;
             let (coefficient, points) = self.fourier(half_waves, zero, scale)?;
@@ -48,17 +48,18 @@ impl PiecewisePolynomial {
             seen.add(square);
             if (k + 1).is_power_of_two() && k >= 63 {
                 let squared = tail.add(k + 1, sum.value(), seen.value(), weight, work)?;
-                let root = squared.sqrt()?;
+                let root = squared.sqrt()?.times(scale * total.sqrt())?;
                 if root.relative_error() <= tolerance.relative() {
-                    let unit = scale * total.sqrt();
-                    return Estimate::new(unit * root.value, unit * root.error, root.work);
+                    return Ok(root);
                 }
+                best = Some(root);
             }
             if work.points > MAX_VALUES {
                 break;
             }
         }
-        Err(Error::ToleranceNotMet { what: "dual norm", asked: tolerance.relative(), reached: tail.reached })
+        let why = "the coefficients that could be taken leave this much in the tail";
+        Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 
     /// ∫ u cos(kπx/L) or ∫ u sin(kπx/L) over L and `scale`, x from the left end; and how many values it took.
@@ -111,12 +112,11 @@ struct Tail {
     rests: Vec<f64>,
     limits: Vec<f64>,
     exponent: f64,
-    reached: f64,
 }
 
 impl Tail {
     fn new(whole: f64, order: FractionalOrder, elements: usize) -> Self {
-        Self { whole, order, elements, rests: Vec::new(), limits: Vec::new(), exponent: 0.0, reached: 1.0 }
+        Self { whole, order, elements, rests: Vec::new(), limits: Vec::new(), exponent: 0.0 }
     }
 
     /// The squared norm from the first `count` coefficients.
@@ -145,8 +145,6 @@ impl Tail {
         }
         self.exponent = exponent;
         self.rests.push(rest);
-        let root = estimate.sqrt()?;
-        self.reached = root.relative_error();
         Ok(estimate)
     }
 }

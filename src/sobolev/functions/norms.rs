@@ -12,7 +12,7 @@ use super::log_energy::LogEnergy;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::order::FractionalOrder;
-use crate::sobolev::root::{root_of_squares, scaled};
+use crate::sobolev::root::{accept, root_of_squares, scaled};
 
 /// Orders and widths, each more accurate than the one before: one decade and a half per step for functions
 /// analytic up to their breaks.
@@ -33,6 +33,9 @@ const LEVELS: [Level; 11] = [
 /// Below this the square of the seminorm of a function of size 1 is rounding: (64 ε)².
 const ZERO: f64 = 2e-28;
 
+/// What ends the accuracy of a closure.
+const LIMIT: &str = "rounding of the values, or the limit at a break, is all that finer rules show";
+
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
     ///
@@ -49,10 +52,10 @@ impl SingularFunction<'_> {
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.of_moderate_size()?;
-        let squared = refine("seminorm", tolerance, 2.0, |level, tolerance| {
-            LogEnergy::new(&unit, order, level)?.compute(tolerance)
-        })?;
-        scaled(scale, squared.sqrt()?)
+        let root = |squared: Estimate| scaled(scale, squared.sqrt()?);
+        refine(tolerance, 2.0, |level, tolerance| LogEnergy::new(&unit, order, level)?.compute(tolerance))
+            .map_err(|error| error.carry("seminorm", root))
+            .and_then(root)
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
@@ -60,7 +63,8 @@ impl SingularFunction<'_> {
     /// # Errors
     /// As [`SingularFunction::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        root_of_squares(&[self.seminorm(order, tolerance)?, self.l2_norm(tolerance)?])
+        let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
+        whole(parts, tolerance)
     }
 
     /// The norm ||u||_{1+ν} of a function and its derivative.
@@ -81,7 +85,7 @@ impl SingularFunction<'_> {
             "that of the function",
             same,
         )?;
-        root_of_squares(&[self.l2_norm(tolerance)?, derivative.norm(order, tolerance)?])
+        whole([self.l2_norm(tolerance), derivative.norm(order, tolerance)], tolerance)
     }
 
     /// The L² norm.
@@ -102,14 +106,18 @@ impl SingularFunction<'_> {
         if q == f64::INFINITY {
             return scaled(scale, unit.largest(tolerance)?);
         }
-        let power = unit.integral_of("L^q norm", tolerance, q, |u| u.abs().powf(q))?;
-        let value = power.value.max(0.0).powf(1.0 / q);
-        let error = if power.value > power.error {
-            value * power.error / (q * power.value)
-        } else {
-            power.error.powf(1.0 / q)
+        let root = |power: Estimate| {
+            let value = power.value.max(0.0).powf(1.0 / q);
+            let error = if power.value > power.error {
+                value * power.error / (q * power.value)
+            } else {
+                power.error.powf(1.0 / q)
+            };
+            scaled(scale, Estimate::new(value, error, power.work)?)
         };
-        scaled(scale, Estimate::new(value, error, power.work)?)
+        unit.integral_of(tolerance, q, |u| u.abs().powf(q))
+            .map_err(|error| error.carry("L^q norm", root))
+            .and_then(root)
     }
 
     /// (1/|I|) ∫ u; the tolerance is relative to the mean of |u|.
@@ -123,21 +131,19 @@ impl SingularFunction<'_> {
         }
         // u/size + 2 is safely positive in the mean, so that a relative tolerance means something.
         let shift = 2.0 / self.length();
-        let shifted = self.integral_of("mean", tolerance, 0.3, |u| u / size + shift)?;
         let length = self.length();
-        Estimate::new((shifted.value - 2.0) * size / length, shifted.error * size / length, shifted.work)
+        let back = |shifted: Estimate| {
+            Estimate::new((shifted.value - 2.0) * size / length, shifted.error * size / length, shifted.work)
+        };
+        self.integral_of(tolerance, 0.3, |u| u / size + shift)
+            .map_err(|error| error.carry("mean", back))
+            .and_then(back)
     }
 
     /// ∫ f(u(x)) dx, to `factor` times the tolerance.
-    fn integral_of(
-        &self,
-        what: &'static str,
-        tolerance: Tolerance,
-        factor: f64,
-        f: impl Fn(f64) -> f64,
-    ) -> Result<Estimate> {
+    fn integral_of(&self, tolerance: Tolerance, factor: f64, f: impl Fn(f64) -> f64) -> Result<Estimate> {
         let arms = self.arms();
-        refine(what, tolerance, factor, |level, tolerance| {
+        refine(tolerance, factor, |level, tolerance| {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             for arm in &arms {
@@ -156,10 +162,15 @@ impl SingularFunction<'_> {
     }
 }
 
+/// √(Σ parts²) of the best that is known of each part, if it meets the tolerance.
+fn whole(parts: [Result<Estimate>; 2], tolerance: Tolerance) -> Result<Estimate> {
+    let [a, b] = parts.map(Estimate::or_best);
+    accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)
+}
+
 /// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so
 /// that the number made of it meets the tolerance.
 fn refine(
-    what: &'static str,
     asked: Tolerance,
     factor: f64,
     compute: impl Fn(Level, f64) -> Result<LevelValue>,
@@ -169,7 +180,7 @@ fn refine(
     // The first level to try leaves the second one likely to succeed.
     let first = ((digits - 2.0) / 3.0).floor().clamp(0.0, 3.0) as usize;
     let mut previous: Option<LevelValue> = None;
-    let mut best: Option<Estimate> = None;
+    let mut found: Vec<Estimate> = Vec::new();
     let mut points = 0;
     for &level in &LEVELS[first..] {
         let current = compute(level, tolerance)?;
@@ -186,20 +197,34 @@ fn refine(
             if estimate.error.max(estimate.value.abs()) <= ZERO || estimate.relative_error() <= tolerance {
                 return Ok(estimate);
             }
-            if best.is_none_or(|best| estimate.error < best.error) {
-                best = Some(estimate);
-            } else if best
-                .is_some_and(|best| estimate.error > 0.5 * best.error && best.relative_error() < 1e-6)
-            {
+            let best = found.iter().map(|e| e.error).fold(f64::INFINITY, f64::min);
+            found.push(estimate);
+            if estimate.error > 0.5 * best && best < 1e-6 * estimate.value.abs() {
                 // Finer rules no longer help: what is left is rounding or the limit along an arm.
                 break;
             }
         }
         previous = Some(current);
     }
-    Err(Error::ToleranceNotMet {
-        what,
-        asked: asked.relative(),
-        reached: best.map_or(f64::MAX, |best| best.relative_error() / factor),
-    })
+    Err(Error::best_of("integral", asked.relative(), best_of_levels(&found), LIMIT))
+}
+
+/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} − 1).
+const UNSETTLED: f64 = 4.0;
+
+/// The best of levels that do not meet the tolerance: two that agree by accident are not trusted, a level is
+/// as good as all later ones leave it. The last counts where three in turn gained a digit each.
+fn best_of_levels(found: &[Estimate]) -> Option<Estimate> {
+    if let [.., a, b, c] = found
+        && b.error <= 0.1 * a.error
+        && c.error <= 0.1 * b.error
+    {
+        return Some(*c);
+    }
+    let judged = |(k, level): (usize, &Estimate)| {
+        let later = found[k + 1..].iter().map(|later| (later.value - level.value).abs());
+        Estimate { error: UNSETTLED * later.fold(level.error, f64::max), ..*level }
+    };
+    let confirmed = found.iter().enumerate().take(found.len().max(2) - 1);
+    confirmed.map(judged).min_by(|a, b| a.error.total_cmp(&b.error))
 }

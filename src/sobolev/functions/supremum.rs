@@ -53,7 +53,8 @@ impl SingularFunction<'_> {
             }
             coarse = Some(whole.value);
         }
-        accept("L^inf norm", best.map_or_else(|| Estimate::new(0.0, 0.0, work), Ok)?, tolerance)
+        let best = best.map_or_else(|| Estimate::new(0.0, 0.0, work), Ok)?;
+        accept("L^inf norm", best, tolerance, "samples do not settle: a peak between breaks is narrow")
     }
 
     fn peak(&self, arm: &Arm, density: f64) -> Result<Peak> {

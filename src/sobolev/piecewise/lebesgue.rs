@@ -41,7 +41,7 @@ impl PiecewisePolynomial {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let peak = self.largest()?;
         if q == f64::INFINITY || peak.value == 0.0 {
-            return accept("L^inf norm", peak, tolerance);
+            return accept("L^inf norm", peak, tolerance, "rounding of the values");
         }
         let scale = peak.value;
         let total = self.partition().total();
@@ -64,7 +64,8 @@ impl PiecewisePolynomial {
         let value = scale * (total.powf(1.0 / q) * root);
         let relative = (error / sum.value() + 32.0 * f64::EPSILON) / q + 8.0 * f64::EPSILON;
         let work = Work { points, ..Work::default() };
-        accept("L^q norm", Estimate::new(value, value * relative, work)?, tolerance)
+        let why = "rounding, or bisection at its deepest level";
+        accept("L^q norm", Estimate::new(value, value * relative, work)?, tolerance, why)
     }
 
     /// max |u|: exact at element ends; inside elements of higher degree by sampling between derivative

@@ -33,6 +33,8 @@ const PATIENT: usize = 16_000;
 const FAST_FORM: Tolerance = Tolerance::reference();
 /// Error of the fast product, entry by entry, relative to |A| |x|; measured below 1e-14.
 const FAST_ROUNDING: f64 = 1e-13;
+/// What ends the accuracy of a quadratic form.
+const LIMIT: &str = "rounding of the form; fewer elements or a smoother function have more digits";
 
 impl PiecewisePolynomial {
     /// The seminorm |u|_ν.
@@ -41,7 +43,7 @@ impl PiecewisePolynomial {
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
+        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
@@ -50,7 +52,7 @@ impl PiecewisePolynomial {
     /// As [`PiecewisePolynomial::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
-        accept("norm", root_of_squares(&parts)?, tolerance)
+        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
     /// The norm ||u||_{1+ν} of a function and its derivative, [`PiecewisePolynomial::derivative`].
@@ -75,7 +77,7 @@ impl PiecewisePolynomial {
         }
         let top = derivative.seminorm_as_it_is(order, tolerance)?;
         let parts = [top, self.l2_norm(tolerance)?, derivative.l2_norm(tolerance)?];
-        accept("norm", root_of_squares(&parts)?, tolerance)
+        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
     /// The L² norm, exact to rounding, which meets every tolerance.

@@ -13,6 +13,7 @@ use super::convolution::{Spectrum, Torus};
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::require_values;
+use crate::numeric::memory::require_memory;
 use crate::sobolev::order::FractionalOrder;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
@@ -41,6 +42,9 @@ struct Touching {
     form: Vec<f64>,
 }
 
+/// About 200 numbers for a square.
+const BYTES_OF_SQUARE: usize = 1600;
+
 /// Rows of squares that share one pass over the touching forms.
 const BAND: usize = 32;
 
@@ -48,12 +52,14 @@ impl GridOperator {
     /// For the grid of [`super::Triangles::grid`]; entries to the relative tolerance.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no square, [`Error::OutOfRange`] unless h > 0.
+    /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
+    /// [`Error::OutOfRange`] unless h > 0.
     pub fn new(squares: [usize; 2], h: f64, order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         if squares.contains(&0) {
             return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
         }
+        require_memory("squares", squares[0].saturating_mul(squares[1]), BYTES_OF_SQUARE)?;
         let pairs = CellPairs::new(order, tolerance.relative().max(FINEST))?;
         let torus = Torus::new(squares);
         let offsets = Offsets::new(squares, &pairs)?;
@@ -72,6 +78,13 @@ impl GridOperator {
     /// Number of nodes, row by row from the bottom.
     pub fn size(&self) -> usize {
         (self.squares[0] + 1) * (self.squares[1] + 1)
+    }
+
+    /// Bytes of the numbers held: the transforms, ten complex numbers for every point of a torus of about
+    /// four times the squares, and sixteen numbers for every square.
+    pub fn bytes(&self) -> usize {
+        let spectra: usize = self.spectra.iter().map(|(_, spectrum)| size_of_val(spectrum.as_slice())).sum();
+        spectra + size_of_val(self.own.as_slice())
     }
 
     /// A w.

@@ -27,6 +27,8 @@ const FIRST: f64 = 0.4;
 /// By how much beyond the quotient of what is asked and reached, and at most.
 const SHARPER: f64 = 0.04;
 const LEAST_SHARPER: f64 = 1e-4;
+/// What ends the accuracy of a sum over pairs.
+const LIMIT: &str = "finer rules and clusters no longer help: the rest is rounding";
 
 impl PlaneFunction {
     /// The seminorm |w|_s.
@@ -45,7 +47,7 @@ impl PlaneFunction {
     /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles
     /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
+        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
     /// The norm of order s.
@@ -54,7 +56,7 @@ impl PlaneFunction {
     /// As [`PlaneFunction::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm()?];
-        accept("norm", root_of_squares(&parts)?, tolerance)
+        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
     /// The norm of order 1 + s, s < 1/2, of a continuous piecewise linear function.
@@ -72,7 +74,7 @@ impl PlaneFunction {
             parts.push(part.l2_norm()?);
             parts.push(part.seminorm_as_it_is(order, tolerance)?);
         }
-        accept("norm", root_of_squares(&parts)?, tolerance)
+        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
     /// The L² norm, exact to rounding: on a triangle the mean of w² is (Σ w_i² + (Σ w_i)²)/12.
@@ -134,11 +136,8 @@ impl PlaneFunction {
             }
             accuracy *= (SHARPER * goal / found.relative_error()).max(LEAST_SHARPER);
         }
-        let best = best.ok_or(Error::ToleranceNotMet {
-            what: "seminorm",
-            asked: tolerance.relative(),
-            reached: f64::INFINITY,
-        })?;
+        let why = "no rule gave a value";
+        let best = best.ok_or(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, why))?;
         Estimate::new(best.value, best.error, work)
     }
 }

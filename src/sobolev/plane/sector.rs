@@ -53,6 +53,8 @@ pub struct SectorPower {
 
 /// Points in each direction, and those of the rule that judges.
 const POINTS: [usize; 2] = [16, 22];
+/// What ends the accuracy.
+const LIMIT: &str = "the rules have no more points, and rounding of a + 1 - s grows as it falls";
 /// Largest cells.
 const CELL: f64 = 0.5;
 /// Widest sector: beyond, both sides come close to each other.
@@ -143,7 +145,7 @@ impl SectorPower {
         let rotation = part(Part::Rotation, q.abs(), 2.0 * alpha * alpha)?;
         let sine = part(Part::Sine, q.abs(), 2.0 * (1.0 + 2.0 * alpha))?;
         let bend = part(Part::Bend, (q - 2.0).abs().max(1.0), 0.5 * q * q)?;
-        accept("seminorm", root_of_squares(&[rotation, sine, bend])?, tolerance)
+        accept("seminorm", root_of_squares(&[rotation, sine, bend])?, tolerance, LIMIT)
     }
 
     /// |w|_s; scales like R^{a+1−s}.
@@ -162,7 +164,7 @@ impl SectorPower {
         // What the rounding of a does where a + 1 − s is small.
         let rounding = value * (ENTRY_ROUNDING + f64::EPSILON / gap);
         let squared = Estimate::new(judge / gap, ((judge - value).abs() + rounding) / gap, work)?;
-        accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance)
+        accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance, LIMIT)
     }
 
     /// The double integral with n points in each direction, and how many points that is.

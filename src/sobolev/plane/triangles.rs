@@ -6,7 +6,11 @@
 use super::geometry::{Point, twice_area};
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
+use crate::numeric::memory::require_memory;
 use std::collections::HashMap;
+
+/// Of one square of a grid: a node, two triangles, and three edges in the table that checks them.
+const BYTES_OF_SQUARE: usize = 300;
 
 /// A triangulation of a polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,13 +69,15 @@ impl Triangles {
     /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no square, [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
+    /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
+    /// [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
     pub fn grid(squares: [usize; 2], h: f64) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         let [columns, rows] = squares;
         if columns == 0 || rows == 0 {
             return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
         }
+        require_memory("squares", columns.saturating_mul(rows), BYTES_OF_SQUARE)?;
         let node = |i: usize, j: usize| j * (columns + 1) + i;
         let places = (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * h, j as f64 * h]));
         let pair = |i: usize, j: usize| {
@@ -80,6 +86,49 @@ impl Triangles {
         };
         let triangles = (0..rows).flat_map(|j| (0..columns).flat_map(move |i| pair(i, j))).collect();
         Self::new(places.collect(), triangles)
+    }
+
+    /// The polygon with corners 0, P_1, ..., P_m as triangles 0 P_k P_{k+1}: node 0 is the origin.
+    ///
+    /// # Errors
+    /// As [`Triangles::new`].
+    pub fn star(points: &[[f64; 2]]) -> Result<Self> {
+        let nodes = std::iter::once([0.0; 2]).chain(points.iter().copied()).collect();
+        Self::new(nodes, (1..points.len()).map(|k| [0, k, k + 1]).collect())
+    }
+
+    /// The same polygon, every triangle at a node cut in three: the part of it next to that node, `share` < 1
+    /// of its sides, and two of what is left.
+    ///
+    /// ```
+    /// use signorini::sobolev::Triangles;
+    /// let wedge = Triangles::star(&[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]])?;
+    /// assert_eq!(wedge.cut_at(0, 0.5)?.areas(), [0.125, 0.25, 0.125, 0.125, 0.25, 0.125]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < share < 1; as [`Triangles::new`].
+    pub fn cut_at(&self, node: usize, share: f64) -> Result<Self> {
+        Error::require("share", share, "(0, 1)", share > 0.0 && share < 1.0)?;
+        let (mut nodes, mut triangles) = (self.nodes.clone(), Vec::new());
+        let mut middles: HashMap<usize, usize> = HashMap::new();
+        for corners in &self.triangles {
+            let Some(at) = corners.iter().position(|&corner| corner == node) else {
+                triangles.push(*corners);
+                continue;
+            };
+            let ends = [corners[(at + 1) % 3], corners[(at + 2) % 3]];
+            let [p, q] = ends.map(|end| {
+                *middles.entry(end).or_insert_with(|| {
+                    let (a, b) = (self.nodes[node], self.nodes[end]);
+                    nodes.push([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
+                    nodes.len() - 1
+                })
+            });
+            triangles.extend([[node, p, q], [p, ends[0], ends[1]], [p, ends[1], q]]);
+        }
+        Self::new(nodes, triangles)
     }
 
     /// The same triangulation with its nodes moved.

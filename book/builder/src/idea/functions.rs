@@ -1,5 +1,6 @@
 //! Pictures of functions: waves, staircases, truncated logarithms, stretching, an odd function.
 
+use super::means::mean;
 use super::pen::{BLUE, GREEN, INK, ORANGE, Pen};
 use std::f64::consts::PI;
 
@@ -33,7 +34,7 @@ pub(super) fn staircase(cells: u32) -> String {
     let n = f64::from(cells);
     for k in 0..cells {
         let (a, b) = (f64::from(k) / n, f64::from(k + 1) / n);
-        let mean = (0..16).map(|j| v(a + (b - a) * (f64::from(j) + 0.5) / 16.0)).sum::<f64>() / 16.0;
+        let mean = mean(v, a, b);
         pen.fill(&[(a, v(a)), (0.5 * (a + b), mean), (a, mean)], ORANGE);
         pen.fill(&[(b, v(b)), (0.5 * (a + b), mean), (b, mean)], ORANGE);
         pen.line((a, mean), (b, mean), ORANGE, "");
@@ -56,9 +57,7 @@ pub(super) fn truncated(length: f64) -> String {
     pen.shade((0.0, place(length)), (0.0, 1.1), ORANGE, 0.15);
     pen.line((0.0, 0.0), (1.0, 0.0), INK, "opacity=\"0.4\"");
     pen.graph(0.0, 1.0, BLUE, |x| 1.0 - ((20.0 * (1.0 - x)) / length).powf(0.4).min(1.0));
-    for t in [0.0, 5.0, 10.0, 15.0, 20.0] {
-        pen.words(place(t), -0.14, &if t == 0.0 { "1".to_owned() } else { format!("e^-{t}") }, INK);
-    }
+    pen.logarithms(-0.14);
     pen.note(0.02, 1.0, "zero here", ORANGE);
     pen.words(0.5, -0.34, "w, against x on a logarithmic axis", INK);
     pen.svg()

@@ -2,6 +2,11 @@
 
 use super::pen::{BLUE, GREEN, INK, ORANGE, Pen};
 
+/// The mean of a function over an interval, as exactly as a picture needs it.
+pub(super) fn mean(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    (0..200).map(|k| f(from + (to - from) * (f64::from(k) + 0.5) / 200.0)).sum::<f64>() / 200.0
+}
+
 /// Functions of norm one with less and less seminorm over a zone on which their mean should be zero.
 pub(super) fn flattening(n: u32) -> String {
     let mut pen = Pen::new(250.0, 180.0, 110.0);
@@ -13,7 +18,7 @@ pub(super) fn flattening(n: u32) -> String {
     pen.note(0.87, 0.85, "a constant", INK);
     let v = |x: f64| 1.0 - swing * (9.0 * x + 0.4).cos();
     pen.graph(0.0, 1.0, BLUE, v);
-    let mean = (0..64).map(|k| v(0.3 * (f64::from(k) + 0.5) / 64.0)).sum::<f64>() / 64.0;
+    let mean = mean(v, 0.0, 0.3);
     pen.line((0.0, mean), (0.3, mean), ORANGE, "");
     pen.note(0.31, 0.07, "here the mean on the zone would have to be", ORANGE);
     pen.dot(0.3, 0.0, ORANGE);
@@ -59,9 +64,7 @@ pub(super) fn tall(q: f64) -> String {
     pen.fill(&area, ORANGE);
     pen.line((0.0, 0.0), (1.0, 0.0), INK, "opacity=\"0.4\"");
     pen.graph(0.0, 1.0, BLUE, |x| age(x).powf(power));
-    for t in [0.0, 5.0, 10.0, 15.0, 20.0] {
-        pen.words(1.0 - t / 20.0, -0.35, &if t == 0.0 { "1".to_owned() } else { format!("e^-{t}") }, INK);
-    }
+    pen.logarithms(-0.35);
     pen.note(0.72, 2.9, "ln(1/x) to the 2/5", BLUE);
     pen.words(
         0.5,
@@ -89,10 +92,8 @@ pub(super) fn ramp(length: f64) -> String {
     pen.line((0.0, 0.0), (1.0, 0.0), INK, "opacity=\"0.4\"");
     pen.line((0.0, 0.0), (place(length), 0.0), BLUE, "");
     pen.line((place(length), 0.0), (1.0, 1.0), BLUE, "");
-    pen.note(0.55, 0.62, "over ln x", BLUE);
-    for t in [0.0, 10.0, 20.0] {
-        pen.words(place(t), -0.22, &if t == 0.0 { "1".to_owned() } else { format!("e^-{t}") }, INK);
-    }
+    pen.note(0.6, 0.85, "over ln x", BLUE);
+    pen.logarithms(-0.22);
     pen.words(0.5, -0.5, "through the logarithm the cheapest way down is a straight ramp", INK);
     pen.svg()
 }
@@ -148,9 +149,7 @@ pub(super) fn products(gap: f64) -> String {
     let mut pen = Pen::new(330.0, 40.0, 90.0);
     let displacement = |x: f64| -((gap - x).max(0.0) / gap).powf(1.2) * gap;
     let pressure = |x: f64| -((x - gap).max(0.0) / (1.0 - gap)).sqrt();
-    let mean =
-        |f: &dyn Fn(f64) -> f64| (0..400).map(|k| f((f64::from(k) + 0.5) / 400.0)).sum::<f64>() / 400.0;
-    let (u, s) = (mean(&displacement), mean(&pressure));
+    let (u, s) = (mean(displacement, 0.0, 1.0), mean(pressure, 0.0, 1.0));
     let rows = [(40.0, u, "u_N", BLUE), (165.0, s, "σ_N", ORANGE)];
     for (k, (zero, mean, name, colour)) in rows.into_iter().enumerate() {
         pen.at(zero, 90.0);
@@ -175,23 +174,21 @@ pub(super) fn products(gap: f64) -> String {
 pub(super) fn orthogonal(cells: u32) -> String {
     let mut pen = Pen::new(300.0, 70.0, 90.0);
     let n = f64::from(cells);
-    let rough = |x: f64| 1.7 * (x - 0.37).abs().sqrt();
-    let smooth = |x: f64| (4.0 * x).sin() * 0.8;
-    let parts: [(f64, &dyn Fn(f64) -> f64, &str, &str); 2] =
-        [(75.0, &rough, ORANGE, "φ minus its means"), (200.0, &smooth, BLUE, "ψ minus its means")];
-    for (zero, f, colour, name) in parts {
+    let mut errors = |zero: f64, colour: &str, name: &str, f: &dyn Fn(f64) -> f64| {
         pen.at(zero, 90.0);
         pen.line((0.0, 0.0), (1.0, 0.0), INK, "opacity=\"0.4\"");
         for k in 0..cells {
             let (a, b) = (f64::from(k) / n, f64::from(k + 1) / n);
-            let mean = (0..32).map(|j| f(a + (b - a) * (f64::from(j) + 0.5) / 32.0)).sum::<f64>() / 32.0;
+            let mean = mean(f, a, b);
             let points = (0..=32).map(|j| a + (b - a) * f64::from(j) / 32.0).map(|x| (x, f(x) - mean));
             let mut area: Vec<(f64, f64)> = points.collect();
             area.extend([(b, 0.0), (a, 0.0)]);
             pen.fill(&area, colour);
         }
         pen.note(0.0, 0.62, name, colour);
-    }
+    };
+    errors(75.0, ORANGE, "φ minus its means", &|x| 1.7 * (x - 0.37).abs().sqrt());
+    errors(200.0, BLUE, "ψ minus its means", &|x| (4.0 * x).sin() * 0.8);
     pen.words(0.5, -0.8, "against means the error of φ is zero: of ψ too only the error counts", INK);
     pen.svg()
 }
@@ -223,7 +220,7 @@ pub(super) fn short_or_long(is_long: bool) -> String {
             INK,
         );
     } else {
-        let mean = (0..200).map(|k| u((f64::from(k) + 0.5) / 200.0)).sum::<f64>() / 200.0;
+        let mean = mean(u, 0.0, 1.0);
         pen.dashed((0.0, mean), (1.0, mean));
         pen.note(1.02, mean - 0.02, "mean", INK);
         pen.at(170.0, 80.0);

@@ -36,8 +36,11 @@ pub fn inline(name: &str, caption: &str) -> Result<String, String> {
     })
 }
 
+/// Name and frames of an idea.
+type Idea = (&'static str, fn() -> Frames);
+
 /// Every idea by name, in the order of the book.
-const IDEAS: [(&str, fn() -> Frames); 44] = [
+const IDEAS: [Idea; 44] = [
     ("argument", || one(grids::argument())),
     ("whole_boundary", || {
         let words = ["below", "on all sides", "a sawtooth"];
@@ -74,7 +77,7 @@ const IDEAS: [(&str, fn() -> Frames); 44] = [
     ("element_pairs", || ("elements", over(&[1, 2, 4, 8, 16], heat::element_pairs))),
     ("orthogonal", || ("cells", over(&[2, 4, 8, 16], means::orthogonal))),
     ("staircase", || ("cells", over(&[4, 8, 16, 32], functions::staircase))),
-    ("tall", || ("q", over(&[2.0, 5.0, 10.0, 20.0, 40.0], means::tall))),
+    ("tall", || ("q", over(&[2.0, 5.0, 10.0, 20.0], means::tall))),
     ("ladder", || ("τ", over(&[1.55, 1.65, 1.75, 1.85, 1.95], rates::ladder))),
     ("short_or_long", || ("contact", named(&["short", "long"], |k| means::short_or_long(k == 1)))),
     ("balance", || ("1/h", over(&[4.0, 16.0, 64.0, 256.0], bounds::balance))),

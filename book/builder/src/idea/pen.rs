@@ -143,6 +143,14 @@ impl Pen {
         self.text(x, y, words, colour, "start");
     }
 
+    /// Labels at y of a logarithmic axis from e^-20 to 1.
+    pub(super) fn logarithms(&mut self, y: f64) {
+        for t in [0, 5, 10, 15, 20] {
+            let label = if t == 0 { "1".to_owned() } else { format!("e^-{t}") };
+            self.words(1.0 - f64::from(t) / 20.0, y, &label, INK);
+        }
+    }
+
     fn text(&mut self, x: f64, y: f64, words: &str, colour: &str, anchor: &str) {
         let place = format!(r#"x="{:.1}" y="{:.1}""#, self.x(x), self.y(y));
         // Subscripts and powers: u_N, e^-5.

@@ -81,7 +81,7 @@ pub(super) fn shells(alpha: f64) -> String {
     }
     pen.words(0.5, -0.2, "distance from the transition; halving h adds one bar at the left", INK);
     let words = match alpha {
-        a if a == 0.0 => "equal bars: the sum grows like the logarithm of h, outside H²",
+        0.0 => "equal bars: the sum grows like the logarithm of h, outside H²",
         a if a <= 0.5 => "the bars shrink too slowly: the sum still grows, outside H²",
         _ => "in H² the bars have a finite sum: no logarithm",
     };

@@ -1,30 +1,31 @@
-//! Line and point charts on linear or logarithmic axes, with a legend below the plot so that it never covers
-//! data.
+//! Line and point charts on linear or logarithmic axes. Up to six entries have a legend below the plot, so
+//! that it never covers data; more have their names beside the curves.
 
 use super::canvas::{Anchor, Canvas, Paint};
+use super::labels::Labels;
+use super::legend::Legend;
 use super::scale::Scale;
 use super::series::{Axis, Mark, Series};
 use super::{Colour, PALETTE};
 use crate::Result;
 
-const WIDTH: f64 = 640.0;
+pub(super) const WIDTH: f64 = 640.0;
 const PLOT_HEIGHT: f64 = 320.0;
-const LEFT: f64 = 78.0;
-const RIGHT: f64 = 22.0;
+pub(super) const LEFT: f64 = 88.0;
+pub(super) const RIGHT: f64 = 22.0;
 const TOP: f64 = 36.0;
 /// Ticks and label of the horizontal axis.
-const BELOW: f64 = 52.0;
-const LEGEND_ROW: f64 = 20.0;
-const TEXT_SIZE: f64 = 13.0;
-/// Mean width of a character relative to the text size, for laying out the legend.
-const CHARACTER: f64 = 0.56;
+pub(super) const BELOW: f64 = 56.0;
+pub(super) const TEXT_SIZE: f64 = 15.0;
+/// Mean width of a character relative to the text size, for laying out words.
+pub(super) const CHARACTER: f64 = 0.56;
 
 /// Vertical bands behind the data: intervals of the horizontal axis that belong together.
 #[derive(Debug, Clone, PartialEq)]
-struct Bands {
-    name: String,
+pub(super) struct Bands {
+    pub(super) name: String,
     intervals: Vec<(f64, f64)>,
-    colour: Colour,
+    pub(super) colour: Colour,
 }
 
 /// A chart: title, two axes, series, bands. Build it, then [`Chart::svg`] or [`Chart::save`].
@@ -34,13 +35,15 @@ pub struct Chart {
     pub(super) x: Axis,
     pub(super) y: Axis,
     pub(super) series: Vec<Series>,
-    bands: Vec<Bands>,
+    pub(super) bands: Vec<Bands>,
+    /// Places where curves end in a singularity, in the colour of their series.
+    asymptotes: Vec<(f64, Colour)>,
 }
 
 impl Chart {
     /// A chart without data.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        Self { title: title.into(), x, y, series: Vec::new(), bands: Vec::new() }
+        Self { title: title.into(), x, y, series: Vec::new(), bands: Vec::new(), asymptotes: Vec::new() }
     }
 
     /// Adds a series; it takes the next colour of the palette unless it brings its own.
@@ -58,31 +61,53 @@ impl Chart {
         self
     }
 
+    /// Draws where the last series ends in a singularity, as a dotted vertical line in its colour.
+    #[must_use]
+    pub fn with_asymptote(mut self, at: f64) -> Self {
+        let colour = self.series.last().and_then(|series| series.colour).unwrap_or(PALETTE[0]);
+        self.asymptotes.push((at, colour));
+        self
+    }
+
     /// The chart as SVG text.
     ///
     /// # Errors
     /// [`crate::Error::Figure`] when the drawing backend fails.
     pub fn svg(&self) -> Result<String> {
-        let rows = self.legend_rows();
-        let height = TOP + PLOT_HEIGHT + BELOW + LEGEND_ROW * rows.len() as f64 + 8.0;
+        let (labels, legend) = (Labels::of(self), Legend::of(self));
+        let height = (PLOT_HEIGHT + BELOW + legend.height()).max(labels.height()) + TOP + 8.0;
         Canvas::draw(WIDTH, height, &self.title, |canvas| {
-            let frame = self.frame();
-            canvas.text(&self.title, (WIDTH / 2.0, TOP / 2.0), TEXT_SIZE + 2.0, Anchor::Centre)?;
+            let frame = self.frame(labels.width());
+            canvas.text(&self.title, (WIDTH / 2.0, TOP / 2.0), TEXT_SIZE + 1.0, Anchor::Centre)?;
             self.draw_bands(canvas, &frame)?;
             self.draw_axes(canvas, &frame)?;
+            self.draw_asymptotes(canvas, &frame)?;
             self.series.iter().enumerate().try_for_each(|(k, s)| draw_series(canvas, &frame, s, k))?;
-            self.draw_legend(canvas, &rows)
+            labels.draw(canvas, &frame)?;
+            legend.draw(canvas, up(0.0) + BELOW)
         })
     }
 
-    fn frame(&self) -> Frame {
+    fn draw_asymptotes(&self, canvas: &Canvas<'_>, frame: &Frame) -> Result<()> {
+        for &(at, colour) in &self.asymptotes {
+            if let Some(x) = frame.x.position(at).map(|s| frame.across(s)) {
+                let ends = [(x, up(0.0)), (x, up(1.0))];
+                canvas.dashes(&ends, Paint::Colour(colour, 1.0), 1.2, (2.0, 4.0))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn frame(&self, labels: f64) -> Frame {
         let points = || self.series.iter().flat_map(|s| &s.points);
         let bars = self.series.iter().flat_map(|s| s.points.iter().zip(&s.half_bars));
         let ends = bars.flat_map(|(p, b)| [p.1 - b, p.1 + b]);
         let bands = self.bands.iter().flat_map(|b| &b.intervals).flat_map(|&(a, b)| [a, b]);
+        let asymptotes = self.asymptotes.iter().map(|asymptote| asymptote.0);
         Frame {
-            x: self.x.scale(points().map(|p| p.0).chain(bands)),
+            x: self.x.scale(points().map(|p| p.0).chain(bands).chain(asymptotes)),
             y: self.y.scale(points().map(|p| p.1).chain(ends)),
+            width: WIDTH - LEFT - RIGHT - labels,
         }
     }
 
@@ -92,7 +117,7 @@ impl Chart {
                 let (Some(a), Some(b)) = (frame.x.position(a), frame.x.position(b)) else {
                     continue;
                 };
-                let (a, b) = (across(a.clamp(0.0, 1.0)), across(b.clamp(0.0, 1.0)));
+                let (a, b) = (frame.across(a.clamp(0.0, 1.0)), frame.across(b.clamp(0.0, 1.0)));
                 let corners = [(a, up(0.0)), (b, up(0.0)), (b, up(1.0)), (a, up(1.0))];
                 canvas.polygon(&corners, Paint::Colour(band.colour, 0.25))?;
             }
@@ -101,8 +126,8 @@ impl Chart {
     }
 
     fn draw_axes(&self, canvas: &Canvas<'_>, frame: &Frame) -> Result<()> {
-        for tick in self.x.ticks(&frame.x, 7) {
-            let x = across(tick.position);
+        for tick in self.x.ticks(&frame.x, (frame.width / 80.0) as usize) {
+            let x = frame.across(tick.position);
             canvas.line(&[(x, up(0.0)), (x, up(1.0))], Paint::Ink(0.15), 0.8)?;
             canvas.text(
                 tick.label.as_deref().unwrap_or(""),
@@ -113,97 +138,43 @@ impl Chart {
         }
         for tick in self.y.ticks(&frame.y, 6) {
             let y = up(tick.position);
-            canvas.line(&[(across(0.0), y), (across(1.0), y)], Paint::Ink(0.15), 0.8)?;
+            canvas.line(&[(frame.across(0.0), y), (frame.across(1.0), y)], Paint::Ink(0.15), 0.8)?;
             canvas.text(
                 tick.label.as_deref().unwrap_or(""),
-                (across(0.0) - 7.0, y),
+                (frame.across(0.0) - 7.0, y),
                 TEXT_SIZE,
                 Anchor::Right,
             )?;
         }
-        let corners =
-            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(|(s, t)| (across(s), up(t)));
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)]
+            .map(|(s, t)| (frame.across(s), up(t)));
         canvas.line(&corners, Paint::Ink(0.8), 1.0)?;
-        canvas.text(&self.x.label, (across(0.5), up(0.0) + 36.0), TEXT_SIZE, Anchor::Centre)?;
+        canvas.text(&self.x.label, (frame.across(0.5), up(0.0) + 39.0), TEXT_SIZE, Anchor::Centre)?;
         canvas.text(&self.y.label, (14.0, up(0.5)), TEXT_SIZE, Anchor::Upwards)
     }
-
-    /// Entries of the legend in rows that fit the width: (kind, horizontal position).
-    fn legend_rows(&self) -> Vec<Vec<(Entry<'_>, f64)>> {
-        let entries = self
-            .series
-            .iter()
-            .enumerate()
-            .map(|(k, s)| Entry::Series(s, k))
-            .chain(self.bands.iter().map(Entry::Bands));
-        let mut rows: Vec<Vec<(Entry<'_>, f64)>> = Vec::new();
-        let mut x = f64::INFINITY;
-        for entry in entries {
-            let width = 44.0 + CHARACTER * TEXT_SIZE * entry.name().chars().count() as f64;
-            if x + width > WIDTH - RIGHT {
-                rows.push(Vec::new());
-                x = LEFT;
-            }
-            if let Some(row) = rows.last_mut() {
-                row.push((entry, x));
-            }
-            x += width + 12.0;
-        }
-        rows
-    }
-
-    fn draw_legend(&self, canvas: &Canvas<'_>, rows: &[Vec<(Entry<'_>, f64)>]) -> Result<()> {
-        for (k, row) in rows.iter().enumerate() {
-            let y = up(0.0) + BELOW + LEGEND_ROW * (k as f64 + 0.5);
-            for (entry, x) in row {
-                match entry {
-                    Entry::Series(series, index) => draw_sample(canvas, series, *index, (*x, y))?,
-                    Entry::Bands(bands) => {
-                        let corners =
-                            [(*x, y - 6.0), (x + 28.0, y - 6.0), (x + 28.0, y + 6.0), (*x, y + 6.0)];
-                        canvas.polygon(&corners, Paint::Colour(bands.colour, 0.25))?;
-                    }
-                }
-                canvas.text(entry.name(), (x + 36.0, y), TEXT_SIZE, Anchor::Left)?;
-            }
-        }
-        Ok(())
-    }
 }
 
-enum Entry<'a> {
-    Series(&'a Series, usize),
-    Bands(&'a Bands),
-}
-
-impl Entry<'_> {
-    fn name(&self) -> &str {
-        match self {
-            Entry::Series(series, _) => &series.name,
-            Entry::Bands(bands) => &bands.name,
-        }
-    }
-}
-
-struct Frame {
+/// The plot: both scales and its width.
+pub(super) struct Frame {
     x: Scale,
     y: Scale,
+    width: f64,
 }
 
 impl Frame {
     /// The place of a data point, if it can be shown inside the frame.
-    fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
+    pub(super) fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
         let (s, t) = (self.x.position(x)?, self.y.position(y)?);
         let inside = |p: f64| (-0.001..=1.001).contains(&p);
-        (inside(s) && inside(t)).then(|| (across(s), up(t)))
+        (inside(s) && inside(t)).then(|| (self.across(s), up(t)))
+    }
+
+    pub(super) fn across(&self, s: f64) -> f64 {
+        LEFT + s * self.width
     }
 }
 
-fn across(s: f64) -> f64 {
-    LEFT + s * (WIDTH - LEFT - RIGHT)
-}
-
-fn up(t: f64) -> f64 {
+pub(super) fn up(t: f64) -> f64 {
     TOP + (1.0 - t) * PLOT_HEIGHT
 }
 
@@ -225,7 +196,7 @@ fn draw_series(canvas: &Canvas<'_>, frame: &Frame, series: &Series, index: usize
     Ok(())
 }
 
-fn paint(series: &Series) -> Paint {
+pub(super) fn paint(series: &Series) -> Paint {
     Paint::Colour(series.colour.unwrap_or(PALETTE[0]), 1.0)
 }
 
@@ -241,7 +212,12 @@ fn draw_run(canvas: &Canvas<'_>, series: &Series, index: usize, run: &[(f64, f64
     }
 }
 
-fn draw_sample(canvas: &Canvas<'_>, series: &Series, index: usize, (x, y): (f64, f64)) -> Result<()> {
+pub(super) fn draw_sample(
+    canvas: &Canvas<'_>,
+    series: &Series,
+    index: usize,
+    (x, y): (f64, f64),
+) -> Result<()> {
     match series.mark {
         Mark::Points => draw_marker(canvas, series, index, (x + 14.0, y)),
         Mark::LineAndPoints => {

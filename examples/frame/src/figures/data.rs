@@ -3,6 +3,7 @@
 
 use super::chart::Chart;
 use crate::Result;
+use crate::files::write_whole;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -43,7 +44,7 @@ pub(super) fn save_svg(text: &str, directory: &Path, name: &str) -> Result<PathB
 
 fn save(text: &str, directory: &Path, file: &str) -> Result<PathBuf> {
     let path = directory.join(file);
-    std::fs::write(&path, text).map_err(|e| signorini::Error::file(&path, e))?;
+    write_whole(&path, text)?;
     Ok(path)
 }
 

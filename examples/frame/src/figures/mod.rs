@@ -7,6 +7,8 @@
 mod canvas;
 mod chart;
 mod data;
+mod labels;
+mod legend;
 mod picture;
 mod scale;
 mod series;

@@ -29,6 +29,8 @@ pub struct BodyPicture<'a> {
     pub triangles: &'a [[usize; 3]],
     /// One value per triangle.
     pub values: &'a [f64],
+    /// The values at both ends of the scale of colour; those of the values where not given.
+    pub range: Option<(f64, f64)>,
     /// What the values are.
     pub value_name: String,
     /// Arrows from their tails to the places they press on.
@@ -53,8 +55,8 @@ impl BodyPicture<'_> {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{0}\" width=\"{WIDTH}\" \
              height=\"{height:.0}\" viewBox=\"0 0 {WIDTH} {height:.0}\">\n<style>svg:root{{color:#222;background:#fff}}\
              @media(prefers-color-scheme:dark){{svg:root{{color:#ddd;background:#1b1b1b}}}}</style>\n\
-             <g font-family=\"sans-serif\" font-size=\"13\" fill=\"currentColor\">\n\
-             <text x=\"{1}\" y=\"24\" font-size=\"15\" text-anchor=\"middle\">{0}</text>\n",
+             <g font-family=\"sans-serif\" font-size=\"15\" fill=\"currentColor\">\n\
+             <text x=\"{1}\" y=\"24\" font-size=\"16\" text-anchor=\"middle\">{0}</text>\n",
             escape(&self.title),
             WIDTH / 2.0,
         );
@@ -93,6 +95,9 @@ impl BodyPicture<'_> {
     }
 
     fn value_range(&self) -> (f64, f64) {
+        if let Some(range) = self.range {
+            return range;
+        }
         let low = self.values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = self.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if low > high { (0.0, 0.0) } else { (low, high) }
@@ -177,7 +182,7 @@ impl BodyPicture<'_> {
                 "<rect x=\"{x:.2}\" y=\"{y:.1}\" width=\"{step:.2}\" height=\"12\" fill=\"rgb({r},{g},{b})\"/>"
             );
         }
-        let below = y + 27.0;
+        let below = y + 29.0;
         let _ = writeln!(svg, "<text x=\"{left}\" y=\"{below:.1}\">{}</text>", short(low));
         let _ = writeln!(
             svg,

@@ -81,6 +81,18 @@ impl Cell {
         }
     }
 
+    /// Why there is no number: the column's reason for a missing entry; `None` where nothing is missing.
+    pub(super) fn why_missing<'a>(&self, reason: &'a str) -> Option<&'a str> {
+        match self {
+            Cell::Missing => Some(reason),
+            Cell::Number(value) if !value.is_finite() => Some("beyond the range of binary64"),
+            Cell::List(values) if values.iter().any(|value| !value.is_finite()) => {
+                Some("some entries are beyond the range of binary64")
+            }
+            _ => None,
+        }
+    }
+
     pub(super) fn json(&self) -> Value {
         let number = |v: f64| Number::from_f64(v).map_or(Value::Null, Value::Number);
         match self {

@@ -12,6 +12,7 @@ pub struct Column {
     format: Format,
     meaning: String,
     wrap: Option<usize>,
+    missing: &'static str,
 }
 
 impl Column {
@@ -22,7 +23,14 @@ impl Column {
         format: Format,
         meaning: impl Into<String>,
     ) -> Self {
-        Self { key, title: title.into(), format, meaning: meaning.into(), wrap: None }
+        Self { key, title: title.into(), format, meaning: meaning.into(), wrap: None, missing: "" }
+    }
+
+    /// The same column with the reason why a row has no entry in it. In JSON the reasons of a row stand
+    /// beside its nulls, as `"missing": {key: reason}`.
+    #[must_use]
+    pub fn missing(self, missing: &'static str) -> Self {
+        Self { missing, ..self }
     }
 
     /// A column that appears in JSON only.
@@ -117,8 +125,24 @@ impl Table {
     }
 
     fn json_row(&self, row: &[Cell]) -> Value {
-        let entries = self.columns.iter().zip(row).map(|(column, cell)| (column.key.to_owned(), cell.json()));
-        Value::Object(entries.collect::<Map<_, _>>())
+        let cells = || self.columns.iter().zip(row);
+        let entries = cells().map(|(column, cell)| (column.key.to_owned(), cell.json()));
+        let mut object: Map<_, _> = entries.collect();
+        let reasons = cells().filter_map(|(column, cell)| {
+            Some((column.key.to_owned(), Value::from(cell.why_missing(column.missing)?)))
+        });
+        let reasons: Map<_, _> = reasons.collect();
+        if !reasons.is_empty() {
+            object.insert("missing".to_owned(), Value::Object(reasons));
+        }
+        Value::Object(object)
+    }
+
+    /// Keys of columns with a missing entry and no word why.
+    pub fn unexplained(&self) -> Vec<&'static str> {
+        let is_bare = |j: usize| self.rows.iter().any(|row| row[j].why_missing("") == Some(""));
+        let columns = self.columns.iter().enumerate();
+        columns.filter(|(j, column)| column.missing.is_empty() && is_bare(*j)).map(|(_, c)| c.key).collect()
     }
 
     /// The columns that appear in the text form.

@@ -3,6 +3,7 @@
 use super::row::RateRow;
 use super::store::level_json;
 use crate::figures::{Axis, Chart, Series};
+use crate::files::write_whole;
 use crate::{Cell, Column, Format, Headline, Result, Table};
 use serde_json::{Value, json};
 use signorini::convergence::Bound;
@@ -129,22 +130,21 @@ fn study_json(study: &RateStudy) -> Result<Value> {
     }))
 }
 
-/// Error and root of the consistency term against h, of this study and others of the same scene in other
-/// cones, with the bounds through the coarsest error.
+/// Error and root of the consistency term against h, with the bounds through the coarsest error; one range for
+/// all charts of a slider.
 ///
 /// # Errors
 /// As [`Bound::value`].
-fn errors_chart(study: &RateStudy, others: &[&RateStudy], title: impl Into<String>) -> Result<Chart> {
+fn errors_chart(study: &RateStudy, title: impl Into<String>, (low, high): (f64, f64)) -> Result<Chart> {
     let x = Axis::logarithmic("mesh size h (edge of length 1)");
-    let mut chart = Chart::new(title, x, Axis::logarithmic("error in the energy norm, root of the term"));
-    for shown in std::iter::once(study).chain(others.iter().copied()) {
-        let named = |what: &str| format!("{what}, {} cone", shown.cone);
-        chart = chart.with(Series::line_and_points(named("error"), shown.points(Quantity::Error)));
-        let terms: Vec<_> =
-            shown.points(Quantity::Consistency).into_iter().filter(|point| point.1 > 0.0).collect();
-        if !terms.is_empty() {
-            chart = chart.with(Series::line_and_points(named("term"), terms));
-        }
+    let y = Axis::logarithmic("error in the energy norm, root of the term").range(low, high);
+    let mut chart = Chart::new(title, x, y);
+    let named = |what: &str| format!("{what}, {} cone", study.cone);
+    chart = chart.with(Series::line_and_points(named("error"), study.points(Quantity::Error)));
+    let terms: Vec<_> =
+        study.points(Quantity::Consistency).into_iter().filter(|point| point.1 > 0.0).collect();
+    if !terms.is_empty() {
+        chart = chart.with(Series::line_and_points(named("term"), terms));
     }
     let points = study.points(Quantity::Error);
     let Some(&(coarsest, error)) = points.first() else {
@@ -188,27 +188,32 @@ fn write_studies(rows: &[RateRow], directory: &Path, name: &str) -> Result<()> {
         studies().map(|study| Ok(study_json(study)?.to_string())).collect::<Result<_>>()?;
     for (ending, text) in [("csv", csv.concat()), ("json", format!("[{}]\n", json.join(",\n")))] {
         let path = directory.join(format!("{name}_levels.{ending}"));
-        std::fs::write(&path, text).map_err(|e| signorini::Error::file(&path, e))?;
+        write_whole(&path, &text)?;
     }
     Ok(())
 }
 
-/// Where figures are asked for: all levels in files, and the chart of one study beside another of the same
-/// scene.
+/// Errors and roots of terms of all studies lie between these.
+fn range<'a>(studies: impl Iterator<Item = &'a RateStudy>) -> (f64, f64) {
+    let points = studies.flat_map(|s| [s.points(Quantity::Error), s.points(Quantity::Consistency)]).flatten();
+    let sizes = points.map(|point| point.1).filter(|&size| size > 0.0);
+    let (low, high) = sizes.fold((f64::MAX, 0.0f64), |(low, high), size| (low.min(size), high.max(size)));
+    if low <= high { (low / 1.5, high * 1.5) } else { (0.1, 1.0) }
+}
+
+/// Where figures are asked for: all levels in files, and a chart of the first scene for each of its τ, as
+/// `NAME_errors_TAU`.
 ///
 /// # Errors
 /// Those of the files and the drawing; as [`Bound::value`].
-pub fn write_and_draw(
-    headline: &mut Headline,
-    rows: &[RateRow],
-    (shown, other): (Option<&RateRow>, Option<&RateRow>),
-    (directory, name): (&Path, &str),
-) -> Result<()> {
+pub fn write_and_draw(headline: &mut Headline, rows: &[RateRow], directory: &Path, name: &str) -> Result<()> {
     write_studies(rows, directory, name)?;
-    if let Some(row) = shown {
-        let others: Vec<_> = other.iter().map(|row| &row.study).collect();
-        let chart = errors_chart(&row.study, &others, format!("{}: {}", headline.label, row.words()))?;
-        headline.figures.push(chart.save(directory, &format!("{name}_errors"))?);
+    let Some(first) = rows.first() else { return Ok(()) };
+    let shown: Vec<&RateRow> = rows.iter().filter(|row| row.study.subject == first.study.subject).collect();
+    let range = range(shown.iter().map(|row| &row.study));
+    for row in shown {
+        let chart = errors_chart(&row.study, format!("{}: {}", headline.label, row.words()), range)?;
+        headline.figures.push(chart.save(directory, &format!("{name}_errors_{}", row.study.tau))?);
     }
     Ok(())
 }

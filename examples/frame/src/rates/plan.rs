@@ -114,15 +114,6 @@ impl RatePlan {
         Ok(self)
     }
 
-    /// The first scene on a strip at this regularity alone.
-    #[must_use]
-    pub fn first_at(mut self, tau: f64) -> Self {
-        self.strips.truncate(1);
-        self.meshes.clear();
-        self.strips.iter_mut().for_each(|group| group.families.retain(|family| family.tau == tau));
-        self
-    }
-
     /// Steps of a progress bar: levels of strips at all positions, and corners.
     pub fn steps(&self) -> usize {
         self.strips.iter().map(StripGroup::steps).sum::<usize>() + self.meshes.len()

@@ -32,7 +32,15 @@ impl LevelStore {
     /// # Errors
     /// As [`LevelStore::open`].
     pub fn within(directory: Option<&Path>, name: &str) -> Result<Self> {
-        directory.map_or_else(|| Ok(Self::in_memory()), |directory| Self::open(&directory.join(name)))
+        let Some(directory) = directory else { return Ok(Self::in_memory()) };
+        let store = Self::open(&directory.join(name))?;
+        if store.ignored > 0 {
+            eprintln!(
+                "{} damaged lines of {name} are not used: their levels are computed again",
+                store.ignored
+            );
+        }
+        Ok(store)
     }
 
     /// The levels in `path`, which is created if need be; new ones are appended.

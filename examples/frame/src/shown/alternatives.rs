@@ -4,6 +4,7 @@ use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Column, Format, Result, Table};
 use signorini::convergence::observed_orders;
 use signorini::proof::{AlternativeRow, AlternativeStudy, Case, Classification};
+use signorini::scenes::Scene;
 
 /// Points of a trace that are drawn.
 const DRAWN: usize = 2000;
@@ -44,22 +45,25 @@ pub fn table(study: &AlternativeStudy) -> Result<Table> {
     Ok(table)
 }
 
-/// The last row: cases as bands behind u_N and the contact pressure.
-pub fn edge_chart(label: &str, study: &AlternativeStudy) -> Chart {
+/// One row: cases as bands behind u_N and the contact pressure.
+pub fn edge_chart(label: &str, study: &AlternativeStudy, row: &AlternativeRow) -> Chart {
     let (trace, source) = (&study.trace, &study.case.source);
     let step = trace.nodes().len().div_ceil(DRAWN);
     let scaled = |values: &[f64]| -> Vec<(f64, f64)> {
         let largest = values.iter().fold(f64::MIN_POSITIVE, |m: f64, v| m.max(v.abs()));
         trace.nodes().iter().zip(values).step_by(step).map(|(&x, v)| (x, v / largest)).collect()
     };
-    let x = Axis::linear("x along the contact edge (side of the square = 1)");
-    let (n, theta) = study.rows.last().map_or((0, f64::NAN), |row| (row.n, row.theta));
-    let title = format!("{label} on scene {source}, 1/h = {n}, θ = {theta:.3}");
+    let unit = match source {
+        Scene::Mesh(_) => "side of the square = 1",
+        Scene::Strip(_) => "period = 1",
+    };
+    let x = Axis::linear(format!("x along the contact edge ({unit})"));
+    let title = format!("{label} on scene {source}, 1/h = {}, θ = {:.3}", row.n, row.theta);
     let mut chart = Chart::new(title, x, Axis::linear("share of the largest value"))
         .with(Series::line("u_N", scaled(trace.displacement())))
         .with(Series::line("−σ_N, contact pressure", scaled(&trace.pressure())));
     for (case, name, colour) in CASES {
-        let intervals = study.rows.last().map_or(Vec::new(), |row| row.classification.intervals(case));
+        let intervals = row.classification.intervals(case);
         if !intervals.is_empty() {
             let name = if case == Case::Both { "both cases".to_owned() } else { format!("{name} case") };
             chart = chart.with_bands(name, intervals, PALETTE[colour]);

@@ -1,0 +1,302 @@
+//! Every option of every example with values that are not what it asks for: one clear line on stderr, exit
+//! code 2, nothing on stdout, before anything is computed. What an option asks for is what the example says
+//! itself (`--describe`).
+//!
+//! `SIGNORINI_FUZZ=100000 cargo test --release --test hostile_command_lines` adds as many random lines, under
+//! which an example may also compute: then no panic, no number that is none, and a reason for every entry that
+//! is missing.
+
+use serde_json::Value;
+use signorini::numeric::random::SplitMix;
+use std::collections::BTreeMap;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+/// Longest wait for an answer to a bad option, with everything else the machine does.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Longest run of a random line that is not bad.
+const LONGEST: Duration = Duration::from_secs(2);
+
+struct Answer {
+    code: Option<i32>,
+    stdout: String,
+    stderr: String,
+    /// It ran until it was stopped.
+    is_stopped: bool,
+}
+
+fn binary(name: &str) -> PathBuf {
+    let tests = std::env::current_exe().unwrap();
+    let found = tests.parent().and_then(Path::parent).unwrap().join("examples").join(name);
+    assert!(found.exists(), "{} is not built: cargo build --examples in this profile", found.display());
+    found
+}
+
+fn names() -> Vec<String> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let files = std::fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().file_name());
+    let mut names: Vec<String> =
+        files.filter_map(|name| Some(name.to_str()?.strip_suffix(".rs")?.to_owned())).collect();
+    names.sort();
+    names
+}
+
+/// Runs a line, for so long at most.
+fn ask(name: &str, line: &[String], patience: Duration) -> Answer {
+    let mut command = Command::new(binary(name));
+    command.args(line).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let reader = |pipe: Box<dyn Read + Send>| {
+        std::thread::spawn(move || {
+            let mut bytes = Vec::new();
+            let _ = pipe.take(1 << 24).read_to_end(&mut bytes);
+            String::from_utf8_lossy(&bytes).into_owned()
+        })
+    };
+    let stdout = reader(Box::new(child.stdout.take().unwrap()));
+    let stderr = reader(Box::new(child.stderr.take().unwrap()));
+    let (code, is_stopped) = wait(&mut child, patience);
+    Answer { code, stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap(), is_stopped }
+}
+
+fn wait(child: &mut Child, patience: Duration) -> (Option<i32>, bool) {
+    let start = Instant::now();
+    loop {
+        if let Some(status) = child.try_wait().unwrap() {
+            return (status.code(), false);
+        }
+        if start.elapsed() > patience {
+            let _ = child.kill();
+            let _ = child.wait();
+            return (None, true);
+        }
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// What an example says of one of its options.
+struct Described {
+    name: String,
+    kind: String,
+    choices: Vec<String>,
+}
+
+fn described(name: &str) -> Vec<Described> {
+    let answer = ask(name, &["--describe".to_owned()], PATIENCE);
+    let said: Value = serde_json::from_str(&answer.stdout).unwrap();
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let of = |option: &Value| Described {
+        name: text(&option["name"]),
+        kind: text(&option["kind"]),
+        choices: option["choices"].as_array().into_iter().flatten().map(text).collect(),
+    };
+    said["options"].as_array().unwrap().iter().map(of).collect()
+}
+
+/// Values that no option of this kind takes.
+fn wrong(option: &Described) -> Vec<String> {
+    let plain: &[&str] = match option.kind.as_str() {
+        "number" => {
+            &["NaN", "-NaN", "inf", "-inf", "1e400", "-1e400", "", " ", "x", "1e", "0x10", "1_0", "½"]
+        }
+        "integer" => &["-1", "1.5", "18446744073709551616", "1e3", "NaN", "inf", "", " 3", "x", "0x10"],
+        "order" => &["NaN", "inf", "-0.1", "0", "1", "2", "1e400", "1/3", "1/2+", "1/2+1", "1/2-1", "", "x"],
+        "tolerance" => &["0", "-1", "1", "NaN", "inf", "1e400", "1e-300", "tight", "", "Fast"],
+        "levels" => &["", "3", "9-3", "3-", "-9", "3-99", "a-b", "3-9-12", "3-1e1", "NaN-9"],
+        "flag" => &[],
+        _ => &["", ":", "x", "nothing:1", "\u{0}1", "NaN"],
+    };
+    let mut values: Vec<String> = plain.iter().map(|&word| word.to_owned()).collect();
+    for word in &option.choices {
+        values.extend(["", ":", "::", ":NaN", ":inf", ":1e400", ":x", ":0.3:x", ":1:2:3:4"].map(|tail| {
+            let tail = if tail.is_empty() { " " } else { tail };
+            format!("{word}{tail}")
+        }));
+    }
+    values.retain(|value| !value.contains('\u{0}'));
+    values
+}
+
+/// Refused in one line, at once.
+fn fault(name: &str, line: &[String]) -> Option<String> {
+    let answer = ask(name, line, PATIENCE);
+    let is_clear = answer.stderr.starts_with("error:") && answer.stderr.lines().count() == 1;
+    let is_refused = answer.code == Some(2) && is_clear && answer.stdout.is_empty();
+    (!is_refused).then(|| {
+        let said = answer.stderr.lines().next().unwrap_or("nothing on stderr").to_owned();
+        let stopped = if answer.is_stopped { ", stopped" } else { "" };
+        format!("{name} {line:?}: exit {:?}{stopped}, {said}", answer.code)
+    })
+}
+
+/// Takes the lines in turn on as many threads as there are processors.
+fn all_faults<T: Sync>(lines: &[T], fault: impl Fn(&T) -> Option<String> + Sync) -> Vec<String> {
+    let (next, threads) = (AtomicUsize::new(0), std::thread::available_parallelism().map_or(2, usize::from));
+    let take = || -> Vec<String> {
+        let mut found = Vec::new();
+        while let Some(line) = lines.get(next.fetch_add(1, Ordering::Relaxed)) {
+            found.extend(fault(line));
+        }
+        found
+    };
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(take)).collect();
+        workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect()
+    })
+}
+
+#[test]
+fn what_is_not_asked_for_is_refused_in_one_line() {
+    let mut lines: Vec<(String, Vec<String>)> = Vec::new();
+    for name in names() {
+        let mut push = |line: Vec<String>| lines.push((name.clone(), line));
+        for stray in ["--nothing", "stray", "--json=1", "--out", "--values", "-x"] {
+            push(vec![stray.to_owned()]);
+        }
+        for option in described(&name) {
+            push(vec![format!("--{}", option.name), "x".to_owned(), "stray".to_owned()]);
+            if option.kind == "flag" {
+                push(vec![format!("--{}=1", option.name)]);
+            }
+            lines_of(&option).into_iter().for_each(&mut push);
+        }
+    }
+    let faults = all_faults(&lines, |(name, line)| fault(name, line));
+    println!("{} lines, {} not refused", lines.len(), faults.len());
+    assert!(lines.len() > 2000, "{}", lines.len());
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
+}
+
+fn lines_of(option: &Described) -> Vec<Vec<String>> {
+    wrong(option).into_iter().map(|value| vec![format!("--{}={value}", option.name)]).collect()
+}
+
+#[test]
+fn an_option_without_effect_is_refused() {
+    for (name, line) in [
+        ("falk_terms", "--scene cantor --positions 3"),
+        ("figure_3_1", "--scene cantor --positions 3"),
+        ("section_2_strip", "--scene fat-cantor --positions 3"),
+        ("figure_3_2_alternative", "--over-theta --theta 0.5"),
+        ("figure_4_1_alternative", "--over-theta --meshes 2"),
+        ("theorem_3_1_rates", "--positions 0"),
+        ("theorem_3_1_rates", "--levels 3-9"),
+        ("theorem_4_1_rates", "--scene block --tau 1.75"),
+        ("theorem_4_1_rates", "--scene transition --full"),
+        ("theorem_4_1_proof_profile", "--scene cantor --positions 3"),
+        ("section_2_elastic_contact", "--poisson 0.3"),
+        ("section_2_elastic_contact", "--scene block --angle 100"),
+        ("section_2_scalar_contact", "--solver active-set --tolerance 1e-9"),
+    ] {
+        let line: Vec<String> = line.split(' ').map(str::to_owned).collect();
+        let answer = ask(name, &line, PATIENCE);
+        assert!(answer.stderr.contains("has no effect"), "{name} {line:?}: {}", answer.stderr);
+        assert_eq!(answer.code, Some(2), "{name} {line:?}");
+    }
+}
+
+#[test]
+fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
+    for (name, line) in [
+        ("lemma_6_2_global_estimate", "--elements=18446744073709551615"),
+        ("lemma_6_2_global_estimate", "--elements=4294967296"),
+        ("lemma_6_2_global_estimate", "--elements=1000000000000"),
+        ("section_2_elastic_contact", "--n=16384"),
+        ("section_2_scalar_contact", "--n=18446744073709551615"),
+        ("section_2_elastic_contact", "--n=8192 --levels=12"),
+        ("section_2_speed_for_accuracy", "--n=16384 --levels=2"),
+        ("theorem_4_1_proof_profile", "--q=NaN"),
+        ("theorem_4_1_proof_profile", "--q=5e-324"),
+        ("theorem_4_1_proof_profile", "--q=18446744073709551615"),
+        ("equation_3_2_logarithm", "--levels=1-22"),
+        ("worst_contact_set", "--depth=25"),
+    ] {
+        let line: Vec<String> = line.split(' ').map(str::to_owned).collect();
+        let found = fault(name, &line);
+        assert_eq!(found, None);
+    }
+}
+
+/// A value that fits the kind, or nearly.
+fn random_value(option: &Described, random: &mut SplitMix) -> String {
+    let pick = |words: &[&str], random: &mut SplitMix| words[random.below(words.len())].to_owned();
+    match option.kind.as_str() {
+        "integer" => pick(&["0", "1", "2", "3", "4", "5", "7", "8", "16", "100", "4294967296"], random),
+        "order" => {
+            pick(&["1e-300", "1e-16", "0.25", "1/2-1e-16", "1/2", "1/2+1e-12", "0.999", "0.75"], random)
+        }
+        "tolerance" => pick(&["1e-15", "1e-3", "fast", "0.1", "balanced"], random),
+        "levels" => pick(&["1-1", "1-5", "3-7", "2-8", "3-9"], random),
+        "number" => pick(
+            &[
+                "0", "-1", "1", "2", "0.5", "1e-300", "-1e300", "1e300", "1.75", "1.5", "2.5", "1e-12",
+                "120", "3",
+            ],
+            random,
+        ),
+        _ if option.choices.is_empty() => String::new(),
+        _ => {
+            let tails = ["", ":0.25", ":3", ":0", ":1", ":0.2:4", ":1e-300", ":-1"];
+            format!("{}{}", option.choices[random.below(option.choices.len())], pick(&tails, random))
+        }
+    }
+}
+
+/// No panic, no signal; an outcome has only numbers, and a reason for each that is missing.
+fn disorder(name: &str, line: &[String]) -> Option<String> {
+    let answer = ask(name, line, LONGEST);
+    let wrong = if answer.is_stopped {
+        None
+    } else if answer.stderr.contains("panicked") || !matches!(answer.code, Some(0..=2)) {
+        Some(answer.stderr.lines().next().unwrap_or("no word").to_owned())
+    } else if answer.code == Some(2) {
+        let is_one_line = answer.stderr.starts_with("error:") || answer.stderr.starts_with("this takes");
+        (!is_one_line).then(|| format!("not one clear line: {}", answer.stderr))
+    } else {
+        answer.stdout.lines().find_map(not_said)
+    };
+    wrong.map(|wrong| format!("{name} {}: {wrong}", line.join(" ")))
+}
+
+/// What is wrong with a line of JSON.
+fn not_said(line: &str) -> Option<String> {
+    let Ok(Value::Object(row)) = serde_json::from_str::<Value>(line) else {
+        return Some(format!("not an object: {line}"));
+    };
+    let bare = |(key, value): (&String, &Value)| {
+        value.is_null() && row["missing"][key.as_str()].as_str().is_none_or(str::is_empty)
+    };
+    let known = row.contains_key("missing");
+    let nulls: Vec<&String> = row.iter().filter(|(_, value)| value.is_null()).map(|(key, _)| key).collect();
+    let unsaid = if known { row.iter().filter(|entry| bare(*entry)).count() } else { nulls.len() };
+    (unsaid > 0).then(|| format!("null without a reason: {nulls:?}"))
+}
+
+#[test]
+fn random_lines_never_panic_and_every_null_has_a_reason() {
+    let count = std::env::var("SIGNORINI_FUZZ").ok().and_then(|text| text.parse().ok()).unwrap_or(0usize);
+    let options: BTreeMap<String, Vec<Described>> =
+        names().into_iter().map(|name| (name.clone(), described(&name))).collect();
+    let names: Vec<&String> = options.keys().collect();
+    let mut random = SplitMix::new(22);
+    let mut line = || {
+        let name = names[random.below(names.len())];
+        let known = &options[name];
+        let mut line = vec!["--json".to_owned()];
+        for _ in 0..(1 + random.below(3)).min(known.len()) {
+            let option = &known[random.below(known.len())];
+            line.push(match option.kind.as_str() {
+                "flag" => format!("--{}", option.name),
+                _ => format!("--{}={}", option.name, random_value(option, &mut random)),
+            });
+        }
+        (name.clone(), line)
+    };
+    let lines: Vec<(String, Vec<String>)> = (0..count).map(|_| line()).collect();
+    let faults = all_faults(&lines, |(name, line)| disorder(name, line));
+    println!("{count} random lines, {} in disorder", faults.len());
+    assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
+}
