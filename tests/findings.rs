@@ -121,6 +121,7 @@ examples! {
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     section_1_clamped_end: "../examples/section_1_clamped_end.rs",
+    section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_1_norms_in_the_plane: "../examples/section_1_norms_in_the_plane.rs",
     section_1_trace_constants: "../examples/section_1_trace_constants.rs",

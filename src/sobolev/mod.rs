@@ -11,7 +11,7 @@
 //! | norms of named functions | [`GalleryFunction`] |
 //! | Gram matrices, dense and as fast operators | [`gram_constants`], [`gram_linears`], [`GramOperator`] |
 //! | dual norms | [`dual_norm_of_functional`], [`PiecewisePolynomial::dual_norm`], [`DualOf`] |
-//! | norms in the plane, on triangulations | [`PlaneFunction`], [`Triangles`] |
+//! | norms in the plane, on triangulations | [`PlaneFunction`], [`SingularPlaneFunction`], [`Triangles`] |
 //! | traces with their constants | [`half_plane_trace`], [`WedgeTrace`], [`SquareTrace`] |
 //! | exact values | [`closed_forms`] |
 
@@ -40,8 +40,8 @@ pub use piecewise::{
     PiecewisePolynomial, near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random,
 };
 pub use plane::{
-    GridOperator, PlaneFunction, SectorPower, Triangles, coordinate_on_unit_square, gradient_limit,
-    perimeter_limit,
+    GridOperator, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles,
+    coordinate_on_unit_square, gradient_limit, perimeter_limit,
 };
 pub(crate) use root::root_of_squares;
 pub(crate) use trace::HalfLineSymbol;

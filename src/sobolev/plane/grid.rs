@@ -80,6 +80,13 @@ impl GridOperator {
         (self.squares[0] + 1) * (self.squares[1] + 1)
     }
 
+    /// Bytes of the numbers held: the transforms, ten complex numbers for every point of a torus of about
+    /// four times the squares, and sixteen numbers for every square.
+    pub fn bytes(&self) -> usize {
+        let spectra: usize = self.spectra.iter().map(|(_, spectrum)| size_of_val(spectrum.as_slice())).sum();
+        spectra + size_of_val(self.own.as_slice())
+    }
+
     /// A w.
     ///
     /// # Errors

@@ -10,9 +10,11 @@
 //! | a closed form and limits | [`coordinate_on_unit_square`], [`gradient_limit`], [`perimeter_limit`] |
 //! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`]
 //! |
+//! | norms of closures with declared corner singularities | [`SingularPlaneFunction`] |
 
 mod cell_pairs;
 mod closed_forms;
+mod closures;
 mod convolution;
 mod far;
 mod function;
@@ -29,6 +31,7 @@ mod tree;
 mod triangles;
 
 pub use closed_forms::{coordinate_on_unit_square, gradient_limit, perimeter_limit};
+pub use closures::{PlanePosition, SingularPlaneFunction};
 pub use function::PlaneFunction;
 pub use grid::GridOperator;
 pub use sector::SectorPower;

@@ -88,6 +88,49 @@ impl Triangles {
         Self::new(places.collect(), triangles)
     }
 
+    /// The polygon with corners 0, P_1, ..., P_m as triangles 0 P_k P_{k+1}: node 0 is the origin.
+    ///
+    /// # Errors
+    /// As [`Triangles::new`].
+    pub fn star(points: &[[f64; 2]]) -> Result<Self> {
+        let nodes = std::iter::once([0.0; 2]).chain(points.iter().copied()).collect();
+        Self::new(nodes, (1..points.len()).map(|k| [0, k, k + 1]).collect())
+    }
+
+    /// The same polygon, every triangle at a node cut in three: the part of it next to that node, `share` < 1
+    /// of its sides, and two of what is left.
+    ///
+    /// ```
+    /// use signorini::sobolev::Triangles;
+    /// let wedge = Triangles::star(&[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]])?;
+    /// assert_eq!(wedge.cut_at(0, 0.5)?.areas(), [0.125, 0.25, 0.125, 0.125, 0.25, 0.125]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < share < 1; as [`Triangles::new`].
+    pub fn cut_at(&self, node: usize, share: f64) -> Result<Self> {
+        Error::require("share", share, "(0, 1)", share > 0.0 && share < 1.0)?;
+        let (mut nodes, mut triangles) = (self.nodes.clone(), Vec::new());
+        let mut middles: HashMap<usize, usize> = HashMap::new();
+        for corners in &self.triangles {
+            let Some(at) = corners.iter().position(|&corner| corner == node) else {
+                triangles.push(*corners);
+                continue;
+            };
+            let ends = [corners[(at + 1) % 3], corners[(at + 2) % 3]];
+            let [p, q] = ends.map(|end| {
+                *middles.entry(end).or_insert_with(|| {
+                    let (a, b) = (self.nodes[node], self.nodes[end]);
+                    nodes.push([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
+                    nodes.len() - 1
+                })
+            });
+            triangles.extend([[node, p, q], [p, ends[0], ends[1]], [p, ends[1], q]]);
+        }
+        Self::new(nodes, triangles)
+    }
+
     /// The same triangulation with its nodes moved.
     ///
     /// # Errors
