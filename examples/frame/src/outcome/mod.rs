@@ -3,6 +3,7 @@
 mod cell;
 mod finding;
 mod headline;
+mod missing;
 mod table;
 mod verdict;
 

@@ -1,6 +1,7 @@
 //! Tables with explained columns: aligned text, or one JSON object per row with all digits.
 
 use super::cell::{Cell, Format};
+use super::missing::{UNKNOWN, reason};
 use serde_json::{Map, Value};
 use std::fmt::Write as _;
 
@@ -12,7 +13,6 @@ pub struct Column {
     format: Format,
     meaning: String,
     wrap: Option<usize>,
-    missing: &'static str,
 }
 
 impl Column {
@@ -23,14 +23,7 @@ impl Column {
         format: Format,
         meaning: impl Into<String>,
     ) -> Self {
-        Self { key, title: title.into(), format, meaning: meaning.into(), wrap: None, missing: "" }
-    }
-
-    /// The same column with the reason why a row has no entry in it. In JSON the reasons of a row stand
-    /// beside its nulls, as `"missing": {key: reason}`.
-    #[must_use]
-    pub fn missing(self, missing: &'static str) -> Self {
-        Self { missing, ..self }
+        Self { key, title: title.into(), format, meaning: meaning.into(), wrap: None }
     }
 
     /// A column that appears in JSON only.
@@ -119,7 +112,8 @@ impl Table {
         }
     }
 
-    /// One JSON object per row, keys in the order of the columns; numbers with all their digits.
+    /// One JSON object per row, keys in the order of the columns; numbers with all their digits. Why there is
+    /// a null stands beside it, `"missing": {key: reason}`.
     pub fn json_rows(&self) -> Vec<String> {
         self.rows.iter().map(|row| self.json_row(row).to_string()).collect()
     }
@@ -129,7 +123,7 @@ impl Table {
         let entries = cells().map(|(column, cell)| (column.key.to_owned(), cell.json()));
         let mut object: Map<_, _> = entries.collect();
         let reasons = cells().filter_map(|(column, cell)| {
-            Some((column.key.to_owned(), Value::from(cell.why_missing(column.missing)?)))
+            Some((column.key.to_owned(), Value::from(cell.why_missing(reason(column.key))?)))
         });
         let reasons: Map<_, _> = reasons.collect();
         if !reasons.is_empty() {
@@ -140,9 +134,10 @@ impl Table {
 
     /// Keys of columns with a missing entry and no word why.
     pub fn unexplained(&self) -> Vec<&'static str> {
-        let is_bare = |j: usize| self.rows.iter().any(|row| row[j].why_missing("") == Some(""));
-        let columns = self.columns.iter().enumerate();
-        columns.filter(|(j, column)| column.missing.is_empty() && is_bare(*j)).map(|(_, c)| c.key).collect()
+        let is_bare = |(j, column): &(usize, &Column)| {
+            self.rows.iter().any(|row| row[*j].why_missing(reason(column.key)) == Some(UNKNOWN))
+        };
+        self.columns.iter().enumerate().filter(is_bare).map(|(_, column)| column.key).collect()
     }
 
     /// The columns that appear in the text form.
