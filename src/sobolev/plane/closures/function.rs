@@ -119,7 +119,7 @@ impl<'a> SingularPlaneFunction<'a> {
                     self.at_shares(triangle, shares)
                 });
                 if let Some(other) = seen.insert([nodes[i], nodes[j]], values) {
-                    let differ = |k: usize| !((values[k] - other[k]).abs() <= EQUAL * self.largest);
+                    let differ = |k: usize| (values[k] - other[k]).abs() > EQUAL * self.largest;
                     if (0..3).any(differ) {
                         return true;
                     }

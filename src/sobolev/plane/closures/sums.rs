@@ -142,11 +142,12 @@ impl<'a> ClosureSum<'a> {
         };
         let start = parts.par_iter().map(|part| evaluate(part, None)).collect::<Result<Vec<_>>>()?;
         let whole = compensated(start.iter().map(|found| found.value));
-        // No more than the radial rules give.
-        let share = 0.3 * self.accuracy.max(self.radial_error) * whole;
+        // Nothing is refined where the radial rules do not reach the tolerance.
+        let levels = if self.radial_error > self.accuracy { 2 } else { POINTS.len() };
+        let share = 0.3 * self.accuracy * whole;
         let refine = |(part, start): (&T, &Found)| -> Result<Found> {
             let mut found = evaluate(part, Some(*start))?;
-            while found.level + 1 < POINTS.len() && found.error > share / (parts.len() as f64).sqrt() {
+            while found.level + 1 < levels && found.error > share / (parts.len() as f64).sqrt() {
                 found = evaluate(part, Some(found))?;
             }
             Ok(found)
