@@ -154,7 +154,7 @@ mod tests {
         for (angle, tau) in [(FRAC_PI_2, 0.0), (1.0, 1.5)] {
             let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
             let limit = WedgeTrace::quotient_at_one(angle, tau).unwrap();
-            assert!((found.value * scale / limit - 1.0).abs() < 1e-4, "{angle} {tau}: {found} {limit}");
+            assert!((found.value * scale / limit - 1.0).abs() < 1e-3, "{angle} {tau}: {found} {limit}");
         }
         let [below, above] = [0.999e-3, 1.001e-3].map(|x| WedgeTrace::quotient_at_one(1.0, x / PI).unwrap());
         assert!((below / above - 1.0).abs() < 1e-8);
