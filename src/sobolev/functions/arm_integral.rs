@@ -210,9 +210,6 @@ impl ArmIntegral {
     /// The limit of what was summed, or why there is none.
     fn decide(&self, found: &Partials) -> Result<Limit> {
         if found.diverges() {
-            if found.is_undecided(self.order) {
-                return Ok(Limit { value: found.sum(), error: found.rest() });
-            }
             return Err(Error::InfiniteNorm {
                 order: self.order,
                 why: "the contributions near a break point do not decay",
@@ -268,19 +265,6 @@ impl Partials {
         let (at_middle, at_end) = (slope(middle) * ends[middle], slope(last) * ends[last]);
         let algebraic = (at_end - at_middle).abs() < 0.05 * at_end.abs() && at_end <= 1.001;
         algebraic || self.grows() || densities[last] >= densities[middle] * (1.0 - 1e-9)
-    }
-
-    /// A power of the distance, all points less deep taken together, gives ℓ ~ e^{−2ct} (1−e^{−2νt})/(2ν): at
-    /// small ν it grows however finite its integral. True unless ℓ grows beyond that factor, while the factor
-    /// grows.
-    fn is_undecided(&self, order: f64) -> bool {
-        let last = self.ends.len() - 1;
-        let middle = self.ends.iter().position(|&t| t >= 0.5 * self.end()).unwrap_or(0);
-        let beside = |k: usize| self.densities[k] / -(-2.0 * order * self.ends[k]).exp_m1();
-        order > 0.0
-            && self.sum().is_finite()
-            && 2.0 * order * self.end() < 20.0
-            && beside(last) <= 1.05 * beside(middle)
     }
 
     fn limit(&self) -> Option<Limit> {
