@@ -118,6 +118,8 @@ impl GalleryFunction {
             Self::Log(alpha) => {
                 SingularFunction::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
                     0 => (-at.log_distance()).powf(alpha),
+                    // The distance to 1 is −ln x; at small α its power is far from 0 where it underflows.
+                    _ if at.log_distance() < -46.0 => (alpha * at.log_distance()).exp(),
                     _ => (-at.offset().ln_1p()).powf(alpha),
                 })
             }

@@ -7,6 +7,7 @@
 
 use crate::error::{Error, Result};
 use crate::numeric::memory::require_memory;
+use crate::numeric::scale::power_between;
 use crate::numeric::sum::RunningSum;
 
 /// Longest admissible quotient of the interval's length by an element's length.
@@ -99,6 +100,18 @@ impl Partition {
             lengths.extend(Self::two_sided(layers, ratio, length)?.lengths);
         }
         Self::at(coarse.left, lengths)
+    }
+
+    /// (λ, the partition in units of λ), λ a power of two: where lengths lie beyond 1e-100 ... 1e100, the one
+    /// between the shortest and the longest, so that squares and powers of them are numbers of binary64; else 1.
+    pub(crate) fn of_moderate_lengths(&self) -> Result<(f64, Self)> {
+        let shortest = self.lengths.iter().copied().fold(f64::INFINITY, f64::min);
+        if shortest >= 1e-100 && self.total() <= 1e100 {
+            return Ok((1.0, self.clone()));
+        }
+        let unit = power_between(shortest, self.total());
+        let lengths = self.lengths.iter().map(|length| length / unit).collect();
+        Ok((unit, Self::at(0.0, lengths)?))
     }
 
     fn at(left: f64, lengths: Vec<f64>) -> Result<Self> {

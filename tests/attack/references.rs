@@ -1,5 +1,6 @@
 //! Squared seminorms by formulas of their own: sums of positive terms, singular ends taken out by hand.
 
+use signorini::numeric::sum::RunningSum;
 use signorini::quadrature::Rule;
 use signorini::sobolev::FractionalOrder;
 use std::f64::consts::{LN_2, PI};
@@ -129,8 +130,7 @@ fn pair(d: f64, [p, a]: [f64; 2], [q, b]: [f64; 2], jump: f64, order: Fractional
         });
         (to - from) / start * part * scale(start, order)
     };
-    let mut sum = 0.0;
-    let mut from = 0.0;
+    let (mut sum, mut from) = (RunningSum::default(), 0.0);
     if d == 0.0 {
         let slope = b * (p / q);
         let squares = if jump == 0.0 {
@@ -139,21 +139,24 @@ fn pair(d: f64, [p, a]: [f64; 2], [q, b]: [f64; 2], jump: f64, order: Fractional
             jump * jump / order.one_minus_twice()
         };
         // ∫₀^p r (r/p)² (a² − a b p/q + (b p/q)²)/3 r^{-1-2ν} dr has the exponent 3 − 2ν.
-        sum += squares * scale(p, order);
+        sum.add(squares * scale(p, order));
         from = p;
     }
     while from < p {
         let to = (2.0 * from + d).min(p);
-        sum += panel(from, to, d, 1.0, &|r| (r, mean(&|t| jump + b * (r * (1.0 - t) / q) - a * (r * t / p))));
+        sum.add(panel(from, to, d, 1.0, &|r| {
+            (r, mean(&|t| jump + b * (r * (1.0 - t) / q) - a * (r * t / p)))
+        }));
         from = to;
     }
     while from < q {
         let to = (2.0 * from + d).min(q);
-        sum += panel(from, to, d, 1.0, &|r| (p, mean(&|t| jump + b * ((r - p * t) / q) - a * t)));
+        sum.add(panel(from, to, d, 1.0, &|r| (p, mean(&|t| jump + b * ((r - p * t) / q) - a * t))));
         from = to;
     }
     // r = p + q − s: the corner of the far ends
-    sum + panel(0.0, p, d + q + p, -1.0, &|s| {
+    sum.add(panel(0.0, p, d + q + p, -1.0, &|s| {
         (s, mean(&|t| jump + b * (1.0 - s * (1.0 - t) / q) - a * (1.0 - s * t / p)))
-    })
+    }));
+    sum.value()
 }

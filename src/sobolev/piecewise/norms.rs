@@ -22,7 +22,7 @@ use crate::sobolev::gram::GramOperator;
 use crate::sobolev::gram::dense::{FarRow, constants_on, neighbours_linear};
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::order::FractionalOrder;
-use crate::sobolev::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled_root};
+use crate::sobolev::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use rayon::prelude::*;
 
 /// Elements up to which all pairs are summed directly.
@@ -102,11 +102,35 @@ impl PiecewisePolynomial {
         power_of_two(self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max))
     }
 
-    /// |u|_ν with whatever error it has; computed for u over a power of two.
+    /// A power of two near the largest difference of two values: squares of differences of a few ulps must not
+    /// underflow.
+    fn spread(&self) -> f64 {
+        let (mut low, mut high, mut bubbles) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
+        for piece in self.pieces() {
+            low = low.min(piece.left).min(piece.right);
+            high = high.max(piece.left).max(piece.right);
+            bubbles = bubbles.max(piece.bubbles.iter().map(|c| c.abs()).fold(0.0, f64::max));
+        }
+        let spread = (0.5 * high - 0.5 * low).max(bubbles);
+        if spread == 0.0 { self.scale() } else { power_of_two(spread) }
+    }
+
+    /// |u|_ν with whatever error it has; computed for u over a power of two, lengths in units of one, where
+    /// |u|_ν ~ L^{1/2−ν}.
     fn seminorm_as_it_is(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         self.require_finite_seminorm(order)?;
-        let scale = self.scale();
-        scaled_root(scale, self.scaled_by(1.0 / scale).seminorm_squared_of_moderate(order, tolerance)?)
+        let scale = self.spread();
+        let (unit, partition) = self.partition().of_moderate_lengths()?;
+        let moderate = self.scaled_by(1.0 / scale).on(partition);
+        let root = moderate.seminorm_squared_of_moderate(order, tolerance)?.sqrt()?;
+        // ν − 1/2 is rounded for small ν, and the logarithm of the unit may be 700.
+        let length = if order.value() < 0.25 {
+            unit.sqrt() * unit.powf(-order.value())
+        } else {
+            unit.powf(-order.offset())
+        };
+        let rounding = if unit == 1.0 { 0.0 } else { 4.0 * f64::EPSILON * root.value };
+        scaled(scale, scaled(length, Estimate::new(root.value, root.error + rounding, root.work)?)?)
     }
 
     fn require_finite_seminorm(&self, order: FractionalOrder) -> Result<()> {

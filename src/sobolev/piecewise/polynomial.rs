@@ -203,6 +203,10 @@ impl PiecewisePolynomial {
         Self { partition: self.partition.clone(), pieces: self.pieces.iter().map(scaled).collect() }
     }
 
+    pub(crate) fn on(self, partition: Partition) -> Self {
+        Self { partition, ..self }
+    }
+
     pub(crate) fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
