@@ -129,7 +129,10 @@ impl PiecewisePolynomial {
         } else {
             unit.powf(-order.offset())
         };
-        let rounding = if unit == 1.0 { 0.0 } else { 4.0 * f64::EPSILON * root.value };
+        // Exponents like 3 − 2ν are rounded, and they multiply logarithms of such lengths.
+        let logarithm =
+            self.partition().lengths().iter().fold(0.0, |most: f64, length| most.max(length.ln().abs()));
+        let rounding = if unit == 1.0 { 0.0 } else { (4.0 + 0.15 * logarithm) * f64::EPSILON * root.value };
         scaled(scale, scaled(length, Estimate::new(root.value, root.error + rounding, root.work)?)?)
     }
 
