@@ -1,4 +1,4 @@
-//! The trace theorem of Section 1 with its constant: |w|_{s-1/2, edge} <= C(s) |w|_{s, square}.
+//! The trace theorem of Section 1 with its constant: |w|_{s-1/2, edge} <= C(s) |w|_s on the half-plane.
 //!
 //! `cargo run --release --example section_1_trace_constants -- --s 0.51,0.999`
 
