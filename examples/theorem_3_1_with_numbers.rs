@@ -4,7 +4,9 @@
 //! `cargo run --release --example theorem_3_1_with_numbers -- --tau 1.55,1.8 --finest 8`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+pub use example_frame::shown::numbers::numbered_findings as findings;
+use example_frame::shown::numbers::numbered_table;
+use example_frame::{Headline, Result, progress};
 use signorini::Error;
 use signorini::cone::Cone;
 use signorini::proof::{NumberedRow, NumberedStudy, TheoremNumbers};
@@ -26,11 +28,8 @@ example_frame::options! {
     }
 }
 
-/// Quadrature of the error.
-const QUADRATURE: f64 = 1e-3;
-/// From this tau on the bound should not be farther from the error than this.
-const SHARP_FROM: f64 = 1.75;
-const SHARP: f64 = 10.0;
+/// What C(s) belongs to.
+const CONSTANT: &str = "interpolation, right isosceles triangles with legs h";
 
 /// Both cones for every tau.
 pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
@@ -48,80 +47,18 @@ pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
     Ok(studies)
 }
 
-/// What decides: bound over error on every mesh, and the two terms apart.
-pub fn findings(studies: &[NumberedStudy]) -> Vec<Finding> {
-    let quotients = |is_meant: fn(&NumberedStudy) -> bool, of: fn(&NumberedRow) -> f64| {
-        let rows = studies.iter().filter(move |study| is_meant(study)).flat_map(|study| &study.rows);
-        rows.map(of).collect::<Vec<_>>()
-    };
-    let decide = |finding: Finding, found: Vec<f64>, better: fn(f64, f64) -> f64| {
-        let number = found.into_iter().reduce(better).map(|number| (number, QUADRATURE * number));
-        finding.number_or(number, "no mesh")
-    };
-    let whole = |row: &NumberedRow| row.bound / row.error;
-    let near = |row: &NumberedRow| row.near / row.error;
-    let is_sharp = |study: &NumberedStudy| study.numbers.tau >= SHARP_FROM;
-    let above = Finding::claim("above", "the bound is at least {value} times the error, on every mesh");
-    let local = Finding::claim(
-        "near",
-        "with the interpolation error itself and the segment's norms, {value} times or more",
-    );
-    let sharp = Finding::claim("effectivity", "from tau = 1.75 on it is at most {value} times the error");
-    let all = Finding::remark("all", "for every tau it is at most {value} times the error");
-    vec![
-        decide(above, quotients(|_| true, whole), f64::min).at_least(1.0, "the error itself").told(),
-        decide(local, quotients(|_| true, near), f64::min).at_least(1.0, "the error itself"),
-        decide(sharp, quotients(is_sharp, whole), f64::max).at_most(SHARP, "effectivity 10").told(),
-        decide(all, quotients(|_| true, whole), f64::max).at_most(SHARP, "effectivity 10"),
-    ]
-}
-
 /// Solves, decides and shows.
 pub fn run(options: &Options) -> Result<Headline> {
     let studies = compute(options)?;
     let claim = "|u - u_h| <= C h^(tau-1), 3/2 < tau <= 2, any contact set, every constant a number";
-    let mut headline =
-        Headline::new("Theorems 3.1, 4.1, numbers", claim, table(&studies), findings(&studies));
+    let mut headline = Headline::new(
+        "Theorems 3.1, 4.1, numbers",
+        claim,
+        numbered_table(&studies, CONSTANT, ""),
+        findings(&studies),
+    );
     headline.draw(&options.output, "theorem_3_1_with_numbers", || Ok(draw(&studies)))?;
     Ok(headline)
-}
-
-fn table(studies: &[NumberedStudy]) -> Table {
-    let (number, two) = (Format::Scientific(3), Format::Fixed(2));
-    let columns = vec![
-        Column::new("tau", "tau", Format::Plain, ""),
-        Column::words("cone", "cone", 8),
-        Column::new(
-            "constant",
-            "C(s)",
-            Format::Fixed(5),
-            "interpolation, right isosceles triangles with legs h",
-        ),
-        Column::new("segment", "K(nu)", Format::Fixed(5), "one segment"),
-        Column::new("norm", "|u|_tau", Format::Fixed(4), "seminorm on a half disc that holds the square"),
-        Column::new("n", "1/h", Format::Plain, "squares along each side"),
-        Column::new("error", "error", number, "|u - u_h|"),
-        Column::new("interpolation", "interp", number, "|u - I^h u|"),
-        Column::new("bound", "bound", number, "from the norms of the body and the edge"),
-        Column::new("effectivity", "bound/err", two, "effectivity"),
-        Column::new(
-            "near",
-            "near/err",
-            two,
-            "from |u - I^h u| and the norms of the segment of the transition",
-        ),
-    ];
-    Table::new(columns).with_rows(studies.iter().flat_map(|study| {
-        let numbers = study.numbers;
-        study.rows.iter().map(move |row| {
-            let cone: Cell = study.cone.to_string().into();
-            let known = [numbers.interpolation, numbers.segment, study.norm].map(Cell::from);
-            let errors =
-                [row.error, row.interpolation, row.bound, row.bound / row.error, row.near / row.error];
-            let head = [numbers.tau.into(), cone];
-            [head.as_slice(), &known, &[row.n.into()], &errors.map(Cell::from)].concat()
-        })
-    }))
 }
 
 fn draw(studies: &[NumberedStudy]) -> Chart {

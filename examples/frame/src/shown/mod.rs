@@ -2,3 +2,4 @@
 
 pub mod alternatives;
 pub mod ladder;
+pub mod numbers;
