@@ -30,9 +30,8 @@ example_frame::options! {
 /// One road at one step: the tolerance asked, or the triangles of an interpolant; seconds and true error.
 pub struct Row(pub &'static str, f64, f64, pub f64);
 
-/// Roads; by what a form on the uniform grid is off, seconds to set it up and for a product, bytes for a
-/// node; triangles and seconds of the bent grid, by what it is off and its estimate.
-pub struct Computed(pub Vec<Row>, pub [f64; 4], pub [f64; 4]);
+/// Roads; by what a form on the uniform grid is off, seconds for a product, bytes for a node; seconds of the bent grid, by what it is off and its estimate; a + 1 − s.
+pub struct Computed(pub Vec<Row>, pub [f64; 3], pub [f64; 3], pub f64);
 
 /// Roads in the order of the figure.
 const ROADS: [&str; 4] = ["x, faces", "x, closure", "corner, closure", "corner, interpolants"];
@@ -85,27 +84,28 @@ fn roads(s: FractionalOrder) -> Result<Vec<Row>> {
 pub fn compute(options: &Options) -> Result<Computed> {
     let (exact, n) = (coordinate_on_unit_square(options.s)?.value, options.squares as usize);
     let large = Tolerance::new(LARGE)?;
-    let (set_up, operator) = timed(|| GridOperator::new([n; 2], 1.0 / n as f64, options.s, large))?;
+    let operator = GridOperator::new([n; 2], 1.0 / n as f64, options.s, large)?;
     let x: Vec<f64> = (0..operator.size()).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
     let (product, image) = timed(|| operator.apply(&x))?;
     let form: f64 = x.iter().zip(&image).map(|(x, image)| x * image).sum();
-    let grid = [(form / exact - 1.0).abs(), set_up, product, operator.bytes() as f64 / x.len() as f64];
+    let grid = [(form / exact - 1.0).abs(), product, operator.bytes() as f64 / x.len() as f64];
     let n = (0.5 * f64::from(options.triangles)).sqrt().ceil();
     let bent = |[x, y]: [f64; 2]| [x + x * (1.0 - x) * (y - 0.4), y - y * (1.0 - y) * (x - 0.3)];
     let mesh = Triangles::grid([n as usize; 2], 1.0 / n)?.mapped(bent)?;
     let w = PlaneFunction::linears(mesh.clone(), mesh.nodes().iter().map(|p| p[0]).collect())?;
     let (seconds, found) = timed(|| w.seminorm(options.s, large))?;
-    let bent = [2.0 * n * n, seconds, (found.value / exact.sqrt() - 1.0).abs(), found.relative_error()];
-    Ok(Computed(roads(options.s)?, grid, bent))
+    let bent = [seconds, (found.value / exact.sqrt() - 1.0).abs(), found.relative_error()];
+    Ok(Computed(roads(options.s)?, grid, bent, POWER + 1.0 - options.s.value()))
 }
 
-/// What decides: errors against tolerances and estimates; seconds and bytes are remarks.
-pub fn findings(Computed(rows, grid, bent): &Computed) -> Vec<Finding> {
-    let ([form, set_up, product, bytes], [_, seconds, off, estimate]) = (grid, bent);
+/// What decides: errors against tolerances and estimates, an order; seconds and bytes are remarks.
+pub fn findings(Computed(rows, grid, bent, order): &Computed) -> Vec<Finding> {
+    let ([form, product, bytes], [seconds, off, estimate]) = (grid, bent);
     let (meshes, asked): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.1 > 1.0);
     let share = asked.iter().map(|row| row.3 / row.1).fold(0.0, f64::max);
-    let best = meshes.iter().map(|row| row.3).fold(f64::INFINITY, f64::min);
+    let orders = [1, 2].map(|k| (meshes[k].3 / meshes[k + 1].3).log2());
     let closure = asked.iter().filter(|row| row.0 == ROADS[2]).map(|row| row.3).fold(0.0, f64::max);
+    let (least, change) = (meshes[CELLS.len() - 1].3, (orders[1] - orders[0]).abs());
     let claim = |key, words: &str, value: f64, error: f64| Finding::claim(key, words).number(value, error);
     let remark = |key, words: &str, value: f64| Finding::remark(key, words).number(value, 0.0);
     vec![
@@ -116,16 +116,14 @@ pub fn findings(Computed(rows, grid, bent): &Computed) -> Vec<Finding> {
             .at_most(1.0, "the estimate"),
         claim("product", "the form of the uniform grid is off by {value}", *form, 1e-13)
             .at_most(10.0 * LARGE, "ten times the tolerance of its entries"),
-        remark(
-            "interpolants",
-            "at any tolerance closures leave {value} of the least error of interpolants",
-            closure / best,
-        )
-        .at_most(1e-2, "a hundredth"),
+        claim("rate", "interpolants near the seminorm with the order {value}", orders[1], change)
+            .at_least(*order, "a + 1 - s, the order of their own distance"),
+        remark("interpolants", "closures leave {value} of their least error", closure / least)
+            .at_most(1e-2, "a hundredth"),
         remark("memory", "the product on the uniform grid holds {value} bytes for a node", *bytes)
             .at_most(1600.0, "200 numbers for a node"),
-        remark("seconds.product", "setting it up takes the time of {value} products", set_up / product)
-            .at_least(1.0, "one product"),
+        remark("seconds.product", "a product on the uniform grid takes {value} s", *product)
+            .at_most(1.0, "one second"),
         remark("seconds.sum", "the sum over many triangles takes {value} s", *seconds)
             .at_most(10.0, "ten seconds"),
     ]

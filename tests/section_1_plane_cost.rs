@@ -14,14 +14,15 @@ fn wrong_norms_are_seen() {
         let found = example::findings(computed);
         found.iter().find(|finding| finding.key() == key).unwrap().outcome()
     };
-    for key in ["met", "large", "product", "interpolants", "memory"] {
+    for key in ["met", "large", "product", "rate", "interpolants", "memory"] {
         assert_eq!(outcome(&computed, key), Outcome::Holds, "{key}");
     }
     computed.0[2].3 = 0.1;
     computed.1[0] = 1e-6;
-    computed.1[3] = 1e5;
-    computed.2[2] = 1e-6;
-    for key in ["met", "large", "product", "memory"] {
+    computed.1[2] = 1e5;
+    computed.2[1] = 1e-6;
+    computed.0.last_mut().unwrap().3 *= 2.5;
+    for key in ["met", "large", "product", "rate", "memory"] {
         assert_eq!(outcome(&computed, key), Outcome::Refuted, "{key}");
     }
 }
