@@ -58,6 +58,7 @@ chapters! {
     contact_costs_nothing: "contact_costs_nothing.md",
     section_1_norms_in_the_plane: "section_1_norms_in_the_plane.md",
     section_1_closures_in_the_plane: "section_1_closures_in_the_plane.md",
+    section_1_plane_cost: "section_1_plane_cost.md",
     section_1_trace_constants: "section_1_trace_constants.md",
     section_2_singular_exponents: "section_2_singular_exponents.md",
     section_1_clamped_end: "section_1_clamped_end.md",

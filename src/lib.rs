@@ -11,6 +11,7 @@
 //! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
 //! | Section 1, the plane: norms of fractional order on triangulations | [`sobolev::PlaneFunction`], [`sobolev::Triangles`], [`sobolev::GridOperator`], [`sobolev::SectorPower`] |
 //! | Section 1, corners: norms of fractional order of corner singularities | [`sobolev::SingularPlaneFunction`], [`sobolev::PlanePosition`], [`sobolev::SectorPower`] |
+//! | Section 1, cost: what norms in the plane cost | [`sobolev::SingularPlaneFunction`], [`sobolev::PlaneFunction`], [`sobolev::GridOperator`] |
 //! | Section 1, traces: the trace theorem with its constant | [`sobolev::half_plane_trace`], [`sobolev::extension_profile`], [`sobolev::WedgeTrace`], [`sobolev::SquareTrace`] |
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
 //! | Section 1, clamped end: contact at a clamped end | [`convergence::EndRun`], [`contact::solve_by_barrier`], [`scenes::ClampedEnd`], [`singular::ContactZone`], [`mesh::polar_rings`] |

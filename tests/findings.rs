@@ -124,6 +124,7 @@ examples! {
     section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_1_norms_in_the_plane: "../examples/section_1_norms_in_the_plane.rs",
+    section_1_plane_cost: "../examples/section_1_plane_cost.rs",
     section_1_trace_constants: "../examples/section_1_trace_constants.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_multigrid: "../examples/section_2_multigrid.rs",
