@@ -58,6 +58,10 @@ impl ContactProblem {
         accuracy: Accuracy,
         observe: &mut Observer<'_>,
     ) -> Result<MultigridSolution> {
+        self.require_cone(cone)?;
+        if self.edge().pieces().len() > 1 {
+            return self.directly(cone, Fallback::SeveralEdges);
+        }
         if cone == Cone::Midpoint && self.edge().is_closed() {
             return self.directly(cone, Fallback::ClosedEdge);
         }
