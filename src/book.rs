@@ -15,6 +15,7 @@ chapters! {
     notation: "notation.md",
     section_2_elastic_contact: "section_2_elastic_contact.md",
     section_2_scalar_contact: "section_2_scalar_contact.md",
+    your_own_body: "your_own_body.md",
     remark_1: "remark_1.md",
     section_4_midpoint_cone: "section_4_midpoint_cone.md",
     section_1_norms: "section_1_norms.md",

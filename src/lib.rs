@@ -16,6 +16,7 @@
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
 //! | Section 1, clamped end: contact at a clamped end | [`convergence::EndRun`], [`contact::solve_by_barrier`], [`scenes::ClampedEnd`], [`singular::ContactZone`], [`mesh::polar_rings`] |
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
+//! | Section 2, your own body: a mesh of Gmsh, a load in x and y | [`mesh::read_msh`], [`mesh::ContactEdge`], [`scenes::OwnBody`] |
 //! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`], [`convergence::CornerReading`] |
 //! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |
 //! | Remark 1, as printed: a reaction term, contact on the whole boundary | [`scenes::MeshTransition`], [`convergence::TransitionRates`] |

@@ -128,6 +128,7 @@ examples! {
     section_1_trace_constants: "../examples/section_1_trace_constants.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_multigrid: "../examples/section_2_multigrid.rs",
+    section_2_own_body: "../examples/section_2_own_body.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
     section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",

@@ -21,6 +21,7 @@ mod command;
 pub mod contact;
 mod describe;
 mod error;
+mod expression;
 pub mod figures;
 mod files;
 mod outcome;
@@ -34,6 +35,7 @@ pub mod shown;
 pub use command::{HasOutput, Output, announce_memory, main, progress};
 pub use describe::Cost;
 pub use error::{Error, Result};
+pub use expression::Expression;
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command
