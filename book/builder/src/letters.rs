@@ -1,8 +1,8 @@
-//! The letters of a page: which symbols of the notation page its formulas use, so that a line behind the opening
-//! picture can lead to what each means.
+//! The letters of a page: which symbols of the notation page its formulas use, so that a line behind the
+//! opening picture can lead to what each means.
 //!
-//! The notation page is read as it stands: a table in each section, whose rows begin with symbols and end with
-//! the pages that are the first to use them; the last, of several meanings, with those that mean another.
+//! The notation page is read as it stands: a table in each section, its rows begin with symbols and end with
+//! the pages that first use them; the last, of several meanings, with those that mean another.
 
 use crate::error::Fault;
 use crate::page::Page;
