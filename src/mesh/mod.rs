@@ -9,6 +9,7 @@ mod geometry;
 mod grid;
 mod hierarchy;
 mod msh;
+mod msh_lines;
 mod rings;
 mod structured;
 mod triangulation;

@@ -2,108 +2,76 @@
 //!
 //! Two-node lines of curves in a physical group become boundary edges, three-node triangles the mesh,
 //! physical surfaces its regions. A curve's group must be called `dirichlet`, `neumann` or `contact` (in any
-//! case). Nodes in no triangle (points of the geometry) are left out. z is ignored. What was read passes the
-//! checks of [`Triangulation::new`]. Cost: O(length of the file); nothing is reserved on the word of a count
-//! in the file.
+//! case); of several groups the first counts. Nodes in no triangle (points of the geometry) are left out. z is
+//! ignored. What was read passes the checks of [`Triangulation::new`], and what does not is named by its line.
+//! Cost: O(length of the file); nothing is reserved on the word of a count in the file.
 
 use super::geometry::{BoundaryEdge, Part, Point};
+use super::msh_lines::{Lines, at, fault};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
-use std::collections::{BTreeMap, HashMap};
+use crate::numeric::text::{quoted, read_text};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
-use std::str::FromStr;
 
 /// Reads a `.msh` file.
 ///
 /// # Errors
 /// [`Error::File`] when it cannot be read, and those of [`parse_msh`].
 pub fn read_msh(path: &Path) -> Result<Triangulation> {
-    parse_msh(&std::fs::read_to_string(path).map_err(|e| Error::file(path, e))?)
+    parse_msh(&read_text(path)?)
 }
 
 /// Reads the text of a `.msh` file.
 ///
 /// # Errors
-/// [`Error::Syntax`] with the line, [`Error::UnknownName`] for a group that is no boundary part, and the
+/// [`Error::Syntax`] with the line where the text does not follow the format; [`Error::AtLine`] with the line
+/// that gives what is no triangulation: [`Error::UnknownName`] for a group that is no boundary part, and the
 /// errors of [`Triangulation::new`].
 pub fn parse_msh(text: &str) -> Result<Triangulation> {
     let mut raw = Raw::default();
-    let mut lines = Lines { numbered: text.lines().enumerate(), line: 0 };
-    let mut versioned = false;
-    while let Some(header) = lines.next_header() {
-        match header {
-            "$MeshFormat" => {
-                raw.read_format(&mut lines)?;
-                versioned = true;
-            }
-            "$PhysicalNames" => raw.read_names(&mut lines)?,
-            "$Entities" => raw.read_entities(&mut lines)?,
-            "$Nodes" => raw.read_nodes(&mut lines)?,
-            "$Elements" => raw.read_elements(&mut lines)?,
+    let mut lines = Lines::new(text);
+    let mut known = BTreeSet::new();
+    while let Some(header) = lines.next_header()? {
+        let read = match header {
+            "$MeshFormat" => Raw::read_format,
+            "$PhysicalNames" => Raw::read_names,
+            "$Entities" => Raw::read_entities,
+            "$Nodes" => Raw::read_nodes,
+            "$Elements" => Raw::read_elements,
             _ => {
-                lines.skip_section(header);
+                lines.skip_section(header)?;
                 continue;
             }
+        };
+        if known.is_empty() && header != "$MeshFormat" {
+            return Err(lines.fault("no $MeshFormat section before this one"));
         }
+        if !known.insert(header) {
+            return Err(lines.fault(&format!("a second section {header}")));
+        }
+        read(&mut raw, &mut lines)?;
         lines.expect_end(header)?;
     }
-    if !versioned {
+    if known.is_empty() {
         return Err(lines.fault("no $MeshFormat section"));
     }
-    raw.triangulation()
+    raw.triangulation(lines.number())
 }
 
-/// Lines with their numbers; blank ones are passed over.
-struct Lines<'a> {
-    numbered: std::iter::Enumerate<std::str::Lines<'a>>,
+/// A line or a triangle as the file has it.
+struct Element<const N: usize> {
+    /// Where in the file.
     line: usize,
+    /// Tag of its curve or surface.
+    entity: i64,
+    /// Tags of its nodes.
+    nodes: [u64; N],
 }
 
-impl<'a> Lines<'a> {
-    fn next_header(&mut self) -> Option<&'a str> {
-        self.next_line().ok()
-    }
-
-    fn next_line(&mut self) -> Result<&'a str> {
-        for (index, line) in self.numbered.by_ref() {
-            self.line = index + 1;
-            if !line.trim().is_empty() {
-                return Ok(line.trim());
-            }
-        }
-        Err(self.fault("the file ends early"))
-    }
-
-    /// The numbers of the next line.
-    fn numbers<T: FromStr>(&mut self) -> Result<Vec<T>> {
-        let line = self.next_line()?;
-        line.split_whitespace()
-            .map(|word| {
-                word.parse().map_err(|_| self.fault(&format!("'{word}' is not a number of the right kind")))
-            })
-            .collect()
-    }
-
-    /// The first `N` numbers of the next line.
-    fn first<T: FromStr + Copy, const N: usize>(&mut self) -> Result<[T; N]> {
-        let numbers = self.numbers()?;
-        let first = numbers.first_chunk().copied();
-        first.ok_or_else(|| self.fault(&format!("{} numbers, expected {N}", numbers.len())))
-    }
-
-    fn skip_section(&mut self, header: &str) {
-        let end = header.replacen('$', "$End", 1);
-        while self.next_line().is_ok_and(|line| line != end) {}
-    }
-
-    fn expect_end(&mut self, header: &str) -> Result<()> {
-        let end = header.replacen('$', "$End", 1);
-        let line = self.next_line()?;
-        if line == end { Ok(()) } else { Err(self.fault(&format!("expected {end}, found '{line}'"))) }
-    }
-
-    fn fault(&self, reason: &str) -> Error {
-        Error::Syntax { format: "msh", line: self.line, reason: reason.to_owned() }
+impl<const N: usize> Element<N> {
+    fn has(&self, tags: [u64; 2]) -> bool {
+        tags.iter().all(|tag| self.nodes.contains(tag))
     }
 }
 
@@ -113,11 +81,10 @@ struct Raw {
     names: HashMap<(i32, i64), String>,
     /// Physical group of an entity (dimension, tag).
     groups: HashMap<(i32, i64), i64>,
-    nodes: HashMap<u64, Point>,
-    /// Curve and node tags.
-    lines: Vec<(i64, [u64; 2])>,
-    /// Surface and node tags.
-    triangles: Vec<(i64, [u64; 3])>,
+    /// Line and place of a node tag.
+    nodes: HashMap<u64, (usize, Point)>,
+    lines: Vec<Element<2>>,
+    triangles: Vec<Element<3>>,
 }
 
 impl Raw {
@@ -127,14 +94,14 @@ impl Raw {
         match (words.next(), words.next()) {
             (Some("4.1"), Some("0")) => Ok(()),
             (version, _) => {
-                let found = version.unwrap_or("nothing");
+                let found = quoted(version.unwrap_or(""));
                 Err(lines.fault(&format!("expected format 4.1 in ASCII, found version {found} or binary")))
             }
         }
     }
 
     fn read_names(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let [count] = lines.first::<u64, 1>()?;
+        let [count] = lines.exactly::<u64, 1>()?;
         for _ in 0..count {
             let line = lines.next_line()?;
             let fault = || lines.fault("expected: dimension tag \"name\"");
@@ -150,7 +117,7 @@ impl Raw {
     }
 
     fn read_entities(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let counts: [u64; 4] = lines.first()?;
+        let counts: [u64; 4] = lines.exactly()?;
         for (dimension, count) in (0..4).zip(counts) {
             // Tag, then a point or a bounding box, then the number of groups.
             let at = if dimension == 0 { 4 } else { 7 };
@@ -167,19 +134,23 @@ impl Raw {
     }
 
     fn read_nodes(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let [blocks, total] = lines.first::<u64, 2>()?;
+        let [blocks, total, _, _] = lines.exactly::<u64, 4>()?;
         for _ in 0..blocks {
-            let [_, _, parametric, count] = lines.first::<i64, 4>()?;
+            let [_, _, parametric, count] = lines.exactly::<i64, 4>()?;
             if parametric != 0 {
                 return Err(lines.fault("parametric nodes are not supported"));
             }
+            let count = lines.count(count)?;
             let mut tags = Vec::new();
             for _ in 0..count {
-                tags.push(lines.first::<u64, 1>()?[0]);
+                tags.push(lines.exactly::<u64, 1>()?[0]);
             }
             for tag in tags {
-                let [x, y, _] = lines.first::<f64, 3>()?;
-                if self.nodes.insert(tag, [x, y]).is_some() {
+                let [x, y, z] = lines.exactly::<f64, 3>()?;
+                if !(x.is_finite() && y.is_finite() && z.is_finite()) {
+                    return Err(lines.fault("a coordinate is not finite"));
+                }
+                if self.nodes.insert(tag, (lines.number(), [x, y])).is_some() {
                     return Err(lines.fault(&format!("node {tag} appears twice")));
                 }
             }
@@ -191,23 +162,17 @@ impl Raw {
     }
 
     fn read_elements(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let [blocks, total] = lines.first::<u64, 2>()?;
+        let [blocks, total, _, _] = lines.exactly::<u64, 4>()?;
         let mut seen = 0;
         for _ in 0..blocks {
-            let [_, entity, kind, count] = lines.first::<i64, 4>()?;
-            for _ in 0..count {
+            let [_, entity, kind, count] = lines.exactly::<i64, 4>()?;
+            for _ in 0..lines.count(count)? {
                 seen += 1;
                 match kind {
-                    1 => {
-                        let [_, a, b] = lines.first()?;
-                        self.lines.push((entity, [a, b]));
-                    }
-                    2 => {
-                        let [_, a, b, c] = lines.first()?;
-                        self.triangles.push((entity, [a, b, c]));
-                    }
+                    1 => self.lines.push(element(lines, entity)?),
+                    2 => self.triangles.push(element(lines, entity)?),
                     15 => {
-                        lines.next_line()?;
+                        lines.exactly::<u64, 2>()?;
                     }
                     other => {
                         return Err(lines.fault(&format!(
@@ -223,35 +188,47 @@ impl Raw {
         Ok(())
     }
 
-    fn triangulation(&self) -> Result<Triangulation> {
-        let mut number: BTreeMap<u64, usize> =
-            self.triangles.iter().flat_map(|(_, tags)| tags).map(|&tag| (tag, 0)).collect();
-        let mut nodes = Vec::with_capacity(number.len());
-        for (tag, place) in &mut number {
-            let unknown =
-                || Error::Node { node: *tag as usize, reason: "is used by a triangle and not in the file" };
-            *place = nodes.len();
-            nodes.push(*self.nodes.get(tag).ok_or_else(unknown)?);
+    /// The triangulation; `end` is the last line of the file.
+    fn triangulation(&self, end: usize) -> Result<Triangulation> {
+        let tags: BTreeSet<u64> = self.triangles.iter().flat_map(|triangle| triangle.nodes).collect();
+        let number: BTreeMap<u64, usize> =
+            tags.iter().enumerate().map(|(place, &tag)| (tag, place)).collect();
+        let tags: Vec<u64> = tags.into_iter().collect();
+        let mut triangles = Vec::with_capacity(self.triangles.len());
+        for Element { line, nodes, .. } in &self.triangles {
+            if let Some(tag) = nodes.iter().find(|tag| !self.nodes.contains_key(tag)) {
+                return Err(fault(*line, &format!("node {tag} is not in the file")));
+            }
+            triangles.push(nodes.map(|tag| number[&tag]));
         }
-        // Every tag of a triangle is in the map.
-        let place = |tag: u64| number.get(&tag).copied();
-        let triangles: Vec<[usize; 3]> =
-            self.triangles.iter().map(|(_, tags)| tags.map(|tag| place(tag).unwrap_or(usize::MAX))).collect();
         let mut boundary = Vec::new();
-        for &(curve, [a, b]) in &self.lines {
-            let Some(part) = self.part(curve)? else { continue };
-            let (Some(from), Some(to)) = (place(a), place(b)) else {
-                let nodes = [a as usize, b as usize];
-                return Err(Error::Edge {
-                    nodes,
-                    reason: "(tags) carries a label and belongs to no triangle",
-                });
+        for &Element { line, entity, nodes: [a, b] } in &self.lines {
+            let part = self.part(entity).map_err(|cause| at(line, cause))?;
+            let Some(part) = part else { continue };
+            let (Some(&from), Some(&to)) = (number.get(&a), number.get(&b)) else {
+                return Err(fault(line, "an edge with a label belongs to no triangle"));
             };
             boundary.push(BoundaryEdge { nodes: [from, to], part });
         }
-        let mesh = Triangulation::new(nodes, triangles, boundary)?;
+        let nodes = tags.iter().map(|tag| self.nodes[tag].1).collect();
+        let mesh = Triangulation::new(nodes, triangles, boundary)
+            .map_err(|cause| at(self.line_of(&cause, &tags).unwrap_or(end), cause))?;
         let regions = self.regions();
         if regions.iter().all(|&region| region == 0) { Ok(mesh) } else { mesh.with_regions(regions) }
+    }
+
+    /// The line that gives the node, edge or triangle which is not usable; node k has the k-th tag.
+    fn line_of(&self, cause: &Error, tags: &[u64]) -> Option<usize> {
+        match *cause {
+            Error::Triangle { triangle, .. } => Some(self.triangles.get(triangle)?.line),
+            Error::Node { node, .. } => Some(self.nodes.get(tags.get(node)?)?.0),
+            Error::Edge { nodes: [a, b], .. } => {
+                let ends = [*tags.get(a)?, *tags.get(b)?];
+                let label = self.lines.iter().rfind(|edge| edge.has(ends)).map(|edge| edge.line);
+                label.or_else(|| self.triangles.iter().rfind(|t| t.has(ends)).map(|t| t.line))
+            }
+            _ => None,
+        }
     }
 
     /// The label of a curve; `None` when it is in no group.
@@ -266,7 +243,7 @@ impl Raw {
             "contact" => Ok(Some(Part::Contact)),
             _ => Err(Error::UnknownName {
                 what: "boundary part",
-                given: name,
+                given: name.chars().take(40).collect(),
                 expected: "dirichlet, neumann or contact",
             }),
         }
@@ -276,10 +253,15 @@ impl Raw {
     fn regions(&self) -> Vec<u32> {
         let group = |surface: i64| self.groups.get(&(2, surface)).copied();
         let mut groups: Vec<Option<i64>> =
-            self.triangles.iter().map(|&(surface, _)| group(surface)).collect();
+            self.triangles.iter().map(|triangle| group(triangle.entity)).collect();
         let all = groups.clone();
         groups.sort_unstable();
         groups.dedup();
         all.iter().map(|found| groups.partition_point(|other| other < found) as u32).collect()
     }
+}
+
+fn element<const N: usize>(lines: &mut Lines<'_>, entity: i64) -> Result<Element<N>> {
+    let (_, nodes) = lines.tagged()?;
+    Ok(Element { line: lines.number(), entity, nodes })
 }
