@@ -40,8 +40,15 @@ example_frame::options! {
         /// Factor on the load
         #[arg(long, default_value_t = 1.0)]
         pub load_scale: f64,
+        /// A body of one's own
+        #[command(flatten)]
+        pub own: contact::OwnOptions,
     }
     without_effect(options) {
+        "scene" if options.own.mesh.is_some() => "beside --mesh",
+        "n" if options.own.mesh.is_some() => "beside --mesh",
+        "material" if !options.own.is_own() => "without --mesh or --load",
+        "poisson" if !options.own.material.is_empty() => "beside --material",
         "poisson" if options.scene != Some(MeshScene::Incompressible) => "unless the scene is incompressible",
         "angle" if !matches!(options.scene, Some(Corner | Leaning | Raised | Taper)) =>
             "unless the scene is corner, leaning, raised or taper",
@@ -60,7 +67,7 @@ pub enum Problem {
 
 /// What is computed: every solution, coarsest mesh first, on each mesh one solver after the other.
 pub struct Computed {
-    study: SceneStudy,
+    subject: contact::Subject,
     /// All of them.
     pub runs: Vec<SceneRun>,
 }
@@ -79,19 +86,18 @@ pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
     let setting = Setting { angle, poisson, load_scale };
     let accuracy = tolerance.map(Accuracy::Relative);
     let study = SceneStudy { scene, setting, cone, solver, n, levels, accuracy };
-    Ok(Computed { study, runs: contact::watched(&study)? })
+    let subject = contact::Subject::new(study, &options.own)?;
+    Ok(Computed { runs: subject.solve()?, subject })
 }
 
 /// A scaled condition may be violated by the error asked for, or by a duality gap of 1e-13 over 1000 unknowns.
 const JUDGED: f64 = 1e-10;
 /// What a sum over all nodes, or a second solver, must confirm.
 const EIGHT_DIGITS: f64 = 1e-8;
-/// The packages agree among themselves to 12 digits or more.
-const PACKAGES: f64 = 1e-11;
 
 /// What decides: every solution meets the four conditions, forces add up, solvers and packages agree.
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
-    let Computed { study, runs } = computed;
+    let Computed { subject, runs } = computed;
     let judged: Option<Vec<Judgement>> = runs.iter().map(|run| run.judged().ok()).collect();
     let sum = contact::worst(runs.iter().map(|run| run.solution.balance));
     let force = runs.last().map(|run| run.solution.contact_force).map(|f| (f, sum * f.abs()));
@@ -118,18 +124,10 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
         let bound = "a duality gap of 1e-13 over 1000 unknowns, or the error asked for";
         found.push(condition.at_most(asked, bound).otherwise(fails));
     }
-    if runs.len() > study.levels {
+    if runs.len() > subject.levels() {
         found.extend(contact::solvers_agree(runs, EIGHT_DIGITS));
     }
-    if let Some((run, j)) = runs.last().and_then(|run| Some((run, study.known_energy(run.n)?))) {
-        let error = run.solution.energy_rounding + run.error.map_or(0.0, |e| e.error * e.error);
-        found.push(
-            Finding::claim("packages", "five other packages find the same J = {value}")
-                .number(run.solution.energy, error)
-                .within(PACKAGES * j.abs(), j, "tests/reference, signorini_square.json")
-                .told(),
-        );
-    }
+    found.extend(subject.packages_agree(runs));
     found
 }
 
@@ -141,13 +139,14 @@ pub fn run(options: &Options) -> Result<Headline> {
 /// Solves a scene of either problem; quoted and drawn is the solution on the finest mesh.
 pub fn show(problem: Problem, options: &Options) -> Result<Headline> {
     let computed = compute(problem, options)?;
-    let Computed { study: SceneStudy { cone, .. }, runs } = &computed;
+    let Computed { subject, runs } = &computed;
+    let cone = subject.cone();
     let kind = if problem == Problem::Elastic { "elastic" } else { "scalar" };
-    let section = if *cone == Cone::Nodal { "Section 2, (2.9)" } else { "Section 4, (4.1)" };
+    let section = if cone == Cone::Nodal { "Section 2, (2.9)" } else { "Section 4, (4.1)" };
     let claim = format!("the {kind} problem in the {cone} cone is solved: one minimum, every condition met");
     let (label, found) = (format!("{section}, {kind}"), findings(options, &computed));
-    let mut headline = Headline::new(label, claim, contact::table(runs), found);
-    contact::quote_and_draw(&mut headline, &computed.study, runs, &options.output)?;
+    let mut headline = Headline::new(label, claim, subject.table(runs), found);
+    subject.finish(&mut headline, runs, &options.own, &options.output)?;
     Ok(headline)
 }
 

@@ -77,6 +77,16 @@ pub enum Error {
         /// The value.
         value: f64,
     },
+    /// A function of the plane is NaN or infinite at a point where it is asked for.
+    #[error("{name} is not finite: {value} at ({:?}, {:?})", point[0], point[1])]
+    NotFiniteAt {
+        /// What the function is.
+        name: &'static str,
+        /// The point.
+        point: [f64; 2],
+        /// The value.
+        value: f64,
+    },
     /// Two arrays that must agree in length do not.
     #[error("{name} has length {given}, expected {expected}")]
     LengthMismatch {

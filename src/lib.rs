@@ -11,10 +11,12 @@
 //! | (1.1): norms of fractional order on a segment | [`sobolev::SingularFunction`], [`sobolev::PiecewisePolynomial`], [`sobolev::GramOperator`] |
 //! | Section 1, the plane: norms of fractional order on triangulations | [`sobolev::PlaneFunction`], [`sobolev::Triangles`], [`sobolev::GridOperator`], [`sobolev::SectorPower`] |
 //! | Section 1, corners: norms of fractional order of corner singularities | [`sobolev::SingularPlaneFunction`], [`sobolev::PlanePosition`], [`sobolev::SectorPower`] |
+//! | Section 1, cost: what norms in the plane cost | [`sobolev::SingularPlaneFunction`], [`sobolev::PlaneFunction`], [`sobolev::GridOperator`] |
 //! | Section 1, traces: the trace theorem with its constant | [`sobolev::half_plane_trace`], [`sobolev::extension_profile`], [`sobolev::WedgeTrace`], [`sobolev::SquareTrace`] |
 //! | (E1) to (E4), (N1), (N2): rates known before, and the new ones | [`convergence::Bound`] |
 //! | Section 1, clamped end: contact at a clamped end | [`convergence::EndRun`], [`contact::solve_by_barrier`], [`scenes::ClampedEnd`], [`singular::ContactZone`], [`mesh::polar_rings`] |
 //! | Figure 2.1, (2.1) to (2.7): body, conditions, weak form | [`contact::ContactProblem`], [`mesh`], [`fem`] |
+//! | Section 2, your own body: a mesh of Gmsh, a load in x and y | [`mesh::read_msh`], [`mesh::ContactEdge`], [`scenes::OwnBody`] |
 //! | where tau comes from: singular exponents of corners and transitions | [`singular::Wedge`], [`scenes::body_regularity`], [`convergence::CornerReading`] |
 //! | Remark 1: the scalar problem | [`fem::Form::Scalar`], [`scenes::MeshScene::MembraneReaction`] |
 //! | Remark 1, as printed: a reaction term, contact on the whole boundary | [`scenes::MeshTransition`], [`convergence::TransitionRates`] |

@@ -6,6 +6,8 @@
 //!
 //! `SIGNORINI_FUZZ=100000 cargo test --release --test attack_text -- --nocapture` tries as many per grammar.
 
+use example_frame::Expression;
+use example_frame::contact::Material;
 use peak_alloc::PeakAlloc;
 use signorini::interpolation::SampleSlope;
 use signorini::mesh::parse_msh;
@@ -41,8 +43,11 @@ const LONGEST: usize = 1 << 14;
 /// Kinds of answers whose texts are mutated further.
 const POOL: usize = 400;
 
-const GMSH: &str = include_str!("data/two_squares.msh");
-const GMSH_2: &str = include_str!("data/two_squares_2.2.msh");
+const GMSH: [&str; 3] = [
+    include_str!("data/two_squares.msh"),
+    include_str!("data/two_squares_2.2.msh"),
+    include_str!("../examples/data/l_shape.msh"),
+];
 const EDGE: &str = include_str!("data/edge.txt");
 
 /// Words that belong nowhere, or not there.
@@ -96,14 +101,16 @@ struct Grammar {
 /// All of them; a further one is a further line.
 fn grammars() -> Vec<Grammar> {
     let all = |texts: &[&str]| texts.iter().map(|&text| text.to_owned()).collect::<Vec<String>>();
-    let crlf = GMSH.replace('\n', "\r\n");
+    let crlf = GMSH[0].replace('\n', "\r\n");
     let scenes = MeshScene::all().iter().map(MeshScene::to_string).collect::<Vec<_>>();
     let strips = StripScene::all().iter().map(StripScene::to_string).collect::<Vec<_>>();
     let orders = ["0.25", "1/2", "1/2+1e-20", "1/2-0.25", "1e-300", "0.999"];
     let gallery = ["power:0.3", "step:0.4", "hat", "log:0.25", "samples:a/b.txt"];
+    let loads = ["0.15, 0.2 - 0.3*x", "-cos(pi*x)^2 - 0.5", "max(x, -1e-3*y) + atan2(y, x)^(1/3)"];
+    let materials = ["lambda=1, mu=1", "E=2.5, nu=0.25, plane=stress"];
     let slopes = ["power:0.3", "step:0.25", "cosine:3", "constant"];
     vec![
-        Grammar { name: "gmsh", seeds: all(&[GMSH, GMSH_2, &crlf]), read: mesh },
+        Grammar { name: "gmsh", seeds: [all(&GMSH), vec![crlf]].concat(), read: mesh },
         Grammar { name: "samples", seeds: all(&[EDGE, "0 0\n-1 0\n"]), read: samples },
         Grammar { name: "rows", seeds: all(&[EDGE]), read: rows },
         Grammar { name: "scene", seeds: [scenes, strips].concat(), read: scene },
@@ -114,12 +121,14 @@ fn grammars() -> Vec<Grammar> {
         Grammar { name: "slope", seeds: all(&slopes), read: word::<SampleSlope> },
         Grammar { name: "resolution", seeds: all(&["segment:8", "edge:12"]), read: word::<Resolution> },
         Grammar { name: "zone", seeds: all(&["end", "centre", "0.25"]), read: plain::<Place> },
+        Grammar { name: "load", seeds: all(&loads), read: load },
+        Grammar { name: "material", seeds: all(&materials), read: plain::<Material> },
         Grammar { name: "condition", seeds: all(&["mean-zero", "vanishing"]), read: plain::<Condition> },
     ]
 }
 
 /// What is read has a meaning; an error is one line.
-fn plain<T: FromStr<Err = Error> + Debug>(text: &str) -> Answer {
+fn plain<T: FromStr<Err: Display> + Debug>(text: &str) -> Answer {
     kind(text.parse::<T>().map(|found| format!("{found:?}")))
 }
 
@@ -142,6 +151,21 @@ fn order(text: &str) -> Answer {
     }
 }
 
+/// An expression that is read has a value or NaN everywhere; a refusal is one line.
+fn load(text: &str) -> Answer {
+    let read = Expression::parse_list(text);
+    for function in read.iter().flatten() {
+        let again = Expression::parse(&function.to_string()).map_err(|e| format!("{function}: {e}"))?;
+        for point in [[0.5, -0.25], [0.0, 0.0], [1e308, -1e-320]] {
+            let [one, other] = [function, &again].map(|function| function.at(point).to_bits());
+            if one != other {
+                return Err(format!("{function} is not {again} at {point:?}"));
+            }
+        }
+    }
+    kind(read.map(|list| format!("{} functions", list.len())))
+}
+
 /// A scene that is read has data on a coarse edge or a mesh, or an error says why not.
 fn scene(text: &str) -> Answer {
     let answer = word::<Scene>(text)?;
@@ -162,7 +186,7 @@ fn edge(data: Result<EdgeData, Error>) -> Answer {
 }
 
 /// The kind of an answer: what it says, without numbers and without what it quotes.
-fn kind(answer: Result<String, Error>) -> Answer {
+fn kind<E: Display>(answer: Result<String, E>) -> Answer {
     let said = answer.unwrap_or_else(|error| error.to_string());
     let plain = said.split('\'').step_by(2).flat_map(str::chars);
     Ok(plain.filter(char::is_ascii_alphabetic).take(60).collect())

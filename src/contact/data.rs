@@ -17,7 +17,7 @@ impl ContactProblem {
     ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`] when f has the wrong number of components,
-    /// [`crate::Error::NotFinite`].
+    /// [`crate::Error::NotFiniteAt`].
     pub fn add_volume_load(&mut self, density: &Field<'_>, rule: &Cubature) -> Result<()> {
         density.require(self.form.components())?;
         let load = volume_load(&self.mesh, density, rule)?;
@@ -79,7 +79,7 @@ impl ContactProblem {
     /// Sets the initial gap: u_N ≤ g, at the nodes of the contact edge.
     ///
     /// # Errors
-    /// [`crate::Error::NotFinite`].
+    /// [`crate::Error::NotFiniteAt`].
     pub fn set_gap(&mut self, gap: impl FnMut(Point) -> f64) -> Result<()> {
         let values: Vec<f64> = self.edge.points().iter().copied().map(gap).collect();
         require_values("gap", &values, self.gap.len())?;

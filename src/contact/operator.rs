@@ -1,7 +1,7 @@
 //! The stiffness matrix of a problem: constant stencils where the mesh is a grid with constant steps, and an
 //! assembled matrix where it is not, or where a factorization asks for one.
 
-use crate::fem::{BlockMatrix, Form, Frame, Stencils};
+use crate::fem::{BlockMatrix, Form, Frames, Stencils};
 use crate::mesh::Triangulation;
 use std::sync::OnceLock;
 
@@ -13,7 +13,8 @@ pub(super) struct Operator {
 }
 
 impl Operator {
-    pub(super) fn of(mesh: &Triangulation, form: &Form, frame: &Frame) -> Self {
-        Self { stencils: Stencils::of(mesh, form, frame), assembled: OnceLock::new() }
+    pub(super) fn of(mesh: &Triangulation, form: &Form, frames: &Frames) -> Self {
+        let stencils = frames.common().and_then(|frame| Stencils::of(mesh, form, frame));
+        Self { stencils, assembled: OnceLock::new() }
     }
 }

@@ -1,13 +1,13 @@
 //! The discrete Signorini problem (2.9) on a triangulation: form, load, prescribed values, contact edge, gap.
 //!
 //! Unknowns are node-major. Those of an elastic body are (u_T, u_N) internally, in the directions of its
-//! straight contact edge; everything that goes in or out is Cartesian. The scalar problem has u in the place
-//! of u_N.
+//! straight contact edge (of each of its straight contact edges on the nodes there); everything that goes in
+//! or out is Cartesian. The scalar problem has u in the place of u_N.
 
 use super::operator::Operator;
 use crate::cone::{Cone, EdgeCone, Ends};
 use crate::error::{Error, Result};
-use crate::fem::{Form, Frame, consistent_load};
+use crate::fem::{Form, Frame, Frames, consistent_load};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
 use crate::numeric::check::require_values;
 use crate::numeric::sum::careful_dot;
@@ -21,8 +21,7 @@ pub struct ContactProblem {
     pub(super) mesh: Triangulation,
     pub(super) form: Form,
     pub(super) edge: ContactEdge,
-    pub(super) normal: Option<Point>,
-    pub(super) frame: Frame,
+    pub(super) frames: Frames,
     pub(super) operator: Operator,
     /// Load on all unknowns of the frame.
     pub(super) load: Vec<f64>,
@@ -40,13 +39,15 @@ impl ContactProblem {
     /// number per node for a scalar form, two for elasticity), zero surface load, zero Dirichlet data and
     /// zero initial gap.
     ///
+    /// The contact edge may lie in several pieces without a common node, each with its own normal; then the
+    /// cone is the nodal one.
+    ///
     /// # Errors
-    /// Names what is missing or wrong: no contact edge, contact edge in pieces or (elastic) not straight,
-    /// nothing that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
+    /// Names what is missing or wrong: no contact edge, a piece of it that is (elastic) not straight, nothing that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
         let start = Instant::now();
         form.check()?;
-        let edge = ContactEdge::of(&mesh)?;
+        let edge = ContactEdge::in_pieces(&mesh)?;
         let c = form.components();
         let held = mesh.nodes_on(Part::Dirichlet);
         let reaction = matches!(form, Form::Scalar { reaction } if reaction > 0.0);
@@ -58,13 +59,8 @@ impl ContactProblem {
             });
         }
         require_values("volume load", volume, mesh.nodes().len() * c)?;
-        let (normal, frame) = if c == 2 {
-            let normal = edge.normal()?;
-            (Some(normal), Frame::turned(normal))
-        } else {
-            (None, Frame::cartesian())
-        };
-        let operator = Operator::of(&mesh, &form, &frame);
+        let frames = if c == 2 { frames_of(&edge)? } else { Frames::all(Frame::cartesian()) };
+        let operator = Operator::of(&mesh, &form, &frames);
         let mut problem = Self {
             prescribed: held.iter().flat_map(|&held| std::iter::repeat_n(held, c)).collect(),
             values: vec![0.0; mesh.nodes().len() * c],
@@ -74,8 +70,7 @@ impl ContactProblem {
             mesh,
             form,
             edge,
-            normal,
-            frame,
+            frames,
             operator,
         };
         problem.load = problem.to_frame(&consistent_load(&problem.mesh, c, volume));
@@ -101,9 +96,20 @@ impl ContactProblem {
     /// The contact edge as a partition of (0, length) into its segments.
     ///
     /// # Errors
-    /// As for [`Partition::from_lengths`].
+    /// As for [`Partition::from_lengths`]; [`Error::CountOutOfRange`] for an edge in several pieces.
     pub fn contact_partition(&self) -> Result<Partition> {
+        self.edge.require_one_piece()?;
         Partition::from_lengths(self.edge.segment_lengths())
+    }
+
+    /// # Errors
+    /// [`Error::Incompatible`] for the midpoint cone on a contact edge in several pieces.
+    pub(super) fn require_cone(&self, cone: Cone) -> Result<()> {
+        if cone == Cone::Nodal || self.edge.pieces().len() == 1 {
+            return Ok(());
+        }
+        let (given, with) = (cone.to_string(), "a contact edge in several pieces");
+        Err(Error::Incompatible { what: "cone", given, with, expected: "the nodal cone" })
     }
 
     /// The cone on the contact edge.
@@ -180,13 +186,25 @@ impl ContactProblem {
 
     fn turn(&self, values: &[f64], turn: fn(&Frame, Point) -> Point) -> Vec<f64> {
         let mut turned = values.to_vec();
-        if self.normal.is_some() {
-            turned.par_chunks_mut(2).for_each(|pair| {
-                let [a, b] = turn(&self.frame, [pair[0], pair[1]]);
+        if self.form.components() == 2 {
+            turned.par_chunks_mut(2).enumerate().for_each(|(node, pair)| {
+                let [a, b] = turn(self.frames.at(node), [pair[0], pair[1]]);
                 pair[0] = a;
                 pair[1] = b;
             });
         }
         turned
     }
+}
+
+/// The frame of one straight contact edge for all nodes, that of each of several on its own nodes.
+fn frames_of(edge: &ContactEdge) -> Result<Frames> {
+    let normals = edge.normals()?;
+    if let [normal] = normals[..] {
+        return Ok(Frames::all(Frame::turned(normal)));
+    }
+    let own = edge.pieces().into_iter().zip(normals).flat_map(|(piece, normal)| {
+        edge.nodes()[piece].iter().map(move |&node| (node, Frame::turned(normal)))
+    });
+    Ok(Frames::of_nodes(own.collect()))
 }

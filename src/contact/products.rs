@@ -2,7 +2,7 @@
 //! stencils do.
 
 use super::problem::ContactProblem;
-use crate::fem::{BlockMatrix, Stencils, stiffness};
+use crate::fem::{BlockMatrix, Stencils, stiffness_in};
 use std::time::Instant;
 
 impl ContactProblem {
@@ -15,7 +15,7 @@ impl ContactProblem {
     pub(super) fn matrix(&self) -> &BlockMatrix {
         let assemble = || {
             let start = Instant::now();
-            let matrix = stiffness(&self.mesh, &self.form, &self.frame);
+            let matrix = stiffness_in(&self.mesh, &self.form, &self.frames);
             (matrix, start.elapsed().as_secs_f64())
         };
         &self.operator.assembled.get_or_init(assemble).0

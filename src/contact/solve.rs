@@ -25,9 +25,10 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when some part of the body is not held. How the iteration ended is in
-    /// the status.
+    /// [`Error::NotPositiveDefinite`] when some part of the body is not held; [`Error::Incompatible`] for the
+    /// midpoint cone on a contact edge in several pieces. How the iteration ended is in the status.
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
+        self.require_cone(cone)?;
         match solver.for_unknowns(self.unknowns()) {
             Solver::ActiveSet => self.solve_from(cone, self.no_contact(cone)),
             Solver::Multigrid | Solver::Auto => {
@@ -41,8 +42,9 @@ impl ContactProblem {
     /// The same from the contact set of the next coarser mesh, every contact segment of which was halved.
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve_from`].
+    /// As for [`ContactProblem::solve_from`]; [`Error::CountOutOfRange`] on an edge in several pieces.
     pub fn solve_after(&self, coarse: &ContactSolution) -> Result<ContactSolution> {
+        self.edge.require_one_piece()?;
         self.solve_from(coarse.cone, self.edge_cone(coarse.cone).refined_set(&coarse.contact_set)?)
     }
 
@@ -50,11 +52,12 @@ impl ContactProblem {
     /// taken; the elimination is shared.
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve_from`].
+    /// As for [`ContactProblem::solve_after`].
     pub fn solve_after_beside_cold(
         &self,
         coarse: &ContactSolution,
     ) -> Result<(ContactSolution, Option<u64>)> {
+        self.edge.require_one_piece()?;
         let guess = self.edge_cone(coarse.cone).refined_set(&coarse.contact_set)?;
         condensed::solve(self, coarse.cone, guess, Some(self.no_contact(coarse.cone)))
     }
@@ -65,6 +68,7 @@ impl ContactProblem {
     /// # Errors
     /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] when the guess has the wrong length.
     pub fn solve_from(&self, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
+        self.require_cone(cone)?;
         condensed::solve(self, cone, guess, None).map(|(solution, _)| solution)
     }
 
@@ -76,6 +80,7 @@ impl ContactProblem {
     /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`Error::CountOutOfRange`] on a
     /// closed edge.
     pub fn solve_by_sizes(&self, sizes: &[f64]) -> Result<ContactSolution> {
+        self.edge.require_one_piece()?;
         if self.edge().is_closed() {
             let range = "2 for the barrier on the edge";
             return Err(Error::CountOutOfRange { name: "ends of the contact edge", value: 0, range });

@@ -6,49 +6,10 @@
 //! 400 operations each.
 
 use super::form::{Element, Form};
+use super::frame::{Frame, Frames};
 use super::matrix::BlockMatrix;
-use crate::mesh::{Point, Triangulation};
+use crate::mesh::Triangulation;
 use rayon::prelude::*;
-
-/// The two unknowns of every node: Cartesian, or (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
-    normal: Option<Point>,
-}
-
-impl Frame {
-    /// Cartesian unknowns.
-    pub fn cartesian() -> Self {
-        Self { normal: None }
-    }
-
-    /// (u_T, u_N) for the given unit normal.
-    pub fn turned(normal: Point) -> Self {
-        Self { normal: Some(normal) }
-    }
-
-    /// (u_T, u_N) from Cartesian components.
-    pub fn to_frame(&self, [x, y]: Point) -> Point {
-        let Some([nx, ny]) = self.normal else { return [x, y] };
-        [ny.mul_add(-x, nx * y), nx.mul_add(x, ny * y)]
-    }
-
-    /// Cartesian components from (u_T, u_N).
-    pub fn to_cartesian(&self, [t, n]: Point) -> Point {
-        let Some([nx, ny]) = self.normal else { return [t, n] };
-        [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)]
-    }
-
-    /// R B R'.
-    pub(super) fn turn_block(&self, block: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
-        if self.normal.is_none() {
-            return block;
-        }
-        let rows = block.map(|row| self.to_frame(row));
-        let columns = [0, 1].map(|b| self.to_frame([rows[0][b], rows[1][b]]));
-        [[columns[0][0], columns[1][0]], [columns[0][1], columns[1][1]]]
-    }
-}
 
 /// The triangles around every node.
 struct Incidence {
@@ -91,6 +52,11 @@ struct Rows {
 
 /// The stiffness matrix of `form` in the unknowns of `frame`, boundary rows included.
 pub fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatrix {
+    stiffness_in(mesh, form, &Frames::all(*frame))
+}
+
+/// The same where every node may have a frame of its own.
+pub(crate) fn stiffness_in(mesh: &Triangulation, form: &Form, frames: &Frames) -> BlockMatrix {
     let incidence = Incidence::of(mesh);
     let count = mesh.nodes().len();
     let parts: Vec<Rows> = (0..count.div_ceil(CHUNK))
@@ -98,7 +64,7 @@ pub fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatri
         .map(|chunk| {
             let mut rows = Rows::default();
             for node in chunk * CHUNK..count.min((chunk + 1) * CHUNK) {
-                push_row(&mut rows, node, &incidence, mesh, form, frame);
+                push_row(&mut rows, node, &incidence, mesh, form, frames);
             }
             rows
         })
@@ -123,7 +89,7 @@ fn push_row(
     incidence: &Incidence,
     mesh: &Triangulation,
     form: &Form,
-    frame: &Frame,
+    frames: &Frames,
 ) {
     let c = form.components();
     let start = rows.columns.len();
@@ -148,7 +114,7 @@ fn push_row(
         for j in 0..3 {
             let block = element.block(form, mesh.region(t), i, j);
             let at = rows.columns[start..].partition_point(|&column| (column as usize) < corners[j]);
-            let block = if c == 1 { block } else { frame.turn_block(block) };
+            let block = if c == 1 { block } else { frames.turn_block(block, node, corners[j]) };
             for a in 0..c {
                 for b in 0..c {
                     rows.values[base + (at * c + a) * c + b] += block[a][b];

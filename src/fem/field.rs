@@ -2,7 +2,6 @@
 
 use crate::error::{Error, Result};
 use crate::mesh::Point;
-use crate::numeric::check::require_finite;
 
 /// A function on the plane with as many components as the form has.
 #[derive(Clone, Copy)]
@@ -31,14 +30,16 @@ impl Field<'_> {
     /// The value; a scalar field has second entry 0.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when the function returns NaN or an infinity.
+    /// [`Error::NotFiniteAt`] with the point when the function returns NaN or an infinity.
     pub fn at(&self, point: Point) -> Result<Point> {
         let value = match self {
             Field::Scalar(f) => [f(point), 0.0],
             Field::Vector(f) => f(point),
         };
-        require_finite("value of a field", &value)?;
-        Ok(value)
+        match value.into_iter().find(|v| !v.is_finite()) {
+            Some(value) => Err(Error::NotFiniteAt { name: "a load or a given function", point, value }),
+            None => Ok(value),
+        }
     }
 
     /// Values at points, node-major.

@@ -5,8 +5,8 @@
 //! their numbers; those outside have zero blocks. Products cost what those of an assembled matrix cost in
 //! arithmetic, and no memory.
 
-use super::assembly::Frame;
 use super::form::{Element, Form};
+use super::frame::Frame;
 use crate::mesh::{Grid, Triangulation};
 use rayon::prelude::*;
 

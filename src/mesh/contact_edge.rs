@@ -1,44 +1,88 @@
-//! The contact edge Γ_C of a triangulation as an ordered chain of nodes.
+//! The contact edge Γ_C of a triangulation as an ordered chain of nodes, or as several chains.
 //!
-//! The chain runs with the domain on its left. Its normal is the outward one; it exists when the chain is
+//! A chain runs with the domain on its left. Its normal is the outward one; it exists when the chain is
 //! straight, as Section 2.1 assumes. A scalar problem needs no normal: its chain may turn corners, and may be
-//! closed.
+//! closed. Several chains have no common node; each has its own normal.
 
 use super::geometry::{Part, Point, distance};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// Chains that deviate from a line by more than this times their length are not straight: what a mesh file of
 /// ten printed digits may round away.
 const STRAIGHTNESS: f64 = 1e-10;
 
-/// The nodes of Γ_C in order.
+/// The nodes of Γ_C in order, piece after piece.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactEdge {
     nodes: Vec<usize>,
     points: Vec<Point>,
     arc: Vec<f64>,
+    /// Where each piece begins.
+    starts: Vec<usize>,
     closed: bool,
 }
 
 impl ContactEdge {
-    /// The contact edge of a triangulation.
+    /// The contact edge of a triangulation, in one piece.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without a contact edge, [`Error::Edge`] when it falls into several pieces.
     pub fn of(mesh: &Triangulation) -> Result<Self> {
+        let whole = Self::in_pieces(mesh)?;
+        match whole.starts[..] {
+            [_] => Ok(whole),
+            [_, second, ..] => Err(Error::Edge {
+                nodes: [whole.nodes[second], whole.nodes[second + 1]],
+                reason: "belongs to a second piece of the contact edge, which must be in one piece",
+            }),
+            [] => Err(Error::CountOutOfRange { name: "contact edges", value: 0, range: "[1, inf)" }),
+        }
+    }
+
+    /// The contact edge of a triangulation, in one piece or in several without a common node, in the order of
+    /// their first appearance among the boundary edges. Only a single piece may be closed.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] without a contact edge, [`Error::Edge`] for a closed piece beside another
+    /// or pieces that touch.
+    pub fn in_pieces(mesh: &Triangulation) -> Result<Self> {
         let edges: Vec<[usize; 2]> =
             mesh.boundary().iter().filter(|edge| edge.part == Part::Contact).map(|edge| edge.nodes).collect();
-        let Some(&first) = edges.first() else {
+        if edges.is_empty() {
             return Err(Error::CountOutOfRange { name: "contact edges", value: 0, range: "[1, inf)" });
-        };
-        let (nodes, closed) = chain(&edges, first)?;
-        let points: Vec<Point> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
-        let mut arc = vec![0.0];
-        for pair in points.windows(2) {
-            arc.push(arc[arc.len() - 1] + distance(pair[0], pair[1]));
         }
-        Ok(Self { nodes, points, arc, closed })
+        let chains = chains(&edges)?;
+        let (mut nodes, mut arc, mut starts) = (Vec::new(), Vec::new(), Vec::new());
+        for (chain, _) in &chains {
+            starts.push(nodes.len());
+            arc.push(arc.last().copied().unwrap_or(0.0));
+            for pair in chain.windows(2) {
+                arc.push(arc[arc.len() - 1] + distance(mesh.nodes()[pair[0]], mesh.nodes()[pair[1]]));
+            }
+            nodes.extend_from_slice(chain);
+        }
+        let points: Vec<Point> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
+        Ok(Self { nodes, points, arc, starts, closed: chains[0].1 })
+    }
+
+    /// Where each piece lies in [`ContactEdge::nodes`].
+    pub fn pieces(&self) -> Vec<Range<usize>> {
+        let ends = self.starts.iter().skip(1).copied().chain([self.nodes.len()]);
+        self.starts.iter().zip(ends).map(|(&start, end)| start..end).collect()
+    }
+
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for an edge in several pieces.
+    pub(crate) fn require_one_piece(&self) -> Result<()> {
+        match self.starts.len() {
+            1 => Ok(()),
+            value => {
+                Err(Error::CountOutOfRange { name: "pieces of the contact edge", value, range: "[1, 1]" })
+            }
+        }
     }
 
     /// Node numbers in order; a closed chain does not repeat its first node.
@@ -51,7 +95,7 @@ impl ContactEdge {
         &self.points
     }
 
-    /// Arc length at the nodes, from 0.
+    /// Arc length at the nodes, from 0; a further piece goes on where the last one ended.
     pub fn arc(&self) -> &[f64] {
         &self.arc
     }
@@ -61,39 +105,63 @@ impl ContactEdge {
         self.closed
     }
 
-    /// Lengths of the segments between consecutive nodes; for a closed chain also of the closing one.
+    /// Lengths of the segments between consecutive nodes of a piece; for a closed chain also of the closing
+    /// one.
     pub fn segment_lengths(&self) -> Vec<f64> {
-        let ends = self.points.len() - usize::from(!self.closed);
-        (0..ends).map(|i| distance(self.points[i], self.points[(i + 1) % self.points.len()])).collect()
+        self.segments().map(|[i, j]| distance(self.points[i], self.points[j])).collect()
     }
 
     /// Half the length of the segments at each node: the integral of the hat function.
     pub fn nodal_lengths(&self) -> Vec<f64> {
         let mut weights = vec![0.0; self.nodes.len()];
-        for (i, length) in self.segment_lengths().into_iter().enumerate() {
+        for ([i, j], length) in self.segments().zip(self.segment_lengths()) {
             weights[i] += 0.5 * length;
-            weights[(i + 1) % self.nodes.len()] += 0.5 * length;
+            weights[j] += 0.5 * length;
         }
         weights
     }
 
-    /// The outward unit normal of a straight contact edge.
+    /// Positions of the two ends of every segment.
+    fn segments(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let count = self.nodes.len();
+        let begins = move |i: usize| self.starts.binary_search(&i).is_ok();
+        let closing = self.closed.then_some([count - 1, 0]);
+        (1..count).filter(move |&i| !begins(i)).map(|i| [i - 1, i]).chain(closing)
+    }
+
+    /// The outward unit normals of straight pieces.
     ///
     /// # Errors
-    /// [`Error::Edge`] naming the first segment that leaves the line.
+    /// [`Error::Edge`] naming the first segment that leaves the line of its piece.
+    pub fn normals(&self) -> Result<Vec<Point>> {
+        self.pieces().into_iter().map(|piece| self.normal_of(piece)).collect()
+    }
+
+    /// The outward unit normal of a straight contact edge in one piece.
+    ///
+    /// # Errors
+    /// [`Error::Edge`] naming the first segment that leaves the line, [`Error::CountOutOfRange`] for several
+    /// pieces.
     pub fn normal(&self) -> Result<Point> {
-        let (first, last) = (self.points[0], self.points[self.points.len() - 1]);
+        self.require_one_piece()?;
+        self.normal_of(0..self.nodes.len())
+    }
+
+    fn normal_of(&self, piece: Range<usize>) -> Result<Point> {
+        let (points, arc) = (&self.points[piece.clone()], &self.arc[piece.clone()]);
+        let (first, last) = (points[0], points[points.len() - 1]);
         let length = distance(first, last);
         let normal = [(last[1] - first[1]) / length, (first[0] - last[0]) / length];
-        for i in 1..self.points.len() {
-            let d = [self.points[i][0] - first[0], self.points[i][1] - first[1]];
+        for i in 1..points.len() {
+            let d = [points[i][0] - first[0], points[i][1] - first[1]];
             let off = (d[0] * normal[0] + d[1] * normal[1]).abs();
             // Written so that a closed chain (length zero, normal not a number) fails, too.
-            let straight = off <= STRAIGHTNESS * length && self.arc[i] <= length * (1.0 + STRAIGHTNESS);
+            let straight = off <= STRAIGHTNESS * length && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS);
             if !straight {
                 return Err(Error::Edge {
-                    nodes: [self.nodes[i - 1], self.nodes[i]],
-                    reason: "leaves the line of the contact edge, which must be straight",
+                    nodes: [self.nodes[piece.start + i - 1], self.nodes[piece.start + i]],
+                    reason: "leaves the line of the contact edge, which must be straight: a free edge between \
+                             two contact edges gives each its own normal",
                 });
             }
         }
@@ -101,33 +169,42 @@ impl ContactEdge {
     }
 }
 
-/// Orders edges that follow each other; true when they close.
-fn chain(edges: &[[usize; 2]], first: [usize; 2]) -> Result<(Vec<usize>, bool)> {
-    let mut by_start: Vec<[usize; 2]> = edges.to_vec();
-    by_start.sort_unstable();
-    let after = |node: usize| {
-        let at = by_start.partition_point(|edge| edge[0] < node);
-        by_start.get(at).filter(|edge| edge[0] == node).map(|edge| edge[1])
-    };
-    let mut ends: Vec<usize> = edges.iter().map(|edge| edge[1]).collect();
-    ends.sort_unstable();
-    let head = edges.iter().map(|edge| edge[0]).find(|start| ends.binary_search(start).is_err());
-    let mut nodes = vec![head.unwrap_or(first[0])];
-    while let Some(next) = after(nodes[nodes.len() - 1]) {
-        if next == nodes[0] || nodes.len() > edges.len() {
-            break;
+/// Chains of edges that follow each other: those with a first node in the order of their first edges, or one
+/// that closes (`true`). Cost: O(N log N).
+fn chains(edges: &[[usize; 2]]) -> Result<Vec<(Vec<usize>, bool)>> {
+    let pinched =
+        |&nodes: &[usize; 2]| Error::Edge { nodes, reason: "touches another piece of the contact edge" };
+    let (mut after, mut ends) = (BTreeMap::new(), BTreeSet::new());
+    for edge in edges {
+        if after.insert(edge[0], edge[1]).is_some() || !ends.insert(edge[1]) {
+            return Err(pinched(edge));
         }
+    }
+    let heads = edges.iter().map(|edge| edge[0]).filter(|start| !ends.contains(start));
+    let mut found: Vec<(Vec<usize>, bool)> = heads.map(|head| (follow(&mut after, head), false)).collect();
+    // Every edge belongs to a chain with a first node, or to a closed one.
+    let Some(closed) = edges.iter().find(|edge| after.contains_key(&edge[0])) else {
+        return Ok(found);
+    };
+    let mut nodes = follow(&mut after, closed[0]);
+    nodes.pop();
+    if !found.is_empty() || !after.is_empty() {
+        return Err(Error::Edge {
+            nodes: *closed,
+            reason: "belongs to a closed contact edge beside another one",
+        });
+    }
+    found.push((nodes, true));
+    Ok(found)
+}
+
+/// The nodes from this one on, taken from the map.
+fn follow(after: &mut BTreeMap<usize, usize>, head: usize) -> Vec<usize> {
+    let mut nodes = vec![head];
+    while let Some(next) = after.remove(&nodes[nodes.len() - 1]) {
         nodes.push(next);
     }
-    let expected = edges.len() + usize::from(head.is_some());
-    if nodes.len() == expected {
-        return Ok((nodes, head.is_none()));
-    }
-    let outside = edges.iter().find(|edge| !nodes.contains(&edge[0]));
-    Err(Error::Edge {
-        nodes: *outside.unwrap_or(&first),
-        reason: "belongs to a second piece of the contact edge, which must be in one piece",
-    })
+    nodes
 }
 
 #[cfg(test)]
@@ -152,7 +229,12 @@ mod tests {
         assert!(edge.is_closed() && edge.nodes().len() == 12 && edge.segment_lengths().len() == 12);
         assert!(edge.normal().is_err());
         let opposite = Sides { left: Part::Neumann, right: Part::Neumann, ..all };
-        assert!(ContactEdge::of(&unit_square(3, opposite).unwrap()).is_err());
+        let opposite = unit_square(3, opposite).unwrap();
+        assert!(ContactEdge::of(&opposite).is_err());
+        let both = ContactEdge::in_pieces(&opposite).unwrap();
+        assert_eq!((both.pieces(), both.normals()), (vec![0..4, 4..8], Ok(vec![[0.0, -1.0], [0.0, 1.0]])));
+        assert!(both.normal().is_err() && both.segment_lengths().len() == 6 && both.arc()[7] == 2.0);
+        assert_eq!(both.nodal_lengths().iter().sum::<f64>(), 2.0);
         let bent = mapped_grid(4, 4, Sides::HANGING, |[x, y]| [x, y - 0.1 * x * x]).unwrap();
         assert!(ContactEdge::of(&bent).unwrap().normal().is_err());
     }

@@ -9,7 +9,6 @@ mod geometry;
 mod grid;
 mod hierarchy;
 mod msh;
-mod msh_lines;
 mod rings;
 mod structured;
 mod triangulation;

@@ -182,6 +182,22 @@ impl MeshScene {
         self.form().is_elastic
     }
 
+    /// The bilinear form.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a parameter that is not admissible.
+    pub fn bilinear_form(self, setting: &Setting) -> Result<Form> {
+        (self.form().form)(setting)
+    }
+
+    /// What most scenes of its kind have: λ = μ = 1, or the Laplacian.
+    ///
+    /// # Errors
+    /// None for these constants.
+    pub fn usual_form(self) -> Result<Form> {
+        ((if self.is_elastic() { ELASTIC } else { SCALAR }).form)(&Setting::default())
+    }
+
     /// The solution where it is known in closed form, default setting: u as a function of the point.
     pub fn solution(self) -> Option<fn(Point) -> f64> {
         match self.form().load {

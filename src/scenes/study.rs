@@ -1,20 +1,15 @@
 //! A scene on one mesh or on nested ones, by one solver or by two, and how far two solutions are apart.
 
+use super::levels::{
+    How, LEVELS, Level, SceneRun, StudyProgress, asked, solve_levels, solvers_for, unknowns,
+};
 use super::mesh::{MeshScene, Setting};
-use crate::cone::{Cone, Evidence, Judgement, NOISE};
-use crate::contact::{Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, Solver};
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance};
-use std::fmt;
+use crate::cone::Cone;
+use crate::contact::{Accuracy, ContactProblem, Solver};
+use crate::error::Result;
 
-/// Both force and gap below this, relative to their largest: √(duality gap) of the interior-point method.
-const WEAK: f64 = 1e-6;
 /// Cells along each side up to which the interior point is the second solver: there it takes seconds.
-const INTERIOR: usize = 128;
-/// Unknowns up to which elimination is one of two solvers: n = 1024, some 4 GB.
-const ELIMINATED: usize = 2_200_000;
-/// Most meshes of a study.
-const LEVELS: usize = 12;
+pub(super) const INTERIOR: usize = 128;
 
 /// What to solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,43 +29,6 @@ pub struct SceneStudy {
     pub levels: usize,
     /// What is asked of multigrid; when `None` twelve digits beside another solver, else its default.
     pub accuracy: Option<Accuracy>,
-}
-
-/// One solution of a study.
-#[derive(Debug, Clone)]
-pub struct SceneRun {
-    /// Cells along each side.
-    pub n: usize,
-    /// The assembled problem.
-    pub problem: ContactProblem,
-    /// Its solution.
-    pub solution: ContactSolution,
-    /// Steps of the active set from an empty contact set, when `solution` started from a coarser one.
-    pub cold_steps: Option<u64>,
-    /// |u_h|_a with the estimated algebraic error, from multigrid.
-    pub error: Option<Estimate>,
-    /// Why multigrid left the problem to elimination, if it did.
-    pub fallback: Option<Fallback>,
-}
-
-/// What a study is doing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StudyProgress {
-    /// Cells along each side.
-    pub n: usize,
-    /// The solver.
-    pub solver: Solver,
-    /// Where multigrid is; `None` when a solver begins.
-    pub multigrid: Option<MultigridProgress>,
-}
-
-impl fmt::Display for StudyProgress {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "n = {}, {}", self.n, self.solver)?;
-        self.multigrid.map_or(Ok(()), |at| {
-            write!(f, ": level {} of {}, step {}, error {:.0e}", at.level, at.levels - 1, at.step, at.error)
-        })
-    }
 }
 
 impl SceneStudy {
@@ -99,40 +57,15 @@ impl SceneStudy {
     /// [`Error::CountOutOfRange`] without levels; whatever meshes, problems, solvers and `observe` return.
     pub fn run_observed(
         &self,
-        mut observe: impl FnMut(&StudyProgress) -> Result<()> + Send,
+        observe: impl FnMut(&StudyProgress) -> Result<()> + Send,
     ) -> Result<Vec<SceneRun>> {
-        if !(1..=LEVELS).contains(&self.levels) {
-            return Err(Error::CountOutOfRange { name: "levels", value: self.levels, range: "[1, 12]" });
-        }
-        let mut runs: Vec<SceneRun> = Vec::new();
-        for level in 0..self.levels {
+        let level = |level: usize| {
             let n = self.n.saturating_mul(1 << level);
-            let problem = self.scene.problem_with(n, &self.setting)?;
-            let coarser = runs.iter().rev().find(|run| run.solution.solver == Solver::ActiveSet);
-            let coarser = coarser.map(|run| run.solution.clone());
-            for solver in self.solvers(n, &problem) {
-                observe(&StudyProgress { n, solver, multigrid: None })?;
-                let (mut cold_steps, mut error, mut fallback) = (None, None, None);
-                let solution = match (&coarser, solver) {
-                    (Some(coarse), Solver::ActiveSet) if !problem.edge().is_closed() => {
-                        let (solution, cold) = problem.solve_after_beside_cold(coarse)?;
-                        cold_steps = cold;
-                        solution
-                    }
-                    (_, Solver::Multigrid) => {
-                        let heard = |at: &MultigridProgress| {
-                            observe(&StudyProgress { n, solver, multigrid: Some(*at) })
-                        };
-                        let found = problem.solve_by_multigrid(self.cone, None, self.asked(), heard)?;
-                        (error, fallback) = (found.error, found.fallback);
-                        found.solution
-                    }
-                    _ => problem.solve(self.cone, solver)?,
-                };
-                runs.push(SceneRun { n, problem: problem.clone(), solution, cold_steps, error, fallback });
-            }
-        }
-        Ok(runs)
+            Ok(Level { n, problem: self.scene.problem_with(n, &self.setting)?, hierarchy: None })
+        };
+        let how = How { cone: self.cone, levels: self.levels, asked: self.asked() };
+        let solvers = |n: usize, problem: &ContactProblem| self.solvers_for(n, unknowns(problem));
+        solve_levels(how, level, solvers, observe)
     }
 
     /// [`SceneStudy::run_observed`] by nobody.
@@ -143,96 +76,14 @@ impl SceneStudy {
         self.run_observed(|_| Ok(()))
     }
 
-    /// The solvers on one mesh.
-    fn solvers(&self, n: usize, problem: &ContactProblem) -> Vec<Solver> {
-        self.solvers_for(n, problem.mesh().nodes().len() * problem.form().components())
-    }
-
     fn solvers_for(&self, n: usize, unknowns: usize) -> Vec<Solver> {
-        match self.solver {
-            Some(solver) => vec![solver.for_unknowns(unknowns)],
-            None if n <= INTERIOR => vec![Solver::ActiveSet, Solver::InteriorPoint],
-            None if unknowns <= ELIMINATED => vec![Solver::ActiveSet, Solver::Multigrid],
-            None => vec![Solver::Multigrid],
-        }
+        self.solver.map_or_else(
+            || solvers_for(n <= INTERIOR, unknowns),
+            |solver| vec![solver.for_unknowns(unknowns)],
+        )
     }
 
     fn asked(&self) -> Accuracy {
-        let beside = if self.solver.is_none() {
-            Accuracy::Relative(Tolerance::reference())
-        } else {
-            Accuracy::default()
-        };
-        self.accuracy.unwrap_or(beside)
-    }
-}
-
-impl SceneRun {
-    /// The Karush-Kuhn-Tucker figures of multipliers and gaps as they stand; the balance is that of the
-    /// solution.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] where a multiplier or a gap is not a number.
-    pub fn judged(&self) -> Result<Judgement> {
-        let solution = &self.solution;
-        let evidence = Evidence {
-            residual: &[],
-            multiplier: &solution.multiplier,
-            gap: &solution.gap,
-            force: solution.force_scale,
-            displacement: solution.displacement_scale,
-        };
-        Ok(Judgement { balance: solution.judgement.balance, ..evidence.judge()? })
-    }
-
-    /// How many constraints are weak: force and gap both below 1e-6 of their largest, so that no solver can
-    /// tell contact from none.
-    pub fn weak_constraints(&self) -> usize {
-        let solution = &self.solution;
-        let force = solution.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
-        let is_weak =
-            |(l, g): &(&f64, &f64)| l.abs() <= WEAK * force && g.abs() <= WEAK * solution.displacement_scale;
-        solution.multiplier.iter().zip(&solution.gap).filter(is_weak).count()
-    }
-}
-
-/// Pairs of solutions on the same mesh.
-fn pairs(runs: &[SceneRun]) -> impl Iterator<Item = [&SceneRun; 2]> {
-    runs.windows(2).filter(|pair| pair[0].n == pair[1].n).map(|pair| [&pair[0], &pair[1]])
-}
-
-/// The largest difference in J between two solutions on the same mesh, relative, and what rounding leaves
-/// uncertain in it. `None` without two solutions on a mesh; not a number if a J is not.
-pub fn energies_apart(runs: &[SceneRun]) -> Option<(f64, f64)> {
-    pairs(runs)
-        .map(|[a, b]| {
-            let difference = (a.solution.energy - b.solution.energy).abs();
-            let rounding = a.solution.energy_rounding + b.solution.energy_rounding;
-            let scale = energy_scale(&a.solution);
-            let share = |part: f64| if part == 0.0 { 0.0 } else { part / scale };
-            (share(difference), share(rounding))
-        })
-        .reduce(|worst, apart| if worst.0 >= apart.0 || worst.0.is_nan() { worst } else { apart })
-}
-
-/// The largest number of constraints that are active in one of two solutions on the same mesh only, and how
-/// many are weak there. `None` without two solutions on a mesh.
-pub fn sets_apart(runs: &[SceneRun]) -> Option<(usize, usize)> {
-    pairs(runs)
-        .map(|[a, b]| {
-            let (one, other) = (a.solution.contact_set.indices(), b.solution.contact_set.indices());
-            let common = one.iter().filter(|i| other.binary_search(i).is_ok()).count();
-            (one.len() + other.len() - 2 * common, a.weak_constraints().max(b.weak_constraints()))
-        })
-        .max()
-}
-
-/// |J|; where contact prevents every displacement J is rounding, and force times displacement is its scale.
-fn energy_scale(solution: &ContactSolution) -> f64 {
-    let largest = solution.displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
-    if largest <= NOISE * solution.displacement_scale {
-        solution.force_scale * solution.displacement_scale
-    } else {
-        solution.energy.abs()
+        asked(self.solver, self.accuracy)
     }
 }

@@ -1,5 +1,5 @@
 //! Examples and pages belong together: every example shows its outcome on a page, every page leads to an
-//! example, and no command on a page names an example, no code type a file, that is not there.
+//! example and opens with a picture, and no command on a page names an example, no code type a file, that is not there.
 
 use crate::data::names;
 use crate::error::{Fault, Result};
@@ -10,6 +10,8 @@ use std::path::Path;
 
 /// Directives that show the outcome of an example; a bare name or verdict does not.
 const SHOWN: [&str; 7] = ["table", "measured", "figure", "slider", "value", "finding", "findings"];
+/// Directives that draw a picture.
+const PICTURES: [&str; 3] = ["{{idea:", "{{figure:", "{{slider:"];
 /// How a command names an example.
 const COMMAND: &str = "--example ";
 
@@ -43,6 +45,11 @@ pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
         }
         if on_page.is_empty() && commands.is_empty() {
             found.push(Fault::new(&page.file, 1, "page without an example", page.html.as_str()));
+        }
+        let opening = page.text.lines().find(|line| !line.trim().is_empty() && !line.starts_with("# "));
+        if !opening.is_some_and(|line| PICTURES.iter().any(|picture| line.starts_with(picture))) {
+            let line = opening.unwrap_or("");
+            found.push(Fault::new(&page.file, 1, "page does not open with a picture", line));
         }
         shown.extend(on_page);
     }
@@ -109,16 +116,16 @@ mod tests {
             page("b.md", "`{{table: two}}` {{verdict: two}}"),
             page("c.md", "{{slider: t: a = three/x, b = three/y: c}}\n\ncargo run --example four -- --x"),
         ];
-        let found: Vec<(String, usize)> = faults(&pages, directory.path())
-            .unwrap()
-            .into_iter()
-            .map(|f| (format!("{} {}", f.file.display(), f.text), f.line))
-            .collect();
+        let found = faults(&pages, directory.path()).unwrap();
+        let closed = found.iter().filter(|f| f.what.contains("open with a picture"));
+        assert_eq!(closed.map(|f| f.file.display().to_string()).collect::<Vec<_>>(), ["a.md", "b.md"]);
+        let found: Vec<(String, usize)> =
+            found.into_iter().map(|f| (format!("{} {}", f.file.display(), f.text), f.line)).collect();
         let expected = [("a.md src/none.rs", 1), ("c.md four", 3), ("examples/two.rs two", 1)];
         assert!(found.contains(&("b.md b.html".to_owned(), 1)), "{found:?}");
         for (text, line) in expected {
             assert!(found.contains(&(text.to_owned(), line)), "{found:?}");
         }
-        assert_eq!(found.len(), 4);
+        assert_eq!(found.len(), 6);
     }
 }

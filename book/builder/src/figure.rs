@@ -2,6 +2,7 @@
 //! and carries a label for those who do not see it.
 
 use crate::markup::{Tag, escape, tags, well_formed};
+use crate::paper;
 use std::fmt::Write as _;
 
 /// Ink written by chart writers that becomes the ink of the page.
@@ -52,7 +53,7 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
         if matches!(tag.name, "style" | "/style") {
             // colours for a figure opened by itself; here they are the page's
         } else if is_root {
-            push_root(&mut html, &tag, label)?;
+            push_root(&mut html, &tag, svg, label)?;
         } else {
             push_tag(&mut html, &tag, name);
         }
@@ -62,15 +63,20 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
     if is_root { Err("figure is empty".to_owned()) } else { Ok(html) }
 }
 
-/// The root keeps its shape by its viewBox and takes the width of the page up to its own.
-fn push_root(html: &mut String, tag: &Tag<'_>, label: &str) -> Result<(), String> {
+/// The root keeps its shape by its viewBox, with room for large letters, and takes the width of the page.
+fn push_root(html: &mut String, tag: &Tag<'_>, svg: &str, label: &str) -> Result<(), String> {
     let length = |name| tag.attribute(name).map(|v| v.trim_end_matches("px"));
     let view = match (tag.attribute("viewBox"), length("width"), length("height")) {
         (Some(view), _, _) => view.to_owned(),
         (None, Some(width), Some(height)) => format!("0 0 {width} {height}"),
         _ => return Err("figure without viewBox and size".to_owned()),
     };
-    let _ = write!(html, r#"<svg viewBox="{view}" role="img" aria-label="{}""#, escape(label));
+    let (view, fine) = match paper::view(&view) {
+        Some(view) => (paper::written(paper::room(svg, view)), paper::is_fine(view)),
+        None => (view, false),
+    };
+    let fine = if fine { r#" class="fine""# } else { "" };
+    let _ = write!(html, r#"<svg viewBox="{view}" role="img" aria-label="{}"{fine}"#, escape(label));
     for (name, value) in tag.attributes() {
         let is_ours = matches!(name, "viewBox" | "width" | "height" | "role" | "aria-label");
         if !is_ours && !name.starts_with("xmlns") {

@@ -24,6 +24,7 @@ pub mod markup;
 pub mod number;
 pub mod options;
 pub mod page;
+pub mod paper;
 pub mod print;
 pub mod scan;
 pub mod search;

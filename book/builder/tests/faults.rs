@@ -19,6 +19,8 @@ It is {{value: gamma: s4}}, see [the second page](second.md#two). {{table: ex}}
 ";
 const SECOND: &str = "# Second {#two}
 
+{{idea: wave: A wave}}
+
 By $\\eqref{bound}$ and Lemma 5.2 the verdict is: {{verdict: ex}}.
 
 ```rust,ignore
@@ -158,9 +160,9 @@ fn faults_of_formulas_fail() {
     let (first, second) = ("book/src/first.md", "book/src/second.md");
     Fixture::expect(first, "\\le C", "\\nosuch C", "book/src/first.md:5:", "`\\nosuch`");
     Fixture::expect(first, "\\le C", "\\frac{", "book/src/first.md:5:", "does not parse");
-    Fixture::expect(second, "$\\eqref{bound}$", "$\\eqref{nowhere}$", "book/src/second.md:3:", "`nowhere`");
-    Fixture::expect(first, "\\label{bound}", "", "book/src/second.md:3:", "`bound`");
-    Fixture::expect(second, "the verdict", "$x + the verdict", "book/src/second.md:3:", "closing dollar");
+    Fixture::expect(second, "$\\eqref{bound}$", "$\\eqref{nowhere}$", "book/src/second.md:5:", "`nowhere`");
+    Fixture::expect(first, "\\label{bound}", "", "book/src/second.md:5:", "`bound`");
+    Fixture::expect(second, "the verdict", "$x + the verdict", "book/src/second.md:5:", "closing dollar");
 }
 
 #[test]
@@ -169,11 +171,12 @@ fn faults_of_keys_fail() {
     Fixture::expect(first, "value: gamma:", "value: delta:", "book/src/first.md:9:", "`value: delta: s4`");
     Fixture::expect(first, "s4}}", "z4}}", "book/src/first.md:9:", "unknown format z4");
     Fixture::expect(first, "ex/chart", "ex/none", "book/src/first.md:3:", "unknown figure");
-    Fixture::expect(second, "ex/other", "ex/none", "book/src/second.md:11:", "unknown figure");
-    Fixture::expect(second, ": Two charts", "", "book/src/second.md:11:", "without a caption");
-    Fixture::expect(second, "verdict: ex", "verdict: no", "book/src/second.md:3:", "unknown example");
-    Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:6:", "no such anchor");
-    Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:9:", "no such function");
+    Fixture::expect(second, "{{idea: wave: A wave}}", "", "book/src/second.md:1:", "open with a picture");
+    Fixture::expect(second, "ex/other", "ex/none", "book/src/second.md:13:", "unknown figure");
+    Fixture::expect(second, ": Two charts", "", "book/src/second.md:13:", "without a caption");
+    Fixture::expect(second, "verdict: ex", "verdict: no", "book/src/second.md:5:", "unknown example");
+    Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:8:", "no such anchor");
+    Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:11:", "no such function");
     Fixture::expect("src/book.rs", "second.md", "", "src/book.rs:2:", "not what its list says");
     Fixture::expect(
         "tests/findings.rs",
@@ -306,23 +309,23 @@ fn examples_tests_and_commands_that_do_not_exist_fail() {
         second,
         "{{example: ex}}",
         "{{example: no}}",
-        "book/src/second.md:13:",
+        "book/src/second.md:15:",
         "unknown example",
     );
-    Fixture::expect(second, "lemma::holds", "theorem::holds", "book/src/second.md:13:", "unknown test file");
-    Fixture::expect(second, "lemma::holds", "lemma::fails", "book/src/second.md:13:", "no such test");
+    Fixture::expect(second, "lemma::holds", "theorem::holds", "book/src/second.md:15:", "unknown test file");
+    Fixture::expect(second, "lemma::holds", "lemma::fails", "book/src/second.md:15:", "no such test");
     Fixture::expect(
         second,
         "--example ex",
         "--example no",
-        "book/src/second.md:13:",
+        "book/src/second.md:15:",
         "unknown example: `no`",
     );
     Fixture::expect(
         second,
         "Backed by",
         "Backed by `src/no.rs`,",
-        "book/src/second.md:13:",
+        "book/src/second.md:15:",
         "does not exist: `src/no.rs`",
     );
     let fixture = Fixture::new();
@@ -340,7 +343,7 @@ fn formulas_in_unmarked_places_fail() {
         "book/src/second.md",
         "$\\eqref{bound}$",
         twice,
-        "book/src/second.md:3:",
+        "book/src/second.md:5:",
         "label given twice",
     );
 }

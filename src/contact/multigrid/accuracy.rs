@@ -39,6 +39,8 @@ pub struct MultigridProgress {
 /// Why the direct solver was taken instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fallback {
+    /// The contact edge lies in several pieces.
+    SeveralEdges,
     /// Means on a closed edge, which the steps of the cycles do not know.
     ClosedEdge,
     /// No coarser meshes: neither a hierarchy nor a grid that can be halved.
@@ -55,6 +57,7 @@ pub const MOST_INCOMPRESSIBLE: f64 = 100.0;
 impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Fallback::SeveralEdges => "direct solver: several contact edges",
             Fallback::ClosedEdge => "direct solver: means on a closed edge",
             Fallback::NoLevels => "direct solver: no coarser meshes",
             Fallback::NearlyIncompressible => "direct solver: nearly incompressible",

@@ -97,11 +97,10 @@ fn coarse_problem(
     }
     let gap = edge.nodes().iter().map(|node| gaps.get(node).copied().unwrap_or(0.0)).collect();
     Ok(ContactProblem {
-        operator: Operator::of(&mesh, &fine.form, &fine.frame),
+        operator: Operator::of(&mesh, &fine.form, &fine.frames),
         prescribed: held.iter().flat_map(|&held| std::iter::repeat_n(held, c)).collect(),
         form: fine.form.clone(),
-        normal: fine.normal,
-        frame: fine.frame,
+        frames: fine.frames.clone(),
         preparation_seconds: 0.0,
         mesh,
         edge,

@@ -40,6 +40,10 @@ impl ContactProblem {
                 share > 0.0 && share <= 1.0,
             )?;
         }
+        self.require_cone(cone)?;
+        if self.edge().pieces().len() > 1 {
+            return self.directly(cone, Fallback::SeveralEdges);
+        }
         if cone == Cone::Midpoint && self.edge().is_closed() {
             return self.directly(cone, Fallback::ClosedEdge);
         }

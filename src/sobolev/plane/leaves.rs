@@ -32,6 +32,12 @@ const PATIENCE: usize = 2_000_000;
 /// Barycentric coordinates (of corners 1 and 2) and weights of sum one.
 type Points = Vec<([f64; 2], f64)>;
 
+/// Two triangles without a common node that stand so near each other that no halving parts them.
+pub(super) fn too_near(distance: f64, size: f64) -> Error {
+    let range = "distances of triangles without a common node that integrals can resolve";
+    Error::OutOfRange { name: "distance over length", value: distance / size, range }
+}
+
 /// The rule with n points in each direction on a simplex of that dimension.
 pub(super) fn points(dimension: usize, n: usize) -> Result<&'static Points> {
     static KNOWN: [[OnceLock<Points>; MOST + 1]; 3] = [const { [const { OnceLock::new() }; MOST + 1] }; 3];
@@ -94,12 +100,7 @@ impl Leaves {
             let ((edge, size), (other_edge, other)) = (a.longest(), b.longest());
             let distance = a.distance(&b);
             if patience == 0 || distance <= 0.0 {
-                let range = "distances of triangles without a common node that integrals can resolve";
-                return Err(Error::OutOfRange {
-                    name: "distance over length",
-                    value: distance / size.max(other),
-                    range,
-                });
+                return Err(too_near(distance, size.max(other)));
             }
             patience -= 1;
             if size.max(other) * ADMISSIBLE <= distance {

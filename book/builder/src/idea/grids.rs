@@ -4,7 +4,7 @@
 use super::pen::{BLUE, GREEN, INK, ORANGE, Pen, SQUARE};
 
 /// A grid of squares with one diagonal each, n along the edge, m above it, from y = 0 on.
-fn grid(pen: &mut Pen, n: u32, m: u32, opacity: f64) {
+pub(super) fn grid(pen: &mut Pen, n: u32, m: u32, opacity: f64) {
     let h = 1.0 / f64::from(n);
     let top = h * f64::from(m);
     (0..=m).for_each(|j| pen.thin(&[(0.0, h * f64::from(j)), (1.0, h * f64::from(j))], INK, opacity));
@@ -103,27 +103,38 @@ pub(super) fn v_cycle() -> String {
     pen.svg()
 }
 
-/// The way of the argument, from the problem to the theorem.
-pub(super) fn argument() -> String {
-    let mut pen = Pen::new(400.0, 390.0, 1.0);
-    let boxes = [
-        (0.5, 350.0, "the problem: u in K of least energy", INK),
-        (0.5, 285.0, "Falk: error ≤ interpolation + consistency term", INK),
-        (0.5, 220.0, "on each segment one of two cases", INK),
-        (0.18, 150.0, "first case: u_N is small", BLUE),
-        (0.82, 150.0, "second: σ_N = 0 on a zone", ORANGE),
-        (0.18, 95.0, "embedding in L^q", BLUE),
-        (0.82, 95.0, "Lemma 5.2: a small zone", ORANGE),
-        (0.5, 30.0, "balance of θ: the rate of Theorem 3.1", GREEN),
-    ];
-    for (from, to) in [(0, 1), (1, 2), (2, 3), (2, 4), (3, 5), (4, 6), (5, 7), (6, 7)] {
-        let (a, b) = (boxes[from], boxes[to]);
-        pen.thin(&[(a.0, a.1 - 14.0), (b.0, b.1 + 20.0)], INK, 0.7);
+/// A box at a place across and above the lower end of the paper: its words and its colour.
+pub(super) struct Box(pub(super) f64, pub(super) f64, pub(super) &'static str, pub(super) &'static str);
+
+/// Boxes and the lines that lead from one to a lower one.
+pub(super) fn boxes(height: f64, boxes: &[Box], lines: &[(usize, usize)]) -> String {
+    let mut pen = Pen::new(height, height - 10.0, 1.0);
+    for &(from, to) in lines {
+        let (a, b) = (&boxes[from], &boxes[to]);
+        pen.thin(&[(a.0, a.1 - 16.0), (b.0, b.1 + 22.0)], INK, 0.7);
     }
-    for (x, y, words, colour) in boxes {
-        let half = 0.0085 * words.chars().count() as f64;
-        pen.shade((x - half, x + half), (y - 12.0, y + 20.0), colour, 0.13);
+    for &Box(x, y, words, colour) in boxes {
+        let half = 0.0098 * words.chars().count() as f64;
+        pen.shade((x - half, x + half), (y - 14.0, y + 22.0), colour, 0.13);
         pen.words(x, y, words, INK);
     }
     pen.svg()
+}
+
+/// The way of the argument, from the problem to the theorem.
+pub(super) fn argument() -> String {
+    boxes(
+        400.0,
+        &[
+            Box(0.5, 350.0, "the problem: u in K of least energy", INK),
+            Box(0.5, 285.0, "Falk: error ≤ interpolation + consistency term", INK),
+            Box(0.5, 220.0, "on each segment one of two cases", INK),
+            Box(0.18, 150.0, "first case: u_N is small", BLUE),
+            Box(0.8, 150.0, "second: σ_N = 0 on a zone", ORANGE),
+            Box(0.18, 95.0, "embedding in L^q", BLUE),
+            Box(0.8, 95.0, "Lemma 5.2: a small zone", ORANGE),
+            Box(0.5, 30.0, "balance of θ: the rate of Theorem 3.1", GREEN),
+        ],
+        &[(0, 1), (1, 2), (2, 3), (2, 4), (3, 5), (4, 6), (5, 7), (6, 7)],
+    )
 }

@@ -1,7 +1,7 @@
 //! Pictures over the square: integrands of seminorms, pairs of points, a wave that enters the body. One scale
 //! of colour each for all their frames.
 
-use super::pen::{BLUE, INK, Pen, SQUARE};
+use super::pen::{BLUE, INK, ORANGE, Pen, SQUARE};
 use std::f64::consts::PI;
 
 /// Cells of a side of the square, levels of colour.
@@ -116,5 +116,21 @@ pub(super) fn trace(waves: u32) -> String {
     let words = format!("frequency {waves}: slope like {waves}, felt to a depth like one over {waves};");
     pen.words(0.5, -1.9, &words, INK);
     pen.words(0.5, -2.7, &format!("slope squared times depth, the energy, is like {waves}"), INK);
+    pen.svg()
+}
+
+/// The same waves; the corner of the square that is one period by one period is the same for all of them.
+pub(super) fn one_number(waves: u32) -> String {
+    let mut pen = Pen::new(440.0, 400.0, 26.0);
+    let k = f64::from(waves);
+    square(&mut pen, |i, j| Some((PI * k * place(i)).cos().abs() * (-PI * k * place(j)).exp()));
+    let under = |x: f64| 0.5 + ((x - 0.5) * SIDE - 10.0) / SQUARE;
+    let top = (400.0 - TOP - SIDE) / 26.0;
+    let share = |t: f64| top + t * SIDE / 26.0;
+    let corner = [(0.0, 0.0), (1.0 / k, 0.0), (1.0 / k, 1.0 / k), (0.0, 1.0 / k), (0.0, 0.0)];
+    pen.curve(corner.map(|(x, y)| (under(x), share(y))), ORANGE, "");
+    pen.note(0.86, 1.6, "the edge", INK);
+    pen.words(0.5, -0.6, "in the orange corner it is the same picture for every frequency:", ORANGE);
+    pen.words(0.5, -1.4, "energy of the edge over energy of the body is one number", INK);
     pen.svg()
 }

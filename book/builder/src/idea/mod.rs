@@ -7,9 +7,11 @@ mod functions;
 mod grids;
 mod heat;
 mod means;
+mod numbers;
 mod pen;
 mod plane;
 mod rates;
+mod whole;
 
 use crate::markup::escape;
 use crate::{figure, slider};
@@ -40,7 +42,9 @@ pub fn inline(name: &str, caption: &str) -> Result<String, String> {
 type Idea = (&'static str, fn() -> Frames);
 
 /// Every idea by name, in the order of the book.
-const IDEAS: [Idea; 44] = [
+const IDEAS: [Idea; 58] = [
+    ("condition", || ("place on the edge", over(&[0.1, 0.3, 0.5, 0.7, 0.9], whole::condition))),
+    ("letters", || one(whole::letters())),
     ("argument", || one(grids::argument())),
     ("whole_boundary", || {
         let words = ["below", "on all sides", "a sawtooth"];
@@ -87,16 +91,28 @@ const IDEAS: [Idea; 44] = [
     ("ramp", || ("L", over(&[2.0, 5.0, 10.0, 20.0], means::ramp))),
     ("kernel", || ("ν", over(&[0.1, 0.25, 0.5, 0.75, 0.9], means::kernel))),
     ("rectangles", || ("1/h", over(&[4, 8, 16, 32], grids::rectangles))),
+    ("constants", || ("constant", named(&["C", "K", "P"], numbers::constants))),
+    ("strains", || ("part of the gradient", named(&["trace", "no trace", "rotation"], numbers::strains))),
+    ("limit", || one(numbers::limit())),
     ("segment_pairs", || ("1/h", over(&[2, 4, 8, 16], heat::segment_pairs))),
     ("touching", || {
         let words = ["one triangle", "an edge", "a corner", "nothing"];
         ("in common", named(&words, plane::touching))
     }),
+    ("fan", || ("ρ", named(&["1", "1/2", "1/4", "1/8"], numbers::fan))),
+    ("digits", || ("effort", named(&["1", "2", "4", "8"], numbers::digits))),
+    ("one_number", || ("frequency", over(&[1, 2, 4, 8], heat::one_number))),
     ("wedge", || ("opening in degrees", over(&[100, 120, 150, 210, 270, 330], plane::wedge))),
     ("oscillation", || ("Poisson's ratio", over(&[0.0, 0.25, 0.4], plane::oscillation))),
     ("v_cycle", || one(grids::v_cycle())),
     ("magnitudes", || one(rates::magnitudes())),
     ("elimination", || ("rows", over(&[0, 1, 2, 4, 8], grids::elimination))),
+    ("toolkit", || one(whole::toolkit())),
+    ("repairs", || one(whole::repairs())),
+    ("longer_half", || ("contact", over(&[0.2, 0.4, 0.6, 0.8], whole::longer_half))),
+    ("card", || one(whole::card())),
+    ("meetings", || one(whole::meetings())),
+    ("years", || one(whole::years())),
 ];
 
 fn one(svg: String) -> Frames {

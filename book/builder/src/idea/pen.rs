@@ -14,6 +14,10 @@ const RIGHT: f64 = 590.0;
 /// The unit of y that makes lengths equal in all directions.
 pub(super) const SQUARE: f64 = RIGHT - LEFT;
 
+/// Characters of a line, and from one line to the next.
+const LINE: usize = 66;
+const LEADING: f64 = 22.0;
+
 /// A picture that grows.
 pub(super) struct Pen {
     height: f64,
@@ -133,14 +137,28 @@ impl Pen {
         );
     }
 
-    /// Words centred at a point.
+    /// Words centred at a point; more than a phone has room for stand in two lines.
     pub(super) fn words(&mut self, x: f64, y: f64, words: &str, colour: &str) {
-        self.text(x, y, words, colour, "middle");
+        let count = words.chars().count();
+        let middle = |&(at, _): &(usize, char)| (2 * words[..at].chars().count()).abs_diff(count);
+        match words.char_indices().filter(|&(_, c)| c == ' ').min_by_key(middle) {
+            Some((cut, _)) if count > LINE => {
+                self.text(x, y, &words[..cut], colour, "middle");
+                let y = y - LEADING / self.unit;
+                self.text(x, y, &words[cut + 1..], colour, "middle");
+            }
+            _ => self.text(x, y, words, colour, "middle"),
+        }
     }
 
     /// Words that begin at a point.
     pub(super) fn note(&mut self, x: f64, y: f64, words: &str, colour: &str) {
         self.text(x, y, words, colour, "start");
+    }
+
+    /// Words that end at a point.
+    pub(super) fn ending(&mut self, x: f64, y: f64, words: &str, colour: &str) {
+        self.text(x, y, words, colour, "end");
     }
 
     /// Labels at y of a logarithmic axis from e^-20 to 1.
@@ -152,6 +170,7 @@ impl Pen {
     }
 
     fn text(&mut self, x: f64, y: f64, words: &str, colour: &str, anchor: &str) {
+        self.height = self.height.max(self.y(y) + 8.0);
         let place = format!(r#"x="{:.1}" y="{:.1}""#, self.x(x), self.y(y));
         // Subscripts and powers: u_N, e^-5.
         let set = |words: &str, mark: &str, shift: i32| {
@@ -162,7 +181,7 @@ impl Pen {
                 let end = part.find(|c: char| !c.is_alphanumeric() && c != '-').unwrap_or(part.len());
                 let (low, rest) = part.split_at(end);
                 text + &format!(
-                    r#"<tspan dy="{shift}" font-size="11">{low}</tspan><tspan dy="{}">{rest} </tspan>"#,
+                    r#"<tspan dy="{shift}" font-size="0.75em">{low}</tspan><tspan dy="{}">{rest}</tspan>"#,
                     -shift
                 )
             })

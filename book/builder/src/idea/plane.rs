@@ -98,8 +98,8 @@ pub(super) fn triangle(n: usize) -> String {
             pen.dot(x, y, GREEN);
         }
     }
-    pen.note(0.62, 0.8, "blue: the function", BLUE);
-    pen.note(0.62, 0.74, "green: linear, right at the corners", GREEN);
+    pen.words(0.75, 0.82, "blue: the function", BLUE);
+    pen.words(0.75, 0.74, "green: linear, right at corners", GREEN);
     pen.svg()
 }
 
@@ -139,8 +139,12 @@ pub(super) fn face(size: f64) -> String {
     pen.note(0.76, 0.005, "u = −1", BLUE);
     pen.note(0.16, 0.005, "u = −1", BLUE);
     pen.note(0.53, 0.41, "u = −1", BLUE);
-    pen.words(0.5, -0.07, "the interpolant sees the corners only: it is −1 on all of the face,", INK);
-    pen.words(0.5, -0.105, "however small the gaps", INK);
+    pen.words(
+        0.5,
+        -0.07,
+        "the interpolant sees the corners only: it is −1 on all of the face, however small the gaps",
+        INK,
+    );
     pen.svg()
 }
 

@@ -1,16 +1,20 @@
 //! The deformed body of a contact solution: an elastic body on its foundation, coloured by its largest shear
-//! stress, or a membrane seen from the side, coloured by its displacement; with the contact pressure.
+//! stress, or a membrane seen from the side, coloured by its displacement; with the contact pressure. Every
+//! contact edge of an elastic body has its own floor, seen along its own normal.
 
 use crate::Result;
-use crate::figures::BodyPicture;
+use crate::figures::{BodyPicture, Floor, short};
 use signorini::fem::stresses;
 use signorini::scenes::SceneRun;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The largest displacement is drawn at most this long, relative to the extent of the body.
 const DRAWN: f64 = 0.25;
 /// The largest pressure arrow, relative to the extent of the body.
 const ARROW: f64 = 0.15;
+/// How far a floor reaches beyond its edge, relative to the extent of the body.
+const FLOOR: f64 = 0.08;
 /// How far a step into the page moves a membrane to the right and upwards.
 const ASIDE: [f64; 2] = [0.4, 0.45];
 
@@ -22,6 +26,7 @@ pub(super) struct Body<'a> {
     nodes: Vec<[f64; 2]>,
     values: Vec<f64>,
     arrows: Vec<([f64; 2], [f64; 2])>,
+    floors: Vec<Floor>,
     /// The largest pressure.
     strongest: f64,
 }
@@ -32,8 +37,7 @@ impl<'a> Body<'a> {
     pub(super) fn of(run: &'a SceneRun) -> Result<Self> {
         let SceneRun { problem, solution, .. } = run;
         let (mesh, u) = (problem.mesh(), &solution.displacement);
-        let extent =
-            mesh.nodes().iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs())).max(f64::MIN_POSITIVE);
+        let extent = extent(mesh.nodes()).max(f64::MIN_POSITIVE);
         let largest = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
         let magnification = if largest > 0.0 { one_two_five(DRAWN * extent / largest) } else { 1.0 };
         let is_elastic = u.len() > mesh.nodes().len();
@@ -54,12 +58,24 @@ impl<'a> Body<'a> {
                 .collect()
         };
         let strongest = solution.pressure.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
-        // The floor presses upwards; what keeps a membrane down presses from above.
-        let length = |p: f64| if is_elastic { -ARROW } else { ARROW } * extent * p / strongest;
-        let edge = problem.edge().nodes().iter().zip(&solution.pressure).filter(|&(_, &p)| p > 0.0);
-        let arrows =
-            edge.map(|(&node, &p)| ([nodes[node][0], nodes[node][1] + length(p)], nodes[node])).collect();
-        Ok(Self { run, magnification, nodes, values, arrows, strongest })
+        let edge = problem.edge();
+        // The floor presses against the normal; what keeps a membrane down presses from above.
+        let outward = if is_elastic { edge.normals()? } else { vec![[0.0, 1.0]; edge.pieces().len()] };
+        let pieces = || edge.pieces().into_iter().zip(&outward);
+        let arrow = |i: usize, normal: &[f64; 2]| {
+            let tip = nodes[edge.nodes()[i]];
+            let length = ARROW * extent * solution.pressure[i] / strongest;
+            ([tip[0] + length * normal[0], tip[1] + length * normal[1]], tip)
+        };
+        let pressed = |i: &usize| solution.pressure[*i] > 0.0;
+        let arrows = pieces().flat_map(|(piece, n)| piece.filter(pressed).map(move |i| (i, n)));
+        let arrows = arrows.map(|(i, n)| arrow(i, n)).collect();
+        let floor = |(piece, &normal): (Range<usize>, &[f64; 2])| {
+            let places: Vec<[f64; 2]> = edge.nodes()[piece.clone()].iter().map(|&node| nodes[node]).collect();
+            Floor::under(edge.points()[piece.start], normal, &places, FLOOR * extent)
+        };
+        let floors = if is_elastic { pieces().map(floor).collect() } else { Vec::new() };
+        Ok(Self { run, magnification, nodes, values, arrows, floors, strongest })
     }
 
     /// The smallest and the largest value.
@@ -81,22 +97,32 @@ impl<'a> Body<'a> {
     ) -> Result<PathBuf> {
         let SceneRun { problem, solution, .. } = self.run;
         let is_elastic = solution.displacement.len() > self.nodes.len();
-        let floor = problem.edge().points().first().map(|point| point[1]).filter(|_| is_elastic);
         let value_name =
-            if is_elastic { "largest shear stress (unit: Lamé's μ)" } else { "displacement u" };
+            if is_elastic { "largest shear stress, in the unit of λ and μ" } else { "displacement u" };
+        let same = if is_elastic { " in that unit" } else { "" };
         let picture = BodyPicture {
-            title: format!("{scene}, displacement × {}, {} cone", self.magnification, solution.cone),
+            title: format!("{scene}, displacement × {}, {} cone", short(self.magnification), solution.cone),
             nodes: &self.nodes,
             triangles: problem.mesh().triangles(),
             values: &self.values,
             range: Some(range),
             value_name: value_name.to_owned(),
             arrows: &self.arrows,
-            arrow_name: format!("contact pressure, largest {:.3}", self.strongest),
-            foundation: floor,
+            arrow_name: format!("contact pressure, largest {}{same}", short(self.strongest)),
+            floors: &self.floors,
         };
         picture.save(directory, name)
     }
+}
+
+/// The longer side of the box around the nodes.
+fn extent(nodes: &[[f64; 2]]) -> f64 {
+    let side = |k: usize| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = nodes.iter().fold(ends, |(low, high), p| (low.min(p[k]), high.max(p[k])));
+        high - low
+    };
+    side(0).max(side(1))
 }
 
 /// The largest 1, 2 or 5 times a power of ten not above `value` > 0.

@@ -5,7 +5,12 @@ use signorini::scenes::SceneRun;
 
 /// Every solution of a study, coarsest mesh first.
 pub fn table(runs: &[SceneRun]) -> Table {
-    Table::new(columns()).with_rows(runs.iter().map(row))
+    Table::new(columns("")).with_rows(runs.iter().map(row))
+}
+
+/// The same of a body whose meshes have no cells along a side.
+pub(super) fn own_table(runs: &[SceneRun]) -> Table {
+    Table::new(columns("segments of the contact edge")).with_rows(runs.iter().map(row))
 }
 
 /// The largest of numbers ≥ 0; not a number if one of them is not.
@@ -13,10 +18,10 @@ pub fn worst(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |worst, value| if value > worst || value.is_nan() { value } else { worst })
 }
 
-fn columns() -> Vec<Column> {
+fn columns(n: &str) -> Vec<Column> {
     let words = Format::Significant(3);
     vec![
-        Column::new("n", "n", words, ""),
+        Column::new("n", "n", words, n),
         Column::hidden("unknowns"),
         Column::hidden("cone"),
         Column::new("solver", "solver", words, ""),

@@ -3,16 +3,18 @@
 
 mod body;
 mod conditions;
+mod csv;
 mod history;
 mod listing;
+mod own;
 mod picture;
 mod roads;
+mod subject;
 mod two_roads;
-mod watch;
 
 pub use conditions::{CONDITIONS, Condition, solvers_agree};
 pub use listing::{table, worst};
-pub use picture::quote_and_draw;
+pub use own::{Load, Material, Own, OwnOptions};
 pub use roads::{algebraic_chart, road_chart, road_table};
+pub use subject::Subject;
 pub use two_roads::{RoadsRow, compressibility_chart, two_roads_table};
-pub use watch::watched;

@@ -8,53 +8,79 @@ use crate::{Headline, Output, Result};
 use signorini::contact::Solver;
 use signorini::scenes::{SceneRun, SceneStudy};
 
-/// Quotes energy, force, active constraints and the worst condition of the finest mesh as
-/// `section.2.SCENE.CONE.WHAT`, and draws it.
-///
-/// # Errors
-/// Those of the coarser solutions and of the files.
-pub fn quote_and_draw(
-    headline: &mut Headline,
-    study: &SceneStudy,
-    runs: &[SceneRun],
-    output: &Output,
-) -> Result<()> {
-    let finest = runs.last().map(|run| run.n);
-    let Some(last) = runs.iter().find(|run| Some(run.n) == finest) else {
-        return Ok(());
-    };
-    let kkt = worst(runs.iter().map(|run| run.solution.judgement.worst()));
-    let active = last.solution.contact_set.count() as f64;
-    let (energy, force) = (last.solution.energy, last.solution.contact_force);
-    for (key, value) in [("energy", energy), ("force", force), ("active", active), ("kkt", kkt)] {
-        headline.quote(format!("section.2.{}.{}.{key}", study.scene, study.cone), value);
-    }
-    draw(headline, study, last, output)
+/// What figures are called.
+pub(super) struct Drawing {
+    /// In the keys of quoted numbers.
+    pub(super) key: String,
+    /// In the names of files.
+    pub(super) file: String,
+    /// In titles.
+    pub(super) title: String,
 }
 
-/// The pictures of a scene, where figures are asked for: its body, also on meshes two, four and eight times
-/// coarser than the coarsest for a picture that moves with h, on one scale of colour; the contact edge; the
-/// contact sets of every step.
-fn draw(headline: &mut Headline, study: &SceneStudy, last: &SceneRun, output: &Output) -> Result<()> {
+impl Drawing {
+    fn name(&self, what: &str, run: &SceneRun) -> String {
+        format!("section_2_{}_{what}_{}", self.file, run.solution.cone)
+    }
+}
+
+/// Quotes energy, force, active constraints and the worst condition of the finest mesh as
+/// `section.2.KEY.CONE.WHAT`, and draws it where figures are asked for: its body, the contact edge, the
+/// contact sets of every step. Returns the ends of the scale of colour.
+///
+/// # Errors
+/// Those of the files.
+pub(super) fn quote_and_draw(
+    headline: &mut Headline,
+    drawing: &Drawing,
+    runs: &[SceneRun],
+    output: &Output,
+) -> Result<Option<(f64, f64)>> {
+    let finest = runs.last().map(|run| run.n);
+    let Some(last) = runs.iter().find(|run| Some(run.n) == finest) else {
+        return Ok(None);
+    };
+    let (solution, key) = (&last.solution, &drawing.key);
+    let kkt = worst(runs.iter().map(|run| run.solution.judgement.worst()));
+    let active = solution.contact_set.count() as f64;
+    let (energy, force) = (solution.energy, solution.contact_force);
+    for (what, value) in [("energy", energy), ("force", force), ("active", active), ("kkt", kkt)] {
+        headline.quote(format!("section.2.{key}.{}.{what}", solution.cone), value);
+    }
+    let Some(directory) = output.directory()? else {
+        return Ok(None);
+    };
+    let body = Body::of(last)?;
+    let range = body.range();
+    headline.figures.push(body.save(&drawing.title, directory, &drawing.name("body", last), range)?);
+    headline.figures.push(edge_chart(last, &drawing.title).save(directory, &drawing.name("edge", last))?);
+    if let Some(chart) = history_chart(last, &drawing.title) {
+        headline.figures.push(chart.save(directory, &drawing.name("history", last))?);
+    }
+    Ok(Some(range))
+}
+
+/// The body of a scene on meshes two, four and eight times coarser than the coarsest, for a picture that
+/// moves with h, on one scale of colour.
+///
+/// # Errors
+/// Those of the solutions and of the files.
+pub(super) fn draw_coarser(
+    headline: &mut Headline,
+    study: &SceneStudy,
+    drawing: &Drawing,
+    range: (f64, f64),
+    output: &Output,
+) -> Result<()> {
     let Some(directory) = output.directory()? else {
         return Ok(());
     };
-    let (scene, cone) = (study.scene, study.cone);
-    let title = format!("Scene {scene}");
-    let name = |what: &str| format!("section_2_{scene}_{what}_{cone}");
-    let body = Body::of(last)?;
-    let range = body.range();
-    headline.figures.push(body.save(&title, directory, &name("body"), range)?);
-    headline.figures.push(edge_chart(last, &title).save(directory, &name("edge"))?);
-    if let Some(chart) = history_chart(last, &title) {
-        headline.figures.push(chart.save(directory, &name("history"))?);
-    }
     let coarser = [8, 4, 2].map(|factor| study.n / factor);
     for n in coarser.into_iter().filter(|&n| n >= 2) {
         let coarse = SceneStudy { n, levels: 1, solver: Some(Solver::ActiveSet), ..*study };
         for run in coarse.run()? {
-            let name = format!("{}_{n}", name("body"));
-            headline.figures.push(Body::of(&run)?.save(&title, directory, &name, range)?);
+            let name = format!("{}_{n}", drawing.name("body", &run));
+            headline.figures.push(Body::of(&run)?.save(&drawing.title, directory, &name, range)?);
         }
     }
     Ok(())

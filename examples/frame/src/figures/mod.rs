@@ -7,15 +7,19 @@
 mod canvas;
 mod chart;
 mod data;
+mod floor;
 mod labels;
 mod legend;
 mod picture;
 mod scale;
 mod series;
 mod typeset;
+mod view;
 
 pub use chart::Chart;
+pub use floor::Floor;
 pub use picture::BodyPicture;
+pub(crate) use picture::short;
 pub use series::{Axis, Series};
 
 /// A colour as red, green, blue.

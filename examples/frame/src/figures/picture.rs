@@ -5,15 +5,14 @@
 
 use super::Colour;
 use super::data::save_svg;
+use super::floor::Floor;
 use super::scale::power_of_ten;
+use super::view::{MARGIN, TOP, View, WIDTH};
 use crate::Result;
 use signorini::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-const WIDTH: f64 = 640.0;
-const MARGIN: f64 = 30.0;
-const TOP: f64 = 40.0;
 /// Colour bar with its words.
 const BELOW: f64 = 70.0;
 const SHADES: usize = 16;
@@ -37,8 +36,8 @@ pub struct BodyPicture<'a> {
     pub arrows: &'a [([f64; 2], [f64; 2])],
     /// What the arrows are; also written below.
     pub arrow_name: String,
-    /// The height y of a rigid foundation under the body.
-    pub foundation: Option<f64>,
+    /// Rigid floors.
+    pub floors: &'a [Floor],
 }
 
 impl BodyPicture<'_> {
@@ -49,7 +48,7 @@ impl BodyPicture<'_> {
     /// value that is not finite; [`Error::CountOutOfRange`] for a node number that does not exist.
     pub fn svg(&self) -> Result<String> {
         self.check()?;
-        let view = View::around(self.nodes, self.arrows, self.foundation);
+        let view = View::around(self.nodes, self.arrows, self.floors);
         let height = TOP + view.height + BELOW;
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{0}\" width=\"{WIDTH}\" \
@@ -60,7 +59,7 @@ impl BodyPicture<'_> {
             escape(&self.title),
             WIDTH / 2.0,
         );
-        self.push_foundation(&mut svg, &view);
+        svg.push_str(&Floor::drawn(self.floors, &view));
         self.push_triangles(&mut svg, &view);
         self.push_arrows(&mut svg, &view);
         self.push_colour_bar(&mut svg, height);
@@ -124,23 +123,6 @@ impl BodyPicture<'_> {
                 "<path d=\"{path}\" fill=\"rgb({r},{g},{b})\" stroke=\"#333\" stroke-width=\"{edge}\" stroke-opacity=\"0.6\"/>"
             );
         }
-    }
-
-    fn push_foundation(&self, svg: &mut String, view: &View) {
-        let Some(level) = self.foundation else { return };
-        let (_, y) = view.place([0.0, level]);
-        let mut hatch = String::new();
-        let mut x = MARGIN / 2.0;
-        while x < WIDTH - MARGIN / 2.0 {
-            let _ = write!(hatch, "M{x:.1} {:.1}l-6 8", y);
-            x += 9.0;
-        }
-        let _ = writeln!(
-            svg,
-            "<path d=\"M{:.1} {y:.1}H{:.1}{hatch}\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.7\"/>",
-            MARGIN / 2.0,
-            WIDTH - MARGIN / 2.0,
-        );
     }
 
     fn push_arrows(&self, svg: &mut String, view: &View) {
@@ -208,43 +190,6 @@ impl BodyPicture<'_> {
     }
 }
 
-/// From places to user units of the picture.
-struct View {
-    left: f64,
-    top: f64,
-    scale: f64,
-    height: f64,
-}
-
-impl View {
-    fn around(nodes: &[[f64; 2]], arrows: &[([f64; 2], [f64; 2])], foundation: Option<f64>) -> Self {
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for place in nodes.iter().chain(arrows.iter().flat_map(|(a, b)| [a, b])) {
-            for axis in 0..2 {
-                low[axis] = low[axis].min(place[axis]);
-                high[axis] = high[axis].max(place[axis]);
-            }
-        }
-        if let Some(level) = foundation {
-            low[1] = low[1].min(level);
-        }
-        let span = [high[0] - low[0], high[1] - low[1]];
-        let inner = WIDTH - 2.0 * MARGIN;
-        let scale = (inner / span[0]).min(420.0 / span[1]);
-        let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
-        Self {
-            left: low[0] - 0.5 * (inner / scale - span[0]),
-            top: high[1],
-            scale,
-            height: span[1] * scale + 12.0,
-        }
-    }
-
-    fn place(&self, [x, y]: [f64; 2]) -> (f64, f64) {
-        (MARGIN + (x - self.left) * self.scale, TOP + (self.top - y) * self.scale)
-    }
-}
-
 /// From dark blue through green to yellow, of rising lightness (the ends and middle of the viridis map).
 fn shade(s: f64) -> Colour {
     const STOPS: [(f64, f64, f64); 5] = [
@@ -262,12 +207,17 @@ fn shade(s: f64) -> Colour {
 }
 
 /// Three significant digits, with a raised exponent where that is shorter.
-fn short(value: f64) -> String {
-    if value == 0.0 || (1e-2..1e4).contains(&value.abs()) {
-        return format!("{value:.3}");
+pub(crate) fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs()) || !rounded.is_finite() {
+        return rounded.to_string();
     }
-    let exponent = value.abs().log10().floor();
-    format!("{:.2}·{}", value / 10f64.powf(exponent), power_of_ten(exponent as i64))
+    let exponent = rounded.abs().log10().floor();
+    let mantissa: f64 = format!("{:.2}", rounded / 10f64.powf(exponent)).parse().unwrap_or(rounded);
+    if mantissa == 1.0 {
+        return power_of_ten(exponent as i64);
+    }
+    format!("{mantissa}·{}", power_of_ten(exponent as i64))
 }
 
 fn escape(text: &str) -> String {

@@ -93,6 +93,17 @@ impl Cell {
         }
     }
 
+    /// With all digits, for a file of comma-separated values.
+    pub(super) fn csv(&self) -> String {
+        match self {
+            Cell::Number(value) => value.to_string(),
+            Cell::Integer(value) => value.to_string(),
+            Cell::Text(words) => format!("\"{}\"", words.replace('"', "\"\"")),
+            Cell::List(values) => values.iter().map(f64::to_string).collect::<Vec<_>>().join(" "),
+            Cell::Missing => String::new(),
+        }
+    }
+
     pub(super) fn json(&self) -> Value {
         let number = |v: f64| Number::from_f64(v).map_or(Value::Null, Value::Number);
         match self {

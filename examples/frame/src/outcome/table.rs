@@ -118,6 +118,18 @@ impl Table {
         self.rows.iter().map(|row| self.json_row(row).to_string()).collect()
     }
 
+    /// The rows as comma-separated values under the keys of the columns, numbers with all their digits, the
+    /// numbers of a list apart by blanks; nothing where an entry is missing.
+    pub fn csv(&self) -> String {
+        let keys: Vec<&str> = self.columns.iter().map(|column| column.key).collect();
+        let mut text = keys.join(",") + "\n";
+        for row in &self.rows {
+            let cells: Vec<String> = row.iter().map(Cell::csv).collect();
+            text += &(cells.join(",") + "\n");
+        }
+        text
+    }
+
     fn json_row(&self, row: &[Cell]) -> Value {
         let cells = || self.columns.iter().zip(row);
         let entries = cells().map(|(column, cell)| (column.key.to_owned(), cell.json()));

@@ -6,12 +6,12 @@
 
 use super::piece::{Piece, View};
 use super::radial::{self, Approach, Points};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::numeric::scale::power_of_two;
 use crate::quadrature::Rule;
 use crate::sobolev::plane::geometry::{Point, distance_from_segment, length, minus, product_difference};
 use crate::sobolev::plane::kernel::InversePower;
-use crate::sobolev::plane::leaves::points;
+use crate::sobolev::plane::leaves::{points, too_near};
 
 /// A piece may be as long as its distance over this.
 const ADMISSIBLE: f64 = 0.5;
@@ -39,7 +39,7 @@ impl Apart<'_> {
     /// ∫∫ (w(x)−w(y))² |x−y|^{-2-2s} over x in a and y in b, in units.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] when the two touch or are too close.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) when the two touch or are too close.
     pub(super) fn pair(&self, a: &Piece, b: &Piece, work: &mut u64) -> Result<f64> {
         let (mut open, mut patience, mut sum) = (vec![(*a, *b)], PATIENCE, 0.0);
         while let Some((a, b)) = open.pop() {
@@ -47,12 +47,7 @@ impl Apart<'_> {
             let (size, other) = (x.longest().1, y.longest().1);
             let distance = x.distance(&y);
             if patience == 0 || distance <= 0.0 {
-                let range = "distances of triangles without a common node that integrals can resolve";
-                return Err(Error::OutOfRange {
-                    name: "distance over length",
-                    value: distance / size.max(other),
-                    range,
-                });
+                return Err(too_near(distance, size.max(other)));
             }
             patience -= 1;
             if size.max(other) * ADMISSIBLE <= distance {

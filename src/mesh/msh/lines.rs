@@ -14,7 +14,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
+    pub(super) fn of(text: &'a str) -> Self {
         Self { numbered: text.lines().enumerate(), line: 0 }
     }
 

@@ -1,0 +1,90 @@
+//! The directions of the two unknowns of a node: Cartesian, or those of a straight contact edge.
+
+use crate::mesh::Point;
+
+/// The two unknowns of every node: Cartesian, or (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    normal: Option<Point>,
+}
+
+impl Frame {
+    /// Cartesian unknowns.
+    pub fn cartesian() -> Self {
+        Self { normal: None }
+    }
+
+    /// (u_T, u_N) for the given unit normal.
+    pub fn turned(normal: Point) -> Self {
+        Self { normal: Some(normal) }
+    }
+
+    /// (u_T, u_N) from Cartesian components.
+    pub fn to_frame(&self, [x, y]: Point) -> Point {
+        let Some([nx, ny]) = self.normal else { return [x, y] };
+        [ny.mul_add(-x, nx * y), nx.mul_add(x, ny * y)]
+    }
+
+    /// Cartesian components from (u_T, u_N).
+    pub fn to_cartesian(&self, [t, n]: Point) -> Point {
+        let Some([nx, ny]) = self.normal else { return [t, n] };
+        [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)]
+    }
+
+    /// R B R'.
+    pub(super) fn turn_block(&self, block: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        self.turn_between(block, self)
+    }
+
+    /// R B S', S the turn of the other frame.
+    fn turn_between(&self, block: [[f64; 2]; 2], other: &Frame) -> [[f64; 2]; 2] {
+        if self.normal.is_none() && other.normal.is_none() {
+            return block;
+        }
+        let rows = block.map(|row| other.to_frame(row));
+        let columns = [0, 1].map(|b| self.to_frame([rows[0][b], rows[1][b]]));
+        [[columns[0][0], columns[1][0]], [columns[0][1], columns[1][1]]]
+    }
+}
+
+/// The frame of every node: one for all, or that of its own contact edge on the nodes of several edges.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Frames {
+    common: Frame,
+    /// By node, in ascending order.
+    own: Vec<(usize, Frame)>,
+}
+
+impl Frames {
+    /// One frame for all nodes.
+    pub(crate) fn all(common: Frame) -> Self {
+        Self { common, own: Vec::new() }
+    }
+
+    /// Frames of single nodes, Cartesian ones elsewhere.
+    pub(crate) fn of_nodes(mut own: Vec<(usize, Frame)>) -> Self {
+        own.sort_unstable_by_key(|&(node, _)| node);
+        Self { common: Frame::cartesian(), own }
+    }
+
+    /// The frame where it is the same for all nodes.
+    pub(crate) fn common(&self) -> Option<&Frame> {
+        if self.own.is_empty() { Some(&self.common) } else { None }
+    }
+
+    /// The frame of a node.
+    pub(crate) fn at(&self, node: usize) -> &Frame {
+        match self.own.binary_search_by_key(&node, |&(node, _)| node) {
+            Ok(found) => &self.own[found].1,
+            Err(_) => &self.common,
+        }
+    }
+
+    /// The block of two nodes in the unknowns of their frames.
+    pub(super) fn turn_block(&self, block: [[f64; 2]; 2], row: usize, column: usize) -> [[f64; 2]; 2] {
+        match self.common() {
+            Some(frame) => frame.turn_block(block),
+            None => self.at(row).turn_between(block, self.at(column)),
+        }
+    }
+}

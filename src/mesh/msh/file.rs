@@ -1,0 +1,114 @@
+//! Reading Gmsh meshes: the ASCII formats 4.1 and 2.2 (Gmsh reference manual, sections "MSH file format" and
+//! "MSH file format version 2").
+//!
+//! Two-node lines of curves in a physical group become boundary edges, three-node triangles the mesh,
+//! physical surfaces its regions in ascending order of their tags. What happens on a curve follows from the
+//! name of its group, in any case, whatever stands behind a blank, `_` or `-`:
+//!
+//! | name | part |
+//! | --- | --- |
+//! | `clamped`, `fixed`, `dirichlet` | [`Part::Dirichlet`](super::super::Part::Dirichlet) |
+//! | `contact` | [`Part::Contact`](super::super::Part::Contact) |
+//! | `free`, `neumann` | [`Part::Neumann`](super::super::Part::Neumann) |
+//!
+//! so that `contact left` and `contact_2` are contact, too. A curve is in one group. Nodes in no triangle
+//! (points of the geometry) are left out. All triangles lie in one plane z = const; a surface whose triangles
+//! all run clockwise is turned. What was read passes the checks of [`Triangulation::new`].
+//! Cost: O(length of the file); nothing is reserved on the word of a count in the file.
+
+use super::lines::Lines;
+use super::raw::Raw;
+use crate::error::Result;
+use crate::mesh::triangulation::Triangulation;
+use crate::numeric::text::{quoted, read_text};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Reads a `.msh` file.
+///
+/// ```no_run
+/// let mesh = signorini::mesh::read_msh("body.msh".as_ref())?;
+/// println!("{} triangles, h = {}", mesh.triangles().len(), mesh.mesh_size());
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// [`File`](crate::Error::File) when it cannot be read, and those of [`parse_msh`].
+pub fn read_msh(path: &Path) -> Result<Triangulation> {
+    // A binary file has its format in a line of text, too.
+    parse_msh(&read_text(path)?)
+}
+
+/// Reads the text of a `.msh` file.
+///
+/// ```
+/// let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
+///     $PhysicalNames\n3\n1 1 \"contact\"\n1 2 \"free\"\n1 3 \"clamped\"\n$EndPhysicalNames\n\
+///     $Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n\
+///     $Elements\n4\n1 1 2 1 1 1 2\n2 1 2 2 2 2 3\n3 1 2 3 3 3 1\n4 2 2 0 1 1 2 3\n$EndElements\n";
+/// let mesh = signorini::mesh::parse_msh(text)?;
+/// assert_eq!((mesh.triangles().len(), mesh.boundary().len()), (1, 3));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Syntax`](crate::Error::Syntax) with the line where the text does not follow the format, a binary file
+/// among them; [`AtLine`](crate::Error::AtLine) with the line that gives what is no triangulation:
+/// [`UnknownName`](crate::Error::UnknownName) for a group that is no boundary part, and the errors of
+/// [`Triangulation::new`].
+pub fn parse_msh(text: &str) -> Result<Triangulation> {
+    let mut raw = Raw::default();
+    let mut lines = Lines::of(text);
+    let (mut format, mut known) = (None, BTreeSet::new());
+    while let Some(header) = lines.next_header()? {
+        let is_read = ["$MeshFormat", "$PhysicalNames", "$Entities", "$Nodes", "$Elements"].contains(&header);
+        if is_read && !known.insert(header) {
+            return Err(lines.fault(&format!("a second section {header}")));
+        }
+        match (header, format) {
+            ("$MeshFormat", _) => format = Some(read_format(&mut lines)?),
+            ("$PhysicalNames", _) => raw.read_names(&mut lines)?,
+            ("$Entities", Some(Format::Four)) => raw.read_entities(&mut lines)?,
+            ("$Nodes", Some(Format::Four)) => raw.read_blocks_of_nodes(&mut lines)?,
+            ("$Elements", Some(Format::Four)) => raw.read_blocks_of_elements(&mut lines)?,
+            ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut lines)?,
+            ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut lines)?,
+            ("$Nodes" | "$Elements" | "$Entities", None) => {
+                return Err(lines.fault("no $MeshFormat section before"));
+            }
+            _ => {
+                lines.skip_section(header)?;
+                continue;
+            }
+        }
+        lines.expect_end(header)?;
+    }
+    if format.is_none() {
+        return Err(lines.fault("no $MeshFormat section: this is no .msh file of Gmsh"));
+    }
+    raw.triangulation(lines.number())
+}
+
+/// The formats that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Four,
+    Two,
+}
+
+fn read_format(lines: &mut Lines<'_>) -> Result<Format> {
+    let line = lines.next_line()?;
+    let mut words = line.split_whitespace();
+    match (words.next(), words.next()) {
+        (Some("4.1" | "2.2"), Some("1")) => {
+            Err(lines.fault("the file is binary: save as ASCII (gmsh -bin 0, or Mesh.Binary = 0)"))
+        }
+        (Some("4.1"), Some("0")) => Ok(Format::Four),
+        (Some("2.2"), Some("0")) => Ok(Format::Two),
+        (version, _) => {
+            let found = quoted(version.unwrap_or(""));
+            let why = format!("format 4.1 or 2.2 is read, found {found}: save as ASCII in one of these");
+            Err(lines.fault(&why))
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! Section 2: bodies of one's own. Meshes of Gmsh in both formats, loads as expressions, several contact
+//! edges, and what is written of them.
+
+#[allow(dead_code)]
+#[path = "../examples/section_2_own_body.rs"]
+mod section_2_own_body;
+
+use clap::Parser;
+use example_frame::contact::{Load, Own, OwnOptions};
+use example_frame::{Headline, Outcome, Table, Verdict};
+use section_2_own_body::{Computed, Options};
+use signorini::Error;
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, Fallback, Solver};
+use signorini::fem::{Field, Form, Frame, Lame, stiffness};
+use signorini::mesh::{ContactEdge, Triangulation, parse_msh, read_msh};
+use signorini::scenes::OwnBody;
+use std::path::{Path, PathBuf};
+
+const L_SHAPE: &str = include_str!("../examples/data/l_shape.msh");
+const L_SHAPE_2: &str = include_str!("reference/l_shape_2.2.msh");
+const GROOVE: &str = include_str!("../examples/data/groove.msh");
+
+/// Sums over some hundred nodes of numbers of order one.
+const SUMS: f64 = 1e-12;
+
+fn repository(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(file)
+}
+
+fn elastic() -> Form {
+    Form::elastic(Lame::new(1.0, 1.0).unwrap())
+}
+
+#[test]
+fn both_formats_of_gmsh_hold_the_same_body() {
+    let (four, two) = (parse_msh(L_SHAPE).unwrap(), parse_msh(L_SHAPE_2).unwrap());
+    assert_eq!(four, two);
+    assert_eq!(read_msh(&repository("examples/data/l_shape.msh")), Ok(four.clone()));
+    // The floor rises by 20 degrees; the normal points down and to the right.
+    let normal = ContactEdge::of(&four).unwrap().normal().unwrap();
+    let angle = 20_f64.to_radians();
+    assert!((normal[0] - angle.sin()).abs() < SUMS && (normal[1] + angle.cos()).abs() < SUMS, "{normal:?}");
+    for (good, bad) in [
+        ("$EndNodes\n", "1 0 0 0\n$EndNodes\n"),
+        ("36 2 2 4 1", "36 3 2 4 1"),
+        ("\"contact\"", "\"floor\""),
+        ("2.2 0", "2.1 0"),
+    ] {
+        let text = L_SHAPE_2.replacen(good, bad, 1);
+        assert!(text != L_SHAPE_2 && parse_msh(&text).is_err(), "{bad}");
+    }
+    // Names in other words, a clockwise surface.
+    let renamed = L_SHAPE.replace("\"contact\"", "\"Contact_1\"").replace("\"clamped\"", "\"Dirichlet\"");
+    assert_eq!(parse_msh(&renamed).unwrap(), four);
+    let out_of_plane = L_SHAPE_2.replacen("\n1 0 0 0\n", "\n1 0 0 0.5\n", 1);
+    let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else { panic!("not in a plane") };
+    assert!(out_of_plane.lines().nth(line - 1).is_some_and(|line| !line.is_empty()), "line {line}");
+    assert!(matches!(*cause, Error::Node { .. }), "{cause}");
+}
+
+#[test]
+fn clockwise_surfaces_are_turned_and_single_triangles_are_not() {
+    let text = |triangles: [&str; 2]| {
+        format!(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"contact\"\n1 2 \"clamped\"\n\
+             $EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n6\n\
+             1 1 2 1 1 1 2\n2 1 2 2 2 2 3\n3 1 2 2 2 3 4\n4 1 2 2 2 4 1\n5 2 2 0 1 {}\n6 2 2 0 1 {}\n$EndElements\n",
+            triangles[0], triangles[1]
+        )
+    };
+    let good = parse_msh(&text(["1 2 3", "1 3 4"])).unwrap();
+    let turned = parse_msh(&text(["1 3 2", "1 4 3"])).unwrap();
+    assert_eq!(good.boundary(), turned.boundary());
+    let Err(Error::AtLine { cause, .. }) = parse_msh(&text(["1 2 3", "1 4 3"])) else {
+        panic!("is inverted")
+    };
+    assert!(matches!(*cause, Error::Triangle { triangle: 1, .. }), "{cause}");
+}
+
+#[test]
+fn binary_files_are_refused_with_what_to_do() {
+    let directory = std::env::temp_dir().join(format!("signorini-binary-{}", std::process::id()));
+    std::fs::create_dir_all(&directory).unwrap();
+    for version in ["4.1", "2.2"] {
+        let file = directory.join("binary.msh");
+        let mut bytes = format!("$MeshFormat\n{version} 1 8\n").into_bytes();
+        bytes.extend_from_slice(&[1, 0, 0, 0, 0xff, 0xfe, b'\n']);
+        std::fs::write(&file, bytes).unwrap();
+        let error = read_msh(&file).unwrap_err().to_string();
+        assert!(error.contains("save as ASCII"), "{error}");
+    }
+    std::fs::remove_dir_all(&directory).unwrap();
+}
+
+fn body<'a>(mesh: &'a Triangulation, form: &'a Form, load: Field<'a>) -> OwnBody<'a> {
+    OwnBody { mesh, form, load, cone: Cone::Nodal, solver: None, levels: 1, accuracy: None }
+}
+
+#[test]
+fn a_slanted_floor_is_a_turned_one() {
+    // The L turned back by 20 degrees stands on a horizontal floor; its load turns with it.
+    let slanted = parse_msh(L_SHAPE).unwrap();
+    let (sin, cos) = 20_f64.to_radians().sin_cos();
+    let level = slanted.clone().mapped(|[x, y]| [cos * x + sin * y, cos * y - sin * x]).unwrap();
+    let f = |[x, y]: [f64; 2]| [0.15 * x, 0.2 - 0.3 * x + 0.1 * y];
+    let g = |[x, y]: [f64; 2]| {
+        let [a, b] = f([cos * x - sin * y, sin * x + cos * y]);
+        [cos * a + sin * b, cos * b - sin * a]
+    };
+    let form = elastic();
+    let one = body(&slanted, &form, Field::Vector(&f)).run(|_| Ok(())).unwrap();
+    let other = body(&level, &form, Field::Vector(&g)).run(|_| Ok(())).unwrap();
+    assert!(ContactEdge::of(&level).unwrap().normal().unwrap()[1] < -1.0 + SUMS);
+    for (a, b) in one.iter().zip(&other) {
+        let (a, b) = (&a.solution, &b.solution);
+        assert!((a.energy / b.energy - 1.0).abs() < SUMS && a.contact_set == b.contact_set);
+        for (u, v) in a.normal_displacement.iter().zip(&b.normal_displacement) {
+            assert!((u - v).abs() < SUMS, "{u} {v}");
+        }
+        for (p, q) in a.pressure.iter().zip(&b.pressure) {
+            assert!((p - q).abs() < 10.0 * SUMS, "{p} {q}");
+        }
+    }
+    // A planted fault: the load does not turn.
+    let wrong = body(&level, &form, Field::Vector(&f)).run(|_| Ok(())).unwrap();
+    assert!((wrong[0].solution.energy / one[0].solution.energy - 1.0).abs() > 1e-3);
+}
+
+#[test]
+fn two_contact_edges_have_two_normals() {
+    let mesh = parse_msh(GROOVE).unwrap();
+    let edge = ContactEdge::in_pieces(&mesh).unwrap();
+    assert!(ContactEdge::of(&mesh).is_err() && edge.pieces().len() == 2);
+    let form = elastic();
+    let load = |[x, y]: [f64; 2]| [0.2 * y, -0.5 - 0.3 * x];
+    let body = body(&mesh, &form, Field::Vector(&load));
+    let problem = body.problem(mesh.clone()).unwrap();
+    let by_sets = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    let by_barrier = problem.solve(Cone::Nodal, Solver::InteriorPoint).unwrap();
+    assert!((by_sets.energy / by_barrier.energy - 1.0).abs() < 1e-8);
+    assert!(by_sets.judgement.worst() < SUMS && by_sets.balance < SUMS, "{:?}", by_sets.judgement);
+    // The conditions once more, in Cartesian components: K u - F is the force of the floors, along the normals.
+    let mut rest = stiffness(&mesh, &form, &Frame::cartesian()).multiply(&by_sets.displacement);
+    let rule = OwnBody::load_rule().unwrap();
+    let f = signorini::fem::volume_load(&mesh, &Field::Vector(&load), &rule).unwrap();
+    rest.iter_mut().zip(f).for_each(|(r, f)| *r -= f);
+    let (lengths, normals) = (edge.nodal_lengths(), edge.normals().unwrap());
+    assert!((normals[0][0] + normals[1][0]).abs() > 1e-3, "the two slopes differ");
+    let mut pushed = [0, 0];
+    for (number, piece) in edge.pieces().into_iter().enumerate() {
+        for i in piece {
+            let node = edge.nodes()[i];
+            let u = [by_sets.displacement[2 * node], by_sets.displacement[2 * node + 1]];
+            let inward = u[0] * normals[number][0] + u[1] * normals[number][1];
+            assert!(inward < SUMS && (inward - by_sets.normal_displacement[i]).abs() < SUMS);
+            assert!(by_sets.pressure[i] * inward > -SUMS && by_sets.pressure[i] >= 0.0);
+            pushed[number] += usize::from(by_sets.pressure[i] > 0.0);
+            for k in 0..2 {
+                rest[2 * node + k] += by_sets.pressure[i] * lengths[i] * normals[number][k];
+            }
+        }
+    }
+    assert!(pushed[0] > 0 && pushed[1] > 0, "{pushed:?}");
+    let held = mesh.nodes_on(signorini::mesh::Part::Dirichlet);
+    for node in (0..held.len()).filter(|&node| !held[node]) {
+        assert!(rest[2 * node].abs() < SUMS && rest[2 * node + 1].abs() < SUMS, "{node}");
+    }
+    // What one chain needs is refused, what elimination can do it does.
+    assert!(matches!(problem.solve(Cone::Midpoint, Solver::ActiveSet), Err(Error::Incompatible { .. })));
+    assert!(problem.contact_partition().is_err() && problem.solve_after(&by_sets).is_err());
+    let cycles = problem.solve_by_multigrid(Cone::Nodal, None, Default::default(), |_| Ok(())).unwrap();
+    assert_eq!((cycles.fallback, cycles.solution.energy), (Some(Fallback::SeveralEdges), by_sets.energy));
+}
+
+#[test]
+fn contact_edges_that_meet_are_refused() {
+    // The free bottom of the groove becomes contact, too: one bent chain.
+    let bent = GROOVE.replace("\"free\"", "\"contact\"");
+    let mesh = parse_msh(&bent).unwrap();
+    let none = vec![0.0; 2 * mesh.nodes().len()];
+    assert!(matches!(ContactProblem::new(mesh, elastic(), &none), Err(Error::Edge { .. })));
+}
+
+#[test]
+fn the_example_holds_and_planted_faults_turn_it() {
+    let options = Options { levels: 2, ..Default::default() };
+    let headline = |options: &Options, computed: &Computed| {
+        let found = section_2_own_body::findings(options, computed);
+        Headline::new("Section 2", "planted", Table::default(), found)
+    };
+    let plant = |key: &str, spoil: &dyn Fn(&mut Computed)| {
+        let mut computed = section_2_own_body::compute(&options).unwrap();
+        assert_eq!(headline(&options, &computed).verdict(), Verdict::Holds);
+        spoil(&mut computed);
+        let spoiled = headline(&options, &computed);
+        assert_ne!(spoiled.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {spoiled}");
+        assert_eq!(spoiled.exit_code(), 1, "{key}: {spoiled}");
+    };
+    plant("forces", &|c| c.resultants[0][2][1] *= 1.0 + 1e-6);
+    plant("forces", &|c| c.resultants[1][0] = [0.0; 2]);
+    plant("push", &|c| c.runs.iter_mut().for_each(|run| run.solution.contact_force *= -1.0));
+    plant("turned", &|c| c.turned[1].solution.energy *= 1.0 + 1e-6);
+    plant("turned", &|c| c.turned.truncate(1));
+    plant("falls", &|c| c.runs[2].solution.energy *= 0.9);
+    plant("cone", &|c| c.runs[0].solution.gap[0] = 1e-9 * c.runs[0].solution.displacement_scale);
+    plant("solvers", &|c| c.runs[1].solution.energy *= 1.0 + 1e-7);
+}
+
+fn options(line: &[&str]) -> Result<Options, String> {
+    let first = |text: String| text.lines().next().unwrap_or_default().to_owned();
+    Options::try_parse_from([&["example"], line].concat()).map_err(|e| first(e.to_string()))
+}
+
+fn answer(line: &[&str]) -> Result<Headline, String> {
+    section_2_own_body::run(&options(line)?).map_err(|e| e.to_string())
+}
+
+#[test]
+fn bad_bodies_are_refused_in_one_clear_line() {
+    let mesh = repository("examples/data/l_shape.msh");
+    let mesh = mesh.to_str().unwrap();
+    for (line, why) in [
+        (&["--load", "z, 0"][..], "unknown name 'z': known are x, y, pi"),
+        (&["--load", "sin x, 0"], "needs its argument in parentheses"),
+        (&["--load", "1, 2, 3"], "3 components"),
+        (&["--mesh", mesh], "--mesh needs --load"),
+        (&["--load", "ln(x - 1), 0"], "is not finite: NaN at ("),
+        (&["--load", "0, 1/(x - x)"], "is not finite: inf at ("),
+        (&["--load", "1", "--material", "E=1, nu=0.3"], "no effect on a scalar problem"),
+        (&["--material", "E=1, nu=0.5"], "Poisson's ratio"),
+        (&["--material", "E=1, nu=0", "--material", "E=2, nu=0"], "2 materials for 1 physical surfaces"),
+        (&["--mesh", "no/such.msh", "--load", "0, 1"], "no/such.msh"),
+    ] {
+        let error = answer(line).expect_err(why);
+        assert!(error.contains(why) && !error.contains('\n'), "{line:?}: {error}");
+    }
+    // A negative first component is a value, not an option.
+    assert!(options(&["--load", "-x, -1"]).is_ok());
+}
+
+#[test]
+fn scalar_bodies_and_materials_have_their_effect() {
+    let force = |line: &[&str]| {
+        let headline = answer(&[line, &["--levels", "1"]].concat()).unwrap();
+        assert_eq!(headline.verdict(), Verdict::Holds, "{headline}");
+        headline.values.iter().find(|(key, _)| key == "section.2.own.nodal.force").unwrap().1
+    };
+    assert!(force(&["--load", "1 - x"]) > 0.0);
+    // Contact does not change when load and constants grow together; force does.
+    let (soft, hard) = (
+        force(&["--load", "0.15, 0.2 - 0.3*x", "--material", "E=2.5, nu=0.25"]),
+        force(&["--load", "15, 20 - 30*x", "--material", "E=250, nu=0.25"]),
+    );
+    assert!((hard / soft - 100.0).abs() < 1e-9, "{hard} {soft}");
+    let groove = repository("examples/data/groove.msh");
+    assert!(force(&["--mesh", groove.to_str().unwrap(), "--load", "0, -0.5"]) > 0.0);
+}
+
+#[test]
+fn files_hold_the_rows_and_the_contact_edges() {
+    let directory = std::env::temp_dir().join(format!("signorini-own-{}", std::process::id()));
+    let groove = repository("examples/data/groove.msh");
+    let line = ["--mesh", groove.to_str().unwrap(), "--load", "0.2*y, -0.5 - 0.3*x", "--levels", "2"];
+    let out = ["--csv", directory.to_str().unwrap(), "--out", directory.to_str().unwrap()];
+    let headline = answer(&[&line[..], &out[..]].concat()).unwrap();
+    let read = |name: &str| std::fs::read_to_string(directory.join(name)).unwrap();
+    let lines = |text: &str| -> (Vec<String>, Vec<String>) {
+        text.lines().map(str::to_owned).partition(|line| line.starts_with('#'))
+    };
+    let (head, rows) = lines(&read("rows.csv"));
+    assert!(head.join(" ").contains("Units: lengths and displacements in the unit of the mesh"));
+    assert_eq!(rows.len(), 1 + headline.table.rows().len());
+    let (head, rows) = lines(&read("contact_edge.csv"));
+    assert!(head.join(" ").contains("sigma_N: nodal contact force over"));
+    assert_eq!(rows[0], "edge,s,x,y,normal_x,normal_y,u_N,sigma_N");
+    let numbers: Vec<Vec<f64>> =
+        rows[1..].iter().map(|row| row.split(',').map(|word| word.parse().unwrap()).collect()).collect();
+    assert!(numbers.iter().all(|row| row.len() == 8 && row[6] <= 1e-12 && row[7] <= 0.0));
+    // The trapezoidal rule of sigma_N on each edge gives the force of the floors back.
+    let mut force = 0.0;
+    for pair in numbers.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
+        force -= 0.5 * (pair[1][1] - pair[0][1]) * (pair[0][7] + pair[1][7]);
+    }
+    let expected = headline.values.iter().find(|(key, _)| key == "section.2.own.nodal.force").unwrap().1;
+    assert!((force / expected - 1.0).abs() < 1e-9, "{force} {expected}");
+    assert_eq!(numbers.iter().filter(|row| row[1] == 0.0).count(), 2, "two edges begin");
+    // Each edge has its floor, hatched: two lines along two normals.
+    let picture = read("section_2_own_groove_body_nodal.svg");
+    assert!(picture.contains("in the unit of λ and μ") && !picture.contains("Lamé"));
+    std::fs::remove_dir_all(&directory).unwrap();
+}
+
+#[test]
+fn loads_are_turned_with_their_body() {
+    let own = OwnOptions { load: Some("x, 2*y".parse::<Load>().unwrap()), ..Default::default() };
+    let body = own.body(|| Own::sample("l_shape", L_SHAPE), elastic(), 2.0).unwrap();
+    let turned = body.turned(90.0).unwrap();
+    // (1, 0) goes to (0, 1), and its load (2, 0) to (0, 2).
+    let load = turned.load_at([0.0, 1.0]);
+    assert!((load[0]).abs() < 1e-15 && (load[1] - 2.0).abs() < 1e-15, "{load:?}");
+}
