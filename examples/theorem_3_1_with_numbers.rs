@@ -26,6 +26,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=10))]
         pub finest: u32,
     }
+    memory(options) {
+        1250.0 * f64::from(2 * options.finest).exp2()
+    }
 }
 
 /// What C(s) belongs to.

@@ -32,6 +32,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=9))]
         pub finest: u32,
     }
+    memory(options) {
+        4500.0 * f64::from(2 * options.finest).exp2()
+    }
 }
 
 /// Both cones for every tau.

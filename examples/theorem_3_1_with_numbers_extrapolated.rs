@@ -21,6 +21,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(5..=9))]
         pub finest: u32,
     }
+    memory(options) {
+        6800.0 * f64::from(2 * options.finest).exp2()
+    }
 }
 
 /// From this tau on the bound should not be farther from the error than this.

@@ -32,6 +32,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 1.0)]
         pub mu: f64,
     }
+    memory(options) {
+        4500.0 * f64::from(2 * options.finest).exp2()
+    }
 }
 
 /// For every constant of a segment: column of the bound over the error, and of the same from |u|_2 alone.

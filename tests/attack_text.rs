@@ -34,8 +34,8 @@ const MUTANTS: usize = 20_000;
 /// What reading may take per byte of the text: a triangle of ten bytes has three sides of 32 bytes each, in
 /// vectors that double.
 const BYTES_PER_BYTE: usize = 64;
-/// What it may take beside that: messages with the names of all scenes, problems on coarse grids.
-const BYTES: usize = 1 << 18;
+/// What it may take beside that: names of all scenes and functions, problems on coarse grids.
+const BYTES: usize = 1 << 20;
 /// Longest wait for an answer.
 const PATIENCE: Duration = Duration::from_secs(20);
 /// Longest mutant.
@@ -188,8 +188,10 @@ fn edge(data: Result<EdgeData, Error>) -> Answer {
 /// The kind of an answer: what it says, without numbers and without what it quotes.
 fn kind<E: Display>(answer: Result<String, E>) -> Answer {
     let said = answer.unwrap_or_else(|error| error.to_string());
-    let plain = said.split('\'').step_by(2).flat_map(str::chars);
-    Ok(plain.filter(char::is_ascii_alphabetic).take(60).collect())
+    let quotes = ['\'', '"'];
+    let (before, rest) = said.split_once(quotes).unwrap_or((&said, ""));
+    let behind = rest.rsplit_once(quotes).map_or(rest, |(_, behind)| behind);
+    Ok([before, behind].concat().chars().filter(char::is_ascii_alphabetic).take(60).collect())
 }
 
 /// An error in a file names a line that there is.
