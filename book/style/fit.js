@@ -34,6 +34,26 @@
   function scrolled(event) {
     if (event.target instanceof Element && event.target.matches(boxes)) mark(event.target);
   }
+  // On paper nothing scrolls: before printing formulas and tables are fitted to the width of the text on A4, in the letters
+  // that the style has for paper.
+  const paper = { width: "628px", fontSize: "0.88em" };
+  function fitTables() {
+    for (const box of document.querySelectorAll("main .table-wrapper")) {
+      const share = box.clientWidth / box.scrollWidth;
+      if (share < 1) box.style.fontSize = Math.max(0.97 * share, 0.5) * parseFloat(getComputedStyle(box).fontSize) + "px";
+    }
+  }
+  window.addEventListener("beforeprint", () => {
+    const main = document.querySelector("main");
+    Object.assign(main.style, paper);
+    fit();
+    fitTables();
+    Object.assign(main.style, { width: "", fontSize: "" });
+  });
+  window.addEventListener("afterprint", () => {
+    for (const box of document.querySelectorAll("main .table-wrapper")) box.style.fontSize = "";
+    all();
+  });
   document.addEventListener("scroll", scrolled, { capture: true, passive: true });
   document.fonts.ready.then(all);
   window.addEventListener("resize", all);

@@ -1,7 +1,7 @@
 //! Condensed primal-dual active set: guess the contact set, solve on the edge, correct the guess.
 //!
-//! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0)
-//! and the inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a semismooth Newton step
+//! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0) or
+//! that cannot hold, and the inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a semismooth Newton step
 //! for w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
 //!
 //! * nodal cone: all wrong constraints change sides (M. Hintermüller, K. Ito, K. Kunisch, SIAM J. Optim. 13
@@ -137,7 +137,7 @@ fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wron
             return state.gap[i];
         }
         let stiffness = cone.support(i).map(|node| problem.stiffness[(node, node)]).fold(0.0, f64::max);
-        -state.multiplier[i] / stiffness
+        state.gap[i].abs().max(-state.multiplier[i] / stiffness)
     };
     wrong.iter().copied().max_by(|&i, &j| off(i).total_cmp(&off(j))).unwrap_or(0)
 }
@@ -160,7 +160,7 @@ fn wrong_constraints(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeSt
     let sizes = problem.sizes(&state.displacement);
     let is_wrong = |&i: &usize| {
         if set.contains(i) {
-            state.multiplier[i] < -ROUNDING * sizes.force(i)
+            state.multiplier[i] < -ROUNDING * sizes.force(i) || state.gap[i] != 0.0 && !problem.is_settled(i)
         } else {
             state.gap[i] > ROUNDING * sizes.gap(i) && !problem.is_settled(i)
         }
@@ -213,5 +213,26 @@ mod tests {
         let outcome = solve_on_edge(&problem, ContactSet::empty(2)).unwrap();
         assert_eq!(outcome.status, Status::Cycled { period: 2 });
         assert!(outcome.history.len() < 10);
+    }
+
+    /// Two segments of different gaps between fixed ends: both cannot close, and it shows.
+    #[test]
+    fn a_run_that_cannot_hold_has_a_gap() {
+        let stiffness = Mat::identity(3, 3);
+        let fixed = [true, false, true];
+        let (load, cone, ends) = (&[0.0, 1.0, 0.0][..], Cone::Midpoint, Ends::Open);
+        for (bound, off) in [([0.1, 0.2], 0.1), ([0.2, 0.1], 0.1), ([0.2, 0.2], 0.0)] {
+            let problem =
+                EdgeProblem { stiffness: &stiffness, load, bound: &bound, fixed: &fixed, cone, ends };
+            let state = problem.solve_with(&ContactSet::new(vec![true; 2])).unwrap();
+            let largest = state.gap.iter().fold(0.0, |m: f64, gap| m.max(gap.abs()));
+            assert!((largest - off).abs() < 1e-15, "{bound:?}: {:?}", state.gap);
+            for start in [[true, true], [true, false], [false, true], [false, false]] {
+                let outcome = solve_on_edge(&problem, ContactSet::new(start.to_vec())).unwrap();
+                assert!(outcome.status.is_converged(), "{bound:?} from {start:?}: {}", outcome.status);
+                let least = 2.0 * f64::min(bound[0], bound[1]);
+                assert!((outcome.state.displacement[1] - least).abs() < 1e-15);
+            }
+        }
     }
 }

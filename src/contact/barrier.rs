@@ -16,6 +16,7 @@
 
 use super::active_set::EdgeOutcome;
 use super::edge_problem::{EdgeProblem, EdgeState};
+use super::units::unit_for;
 use crate::cone::{Cone, ContactSet, Status};
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite, require_length};
@@ -26,6 +27,8 @@ use faer::{Mat, Side};
 const DECIDED: f64 = 1e-12;
 /// The balance of forces at every node, relative to its own terms.
 const BALANCED: f64 = 1e-13;
+/// Where nothing is in contact, forces below this multiple of their terms are what the barrier leaves.
+const LEFT: f64 = 1e-11;
 /// The share of the way to the boundary that a step goes.
 const INSIDE: f64 = 0.995;
 /// Most steps.
@@ -51,7 +54,8 @@ struct Change {
 ///
 /// # Errors
 /// [`Error::NotPositiveDefinite`] when S is not; [`Error::LengthMismatch`] when lengths disagree;
-/// [`Error::OutOfRange`] for sizes that are not positive; [`Error::Incompatible`] for the midpoint cone.
+/// [`Error::OutOfRange`] for sizes that are not positive; [`Error::NotFinite`] for loads and gaps beyond
+/// binary64; [`Error::Incompatible`] for the midpoint cone.
 pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
     if problem.cone != Cone::Nodal {
         let given = problem.cone.to_string();
@@ -61,6 +65,8 @@ pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<Edge
     problem.check(&nothing)?;
     require_length("sizes of displacements", sizes.len(), problem.load.len())?;
     require_finite("size of displacements", sizes)?;
+    require_finite("edge load", problem.load)?;
+    require_finite("gap", problem.bound)?;
     if let Some(&value) = sizes.iter().find(|&&size| size <= 0.0) {
         return Err(Error::OutOfRange { name: "size of displacements", value, range: "(0, inf)" });
     }
@@ -68,9 +74,15 @@ pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<Edge
     let alone = |i: usize| problem.load[i].abs() / problem.stiffness[(i, i)] / sizes[i];
     let scale =
         free().map(alone).chain(free().map(|i| problem.bound[i].abs() / sizes[i])).fold(0.0, f64::max);
-    if scale == 0.0 {
+    let is_unloaded = free().all(|i| problem.load[i] == 0.0 && problem.bound[i] >= 0.0);
+    if scale == 0.0 || is_unloaded {
         let state = problem.solve_with(&nothing)?;
         return Ok(EdgeOutcome { state, set: nothing, status: Status::Converged, history: Vec::new() });
+    }
+    // Products of forces and gaps are of this size, squared.
+    let root = free().map(|i| problem.stiffness[(i, i)].sqrt() * scale * sizes[i]).fold(0.0, f64::max);
+    if let Some(unit) = unit_for(root) {
+        return solve_in_unit(problem, sizes, unit);
     }
     let mut iterate = Iterate::new(problem, sizes, scale);
     for _ in 0..STEPS {
@@ -81,6 +93,19 @@ pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<Edge
         iterate.step(&balance)?;
     }
     Ok(iterate.outcome(Status::StepLimit { steps: STEPS }))
+}
+
+/// The same for loads and bounds over `unit`, scaled back.
+fn solve_in_unit(problem: &EdgeProblem<'_>, sizes: &[f64], unit: f64) -> Result<EdgeOutcome> {
+    let over = |values: &[f64]| -> Vec<f64> { values.iter().map(|v| v / unit).collect() };
+    let (load, bound) = (over(problem.load), over(problem.bound));
+    let scaled = EdgeProblem { load: &load, bound: &bound, ..*problem };
+    let mut outcome = solve_by_barrier(&scaled, sizes)?;
+    let EdgeState { displacement, multiplier, gap } = &mut outcome.state;
+    for values in [displacement, multiplier, gap] {
+        values.iter_mut().for_each(|v| *v *= unit);
+    }
+    Ok(outcome)
 }
 
 impl<'a> Iterate<'a> {
@@ -183,7 +208,11 @@ impl<'a> Iterate<'a> {
         let fixed = self.problem.fixed;
         let active = |i: usize| !fixed[i] && self.force[i] > self.problem.stiffness[(i, i)] * self.gap[i];
         let set = ContactSet::new((0..fixed.len()).map(active).collect());
-        (0..fixed.len()).filter(|&i| fixed[i]).for_each(|i| self.force[i] = 0.0);
+        // Nowhere in contact: what the barrier leaves has no force beside it to be small against.
+        let sizes = self.problem.sizes(&self.displacement);
+        let is_left = |i: usize| fixed[i] || self.force[i] <= LEFT * sizes.force(i);
+        let is_free = set.count() == 0 && (0..fixed.len()).all(is_left);
+        (0..fixed.len()).filter(|&i| fixed[i] || is_free).for_each(|i| self.force[i] = 0.0);
         let gap = self.displacement.iter().zip(self.problem.bound).map(|(w, g)| w - g).collect();
         let state = EdgeState { displacement: self.displacement, multiplier: self.force, gap };
         EdgeOutcome { state, set, status, history: Vec::new() }

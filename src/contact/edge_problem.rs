@@ -11,6 +11,9 @@ use crate::error::{Error, Result};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
+/// Equations of a set hold to this multiple of what is summed in them, or contradict each other.
+const HELD: f64 = 1e-10;
+
 /// A dense contact problem on a chain or a ring of nodes.
 #[derive(Debug, Clone)]
 pub struct EdgeProblem<'a> {
@@ -35,7 +38,8 @@ pub struct EdgeState {
     pub displacement: Vec<f64>,
     /// λ; zero off the set.
     pub multiplier: Vec<f64>,
-    /// B w − g; exactly zero on the set.
+    /// B w − g; exactly zero on the set, except where a run of active segments between two fixed nodes, one
+    /// equation more than nodes, cannot hold.
     pub gap: Vec<f64>,
 }
 
@@ -53,7 +57,11 @@ impl EdgeProblem<'_> {
         let multiplier = cone.multipliers(set.as_slice(), &residual, |node| self.fixed[node]);
         let mut gap = cone.apply(&displacement);
         for (i, gap) in gap.iter_mut().enumerate() {
-            *gap = if set.contains(i) && !self.is_settled(i) { 0.0 } else { *gap - self.bound[i] };
+            let size =
+                cone.support(i).map(|node| displacement[node].abs()).fold(self.bound[i].abs(), f64::max);
+            let off = *gap - self.bound[i];
+            let holds = set.contains(i) && !self.is_settled(i) && off.abs() <= HELD * size;
+            *gap = if holds { 0.0 } else { off };
         }
         Ok(EdgeState { displacement, multiplier, gap })
     }

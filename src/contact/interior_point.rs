@@ -7,11 +7,9 @@
 //! digits in 11-16 steps.
 
 use super::problem::ContactProblem;
-use super::solution::{
-    ACCEPTED, Candidate, ContactSolution, Seconds, conclude, displacement_scale, force_scale, gap_of,
-};
+use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, force_scale, gap_of};
 use super::solver::Solver;
-use crate::cone::{Cone, ContactSet, EdgeCone, NOISE, Status};
+use crate::cone::{Cone, ContactSet, EdgeCone, Status};
 use crate::error::{Error, Result};
 use crate::estimate::Work;
 use crate::numeric::scale::largest;
@@ -49,6 +47,9 @@ const HALVED: f64 = 2.0;
 /// One thread: the order of the sums, hence every digit, is the same on every machine.
 const THREADS: u32 = 1;
 
+/// Where nothing is in contact, forces below this multiple of the force scale are what the barrier leaves.
+const LEFT: f64 = 100.0 * DUALITY_GAP;
+
 /// Clarabel's answer in the scaling of the problem.
 struct Answer {
     unknowns: Vec<f64>,
@@ -59,14 +60,20 @@ struct Answer {
 
 pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
     let start = Instant::now();
-    let answer = run(problem, problem.edge_cone(cone))?;
+    let mut answer = run(problem, problem.edge_cone(cone))?;
     let contact = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let edge_cone = problem.edge_cone(cone);
     let normal: Vec<f64> =
         problem.normal_unknowns().into_iter().map(|unknown| answer.unknowns[unknown]).collect();
     let gap = gap_of(problem, edge_cone, &normal);
-    let contact_set = dominant(problem, &answer, &gap);
+    let contact_set = dominant(problem, edge_cone, &answer, &gap);
+    if contact_set.count() == 0
+        && largest(&answer.multiplier) <= LEFT * force_scale(problem, &answer.unknowns)
+    {
+        // No force beside it for it to be small against; the balance shows it.
+        answer.multiplier.iter_mut().for_each(|l| *l = 0.0);
+    }
     let status = match answer.status {
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
             Status::Converged
@@ -105,15 +112,13 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     Ok(solution)
 }
 
-/// Active: where the multiplier, relative to the largest, exceeds the gap, relative to the displacement.
-/// Multipliers that are all rounding are compared with the force scale instead, as by the judge.
-fn dominant(problem: &ContactProblem, answer: &Answer, gap: &[f64]) -> ContactSet {
-    let displacement = displacement_scale(problem, &answer.unknowns);
-    let (most, scale) = (largest(&answer.multiplier), force_scale(problem, &answer.unknowns));
-    let force = if most > NOISE * scale { most } else { scale };
-    let pairs = answer.multiplier.iter().zip(gap);
-    // Quotients: products of huge loads and displacements would overflow.
-    ContactSet::new(pairs.map(|(l, g)| l / force > g.abs() / displacement).collect())
+/// Active: where the multiplier exceeds the gap times the stiffness at the nodes of the constraint. On the way to
+/// the solution one of the two vanishes, so that their quotient is far from 1, whatever the stiffness is to a
+/// few digits.
+fn dominant(problem: &ContactProblem, cone: EdgeCone, answer: &Answer, gap: &[f64]) -> ContactSet {
+    let normals = problem.normal_unknowns();
+    let stiff = |i: usize| cone.support(i).map(|node| problem.diagonal(normals[node])).fold(0.0, f64::max);
+    ContactSet::new((0..gap.len()).map(|i| answer.multiplier[i] > stiff(i) * gap[i].abs()).collect())
 }
 
 fn settings() -> DefaultSettings<f64> {
@@ -150,8 +155,9 @@ fn run(problem: &ContactProblem, cone: EdgeCone) -> Result<Answer> {
     let gap = gap_of(problem, cone, &fixed_part);
     let stiff = free.iter().map(|&i| problem.matrix().diagonal(i)).fold(0.0, f64::max);
     let force = largest(&load).max(stiff * largest(&gap));
-    // Nothing to move, or nothing that moves it: no scale for the solver to work in, and nothing to solve.
-    if free.is_empty() || force == 0.0 {
+    // Nothing to move, or nothing that moves it: no scale of forces for the solver to work in, and nothing to
+    // solve.
+    if free.is_empty() || largest(&load) == 0.0 && gap.iter().all(|&gap| gap <= 0.0) {
         let multiplier = vec![0.0; cone.constraints()];
         let (unknowns, status) = (problem.values.clone(), SolverStatus::Solved);
         return Ok(Answer { unknowns, multiplier, status, iterations: 0 });

@@ -20,6 +20,7 @@ mod products;
 mod solution;
 mod solve;
 mod solver;
+mod units;
 
 pub use active_set::{EdgeOutcome, solve_on_edge};
 pub use barrier::solve_by_barrier;

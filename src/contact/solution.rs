@@ -3,7 +3,8 @@
 //! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: nodal contact force B'λ over the length that
 //! belongs to the node (∫ of its hat function). Global balance: in every direction d (a unit translation;
 //! scalar: the constant 1), loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to
-//! the sum of absolute loads and reactions; a(d, u) vanishes without a reaction term.
+//! the sum of absolute loads and reactions, or of the other terms where those are more; a(d, u) vanishes without
+//! a reaction term.
 
 use super::problem::ContactProblem;
 use super::solver::Solver;
@@ -241,7 +242,7 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
 
 /// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents
 /// everything.
-pub(super) fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let alone = (0..u.len())
         .filter(|&i| !problem.prescribed[i] && problem.load[i] != 0.0)
         .map(|i| problem.load[i].abs() / problem.diagonal(i))
@@ -261,15 +262,17 @@ fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_fo
         contact[unknown] = *force;
     }
     let absolute = |values: &[f64]| compensated(values.iter().map(|v| v.abs()));
-    let scale = absolute(&problem.load) + absolute(&reactions);
+    let mut scale = (absolute(&problem.load) + absolute(&reactions)).max(absolute(&contact));
     let (mut reaction, mut worst) = ([0.0; 2], 0.0_f64);
     for axis in 0..c {
         let unit: Vec<f64> = (0..residual.len()).map(|i| f64::from(u8::from(i % c == axis))).collect();
         let direction = problem.to_frame(&unit);
         reaction[axis] = careful_dot(&direction, &reactions);
+        let inner = problem.multiply(&direction);
+        scale = scale.max(inner.iter().zip(u).map(|(k, u)| (k * u).abs()).sum());
         let sum = careful_dot(&direction, &problem.load) + reaction[axis]
             - careful_dot(&direction, &contact)
-            - careful_dot(&problem.multiply(&direction), u);
+            - careful_dot(&inner, u);
         worst = worst.max(sum.abs());
     }
     let balance = if worst == 0.0 { 0.0 } else { worst / scale };

@@ -35,6 +35,11 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         if doubled.is_nan() || doubled <= FLATNESS {
             return Err(bad_triangle(t, "has no area: twice its scaled area is", doubled));
         }
+        // Gradients are of the size of diameter over area, stiffness of their squares times area.
+        let area = doubled_area(corners);
+        if !area.is_normal() || !(diameter / area).powi(2).is_finite() || !(diameter * diameter).is_finite() {
+            return Err(bad_triangle(t, "is beyond the range of binary64: twice its area is", area));
+        }
     }
     match used.iter().position(|&used| !used) {
         Some(node) => Err(Error::Node { node, reason: "belongs to no triangle" }),
@@ -114,5 +119,9 @@ mod tests {
         let inner = [AROUND[0], AROUND[1], AROUND[2], AROUND[3], [0, 2]];
         assert!(matches!(two_triangles(1.0, &inner), Err(Error::Edge { nodes: [0, 2], .. })));
         assert!(two_triangles(f64::NAN, &AROUND).is_err());
+        for size in [1e-160, 1e160] {
+            let mesh = two_triangles(1.0, &AROUND).unwrap().mapped(|point| point.map(|x| size * x));
+            assert!(matches!(mesh, Err(Error::Triangle { triangle: 0, .. })), "{size:e}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 //! and carries a label for those who do not see it.
 
 use crate::markup::{Tag, escape, tags, well_formed};
-use crate::paper;
+use crate::paper::{self, Crowd};
 use std::fmt::Write as _;
 
 /// Ink written by chart writers that becomes the ink of the page.
@@ -40,6 +40,7 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
     let mut html = String::new();
     let mut copied = 0;
     let mut is_root = true;
+    let mut crowd = Crowd::default();
     for tag in tags(svg) {
         if is_root && tag.name != "svg" {
             return Err("figure does not start with <svg>".to_owned());
@@ -53,9 +54,9 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
         if matches!(tag.name, "style" | "/style") {
             // colours for a figure opened by itself; here they are the page's
         } else if is_root {
-            push_root(&mut html, &tag, svg, label)?;
+            crowd = push_root(&mut html, &tag, svg, label)?;
         } else {
-            push_tag(&mut html, &tag, name);
+            push_tag(&mut html, &tag, name, crowd.class(tag.start));
         }
         copied = tag.end;
         is_root = false;
@@ -64,16 +65,16 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
 }
 
 /// The root keeps its shape by its viewBox, with room for large letters, and takes the width of the page.
-fn push_root(html: &mut String, tag: &Tag<'_>, svg: &str, label: &str) -> Result<(), String> {
+fn push_root(html: &mut String, tag: &Tag<'_>, svg: &str, label: &str) -> Result<Crowd, String> {
     let length = |name| tag.attribute(name).map(|v| v.trim_end_matches("px"));
     let view = match (tag.attribute("viewBox"), length("width"), length("height")) {
         (Some(view), _, _) => view.to_owned(),
         (None, Some(width), Some(height)) => format!("0 0 {width} {height}"),
         _ => return Err("figure without viewBox and size".to_owned()),
     };
-    let (view, fine) = match paper::view(&view) {
-        Some(view) => (paper::written(paper::room(svg, view)), paper::is_fine(view)),
-        None => (view, false),
+    let (view, fine, crowd) = match paper::view(&view) {
+        Some(view) => (paper::written(paper::room(svg, view)), paper::is_fine(view), Crowd::of(svg, view)),
+        None => (view, false, Crowd::default()),
     };
     let fine = if fine { r#" class="fine""# } else { "" };
     let _ = write!(html, r#"<svg viewBox="{view}" role="img" aria-label="{}"{fine}"#, escape(label));
@@ -84,15 +85,18 @@ fn push_root(html: &mut String, tag: &Tag<'_>, svg: &str, label: &str) -> Result
         }
     }
     html.push_str(if tag.closes_itself() { "/>" } else { ">" });
-    Ok(())
+    Ok(crowd)
 }
 
-fn push_tag(html: &mut String, tag: &Tag<'_>, figure: &str) {
+fn push_tag(html: &mut String, tag: &Tag<'_>, figure: &str, class: Option<&str>) {
     if tag.name.starts_with('/') {
         let _ = write!(html, "<{}>", tag.name);
         return;
     }
     let _ = write!(html, "<{}", tag.name);
+    if let Some(class) = class {
+        let _ = write!(html, r#" class="{class}""#);
+    }
     let prefix = figure.replace(|c: char| !c.is_ascii_alphanumeric(), "-");
     for (name, value) in tag.attributes() {
         push_attribute(html, name, value, &prefix);

@@ -1,9 +1,10 @@
 //! The letters of a page: which symbols of the notation page its formulas use, so that a line behind the opening
 //! picture can lead to what each means.
 //!
-//! The notation page is read as it stands: a section with a table whose rows begin with symbols; the last
-//! table, of letters with several meanings, says on which pages a letter is none of these.
+//! The notation page is read as it stands: a table in each section, whose rows begin with symbols and end with
+//! the pages that are the first to use them; the last, of several meanings, with those that mean another.
 
+use crate::error::Fault;
 use crate::page::Page;
 use crate::scan::{Kind, pieces};
 use std::collections::BTreeSet;
@@ -23,6 +24,10 @@ pub struct Letter {
     /// Anchor of its section.
     pub section: String,
     pattern: Vec<String>,
+    /// Line of its row.
+    line: usize,
+    /// Pages on which its row says that its symbols are first used, `x.html`.
+    first: BTreeSet<String>,
     /// Pages on which it means something else, `x.html`.
     elsewhere: BTreeSet<String>,
 }
@@ -32,12 +37,21 @@ pub struct Letter {
 pub struct Letters(Vec<Letter>);
 
 impl Letters {
-    /// Reads the notation page, if there is one.
+    /// Reads the notation page, if there is one; letters that name something else at every turn are left out.
     pub fn read(pages: &[Page]) -> Self {
+        let mut letters = Self::all(pages);
+        let is_never =
+            |letter: &Letter| matches!(letter.pattern.as_slice(), [one] if NEVER.contains(&one.as_str()));
+        letters.0.retain(|letter| !is_never(letter));
+        letters
+    }
+
+    /// Every symbol of the notation page.
+    fn all(pages: &[Page]) -> Self {
         let Some(page) = pages.iter().find(|page| page.html == PAGE) else { return Self::default() };
         let mut letters = Self::default();
         let mut section = String::new();
-        for line in page.text.lines() {
+        for (k, line) in page.text.lines().enumerate() {
             if let Some(title) = line.strip_prefix("## ") {
                 section = title
                     .to_lowercase()
@@ -48,23 +62,73 @@ impl Letters {
                 continue;
             };
             let symbols = formulas(first);
+            // The last column; what stands before it is the meaning of the other tables or a page too.
+            let pages: BTreeSet<String> = links(rest.rsplit_once(" | ").map_or(rest, |(_, last)| last));
             if section.ends_with(&SEVERAL.replace(' ', "-")) {
-                // The last column; what stands before it is the meaning of the other tables or a page too.
-                let there: BTreeSet<String> = links(rest.rsplit_once(" | ").map_or(rest, |(_, last)| last));
                 for letter in letters.0.iter_mut().filter(|letter| symbols.contains(&letter.latex)) {
-                    letter.elsewhere.extend(there.iter().cloned());
+                    letter.elsewhere.extend(pages.iter().cloned());
                 }
             } else {
-                letters.0.extend(symbols.into_iter().map(|latex| {
-                    let pattern = pattern(&latex);
-                    Letter { latex, section: section.clone(), pattern, elsewhere: BTreeSet::new() }
+                letters.0.extend(symbols.into_iter().map(|latex| Letter {
+                    pattern: pattern(&latex),
+                    latex,
+                    section: section.clone(),
+                    line: k + 1,
+                    first: pages.clone(),
+                    elsewhere: BTreeSet::new(),
                 }));
             }
         }
         letters
-            .0
-            .retain(|letter| !matches!(letter.pattern.as_slice(), [one] if NEVER.contains(&one.as_str())));
-        letters
+    }
+
+    /// Every symbol of the notation page with the first page, in the order of reading, whose formulas use it.
+    pub fn first_uses(pages: &[Page]) -> Vec<(Letter, Option<String>)> {
+        let mut found: Vec<(Letter, Option<String>)> =
+            Self::all(pages).0.into_iter().map(|letter| (letter, None)).collect();
+        for page in pages.iter().filter(|page| page.html != PAGE) {
+            let formulas = all_tokens(page);
+            for (letter, first) in found.iter_mut().filter(|(_, first)| first.is_none()) {
+                *first = letter.is_used(page, &formulas).then(|| page.html.clone());
+            }
+        }
+        found
+    }
+
+    /// For each symbol the page of its first use and how that page leads to its meaning, as a table.
+    pub fn list(pages: &[Page]) -> String {
+        let linked = Self::read(pages);
+        let row = |(letter, first): (Letter, Option<String>)| match pages
+            .iter()
+            .find(|p| Some(&p.html) == first.as_ref())
+        {
+            Some(page) if linked.of(page).contains(&letter) => {
+                format!("| `{}` | {} | link to notation.html#{} |\n", letter.latex, page.html, letter.section)
+            }
+            Some(page) => format!("| `{}` | {} | in words |\n", letter.latex, page.html),
+            None => format!("| `{}` | in no formula | in words and pictures |\n", letter.latex),
+        };
+        let head = "| symbol | page of first use | meaning |\n| --- | --- | --- |\n".to_owned();
+        Self::first_uses(pages).into_iter().map(row).fold(head, |list, row| list + &row)
+    }
+
+    /// Rows of the notation page that name other pages than those where their symbols are first used.
+    pub fn faults(pages: &[Page]) -> Vec<Fault> {
+        let Some(page) = pages.iter().find(|page| page.html == PAGE) else { return Vec::new() };
+        let uses = Self::first_uses(pages);
+        let is_wrong = |row: &[(Letter, Option<String>)]| {
+            let used: BTreeSet<&String> = row.iter().filter_map(|(_, first)| first.as_ref()).collect();
+            !used.is_empty() && used != row[0].0.first.iter().collect()
+        };
+        let rows = uses.chunk_by(|a, b| a.0.line == b.0.line).filter(|row| is_wrong(row));
+        rows.map(|row| {
+            let list: Vec<String> = row
+                .iter()
+                .filter_map(|(letter, first)| Some(format!("{} on {}", letter.latex, first.as_ref()?)))
+                .collect();
+            Fault::new(&page.file, row[0].0.line, "not the pages of first use", list.join(", "))
+        })
+        .collect()
     }
 
     /// Those that the formulas of a page use, in the order of the notation page.
@@ -72,18 +136,24 @@ impl Letters {
         if page.html == PAGE {
             return Vec::new();
         }
-        let found = pieces(&page.text).unwrap_or_default();
-        let is_formula = |kind| matches!(kind, Kind::Inline | Kind::Display);
-        let formulas: Vec<Vec<String>> =
-            found.iter().filter(|piece| is_formula(piece.kind)).map(|piece| tokens(piece.text)).collect();
-        let is_used = |letter: &&Letter| {
-            !letter.elsewhere.contains(&page.html)
-                && formulas
-                    .iter()
-                    .any(|formula| (0..formula.len()).any(|at| begins(formula, at, &letter.pattern)))
-        };
-        self.0.iter().filter(is_used).cloned().collect()
+        let formulas = all_tokens(page);
+        self.0.iter().filter(|letter| letter.is_used(page, &formulas)).cloned().collect()
     }
+}
+
+impl Letter {
+    /// Whether formulas of a page use it as the notation page means it.
+    fn is_used(&self, page: &Page, formulas: &[Vec<String>]) -> bool {
+        let is_in = |formula: &Vec<String>| (0..formula.len()).any(|at| begins(formula, at, &self.pattern));
+        !self.elsewhere.contains(&page.html) && formulas.iter().any(is_in)
+    }
+}
+
+/// The tokens of each formula of a page.
+fn all_tokens(page: &Page) -> Vec<Vec<String>> {
+    let found = pieces(&page.text).unwrap_or_default();
+    let formulas = found.iter().filter(|piece| matches!(piece.kind, Kind::Inline | Kind::Display));
+    formulas.map(|piece| tokens(piece.text)).collect()
 }
 
 /// Formulas of a cell, up to a sign of equality.
@@ -141,11 +211,12 @@ fn pattern(latex: &str) -> Vec<String> {
 /// Whether a formula has the pattern at this token.
 fn begins(formula: &[String], at: usize, pattern: &[String]) -> bool {
     if let [one] = pattern {
-        // K is not K^h, h not the h of K^h, T not that of a transposed matrix.
+        // K is not K^h, h not the h of K^h, T not that of a transposed matrix, C not that of the contact edge.
         let before = at.checked_sub(1).map_or("", |k| formula[k].as_str());
         let behind = formula.get(at + 1).map_or("", String::as_str);
         let is_capital = one.chars().all(char::is_uppercase);
         let is_part = matches!(before, "\\mathsf" | "\\mathcal" | "^")
+            || before == "_" && at > 1 && formula[at - 2] == "\\Gamma"
             || behind == "_"
             || is_capital && matches!(behind, "^" | "(" | "'");
         return formula[at] == *one && !is_part;
@@ -208,5 +279,22 @@ mod tests {
         assert!(letters.of(&pages[1]).is_empty());
         assert_eq!(letters.of(&pages[2])[0].section, "norms");
         assert!(letters.of(&pages[0]).is_empty());
+    }
+    #[test]
+    fn rows_name_the_pages_where_their_symbols_are_first_used() {
+        let notation = |first: &str| {
+            page(
+                PAGE,
+                &format!("## Norms\n\n| $\\theta$, $h$, $\\xi_1$ | b | {first} |\n| $n$ | c | [p](p.md) |\n"),
+            )
+        };
+        let (p, q) = (page("p.html", "$n + \\theta$"), page("q.html", "$h$ and $\\theta$"));
+        let faults = |first: &str| Letters::faults(&[notation(first), p.clone(), q.clone()]);
+        assert!(faults("[p](p.md), [q](q.md)").is_empty());
+        for wrong in ["[p](p.md)", "[q](q.md)", "[p](p.md), [q](q.md), [r](r.md)"] {
+            let found = faults(wrong);
+            assert_eq!((found.len(), found[0].line), (1, 3), "{wrong}");
+            assert_eq!(found[0].text, "\\theta on p.html, h on q.html");
+        }
     }
 }

@@ -80,6 +80,7 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     faults.extend(labels::faults(&list, &layout.repository)?);
     faults.extend(exercises::faults(&exercises::list(&layout.book)?, &pages, &layout.book));
     faults.extend(coverage::faults(&pages, &layout.repository)?);
+    faults.extend(letters::Letters::faults(&pages));
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,

@@ -1,20 +1,22 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the
 //! pages from the committed data. `cargo book labels`: writes the tables made from `labels.toml`, the list of
 //! chapters in `src/book.rs` and that of examples in `tests/findings.rs`, and nothing else. `cargo book
+//! letters`: lists where each symbol of the notation page is first used, and how that page explains it. `cargo book
 //! print`: builds the pages and prints them, as a PDF where a Chromium is installed. `cargo book serve
 //! [--port P]`: builds the pages and the examples, and serves the book on a loopback address. `cargo book
 //! check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;
+use book_builder::letters::Letters;
 use book_builder::serve::{Laboratory, Limits, Server};
-use book_builder::{Layout, build, check_fresh, examples, labels, print, shown, tables};
+use book_builder::{Layout, build, check_fresh, examples, html, labels, print, shown, tables};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
-const USAGE: &str = "usage: cargo book [build | check | labels | print | serve [--port P]]";
+const USAGE: &str = "usage: cargo book [build | check | labels | letters | print | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -40,6 +42,13 @@ fn main() -> ExitCode {
         ["labels"] => labels::list(&layout.repository)
             .and_then(|list| tables::renew(&list, &layout.repository))
             .map(|()| layout.repository.clone()),
+        ["letters"] => match html::chapters(&layout.book, &layout.repository) {
+            Ok(pages) => {
+                print!("{}", Letters::list(&pages));
+                return ExitCode::SUCCESS;
+            }
+            Err(error) => Err(error),
+        },
         ["-h" | "--help" | "help"] => {
             println!("{USAGE}");
             return ExitCode::SUCCESS;

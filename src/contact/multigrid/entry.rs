@@ -4,7 +4,7 @@ use super::super::condensed;
 use super::super::problem::ContactProblem;
 use super::accuracy::{Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridProgress, MultigridSolution};
 use super::chain::Chain;
-use super::nested;
+use super::nested::{self, Observer};
 use crate::cone::{Cone, ContactSet};
 use crate::error::{Error, Result};
 use crate::fem::Form;
@@ -19,7 +19,18 @@ impl ContactProblem {
     /// none, near Poisson's ratio 1/2, or where cycles do not reach the accuracy, the direct solver takes
     /// over and the answer says so.
     ///
-    /// `observe` hears of every step; its error ends the iteration.
+    /// `observe` hears of every step; its error ends the iteration. Loads whose squares leave the range of
+    /// binary64 are solved for in units of a power of two.
+    ///
+    /// ```
+    /// use signorini::cone::Cone;
+    /// use signorini::contact::Accuracy;
+    /// use signorini::scenes::MeshScene;
+    /// let problem = MeshScene::Block.problem(32)?;
+    /// let found = problem.solve_by_multigrid(Cone::Nodal, None, Accuracy::default(), |_| Ok(()))?;
+    /// assert!(found.solution.status.is_converged() && found.fallback.is_none());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] for a hierarchy of another mesh;
@@ -40,6 +51,23 @@ impl ContactProblem {
                 share > 0.0 && share <= 1.0,
             )?;
         }
+        if let Some((scaled, unit)) = self.in_unit() {
+            let mut heard = |progress: &MultigridProgress| {
+                observe(&MultigridProgress { error: progress.error * unit, ..*progress })
+            };
+            return scaled.by_cycles(cone, hierarchy, accuracy, &mut heard)?.scaled_by(unit);
+        }
+        self.by_cycles(cone, hierarchy, accuracy, &mut |progress| observe(progress))
+    }
+
+    /// The same in the units of the problem.
+    fn by_cycles(
+        &self,
+        cone: Cone,
+        hierarchy: Option<&Hierarchy>,
+        accuracy: Accuracy,
+        observe: &mut Observer<'_>,
+    ) -> Result<MultigridSolution> {
         self.require_cone(cone)?;
         if self.edge().pieces().len() > 1 {
             return self.directly(cone, Fallback::SeveralEdges);
@@ -55,9 +83,8 @@ impl ContactProblem {
         if coarsest.is_none() {
             return self.directly(cone, Fallback::NoLevels);
         }
-        let mut observed = |progress: &MultigridProgress| observe(progress);
         // Inside the pool, so that short tasks need no other thread.
-        let (found, ()) = rayon::join(|| nested::solve(self, &chain, cone, accuracy, &mut observed), || ());
+        let (found, ()) = rayon::join(|| nested::solve(self, &chain, cone, accuracy, observe), || ());
         let found = found?;
         if found.solution.status.is_converged() || self.unknowns() > LARGEST_DIRECT {
             return Ok(found);

@@ -1,0 +1,86 @@
+//! Units for loads so small or so large that the squares of binary64 leave its range: an iteration that sees
+//! its error as (r, M r)^{1/2} calls everything below 1e-162 converged.
+//!
+//! A problem is linear in (F, u_D, g): in units of a power of two that makes the energy of order 1 nothing is
+//! rounded, and the answer is scaled back. With k the largest modulus of the form the energy is about |F|²/k, and
+//! k g² where data are prescribed.
+
+use super::multigrid::MultigridSolution;
+use super::problem::ContactProblem;
+use super::solution::ContactSolution;
+use crate::error::Result;
+use crate::estimate::Estimate;
+use crate::fem::Form;
+use crate::numeric::check::require_values;
+use crate::numeric::scale::{largest, power_of_two};
+
+/// Roots of energies from its reciprocal to this need no unit of their own.
+const PLAIN: f64 = 1e60;
+
+/// The power of two for an energy whose root is about `root`; `None` where none is needed, or none helps.
+pub(super) fn unit_for(root: f64) -> Option<f64> {
+    let plain = root == 0.0 || (PLAIN.recip()..=PLAIN).contains(&root);
+    (!plain && root.is_finite()).then(|| power_of_two(root))
+}
+
+impl ContactProblem {
+    /// The same problem in its unit, with that; `None` where none is needed.
+    pub(super) fn in_unit(&self) -> Option<(Self, f64)> {
+        let stiff = match &self.form {
+            Form::Scalar { .. } => 1.0,
+            Form::Elastic { materials } => {
+                materials.iter().map(|m| m.lambda().abs().max(m.mu())).fold(0.0, f64::max)
+            }
+        };
+        let root = f64::sqrt(stiff);
+        let length = largest(&self.gap).max(largest(&self.values));
+        let unit = unit_for((largest(&self.load) / root).max(length * root))?;
+        let mut scaled = self.clone();
+        for values in [&mut scaled.load, &mut scaled.values, &mut scaled.gap] {
+            values.iter_mut().for_each(|v| *v /= unit);
+        }
+        Some((scaled, unit))
+    }
+}
+
+impl ContactSolution {
+    /// Displacements and forces in units of 1 from those in the given one; energies by its square. Figures
+    /// without a unit stay.
+    pub(super) fn scaled_by(mut self, unit: f64) -> Result<Self> {
+        for values in [
+            &mut self.displacement,
+            &mut self.normal_displacement,
+            &mut self.multiplier,
+            &mut self.gap,
+            &mut self.pressure,
+        ] {
+            values.iter_mut().for_each(|v| *v *= unit);
+        }
+        self.traction.iter_mut().flatten().for_each(|v| *v *= unit);
+        self.reaction.iter_mut().for_each(|v| *v *= unit);
+        for value in [&mut self.force_scale, &mut self.displacement_scale, &mut self.contact_force] {
+            *value *= unit;
+        }
+        for value in [&mut self.energy, &mut self.energy_rounding] {
+            *value = *value * unit * unit;
+        }
+        require_values("energy J", &[self.energy, self.energy_rounding], 2)?;
+        Ok(self)
+    }
+}
+
+impl MultigridSolution {
+    /// The same for a solution with its accuracy.
+    pub(super) fn scaled_by(mut self, unit: f64) -> Result<Self> {
+        self.solution = self.solution.scaled_by(unit)?;
+        let scaled =
+            |found: Estimate| Estimate { value: found.value * unit, error: found.error * unit, ..found };
+        self.error = self.error.map(scaled);
+        self.discretisation = self.discretisation.map(|error| error * unit);
+        for level in &mut self.levels {
+            level.error *= unit;
+            level.discretisation = level.discretisation.map(|error| error * unit);
+        }
+        Ok(self)
+    }
+}

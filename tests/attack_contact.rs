@@ -1,0 +1,121 @@
+//! A seeded attack on contact problems in the plane: every solver beside a quadratic program of the test's own
+//! that tries all contact sets, in numbers of twice the length (`attack_contact/program.rs`).
+//!
+//! `SIGNORINI_FUZZ=20000 cargo test --release --test attack_contact -- --nocapture` takes as many scenes,
+//! `SIGNORINI_SCENE=17` only that one, and shows it.
+
+#[path = "attack_contact/compare.rs"]
+mod compare;
+#[path = "attack_contact/count.rs"]
+mod count;
+#[path = "attack_contact/double.rs"]
+mod double;
+#[path = "attack_contact/meshes.rs"]
+mod meshes;
+#[path = "attack_contact/program.rs"]
+mod program;
+#[path = "attack_contact/scene.rs"]
+mod scene;
+
+use count::Counts;
+use meshes::grid;
+use program::Program;
+use scene::Scene;
+use signorini::Tolerance;
+use signorini::cone::{Cone, ContactSet};
+use signorini::contact::{Accuracy, ContactSolution, Solver};
+use signorini::mesh::{ContactEdge, Part, Triangulation};
+use signorini::numeric::random::SplitMix;
+
+fn variable(name: &str) -> Option<u64> {
+    let text = std::env::var(name).ok()?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{name} = {text} is not a number")))
+}
+
+#[test]
+fn every_solver_beside_all_contact_sets() {
+    let one = variable("SIGNORINI_SCENE");
+    let scenes = one.map_or(0..variable("SIGNORINI_FUZZ").unwrap_or(1000), |seed| seed..seed + 1);
+    let mut counts = Counts::default();
+    for seed in scenes {
+        let scene = Scene::random(seed);
+        if one.is_some() {
+            println!("{scene:#?}");
+        }
+        for cone in Cone::ALL {
+            attack(seed, &scene, cone, &mut counts);
+        }
+    }
+    counts.close(one.is_none());
+}
+
+fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
+    let program = Program::new(scene, cone).expect("positive definite in numbers of twice the length");
+    let answer = program.solve();
+    let mut ask = |name: &'static str, solve: &dyn Fn() -> signorini::Result<ContactSolution>| {
+        counts.judge(name, (seed, cone), scene, (&program, &answer), solve);
+    };
+    let problem = || scene.problem();
+    for (name, solver) in [
+        ("active set", Solver::ActiveSet),
+        ("interior point", Solver::InteriorPoint),
+        ("multigrid", Solver::Multigrid),
+        ("auto", Solver::Auto),
+    ] {
+        ask(name, &|| problem()?.solve(cone, solver));
+    }
+    // From anywhere: single changes of sides and the dual method have to find the way.
+    ask("active set from a guess", &|| {
+        let mut random = SplitMix::new(seed);
+        let guess = program.supports().iter().map(|_| random.below(2) == 0).collect();
+        problem()?.solve_from(cone, ContactSet::new(guess))
+    });
+    if cone == Cone::Nodal && !scene.mesh.is_closed {
+        ask("barrier", &|| problem()?.solve_by_sizes(&vec![1.0; scene.mesh.chain.len()]));
+    }
+    if let Some(hierarchy) = scene.hierarchy() {
+        ask("multigrid on a hierarchy", &|| {
+            let accuracy = Accuracy::Relative(Tolerance::reference());
+            let hierarchy = hierarchy.clone()?;
+            let found = problem()?.solve_by_multigrid(cone, Some(&hierarchy), accuracy, |_| Ok(()))?;
+            Ok(found.solution)
+        });
+    }
+}
+
+/// Contact in several pieces, or around a corner of an elastic body, is refused by name; one piece never is.
+#[test]
+fn contact_in_pieces_is_named() {
+    let mut random = SplitMix::new(22);
+    let (mut refused, mut bent, mut taken) = (0, 0, 0);
+    for case in 0..800 {
+        let mut mesh = grid(&mut random, false);
+        let rare = 3 + random.below(12);
+        for edge in &mut mesh.boundary {
+            edge.part = match random.below(rare) {
+                0 => Part::Neumann,
+                1 => Part::Dirichlet,
+                _ => Part::Contact,
+            };
+        }
+        let touches = |k: usize| mesh.boundary[k % mesh.boundary.len()].part == Part::Contact;
+        let pieces = (0..mesh.boundary.len()).filter(|&k| touches(k) && !touches(k + 1)).count();
+        let is_closed = (0..mesh.boundary.len()).all(touches);
+        let made =
+            Triangulation::new(mesh.nodes.clone(), mesh.triangles.clone(), mesh.boundary.clone()).unwrap();
+        match ContactEdge::of(&made) {
+            Ok(edge) => {
+                assert!(pieces == 1 || is_closed, "case {case}: {pieces} pieces are taken for one");
+                assert_eq!(edge.is_closed(), is_closed, "case {case}");
+                taken += 1;
+                bent += usize::from(edge.normal().is_err());
+            }
+            Err(error) => {
+                assert!(pieces != 1 && !is_closed, "case {case}: one piece, {error}");
+                refused += 1;
+            }
+        }
+    }
+    println!("contact edges: {refused} refused, {taken} taken, {bent} of them around a corner");
+    assert!(refused >= 50 && bent >= 50, "{refused} refused, {taken} taken, {bent} around a corner");
+}

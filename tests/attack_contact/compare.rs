@@ -1,0 +1,223 @@
+//! A solution of the library beside the one of all contact sets.
+
+use super::double::Double;
+use super::program::{Answer, Program};
+use super::scene::{Scene, times_power};
+use signorini::contact::{ContactSolution, Solver};
+
+/// Roundings of the library for one of the data: elimination, two solves, the active set.
+const ROUNDINGS: f64 = 16.0;
+
+/// Above this share ROUNDINGS · ε · cond(K) says nothing about the displacement any more: only the conditions of
+/// a solution are looked at.
+const LINEAR: f64 = 0.1;
+
+/// A solution that calls itself converged meets the conditions so well (as documented).
+const ACCEPTED: f64 = 1e-8;
+
+/// The scales of forces here and there may differ by this.
+const SCALES: f64 = 4.0;
+
+/// Asked of the interior point and the cycles in the energy norm, relative, beside what balance they say they
+/// left (complementarity as accepted would allow 1e-4).
+const ITERATED: f64 = 1e-5;
+
+/// What came out of a comparison that went well.
+#[derive(Debug, Clone, Copy)]
+pub enum Outcome {
+    /// Forces and set agree: the tolerance relative to the largest force (without any, none), how many constraints
+    /// touch without force so that either side is right, the largest share of a tolerance that was needed.
+    Same { tolerance: Option<f64>, ties: usize, used: f64 },
+    /// The condition number allows no comparison; the conditions of a solution hold.
+    Conditions,
+    /// A status that is not `Converged`.
+    Status,
+}
+
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}
+
+/// # Errors
+/// What is wrong.
+pub fn compare(
+    scene: &Scene,
+    program: &Program,
+    answer: &Answer,
+    solution: &ContactSolution,
+) -> Result<Outcome, String> {
+    if let Some(name) = not_finite(solution) {
+        return Err(format!("{name} is not finite"));
+    }
+    if !solution.status.is_converged() {
+        return Ok(Outcome::Status);
+    }
+    let unscaled =
+        |values: &[f64], unit: i32| -> Vec<f64> { values.iter().map(|&v| times_power(v, -unit)).collect() };
+    let u = unscaled(&solution.displacement, scene.displacement_unit());
+    let multiplier = unscaled(&solution.multiplier, scene.force_unit());
+    // The least numbers of binary64 in the units of the scene, as displacements and as forces.
+    let [least_length, least_force] = [scene.displacement_unit(), scene.force_unit()]
+        .map(|unit| times_power(f64::from_bits(answer.displacement.len() as u64), -unit));
+    conditions(program, &u, &multiplier, program.force_of(least_length) + least_force)?;
+    if is_hard(program) {
+        return Ok(Outcome::Conditions);
+    }
+    // The root of the work of the forces over the lengths of the scene.
+    let most = largest(answer.multiplier.iter().map(|l| l.0));
+    let energy_norm = (answer.energy_size + most * lengths(program, answer)).sqrt();
+    let by = ROUNDINGS * f64::EPSILON;
+    let iterated = match solution.solver {
+        Solver::ActiveSet => 0.0,
+        // What balance it says it left, relative to its force scale.
+        _ => {
+            let left = solution.judgement.balance * times_power(solution.force_scale, -scene.force_unit());
+            ITERATED * energy_norm + program.energy_of_residual(left)
+        }
+    };
+    let spread = by * answer.spread + iterated + program.energy_of(least_length, least_force);
+    let local = |k: usize| {
+        let [u, f] = program.locally(k);
+        [spread * u + least_length, by * answer.sizes[k] + spread * f + least_force]
+    };
+    let mut used: f64 = 0.0;
+    let mut within = |what: &str, found: f64, exact: f64, tolerance: f64| {
+        let off = (found - exact).abs();
+        if off > 0.0 {
+            used = used.max(off / tolerance);
+        }
+        if off <= tolerance {
+            return Ok(());
+        }
+        Err(format!(
+            "{what} {found:e}, exact {exact:e}, tolerance {tolerance:e}, off by {:.1}",
+            off / tolerance
+        ))
+    };
+    for (k, &i) in program.free.iter().enumerate() {
+        within(&format!("displacement {i}"), u[i], answer.displacement[i].value(), local(k)[0])?;
+    }
+    let whole: Vec<Double> = multiplier.iter().map(|&l| l.into()).collect();
+    let (found, exact) = (program.forces(&whole), program.forces(&answer.multiplier));
+    for k in 0..found.len() {
+        if exact[k].0 != 0.0 || found[k].0 != 0.0 {
+            let what = format!("force {}", program.free[k]);
+            within(&what, found[k].value(), exact[k].value(), local(k)[1])?;
+        }
+    }
+    let energy = times_power(times_power(solution.energy, -scene.displacement_unit()), -scene.force_unit());
+    // J ~ u F may be below the least number where u and F are not.
+    let terms = answer.displacement.len() as f64;
+    let least = times_power(terms * least_force, -scene.displacement_unit());
+    // Where contact is not closed exactly, forces do work.
+    let work: f64 = (0..found.len()).map(|k| exact[k].0.abs() * local(k)[0]).sum();
+    within("energy", energy, answer.energy, by * answer.energy_size + spread * spread + work + least)?;
+    let ties = same_set(scene, program, answer, solution, &local)?;
+    let force = largest(exact.iter().map(|f| f.0));
+    let touching = (0..found.len()).filter(|&k| exact[k].0 != 0.0);
+    let tolerance = largest(touching.map(|k| local(k)[1])) / force;
+    let tolerance = (force > 0.0).then_some(tolerance);
+    Ok(Outcome::Same { tolerance, ties, used })
+}
+
+/// The same constraints are active, except those that touch without force to the tolerance: how many.
+fn same_set(
+    scene: &Scene,
+    program: &Program,
+    answer: &Answer,
+    solution: &ContactSolution,
+    local: &dyn Fn(usize) -> [f64; 2],
+) -> Result<usize, String> {
+    let c = scene.components();
+    let around = |i: usize, what: usize| {
+        let nodes = program.support(i).iter().flat_map(|&node| (0..c).map(move |k| node * c + k));
+        largest(nodes.filter_map(|unknown| program.free.binary_search(&unknown).ok()).map(|k| local(k)[what]))
+    };
+    let open: Vec<usize> = (0..answer.gap.len()).filter(|&i| !program.is_settled(i)).collect();
+    // Multipliers follow from forces along the edge: errors add up.
+    let force_error: f64 = 2.0 * open.iter().map(|&i| around(i, 1)).sum::<f64>();
+    let is_closed = |i: usize| answer.gap[i].0 >= -2.0 * around(i, 0);
+    let closed: Vec<usize> = open.iter().copied().filter(|&i| is_closed(i)).collect();
+    let is_unique = program.are_independent(&closed);
+    let mut ties = 0;
+    for &i in &open {
+        let has_force = answer.multiplier[i].0 > force_error;
+        let says = solution.contact_set.contains(i);
+        if says && !is_closed(i) {
+            return Err(format!("constraint {i} is in the set, its gap is {:e}", answer.gap[i].0));
+        }
+        if !says && has_force && is_unique {
+            return Err(format!(
+                "constraint {i} is not in the set, its force is {:e}",
+                answer.multiplier[i].0
+            ));
+        }
+        ties += usize::from(is_closed(i) && !(has_force && is_unique));
+    }
+    Ok(ties)
+}
+
+/// The largest displacement, bound, or displacement of a load alone.
+fn lengths(program: &Program, answer: &Answer) -> f64 {
+    largest(answer.displacement.iter().map(|u| u.0)).max(largest(program.bounds())).max(program.alone())
+}
+
+/// True where the condition number leaves no digit.
+pub fn is_hard(program: &Program) -> bool {
+    ROUNDINGS * f64::EPSILON * program.condition() > LINEAR
+}
+
+/// Balance, sign, gap, complementarity by the matrix of the test.
+fn conditions(program: &Program, u: &[f64], multiplier: &[f64], least: f64) -> Result<(), String> {
+    let (residual, sizes) = program.residual(u, multiplier);
+    let force = largest(sizes);
+    let gaps = program.gaps(u);
+    let length = largest(u.iter().copied()).max(largest(program.bounds())).max(program.alone());
+    let most = largest(multiplier.iter().copied());
+    let contact = if most > 1e-13 * force { most } else { force };
+    let ratio = |part: f64, of: f64| if part == 0.0 { 0.0 } else { part / of };
+    let products =
+        (0..gaps.len()).map(|i| ratio(multiplier[i].abs(), contact) * ratio(gaps[i].abs(), length));
+    for (name, figure) in [
+        ("balance", ratio((largest(residual) - least).max(0.0), force)),
+        ("sign", ratio(multiplier.iter().map(|&l| -l).fold(0.0, f64::max), contact)),
+        ("gap", ratio(gaps.iter().copied().fold(0.0, f64::max), length)),
+        ("complementarity", largest(products)),
+    ] {
+        if figure > SCALES * ACCEPTED || figure.is_nan() {
+            return Err(format!("converged, but {name} {figure:e}"));
+        }
+    }
+    Ok(())
+}
+
+/// The first vector or number of a solution that is not finite.
+fn not_finite(solution: &ContactSolution) -> Option<&'static str> {
+    let traction: Vec<f64> = solution.traction.iter().flatten().copied().collect();
+    let numbers = [
+        solution.force_scale,
+        solution.displacement_scale,
+        solution.energy,
+        solution.energy_rounding,
+        solution.contact_force,
+        solution.reaction[0],
+        solution.reaction[1],
+        solution.balance,
+        solution.judgement.worst(),
+        solution.margins.pressure.unwrap_or(0.0),
+        solution.margins.gap.unwrap_or(0.0),
+    ];
+    [
+        ("displacement", &solution.displacement),
+        ("normal displacement", &solution.normal_displacement),
+        ("multiplier", &solution.multiplier),
+        ("gap", &solution.gap),
+        ("positions", &solution.positions),
+        ("pressure", &solution.pressure),
+        ("traction", &traction),
+        ("numbers", &numbers.to_vec()),
+    ]
+    .into_iter()
+    .find(|(_, values)| values.iter().any(|v| !v.is_finite()))
+    .map(|(name, _)| name)
+}

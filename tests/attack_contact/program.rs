@@ -1,0 +1,412 @@
+//! min ½ u'K u − F'u over B u ≤ g, from the definitions and in numbers of twice the length: dense, all
+//! contact sets tried.
+//!
+//! With u = K⁻¹(F − B'λ) the conditions are λ ≥ 0, B u − g = c − A λ ≤ 0, λ'(c − A λ) = 0, A = B K⁻¹ B',
+//! c = B K⁻¹F − g. The solution has a contact set on which A is regular, so that one of the at most 2^12 sets
+//! meets them.
+//!
+//! What rounding of the data may do: K and F off by ε s_i in every row, s_i = Σ_j (k_i k_j)^{1/2} |u_j| + |F|_i
+//! with k_i the sum of the sizes of what is added up in K_ii, moves u by no more than E = ε (s'|K⁻¹|s)^{1/2} in
+//! the energy norm (the solution of a variational inequality is a nonexpansive function of the load), hence u_i
+//! by (K⁻¹)_ii^{1/2} E, and a force by ε s_i + k_i^{1/2} E. No assumption on the contact set enters.
+
+use super::double::{Cholesky, Double, dot};
+use super::scene::{Material, Scene};
+use signorini::cone::Cone;
+use signorini::mesh::{Part, Point};
+
+/// Pivots below this share of their diagonal entry make a set of constraints dependent.
+const DEPENDENT: f64 = 1e-20;
+
+/// What is left of the conditions by numbers of 106 bits, relative to the largest force or displacement.
+const EXACT: f64 = 1e-13;
+
+pub struct Program {
+    /// K, and F, on all unknowns.
+    stiffness: Vec<Vec<Double>>,
+    load: Vec<Double>,
+    /// Free unknowns, ascending.
+    pub free: Vec<usize>,
+    /// Values at all unknowns, 0 where they are free.
+    prescribed: Vec<f64>,
+    /// k_i^{1/2} and |F|_i at all unknowns.
+    roots: Vec<f64>,
+    load_sizes: Vec<f64>,
+    /// n, or (1, 0) for a scalar problem; the nodes of every constraint, its row and its bound on the free
+    /// unknowns.
+    pub normal: [Double; 2],
+    supports: Vec<Vec<usize>>,
+    rows: Vec<Vec<Double>>,
+    bound: Vec<Double>,
+    components: usize,
+    inverse: Cholesky,
+    /// |K⁻¹|.
+    absolute: Vec<Vec<f64>>,
+}
+
+/// A solution with what rounding may do to it.
+pub struct Answer {
+    /// At all unknowns.
+    pub displacement: Vec<Double>,
+    pub multiplier: Vec<Double>,
+    pub gap: Vec<Double>,
+    pub energy: f64,
+    /// Σ |u_i| s_i.
+    pub energy_size: f64,
+    /// E / ε.
+    pub spread: f64,
+    /// s at the free unknowns.
+    pub sizes: Vec<f64>,
+}
+
+/// The coefficients λ, μ of a region.
+fn lame(material: &Material, region: usize) -> [Double; 2] {
+    let Material::Elastic { moduli, is_stress } = material else { return [Double::ZERO; 2] };
+    let [young, poisson] = moduli[region.min(moduli.len() - 1)].map(Double::from);
+    let (one, two) = (Double::from(1.0), Double::from(2.0));
+    let mu = young / (two * (one + poisson));
+    let rest = if *is_stress { one - poisson } else { one - two * poisson };
+    [young * poisson / ((one + poisson) * rest), mu]
+}
+
+impl Program {
+    /// `None` where K is not positive definite in numbers of 106 bits.
+    pub fn new(scene: &Scene, cone: Cone) -> Option<Self> {
+        let c = scene.components();
+        let (nodes, count) = (&scene.mesh.nodes, scene.mesh.nodes.len() * c);
+        let mut whole = vec![vec![Double::ZERO; count]; count];
+        let (mut sizes, mut load_sizes) = (vec![0.0; count], vec![0.0; count]);
+        let mut load: Vec<Double> = scene.forces.iter().map(|&f| f.into()).collect();
+        for (t, corners) in scene.mesh.triangles.iter().enumerate() {
+            let region = scene.mesh.regions.get(t).map_or(0, |&r| r as usize);
+            let triangle = Triangle::new(corners.map(|node| nodes[node]));
+            let [lambda, mu] = lame(&scene.material, region);
+            for (i, &a) in corners.iter().enumerate() {
+                let (g, twelfth) = (triangle.gradients[i], triangle.area / Double::from(12.0));
+                for k in 0..c {
+                    for &b in corners {
+                        let times = if a == b { 2.0 } else { 1.0 };
+                        let f = Double::from(times * scene.volume[b * c + k]) * twelfth;
+                        load[a * c + k] = load[a * c + k] + f;
+                        load_sizes[a * c + k] += f.abs().0 * triangle.shape;
+                    }
+                }
+                for (j, &b) in corners.iter().enumerate() {
+                    let h = triangle.gradients[j];
+                    let product = g[0] * h[0] + g[1] * h[1];
+                    match scene.material {
+                        Material::Scalar { reaction } => {
+                            let mass = Double::from(if i == j { 2.0 } else { 1.0 } * reaction) * twelfth;
+                            whole[a][b] = whole[a][b] + (triangle.area * product + mass);
+                        }
+                        Material::Elastic { .. } => {
+                            for (k, l) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                                let shear = if k == l { mu * product } else { Double::ZERO };
+                                let entry = lambda * g[k] * h[l] + mu * g[l] * h[k] + shear;
+                                whole[2 * a + k][2 * b + l] =
+                                    whole[2 * a + k][2 * b + l] + triangle.area * entry;
+                            }
+                        }
+                    }
+                }
+                let squares = (g[0] * g[0] + g[1] * g[1]).0;
+                let modulus = match scene.material {
+                    Material::Scalar { reaction } => squares + reaction / 6.0,
+                    Material::Elastic { .. } => (lambda.0.abs() + 2.0 * mu.0) * squares,
+                };
+                (0..c).for_each(|k| sizes[a * c + k] += triangle.area.0 * modulus * triangle.shape);
+            }
+        }
+        let mut held = vec![false; count];
+        for edge in scene.mesh.boundary.iter().filter(|edge| edge.part == Part::Dirichlet) {
+            edge.nodes.iter().for_each(|node| (0..c).for_each(|k| held[node * c + k] = true));
+        }
+        let prescribed: Vec<f64> =
+            (0..count).map(|i| if held[i] { scene.prescribed(i % c, nodes[i / c]) } else { 0.0 }).collect();
+        let free: Vec<usize> = (0..count).filter(|&i| !held[i]).collect();
+        (0..count).for_each(|i| load_sizes[i] += scene.forces[i].abs());
+        let part: Vec<Vec<Double>> =
+            free.iter().map(|&i| free.iter().map(|&j| whole[i][j]).collect()).collect();
+        let inverse = Cholesky::new(&part, 0.0)?;
+        let mut program = Self {
+            absolute: absolute_inverse(&inverse),
+            inverse,
+            stiffness: whole,
+            load,
+            free,
+            prescribed,
+            roots: sizes.into_iter().map(f64::sqrt).collect(),
+            load_sizes,
+            normal: normal(scene),
+            supports: supports(scene, cone),
+            rows: Vec::new(),
+            bound: Vec::new(),
+            components: c,
+        };
+        program.constrain(scene);
+        Some(program)
+    }
+
+    fn constrain(&mut self, scene: &Scene) {
+        let place = |node: usize| scene.mesh.chain.iter().position(|&other| other == node).unwrap();
+        for nodes in &self.supports {
+            let weight = Double::from(1.0 / nodes.len() as f64);
+            let mut row = vec![Double::ZERO; self.free.len()];
+            let mut bound = Double::ZERO;
+            for &node in nodes {
+                bound = bound + weight * scene.gap[place(node)].into();
+                for k in 0..self.components {
+                    let unknown = node * self.components + k;
+                    let entry = weight * self.normal[k];
+                    match self.free.binary_search(&unknown) {
+                        Ok(at) => row[at] = row[at] + entry,
+                        Err(_) => bound = bound - entry * self.prescribed[unknown].into(),
+                    }
+                }
+            }
+            self.rows.push(row);
+            self.bound.push(bound);
+        }
+    }
+
+    /// True when no unknown of constraint i is free.
+    pub fn is_settled(&self, i: usize) -> bool {
+        self.rows[i].iter().all(|entry| entry.0 == 0.0)
+    }
+
+    /// True when prescribed values alone keep to their bounds.
+    pub fn is_admissible(&self) -> bool {
+        (0..self.rows.len()).all(|i| !self.is_settled(i) || self.bound[i].value() >= 0.0)
+    }
+
+    /// All sets, until one meets all conditions, or the one that meets them best.
+    pub fn solve(&self) -> Answer {
+        let open: Vec<usize> = (0..self.rows.len()).filter(|&i| !self.is_settled(i)).collect();
+        let images: Vec<Vec<Double>> = open.iter().map(|&i| self.inverse.solve(&self.rows[i])).collect();
+        let imposed: Vec<Double> = self.prescribed.iter().map(|&v| v.into()).collect();
+        let load: Vec<Double> =
+            self.free.iter().map(|&i| self.load[i] - dot(&self.stiffness[i], &imposed)).collect();
+        let unloaded = self.inverse.solve(&load);
+        let matrix: Vec<Vec<Double>> =
+            open.iter().map(|&i| images.iter().map(|image| dot(&self.rows[i], image)).collect()).collect();
+        let off: Vec<Double> = open.iter().map(|&i| dot(&self.rows[i], &unloaded) - self.bound[i]).collect();
+        let stiff = |i: usize| 1.0 / matrix[i][i].0;
+        let force = (0..open.len()).map(|i| off[i].0.abs() * stiff(i)).fold(0.0, f64::max);
+        let length = unloaded.iter().chain(&off).map(|u| u.0.abs()).fold(0.0, f64::max);
+        let mut best: Option<(f64, Vec<Double>)> = None;
+        for pattern in 0..1_u32 << open.len() {
+            let set: Vec<usize> = (0..open.len()).filter(|i| pattern >> i & 1 == 1).collect();
+            let part: Vec<Vec<Double>> =
+                set.iter().map(|&i| set.iter().map(|&j| matrix[i][j]).collect()).collect();
+            let Some(factor) = Cholesky::new(&part, DEPENDENT) else { continue };
+            let right: Vec<Double> = set.iter().map(|&i| off[i]).collect();
+            let found = factor.solve(&right);
+            let pull = found.iter().map(|l| -l.0).fold(0.0, f64::max);
+            let mut multiplier = vec![Double::ZERO; open.len()];
+            set.iter().zip(found).for_each(|(&i, l)| multiplier[i] = l);
+            let beyond = (0..open.len())
+                .filter(|i| !set.contains(i))
+                .map(|i| (off[i] - dot(&matrix[i], &multiplier)).0)
+                .fold(0.0, f64::max);
+            let ratio = |part: f64, of: f64| if part == 0.0 { 0.0 } else { part / of };
+            let wrong = ratio(pull, force).max(ratio(beyond, length));
+            if best.as_ref().is_none_or(|(least, _)| wrong < *least) {
+                best = Some((wrong, multiplier));
+            }
+            if wrong == 0.0 {
+                break;
+            }
+        }
+        let (wrong, found) = best.expect("the empty set is one of them");
+        assert!(wrong <= EXACT, "the best of all sets is wrong by {wrong:e}");
+        let mut free = unloaded;
+        let mut multiplier = vec![Double::ZERO; self.rows.len()];
+        for ((&i, l), image) in open.iter().zip(found).zip(&images) {
+            multiplier[i] = l;
+            free.iter_mut().zip(image).for_each(|(u, d)| *u = *u - *d * l);
+        }
+        self.answer(&free, multiplier)
+    }
+
+    fn answer(&self, free: &[Double], multiplier: Vec<Double>) -> Answer {
+        let mut displacement: Vec<Double> = self.prescribed.iter().map(|&v| v.into()).collect();
+        self.free.iter().zip(free).for_each(|(&i, &u)| displacement[i] = u);
+        let half = Double::from(0.5);
+        let terms = (0..displacement.len())
+            .map(|i| displacement[i] * (half * dot(&self.stiffness[i], &displacement) - self.load[i]));
+        let energy = terms.fold(Double::ZERO, |sum, term| sum + term).value();
+        let gap = self.rows.iter().zip(&self.bound).map(|(row, &bound)| dot(row, free) - bound).collect();
+        let all = self.sizes(&displacement);
+        let sizes: Vec<f64> = self.free.iter().map(|&i| all[i]).collect();
+        let moved = |row: &Vec<f64>| row.iter().zip(&sizes).map(|(k, s)| k * s).sum::<f64>();
+        let square: f64 = self.absolute.iter().zip(&sizes).map(|(row, s)| s * moved(row)).sum();
+        let energy_size = displacement.iter().zip(&all).map(|(u, s)| u.0.abs() * s).sum();
+        // n is rounded, too.
+        let turned: f64 = self
+            .supports
+            .iter()
+            .flatten()
+            .flat_map(|&node| (0..self.components).map(move |k| node * self.components + k))
+            .map(|i| self.roots[i] * displacement[i].0.abs())
+            .sum();
+        Answer { displacement, multiplier, gap, energy, energy_size, spread: square.sqrt() + turned, sizes }
+    }
+
+    /// s_i at all unknowns.
+    fn sizes(&self, u: &[Double]) -> Vec<f64> {
+        let term = |i: usize, j: usize| {
+            if self.stiffness[i][j].0 == 0.0 { 0.0 } else { self.roots[j] * u[j].0.abs() }
+        };
+        let row =
+            |i: usize| self.roots[i] * (0..u.len()).map(|j| term(i, j)).sum::<f64>() + self.load_sizes[i];
+        (0..u.len()).map(row).collect()
+    }
+
+    /// K u − F + B'λ and s at the free unknowns, for any displacement and multiplier.
+    pub fn residual(&self, u: &[f64], multiplier: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let u: Vec<Double> = u.iter().map(|&u| u.into()).collect();
+        let force = self.forces(&multiplier.iter().map(|&l| l.into()).collect::<Vec<Double>>());
+        let row = |(k, &i): (usize, &usize)| (dot(&self.stiffness[i], &u) - self.load[i] + force[k]).value();
+        let sizes = self.sizes(&u);
+        (self.free.iter().enumerate().map(row).collect(), self.free.iter().map(|&i| sizes[i]).collect())
+    }
+
+    /// B u − g of any displacement at all unknowns.
+    pub fn gaps(&self, u: &[f64]) -> Vec<f64> {
+        let free: Vec<Double> = self.free.iter().map(|&i| u[i].into()).collect();
+        self.rows.iter().zip(&self.bound).map(|(row, &bound)| (dot(row, &free) - bound).value()).collect()
+    }
+
+    /// max |F_i| / K_ii: what a load does alone.
+    pub fn alone(&self) -> f64 {
+        let at = |&i: &usize| (self.load[i].0 / self.stiffness[i][i].0).abs();
+        self.free.iter().map(at).fold(0.0, f64::max)
+    }
+
+    /// g, less what prescribed values take of it.
+    pub fn bounds(&self) -> Vec<f64> {
+        self.bound.iter().map(|bound| bound.value()).collect()
+    }
+
+    /// B'λ at the free unknowns.
+    pub fn forces(&self, multiplier: &[Double]) -> Vec<Double> {
+        let mut force = vec![Double::ZERO; self.free.len()];
+        for (row, &l) in self.rows.iter().zip(multiplier) {
+            force.iter_mut().zip(row).for_each(|(f, &entry)| *f = *f + entry * l);
+        }
+        force
+    }
+
+    /// What E in the energy norm is at a free unknown, in the displacement and in the force.
+    pub fn locally(&self, k: usize) -> [f64; 2] {
+        [self.absolute[k][k].sqrt(), self.roots[self.free[k]]]
+    }
+
+    /// At most what displacements and forces off by so much at every unknown are in the energy norm.
+    pub fn energy_of(&self, length: f64, force: f64) -> f64 {
+        let stiff: f64 = self.roots.iter().sum();
+        let soft: f64 = (0..self.free.len()).map(|k| self.locally(k)[0]).sum();
+        stiff * length + soft * force
+    }
+
+    /// At most the force of displacements off by so much.
+    pub fn force_of(&self, length: f64) -> f64 {
+        let largest = self.roots.iter().copied().fold(0.0, f64::max);
+        largest * self.roots.iter().sum::<f64>() * length
+    }
+
+    /// At most what forces off by so much at every free unknown are in the energy norm.
+    pub fn energy_of_residual(&self, force: f64) -> f64 {
+        force * self.absolute.iter().flatten().sum::<f64>().sqrt()
+    }
+
+    /// |D K⁻¹ D|, D² = (k_i): the condition number of the scaled matrix, within n.
+    pub fn condition(&self) -> f64 {
+        let at =
+            |k: usize, l: usize| self.roots[self.free[k]] * self.absolute[k][l] * self.roots[self.free[l]];
+        let count = self.free.len();
+        (0..count).flat_map(|k| (0..count).map(move |l| (k, l))).map(|(k, l)| at(k, l)).fold(0.0, f64::hypot)
+    }
+
+    /// The nodes of all constraints.
+    pub fn supports(&self) -> &[Vec<usize>] {
+        &self.supports
+    }
+
+    /// The nodes of constraint i.
+    pub fn support(&self, i: usize) -> &[usize] {
+        &self.supports[i]
+    }
+
+    /// True when the rows of B of these constraints are independent on the free unknowns.
+    pub fn are_independent(&self, constraints: &[usize]) -> bool {
+        let gram: Vec<Vec<Double>> = constraints
+            .iter()
+            .map(|&i| constraints.iter().map(|&j| dot(&self.rows[i], &self.rows[j])).collect())
+            .collect();
+        Cholesky::new(&gram, DEPENDENT).is_some()
+    }
+}
+
+fn absolute_inverse(factor: &Cholesky) -> Vec<Vec<f64>> {
+    let count = factor.0.len();
+    // L⁻¹, column by column.
+    let mut columns = vec![vec![0.0; count]; count];
+    for (j, column) in columns.iter_mut().enumerate() {
+        for i in j..count {
+            let sum: f64 = (j..i).map(|k| factor.0[i][k].0 * column[k]).sum();
+            column[i] = (f64::from(u8::from(i == j)) - sum) / factor.0[i][i].0;
+        }
+    }
+    let entry = |i: usize, j: usize| -> f64 {
+        (i.max(j)..count).map(|k| columns[i][k] * columns[j][k]).sum::<f64>().abs()
+    };
+    (0..count).map(|i| (0..count).map(|j| entry(i, j)).collect()).collect()
+}
+
+/// The outward normal of a straight edge.
+fn normal(scene: &Scene) -> [Double; 2] {
+    if scene.components() == 1 {
+        return [Double::from(1.0), Double::ZERO];
+    }
+    let chain = &scene.mesh.chain;
+    let [a, b] = [chain[0], chain[chain.len() - 1]].map(|node| scene.mesh.nodes[node].map(Double::from));
+    let [x, y] = [b[0] - a[0], b[1] - a[1]];
+    let length = (x * x + y * y).sqrt();
+    [y / length, -x / length]
+}
+
+fn supports(scene: &Scene, cone: Cone) -> Vec<Vec<usize>> {
+    let chain = &scene.mesh.chain;
+    match cone {
+        Cone::Nodal => chain.iter().map(|&node| vec![node]).collect(),
+        Cone::Midpoint => {
+            let segments = chain.len() - usize::from(!scene.mesh.is_closed);
+            (0..segments).map(|i| vec![chain[i], chain[(i + 1) % chain.len()]]).collect()
+        }
+    }
+}
+
+/// Area and gradients of the barycentric coordinates; `shape` is the size of what is subtracted in the area over
+/// the area.
+struct Triangle {
+    area: Double,
+    gradients: [[Double; 2]; 3],
+    shape: f64,
+}
+
+impl Triangle {
+    fn new(corners: [Point; 3]) -> Self {
+        let corners = corners.map(|point| point.map(Double::from));
+        let side = |i: usize, j: usize| [corners[j][0] - corners[i][0], corners[j][1] - corners[i][1]];
+        let (p, q) = (side(0, 1), side(0, 2));
+        let (plus, minus) = (p[0] * q[1], q[0] * p[1]);
+        let doubled = plus - minus;
+        let gradients = [0, 1, 2].map(|i| {
+            let [x, y] = side((i + 1) % 3, (i + 2) % 3);
+            [-y / doubled, x / doubled]
+        });
+        let shape = (plus.0.abs() + minus.0.abs()) / doubled.0;
+        Self { area: Double::from(0.5) * doubled, gradients, shape }
+    }
+}

@@ -1,0 +1,247 @@
+//! Random scenes of at most twelve contact constraints, and the problem of the library for one of them.
+
+use super::meshes::{Mesh, annulus, fan, grid};
+use signorini::contact::ContactProblem;
+use signorini::fem::{Field, Form, Lame};
+use signorini::mesh::{Hierarchy, Part, Point, Triangulation};
+use signorini::numeric::random::SplitMix;
+use signorini::{Error, Result};
+
+/// The material, before it is scaled.
+#[derive(Debug, Clone)]
+pub enum Material {
+    /// −Δu + c u.
+    Scalar { reaction: f64 },
+    /// Young's modulus and Poisson's ratio of every region, plane strain or plane stress.
+    Elastic { moduli: Vec<[f64; 2]>, is_stress: bool },
+}
+
+/// Data of order one; the units of loads, stiffness and lengths are powers of two beside them, so that nothing
+/// is rounded by them.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    pub mesh: Mesh,
+    pub material: Material,
+    /// Nodal values of the volume load, node-major.
+    pub volume: Vec<f64>,
+    /// Nodal forces.
+    pub forces: Vec<f64>,
+    /// u = a + b x + c y on the Dirichlet part, for every component.
+    pub dirichlet: [[f64; 3]; 2],
+    /// At the nodes of the contact edge, in order.
+    pub gap: Vec<f64>,
+    /// Exponents of the units of force per area, of stiffness, of length.
+    pub units: [i32; 3],
+    /// For multigrid: the mesh before it was refined so many times.
+    pub coarse: Option<(Mesh, usize)>,
+}
+
+/// 10^x, x evenly.
+pub fn decades(random: &mut SplitMix, low: f64, high: f64) -> f64 {
+    10f64.powf(random.between(low, high))
+}
+
+impl Scene {
+    pub fn random(seed: u64) -> Self {
+        let mut random = SplitMix::new(seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(17));
+        let random = &mut random;
+        let mut is_elastic = random.below(2) == 0;
+        let kind = random.below(10);
+        let (mut mesh, coarse) = match kind {
+            0..5 => (grid(random, is_elastic), None),
+            5..9 => fan(random, is_elastic),
+            _ => {
+                is_elastic = false;
+                (annulus(random), None)
+            }
+        };
+        if random.below(4) == 0 && coarse.is_none() {
+            mesh.regions = (0..mesh.triangles.len()).map(|_| random.below(2) as u32).collect();
+        }
+        let is_held = mesh.boundary.iter().any(|edge| edge.part == Part::Dirichlet);
+        let material = if is_elastic { elastic(random) } else { scalar(random, is_held) };
+        let unknowns = mesh.nodes.len() * if is_elastic { 2 } else { 1 };
+        let rough = random.below(3);
+        let push = random.between(-1.0, 1.0);
+        let direction = {
+            let angle = random.between(0.0, 6.3);
+            [angle.cos(), angle.sin()]
+        };
+        let volume = (0..unknowns)
+            .map(|i| match (rough, is_elastic) {
+                (0, _) => random.between(-1.0, 1.0),
+                (1, true) => direction[i % 2],
+                (1, false) => push,
+                _ => push * direction[i % 2] + 0.3 * random.between(-1.0, 1.0),
+            })
+            .collect();
+        let mut forces = vec![0.0; unknowns];
+        if random.below(4) == 0 {
+            forces[random.below(unknowns)] = random.between(-1.0, 1.0);
+        }
+        let mut dirichlet = [[0.0; 3]; 2];
+        if random.below(4) == 0 {
+            let size = decades(random, -3.0, 0.0);
+            dirichlet = [0, 1].map(|_| [0, 1, 2].map(|_| size * random.between(-1.0, 1.0)));
+        }
+        let size = if random.below(2) == 0 { decades(random, -4.0, 0.0) } else { 0.0 };
+        let lowest = if random.below(3) == 0 { -1.0 } else { 0.0 };
+        let mut gap: Vec<f64> = mesh.chain.iter().map(|_| size * random.between(lowest, 1.0)).collect();
+        if random.below(20) > 0 {
+            admit(&mesh, is_elastic, &dirichlet, &mut gap);
+        }
+        if random.below(40) == 0 {
+            // Nothing pushes: every constraint touches without force, or has room.
+            let volume = vec![0.0; unknowns];
+            let forces = vec![0.0; unknowns];
+            let units = [0; 3];
+            return Self { mesh, material, volume, forces, dirichlet: [[0.0; 3]; 2], gap, units, coarse };
+        }
+        let units = units(random, is_elastic);
+        Self { mesh, material, volume, forces, dirichlet, gap, units, coarse }
+    }
+
+    pub fn components(&self) -> usize {
+        match self.material {
+            Material::Scalar { .. } => 1,
+            Material::Elastic { .. } => 2,
+        }
+    }
+
+    /// Exponent of the unit of displacement.
+    pub fn displacement_unit(&self) -> i32 {
+        self.units[0] + 2 * self.units[2] - self.units[1]
+    }
+
+    /// Exponent of the unit of force.
+    pub fn force_unit(&self) -> i32 {
+        self.units[0] + 2 * self.units[2]
+    }
+
+    fn form(&self) -> Result<Form> {
+        match &self.material {
+            Material::Scalar { reaction } => {
+                Ok(Form::Scalar { reaction: times_power(*reaction, -2 * self.units[2]) })
+            }
+            Material::Elastic { moduli, is_stress } => {
+                let lame = |&[young, poisson]: &[f64; 2]| {
+                    let young = times_power(young, self.units[1]);
+                    if *is_stress {
+                        Lame::plane_stress(young, poisson)
+                    } else {
+                        Lame::plane_strain(young, poisson)
+                    }
+                };
+                Ok(Form::Elastic { materials: moduli.iter().map(lame).collect::<Result<_>>()? })
+            }
+        }
+    }
+
+    fn triangulation(&self, mesh: &Mesh) -> Result<Triangulation> {
+        let place = |point: &Point| point.map(|x| times_power(x, self.units[2]));
+        let nodes = mesh.nodes.iter().map(place).collect();
+        let made = Triangulation::new(nodes, mesh.triangles.clone(), mesh.boundary.clone())?;
+        if mesh.regions.is_empty() { Ok(made) } else { made.with_regions(mesh.regions.clone()) }
+    }
+
+    /// The problem of the library.
+    pub fn problem(&self) -> Result<ContactProblem> {
+        let [pressure, _, length] = self.units;
+        let scaled = |values: &[f64], unit: i32| -> Vec<f64> {
+            values.iter().map(|&v| times_power(v, unit)).collect()
+        };
+        let volume = scaled(&self.volume, pressure);
+        let mut problem = ContactProblem::new(self.triangulation(&self.mesh)?, self.form()?, &volume)?;
+        if problem.edge().nodes() != self.mesh.chain {
+            return Err(Error::Solver {
+                reason: format!("chain {:?} {:?}", problem.edge().nodes(), self.mesh.chain),
+            });
+        }
+        problem.add_load(&scaled(&self.forces, self.force_unit()))?;
+        let unit = self.displacement_unit();
+        let at = |k: usize, [x, y]: Point| {
+            times_power(self.prescribed(k, [x, y].map(|x| times_power(x, -length))), unit)
+        };
+        match self.components() {
+            1 => problem.set_dirichlet(&Field::Scalar(&|point| at(0, point)))?,
+            _ => problem.set_dirichlet(&Field::Vector(&|point| [at(0, point), at(1, point)]))?,
+        }
+        let mut gap = scaled(&self.gap, unit).into_iter();
+        problem.set_gap(|_| gap.next().unwrap_or(f64::NAN))?;
+        Ok(problem)
+    }
+
+    /// Prescribed value of a component at a point of the mesh.
+    pub fn prescribed(&self, component: usize, [x, y]: Point) -> f64 {
+        let [a, b, c] = self.dirichlet[component];
+        a + b * x + c * y
+    }
+
+    /// The meshes of the library behind the mesh, for multigrid.
+    pub fn hierarchy(&self) -> Option<Result<Hierarchy>> {
+        let (coarse, times) = self.coarse.as_ref()?;
+        Some(self.triangulation(coarse).and_then(|mesh| Hierarchy::refined(mesh, *times)))
+    }
+}
+
+/// `value` 2^`exponent`, in two steps, so that the power itself does not leave the range.
+pub fn times_power(value: f64, exponent: i32) -> f64 {
+    let half = exponent / 2;
+    value * 2f64.powi(half) * 2f64.powi(exponent - half)
+}
+
+/// Opens gaps that prescribed values close.
+fn admit(mesh: &Mesh, is_elastic: bool, dirichlet: &[[f64; 3]; 2], gap: &mut [f64]) {
+    let [a, b] = [mesh.chain[0], mesh.chain[mesh.chain.len() - 1]].map(|node| mesh.nodes[node]);
+    let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let normal = if is_elastic { [(b[1] - a[1]) / length, (a[0] - b[0]) / length] } else { [1.0, 0.0] };
+    for edge in mesh.boundary.iter().filter(|edge| edge.part == Part::Dirichlet) {
+        for (&node, gap) in mesh.chain.iter().zip(&mut *gap).filter(|(node, _)| edge.nodes.contains(node)) {
+            let [x, y] = mesh.nodes[node];
+            let u = dirichlet.map(|[a, b, c]| a + b * x + c * y);
+            let least = u[0] * normal[0] + u[1] * normal[1];
+            *gap = gap.max(least + 0.5 * least.abs());
+        }
+    }
+}
+
+fn scalar(random: &mut SplitMix, is_held: bool) -> Material {
+    let reaction = match random.below(3) {
+        0 if is_held => 0.0,
+        1 => 1.0,
+        _ => decades(random, if is_held { -6.0 } else { -3.0 }, 4.0),
+    };
+    Material::Scalar { reaction }
+}
+
+fn elastic(random: &mut SplitMix) -> Material {
+    let is_stress = random.below(3) == 0;
+    let kind = random.below(6);
+    let mut moduli = || {
+        let poisson = match kind {
+            0 => 0.0,
+            1 => 0.5 - 1e-15,
+            2 => 0.5 - decades(random, -15.0, -1.0),
+            3 => -1.0 + decades(random, -15.0, -0.5),
+            _ => random.between(-0.9, 0.45),
+        };
+        [decades(random, -2.0, 2.0), poisson]
+    };
+    Material::Elastic { moduli: vec![moduli(), moduli()], is_stress }
+}
+
+/// Loads of 1e±300, then stiffness and lengths, too.
+fn units(random: &mut SplitMix, is_elastic: bool) -> [i32; 3] {
+    let mut exponent = |most: i32| random.below(2 * most as usize + 1) as i32 - most;
+    match exponent(5) {
+        -5 => [1000, 0, 0],
+        -4 => [-1000, 0, 0],
+        -3 => [exponent(1000), 0, 0],
+        -2 => [exponent(200), if is_elastic { exponent(200) } else { 0 }, exponent(100)],
+        -1 => {
+            let length = exponent(490);
+            [-2 * length, 0, length]
+        }
+        _ => [0; 3],
+    }
+}
