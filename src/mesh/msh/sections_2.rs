@@ -10,7 +10,7 @@ impl Raw {
         for _ in 0..total {
             let [tag, x, y, z] = lines.exactly::<f64, 4>()?;
             if tag < 1.0 || tag.fract() != 0.0 || tag > 9e15 {
-                return Err(lines.fault(&format!("'{tag}' is not the number of a node")));
+                return Err(lines.fault(&format!("{tag:?} is not the number of a node")));
             }
             self.add_node(tag as u64, [x, y, z], lines)?;
         }

@@ -17,6 +17,7 @@ impl Raw {
                 {
                     if groups > 1.0 && (dimension == 1 || dimension == 2) {
                         let what = if dimension == 1 { "curve" } else { "surface" };
+                        let (tag, groups) = (tag as i64, groups as u64);
                         let why = format!("{what} {tag} is in {groups} physical groups: one is expected");
                         return Err(lines.fault(&why));
                     }
