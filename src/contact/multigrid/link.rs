@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn contact_by_turns_stays_so() {
         // Coarse node a is fine node 2 a.
-        let link = Link { parents: (0..17).map(|k| [k / 2, k.div_ceil(2)]).collect(), coarse: 9 };
+        let link = Link { parents: (0..17_usize).map(|k| [k / 2, k.div_ceil(2)]).collect(), coarse: 9 };
         let set = |text: &str| ContactSet::new(text.bytes().map(|b| b == b'1').collect());
         for (coarse, fine) in [
             ("11100000", "1111110000000000"),
