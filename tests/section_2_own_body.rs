@@ -54,7 +54,9 @@ fn both_formats_of_gmsh_hold_the_same_body() {
     let renamed = L_SHAPE.replace("\"contact\"", "\"Contact_1\"").replace("\"clamped\"", "\"Dirichlet\"");
     assert_eq!(parse_msh(&renamed).unwrap(), four);
     let out_of_plane = L_SHAPE_2.replacen("\n1 0 0 0\n", "\n1 0 0 0.5\n", 1);
-    assert!(matches!(parse_msh(&out_of_plane), Err(Error::Node { .. })));
+    let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else { panic!("not in a plane") };
+    assert!(out_of_plane.lines().nth(line - 1).is_some_and(|line| !line.is_empty()), "line {line}");
+    assert!(matches!(*cause, Error::Node { .. }), "{cause}");
 }
 
 #[test]
@@ -70,7 +72,10 @@ fn clockwise_surfaces_are_turned_and_single_triangles_are_not() {
     let good = parse_msh(&text(["1 2 3", "1 3 4"])).unwrap();
     let turned = parse_msh(&text(["1 3 2", "1 4 3"])).unwrap();
     assert_eq!(good.boundary(), turned.boundary());
-    assert!(matches!(parse_msh(&text(["1 2 3", "1 4 3"])), Err(Error::Triangle { triangle: 1, .. })));
+    let Err(Error::AtLine { cause, .. }) = parse_msh(&text(["1 2 3", "1 4 3"])) else {
+        panic!("is inverted")
+    };
+    assert!(matches!(*cause, Error::Triangle { triangle: 1, .. }), "{cause}");
 }
 
 #[test]

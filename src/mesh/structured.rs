@@ -48,7 +48,7 @@ pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
             return Err(Error::CountOutOfRange { name, value, range });
         }
     }
-    require_memory("cells", nx * ny, BYTES_OF_CELL)?;
+    require_memory("cells", nx.saturating_mul(ny), BYTES_OF_CELL)?;
     let node = |i: usize, j: usize| j * (nx + 1) + i;
     let nodes =
         (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64 / nx as f64, j as f64 / ny as f64])).collect();

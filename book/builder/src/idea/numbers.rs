@@ -1,5 +1,5 @@
-//! Pictures of constants and of how they are computed: where each lives on a mesh, parts of a gradient, a limit
-//! of meshes, pairs at a corner, points or triangles.
+//! Pictures of constants and of how they are computed: where each lives on a mesh, parts of a gradient, a
+//! limit of meshes, pairs at a corner, points or triangles.
 
 use super::grids::grid;
 use super::pen::{BLUE, GREEN, INK, ORANGE, Pen, SQUARE};
