@@ -20,6 +20,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(4..=11))]
         pub finest: u32,
     }
+    memory(options) {
+        1300.0 * f64::from(2 * options.finest).exp2()
+    }
 }
 
 /// A scene with its regularity.

@@ -5,7 +5,7 @@
 
 use example_frame::rates::{HALF_WIDTH, order_columns, orders_on_curves};
 use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use signorini::Error;
 use signorini::convergence::{Bound, StripGroup};
 use signorini::scenes::StripScene;
@@ -16,7 +16,7 @@ example_frame::options! {
     /// Exponents over the regularity: printed, and measured with their uncertainty
     pub struct Options {
         /// Regularities tau in (3/2, 2)
-        #[arg(long, value_delimiter = ',', default_value = "1.55,1.6,1.65,1.7,1.75,1.8,1.85,1.9,1.95")]
+        #[arg(long, value_delimiter = ',', default_value = "1.55,1.6,1.65,1.7,1.75,1.8,1.85,1.9,1.95", value_parser = within::<f64>("(1.5, 2)"))]
         pub tau: Vec<f64>,
         /// scalar or elastic
         #[arg(long, default_value_t = StripKind::Scalar)]

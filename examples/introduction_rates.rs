@@ -7,7 +7,7 @@
 
 use example_frame::rates::{HALF_WIDTH, order_columns, printed_and_measured, printed_rates};
 use example_frame::rates::{Printed, RateRow, complete, fit_cells, largest, lowest};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use signorini::convergence::Bound;
 use signorini::strip::Levels;
 use std::process::ExitCode;
@@ -19,7 +19,7 @@ example_frame::options! {
         #[arg(long, default_value = "4-14")]
         pub levels: Levels,
         /// Number of meshes with 2, 4, 8, ... squares along each side
-        #[arg(long, default_value_t = 7)]
+        #[arg(long, default_value_t = 7, value_parser = within::<usize>("[1, 10]"))]
         pub meshes: usize,
     }
 }

@@ -8,7 +8,7 @@
 //! `cargo run --release --example lemma_5_1_peetre_tartar`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use signorini::poincare::{Condition, Zone, extremal, mean_free_quotient, peetre_tartar};
 use signorini::sobolev::FractionalOrder;
 use signorini::{Estimate, Tolerance};
@@ -21,7 +21,7 @@ example_frame::options! {
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,
         /// Lengths theta of the zone
-        #[arg(long, value_delimiter = ',', default_values = ["1", "1e-1", "1e-2", "1e-4", "1e-8"])]
+        #[arg(long, value_delimiter = ',', default_values = ["1", "1e-1", "1e-2", "1e-4", "1e-8"], value_parser = within::<f64>("[1e-299, 1]"))]
         pub theta: Vec<f64>,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value_t = Tolerance::balanced())]

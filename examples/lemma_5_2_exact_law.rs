@@ -8,7 +8,7 @@
 //! `cargo run --release --example lemma_5_2_exact_law`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use signorini::poincare::{
     Condition, END_SLOPE, HalfBracket, INTERIOR_SLOPE, LawRest, Place, UniformLaw, gamma, growth,
     last_exponent,
@@ -21,10 +21,10 @@ example_frame::options! {
     /// The law of the Poincare constant at nu = 1/2, and the two bounds that prove it
     pub struct Options {
         /// Zones theta at the end of the interval, longest first
-        #[arg(long, value_delimiter = ',', default_values = ["1e-2", "1e-5", "1e-10", "1e-30", "1e-100", "1e-200", "1e-300"])]
+        #[arg(long, value_delimiter = ',', default_values = ["1e-2", "1e-5", "1e-10", "1e-30", "1e-100", "1e-200", "1e-300"], value_parser = within::<f64>("[1e-300, 0.36]"))]
         pub theta: Vec<f64>,
         /// L = ln(1/theta) at which the bounds alone are evaluated
-        #[arg(long, value_delimiter = ',', default_values = ["1e4", "1e6", "1e9", "1e12"])]
+        #[arg(long, value_delimiter = ',', default_values = ["1e4", "1e6", "1e9", "1e12"], value_parser = within::<f64>("[1, 1e15]"))]
         pub log: Vec<f64>,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value = "1e-10")]

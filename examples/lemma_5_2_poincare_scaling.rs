@@ -6,7 +6,7 @@
 //! `cargo run --release --example lemma_5_2_poincare_scaling -- --nu 0.3,1/2 --theta 1e-300 --zone centre`
 
 use example_frame::poincare::{curves_chart, figure_name, frames, scaling_table};
-use example_frame::{Finding, Headline, Result};
+use example_frame::{Finding, Headline, Result, within};
 use signorini::poincare::{
     Condition, END_SLOPE, Place, Scaling, ScalingPoint, growth, growth_limit, looseness_at_half,
     printed_exponent_near_one,
@@ -23,7 +23,7 @@ example_frame::options! {
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
         pub nu: Vec<FractionalOrder>,
         /// Lengths theta of the zone
-        #[arg(long, value_delimiter = ',', default_values = ["5e-1", "1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6"])]
+        #[arg(long, value_delimiter = ',', default_values = ["5e-1", "1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6"], value_parser = within::<f64>("[1e-300, 1]"))]
         pub theta: Vec<f64>,
         /// Where the zone is: end, centre, or its start a
         #[arg(long, default_value_t = Place::End)]

@@ -3,7 +3,7 @@
 //! `cargo run --release --example lemma_6_1_over_shapes -- --s 0.3,0.9 --angles 15,60,90,150`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::interpolation::{TriangleConstants, TriangleShape, kobayashi};
 use signorini::sobolev::FractionalOrder;
 use signorini::{Error, Estimate};
@@ -17,7 +17,7 @@ example_frame::options! {
         #[arg(long, value_delimiter = ',', default_values = ["0.5", "0.75"])]
         pub s: Vec<FractionalOrder>,
         /// Angles at the top in degrees, in (6, 174), increasing; one should be 60
-        #[arg(long, value_delimiter = ',', default_values = ["20", "30", "40", "50", "60", "75", "90", "105", "120", "135"])]
+        #[arg(long, value_delimiter = ',', default_values = ["20", "30", "40", "50", "60", "75", "90", "105", "120", "135"], value_parser = within::<f64>("(6, 174)"))]
         pub angles: Vec<f64>,
         /// Degree of the polynomials
         #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(10..=30))]

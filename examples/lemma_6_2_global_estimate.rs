@@ -29,6 +29,9 @@ example_frame::options! {
         #[arg(long, value_delimiter = ',', default_values = ["1", "2", "4", "8", "16", "1024", "65536"])]
         pub elements: Vec<usize>,
     }
+    memory(options) {
+        48.0 * options.elements.iter().copied().max().unwrap_or(0) as f64
+    }
 }
 
 /// One order on one mesh: ratios and constants for the function, its derivative, and the full norm.

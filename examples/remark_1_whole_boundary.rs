@@ -8,7 +8,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::{HALF_WIDTH, RateRow, against_theorem, complete, fit_cells, largest, lowest};
 use example_frame::rates::{on_meshes, order_columns};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Solver};
 use signorini::convergence::{Bound, Quantity, TransitionRates};
@@ -19,7 +19,7 @@ example_frame::options! {
     /// The scalar problem of Remark 1: rates of both cones with contact on all four sides
     pub struct Options: Long {
         /// Number of meshes with 2, 4, 8, ... squares along each side
-        #[arg(long, default_value_t = 8)]
+        #[arg(long, default_value_t = 8, value_parser = within::<usize>("[1, 10]"))]
         pub meshes: usize,
         /// Squares along each side where a second solver is asked
         #[arg(long, default_value_t = 16)]
@@ -43,6 +43,7 @@ pub struct Computed {
 /// Solves all scenes on all meshes, and one of them by a second solver.
 pub fn compute(options: &Options) -> Result<Computed> {
     let (scene, levels) = (MeshScene::MembraneReaction, options.meshes);
+    let problem = scene.problem(options.n)?;
     let mut rows = Vec::new();
     for tau in TAUS {
         let logarithm = if tau == 2.0 { 1.0 } else { 0.0 };
@@ -50,7 +51,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
         let (whole_boundary, coarsest) = (true, COARSEST);
         rows.push(on_meshes(&TransitionRates { powers, tau, whole_boundary, coarsest, levels })?);
     }
-    let (problem, bar) = (scene.problem(options.n)?, progress(4));
+    let bar = progress(4);
     let solved = Cone::ALL.map(|cone| {
         let by = |solver| {
             bar.inc(1);

@@ -5,7 +5,7 @@
 //! product of two projection errors loses an order; whether the method does is asked in `theorem_4_1_rates`.
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use signorini::interpolation::{
     DualRates, SampleSlope, power_lagrange_rate, sample_projection_rate, saturation_quotient,
 };
@@ -24,7 +24,7 @@ example_frame::options! {
     /// The rate of the P0 projection against the smoothness of the function
     pub struct Options {
         /// Orders r > 0, comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75", "1.25", "1.5", "2", "2.5", "4"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75", "1.25", "1.5", "2", "2.5", "4"], value_parser = within::<f64>("(0, 10]"))]
         pub r: Vec<f64>,
     }
 }

@@ -7,7 +7,7 @@
 //! `cargo run --release --example remark_5_log_counterexample`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Error, Finding, Format, Headline, Result, Table, within};
 use signorini::poincare::{
     Condition, NormChain, TruncatedFamily, Zone, gamma, last_exponent, truncated_slope,
 };
@@ -19,14 +19,20 @@ example_frame::options! {
     /// Quotients of the truncated logarithms of Remark 5 beside the Poincare constants of their zones
     pub struct Options {
         /// Exponents alpha in (0, 1]; those of the paper are below 1/2
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4", "0.45", "0.75", "1"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4", "0.45", "0.75", "1"], value_parser = within::<f64>("(0, 1]"))]
         pub alpha: Vec<f64>,
         /// L = ln(1/theta)
-        #[arg(long, value_delimiter = ',', default_values = ["4", "16", "64", "256"])]
+        #[arg(long, value_delimiter = ',', default_values = ["4", "16", "64", "256"], value_parser = within::<f64>("[1, 690]"))]
         pub log: Vec<f64>,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value_t = Tolerance::balanced())]
         pub tolerance: Tolerance,
+    }
+    check(options) {
+        match options.log.is_sorted_by(|one, next| one < next) {
+            true => Ok(()),
+            false => Err(Error::Option("--log: expected numbers that increase".to_owned())),
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! `cargo run --release --example remark_7_rearrangement`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use signorini::interpolation::{RoughFamily, rearranged_shares};
 use signorini::poincare::{Condition, MovedZone, ZoneCase, random_zones};
 use signorini::sobolev::{FractionalOrder, sorted_share_of_orders, sorted_share_of_random};
@@ -22,7 +22,7 @@ example_frame::options! {
         #[arg(long, default_value_t = 100)]
         pub zones: u32,
         /// Length of the zone that is moved, and of the two halves between which a gap opens
-        #[arg(long, default_value_t = 1e-2)]
+        #[arg(long, default_value_t = 1e-2, value_parser = within::<f64>("[1e-299, 0.99]"))]
         pub theta: f64,
         /// Relative tolerance of the constants
         #[arg(long, default_value = "1e-3")]

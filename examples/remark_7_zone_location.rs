@@ -15,7 +15,7 @@
 //! `cargo run --release --example remark_7_zone_location`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use signorini::poincare::Places;
 use signorini::sobolev::FractionalOrder;
 use signorini::{Estimate, Tolerance};
@@ -31,7 +31,7 @@ example_frame::options! {
         #[arg(long, default_value_t = 1e-3)]
         pub theta: f64,
         /// Places a, as fractions of 1 - theta
-        #[arg(long, value_delimiter = ',', default_values = ["0", "1e-4", "1e-2", "0.1", "0.25", "0.5"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0", "1e-4", "1e-2", "0.1", "0.25", "0.5"], value_parser = within::<f64>("[0, 1]"))]
         pub at: Vec<f64>,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value_t = Tolerance::balanced())]

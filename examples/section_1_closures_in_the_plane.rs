@@ -3,7 +3,7 @@
 //! `cargo run --release --example section_1_closures_in_the_plane -- --gaps 0.3,1e-4 --s 0.8`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use signorini::sobolev::{FractionalOrder, SectorPower, SingularPlaneFunction, Triangles};
 use signorini::{Error, Estimate, Tolerance};
 use std::f64::consts::{PI, SQRT_2};
@@ -13,7 +13,7 @@ example_frame::options! {
     /// Norms of fractional order of corner singularities given by closures
     pub struct Options {
         /// a + 1 - s, what the exponent of r^a is above the limit of finiteness
-        #[arg(long, value_delimiter = ',', default_values = ["0.5", "1e-2", "1e-3", "1e-6"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.5", "1e-2", "1e-3", "1e-6"], value_parser = within::<f64>("(0, 20]"))]
         pub gaps: Vec<f64>,
         /// Order s in (0, 1)
         #[arg(long, default_value = "0.6")]

@@ -3,7 +3,7 @@
 //! `cargo run --release --example section_1_trace_constants -- --s 0.51,0.999`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::Estimate;
 use signorini::sobolev::{FractionalOrder, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
 use std::f64::consts::PI;
@@ -13,10 +13,10 @@ example_frame::options! {
     /// Best constants of the trace on one edge: half-plane, corner, square
     pub struct Options {
         /// Orders s in (1/2, 1), comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.65", "0.7", "0.75", "0.8", "0.85", "0.9", "0.95"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.65", "0.7", "0.75", "0.8", "0.85", "0.9", "0.95"], value_parser = within::<FractionalOrder>("(0.5, 1)"))]
         pub s: Vec<FractionalOrder>,
         /// Angle of the corner in degrees, in [10, 180]
-        #[arg(long, default_value_t = 90.0)]
+        #[arg(long, default_value_t = 90.0, value_parser = within::<f64>("[10, 180]"))]
         pub angle: f64,
         /// Degree of the polynomials on the square
         #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(2..=16))]

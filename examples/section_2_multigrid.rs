@@ -4,7 +4,7 @@
 //! `cargo run --release --example section_2_multigrid -- --n 512 --levels 1`
 
 use example_frame::contact::{RoadsRow as Row, compressibility_chart, two_roads_table, worst};
-use example_frame::{Finding, Headline, Result, progress};
+use example_frame::{Finding, Headline, Result, progress, within};
 use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::contact::{Fallback, MOST_INCOMPRESSIBLE};
@@ -15,14 +15,19 @@ example_frame::options! {
     /// Multigrid and elimination on every scene and on hard cases
     pub struct Options {
         /// Cells along each side of the coarsest mesh
-        #[arg(long, default_value_t = 32)]
+        #[arg(long, default_value_t = 32, value_parser = within::<usize>("[1, 1e6]"))]
         pub n: usize,
         /// Number of meshes n, 2n, 4n, ...
-        #[arg(long, default_value_t = 2)]
+        #[arg(long, default_value_t = 2, value_parser = within::<usize>("[1, 12]"))]
         pub levels: usize,
         /// What is asked of multigrid on the scenes: algebraic error over the solution, in the energy norm
         #[arg(long, default_value_t = 1e-12)]
         pub tolerance: f64,
+    }
+    memory(options) {
+        // Elimination on the finest mesh.
+        let unknowns = 2.0 * (options.n as f64 * (options.levels as f64 - 1.0).exp2() + 1.0).powi(2);
+        100.0 * unknowns * unknowns.log2()
     }
 }
 

@@ -12,7 +12,7 @@ use std::process::ExitCode;
 /// The body that comes with the example: an L on a slanted floor.
 const SAMPLE: &str = include_str!("data/l_shape.msh");
 /// It lifts the arm and presses both ends of the foot on the floor.
-const LOAD: &str = "0.15, 0.2 - 0.3*x";
+const LOAD: &str = "0.015, 0.02 - 0.03*x";
 
 example_frame::options! {
     /// Solve a contact problem on a mesh of Gmsh with a load given by expressions, and check what must hold

@@ -39,6 +39,9 @@ example_frame::options! {
         "positions" if !options.scene.moves() => "unless the scene is one transition",
         "tau" if matches!(options.scene, StripScene::Samples { .. }) => "on samples",
     }
+    memory(options) {
+        190.0 * options.levels.reference_cells() as f64
+    }
 }
 
 /// What is computed: all levels at all places of the transition, and how their errors run beside the bounds.

@@ -4,7 +4,7 @@
 //! and (1−α)^{-1/2}.
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::Estimate;
 use signorini::interpolation::{
     EMBEDDING_GROWTH, EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound,
@@ -23,7 +23,7 @@ example_frame::options! {
     /// Embedding constants: C(q) at nu = 1/2 and at critical exponents, C(alpha)
     pub struct Options {
         /// Exponents q for nu = 1/2, comma separated; alpha = 1 - 1/q beside them
-        #[arg(long, value_delimiter = ',', default_values = ["2", "3", "4", "6", "8", "12", "16", "24", "36", "50", "75", "100", "150", "200"])]
+        #[arg(long, value_delimiter = ',', default_values = ["2", "3", "4", "6", "8", "12", "16", "24", "36", "50", "75", "100", "150", "200"], value_parser = within::<f64>("[2, 1000]"))]
         pub q: Vec<f64>,
         /// Orders nu < 1/2, comma separated, taken at the critical exponent q = 2/(1 - 2 nu)
         #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"])]

@@ -4,7 +4,7 @@
 //! of H^r. Both roads count, in both norms.
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::interpolation::{ProjectionRates, ProjectionStudy, projection_constant};
 use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
@@ -19,7 +19,7 @@ example_frame::options! {
     /// The P0 projection: best constants and rates in L2 and in the dual norm of H^(1/2)
     pub struct Options {
         /// Orders r in [0, 1], comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1"], value_parser = within::<f64>("[0, 1]"))]
         pub r: Vec<f64>,
     }
 }

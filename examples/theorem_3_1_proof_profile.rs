@@ -3,7 +3,7 @@
 //! `cargo run --release --example theorem_3_1_proof_profile -- --scene fat-cantor --lines`
 
 use example_frame::shown::ladder::{ladder_chart, ladder_table, line_table, quote, slack_chart, title};
-use example_frame::{Finding, Headline, Result};
+use example_frame::{Finding, Headline, Result, within};
 use signorini::proof::{LimitLine, LimitLines, Rung, Section, Step, ThetaRule, limit_lines};
 use signorini::proof::{ProofCase, ProofProfile, Resolution};
 use signorini::scenes::StripScene;
@@ -17,13 +17,13 @@ example_frame::options! {
         #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
         pub scene: StripScene,
         /// Regularity the proof assumes, in (3/2, 2], for Theorem 4.1 in (3/2, 5/2)
-        #[arg(long, default_value_t = 1.75)]
+        #[arg(long, default_value_t = 1.75, value_parser = within::<f64>("(1.5, 2.5)"))]
         pub tau: f64,
         /// Regularity the scene is built with; tau unless given
         #[arg(long)]
         pub scene_tau: Option<f64>,
         /// Exponent q of the embedding at tau = 2
-        #[arg(long, default_value_t = 2.0)]
+        #[arg(long, default_value_t = 2.0, value_parser = within::<f64>("[2, 1e6]"))]
         pub q: f64,
         /// Mesh sizes h = 2^-COARSEST ... 2^-FINEST
         #[arg(long, default_value = "3-11")]

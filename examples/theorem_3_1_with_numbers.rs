@@ -6,7 +6,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 pub use example_frame::shown::numbers::numbered_findings as findings;
 use example_frame::shown::numbers::numbered_table;
-use example_frame::{Headline, Result, progress};
+use example_frame::{Headline, Result, progress, within};
 use signorini::Error;
 use signorini::cone::Cone;
 use signorini::proof::{NumberedRow, NumberedStudy, TheoremNumbers};
@@ -17,14 +17,17 @@ example_frame::options! {
     /// Compare the bound with numbers with the error of problems of known solution
     pub struct Options {
         /// tau in (3/2, 2], comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["1.6", "1.75", "1.9", "2"])]
+        #[arg(long, value_delimiter = ',', default_values = ["1.6", "1.75", "1.9", "2"], value_parser = within::<f64>("(1.5, 2]"))]
         pub tau: Vec<f64>,
         /// The solution is r^p with p = tau - 1 + this: just in H^tau
-        #[arg(long, default_value_t = 0.06)]
+        #[arg(long, default_value_t = 0.06, value_parser = within::<f64>("[1e-12, 0.4]"))]
         pub above: f64,
         /// Meshes of 4 x 4 ... n x n squares, n = 2 to this power
         #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=10))]
         pub finest: u32,
+    }
+    memory(options) {
+        1250.0 * f64::from(2 * options.finest).exp2()
     }
 }
 

@@ -5,7 +5,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::shown::numbers::{decided_by, effectivity, numbered_findings, numbered_table};
-use example_frame::{Finding, Headline, Result, progress};
+use example_frame::{Finding, Headline, Result, progress, within};
 use signorini::Error;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
@@ -17,10 +17,10 @@ example_frame::options! {
     /// Compare the bound with numbers with the error of elastic bodies of known displacement
     pub struct Options {
         /// tau in (3/2, 2], comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["1.6", "1.75", "1.9", "2"])]
+        #[arg(long, value_delimiter = ',', default_values = ["1.6", "1.75", "1.9", "2"], value_parser = within::<f64>("(1.5, 2]"))]
         pub tau: Vec<f64>,
         /// The displacement is r^p with p = tau - 1 + this: just in H^tau
-        #[arg(long, default_value_t = 0.06)]
+        #[arg(long, default_value_t = 0.06, value_parser = within::<f64>("[1e-12, 0.4]"))]
         pub above: f64,
         /// Lame's first constant
         #[arg(long, default_value_t = 1.0)]
@@ -31,6 +31,9 @@ example_frame::options! {
         /// Meshes of 4 x 4 ... n x n squares, n = 2 to this power
         #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=9))]
         pub finest: u32,
+    }
+    memory(options) {
+        4500.0 * f64::from(2 * options.finest).exp2()
     }
 }
 

@@ -4,7 +4,7 @@
 //! `cargo run --release --example theorem_3_1_with_numbers_extrapolated -- --finest 9`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::estimate::Estimate;
 use signorini::proof::{ExtrapolatedRow, ExtrapolatedStudy, FineForms, SolvedBody, TheoremNumbers};
 use signorini::scenes::LoadedBody;
@@ -14,12 +14,15 @@ example_frame::options! {
     /// Compare the bound with numbers with the error of problems of unknown solution
     pub struct Options {
         /// tau in (3/2, 2], comma separated; each body takes those below its own regularity
-        #[arg(long, value_delimiter = ',', default_values = ["1.6", "1.75", "1.9", "2"])]
+        #[arg(long, value_delimiter = ',', default_values = ["1.6", "1.75", "1.9", "2"], value_parser = within::<f64>("(1.5, 2]"))]
         pub tau: Vec<f64>,
         /// The solution on 2^FINEST squares along each side stands for u; the bound is for meshes up to an
         /// eighth of them
         #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(5..=9))]
         pub finest: u32,
+    }
+    memory(options) {
+        6800.0 * f64::from(2 * options.finest).exp2()
     }
 }
 

@@ -32,6 +32,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 1.0)]
         pub mu: f64,
     }
+    memory(options) {
+        4500.0 * f64::from(2 * options.finest).exp2()
+    }
 }
 
 /// For every constant of a segment: column of the bound over the error, and of the same from |u|_2 alone.
@@ -42,12 +45,12 @@ const SHARP: f64 = 1e-6;
 
 /// Squares, scalar and elastic, one and two transitions, and a strip, both cones, on every mesh.
 pub fn compute(options: &Options) -> Result<Vec<BoundStudy>> {
+    let lame = Some(Lame::new(options.lambda, options.mu)?);
     let (nu, asked) = (FractionalOrder::HALF, Tolerance::new(SHARP)?);
     let up = |found: SegmentConstant| found.value.value + found.value.error;
     let nodal = [half_sharpened(nu), up(product_constant(nu, asked)?), up(consistency_constant(nu, asked)?)];
     // The midpoint cone has half of a product of two L1 norms, whatever the contact set.
     let midpoint = [0.5 * nodal[0], 0.5 * nodal[1], 0.5 * nodal[1]];
-    let lame = Some(Lame::new(options.lambda, options.mu)?);
     let bar = progress(8 * u64::from(options.finest - 1));
     let (mut studies, mut strips) = (Vec::new(), Vec::new());
     for (cone, segment) in [(Cone::Nodal, &nodal), (Cone::Midpoint, &midpoint)] {

@@ -27,6 +27,9 @@ example_frame::options! {
         #[arg(long, default_value = "1e-9")]
         pub tolerance: Tolerance,
     }
+    memory(options) {
+        180.0 * f64::from(options.depth).exp2()
+    }
 }
 
 /// Computed for one τ.

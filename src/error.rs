@@ -134,7 +134,7 @@ pub enum Error {
         reason: String,
     },
     /// A triangle of a mesh is not usable.
-    #[error("triangle {triangle} {reason} {value}")]
+    #[error("triangle {triangle} {reason} {value:?}")]
     Triangle {
         /// Its number, from 0.
         triangle: usize,
@@ -160,7 +160,7 @@ pub enum Error {
         reason: &'static str,
     },
     /// Contact force and open gap at the same place.
-    #[error("node {node}: u_N = {value} and lambda = {force} are both nonzero")]
+    #[error("node {node}: u_N = {value:?} and lambda = {force:?} are both nonzero")]
     NotComplementary {
         /// The node.
         node: usize,
@@ -184,6 +184,16 @@ pub enum Error {
         line: usize,
         /// What is wrong.
         reason: String,
+    },
+    /// A text follows its format, and what a line says has this fault.
+    #[error("{format}, line {line}: {cause}")]
+    AtLine {
+        /// The format.
+        format: &'static str,
+        /// The line, from 1.
+        line: usize,
+        /// The fault.
+        cause: Box<Error>,
     },
     /// A file could not be read or written.
     #[error("{}: {reason}", path.display())]

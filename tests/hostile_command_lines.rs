@@ -17,6 +17,8 @@ use std::time::{Duration, Instant};
 
 /// Longest wait for an answer to a bad option, with everything else the machine does.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// Longest wait for a refusal before anything is computed, where the defaults take seconds; asked twice.
+const PROMPT: Duration = Duration::from_secs(1);
 /// Longest run of a random line that is not bad.
 const LONGEST: Duration = Duration::from_secs(2);
 
@@ -82,6 +84,8 @@ struct Described {
     name: String,
     kind: String,
     choices: Vec<String>,
+    is_list: bool,
+    default: String,
 }
 
 fn described(name: &str) -> Vec<Described> {
@@ -92,6 +96,8 @@ fn described(name: &str) -> Vec<Described> {
         name: text(&option["name"]),
         kind: text(&option["kind"]),
         choices: option["choices"].as_array().into_iter().flatten().map(text).collect(),
+        is_list: option["list"] == true,
+        default: text(&option["default"]),
     };
     said["options"].as_array().unwrap().iter().map(of).collect()
 }
@@ -174,6 +180,52 @@ fn lines_of(option: &Described) -> Vec<Vec<String>> {
     wrong(option).into_iter().map(|value| vec![format!("--{}={value}", option.name)]).collect()
 }
 
+/// Values that no list of this kind takes, though each is a number or a name.
+fn outside(option: &Described) -> Vec<&'static str> {
+    match option.kind.as_str() {
+        _ if !option.is_list => Vec::new(),
+        "number" => vec!["-7", "1e300"],
+        "integer" => vec!["18446744073709551615", "4294967296"],
+        "order" => vec!["1.5"],
+        _ => vec!["log:1e300", "power:1e300", "step:7"],
+    }
+}
+
+#[test]
+fn a_later_value_of_a_list_is_refused_before_the_first_is_computed() {
+    let mut lines: Vec<(String, Vec<String>)> = Vec::new();
+    for name in names() {
+        for option in described(&name) {
+            for bad in outside(&option) {
+                let behind = format!("{},{bad}", option.default).trim_start_matches(',').to_owned();
+                for values in [bad.to_owned(), behind] {
+                    lines.push((name.clone(), vec![format!("--{}={values}", option.name)]));
+                }
+            }
+        }
+    }
+    lines.extend([
+        ("section_1_trace_constants".to_owned(), vec!["--s=0.8,0.5".to_owned()]),
+        ("section_1_closures_in_the_plane".to_owned(), vec!["--gaps=0.5,-1".to_owned()]),
+        ("theorem_3_1_with_numbers".to_owned(), vec!["--tau=1.75,1.4".to_owned()]),
+        ("remark_5_log_counterexample".to_owned(), vec!["--log=4,16,8".to_owned()]),
+    ]);
+    let late = |(name, line): &(String, Vec<String>)| {
+        let once = || {
+            let start = Instant::now();
+            fault(name, line).or_else(|| {
+                let taken = start.elapsed();
+                (taken > PROMPT).then(|| format!("{name} {line:?}: refused after {taken:?}"))
+            })
+        };
+        once().and_then(|_| once())
+    };
+    let faults = all_faults(&lines, late);
+    println!("{} lines, {} late or not refused", lines.len(), faults.len());
+    assert!(lines.len() > 100, "{}", lines.len());
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
+}
+
 #[test]
 fn an_option_without_effect_is_refused() {
     for (name, line) in [
@@ -213,6 +265,12 @@ fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
         ("theorem_4_1_proof_profile", "--q=18446744073709551615"),
         ("equation_3_2_logarithm", "--levels=1-22"),
         ("worst_contact_set", "--depth=25"),
+        ("section_2_multigrid", "--levels=18446744073709551615"),
+        ("section_2_multigrid", "--n=65536"),
+        ("introduction_rates", "--meshes=64"),
+        ("remark_1_whole_boundary", "--meshes=18446744073709551615"),
+        ("remark_1_whole_boundary", "--n=18446744073709551615"),
+        ("figure_3_2_alternative", "--n=18446744073709551615"),
     ] {
         let line: Vec<String> = line.split(' ').map(str::to_owned).collect();
         let found = fault(name, &line);
@@ -247,14 +305,18 @@ fn random_value(option: &Described, random: &mut SplitMix) -> String {
 
 /// No panic, no signal; an outcome has only numbers, and a reason for each that is missing.
 fn disorder(name: &str, line: &[String]) -> Option<String> {
+    let start = Instant::now();
     let answer = ask(name, line, LONGEST);
+    let taken = start.elapsed();
     let wrong = if answer.is_stopped {
         None
     } else if answer.stderr.contains("panicked") || !matches!(answer.code, Some(0..=2)) {
         Some(answer.stderr.lines().next().unwrap_or("no word").to_owned())
     } else if answer.code == Some(2) {
         let is_one_line = answer.stderr.starts_with("error:") || answer.stderr.starts_with("this takes");
-        (!is_one_line).then(|| format!("not one clear line: {}", answer.stderr))
+        let is_late = taken > PROMPT;
+        (!is_one_line || is_late)
+            .then(|| format!("not one clear line at once, but after {taken:?}: {}", answer.stderr))
     } else {
         answer.stdout.lines().find_map(not_said)
     };

@@ -67,19 +67,7 @@ fn every_scene_is_solved_as_by_the_direct_solver() {
                 };
                 assert_eq!(found.fallback, expected, "{case}: {:?}", found.levels);
                 assert_same(&problem, cone, &found, &case);
-                let all = &found.levels[..];
-                let finest = &all[all.len().saturating_sub(1)..];
-                let few = if cone == Cone::Nodal { all } else { finest };
-                let allowed = if n < 64 {
-                    40
-                } else if cone == Cone::Nodal {
-                    4
-                } else {
-                    10
-                };
-                // Elimination gives the set where steps beside a clamped end make nothing better.
-                assert!(all.iter().all(|level| level.steps <= 10), "{case}: {:?}", found.levels);
-                assert!(few.iter().all(|level| level.steps <= allowed), "{case}: {:?}", found.levels);
+                assert!(found.levels.iter().all(|level| level.steps <= 3), "{case}: {:?}", found.levels);
             }
         }
     }
@@ -334,6 +322,17 @@ fn energies_are_those_of_other_packages() {
         }
     }
     assert_eq!(known, 12);
+}
+
+/// Between a clamped end and a gap, and where single segments touch by turns: what sets are tried from level to
+/// level. The projection alone took 60 at n = 512.
+#[test]
+fn nested_steps_are_few_beside_clamped_ends() {
+    for scene in [MeshScene::Leaning, MeshScene::Taper] {
+        let found = multigrid(&scene.problem(512).unwrap(), Cone::Midpoint, None, 1e-8);
+        assert!(found.solution.status.is_converged() && found.fallback.is_none(), "{scene}");
+        assert!(found.levels.iter().all(|level| level.steps <= 3), "{scene}: {:?}", found.levels);
+    }
 }
 
 /// Bounded over n, with the same factor.

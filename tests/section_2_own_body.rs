@@ -54,7 +54,9 @@ fn both_formats_of_gmsh_hold_the_same_body() {
     let renamed = L_SHAPE.replace("\"contact\"", "\"Contact_1\"").replace("\"clamped\"", "\"Dirichlet\"");
     assert_eq!(parse_msh(&renamed).unwrap(), four);
     let out_of_plane = L_SHAPE_2.replacen("\n1 0 0 0\n", "\n1 0 0 0.5\n", 1);
-    assert!(matches!(parse_msh(&out_of_plane), Err(Error::Node { .. })));
+    let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else { panic!("not in a plane") };
+    assert!(out_of_plane.lines().nth(line - 1).is_some_and(|line| !line.is_empty()), "line {line}");
+    assert!(matches!(*cause, Error::Node { .. }), "{cause}");
 }
 
 #[test]
@@ -70,7 +72,10 @@ fn clockwise_surfaces_are_turned_and_single_triangles_are_not() {
     let good = parse_msh(&text(["1 2 3", "1 3 4"])).unwrap();
     let turned = parse_msh(&text(["1 3 2", "1 4 3"])).unwrap();
     assert_eq!(good.boundary(), turned.boundary());
-    assert!(matches!(parse_msh(&text(["1 2 3", "1 4 3"])), Err(Error::Triangle { triangle: 1, .. })));
+    let Err(Error::AtLine { cause, .. }) = parse_msh(&text(["1 2 3", "1 4 3"])) else {
+        panic!("is inverted")
+    };
+    assert!(matches!(*cause, Error::Triangle { triangle: 1, .. }), "{cause}");
 }
 
 #[test]
@@ -294,4 +299,35 @@ fn loads_are_turned_with_their_body() {
     // (1, 0) goes to (0, 1), and its load (2, 0) to (0, 2).
     let load = turned.load_at([0.0, 1.0]);
     assert!((load[0]).abs() < 1e-15 && (load[1] - 2.0).abs() < 1e-15, "{load:?}");
+}
+
+/// The first number pairs of the first path with this attribute: x, y of "M", then of "L".
+fn first_stroke(picture: &str, attribute: &str) -> [f64; 4] {
+    let at = picture.find(attribute).unwrap();
+    let start = picture[..at].rfind("d=\"M").unwrap() + 4;
+    let words = picture[start..at].split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+    let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).take(4).collect();
+    numbers.try_into().unwrap()
+}
+
+#[test]
+fn floor_and_arrows_follow_the_normal_of_a_slanted_edge() {
+    let directory = std::env::temp_dir().join(format!("signorini-slanted-{}", std::process::id()));
+    answer(&["--levels", "2", "--out", directory.to_str().unwrap()]).unwrap();
+    let picture = std::fs::read_to_string(directory.join("section_2_own_l_shape_body_nodal.svg")).unwrap();
+    let angle = 20_f64.to_radians();
+    // One decimal of some dozen user units.
+    const DRAWN: f64 = 0.02;
+    let [x0, y0, x1, y1] = first_stroke(&picture, "stroke=\"rgb(213,94,0)\"");
+    let length = (x1 - x0).hypot(y1 - y0);
+    // The floor presses upwards and to the left; y of a picture points down.
+    assert!(
+        ((x1 - x0) / length + angle.sin()).abs() < DRAWN && ((y1 - y0) / length + angle.cos()).abs() < DRAWN
+    );
+    let [x0, y0, x1, y1] = first_stroke(&picture, "stroke-opacity=\"0.7\"");
+    let length = (x1 - x0).hypot(y1 - y0);
+    assert!(
+        ((x1 - x0) / length - angle.cos()).abs() < DRAWN && ((y1 - y0) / length + angle.sin()).abs() < DRAWN
+    );
+    std::fs::remove_dir_all(&directory).unwrap();
 }

@@ -15,6 +15,17 @@ impl ContactProblem {
     /// Adds the volume load ∫ f·v, by quadrature of the function itself (singular points are declared in the
     /// rule).
     ///
+    /// ```
+    /// use signorini::contact::ContactProblem;
+    /// use signorini::fem::{Cubature, Field, Form};
+    /// use signorini::mesh::{Sides, unit_square};
+    /// let mesh = unit_square(4, Sides::HANGING)?;
+    /// let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &[0.0; 25])?;
+    /// problem.add_volume_load(&Field::Scalar(&|[x, y]| (x * y).exp()), &Cubature::new(4)?)?;
+    /// assert!(problem.add_volume_load(&Field::Scalar(&|[x, _]| x.ln() / 0.0), &Cubature::new(4)?).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`] when f has the wrong number of components,
     /// [`crate::Error::NotFiniteAt`].
@@ -25,6 +36,17 @@ impl ContactProblem {
     }
 
     /// Adds the surface load ∫ F·v over the Neumann part.
+    ///
+    /// ```
+    /// use signorini::contact::ContactProblem;
+    /// use signorini::fem::{Field, Form, Lame};
+    /// use signorini::mesh::{Sides, unit_square};
+    /// let mesh = unit_square(4, Sides::HANGING)?;
+    /// let mut problem = ContactProblem::new(mesh, Form::elastic(Lame::new(1.0, 1.0)?), &[0.0; 50])?;
+    /// // both sides are free: a wind from the left
+    /// problem.add_surface_load(&Field::Vector(&|[_, y]| [0.1 * y, 0.0]))?;
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`ContactProblem::add_volume_load`].
@@ -77,6 +99,17 @@ impl ContactProblem {
     }
 
     /// Sets the initial gap: u_N ≤ g, at the nodes of the contact edge.
+    ///
+    /// ```
+    /// use signorini::cone::Cone;
+    /// use signorini::contact::Solver;
+    /// use signorini::scenes::MeshScene;
+    /// let mut problem = MeshScene::Closed.problem(8)?;
+    /// problem.set_gap(|[x, _]| 0.1 * x)?;
+    /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// assert!(solution.normal_displacement.last().is_some_and(|u| *u <= 0.1));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`crate::Error::NotFiniteAt`].

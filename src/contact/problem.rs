@@ -42,6 +42,19 @@ impl ContactProblem {
     /// The contact edge may lie in several pieces without a common node, each with its own normal; then the
     /// cone is the nodal one.
     ///
+    /// ```
+    /// use signorini::cone::Cone;
+    /// use signorini::contact::{ContactProblem, Solver};
+    /// use signorini::fem::{Field, Form, Lame};
+    /// use signorini::mesh::{Sides, unit_square};
+    /// let mesh = unit_square(8, Sides::HANGING)?;
+    /// let load = Field::Vector(&|[x, _]| [0.0, 1.0 - 3.0 * x]).sample(mesh.nodes())?;
+    /// let problem = ContactProblem::new(mesh, Form::elastic(Lame::new(1.0, 1.0)?), &load)?;
+    /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// assert!(solution.contact_force > 0.0 && solution.judgement.worst() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Names what is missing or wrong: no contact edge, a piece of it that is (elastic) not straight, nothing that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
@@ -141,6 +154,15 @@ impl ContactProblem {
 
     /// The energy norm a(v, v)^{1/2} of Cartesian nodal values.
     ///
+    /// ```
+    /// use signorini::scenes::MeshScene;
+    /// let problem = MeshScene::Membrane.problem(4)?;
+    /// // the norm of y is the root of the area
+    /// let y: Vec<f64> = problem.mesh().nodes().iter().map(|p| p[1]).collect();
+    /// assert!((problem.energy_norm(&y)? - 1.0).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
     pub fn energy_norm(&self, displacement: &[f64]) -> Result<f64> {
@@ -157,6 +179,19 @@ impl ContactProblem {
 
     /// |u − P u_h|_a for nested levels: u lives on this problem's mesh, which is level `to` of the hierarchy; u_h on
     /// level `from`, prolonged by P.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, scenes::MeshScene};
+    /// let hierarchy = Hierarchy::refined(MeshScene::Membrane.mesh(4)?, 1)?;
+    /// let problems = [0, 1].map(|k| MeshScene::Membrane.on(hierarchy.levels()[k].clone()));
+    /// let [coarse, fine] = problems;
+    /// let (coarse, fine) = (coarse?, fine?);
+    /// let u = coarse.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;
+    /// let v = fine.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;
+    /// let error = fine.nested_energy_error(&hierarchy, (0, &u), (1, &v))?;
+    /// assert!(error > 0.0 && error < fine.energy_norm(&v)?);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for levels in the wrong order, [`Error::LengthMismatch`],

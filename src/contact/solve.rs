@@ -65,6 +65,15 @@ impl ContactProblem {
     /// The discrete solution by the active set, starting from a guess of the contact set (of a coarser level,
     /// say).
     ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, scenes::MeshScene};
+    /// let problem = MeshScene::Block.problem(8)?;
+    /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// let again = problem.solve_from(Cone::Nodal, solution.contact_set.clone())?;
+    /// assert_eq!(again.work.iterations, 1);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] when the guess has the wrong length.
     pub fn solve_from(&self, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {

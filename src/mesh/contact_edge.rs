@@ -28,6 +28,14 @@ pub struct ContactEdge {
 impl ContactEdge {
     /// The contact edge of a triangulation, in one piece.
     ///
+    /// ```
+    /// use signorini::mesh::{ContactEdge, Sides, unit_square};
+    /// let edge = ContactEdge::of(&unit_square(4, Sides::HANGING)?)?;
+    /// assert_eq!(edge.normal()?, [0.0, -1.0]);
+    /// assert_eq!(edge.arc(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without a contact edge, [`Error::Edge`] when it falls into several pieces.
     pub fn of(mesh: &Triangulation) -> Result<Self> {
@@ -44,6 +52,14 @@ impl ContactEdge {
 
     /// The contact edge of a triangulation, in one piece or in several without a common node, in the order of
     /// their first appearance among the boundary edges. Only a single piece may be closed.
+    ///
+    /// ```
+    /// use signorini::mesh::{ContactEdge, Part, Sides, unit_square};
+    /// let sides = Sides { right: Part::Neumann, top: Part::Contact, left: Part::Dirichlet, ..Sides::HANGING };
+    /// let edge = ContactEdge::in_pieces(&unit_square(2, sides)?)?;
+    /// assert_eq!(edge.normals()?, [[0.0, -1.0], [0.0, 1.0]]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without a contact edge, [`Error::Edge`] for a closed piece beside another

@@ -33,6 +33,13 @@ impl Hierarchy {
 
     /// `coarsest` refined `times` times.
     ///
+    /// ```
+    /// use signorini::mesh::{Hierarchy, Sides, unit_square};
+    /// let hierarchy = Hierarchy::refined(unit_square(2, Sides::HANGING)?, 3)?;
+    /// assert_eq!(hierarchy.finest().triangles().len(), 8 * 64);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::CountOutOfRange`] when the finest level would have more than 2^32 triangles, [`Error::TooLarge`]
     /// when it would not fit into memory.
@@ -80,6 +87,14 @@ impl Hierarchy {
 
     /// Adds `times` levels graded toward a node: on each, the triangles at that point are cut. Sizes are
     /// proportional to the distance, down to 2^-times of the first.
+    ///
+    /// ```
+    /// use signorini::mesh::{Hierarchy, Sides, unit_square};
+    /// let mut hierarchy = Hierarchy::new(unit_square(4, Sides::HANGING)?);
+    /// hierarchy.refine_toward_point([0.0, 0.0], 10)?;
+    /// assert!(hierarchy.refine_toward_point([0.1, 0.1], 1).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::OutOfRange`] when the point is not a node of the finest level so far.
@@ -158,6 +173,15 @@ impl Hierarchy {
 
     /// Nodal values on level `from` (`components` per node) as nodal values of the same function on level
     /// `to` ≥ `from`.
+    ///
+    /// ```
+    /// use signorini::mesh::{Hierarchy, Sides, unit_square};
+    /// let hierarchy = Hierarchy::refined(unit_square(1, Sides::HANGING)?, 1)?;
+    /// let x: Vec<f64> = hierarchy.levels()[0].nodes().iter().map(|p| p[0]).collect();
+    /// let fine = hierarchy.prolong(0, 1, 1, &x)?;
+    /// assert!(fine.iter().zip(hierarchy.finest().nodes()).all(|(u, p)| *u == p[0]));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for levels that do not exist or are in the wrong order,

@@ -31,6 +31,13 @@ impl Sides {
 /// The unit square in `nx` by `ny` rectangles, each cut from bottom left to top right; node (i, j) has the
 /// number j(nx + 1) + i.
 ///
+/// ```
+/// use signorini::mesh::{Sides, rectangles};
+/// let mesh = rectangles(4, 2, Sides::HANGING)?;
+/// assert_eq!((mesh.nodes()[5], mesh.boundary().len()), ([0.0, 0.5], 12));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::CountOutOfRange`] for a count outside 1 ... 16384, [`Error::TooLarge`] for more cells than memory
 /// holds.
@@ -41,7 +48,7 @@ pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
             return Err(Error::CountOutOfRange { name, value, range });
         }
     }
-    require_memory("cells", nx * ny, BYTES_OF_CELL)?;
+    require_memory("cells", nx.saturating_mul(ny), BYTES_OF_CELL)?;
     let node = |i: usize, j: usize| j * (nx + 1) + i;
     let nodes =
         (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64 / nx as f64, j as f64 / ny as f64])).collect();
@@ -79,6 +86,13 @@ pub fn unit_square(n: usize, sides: Sides) -> Result<Triangulation> {
 
 /// The image of the `nx` by `ny` grid of the unit square under `map`.
 ///
+/// ```
+/// use signorini::mesh::{Sides, mapped_grid};
+/// let trapezoid = mapped_grid(8, 4, Sides::HANGING, |[x, y]| [2.0 * x + 0.3 * y, y])?;
+/// assert_eq!(trapezoid.nodes()[8], [2.0, 0.0]);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As for [`rectangles`]; names the first triangle that the map inverts or flattens.
 pub fn mapped_grid(
@@ -92,6 +106,18 @@ pub fn mapped_grid(
 
 /// Unit squares in n x n squares each, cut as in [`rectangles`]; `places` are their corners at the bottom
 /// left, `part` is asked at the middle of every boundary edge.
+///
+/// ```
+/// use signorini::mesh::{Part, unit_squares};
+/// let part = |[x, y]: [f64; 2]| match (x, y) {
+///     (_, 0.0) => Part::Contact,
+///     (-1.0, _) => Part::Dirichlet,
+///     _ => Part::Neumann,
+/// };
+/// let bracket = unit_squares(2, &[[0, 0], [0, 1], [-1, 1]], part)?;
+/// assert_eq!(bracket.triangles().len(), 24);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`] for a count outside 1 ... 4096, or without squares; two squares in one place as

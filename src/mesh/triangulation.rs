@@ -21,6 +21,16 @@ pub struct Triangulation {
 impl Triangulation {
     /// A checked triangulation. Boundary edges may be given in either direction.
     ///
+    /// ```
+    /// use signorini::mesh::{BoundaryEdge, Part, Triangulation};
+    /// let side = |nodes, part| BoundaryEdge { nodes, part };
+    /// let (bottom, top) = (side([0, 1], Part::Contact), side([1, 2], Part::Neumann));
+    /// let sides = vec![bottom, top, side([2, 0], Part::Dirichlet)];
+    /// let mesh = Triangulation::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]], sides)?;
+    /// assert_eq!(mesh.mesh_size(), 2f64.sqrt());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Names the offending node, triangle or edge: coordinates that are not finite, node numbers out of
     /// range, triangles that are inverted or without area, edges shared by more than two triangles, labels on
@@ -113,6 +123,14 @@ impl Triangulation {
 
     /// The same triangulation with its nodes moved by `map`, which must keep the orientation of every
     /// triangle.
+    ///
+    /// ```
+    /// use signorini::mesh::{ContactEdge, Sides, unit_square};
+    /// let (sin, cos) = 0.3_f64.sin_cos();
+    /// let turned = unit_square(2, Sides::HANGING)?.mapped(|[x, y]| [cos * x - sin * y, sin * x + cos * y])?;
+    /// assert!((ContactEdge::of(&turned)?.normal()?[0] - sin).abs() < 1e-15);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Names the first triangle that the map inverts or flattens.

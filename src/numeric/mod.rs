@@ -6,6 +6,7 @@
 //! | units that are powers of two | [`scale`] |
 //! | lengths and finite values of input | [`check`] |
 //! | what fits into memory | [`memory`] |
+//! | text files from outside | [`text`] |
 //! | sign changes, golden sections | [`search`] |
 //! | the regression line | [`mod@line`] |
 //! | Legendre polynomials | [`legendre`] |
@@ -28,3 +29,4 @@ pub mod random;
 pub mod scale;
 pub mod search;
 pub mod sum;
+pub mod text;

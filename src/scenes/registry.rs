@@ -141,7 +141,7 @@ impl Slot<'_> {
 
     fn set(self, word: &str) -> Option<()> {
         match self {
-            Slot::Number(number) => *number = word.parse().ok()?,
+            Slot::Number(number) => *number = word.parse().ok().filter(|value: &f64| value.is_finite())?,
             Slot::Count(count) => *count = word.parse().ok()?,
             Slot::File(path) => *path = Some(word).filter(|word| !word.is_empty())?.into(),
         }
@@ -245,7 +245,7 @@ mod tests {
                     assert!(refused(&text), "{text}");
                 }
                 for place in 1..=fields.len() {
-                    for wrong in ["", " ", "x", "1,5"] {
+                    for wrong in ["", " ", "x", "1,5", "NaN", "inf", "1e400"] {
                         let written = scene.to_string();
                         let mut words: Vec<&str> = written.split(':').collect();
                         words[place] = wrong;

@@ -18,6 +18,7 @@ use super::gap_data::{Grid, SceneGaps};
 use super::registry::registry;
 use super::tau_range::TauRange;
 use crate::error::{Error, Result};
+use crate::numeric::text::read_text;
 use crate::strip::{EdgeData, Sides};
 use std::f64::consts::LN_2;
 use std::path::PathBuf;
@@ -148,8 +149,7 @@ impl StripScene {
         let form = self.form();
         match form.data {
             Data::Samples(path) => {
-                let text = std::fs::read_to_string(&path).map_err(|e| Error::file(&path, e))?;
-                EdgeData::from_samples(&text, sides)
+                EdgeData::from_samples(&read_text(&path)?, sides).map_err(|fault| Error::file(&path, fault))
             }
             Data::Powers(gaps) => {
                 sides.check_cells(cells)?;

@@ -7,6 +7,7 @@
 use super::sides::{Sides, check_cells};
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::text::pairs;
 
 /// Complementary data on a fine edge.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,11 +34,7 @@ impl EdgeData {
             require_finite(name, field)?;
         }
         for (node, (&value, &force)) in values.iter().zip(&forces).enumerate() {
-            Error::require("u_N", value, "(-inf, 0]", value <= 0.0)?;
-            Error::require("lambda", force, "[0, inf)", force >= 0.0)?;
-            if value != 0.0 && force != 0.0 {
-                return Err(Error::NotComplementary { node, value, force });
-            }
+            require_complementary(node, value, force)?;
         }
         if values.iter().all(|&v| v != 0.0) {
             return Err(Error::EmptyContact { nodes: values.len() });
@@ -54,32 +51,19 @@ impl EdgeData {
     /// The number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
     ///
     /// # Errors
-    /// [`Error::Syntax`] naming the line that is not two numbers; [`Error::CountOutOfRange`] for the number
-    /// of lines; and as [`EdgeData::new`].
+    /// [`Error::Syntax`] naming the line that is not two numbers, [`Error::AtLine`] one that is no pair;
+    /// [`Error::CountOutOfRange`] for the number of lines; and as [`EdgeData::new`].
     pub fn from_samples(text: &str, sides: Sides) -> Result<Self> {
-        let mut values = Vec::new();
-        let mut densities = Vec::new();
-        for (index, line) in text.lines().enumerate() {
-            let content = line.split('#').next().unwrap_or("").trim();
-            if content.is_empty() {
-                continue;
-            }
-            let bad = || Error::Syntax {
+        let rows = pairs(text, "samples")?;
+        for (node, &(line, [value, density])) in rows.iter().enumerate() {
+            require_complementary(node, value, density).map_err(|cause| Error::AtLine {
                 format: "samples",
-                line: index + 1,
-                reason: format!("expected two numbers, got '{line}'"),
-            };
-            let numbers: Vec<f64> = content
-                .split(|c: char| c.is_whitespace() || c == ',')
-                .filter(|word| !word.is_empty())
-                .map(|word| word.parse().map_err(|_| bad()))
-                .collect::<Result<_>>()?;
-            let [value, density] = numbers[..] else {
-                return Err(bad());
-            };
-            values.push(value);
-            densities.push(density);
+                line,
+                cause: Box::new(cause),
+            })?;
         }
+        let (values, densities): (Vec<f64>, Vec<f64>) =
+            rows.iter().map(|&(_, [u, force])| (u, force)).unzip();
         let (cells, range) = match sides {
             Sides::Natural => (values.len().saturating_sub(1), "the numbers 2^k + 1, k >= 1"),
             Sides::Periodic => (values.len(), "the numbers 2^k, k >= 1"),
@@ -128,4 +112,12 @@ impl EdgeData {
         let first_is_new = self.sides == Sides::Natural || !open(self.values.len() - 1);
         inner + usize::from(open(0) && first_is_new)
     }
+}
+
+/// u_N ≤ 0 and λ ≥ 0, one of them 0.
+fn require_complementary(node: usize, value: f64, force: f64) -> Result<()> {
+    Error::require("u_N", value, "(-inf, 0]", value <= 0.0)?;
+    Error::require("lambda", force, "[0, inf)", force >= 0.0)?;
+    let is_pair = value == 0.0 || force == 0.0;
+    if is_pair { Ok(()) } else { Err(Error::NotComplementary { node, value, force }) }
 }

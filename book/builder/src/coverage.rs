@@ -1,5 +1,6 @@
 //! Examples and pages belong together: every example shows its outcome on a page, every page leads to an
-//! example and opens with a picture, and no command on a page names an example, no code type a file, that is not there.
+//! example and opens with a picture, and no command on a page names an example, no code type a file, that is
+//! not there.
 
 use crate::data::names;
 use crate::error::{Fault, Result};

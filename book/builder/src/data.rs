@@ -48,7 +48,7 @@ impl Data {
     /// Reads `values.json` and the figures below `directory`; an absent directory is empty data.
     ///
     /// # Errors
-    /// [`Error::File`], [`Error::Data`].
+    /// [`Error::File`], [`Error::Damaged`].
     pub fn read(directory: &Path) -> Result<Self> {
         let mut data = Self::default();
         let path = directory.join("values.json");
@@ -160,7 +160,11 @@ impl Data {
 
 /// Parses one JSON object; `path` is named when it is none.
 pub(crate) fn parse_object(path: &Path, text: &str) -> Result<Map<String, Value>> {
-    serde_json::from_str(text).map_err(|e| Error::Data { path: path.to_owned(), message: e.to_string() })
+    serde_json::from_str(text).map_err(|e| Error::Damaged {
+        path: path.to_owned(),
+        line: e.line().max(1),
+        message: e.to_string(),
+    })
 }
 
 /// JSON with one entry of an object per line, and arrays of plain values and innermost objects on one line:

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `{{value: key}}`, `{{value: key: format}}` | a computed number; formats in [`crate::number`] |
 //! | `{{measured: example}}`, `verdict`, `claim`, `label` | that line of the example's headline |
-//! | `{{finding: example/key}}` | the words of that finding, marked where it is refuted or undecided; its comparison on hover |
+//! | `{{finding: example/key}}` | the words of that finding, marked where it is refuted or undecided, a fault where it is a claim; its comparison on hover |
 //! | `{{findings: example}}` | all findings of the example: outcome, words, comparison |
 //! | `{{table: example}}` | the example's table, with what its columns mean |
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
@@ -73,7 +73,8 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             .map(|words| Meaning::Words(typography::html(words)))
             .ok_or_else(|| Unknown::Missing.words("example")),
         ("finding", None) => {
-            data.finding(key).map(|f| Meaning::Words(finding(f))).map_err(|e| e.words("finding"))
+            let found = data.finding(key).map_err(|e| e.words("finding"))?;
+            finding(found).map(Meaning::Words)
         }
         ("findings", None) => findings(key, data).map(Meaning::Block),
         ("example", None) => code::program(sources.examples, key).map(Meaning::Name),
@@ -112,18 +113,32 @@ pub fn figures(text: &str, data: &Data) -> Vec<String> {
     }
 }
 
+/// Outcome, words and comparison of a finding; a claim that does not hold is none that a page may make.
+fn parts(finding: &Value) -> Result<[&str; 3], String> {
+    let [outcome, words, comparison] = ["outcome", "words", "comparison"].map(|key| finding[key].as_str());
+    let (Some(outcome), Some(words), Some(comparison)) = (outcome, words, comparison) else {
+        return Err("damaged finding: an outcome, words and a comparison are expected".to_owned());
+    };
+    let holds = matches!(outcome, "holds" | "by proof");
+    if finding["role"] == "claim" && !holds {
+        return Err(format!("the claim is {outcome}"));
+    }
+    Ok([outcome, words, comparison])
+}
+
 /// A sentence with its comparison; one that does not hold says so.
-fn finding(finding: &Value) -> String {
-    let part = |key: &str| finding[key].as_str().unwrap_or("");
-    let (outcome, words) = (part("outcome"), typography::html(part("words")));
+fn finding(finding: &Value) -> Result<String, String> {
+    let [outcome, words, comparison] = parts(finding)?;
+    let words = typography::html(words);
     let mark = match outcome {
         "refuted" | "undecided" => format!("<strong class=\"outcome\">{outcome}:</strong> "),
         _ => String::new(),
     };
     let class = outcome.replace(' ', "-");
-    let title = escape(part("comparison"));
+    let title = escape(comparison);
     // A bar would end the cell of a table.
-    format!("<span class=\"finding {class}\" title=\"{title}\">{mark}{words}</span>").replace('|', "&#124;")
+    let html = format!("<span class=\"finding {class}\" title=\"{title}\">{mark}{words}</span>");
+    Ok(html.replace('|', "&#124;"))
 }
 
 /// All findings of an example as a table.
@@ -132,8 +147,7 @@ fn findings(example: &str, data: &Data) -> Result<String, String> {
     let list = headline["findings"].as_array().ok_or("the example has no findings")?;
     let mut html = "<div class=\"table-wrapper findings\"><table><tbody>".to_owned();
     for finding in list {
-        let part = |key: &str| typography::html(finding[key].as_str().unwrap_or(""));
-        let (outcome, words, comparison) = (part("outcome"), part("words"), part("comparison"));
+        let [outcome, words, comparison] = parts(finding)?.map(typography::html);
         let _ = write!(
             html,
             "<tr><td>{outcome}</td><td>{words}</td><td class=\"comparison\">{comparison}</td></tr>"
@@ -149,23 +163,36 @@ fn value(key: &str, format: &str, data: &Data) -> Result<Written, String> {
     Ok(Written::new(value, digits))
 }
 
-/// Strings of a JSON array.
-fn strings(array: &Value) -> impl Iterator<Item = &str> {
-    array.as_array().into_iter().flatten().map(|cell| cell.as_str().unwrap_or(""))
+/// Titles with meanings of the columns, and the cells of every row.
+type Cells<'a> = (Vec<[&'a str; 2]>, Vec<Vec<&'a str>>);
+
+/// The table of a headline; `None` where a title is missing or a row does not have its cells.
+fn cells(headline: &Value) -> Option<Cells<'_>> {
+    let columns = headline["columns"].as_array()?.iter();
+    let columns: Vec<[&str; 2]> =
+        columns.map(|c| Some([c["title"].as_str()?, c["meaning"].as_str()?])).collect::<Option<_>>()?;
+    let rows = headline["rows"].as_array()?.iter().map(words).collect::<Option<Vec<_>>>()?;
+    rows.iter().all(|row| row.len() == columns.len()).then_some((columns, rows))
+}
+
+/// The strings of an array of strings.
+fn words(array: &Value) -> Option<Vec<&str>> {
+    array.as_array()?.iter().map(Value::as_str).collect()
 }
 
 fn table(example: &str, data: &Data) -> Result<String, String> {
     let headline = data.examples.get(example).ok_or_else(|| Unknown::Missing.words("example"))?;
-    let columns = headline["columns"].as_array().map_or(&[][..], Vec::as_slice);
+    let (columns, rows) =
+        cells(headline).ok_or("damaged table: titles and rows of as many cells are expected")?;
     let width = if columns.len() > NARROW { " wide" } else { "" };
     let mut html = format!("<div class=\"table-wrapper{width}\"><table><thead><tr>");
-    for column in columns {
-        let _ = write!(html, "<th>{}</th>", typography::html(column["title"].as_str().unwrap_or("")));
+    for [title, _] in &columns {
+        let _ = write!(html, "<th>{}</th>", typography::html(title));
     }
     html.push_str("</tr></thead><tbody>");
-    for row in headline["rows"].as_array().into_iter().flatten() {
+    for row in rows {
         html.push_str("<tr>");
-        for cell in strings(row) {
+        for cell in row {
             let _ = match cell.parse::<f64>() {
                 Ok(_) => write!(html, "<td class=\"number\">{}</td>", Written::from_text(cell).html()),
                 Err(_) => write!(html, "<td>{}</td>", typography::html(cell)),
@@ -176,9 +203,8 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
     html.push_str("</tbody></table></div>");
     let meanings: Vec<String> = columns
         .iter()
-        .map(|c| (c["title"].as_str().unwrap_or(""), c["meaning"].as_str().unwrap_or("")))
-        .filter(|(_, meaning)| !meaning.is_empty())
-        .map(|(title, meaning)| format!("<b>{}</b> {}", typography::html(title), typography::html(meaning)))
+        .filter(|[_, meaning]| !meaning.is_empty())
+        .map(|[title, meaning]| format!("<b>{}</b> {}", typography::html(title), typography::html(meaning)))
         .collect();
     if !meanings.is_empty() {
         let _ = write!(html, "<p class=\"table-key\">{}</p>", meanings.join("; "));
@@ -193,7 +219,7 @@ mod tests {
 
     fn data() -> Data {
         let text = r#"{"ex": {"verdict": "holds", "values": {"gamma": 0.29156}, "confirmed": true,
-            "findings": [{"finding": "a", "outcome": "holds", "words": "nu < 1", "comparison": "0.5 <= 1"},
+            "findings": [{"finding": "a", "outcome": "holds", "role": "claim", "words": "nu < 1", "comparison": "0.5 <= 1"},
                 {"finding": "b", "outcome": "refuted", "words": "no", "comparison": "2 > 1"}],
             "columns": [{"key": "nu", "title": "nu", "meaning": "order"}, {"key": "e", "title": "<e>", "meaning": ""}],
             "rows": [["0.5", "1e-3"], ["x", "-"]]}}"#;

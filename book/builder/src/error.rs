@@ -52,6 +52,16 @@ pub enum Error {
         /// What is wrong with it.
         message: String,
     },
+    /// A JSON file of generated data is none.
+    #[error("{}:{line}: damaged: {message}", .path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong there.
+        message: String,
+    },
     /// An example could not be built or did not run.
     #[error("example {name}: {message}")]
     Example {

@@ -1,8 +1,8 @@
-//! The letters of a page: which symbols of the notation page its formulas use, so that a line behind the opening
-//! picture can lead to what each means.
+//! The letters of a page: which symbols of the notation page its formulas use, so that a line behind the
+//! opening picture can lead to what each means.
 //!
-//! The notation page is read as it stands: a table in each section, whose rows begin with symbols and end with
-//! the pages that are the first to use them; the last, of several meanings, with those that mean another.
+//! The notation page is read as it stands: a table in each section, its rows begin with symbols and end with
+//! the pages that first use them; the last, of several meanings, with those that mean another.
 
 use crate::error::Fault;
 use crate::page::Page;
@@ -211,7 +211,7 @@ fn pattern(latex: &str) -> Vec<String> {
 /// Whether a formula has the pattern at this token.
 fn begins(formula: &[String], at: usize, pattern: &[String]) -> bool {
     if let [one] = pattern {
-        // K is not K^h, h not the h of K^h, T not that of a transposed matrix, C not that of the contact edge.
+        // K is not K^h, h not the h of K^h, T not that of a transposed matrix, C not that of Γ_C.
         let before = at.checked_sub(1).map_or("", |k| formula[k].as_str());
         let behind = formula.get(at + 1).map_or("", String::as_str);
         let is_capital = one.chars().all(char::is_uppercase);

@@ -1,10 +1,10 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the
 //! pages from the committed data. `cargo book labels`: writes the tables made from `labels.toml`, the list of
 //! chapters in `src/book.rs` and that of examples in `tests/findings.rs`, and nothing else. `cargo book
-//! letters`: lists where each symbol of the notation page is first used, and how that page explains it. `cargo book
-//! print`: builds the pages and prints them, as a PDF where a Chromium is installed. `cargo book serve
-//! [--port P]`: builds the pages and the examples, and serves the book on a loopback address. `cargo book
-//! check`: runs the examples and fails where the committed data or a page is not right.
+//! letters`: lists where each symbol of the notation page is first used, and how that page explains it.
+//! `cargo book print`: builds the pages and prints them, as a PDF where a Chromium is installed. `cargo book
+//! serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address. `cargo
+//! book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;

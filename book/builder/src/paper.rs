@@ -1,9 +1,10 @@
 //! Paper of a figure: room for the larger letters of a phone.
 //!
-//! On a narrow screen `book/style/book.css` sets every word of a figure in letters of [`LETTERS`] parts of its
+//! On a narrow screen `book/style/book.css` sets every word of a figure in letters of `LETTERS` parts of its
 //! 640, so that they can be read there. Words near an edge would leave the paper; so it is made as large as
-//! they will need, and all frames of a slider as wide as the widest. Lines of words close below each other get
-//! smaller letters there ([`DENSE`]), and of words side by side that would run into each other some are left out.
+//! they will need, and all frames of a slider as wide as the widest. Lines of words close below each other
+//! get smaller letters there (`DENSE`), and of words side by side that would run into each other some are
+//! left out.
 
 use crate::markup::{Tag, tags};
 

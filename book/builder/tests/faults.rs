@@ -188,6 +188,121 @@ fn faults_of_keys_fail() {
 }
 
 #[test]
+fn damaged_values_fail_with_their_line() {
+    let fixture = Fixture::new();
+    let (path, sound) = ("book/generated/values.json", fixture.read("book/generated/values.json"));
+    let said = |text: &[u8]| {
+        std::fs::write(fixture.0.path().join(path), text).unwrap();
+        let message = fixture.build().expect_err("a damaged file").to_string();
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.contains(path), "{message}");
+        message
+    };
+    // Torn at every line, and a word that is no JSON in every line.
+    let lines: Vec<&str> = sound.lines().collect();
+    for cut in 1..lines.len() {
+        said(lines[..cut].join("\n").as_bytes());
+        let mut spoilt = lines.clone();
+        spoilt[cut] = "NaN";
+        let message = said(spoilt.join("\n").as_bytes());
+        assert!(message.contains(&format!("{path}:{}: damaged", cut + 1)), "{cut}: {message}");
+    }
+    for bad in [&b"[1]"[..], b"3", b"", b"\xff\xfe", b"{\"ex\": 1e999}"] {
+        said(bad);
+    }
+}
+
+#[test]
+fn values_of_another_shape_fail_on_the_pages_that_show_them() {
+    let values = |from: &str, to: &str, place: &str, words: &str| {
+        let fixture = Fixture::new();
+        let path = "book/generated/values.json";
+        let object: serde_json::Value = serde_json::from_str(&fixture.read(path)).unwrap();
+        let text = object.to_string();
+        assert!(text.contains(from), "{from} is not in {text}");
+        fixture.write(path, &text.replace(from, to));
+        let message = fixture.build().expect_err(to).to_string();
+        let found = message.lines().any(|line| line.starts_with(place) && line.contains(words));
+        assert!(found, "expected {place} ... {words}, got\n{message}");
+    };
+    let (number, table) = ("book/src/first.md:9:", "book/src/first.md:11:");
+    values("0.29156", "\"0.3\"", number, "unknown key");
+    values("0.29156", "null", number, "unknown key");
+    values("{\"gamma\":0.29156}", "[]", number, "unknown key");
+    values("[[\"1e-3\"]]", "null", table, "damaged table");
+    values("[[\"1e-3\"]]", "[[1e-3]]", table, "damaged table");
+    values("[[\"1e-3\"]]", "[[\"1\", \"2\"]]", table, "damaged table");
+    values("\"title\"", "\"name\"", table, "damaged table");
+    values("\"holds\"", "0", "book/src/second.md:3:", "unknown example");
+}
+
+/// A remark that is undecided is shown as such; a claim that is undecided is none that a page may make.
+#[test]
+fn a_claim_that_is_undecided_fails_where_it_is_made() {
+    let page = "# Second {#two}\n\nSo {{finding: ex/sharp}}.\n";
+    let built = |role: &str, outcome: &str, words: &str| {
+        let fixture = Fixture::new();
+        let text = fixture.read("book/src/second.md").replace("# Second {#two}\n", page);
+        fixture.write("book/src/second.md", &text);
+        let mut data = data(0.29156);
+        data.examples["ex"]["findings"] = json!([{"finding": "sharp", "role": role, "outcome": outcome, words: "it is", "comparison": "1"}]);
+        data.write(&fixture.layout().generated()).unwrap();
+        fixture.build().map(|()| fixture.read("book/html/second.html"))
+    };
+    for outcome in ["holds", "by proof"] {
+        built("claim", outcome, "words").unwrap();
+    }
+    let shown = built("remark", "undecided", "words").unwrap();
+    assert!(shown.contains("<strong class=\"outcome\">undecided:</strong>"), "{shown}");
+    for (role, outcome, words, expected) in [
+        ("claim", "undecided", "words", "the claim is undecided"),
+        ("claim", "refuted", "words", "the claim is refuted"),
+        ("remark", "holds", "text", "damaged finding"),
+    ] {
+        let message = built(role, outcome, words).unwrap_err().to_string();
+        let place = "book/src/second.md:3: ";
+        assert!(message.starts_with(place) && message.contains(expected), "{message}");
+        assert!(message.contains("finding: ex/sharp") && message.lines().count() == 1, "{message}");
+    }
+}
+
+#[test]
+fn unknown_directives_fail() {
+    let (first, second) = ("book/src/first.md", "book/src/second.md");
+    Fixture::expect(
+        first,
+        "{{value: gamma: s4}}",
+        "{{valve: gamma}}",
+        "book/src/first.md:9:",
+        "unknown directive",
+    );
+    Fixture::expect(first, "{{value: gamma: s4}}", "{{}}", "book/src/first.md:9:", "unknown directive");
+    Fixture::expect(first, "{{table: ex}}", "{{table: none}}", "book/src/first.md:11:", "unknown example");
+    Fixture::expect(
+        second,
+        "{{verdict: ex}}",
+        "{{verdict: ex: f2}}",
+        "book/src/second.md:3:",
+        "unknown directive",
+    );
+}
+
+#[test]
+fn a_figure_that_is_missing_or_torn_fails_where_it_is_shown() {
+    for (spoil, words) in [("", "figure"), ("<svg width=\"1\"", "figure"), ("not a picture", "figure")] {
+        let fixture = Fixture::new();
+        fixture.write("book/generated/figures/ex/chart.svg", spoil);
+        let message = fixture.build().expect_err(spoil).to_string();
+        let at = |place: &str| message.lines().any(|line| line.starts_with(place) && line.contains(words));
+        assert!(at("book/src/first.md:3:") && at("book/src/second.md:11:"), "{message}");
+    }
+    let fixture = Fixture::new();
+    std::fs::remove_file(fixture.0.path().join("book/generated/figures/ex/chart.svg")).unwrap();
+    let message = fixture.build().unwrap_err().to_string();
+    assert!(message.starts_with("book/src/first.md:3: unknown figure"), "{message}");
+}
+
+#[test]
 fn examples_tests_and_commands_that_do_not_exist_fail() {
     let second = "book/src/second.md";
     Fixture::expect(

@@ -1,15 +1,15 @@
-//! The command line of an example: options for output, exit codes, progress.
+//! The command line of an example: options for output, exit codes, memory.
 
 use crate::describe::{Cost, describe};
 use crate::files::{require_writable, write_whole};
+use crate::progress::SignOfLife;
 use crate::{Error, Headline, Result};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Args, Command, Parser};
-use indicatif::{ProgressBar, ProgressStyle};
 use signorini::Error as LibraryError;
 use signorini::numeric::memory::physical;
 use std::any::TypeId;
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -64,6 +64,19 @@ pub trait HasOutput {
         Vec::new()
     }
 
+    /// Finds options that do not go together, before the first computation.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn check(&self) -> Result<()> {
+        Ok(())
+    }
+
+    /// About how many bytes a run takes; 0 where it says so itself, or needs no word.
+    fn memory(&self) -> f64 {
+        0.0
+    }
+
     /// How long a run takes at default size.
     fn cost() -> Cost {
         Cost::default()
@@ -97,8 +110,12 @@ pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> 
 /// Runs the example, writes what was asked for and returns the exit code.
 fn show<O: HasOutput>(options: &O, run: impl FnOnce(&O) -> Result<Headline>) -> Result<u8> {
     let output = options.output();
+    options.check()?;
+    announce_memory(options.memory())?;
     output.check()?;
+    let sign = SignOfLife::new();
     let headline = run(options)?;
+    drop(sign);
     if let Some(file) = output.values.as_deref() {
         write_whole(file, &headline.json())?;
     }
@@ -167,16 +184,4 @@ pub fn announce_memory(bytes: f64) -> Result<()> {
         eprintln!("this takes about {needed:.1} GB of memory");
     }
     Ok(())
-}
-
-/// A progress bar over `steps`, drawn only on a terminal.
-pub fn progress(steps: u64) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(steps);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}") {
-        bar.set_style(style);
-    }
-    bar
 }

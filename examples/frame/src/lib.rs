@@ -24,30 +24,36 @@ mod error;
 mod expression;
 pub mod figures;
 mod files;
+mod interval;
 mod outcome;
 #[cfg(feature = "contact")]
 pub mod poincare;
+mod progress;
 #[cfg(feature = "contact")]
 pub mod rates;
 #[cfg(feature = "contact")]
 pub mod shown;
 
-pub use command::{HasOutput, Output, announce_memory, main, progress};
+pub use command::{HasOutput, Output, announce_memory, main};
 pub use describe::Cost;
 pub use error::{Error, Result};
 pub use expression::Expression;
+pub use interval::{OnTheLine, within};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
+pub use progress::progress;
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command
-/// line. Behind a colon stands its [`Cost`] where it is not a matter of seconds. `without_effect` lists options
-/// that are refused where they would be ignored.
+/// line. Behind a colon stands its [`Cost`] where it is not a matter of seconds. What a value must be, of a list
+/// each value, [`within`] says. `without_effect` lists options that are refused where they would be ignored;
+/// `check` is a block that fails where options do not go together, `memory` says how many bytes a run takes,
+/// about: all of this is asked before the first computation.
 ///
 /// ```
 /// example_frame::options! {
 ///     /// What the example does, in one line
 ///     pub struct Options {
 ///         /// Regularity, in (3/2, 2]
-///         #[arg(long, default_value_t = 1.75)]
+///         #[arg(long, default_value_t = 1.75, value_parser = example_frame::within::<f64>("(1.5, 2]"))]
 ///         pub tau: f64,
 ///         /// A fixed step instead of one that follows from tau
 ///         #[arg(long)]
@@ -55,6 +61,9 @@ pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Ro
 ///     }
 ///     without_effect(options) {
 ///         "tau" if options.step.is_some() => "beside --step",
+///     }
+///     memory(_options) {
+///         1e6
 ///     }
 /// }
 /// assert_eq!(Options::default().tau, 1.75);
@@ -69,6 +78,8 @@ macro_rules! options {
         $(without_effect($options:ident) {
             $($option:literal if $ignored:expr => $when:literal),* $(,)?
         })?
+        $(check($checked:ident) $check:block)?
+        $(memory($sized:ident) $memory:block)?
     ) => {
         $(#[$about])*
         #[derive(Debug, Clone, clap::Parser)]
@@ -98,6 +109,16 @@ macro_rules! options {
                 let $options = self;
                 let all = [$(($option, $ignored, $when)),*];
                 all.into_iter().filter(|(_, ignored, _)| *ignored).map(|(o, _, w)| (o, w)).collect()
+            })?
+
+            $(fn check(&self) -> $crate::Result<()> {
+                let $checked = self;
+                $check
+            })?
+
+            $(fn memory(&self) -> f64 {
+                let $sized = self;
+                $memory
             })?
         }
     };

@@ -119,9 +119,11 @@ impl Edge {
         force
     }
 
-    /// The next set: all wrong constraints change sides, or those active at the projection of w + D⁻¹ B'λ.
+    /// The next set: all wrong constraints change sides where they only move the ends of runs, and in the
+    /// nodal cone; else those active at the projection of w + D⁻¹ B'λ. A run that is short by one segment
+    /// has a force at its end that rings through all of its multipliers, and the projection follows it.
     pub(super) fn next_set(&self, x: &[f64], set: &ContactSet, contact: &Contact) -> Result<ContactSet> {
-        if self.cone.kind() == Cone::Nodal {
+        if self.cone.kind() == Cone::Nodal || only_ends_move(set, &contact.wrong) {
             return Ok(changed(set, &contact.wrong));
         }
         let force = self.cone.apply_transposed(&contact.multiplier)?;
@@ -145,6 +147,19 @@ impl Edge {
         };
         contact.gap.iter().enumerate().map(term).fold(0.0, f64::hypot)
     }
+}
+
+/// Does every stretch of wrong constraints lie beside the end of a run, so that the end moves? A run that
+/// goes altogether, and contact within a gap, are left to the projection.
+fn only_ends_move(set: &ContactSet, wrong: &[usize]) -> bool {
+    wrong.chunk_by(|&a, &b| a + 1 == b && set.contains(a) == set.contains(b)).all(|stretch| {
+        let (first, last, is_active) = (stretch[0], stretch[stretch.len() - 1], set.contains(stretch[0]));
+        let differs = |i: usize| i < set.constraints() && set.contains(i) != is_active;
+        match (first.checked_sub(1).is_some_and(differs), differs(last + 1)) {
+            (before, after) if is_active => before != after,
+            (before, after) => before || after,
+        }
+    })
 }
 
 /// The set with the given constraints on the other side.

@@ -22,6 +22,16 @@ impl ContactProblem {
     /// `observe` hears of every step; its error ends the iteration. Loads whose squares leave the range of
     /// binary64 are solved for in units of a power of two.
     ///
+    /// ```
+    /// use signorini::cone::Cone;
+    /// use signorini::contact::Accuracy;
+    /// use signorini::scenes::MeshScene;
+    /// let problem = MeshScene::Block.problem(32)?;
+    /// let found = problem.solve_by_multigrid(Cone::Nodal, None, Accuracy::default(), |_| Ok(()))?;
+    /// assert!(found.solution.status.is_converged() && found.fallback.is_none());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] for a hierarchy of another mesh;
     /// [`Error::OutOfRange`] unless the share of the error of discretisation is in (0, 1]; what `observe`

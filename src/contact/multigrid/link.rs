@@ -38,16 +38,59 @@ impl Link {
         touched
     }
 
-    /// The fine set that lies in a coarse one.
+    /// The fine set that lies in a coarse one. Where single segments of the midpoint cone are in contact by
+    /// turns they are so on the fine edge: the pattern belongs to the mesh, its extent to the solution.
     pub(super) fn refined(&self, cone: Cone, constraints: usize, coarse: &ContactSet) -> ContactSet {
-        let active = |k: usize| match cone {
-            Cone::Nodal => self.parents[k].iter().all(|&a| coarse.contains(a)),
+        if cone == Cone::Nodal {
+            let active = |k: usize| self.parents[k].iter().all(|&a| coarse.contains(a));
+            return ContactSet::new((0..constraints).map(active).collect());
+        }
+        let turns = by_turns(coarse.as_slice());
+        let mut active: Vec<bool> = Vec::with_capacity(constraints);
+        let mut before = None;
+        for k in 0..constraints {
             // The segment between the first and the last coarse node that the ends of the fine segment know.
-            Cone::Midpoint => {
-                let ends = [self.parents[k], self.parents[k + 1]];
-                ends.as_flattened().iter().min().is_some_and(|&segment| coarse.contains(segment))
-            }
-        };
-        ContactSet::new((0..constraints).map(active).collect())
+            let ends = [self.parents[k], self.parents[k + 1]];
+            let segment = ends.as_flattened().iter().min().copied().filter(|&s| s < coarse.constraints());
+            let turn = segment.and_then(|segment| turns[segment]);
+            active.push(match (turn, segment) {
+                (Some(_), _) if turn == before => !active[k - 1],
+                (Some(first), _) => coarse.contains(first),
+                (None, segment) => segment.is_some_and(|segment| coarse.contains(segment)),
+            });
+            before = turn;
+        }
+        ContactSet::new(active)
+    }
+}
+
+/// Where three or more segments one after the other each differ from both neighbours: the first of them.
+fn by_turns(set: &[bool]) -> Vec<Option<usize>> {
+    let differs = |a: usize, b: usize| set.get(a).zip(set.get(b)).is_none_or(|(a, b)| a != b);
+    let is_single = |&i: &usize| (i == 0 || differs(i - 1, i)) && differs(i, i + 1);
+    let singles: Vec<usize> = (0..set.len()).filter(is_single).collect();
+    let mut turns = vec![None; set.len()];
+    for stretch in singles.chunk_by(|a, b| a + 1 == *b).filter(|stretch| stretch.len() > 2) {
+        stretch.iter().for_each(|&i| turns[i] = Some(stretch[0]));
+    }
+    turns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contact_by_turns_stays_so() {
+        // Coarse node a is fine node 2 a.
+        let link = Link { parents: (0..17_usize).map(|k| [k / 2, k.div_ceil(2)]).collect(), coarse: 9 };
+        let set = |text: &str| ContactSet::new(text.bytes().map(|b| b == b'1').collect());
+        for (coarse, fine) in [
+            ("11100000", "1111110000000000"),
+            ("10101110", "1010101011111100"),
+            ("10111011", "1100111111001111"),
+        ] {
+            assert_eq!(link.refined(Cone::Midpoint, 16, &set(coarse)), set(fine), "{coarse}");
+        }
     }
 }

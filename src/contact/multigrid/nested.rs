@@ -12,7 +12,7 @@ use super::cycle::Cycle;
 use super::discretisation::Discretisation;
 use super::grid_level::GridLevel;
 use super::level::Level;
-use super::newton::{Goal, Guess, Outcome, Stage};
+use super::newton::{Goal, Guess, Outcome, STEPS, Stage};
 use super::sparse_level::SparseLevel;
 use crate::cone::{Cone, ContactSet};
 use crate::error::{Error, Result};
@@ -23,13 +23,13 @@ use std::time::Instant;
 
 /// On a level that is not the last, the algebraic error over the error of discretisation that is expected
 /// there.
-const ON_THE_WAY: f64 = 0.1;
+const ON_THE_WAY: f64 = 0.02;
 /// The same over the first error where nothing is expected yet.
-const AT_FIRST: f64 = 0.05;
+const AT_FIRST: f64 = 0.02;
 
-/// Unknowns of a level up to which elimination gives the set of the midpoint cone that a step has not found:
-/// n = 256, some tenths of a second.
-const ELIMINATED: usize = 140_000;
+/// Unknowns of a level up to which elimination gives the set of the midpoint cone that signs have not found
+/// in so many steps: n = 64, milliseconds, and n = 256, some tenths of a second.
+const ELIMINATED: [(usize, usize); 2] = [(10_000, 2), (140_000, 6)];
 
 /// What hears of every step.
 pub(super) type Observer<'o> = dyn FnMut(&MultigridProgress) -> Result<()> + Send + 'o;
@@ -106,12 +106,13 @@ impl<'a> Job<'a> {
             let mut report = |step: usize, error: f64| {
                 observe(&MultigridProgress { level: k, levels: last + 1, unknowns, step, error })
             };
-            let can_eliminate = self.cone == Cone::Midpoint && unknowns <= ELIMINATED;
+            let elimination = ELIMINATED.iter().find(|(most, _)| unknowns <= *most);
+            let patience = elimination.filter(|_| self.cone == Cone::Midpoint).map(|(_, steps)| *steps);
             let mut stage =
                 Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, (least, condensed))
-                    .with(if can_eliminate { Guess::FirstOrSecond } else { Guess::First });
+                    .with(Guess::Signs(patience.unwrap_or(STEPS)));
             let mut here = stage.solve(&mut x, guess, goal, &mut report)?;
-            if can_eliminate && !here.status.is_converged() {
+            if patience.is_some() && !here.status.is_converged() {
                 let (direct, _) = condensed::solve(self.problems[k], self.cone, here.set, None)?;
                 let mut stage = stage.with(Guess::Known);
                 let next = stage.solve(&mut x, direct.contact_set, goal, &mut report)?;

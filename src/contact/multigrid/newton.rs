@@ -1,7 +1,7 @@
 //! Contact on one level: truncated Newton steps, linear systems no more exactly than the set needs.
 //!
 //! A step holds the constraints of the set with equality and lowers the error by conjugate gradients; as soon
-//! as the error is a tenth of what it was, the signs of forces and gaps decide about the set, as in the
+//! as the error is a fiftieth of what it was, the signs of forces and gaps decide about the set, as in the
 //! condensed active set. When the set stands, the gradients go on to the accuracy asked for. A set that comes
 //! back is decided more exactly, then one constraint at a time.
 
@@ -17,13 +17,13 @@ use crate::error::Result;
 use std::collections::HashSet;
 
 /// The error of a step is lowered by this before signs decide.
-const DECIDED: f64 = 0.1;
+const DECIDED: f64 = 0.02;
 /// When a set comes back, decisions are made this much more exactly.
 const SHARPER: f64 = 1e-3;
 /// Decisions are never made more exactly than this.
 const SHARPEST: f64 = 1e-10;
 /// Steps allowed.
-const STEPS: usize = 60;
+pub(super) const STEPS: usize = 60;
 /// Starts from the true residual before the accuracy asked for is out of reach.
 const TRIES: usize = 3;
 /// What the gradients are to leave of the accuracy asked for.
@@ -31,7 +31,7 @@ const SPARE: f64 = 0.4;
 /// Conjugate gradient steps allowed for one set: at the factor 0.9 enough for 1e-12.
 const GRADIENT_STEPS: usize = 300;
 /// More than this is never relied on of κ, whatever few steps say, and of an estimate this share.
-const KAPPA: f64 = 0.2;
+const KAPPA: f64 = 0.15;
 const RELIED: f64 = 0.7;
 
 /// Everything of one level.
@@ -52,10 +52,8 @@ pub(super) struct Stage<'s, 'c, L> {
 /// What a guess of the set is worth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Guess {
-    /// Signs of forces and gaps decide, as long as it takes.
-    First,
-    /// The same for one step.
-    FirstOrSecond,
+    /// Signs of forces and gaps decide, for so many steps.
+    Signs(usize),
     /// It is the set; inexact forces do not decide.
     Known,
 }
@@ -118,7 +116,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
             load,
             prescribed,
             least,
-            guess: Guess::First,
+            guess: Guess::Signs(STEPS),
         }
     }
 
@@ -171,7 +169,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
             };
             gradient_steps += steps_here;
             let came_back = !wrong.is_empty() && !seen.insert(set.clone());
-            let in_vain = self.guess == Guess::FirstOrSecond && history.len() > 1;
+            let in_vain = matches!(self.guess, Guess::Signs(steps) if history.len() >= steps);
             let given_up = stuck || in_vain || history.len() >= STEPS;
             if wrong.is_empty() || given_up {
                 tries += 1;

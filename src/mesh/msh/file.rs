@@ -18,8 +18,10 @@
 
 use super::lines::Lines;
 use super::raw::Raw;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::mesh::triangulation::Triangulation;
+use crate::numeric::text::{quoted, read_text};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Reads a `.msh` file.
@@ -31,11 +33,10 @@ use std::path::Path;
 /// ```
 ///
 /// # Errors
-/// [`Error::File`] when it cannot be read, and those of [`parse_msh`].
+/// [`File`](crate::Error::File) when it cannot be read, and those of [`parse_msh`].
 pub fn read_msh(path: &Path) -> Result<Triangulation> {
-    let bytes = std::fs::read(path).map_err(|e| Error::file(path, e))?;
     // A binary file has its format in a line of text, too.
-    parse_msh(&String::from_utf8_lossy(&bytes))
+    parse_msh(&read_text(path)?)
 }
 
 /// Reads the text of a `.msh` file.
@@ -51,13 +52,19 @@ pub fn read_msh(path: &Path) -> Result<Triangulation> {
 /// ```
 ///
 /// # Errors
-/// [`Error::Syntax`] with the line (a binary file among them), [`Error::UnknownName`] for a group that is no
-/// boundary part, and the errors of [`Triangulation::new`].
+/// [`Syntax`](crate::Error::Syntax) with the line where the text does not follow the format, a binary file
+/// among them; [`AtLine`](crate::Error::AtLine) with the line that gives what is no triangulation:
+/// [`UnknownName`](crate::Error::UnknownName) for a group that is no boundary part, and the errors of
+/// [`Triangulation::new`].
 pub fn parse_msh(text: &str) -> Result<Triangulation> {
     let mut raw = Raw::default();
     let mut lines = Lines::of(text);
-    let mut format = None;
-    while let Some(header) = lines.next_header() {
+    let (mut format, mut known) = (None, BTreeSet::new());
+    while let Some(header) = lines.next_header()? {
+        let is_read = ["$MeshFormat", "$PhysicalNames", "$Entities", "$Nodes", "$Elements"].contains(&header);
+        if is_read && !known.insert(header) {
+            return Err(lines.fault(&format!("a second section {header}")));
+        }
         match (header, format) {
             ("$MeshFormat", _) => format = Some(read_format(&mut lines)?),
             ("$PhysicalNames", _) => raw.read_names(&mut lines)?,
@@ -66,9 +73,11 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
             ("$Elements", Some(Format::Four)) => raw.read_blocks_of_elements(&mut lines)?,
             ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut lines)?,
             ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut lines)?,
-            ("$Nodes" | "$Elements", None) => return Err(lines.fault("no $MeshFormat section before")),
+            ("$Nodes" | "$Elements" | "$Entities", None) => {
+                return Err(lines.fault("no $MeshFormat section before"));
+            }
             _ => {
-                lines.skip_section(header);
+                lines.skip_section(header)?;
                 continue;
             }
         }
@@ -77,7 +86,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
     if format.is_none() {
         return Err(lines.fault("no $MeshFormat section: this is no .msh file of Gmsh"));
     }
-    raw.triangulation()
+    raw.triangulation(lines.number())
 }
 
 /// The formats that are read.
@@ -97,7 +106,7 @@ fn read_format(lines: &mut Lines<'_>) -> Result<Format> {
         (Some("4.1"), Some("0")) => Ok(Format::Four),
         (Some("2.2"), Some("0")) => Ok(Format::Two),
         (version, _) => {
-            let found = version.unwrap_or("nothing");
+            let found = quoted(version.unwrap_or(""));
             let why = format!("format 4.1 or 2.2 is read, found {found}: save as ASCII in one of these");
             Err(lines.fault(&why))
         }

@@ -1,8 +1,13 @@
-//! The lines of a `.msh` file with their numbers; blank ones are passed over.
+//! The lines of a Gmsh file with their numbers; blank ones are passed over.
 
 use crate::error::{Error, Result};
+use crate::numeric::text::quoted;
 use std::str::FromStr;
 
+/// How errors call the format.
+const FORMAT: &str = "msh";
+
+/// Lines with their numbers.
 pub(super) struct Lines<'a> {
     numbered: std::iter::Enumerate<std::str::Lines<'a>>,
     line: usize,
@@ -13,49 +18,96 @@ impl<'a> Lines<'a> {
         Self { numbered: text.lines().enumerate(), line: 0 }
     }
 
-    pub(super) fn next_header(&mut self) -> Option<&'a str> {
-        self.next_line().ok()
+    /// The number of the line read last, from 1.
+    pub(super) fn number(&self) -> usize {
+        self.line
     }
 
-    pub(super) fn next_line(&mut self) -> Result<&'a str> {
+    /// The beginning of the next section; `None` at the end of the file.
+    pub(super) fn next_header(&mut self) -> Result<Option<&'a str>> {
+        match self.next() {
+            Some(line) if line.starts_with('$') && !line.starts_with("$End") => Ok(Some(line)),
+            Some(line) => {
+                Err(self.fault(&format!("expected the beginning of a section, found {}", quoted(line))))
+            }
+            None => Ok(None),
+        }
+    }
+
+    fn next(&mut self) -> Option<&'a str> {
         for (index, line) in self.numbered.by_ref() {
             self.line = index + 1;
             if !line.trim().is_empty() {
-                return Ok(line.trim());
+                return Some(line.trim());
             }
         }
-        Err(self.fault("the file ends early"))
+        None
+    }
+
+    pub(super) fn next_line(&mut self) -> Result<&'a str> {
+        self.next().ok_or_else(|| self.fault("the file ends early"))
     }
 
     /// The numbers of the next line.
     pub(super) fn numbers<T: FromStr>(&mut self) -> Result<Vec<T>> {
-        let line = self.next_line()?;
-        line.split_whitespace()
-            .map(|word| {
-                word.parse().map_err(|_| self.fault(&format!("'{word}' is not a number of the right kind")))
-            })
-            .collect()
+        self.next_line()?.split_whitespace().map(|word| self.number_of(word)).collect()
     }
 
-    /// The first `N` numbers of the next line.
-    pub(super) fn first<T: FromStr + Copy, const N: usize>(&mut self) -> Result<[T; N]> {
+    fn number_of<T: FromStr>(&self, word: &str) -> Result<T> {
+        word.parse().map_err(|_| self.fault(&format!("{} is not a number of the right kind", quoted(word))))
+    }
+
+    /// The `N` numbers of the next line.
+    pub(super) fn exactly<T: FromStr + Copy + Default, const N: usize>(&mut self) -> Result<[T; N]> {
         let numbers = self.numbers()?;
-        let first = numbers.first_chunk().copied();
-        first.ok_or_else(|| self.fault(&format!("{} numbers, expected {N}", numbers.len())))
+        numbers[..].try_into().map_err(|_| self.fault(&format!("{} numbers, expected {N}", numbers.len())))
     }
 
-    pub(super) fn skip_section(&mut self, header: &str) {
-        let end = header.replacen('$', "$End", 1);
-        while self.next_line().is_ok_and(|line| line != end) {}
+    /// A tag and `N` more, all there is on the next line.
+    pub(super) fn tagged<const N: usize>(&mut self) -> Result<(u64, [u64; N])> {
+        let numbers: Vec<u64> = self.numbers()?;
+        let split = numbers.split_first().and_then(|(&tag, rest)| Some((tag, rest.try_into().ok()?)));
+        split.ok_or_else(|| self.fault(&format!("{} numbers, expected {}", numbers.len(), N + 1)))
+    }
+
+    /// A count as it stands in a block of mixed numbers.
+    pub(super) fn count(&self, given: i64) -> Result<u64> {
+        u64::try_from(given).map_err(|_| self.fault(&format!("{given} is no count")))
+    }
+
+    /// Passes over a section that is not read.
+    pub(super) fn skip_section(&mut self, header: &str) -> Result<()> {
+        let (line, end) = (self.line, header.replacen('$', "$End", 1));
+        while let Some(next) = self.next() {
+            if next == end {
+                return Ok(());
+            }
+        }
+        self.line = line;
+        Err(self.fault(&format!("section {} has no end", quoted(header))))
     }
 
     pub(super) fn expect_end(&mut self, header: &str) -> Result<()> {
         let end = header.replacen('$', "$End", 1);
         let line = self.next_line()?;
-        if line == end { Ok(()) } else { Err(self.fault(&format!("expected {end}, found '{line}'"))) }
+        if line == end {
+            return Ok(());
+        }
+        Err(self.fault(&format!("expected {end}, found {}", quoted(line))))
     }
 
+    /// A fault in the line read last.
     pub(super) fn fault(&self, reason: &str) -> Error {
-        Error::Syntax { format: "msh", line: self.line, reason: reason.to_owned() }
+        fault(self.line, reason)
     }
+}
+
+/// A fault in a line.
+pub(super) fn fault(line: usize, reason: &str) -> Error {
+    Error::Syntax { format: FORMAT, line, reason: reason.to_owned() }
+}
+
+/// What a line gives has a fault.
+pub(super) fn at(line: usize, cause: Error) -> Error {
+    Error::AtLine { format: FORMAT, line, cause: Box::new(cause) }
 }

@@ -1,10 +1,10 @@
 //! What the sections of a `.msh` file hold, by the tags of the file, and the triangulation they make.
 
-use super::lines::Lines;
+use super::lines::{Lines, at, fault};
 use crate::error::{Error, Result};
 use crate::mesh::geometry::{BoundaryEdge, Part, Point, doubled_area};
 use crate::mesh::triangulation::Triangulation;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The surface of a triangle, and its physical group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,21 +13,38 @@ pub(super) struct Surface {
     pub(super) group: Option<i64>,
 }
 
+/// A line or a triangle as the file has it.
+pub(super) struct Element<T, const N: usize> {
+    /// Where in the file.
+    pub(super) line: usize,
+    /// What it belongs to.
+    pub(super) of: T,
+    /// Tags of its nodes.
+    pub(super) nodes: [u64; N],
+}
+
+impl<T, const N: usize> Element<T, N> {
+    fn has(&self, tags: [u64; 2]) -> bool {
+        tags.iter().all(|tag| self.nodes.contains(tag))
+    }
+}
+
 #[derive(Default)]
 pub(super) struct Raw {
     names: HashMap<(i32, i64), String>,
     /// Physical group of an entity (dimension, tag).
     pub(super) groups: HashMap<(i32, i64), i64>,
-    nodes: HashMap<u64, [f64; 3]>,
-    /// Physical group and node tags.
-    pub(super) lines: Vec<(Option<i64>, [u64; 2])>,
-    /// Surface and node tags.
-    pub(super) triangles: Vec<(Surface, [u64; 3])>,
+    /// Line and place of a node tag.
+    nodes: HashMap<u64, (usize, [f64; 3])>,
+    /// With their physical group.
+    pub(super) lines: Vec<Element<Option<i64>, 2>>,
+    /// With their surface.
+    pub(super) triangles: Vec<Element<Surface, 3>>,
 }
 
 impl Raw {
     pub(super) fn read_names(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let [count] = lines.first::<u64, 1>()?;
+        let [count] = lines.exactly::<u64, 1>()?;
         for _ in 0..count {
             let line = lines.next_line()?;
             let fault = || lines.fault("expected: dimension tag \"name\"");
@@ -43,7 +60,10 @@ impl Raw {
     }
 
     pub(super) fn add_node(&mut self, tag: u64, place: [f64; 3], lines: &Lines<'_>) -> Result<()> {
-        match self.nodes.insert(tag, place) {
+        if !place.iter().all(|x| x.is_finite()) {
+            return Err(lines.fault("a coordinate is not finite"));
+        }
+        match self.nodes.insert(tag, (lines.number(), place)) {
             Some(_) => Err(lines.fault(&format!("node {tag} appears twice"))),
             None => Ok(()),
         }
@@ -62,52 +82,63 @@ impl Raw {
         ))
     }
 
-    pub(super) fn triangulation(&self) -> Result<Triangulation> {
-        let mut number: BTreeMap<u64, usize> =
-            self.triangles.iter().flat_map(|(_, tags)| tags).map(|&tag| (tag, 0)).collect();
-        let (mut nodes, mut heights) = (Vec::with_capacity(number.len()), Vec::new());
-        for (tag, place) in &mut number {
-            let unknown =
-                || Error::Node { node: *tag as usize, reason: "is used by a triangle and not in the file" };
-            *place = nodes.len();
-            let &[x, y, z] = self.nodes.get(tag).ok_or_else(unknown)?;
-            nodes.push([x, y]);
-            heights.push((*tag, z));
+    /// The triangulation; `end` is the last line of the file.
+    pub(super) fn triangulation(&self, end: usize) -> Result<Triangulation> {
+        let tags: BTreeSet<u64> = self.triangles.iter().flat_map(|triangle| triangle.nodes).collect();
+        let number: BTreeMap<u64, usize> =
+            tags.iter().enumerate().map(|(place, &tag)| (tag, place)).collect();
+        let tags: Vec<u64> = tags.into_iter().collect();
+        let mut triangles = Vec::with_capacity(self.triangles.len());
+        for Element { line, nodes, .. } in &self.triangles {
+            if let Some(tag) = nodes.iter().find(|tag| !self.nodes.contains_key(tag)) {
+                return Err(fault(*line, &format!("node {tag} is not in the file")));
+            }
+            triangles.push(nodes.map(|tag| number[&tag]));
         }
-        if let Some((tag, _)) = heights.iter().find(|(_, z)| *z != heights[0].1) {
-            let reason = "(tag) has another z: the body must lie in a plane z = const";
-            return Err(Error::Node { node: *tag as usize, reason });
+        let places: Vec<(usize, [f64; 3])> = tags.iter().map(|tag| self.nodes[tag]).collect();
+        if let Some(node) = places.iter().position(|(_, place)| place[2] != places[0].1[2]) {
+            let reason = "has another z: the body must lie in a plane z = const";
+            return Err(at(places[node].0, Error::Node { node, reason }));
         }
-        // Every tag of a triangle is in the map.
-        let place = |tag: u64| number.get(&tag).copied();
-        let mut triangles: Vec<[usize; 3]> =
-            self.triangles.iter().map(|(_, tags)| tags.map(|tag| place(tag).unwrap_or(usize::MAX))).collect();
+        let nodes: Vec<Point> = places.iter().map(|&(_, [x, y, _])| [x, y]).collect();
         self.turn_clockwise_surfaces(&mut triangles, &nodes);
         let mut boundary = Vec::new();
-        for &(group, [a, b]) in &self.lines {
-            let Some(part) = self.part(group)? else { continue };
-            let (Some(from), Some(to)) = (place(a), place(b)) else {
-                let nodes = [a as usize, b as usize];
-                return Err(Error::Edge {
-                    nodes,
-                    reason: "(tags) carries a label and belongs to no triangle",
-                });
+        for &Element { line, of, nodes: [a, b] } in &self.lines {
+            let part = self.part(of).map_err(|cause| at(line, cause))?;
+            let Some(part) = part else { continue };
+            let (Some(&from), Some(&to)) = (number.get(&a), number.get(&b)) else {
+                return Err(fault(line, "an edge with a label belongs to no triangle"));
             };
             boundary.push(BoundaryEdge { nodes: [from, to], part });
         }
-        let mesh = Triangulation::new(nodes, triangles, boundary)?;
+        let mesh = Triangulation::new(nodes, triangles, boundary)
+            .map_err(|cause| at(self.line_of(&cause, &tags).unwrap_or(end), cause))?;
         let regions = self.regions();
         if regions.iter().all(|&region| region == 0) { Ok(mesh) } else { mesh.with_regions(regions) }
+    }
+
+    /// The line that gives the node, edge or triangle which is not usable; node k has the k-th tag.
+    fn line_of(&self, cause: &Error, tags: &[u64]) -> Option<usize> {
+        match *cause {
+            Error::Triangle { triangle, .. } => Some(self.triangles.get(triangle)?.line),
+            Error::Node { node, .. } => Some(self.nodes.get(tags.get(node)?)?.0),
+            Error::Edge { nodes: [a, b], .. } => {
+                let ends = [*tags.get(a)?, *tags.get(b)?];
+                let label = self.lines.iter().rfind(|edge| edge.has(ends)).map(|edge| edge.line);
+                label.or_else(|| self.triangles.iter().rfind(|t| t.has(ends)).map(|t| t.line))
+            }
+            _ => None,
+        }
     }
 
     /// A surface drawn clockwise has all its triangles clockwise; single ones are a fault and stay.
     fn turn_clockwise_surfaces(&self, triangles: &mut [[usize; 3]], nodes: &[Point]) {
         let is_clockwise = |corners: &[usize; 3]| doubled_area(corners.map(|node| nodes[node])) < 0.0;
         let mut all: HashMap<i64, bool> = HashMap::new();
-        for (&(surface, _), corners) in self.triangles.iter().zip(triangles.iter()) {
+        for (Element { of: surface, .. }, corners) in self.triangles.iter().zip(triangles.iter()) {
             *all.entry(surface.entity).or_insert(true) &= is_clockwise(corners);
         }
-        for (&(surface, _), corners) in self.triangles.iter().zip(triangles.iter_mut()) {
+        for (Element { of: surface, .. }, corners) in self.triangles.iter().zip(triangles.iter_mut()) {
             if all.get(&surface.entity) == Some(&true) {
                 corners.swap(1, 2);
             }
@@ -127,7 +158,7 @@ impl Raw {
             "contact" => Ok(Some(Part::Contact)),
             _ => Err(Error::UnknownName {
                 what: "boundary part",
-                given: name,
+                given: name.chars().take(40).collect(),
                 expected: "clamped (fixed, dirichlet), contact or free (neumann)",
             }),
         }
@@ -135,7 +166,7 @@ impl Raw {
 
     /// Surface groups, numbered from 0 in ascending order.
     fn regions(&self) -> Vec<u32> {
-        let mut groups: Vec<Option<i64>> = self.triangles.iter().map(|(surface, _)| surface.group).collect();
+        let mut groups: Vec<Option<i64>> = self.triangles.iter().map(|triangle| triangle.of.group).collect();
         let all = groups.clone();
         groups.sort_unstable();
         groups.dedup();

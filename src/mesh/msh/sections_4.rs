@@ -1,12 +1,12 @@
 //! The sections of format 4.1: entities with their groups, blocks of nodes and elements by entity.
 
 use super::lines::Lines;
-use super::raw::{Raw, Surface};
+use super::raw::{Element, Raw, Surface};
 use crate::error::Result;
 
 impl Raw {
     pub(super) fn read_entities(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let counts: [u64; 4] = lines.first()?;
+        let counts: [u64; 4] = lines.exactly()?;
         for (dimension, count) in (0..4).zip(counts) {
             // Tag, then a point or a bounding box, then the number of groups.
             let at = if dimension == 0 { 4 } else { 7 };
@@ -17,6 +17,7 @@ impl Raw {
                 {
                     if groups > 1.0 && (dimension == 1 || dimension == 2) {
                         let what = if dimension == 1 { "curve" } else { "surface" };
+                        let (tag, groups) = (tag as i64, groups as u64);
                         let why = format!("{what} {tag} is in {groups} physical groups: one is expected");
                         return Err(lines.fault(&why));
                     }
@@ -29,18 +30,18 @@ impl Raw {
     }
 
     pub(super) fn read_blocks_of_nodes(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let [blocks, total] = lines.first::<u64, 2>()?;
+        let [blocks, total, _, _] = lines.exactly::<u64, 4>()?;
         for _ in 0..blocks {
-            let [_, _, parametric, count] = lines.first::<i64, 4>()?;
+            let [_, _, parametric, count] = lines.exactly::<i64, 4>()?;
             if parametric != 0 {
                 return Err(lines.fault("parametric nodes are not supported"));
             }
             let mut tags = Vec::new();
-            for _ in 0..count {
-                tags.push(lines.first::<u64, 1>()?[0]);
+            for _ in 0..lines.count(count)? {
+                tags.push(lines.exactly::<u64, 1>()?[0]);
             }
             for tag in tags {
-                let place = lines.first::<f64, 3>()?;
+                let place = lines.exactly::<f64, 3>()?;
                 self.add_node(tag, place, lines)?;
             }
         }
@@ -48,25 +49,25 @@ impl Raw {
     }
 
     pub(super) fn read_blocks_of_elements(&mut self, lines: &mut Lines<'_>) -> Result<()> {
-        let [blocks, total] = lines.first::<u64, 2>()?;
+        let [blocks, total, _, _] = lines.exactly::<u64, 4>()?;
         let mut seen = 0;
         for _ in 0..blocks {
-            let [_, entity, kind, count] = lines.first::<i64, 4>()?;
-            for _ in 0..count {
+            let [_, entity, kind, count] = lines.exactly::<i64, 4>()?;
+            let group = |dimension| self.groups.get(&(dimension, entity)).copied();
+            let (on_curve, surface) = (group(1), Surface { entity, group: group(2) });
+            for _ in 0..lines.count(count)? {
                 seen += 1;
                 match kind {
                     1 => {
-                        let [_, a, b] = lines.first()?;
-                        let group = self.groups.get(&(1, entity)).copied();
-                        self.lines.push((group, [a, b]));
+                        let (_, nodes) = lines.tagged()?;
+                        self.lines.push(Element { line: lines.number(), of: on_curve, nodes });
                     }
                     2 => {
-                        let [_, a, b, c] = lines.first()?;
-                        let group = self.groups.get(&(2, entity)).copied();
-                        self.triangles.push((Surface { entity, group }, [a, b, c]));
+                        let (_, nodes) = lines.tagged()?;
+                        self.triangles.push(Element { line: lines.number(), of: surface, nodes });
                     }
                     15 => {
-                        lines.next_line()?;
+                        lines.exactly::<u64, 2>()?;
                     }
                     other => return Err(Self::unknown_kind(other, lines)),
                 }

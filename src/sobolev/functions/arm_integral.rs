@@ -2,11 +2,12 @@
 //!
 //! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink
 //! geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays too
-//! slowly for that, wide cells down to the depth of the arm feed [`crate::quadrature::extrapolate`], or a
-//! [`DeepTail`] is added. An integral that does not converge is recognised by its integrand.
+//! slowly for that, wide cells down to the depth of the arm feed [`crate::quadrature::extrapolate`] and
+//! [`TwoRates`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
 
 use super::deep_tail::DeepTail;
 use super::level::{ArmValue, Density, Level};
+use super::two_rates::TwoRates;
 use crate::error::{Error, Result};
 use crate::quadrature::{Limit, Rule, extrapolate};
 use std::cell::Cell;
@@ -110,14 +111,15 @@ impl ArmIntegral {
                 return Ok(Limit { value: sum, error: rest });
             }
         }
-        let mut partials = Partials { ends, partial, densities };
+        let mut partials =
+            Partials { ends, partial, densities, gap: 2.0 * self.order, rounding: rounding.get() };
         if let Some(tail) = tail
             && depth >= TAIL_START
         {
             return self.with_tail(tail, scale, rounding, &mut partials, &mut density);
         }
         if depth >= self.structured + 5.0 * BLOCK
-            && let Some(limit) = self.deep(depth, scale, &mut partials, &mut density)?
+            && let Some(limit) = self.deep(depth, scale, rounding, &mut partials, &mut density)?
         {
             return Ok(limit);
         }
@@ -151,6 +153,11 @@ impl ArmIntegral {
         Ok(sum)
     }
 
+    /// The width of a wide cell: whole cells, whose rules then leave the same share of ℓ in every wide one.
+    fn wide(&self) -> f64 {
+        (BLOCK / BLOCK_CELLS as f64 / self.level.width).round() * self.level.width
+    }
+
     /// Wide cells as far as the tail begins, and the tail.
     fn with_tail(
         &self,
@@ -161,11 +168,12 @@ impl ArmIntegral {
         density: &mut impl FnMut(f64, f64) -> Result<f64>,
     ) -> Result<Limit> {
         let rule = Rule::gauss_legendre(self.level.points + 4)?;
-        let width = BLOCK / BLOCK_CELLS as f64;
+        let width = self.wide();
         while found.end() + width <= TAIL_START && !found.grows() {
             let (from, before) = (found.end(), found.sum());
             let sum = before + self.cell(&rule, from, width, density)?;
             found.push(from + width, sum, density(from + width, 0.0)?);
+            found.rounding = rounding.get();
         }
         if found.diverges() || !tail.starts_at(found.end()) {
             return self.decide(found);
@@ -180,16 +188,18 @@ impl ArmIntegral {
         &self,
         depth: f64,
         scale: f64,
+        rounding: &Cell<f64>,
         found: &mut Partials,
         density: &mut impl FnMut(f64, f64) -> Result<f64>,
     ) -> Result<Option<Limit>> {
         let rule = Rule::gauss_legendre(self.level.points + 4)?;
-        let width = BLOCK / BLOCK_CELLS as f64;
+        let width = self.wide();
         let mut cells = 0;
         while found.end() + width <= depth {
             let (from, before) = (found.end(), found.sum());
             let sum = before + self.cell(&rule, from, width, density)?;
             found.push(from + width, sum, density(from + width, 0.0)?);
+            found.rounding = rounding.get();
             cells += 1;
             if found.grows() {
                 break;
@@ -224,6 +234,10 @@ struct Partials {
     ends: Vec<f64>,
     partial: Vec<f64>,
     densities: Vec<f64>,
+    /// 2ν
+    gap: f64,
+    /// of the sum, by the rounding of the function's values
+    rounding: f64,
 }
 
 impl Partials {
@@ -246,14 +260,22 @@ impl Partials {
         self.densities[self.densities.len() - 1].abs() * self.end()
     }
 
-    /// ℓ has grown beyond doubt.
+    /// ℓ has grown beyond doubt: more than t² over the second half, where t e^{−wt} may still come down.
     fn grows(&self) -> bool {
-        let last = self.densities.len() - 1;
-        !self.sum().is_finite() || self.densities[last] > 4.0 * self.densities[last / 2]
+        let middle = self.ends.partition_point(|&t| t < 0.5 * self.end());
+        !self.sum().is_finite() || self.densities[self.ends.len() - 1] > 4.0 * self.densities[middle]
+    }
+
+    /// The law of the end where it has two rates.
+    fn two_rates(&self) -> Option<TwoRates> {
+        TwoRates::of(&self.ends, &self.densities, self.gap, (self.rounding / self.sum()).abs())
     }
 
     /// ℓ does not decay, or no faster than 1/t.
     fn diverges(&self) -> bool {
+        if let Some(found) = self.two_rates() {
+            return !found.decays();
+        }
         let (ends, densities) = (&self.ends, &self.densities);
         let last = ends.len() - 1;
         let middle = ends.iter().position(|&t| t >= 0.5 * self.end()).unwrap_or(0);
@@ -270,7 +292,9 @@ impl Partials {
     fn limit(&self) -> Option<Limit> {
         // On the first cells the integrand still feels the whole interval.
         let from = self.ends.iter().position(|&t| t >= (0.5 * self.end()).min(25.0)).unwrap_or(0);
-        let noise = 4.0 * f64::EPSILON * self.sum().abs();
-        extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise)
+        let noise = (4.0 * f64::EPSILON * self.sum()).hypot(self.rounding);
+        let general = extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise);
+        let law = self.two_rates().and_then(|found| found.limit(self.sum()));
+        general.into_iter().chain(law).min_by(|a, b| a.error.total_cmp(&b.error))
     }
 }

@@ -7,5 +7,6 @@ mod level;
 mod log_energy;
 mod norms;
 mod supremum;
+mod two_rates;
 
 pub use function::{Position, SingularFunction};

@@ -1,5 +1,5 @@
-//! Pictures of constants and of how they are computed: where each lives on a mesh, parts of a gradient, a limit
-//! of meshes, pairs at a corner, points or triangles.
+//! Pictures of constants and of how they are computed: where each lives on a mesh, parts of a gradient, a
+//! limit of meshes, pairs at a corner, points or triangles.
 
 use super::grids::grid;
 use super::pen::{BLUE, GREEN, INK, ORANGE, Pen, SQUARE};
@@ -132,8 +132,8 @@ pub(super) fn fan(halvings: usize) -> String {
     pen.dot(tip.0, tip.1, INK);
     pen.words(tip.0 - 0.03, tip.1 - 0.012, "P", INK);
     let name = ["x = P + e", "x = P + e/2", "x = P + e/4", "x = P + e/8"][halvings];
-    pen.note(x.0 + 0.02, x.1 + 0.02, name, BLUE);
-    pen.note(y.0 + 0.02, y.1 - 0.03, "y, in the same ratio", ORANGE);
+    pen.note(0.05, 0.24, name, BLUE);
+    pen.note(0.05, -0.21, "y, in the same ratio", ORANGE);
     pen.words(
         0.5,
         -0.285,

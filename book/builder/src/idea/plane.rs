@@ -98,8 +98,7 @@ pub(super) fn triangle(n: usize) -> String {
             pen.dot(x, y, GREEN);
         }
     }
-    pen.words(0.75, 0.82, "blue: the function", BLUE);
-    pen.words(0.75, 0.74, "green: linear, right at corners", GREEN);
+    pen.words(0.42, -0.05, "blue: the function; green: linear, right at the corners", INK);
     pen.svg()
 }
 
@@ -137,7 +136,7 @@ pub(super) fn face(size: f64) -> String {
     }
     pen.words(0.5, 0.15, "contact: σ_N = −1", INK);
     pen.note(0.76, 0.005, "u = −1", BLUE);
-    pen.note(0.16, 0.005, "u = −1", BLUE);
+    pen.ending(0.24, 0.005, "u = −1", BLUE);
     pen.note(0.53, 0.41, "u = −1", BLUE);
     pen.words(
         0.5,

@@ -7,6 +7,7 @@ use crate::figures::{Axis, Chart, Series};
 use crate::{Headline, Output, Result};
 use signorini::contact::Solver;
 use signorini::scenes::{SceneRun, SceneStudy};
+use std::ops::Range;
 
 /// What figures are called.
 pub(super) struct Drawing {
@@ -86,17 +87,26 @@ pub(super) fn draw_coarser(
     Ok(())
 }
 
-/// u_N and −σ_N along the contact edge, each over its largest value.
+/// u_N and −σ_N along the contact edges, each over its largest value.
 fn edge_chart(run: &SceneRun, scene: &str) -> Chart {
     let SceneRun { problem, solution, .. } = run;
-    let arc = problem.edge().arc();
-    let scaled = |values: &[f64]| -> Vec<(f64, f64)> {
+    let pieces = problem.edge().pieces();
+    let scaled = |values: &[f64], piece: Range<usize>| -> Vec<(f64, f64)> {
         let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         let unit = if largest > 0.0 { largest } else { 1.0 };
-        arc.iter().zip(values).map(|(&x, v)| (x, v / unit)).collect()
+        piece.map(|i| (problem.edge().arc()[i], values[i] / unit)).collect()
     };
     let title = format!("{scene}: displacement and pressure on the contact edge, {} cone", solution.cone);
-    Chart::new(title, Axis::linear("x along the contact edge"), Axis::linear("share of the largest value"))
-        .with(Series::line("u_N, displacement towards the foundation", scaled(&solution.normal_displacement)))
-        .with(Series::line_and_points("−σ_N, contact pressure", scaled(&solution.pressure)))
+    let (x, y) = (Axis::linear("x along the contact edge"), Axis::linear("share of the largest value"));
+    let count = pieces.len();
+    pieces.into_iter().enumerate().fold(Chart::new(title, x, y), |chart, (number, piece)| {
+        let which = if count > 1 { format!(", edge {}", number + 1) } else { String::new() };
+        let displacement = scaled(&solution.normal_displacement, piece.clone());
+        chart
+            .with(Series::line(format!("u_N, displacement towards the foundation{which}"), displacement))
+            .with(Series::line_and_points(
+                format!("−σ_N, contact pressure{which}"),
+                scaled(&solution.pressure, piece),
+            ))
+    })
 }

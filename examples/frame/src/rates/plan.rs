@@ -2,7 +2,7 @@
 
 use super::row::RateRow;
 use super::store::LevelStore;
-use crate::{Error, Result, progress};
+use crate::{Error, Result, announce_memory, progress};
 use signorini::cone::Cone;
 use signorini::convergence::{LevelMemory, MeshRates, StripGroup, TransitionRates};
 use signorini::scenes::{MeshScene, Scene, Setting, StripScene};
@@ -119,11 +119,21 @@ impl RatePlan {
         self.strips.iter().map(StripGroup::steps).sum::<usize>() + self.meshes.len()
     }
 
+    /// About what the largest study takes, in bytes: 200 for each cell of the reference of a strip, 2200 for
+    /// each square of the finest mesh, whose reference is twice as fine.
+    fn bytes(&self) -> f64 {
+        let strips = self.strips.iter().map(|group| 200.0 * group.reference_cells as f64);
+        let squares = |mesh: &MeshRates| (mesh.coarsest as f64 * (mesh.levels as f64 - 1.0).exp2()).powi(2);
+        strips.chain(self.meshes.iter().map(|mesh| 2200.0 * squares(mesh))).fold(0.0, f64::max)
+    }
+
     /// All studies in one cone with their fits; finished levels of strips are taken from the memory.
     ///
     /// # Errors
-    /// Those of [`StripGroup::studies`] and [`MeshRates::study`].
+    /// [`Error::Option`] for more than the memory of the machine; those of [`StripGroup::studies`] and
+    /// [`MeshRates::study`].
     pub fn rows(&self, cone: Cone, memory: &mut dyn LevelMemory) -> Result<Vec<RateRow>> {
+        announce_memory(self.bytes())?;
         let bar = progress(self.steps() as u64);
         let mut rows = Vec::new();
         for group in &self.strips {
