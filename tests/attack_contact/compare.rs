@@ -59,7 +59,8 @@ pub fn compare(
     // The least numbers of binary64 in the units of the scene, as displacements and as forces.
     let [least_length, least_force] = [scene.displacement_unit(), scene.force_unit()]
         .map(|unit| times_power(f64::from_bits(answer.displacement.len() as u64), -unit));
-    conditions(program, &u, &multiplier, program.force_of(least_length) + least_force)?;
+    let least = [4.0 * least_length, program.force_of(least_length) + least_force];
+    conditions(program, &u, &multiplier, least)?;
     if is_hard(program) {
         return Ok(Outcome::Conditions);
     }
@@ -168,10 +169,12 @@ pub fn is_hard(program: &Program) -> bool {
 }
 
 /// Balance, sign, gap, complementarity by the matrix of the test.
-fn conditions(program: &Program, u: &[f64], multiplier: &[f64], least: f64) -> Result<(), String> {
+fn conditions(program: &Program, u: &[f64], multiplier: &[f64], least: [f64; 2]) -> Result<(), String> {
     let (residual, sizes) = program.residual(u, multiplier);
     let force = largest(sizes);
-    let gaps = program.gaps(u);
+    // What is below the least numbers of binary64 is no gap.
+    let closed = |gap: f64| gap.signum() * (gap.abs() - least[0]).max(0.0);
+    let gaps: Vec<f64> = program.gaps(u).into_iter().map(closed).collect();
     let length = largest(u.iter().copied()).max(largest(program.bounds())).max(program.alone());
     let most = largest(multiplier.iter().copied());
     let contact = if most > 1e-13 * force { most } else { force };
@@ -179,7 +182,7 @@ fn conditions(program: &Program, u: &[f64], multiplier: &[f64], least: f64) -> R
     let products =
         (0..gaps.len()).map(|i| ratio(multiplier[i].abs(), contact) * ratio(gaps[i].abs(), length));
     for (name, figure) in [
-        ("balance", ratio((largest(residual) - least).max(0.0), force)),
+        ("balance", ratio((largest(residual) - least[1]).max(0.0), force)),
         ("sign", ratio(multiplier.iter().map(|&l| -l).fold(0.0, f64::max), contact)),
         ("gap", ratio(gaps.iter().copied().fold(0.0, f64::max), length)),
         ("complementarity", largest(products)),
