@@ -7,6 +7,8 @@ use crate::error::Result;
 
 /// Signs below this multiple of the size of the terms are rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Equations of a set hold to this multiple of what is summed in them, or contradict each other.
+const HELD: f64 = 1e-10;
 
 /// What is known of the edge.
 pub(super) struct Edge {
@@ -29,7 +31,7 @@ pub(super) struct Edge {
 pub(super) struct Contact {
     /// λ, zero off the set.
     pub(super) multiplier: Vec<f64>,
-    /// B u − g; zero on the set.
+    /// B u − g; zero on the set, except where a run between two fixed nodes cannot hold.
     pub(super) gap: Vec<f64>,
     /// Constraints on the wrong side, ascending.
     pub(super) wrong: Vec<usize>,
@@ -82,15 +84,19 @@ impl Edge {
         let multiplier = self.cone.multipliers(set.as_slice(), &force, |node| self.fixed[node]);
         let settled = |i: usize| self.cone.support(i).all(|node| self.fixed[node]);
         let slack = self.slack(x);
-        let gap: Vec<f64> =
-            (0..slack.len()).map(|i| if set.contains(i) && !settled(i) { 0.0 } else { -slack[i] }).collect();
+        let size = |i: usize| {
+            self.cone.support(i).map(|k| x[self.places[k]].abs()).fold(self.bound[i].abs(), f64::max)
+        };
+        let holds = |i: usize| set.contains(i) && !settled(i) && slack[i].abs() <= HELD * size(i);
+        let gap: Vec<f64> = (0..slack.len()).map(|i| if holds(i) { 0.0 } else { -slack[i] }).collect();
         let sizes: Vec<f64> = (0..self.places.len())
             .map(|k| self.loads[k] + self.rows[k].iter().map(|&(place, v)| v * x[place].abs()).sum::<f64>())
             .collect();
         let is_wrong = |&i: &usize| {
             let largest = |value: &dyn Fn(usize) -> f64| self.cone.support(i).map(value).fold(0.0, f64::max);
             if set.contains(i) {
-                multiplier[i] < -ROUNDING * largest(&|k| sizes[k])
+                let force = largest(&|k| sizes[k]);
+                multiplier[i] < -ROUNDING * force || gap[i] != 0.0 && !settled(i)
             } else {
                 let size = largest(&|k| sizes[k] / self.diagonals[k]).max(self.bound[i].abs());
                 gap[i] > ROUNDING * size && !settled(i)
