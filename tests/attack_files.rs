@@ -167,8 +167,12 @@ fn wait_for_lines(path: &str, count: usize) -> String {
 
 #[cfg(unix)]
 fn interrupt(process: &mut Child) {
-    let sent = Command::new("kill").args(["-INT", &process.id().to_string()]).status();
-    assert!(sent.unwrap().success());
+    // A process that was started in the background of a shell does not hear the first.
+    for signal in ["-INT", "-TERM"] {
+        let sent = Command::new("kill").args([signal, &process.id().to_string()]).status();
+        assert!(sent.unwrap().success());
+        std::thread::sleep(Duration::from_millis(300));
+    }
     assert_eq!(process.wait().unwrap().code(), None, "ended by the interruption");
 }
 

@@ -1,8 +1,8 @@
 //! Condensed primal-dual active set: guess the contact set, solve on the edge, correct the guess.
 //!
-//! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0) or
-//! that cannot hold, and the inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a semismooth Newton step
-//! for w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
+//! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0)
+//! or cannot hold, and the inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a
+//! semismooth Newton step for w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
 //!
 //! * nodal cone: all wrong constraints change sides (M. Hintermüller, K. Ito, K. Kunisch, SIAM J. Optim. 13
 //!   (2002));

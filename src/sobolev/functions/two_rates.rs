@@ -1,7 +1,7 @@
 //! The end of an arm on which ℓ decays with two rates whose difference is known.
 //!
-//! Where u ~ δ^a with a < 0, the point x of depth t meets the shallower ones y in two ways: those of its own
-//! depth give e^{−wt}, w = 1 + 2a − 2ν, and all others, where u(y) is nothing beside u(x), give
+//! Where u ~ δ^a with a < 0, the point x of depth t meets the y that are not deeper in two ways: those of its own
+//! depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is nothing beside u(x), give
 //! ∫₀^t e^{2νs} ds e^{−(w+2ν)t}. So
 //!
 //! ℓ(t) = c₁ e^{−wt} + c₂ e^{−(w+2ν)t},
@@ -13,7 +13,7 @@
 //! r ℓ₀ q² − (1+r) ℓ₁ q + ℓ₂ = 0,
 //!
 //! of which the smaller root, 2ℓ₂ over the sum of (1+r) ℓ₁ and the root of the discriminant, is the one with
-//! c₁ > r c₂. It loses nothing where c₁ and c₂ nearly cancel. With b = ℓ(T−H)/ℓ(T) = e^{wH} (1 + βE), E = (e^{2νH} − 1)/(2ν), the rest is
+//! c₁ > r c₂, both taken at ℓ₀. It loses nothing where c₁ and c₂ nearly cancel. With b = ℓ(T−H)/ℓ(T) = e^{wH} (1 + βE), E = (e^{2νH} − 1)/(2ν), the rest is
 //!
 //! ∫_T^∞ ℓ = ℓ(T) (1/w − β/(w (w+2ν))).
 //!
