@@ -110,7 +110,7 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     found
 }
 
-/// J from mesh to mesh: it falls where cones are nested, and how fast.
+/// J from mesh to mesh: it does not rise where cones are nested, and how fast it falls.
 fn energies(cone: Cone, runs: &[SceneRun]) -> Vec<Finding> {
     let first = runs.first().map(|run| run.solution.solver);
     let j: Vec<f64> =
@@ -124,18 +124,18 @@ fn energies(cone: Cone, runs: &[SceneRun]) -> Vec<Finding> {
         [.., before, last] if before > 0.0 && last > 0.0 => Some(((before / last).log2(), 0.0)),
         _ => None,
     };
-    let words = "J falls from mesh to mesh";
+    let words = "J does not rise from mesh to mesh";
     let falls = if cone == Cone::Nodal { Finding::claim } else { Finding::remark };
     let falls = least.map(|least| {
         falls("falls", words)
             .number(least.0, least.1)
-            .at_least(-EIGHT_DIGITS, "nested cones, and a load integrated to eight digits")
+            .at_least(-EIGHT_DIGITS, "nested cones, up to eight digits for the load")
             .otherwise("J rises from one mesh to the next, by {value} of its size")
     });
     let order = (gained.len() > 1).then(|| {
         Finding::remark("order", "the last two halvings of h show J converge with order {value}")
             .number_or(order, "J does not fall")
-            .at_least(1.0, "corners with exponents above 1/2")
+            .at_least(1.0, "corners with exponents above 1/2, as those of the L")
             .otherwise("the last two halvings of h show J converge with order {value} only")
             .told()
     });
