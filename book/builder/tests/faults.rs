@@ -233,16 +233,17 @@ fn values_of_another_shape_fail_on_the_pages_that_show_them() {
     values("[[\"1e-3\"]]", "[[1e-3]]", table, "damaged table");
     values("[[\"1e-3\"]]", "[[\"1\", \"2\"]]", table, "damaged table");
     values("\"title\"", "\"name\"", table, "damaged table");
-    values("\"holds\"", "0", "book/src/second.md:3:", "unknown example");
+    values("\"holds\"", "0", "book/src/second.md:5:", "unknown example");
 }
 
 /// A remark that is undecided is shown as such; a claim that is undecided is none that a page may make.
 #[test]
 fn a_claim_that_is_undecided_fails_where_it_is_made() {
-    let page = "# Second {#two}\n\nSo {{finding: ex/sharp}}.\n";
+    let (picture, page) =
+        ("{{idea: wave: A wave}}\n", "{{idea: wave: A wave}}\n\nSo {{finding: ex/sharp}}.\n");
     let built = |role: &str, outcome: &str, words: &str| {
         let fixture = Fixture::new();
-        let text = fixture.read("book/src/second.md").replace("# Second {#two}\n", page);
+        let text = fixture.read("book/src/second.md").replace(picture, page);
         fixture.write("book/src/second.md", &text);
         let mut data = data(0.29156);
         data.examples["ex"]["findings"] = json!([{"finding": "sharp", "role": role, "outcome": outcome, words: "it is", "comparison": "1"}]);
@@ -260,7 +261,7 @@ fn a_claim_that_is_undecided_fails_where_it_is_made() {
         ("remark", "holds", "text", "damaged finding"),
     ] {
         let message = built(role, outcome, words).unwrap_err().to_string();
-        let place = "book/src/second.md:3: ";
+        let place = "book/src/second.md:5: ";
         assert!(message.starts_with(place) && message.contains(expected), "{message}");
         assert!(message.contains("finding: ex/sharp") && message.lines().count() == 1, "{message}");
     }
@@ -282,7 +283,7 @@ fn unknown_directives_fail() {
         second,
         "{{verdict: ex}}",
         "{{verdict: ex: f2}}",
-        "book/src/second.md:3:",
+        "book/src/second.md:5:",
         "unknown directive",
     );
 }
@@ -294,7 +295,7 @@ fn a_figure_that_is_missing_or_torn_fails_where_it_is_shown() {
         fixture.write("book/generated/figures/ex/chart.svg", spoil);
         let message = fixture.build().expect_err(spoil).to_string();
         let at = |place: &str| message.lines().any(|line| line.starts_with(place) && line.contains(words));
-        assert!(at("book/src/first.md:3:") && at("book/src/second.md:11:"), "{message}");
+        assert!(at("book/src/first.md:3:") && at("book/src/second.md:13:"), "{message}");
     }
     let fixture = Fixture::new();
     std::fs::remove_file(fixture.0.path().join("book/generated/figures/ex/chart.svg")).unwrap();
