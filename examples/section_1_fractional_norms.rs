@@ -3,11 +3,10 @@
 //! `cargo run --release --example section_1_fractional_norms -- --function power:0.3,hat --nu 0.7,0.8,0.9`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
 use signorini::sobolev::{FractionalOrder, GalleryFunction};
 use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
-use std::time::Instant;
 
 example_frame::options! {
     /// Norms of fractional order of functions of one variable
@@ -42,9 +41,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let coarser = Tolerance::new((10.0 * options.tolerance.relative()).min(0.1))?;
     let mut rows = Vec::new();
     for (function, &order) in options.function.iter().flat_map(|f| options.nu.iter().map(move |nu| (f, nu))) {
-        let start = Instant::now();
-        let outcome = function.finite_seminorm(order, options.tolerance)?;
-        let seconds = start.elapsed().as_secs_f64();
+        let (seconds, outcome) = timed(|| function.finite_seminorm(order, options.tolerance))?;
         let finite = |seminorm| -> Result<Norm> {
             let norm = function.norm(order, options.tolerance)?.value;
             let closed_form = function.closed_form(order)?;

@@ -3,14 +3,13 @@
 //! `cargo run --release --example section_1_plane_cost -- --squares 1000 --triangles 10000`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
 use signorini::sobolev::{
     FractionalOrder, GridOperator, PlaneFunction, PlanePosition, SingularPlaneFunction, Triangles,
     coordinate_on_unit_square,
 };
 use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
-use std::time::Instant;
 
 example_frame::options! {
     /// Seconds, errors and memory of the norms in the plane
@@ -27,10 +26,11 @@ example_frame::options! {
     }
 }
 
-/// One road at one step: the tolerance asked, or the triangles of an interpolant; seconds, true error at most.
+/// One road at one step: the tolerance asked, or the triangles of an interpolant; seconds, error at most.
 pub struct Row(pub &'static str, f64, f64, pub f64);
 
-/// Roads; by what a form on the uniform grid is off, seconds for a product, bytes for a node; seconds of the bent grid, by what it is off and its estimate; a + 1 − s.
+/// Roads; by what a form on the uniform grid is off, seconds for a product, bytes for a node; seconds of the
+/// bent grid, by what it is off and its estimate; a + 1 − s.
 pub struct Computed(pub Vec<Row>, pub [f64; 3], pub [f64; 3], pub f64);
 
 /// Roads in the order of the figure.
@@ -41,12 +41,6 @@ const CELLS: [usize; 4] = [2, 4, 8, 16];
 /// Exponent of the corner singularity, tolerance of products and of large sums.
 const POWER: f64 = 2.0 / 3.0;
 const LARGE: f64 = 1e-8;
-
-fn timed<T>(of: impl FnOnce() -> signorini::Result<T>) -> Result<(f64, T)> {
-    let start = Instant::now();
-    let found = of()?;
-    Ok((start.elapsed().as_secs_f64(), found))
-}
 
 /// Every road to the norms of x₁ and of r^{2/3} cos(2φ/3) on the unit square.
 fn roads(s: FractionalOrder) -> Result<Vec<Row>> {
@@ -144,7 +138,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let claim = "every tolerance is met, for piecewise linears and for closures";
     let mut headline = Headline::new("Section 1, cost", claim, table, findings(&computed));
     headline.draw(&options.output, "section_1_plane_seconds", || {
-        let (x, y) = (Axis::logarithmic("seconds"), Axis::logarithmic("true relative error"));
+        let (x, y) = (Axis::logarithmic("seconds"), Axis::logarithmic("relative error at most"));
         Ok(ROADS.iter().fold(Chart::new("What digits of norms in the plane cost", x, y), |chart, road| {
             let points = computed.0.iter().filter(|row| row.0 == *road);
             let points = points.map(|row| (row.2, row.3.max(f64::EPSILON))).collect();

@@ -90,7 +90,8 @@ pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
     Ok(Computed { runs: subject.solve()?, subject })
 }
 
-/// A scaled condition may be violated by the error asked for, or by a duality gap of 1e-13 over 1000 unknowns.
+/// A scaled condition may be violated by the error asked for, or by a duality gap of 1e-13 over 1000
+/// unknowns.
 const JUDGED: f64 = 1e-10;
 /// What a sum over all nodes, or a second solver, must confirm.
 const EIGHT_DIGITS: f64 = 1e-8;

@@ -65,7 +65,8 @@ const EIGHT_DIGITS: f64 = 1e-8;
 /// A scaled condition may be violated by a duality gap of 1e-13 over 1000 unknowns.
 const JUDGED: f64 = 1e-10;
 
-/// What decides: forces balance, every condition is met, solvers agree, J falls, and directions do not matter.
+/// What decides: forces balance, every condition is met, solvers agree, J falls, and directions do not
+/// matter.
 pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     let Computed { runs, resultants, turned, .. } = computed;
     let judged: Option<Vec<Judgement>> = runs.iter().map(|run| run.judged().ok()).collect();

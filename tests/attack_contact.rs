@@ -1,5 +1,5 @@
-//! A seeded attack on contact problems in the plane: every solver beside a quadratic program of the test's own
-//! that tries all contact sets, in numbers of twice the length (`attack_contact/program.rs`).
+//! A seeded attack on contact problems in the plane: every solver beside a quadratic program of the test's
+//! own that tries all contact sets, in numbers of twice the length (`attack_contact/program.rs`).
 //!
 //! `SIGNORINI_FUZZ=20000 cargo test --release --test attack_contact -- --nocapture` takes as many scenes,
 //! `SIGNORINI_SCENE=17` only that one, and shows it.

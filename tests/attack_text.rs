@@ -1,8 +1,8 @@
 //! A seeded attack on everything that is read from text: mesh files, samples, scenes, values of options.
 //!
-//! Texts that are right are cut, joined, repeated and given words that do not belong; a mutant whose answer is
-//! of a new kind is mutated further. Each is read, or refused by an error that names the line of a file, in a
-//! time and a memory in proportion to its length.
+//! Texts that are right are cut, joined, repeated and given words that do not belong; a mutant whose answer
+//! is of a new kind is mutated further. Each is read, or refused by an error that names the line of a file,
+//! in a time and a memory in proportion to its length.
 //!
 //! `SIGNORINI_FUZZ=100000 cargo test --release --test attack_text -- --nocapture` tries as many per grammar.
 

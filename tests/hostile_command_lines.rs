@@ -3,8 +3,8 @@
 //! itself (`--describe`).
 //!
 //! `SIGNORINI_FUZZ=100000 cargo test --release --test hostile_command_lines` adds as many random lines, under
-//! which an example may also compute: then no panic, no number that is none, and a reason for every entry that
-//! is missing.
+//! which an example may also compute: then no panic, no number that is none, and a reason for every entry
+//! that is missing.
 
 use serde_json::Value;
 use signorini::numeric::random::SplitMix;

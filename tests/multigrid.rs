@@ -324,8 +324,8 @@ fn energies_are_those_of_other_packages() {
     assert_eq!(known, 12);
 }
 
-/// Between a clamped end and a gap, and where single segments touch by turns: what sets are tried from level to
-/// level. The projection alone took 60 at n = 512.
+/// Between a clamped end and a gap, and where single segments touch by turns: what sets are tried from level
+/// to level. The projection alone took 60 at n = 512.
 #[test]
 fn nested_steps_are_few_beside_clamped_ends() {
     for scene in [MeshScene::Leaning, MeshScene::Taper] {

@@ -19,8 +19,8 @@
 //! steps the one that is furthest off, then the one with the least index, which is finite for every symmetric
 //! positive definite S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this
 //! phase the next set is a function of the set alone, so one that comes back a second time comes back for
-//! ever: [`Status::Cycled`]. Only rounding, or an S that is not symmetric positive definite, gets there. Cost:
-//! one dense factorization on the edge per step, however fine the mesh behind it.
+//! ever: [`Status::Cycled`]. Only rounding, or an S that is not symmetric positive definite, gets there.
+//! Cost: one dense factorization on the edge per step, however fine the mesh behind it.
 
 use super::dual_active_set::dual_active_set;
 use super::edge_problem::{EdgeProblem, EdgeState};

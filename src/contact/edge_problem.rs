@@ -12,7 +12,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
 /// Equations of a set hold to this multiple of what is summed in them, or contradict each other.
-const HELD: f64 = 1e-10;
+pub(super) const HELD: f64 = 1e-10;
 
 /// A dense contact problem on a chain or a ring of nodes.
 #[derive(Debug, Clone)]

@@ -112,9 +112,9 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     Ok(solution)
 }
 
-/// Active: where the multiplier exceeds the gap times the stiffness at the nodes of the constraint. On the way to
-/// the solution one of the two vanishes, so that their quotient is far from 1, whatever the stiffness is to a
-/// few digits.
+/// Active: where the multiplier exceeds the gap times the stiffness at the nodes of the constraint. On the
+/// way to the solution one of the two vanishes, so that their quotient is far from 1, whatever the stiffness
+/// is to a few digits.
 fn dominant(problem: &ContactProblem, cone: EdgeCone, answer: &Answer, gap: &[f64]) -> ContactSet {
     let normals = problem.normal_unknowns();
     let stiff = |i: usize| cone.support(i).map(|node| problem.diagonal(normals[node])).fold(0.0, f64::max);

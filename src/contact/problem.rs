@@ -56,7 +56,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// Names what is missing or wrong: no contact edge, a piece of it that is (elastic) not straight, nothing that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
+    /// Names what is missing or wrong: no contact edge, a piece of it that is (elastic) not straight, nothing
+    /// that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
         let start = Instant::now();
         form.check()?;

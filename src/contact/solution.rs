@@ -3,8 +3,8 @@
 //! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: nodal contact force B'λ over the length that
 //! belongs to the node (∫ of its hat function). Global balance: in every direction d (a unit translation;
 //! scalar: the constant 1), loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to
-//! the sum of absolute loads and reactions, or of the other terms where those are more; a(d, u) vanishes without
-//! a reaction term.
+//! the sum of absolute loads and reactions, or of the other terms where those are more; a(d, u) vanishes
+//! without a reaction term.
 
 use super::problem::ContactProblem;
 use super::solver::Solver;

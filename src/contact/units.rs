@@ -2,8 +2,8 @@
 //! its error as (r, M r)^{1/2} calls everything below 1e-162 converged.
 //!
 //! A problem is linear in (F, u_D, g): in units of a power of two that makes the energy moderate nothing is
-//! rounded that is within the range of binary64 below the largest entries, and the answer is scaled back. With k
-//! the largest modulus of the form the energy is about |F|²/k, and k g² where data are prescribed.
+//! rounded that is within the range of binary64 below the largest entries, and the answer is scaled back.
+//! With k the largest modulus of the form the energy is about |F|²/k, and k g² where data are prescribed.
 
 use super::multigrid::MultigridSolution;
 use super::problem::ContactProblem;

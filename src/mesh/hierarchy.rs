@@ -41,8 +41,8 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] when the finest level would have more than 2^32 triangles, [`Error::TooLarge`]
-    /// when it would not fit into memory.
+    /// [`Error::CountOutOfRange`] when the finest level would have more than 2^32 triangles,
+    /// [`Error::TooLarge`] when it would not fit into memory.
     pub fn refined(coarsest: Triangulation, times: usize) -> Result<Self> {
         let mut hierarchy = Self::new(coarsest);
         for _ in 0..times {

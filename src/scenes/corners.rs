@@ -56,8 +56,8 @@ impl BodyRegularity {
 ///
 /// # Errors
 /// [`Error::Node`] for a corner where two materials meet or several pieces of boundary touch;
-/// [`Error::OutOfRange`] for a Poisson's ratio outside (−1, 1/2); [`Error::CountOutOfRange`] for a contact edge
-/// in several pieces; those of [`Wedge::regularity`].
+/// [`Error::OutOfRange`] for a Poisson's ratio outside (−1, 1/2); [`Error::CountOutOfRange`] for a contact
+/// edge in several pieces; those of [`Wedge::regularity`].
 pub fn body_regularity(problem: &ContactProblem, solution: &ContactSolution) -> Result<BodyRegularity> {
     regularity_with_ends(problem, solution, [None; 2])
 }

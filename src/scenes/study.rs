@@ -54,7 +54,8 @@ impl SceneStudy {
     /// every beginning and of every step of multigrid, and its error ends the study.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] without levels; whatever meshes, problems, solvers and `observe` return.
+    /// [`crate::Error::CountOutOfRange`] without levels; whatever meshes, problems, solvers and `observe`
+    /// return.
     pub fn run_observed(
         &self,
         observe: impl FnMut(&StudyProgress) -> Result<()> + Send,

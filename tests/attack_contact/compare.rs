@@ -8,8 +8,8 @@ use signorini::contact::{ContactSolution, Solver};
 /// Roundings of the library for one of the data: elimination, two solves, the active set.
 const ROUNDINGS: f64 = 16.0;
 
-/// Above this share ROUNDINGS · ε · cond(K) says nothing about the displacement any more: only the conditions of
-/// a solution are looked at.
+/// Above this share ROUNDINGS · ε · cond(K) says nothing about the displacement any more: only the conditions
+/// of a solution are looked at.
 const LINEAR: f64 = 0.1;
 
 /// A solution that calls itself converged meets the conditions so well (as documented).
@@ -25,8 +25,9 @@ const ITERATED: f64 = 1e-5;
 /// What came out of a comparison that went well.
 #[derive(Debug, Clone, Copy)]
 pub enum Outcome {
-    /// Forces and set agree: the tolerance relative to the largest force (without any, none), how many constraints
-    /// touch without force so that either side is right, the largest share of a tolerance that was needed.
+    /// Forces and set agree: the tolerance relative to the largest force (without any, none), how many
+    /// constraints touch without force so that either side is right, the largest share of a tolerance that
+    /// was needed.
     Same { tolerance: Option<f64>, ties: usize, used: f64 },
     /// The condition number allows no comparison; the conditions of a solution hold.
     Conditions,

@@ -23,8 +23,8 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Labels a loop of boundary nodes: `contact` edges from number `first` on touch, the others are clamped or
-    /// free; at least one of them is clamped.
+    /// Labels a loop of boundary nodes: `contact` edges from number `first` on touch, the others are clamped
+    /// or free; at least one of them is clamped.
     fn label(&mut self, random: &mut SplitMix, around: &[usize], first: usize, contact: usize) {
         let count = around.len();
         let others = count - contact;
@@ -81,8 +81,8 @@ fn steps(random: &mut SplitMix, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// A grid with random lines, corners and diagonals, its inner nodes moved. An elastic body touches along a part
-/// of its bottom, a scalar one along any part of the boundary.
+/// A grid with random lines, corners and diagonals, its inner nodes moved. An elastic body touches along a
+/// part of its bottom, a scalar one along any part of the boundary.
 pub fn grid(random: &mut SplitMix, is_elastic: bool) -> Mesh {
     loop {
         let most = if random.below(3) == 0 { 11 } else { 5 };

@@ -5,10 +5,11 @@
 //! c = B K⁻¹F − g. The solution has a contact set on which A is regular, so that one of the at most 2^12 sets
 //! meets them.
 //!
-//! What rounding of the data may do: K and F off by ε s_i in every row, s_i = Σ_j (k_i k_j)^{1/2} |u_j| + |F|_i
-//! with k_i the sum of the sizes of what is added up in K_ii, moves u by no more than E = ε (s'|K⁻¹|s)^{1/2} in
-//! the energy norm (the solution of a variational inequality is a nonexpansive function of the load), hence u_i
-//! by (K⁻¹)_ii^{1/2} E, and a force by ε s_i + k_i^{1/2} E. No assumption on the contact set enters.
+//! What rounding of the data may do: K and F off by ε s_i in every row, s_i = Σ_j (k_i k_j)^{1/2} |u_j| +
+//! |F|_i with k_i the sum of the sizes of what is added up in K_ii, moves u by no more than E = ε
+//! (s'|K⁻¹|s)^{1/2} in the energy norm (the solution of a variational inequality is a nonexpansive function
+//! of the load), hence u_i by (K⁻¹)_ii^{1/2} E, and a force by ε s_i + k_i^{1/2} E. No assumption on the
+//! contact set enters.
 
 use super::double::{Cholesky, Double, dot};
 use super::scene::{Material, Scene};
@@ -387,8 +388,8 @@ fn supports(scene: &Scene, cone: Cone) -> Vec<Vec<usize>> {
     }
 }
 
-/// Area and gradients of the barycentric coordinates; `shape` is the size of what is subtracted in the area over
-/// the area.
+/// Area and gradients of the barycentric coordinates; `shape` is the size of what is subtracted in the area
+/// over the area.
 struct Triangle {
     area: Double,
     gradients: [[Double; 2]; 3],

@@ -16,8 +16,8 @@ pub enum Material {
     Elastic { moduli: Vec<[f64; 2]>, is_stress: bool },
 }
 
-/// Data of order one; the units of loads, stiffness and lengths are powers of two beside them, so that nothing
-/// is rounded by them.
+/// Data of order one; the units of loads, stiffness and lengths are powers of two beside them, so that
+/// nothing is rounded by them.
 #[derive(Debug, Clone)]
 pub struct Scene {
     pub mesh: Mesh,

@@ -31,6 +31,7 @@ pub mod poincare;
 mod progress;
 #[cfg(feature = "contact")]
 pub mod rates;
+mod seconds;
 #[cfg(feature = "contact")]
 pub mod shown;
 
@@ -41,6 +42,7 @@ pub use expression::Expression;
 pub use interval::{OnTheLine, within};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
 pub use progress::progress;
+pub use seconds::timed;
 
 /// The options of an example: the given fields, the block of [`Output`], and defaults as on an empty command
 /// line. Behind a colon stands its [`Cost`] where it is not a matter of seconds. What a value must be, of a list

@@ -1,5 +1,6 @@
 //! The contact edge of a level during the iteration: gaps, forces, what is wrong, the next set.
 
+use super::super::edge_problem::HELD;
 use super::super::problem::ContactProblem;
 use super::level::Level;
 use crate::cone::{Cone, ContactSet, EdgeCone, Face, Weighted, project_weighted};
@@ -7,8 +8,6 @@ use crate::error::Result;
 
 /// Signs below this multiple of the size of the terms are rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Equations of a set hold to this multiple of what is summed in them, or contradict each other.
-const HELD: f64 = 1e-10;
 
 /// What is known of the edge.
 pub(super) struct Edge {

@@ -11,8 +11,9 @@
 //! move. A run beside a clamped end may have to be broken up at places that no step finds; up to n = 256
 //! elimination gives the set of such a level.
 //!
-//! Measured on `block` with n segments on the contact edge, tolerance 1e-10: steps of the gradients on the finest
-//! level, and the factor by which one cycle reduces the error (the last two rows with the limit on λ/μ lifted).
+//! Measured on `block` with n segments on the contact edge, tolerance 1e-10: steps of the gradients on the
+//! finest level, and the factor by which one cycle reduces the error (the last two rows with the limit on λ/μ
+//! lifted).
 //!
 //! | λ/μ | n = 128 | n = 512 | factor |
 //! | --- | --- | --- | --- |

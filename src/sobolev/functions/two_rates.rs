@@ -1,19 +1,20 @@
 //! The end of an arm on which ℓ decays with two rates whose difference is known.
 //!
-//! Where u ~ δ^a with a < 0, the point x of depth t meets the y that are not deeper in two ways: those of its own
-//! depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is nothing beside u(x), give
+//! Where u ~ δ^a with a < 0, the point x of depth t meets the y that are not deeper in two ways: those of its
+//! own depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is nothing beside u(x), give
 //! ∫₀^t e^{2νs} ds e^{−(w+2ν)t}. So
 //!
 //! ℓ(t) = c₁ e^{−wt} + c₂ e^{−(w+2ν)t},
 //!
-//! with c₁ ≈ −c₂ ≈ 1/(2ν) for a small order: t e^{−wt} as far as νt is small, which grows until t = 1/w although
-//! the integral is finite. For three values ℓ₀, ℓ₁, ℓ₂ at distances H, with r = e^{−2νH}, the unknown q = e^{−wH}
-//! solves
+//! with c₁ ≈ −c₂ ≈ 1/(2ν) for a small order: t e^{−wt} as far as νt is small, which grows until t = 1/w
+//! although the integral is finite. For three values ℓ₀, ℓ₁, ℓ₂ at distances H, with r = e^{−2νH}, the
+//! unknown q = e^{−wH} solves
 //!
 //! r ℓ₀ q² − (1+r) ℓ₁ q + ℓ₂ = 0,
 //!
 //! of which the smaller root, 2ℓ₂ over the sum of (1+r) ℓ₁ and the root of the discriminant, is the one with
-//! c₁ > r c₂, both taken at ℓ₀. It loses nothing where c₁ and c₂ nearly cancel. With b = ℓ(T−H)/ℓ(T) = e^{wH} (1 + βE), E = (e^{2νH} − 1)/(2ν), the rest is
+//! c₁ > r c₂, both taken at ℓ₀. It loses nothing where c₁ and c₂ nearly cancel. With b = ℓ(T−H)/ℓ(T) = e^{wH}
+//! (1 + βE), E = (e^{2νH} − 1)/(2ν), the rest is
 //!
 //! ∫_T^∞ ℓ = ℓ(T) (1/w − β/(w (w+2ν))).
 //!
@@ -72,8 +73,8 @@ pub(super) struct TwoRates {
 }
 
 impl TwoRates {
-    /// From ℓ at t, the last of them equidistant; `gap` = 2ν, `rounding` that of a sum, relative. None where there are too few, where they vanish, or
-    /// where the two triples disagree.
+    /// From ℓ at t, the last of them equidistant; `gap` = 2ν, `rounding` that of a sum, relative. None where
+    /// there are too few, where they vanish, or where the two triples disagree.
     pub(super) fn of(t: &[f64], densities: &[f64], gap: f64, rounding: f64) -> Option<Self> {
         let rounding = ROUNDING.max(OF_ONE * rounding);
         let last = t.len().checked_sub(1)?;

@@ -1,4 +1,5 @@
-//! `--csv DIR`: the rows, and displacement and stress along the contact edges, with their units in the header.
+//! `--csv DIR`: the rows, and displacement and stress along the contact edges, with their units in the
+//! header.
 
 use super::own::OwnOptions;
 use crate::files::{require_writable, write_whole};

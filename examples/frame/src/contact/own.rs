@@ -17,8 +17,8 @@ pub struct OwnOptions {
     /// Volume load in x, y, pi and the usual functions: "fx, fy", of a scalar problem "f"
     #[arg(long, value_name = "EXPRESSIONS", allow_hyphen_values = true)]
     pub load: Option<Load>,
-    /// "lambda=1, mu=1", or "E=2.5, nu=0.25" (plane strain; with "plane=stress" plane stress); once, or once for
-    /// each physical surface
+    /// "lambda=1, mu=1", or "E=2.5, nu=0.25" (plane strain; with "plane=stress" plane stress); once, or once
+    /// for each physical surface
     #[arg(long, value_name = "CONSTANTS")]
     pub material: Vec<Material>,
     /// Write the rows and the contact edge (CSV, units in the header) into this directory
@@ -195,8 +195,8 @@ impl Own {
         [value(0), value(1)]
     }
 
-    /// The resultants of load (by the rule of the solver, f itself), clamp and floors on the body of a solution; of a
-    /// scalar problem in the first entry.
+    /// The resultants of load (by the rule of the solver, f itself), clamp and floors on the body of a
+    /// solution; of a scalar problem in the first entry.
     ///
     /// # Errors
     /// [`signorini::Error::NotFiniteAt`], and those of the normals.

@@ -97,7 +97,8 @@ fn edge_chart(run: &SceneRun, scene: &str) -> Chart {
         piece.map(|i| (problem.edge().arc()[i], values[i] / unit)).collect()
     };
     let title = format!("{scene}: displacement and pressure on the contact edge, {} cone", solution.cone);
-    let (x, y) = (Axis::linear("x along the contact edge"), Axis::linear("share of the largest value"));
+    let (x, y) =
+        (Axis::linear("distance along the contact edge"), Axis::linear("share of the largest value"));
     let count = pieces.len();
     pieces.into_iter().enumerate().fold(Chart::new(title, x, y), |chart, (number, piece)| {
         let which = if count > 1 { format!(", edge {}", number + 1) } else { String::new() };
