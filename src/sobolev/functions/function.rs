@@ -177,6 +177,10 @@ impl<'a> SingularFunction<'a> {
             for k in 0..SAMPLES {
                 let t = (arm.depth * (k as f64 + 0.5) / SAMPLES as f64).min(0.1 + 0.3 * k as f64);
                 largest = largest.max(self.at(&arm, arm.delta(t))?.abs());
+                // Deeper, what counts in L² is u √δ; where it is no number it may never be asked for.
+                let deep = arm.depth * (k as f64 + 0.5) / SAMPLES as f64;
+                let value = self.at(&arm, arm.delta(deep)).unwrap_or(0.0);
+                largest = largest.max(value.abs() * (-0.5 * deep).exp());
             }
         }
         let scale = power_of_two(largest);

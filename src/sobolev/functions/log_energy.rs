@@ -13,6 +13,7 @@ use super::arm_integral::ArmIntegral;
 use super::deep_tail::DeepTail;
 use super::function::{Arm, SingularFunction};
 use super::level::{Density, Level, LevelValue};
+use super::resolution::missed;
 use crate::error::Result;
 use crate::quadrature::{PowerWeightRule, Rule};
 use crate::sobolev::kernel::power::PowerKernel;
@@ -94,11 +95,13 @@ impl<'a> LogEnergy<'a> {
             rounding = found.rounding.hypot(rounding);
         }
         let factor = 2.0 * self.kernel.scaling(self.unit);
+        let (missed, points) = missed(self.function, self.level, self.kernel)?;
         Ok(LevelValue {
             value: factor * value,
             tail: factor * tail,
             rounding: factor * rounding,
-            points: self.points,
+            missed,
+            points: self.points + points,
         })
     }
 

@@ -3,10 +3,14 @@
 mod arm_integral;
 mod deep_tail;
 mod function;
+mod interpolant;
 mod level;
 mod log_energy;
 mod norms;
+mod partials;
+mod resolution;
 mod supremum;
 mod two_rates;
+mod waves;
 
 pub use function::{Position, SingularFunction};

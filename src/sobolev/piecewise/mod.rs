@@ -1,5 +1,6 @@
 //! Piecewise polynomials and their norms.
 
+mod far_pairs;
 mod lebesgue;
 mod norms;
 mod pairs;
@@ -10,4 +11,5 @@ mod sorting;
 #[cfg(feature = "contact")]
 pub(crate) use lebesgue::linear_power;
 pub use polynomial::PiecewisePolynomial;
+pub(crate) use polynomial::{Piece, bubbles_of};
 pub use sorting::{near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random};

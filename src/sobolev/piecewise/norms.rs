@@ -11,6 +11,7 @@
 //! a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds) where that rounding exceeds
 //! the tolerance.
 
+use super::far_pairs::clustered_squared;
 use super::pairs::{Cell, PairSum, PolynomialPairs};
 use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};
@@ -29,6 +30,10 @@ use rayon::prelude::*;
 const DIRECT: usize = 3000;
 /// Elements up to which they are when the fast product is not accurate enough.
 const PATIENT: usize = 16_000;
+/// Elements of any degree up to which all pairs are integrated, and up to which they are where clusters leave
+/// too few digits.
+const CLUSTERED: usize = 96;
+const PATIENT_PAIRS: usize = 1000;
 /// Asked of the fast product.
 const FAST_FORM: Tolerance = Tolerance::reference();
 /// Error of the fast product, entry by entry, relative to |A| |x|; measured below 1e-14.
@@ -162,7 +167,7 @@ impl PiecewisePolynomial {
         } else if self.is_exactly(|_| true) && self.is_continuous() {
             self.linears_squared(order, tolerance)
         } else {
-            self.pairs_squared(order)
+            self.pairs_squared(order, tolerance)
         }
     }
 
@@ -230,10 +235,17 @@ impl PiecewisePolynomial {
         Estimate::new(value, ENTRY_ROUNDING * absolute, pair_work(n))
     }
 
-    fn pairs_squared(&self, order: FractionalOrder) -> Result<Estimate> {
+    fn pairs_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let pairs = PolynomialPairs::new(order, self.degree().max(1))?;
         let lengths = self.partition().lengths();
         let n = lengths.len();
+        if n > CLUSTERED {
+            let sum = clustered_squared(self, order, &pairs)?;
+            let fast = of_pairs(sum, Work::default())?;
+            if n > PATIENT_PAIRS || fast.relative_error() <= 2.0 * tolerance.relative() {
+                return Ok(fast);
+            }
+        }
         let cell = |i: usize| Cell { length: lengths[i], piece: &self.pieces()[i] };
         let total = (0..n)
             .into_par_iter()
@@ -250,9 +262,13 @@ impl PiecewisePolynomial {
                 sum
             })
             .reduce(PairSum::default, PairSum::plus);
-        let work = Work { points: total.points, ..pair_work(n) };
-        Estimate::new(total.value, ENTRY_ROUNDING * total.value + total.rounding, work)
+        of_pairs(total, pair_work(n))
     }
+}
+
+fn of_pairs(sum: PairSum, work: Work) -> Result<Estimate> {
+    let work = Work { points: sum.points, ..work };
+    Estimate::new(sum.value, ENTRY_ROUNDING * sum.value + sum.rounding, work)
 }
 
 /// xᵀ A x by the fast product.
@@ -276,7 +292,7 @@ fn is_enough(squared: &Estimate, n: usize, tolerance: Tolerance) -> bool {
 }
 
 impl PairSum {
-    fn plus(self, other: Self) -> Self {
+    pub(super) fn plus(self, other: Self) -> Self {
         Self {
             value: self.value + other.value,
             rounding: self.rounding + other.rounding,
