@@ -62,6 +62,7 @@ pub fn compute(section: Section, options: &Options) -> Result<Computed> {
     let scene_tau = options.scene_tau.unwrap_or(tau);
     let rule = options.theta.map_or(ThetaRule::Printed { tau: tau.min(2.0) }, ThetaRule::Fixed);
     let case = ProofCase { section, source, tau, scene_tau, levels, resolution, rule, positions };
+    case.require_valid()?;
     let profile = case.profile(&case.constants(options.q)?)?;
     let rungs = profile.ladder()?;
     Ok(Computed { profile, rungs, limits: limit_lines(section, options.q)? })

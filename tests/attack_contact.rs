@@ -104,7 +104,10 @@ fn every_solver_on_several_contact_edges() {
         }));
         attack(seed, &scene, Cone::Nodal, &mut counts);
         let midpoint = scene.problem().and_then(|problem| problem.solve(Cone::Midpoint, Solver::Auto));
-        assert!(matches!(midpoint, Err(Error::Incompatible { .. } | Error::Triangle { .. })), "scene {seed}");
+        assert!(
+            matches!(midpoint, Err(Error::Incompatible { .. } | Error::Triangle { .. })),
+            "scene {seed}: {midpoint:?}"
+        );
         let barrier =
             scene.problem().and_then(|problem| problem.solve_by_sizes(&vec![1.0; scene.mesh.chain.len()]));
         let named = matches!(barrier, Err(Error::CountOutOfRange { .. } | Error::Triangle { .. }));
