@@ -17,6 +17,7 @@
 
 pub mod closed_forms;
 mod dual;
+mod energy;
 mod functions;
 mod gallery;
 mod gram;

@@ -1,5 +1,6 @@
 //! Piecewise polynomials and their norms.
 
+mod cells;
 mod lebesgue;
 mod norms;
 mod pairs;

@@ -3,32 +3,40 @@
 //!
 //! |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m = 0, 1.
 //!
-//! Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j} a_ij
-//! (u_i−u_j)², which uses that constants have seminorm zero and so keeps its digits when u is nearly
-//! constant; other degrees are integrated pair by pair ([`super::pairs`]). Everything is exact to rounding;
-//! the [`Tolerance`] is what the rounding is held against. Cost O(N²) kernel values, without a stored matrix;
-//! beyond 3000 elements constants and linears take the fast product xᵀAx, whose rounding is relative to Σ
-//! a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds) where that rounding exceeds
-//! the tolerance.
+//! Few elements are summed pair by pair, exact to rounding, at O(N²) kernel values: constants and continuous
+//! linears through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which uses that constants have
+//! seminorm zero and so keeps its digits when u is nearly constant; other degrees by [`super::pairs`]. More
+//! elements than that sum would be worth go
+//!
+//! - on uniform meshes, constants and linears, by the fast product xᵀAx, whose rounding is relative to Σ a_ii
+//!   x_i²: O(N log N);
+//! - else, and where that rounding exceeds the tolerance, by moments ([`crate::sobolev::energy`]): far pairs
+//!   to the [`Tolerance`] asked, about 1e-14 at best, O(N log(1/τ)²): a second for 10⁵ elements.
 
-use super::pairs::{Cell, PairSum, PolynomialPairs};
+use super::pairs::{Cell, PolynomialPairs};
 use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::power_of_two;
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
+use crate::sobolev::energy::PairSum;
 use crate::sobolev::gram::GramOperator;
 use crate::sobolev::gram::dense::{FarRow, constants_on, neighbours_linear};
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use rayon::prelude::*;
+use std::ops::Add;
 
-/// Elements up to which all pairs are summed directly.
-const DIRECT: usize = 3000;
-/// Elements up to which they are when the fast product is not accurate enough.
+/// Elements up to which all pairs are summed directly; for degrees above one.
+const DIRECT: usize = 150;
+const DIRECT_POLYNOMIALS: usize = 24;
+/// Elements up to which they are when nothing faster is accurate enough.
 const PATIENT: usize = 16_000;
+const PATIENT_POLYNOMIALS: usize = 1000;
+/// Asked of the rules of all pairs: rounding is all that is left.
+const EXACT: f64 = 1e-17;
 /// Asked of the fast product.
 const FAST_FORM: Tolerance = Tolerance::reference();
 /// Error of the fast product, entry by entry, relative to |A| |x|; measured below 1e-14.
@@ -149,8 +157,26 @@ impl PiecewisePolynomial {
         } else if self.is_exactly(|_| true) && self.is_continuous() {
             self.linears_squared(order, tolerance)
         } else {
-            self.pairs_squared(order)
+            self.pairs_squared(order, tolerance)
         }
+    }
+
+    /// The product where the mesh is uniform, else or where that is not enough the moments; none where these
+    /// are not enough either and all pairs can be summed.
+    fn faster(
+        &self,
+        product: impl FnOnce() -> Result<Estimate>,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Option<Estimate>> {
+        if self.partition().uniform_length().is_some() {
+            let found = product()?;
+            if is_enough(&found, tolerance) {
+                return Ok(Some(found));
+            }
+        }
+        let found = self.by_moments(order, tolerance)?;
+        Ok((is_enough(&found, tolerance) || self.partition().len() > PATIENT).then_some(found))
     }
 
     fn is_exactly(&self, shape: impl Fn(&super::polynomial::Piece) -> bool) -> bool {
@@ -164,10 +190,12 @@ impl PiecewisePolynomial {
         }
         let n = pieces.len();
         if n > DIRECT {
-            let values: Vec<f64> = pieces.iter().map(|piece| piece.left).collect();
-            let fast = fast_form(&GramOperator::constants(partition, order, FAST_FORM)?, &values)?;
-            if is_enough(&fast, n, tolerance) {
-                return Ok(fast);
+            let product = || {
+                let values: Vec<f64> = pieces.iter().map(|piece| piece.left).collect();
+                fast_form(&GramOperator::constants(partition, order, FAST_FORM)?, &values)
+            };
+            if let Some(found) = self.faster(product, order, tolerance)? {
+                return Ok(found);
             }
         }
         let cells = CellPairs::new(order);
@@ -195,9 +223,9 @@ impl PiecewisePolynomial {
         let mut nodal: Vec<f64> = self.pieces().iter().map(|piece| piece.left).collect();
         nodal.push(self.pieces()[n - 1].right);
         if n > DIRECT {
-            let fast = fast_form(&GramOperator::linears(partition, order, FAST_FORM)?, &nodal)?;
-            if is_enough(&fast, n, tolerance) {
-                return Ok(fast);
+            let product = || fast_form(&GramOperator::linears(partition, order, FAST_FORM)?, &nodal);
+            if let Some(found) = self.faster(product, order, tolerance)? {
+                return Ok(found);
             }
         }
         let square = |i: usize, j: usize| (nodal[i] - nodal[j]) * (nodal[i] - nodal[j]);
@@ -217,8 +245,14 @@ impl PiecewisePolynomial {
         Estimate::new(value, ENTRY_ROUNDING * absolute, pair_work(n))
     }
 
-    fn pairs_squared(&self, order: FractionalOrder) -> Result<Estimate> {
-        let pairs = PolynomialPairs::new(order, self.degree().max(1))?;
+    fn pairs_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        if self.partition().len() > DIRECT_POLYNOMIALS {
+            let found = self.by_moments(order, tolerance)?;
+            if is_enough(&found, tolerance) || self.partition().len() > PATIENT_POLYNOMIALS {
+                return Ok(found);
+            }
+        }
+        let pairs = PolynomialPairs::new(order, self.degree().max(1), EXACT)?;
         let lengths = self.partition().lengths();
         let n = lengths.len();
         let cell = |i: usize| Cell { length: lengths[i], piece: &self.pieces()[i] };
@@ -227,16 +261,16 @@ impl PiecewisePolynomial {
             .map(|i| {
                 let mut sum = pairs.own(cell(i));
                 if i + 1 < n {
-                    sum = sum.plus(pairs.touching(cell(i), cell(i + 1), self.jump(i + 1)));
+                    sum = sum + pairs.touching(cell(i), cell(i + 1), self.jump(i + 1));
                 }
                 let mut gap = RunningSum::default();
                 for j in i + 2..n {
                     gap.add(lengths[j - 1]);
-                    sum = sum.plus(pairs.separate(cell(i), cell(j), gap.value()));
+                    sum = sum + pairs.separate(cell(i), cell(j), gap.value());
                 }
                 sum
             })
-            .reduce(PairSum::default, PairSum::plus);
+            .reduce(PairSum::default, PairSum::add);
         let work = Work { points: total.points, ..pair_work(n) };
         Estimate::new(total.value, ENTRY_ROUNDING * total.value + total.rounding, work)
     }
@@ -256,20 +290,9 @@ fn fast_form(operator: &GramOperator, x: &[f64]) -> Result<Estimate> {
     Estimate::new(sum.value(), FAST_ROUNDING * absolute, Work { points: x.len() as u64, ..Work::default() })
 }
 
-/// True when the square of the seminorm is known to twice the tolerance, or the pairs are too many to do
-/// better.
-fn is_enough(squared: &Estimate, n: usize, tolerance: Tolerance) -> bool {
-    n > PATIENT || squared.relative_error() <= 2.0 * tolerance.relative()
-}
-
-impl PairSum {
-    fn plus(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            rounding: self.rounding + other.rounding,
-            points: self.points + other.points,
-        }
-    }
+/// True when the square of the seminorm is known to twice the tolerance.
+fn is_enough(squared: &Estimate, tolerance: Tolerance) -> bool {
+    squared.relative_error() <= 2.0 * tolerance.relative()
 }
 
 fn pair_work(n: usize) -> Work {
