@@ -20,6 +20,7 @@ const SHORTEST: f64 = 1e-300;
 /// assert_eq!(zones.mirrored().intervals(), [(0.375, 0.125), (0.625, 0.25)]);
 /// # Ok::<(), signorini::Error>(())
 /// ```
+#[doc(alias("interval", "subinterval"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zone {
     start: f64,

@@ -1,10 +1,4 @@
 //! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
-//!
-//! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
-//! break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
-//! the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
-//! ([`super::log_energy`]). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
-//! that takes a [`Position`] sees the distance itself, or its logarithm.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
@@ -56,6 +50,23 @@ impl Position {
 }
 
 /// A real function on an interval whose singular points are declared.
+///
+/// # Method
+///
+/// The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
+/// break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
+/// the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
+/// (`log_energy`). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
+/// that takes a [`Position`] sees the distance itself, or its logarithm.
+#[doc(alias(
+    "Gagliardo",
+    "Slobodeckij",
+    "Gagliardo seminorm",
+    "fractional Sobolev",
+    "H1/2",
+    "H^s",
+    "closure"
+))]
 pub struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
