@@ -10,6 +10,19 @@ use crate::sobolev::{Partition, PiecewisePolynomial};
 use std::ops::Range;
 
 /// A partition into cells, grouped into elements.
+///
+/// ```
+/// use signorini::{interpolation::{ElementMesh, lagrange}, sobolev::Partition};
+/// let mesh = ElementMesh::uniform(4, 8)?;
+/// assert!(mesh.elements().len() == 4 && mesh.cells().len() == 32 && mesh.h() == 0.25);
+/// // π^h of I^h x: the means of x
+/// let means = mesh.projection(&lagrange(mesh.cells(), |x| x)?)?;
+/// assert!((means.value(0, 0.5)? - 0.125).abs() < 1e-15);
+/// let cells = Partition::geometric(3, 0.5, 1.0)?;
+/// assert_eq!(ElementMesh::single(cells.clone())?.h(), 1.0);
+/// assert_eq!(ElementMesh::new(cells, &[3, 1])?.h(), 0.5);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElementMesh {
     cells: Partition,

@@ -89,6 +89,15 @@ impl ZoneCase {
 
 /// `count` random cases with their ratios γ_E / γ_(0,θ); `None` where rounding forbids the tolerance.
 ///
+/// ```
+/// use signorini::{Tolerance, numeric::random::SplitMix, poincare::{ZoneCase, random_zones}};
+/// for (case, ratio) in random_zones(2, 1, Tolerance::fast())? {
+///     assert!(ratio.is_none_or(|ratio| ratio.value <= 1.0 + ratio.error), "{}", case.zones);
+/// }
+/// assert!(ZoneCase::random(&mut SplitMix::new(1))?.zones.length() < 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// Those of [`ZoneCase::over_end`], except for [`Error::ToleranceNotMet`].
 pub fn random_zones(
@@ -107,6 +116,13 @@ pub fn random_zones(
 }
 
 /// A zone of one length, moved along the interval, and cut in two.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Condition, MovedZone}, sobolev::FractionalOrder};
+/// let found = MovedZone::new(FractionalOrder::HALF, 0.1, Condition::MeanZero, Tolerance::fast())?;
+/// assert!(found.least.value < 1.0 && found.whole.value <= found.least.value + 1e-3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovedZone {
     /// The order ν.

@@ -98,6 +98,14 @@ pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> R
 
 /// γ₁(ν): mean zero over the whole interval. 1/2 as ν → 0, √(1−ν)/π as ν → 1.
 ///
+/// ```
+/// use signorini::{Tolerance, poincare::gamma_whole, sobolev::FractionalOrder};
+/// let near_one = FractionalOrder::new(1.0 - 1e-9)?;
+/// let found = gamma_whole(near_one, Tolerance::balanced())?.value / near_one.complement().sqrt();
+/// assert!((found - std::f64::consts::FRAC_1_PI).abs() < 1e-6);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::ToleranceNotMet`] as for [`gamma`].
 pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
@@ -106,6 +114,16 @@ pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estim
 
 /// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of
 /// 1_E/|E| − 1.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, Zone, dual_norm, gamma, gamma_whole};
+/// let (order, zone, asked) = (FractionalOrder::HALF, Zone::end(0.01)?, Tolerance::balanced());
+/// let [n, g] = [dual_norm, gamma].map(|f| f(order, zone, Condition::MeanZero, asked).map(|e| e.value));
+/// let (n, g, whole) = (n?, g?, gamma_whole(order, asked)?.value);
+/// assert!(n.max(whole) <= g && g <= n.hypot(whole));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As for [`gamma`].
@@ -155,6 +173,14 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
 
 /// γ with a function for which it is attained: of the space on which the value was found, or continued from
 /// larger orders as the value is.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Condition, Zone, extremal}, sobolev::FractionalOrder};
+/// let zone = Zone::end(0.01)?;
+/// let (gamma, u) = extremal(FractionalOrder::HALF, zone, Condition::Vanishing, Tolerance::fast())?;
+/// assert!(u.value(0.005).abs() < 1e-12 && u.value(1.0) > 1.0 && gamma.value > 0.3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As for [`gamma`].

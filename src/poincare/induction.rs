@@ -48,6 +48,13 @@ pub struct InductionStep {
 /// (5.5) by quadrature on both intervals: the larger of |q − 1|, q = θ^{1/2} ‖u‖_{0,I} / ‖ũ‖₀ and
 /// θ^{1/2−ν} |u|_{ν,I} / |ũ|_ν, for ũ(x) = e^x + x^{3/5} on (0, 1) and u(x) = ũ(θx) on I = (0, 1/θ).
 ///
+/// ```
+/// use signorini::{Tolerance, poincare::scaling_defect, sobolev::FractionalOrder};
+/// let defect = scaling_defect(FractionalOrder::HALF, 0.1, Tolerance::fast())?;
+/// assert!(defect.value <= 1e-3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ 1; those of the quadrature.
 pub fn scaling_defect(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<Estimate> {
@@ -84,6 +91,13 @@ pub fn scaling_defect(order: FractionalOrder, theta: f64, tolerance: Tolerance) 
 ///
 /// with all terms of the sums, so that only θ^{ν−1/2} and ln(1/θ) depend on θ. Infinite where exp overflows,
 /// for ν near 1/2.
+///
+/// ```
+/// use signorini::{poincare::closing_factor, sobolev::FractionalOrder};
+/// // 2 ln(1/θ)/ln(1/θ₀)
+/// assert!((closing_factor(FractionalOrder::HALF, 0.1, 0.001)? - 6.0).abs() < 1e-14);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ θ₀ < 1.

@@ -23,6 +23,13 @@ pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 
 /// The growth that Lemma 5.2 prints: θ^{ν−1/2}, ln(1/θ), 1.
+///
+/// ```
+/// use signorini::{poincare::printed_growth, sobolev::FractionalOrder};
+/// assert_eq!(printed_growth(FractionalOrder::new(0.25)?, 1e-4), 10.0);
+/// assert_eq!(printed_growth(FractionalOrder::new(0.75)?, 1e-4), 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
     if order.is_below_half() {
         theta.powf(order.offset())

@@ -35,6 +35,14 @@ pub struct Placed {
 }
 
 /// Zones of one length at several places, and the printed step for odd functions.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::Places, sobolev::FractionalOrder};
+/// // a zone of length 0.01 at the left end and in the middle
+/// let found = Places::new(FractionalOrder::HALF, 0.01, &[0.0, 0.5], Tolerance::fast())?;
+/// assert!(found.zones[1].gamma.value < found.zones[0].gamma.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Places {
     /// The order ν.

@@ -19,6 +19,15 @@ const ROUNDING: f64 = 1e-14;
 
 /// B(ν) for ν < 1/2.
 ///
+/// ```
+/// use signorini::{Tolerance, poincare::end_limit, sobolev::FractionalOrder};
+/// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
+/// let order = FractionalOrder::from_offset(-1e-5)?;
+/// let limit = end_limit(order, Tolerance::balanced())?.value.powi(2) * order.one_minus_twice();
+/// assert!((limit * std::f64::consts::PI.powi(2) / 1.5 - 1.0).abs() < 1e-3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]
 /// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.

@@ -34,6 +34,18 @@ const NEWTON: usize = 20;
 const NEAR_HALF: f64 = 1e-6;
 
 /// γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, UniformLaw, Zone, gamma};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// let law = UniformLaw::new(order, asked)?;
+/// let found = gamma(order, Zone::end(1e-30)?, Condition::MeanZero, asked)?;
+/// let by_law = law.gamma(1e-30)?;
+/// assert!((by_law.value - found.value).abs() <= by_law.error + found.error);
+/// assert!((law.rest(1e-30, found)?.explained.value - 1.0).abs() < 1e-2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UniformLaw {
     order: FractionalOrder,

@@ -12,6 +12,16 @@ use crate::error::{Error, Result};
 use crate::numeric::legendre;
 
 /// Points in (0, 1) and weights (of both signs) for the weight t^β.
+///
+/// ```
+/// use signorini::quadrature::PowerWeightRule;
+/// // ∫₀¹ t^{−1/2} t² dt = 2/5, and ∫₀¹ t^{−1+1e-9} dt = 1e9
+/// let rule = PowerWeightRule::new(8, 0.5)?;
+/// assert!((rule.integrate(|t| t * t) - 0.4).abs() < 1e-14);
+/// assert_eq!(rule.iter().count(), 8);
+/// assert!((PowerWeightRule::new(8, 1e-9)?.integrate(|_| 1.0) / 1e9 - 1.0).abs() < 1e-14);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerWeightRule {
     points: Vec<f64>,

@@ -41,6 +41,15 @@ impl Rule {
     /// n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
     /// size.
     ///
+    /// ```
+    /// use signorini::quadrature::Rule;
+    /// // ∫₀¹ (1−t)^{1/2} t^{−1/2} dt = π/2
+    /// let rule = Rule::gauss_jacobi(5, 0.5, -0.5)?;
+    /// assert!((rule.integrate(|_| 1.0) - std::f64::consts::FRAC_PI_2).abs() < 1e-14);
+    /// assert!(rule.iter().all(|(t, w)| 0.0 < t && t < 1.0 && w > 0.0));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for n = 0 or n > 65536, [`Error::OutOfRange`] unless α, β > −1 and finite.
     pub fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Self> {

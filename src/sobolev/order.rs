@@ -39,6 +39,14 @@ impl FractionalOrder {
 
     /// The order 1/2 + δ, with δ kept to full relative accuracy.
     ///
+    /// ```
+    /// use signorini::sobolev::FractionalOrder;
+    /// let order = FractionalOrder::from_offset(-1e-20)?; // 1/2 − 1e-20 is no binary64 number
+    /// assert!(order.value() == 0.5 && order.offset() == -1e-20 && order.is_below_half());
+    /// assert!(order.complement() == 0.5 && order.one_minus_twice() == 2e-20);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::OutOfRange`] unless −1/2 < δ < 1/2.
     pub fn from_offset(delta: f64) -> Result<Self> {

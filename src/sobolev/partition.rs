@@ -19,6 +19,20 @@ const LARGEST_RATIO: f64 = 1e303;
 const BYTES: usize = 48;
 
 /// Elements of an interval, left to right.
+///
+/// ```
+/// use signorini::sobolev::Partition;
+/// let mesh = Partition::from_nodes(&[0.0, 0.25, 1.0])?;
+/// assert_eq!(mesh.lengths(), Partition::from_lengths(vec![0.25, 0.75])?.lengths());
+/// assert!(mesh.len() == 2 && !mesh.is_empty() && mesh.total() == 1.0 && mesh.left() == 0.0);
+/// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
+/// assert_eq!((mesh.distance(0, 2), mesh.uniform_length()), (1.0, None));
+/// // graded to both ends, and to a point inside
+/// assert_eq!(Partition::two_sided(1, 0.5, 1.0)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+/// let graded = Partition::graded_to_points(&[0.0, 0.3, 1.0], 20, 0.5)?;
+/// assert!(graded.lengths().iter().any(|&h| h < 1e-6));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Partition {
     left: f64,

@@ -26,6 +26,17 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const ROUNDING: f64 = 1e-13;
 
 /// u_N = −(1 − cos(2πNx)) on N equal elements of (0, 1).
+///
+/// ```
+/// use signorini::interpolation::AliasedWave;
+/// let wave = AliasedWave::new(64)?;
+/// assert!((wave.value(1.0 / 128.0) + 2.0).abs() < 1e-12); // −(1 − cos π)
+/// assert!(wave.dual_norm_of_error()?.value >= 1.0 && wave.seminorm()?.value < wave.norm()?.value);
+/// // ‖e‖_{1/2,*}/‖u‖_{3/2} ~ h^{3/2}/(√8 π²)
+/// let limit = 64f64.powf(-1.5) / (8f64.sqrt() * std::f64::consts::PI.powi(2));
+/// assert!((wave.quotient()?.value / limit - 1.0).abs() < 0.05);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AliasedWave {
     elements: usize,
@@ -96,6 +107,15 @@ impl AliasedWave {
 
 /// Σ_{j≥k} (1+j)^{-p} 2^{-3j/2}: a lower bound of ‖u − I^h u‖_{1/2,*} on 2^k elements for the one function of
 /// all waves.
+///
+/// ```
+/// use signorini::interpolation::{all_waves_mean, all_waves_rate};
+/// // Σ x^j/(1+j) = −ln(1−x)/x at x = 2^{−3/2}
+/// let x = 0.5f64.powf(1.5);
+/// assert!((all_waves_mean(0, 1.0)?.value + (1.0 - x).ln() / x).abs() < 1e-13);
+/// assert!((all_waves_rate(200, 1.0)?.value - 1.5).abs() < 0.02);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 1/2 < p ≤ 10 (else u is not in H^{3/2}); [`Error::CountOutOfRange`] for k >

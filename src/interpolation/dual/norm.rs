@@ -22,6 +22,17 @@ const POINTS: usize = 8;
 const ROUNDING: f64 = 1e-12;
 
 /// ‖·‖_{1/2,*} on the cells of an interval, factorized once.
+///
+/// ```
+/// use signorini::{interpolation::DualNorm, sobolev::Partition};
+/// let norm = DualNorm::new(&Partition::uniform(8, 1.0)?)?;
+/// assert_eq!(norm.cells().len(), 8);
+/// // the constant one, given as a function and by its integrals against the hats: norm one
+/// assert!((norm.of(|_, _| 1.0)?.value - 1.0).abs() < 1e-10);
+/// let load = [[0.0625].as_slice(), &[0.125; 7], &[0.0625]].concat();
+/// assert!((norm.of_load(&load)?.value - 1.0).abs() < 1e-10);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct DualNorm {
     cells: Partition,

@@ -99,6 +99,16 @@ pub fn element_constant(norm: ErrorNorm, order: FractionalOrder, tolerance: Tole
 
 /// The best constant with its extremal function.
 ///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{ErrorNorm, element_extremal};
+/// let found = element_extremal(ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::balanced())?;
+/// assert!((found.constant.value - 0.291_564_029).abs() < 1e-8);
+/// assert!((found.slope(0.25)? + found.slope(0.75)?).abs() < 1e-8); // odd about the centre
+/// assert!(found.error(0.0)?.abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`element_constant`].
 pub fn element_extremal(
@@ -132,6 +142,15 @@ fn normalised(gram: &Mat<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64> {
 /// The length h* up to which the second line of Lemma 6.1 holds with the printed constant 1: C_1(ν, h*) = 1.
 ///
 /// C_1 rises with h and lies between h C_L2 and (C_H1² + h² C_L2²)^{1/2}, which brackets h*.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{ErrorNorm, element_constant, longest_element};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// let h = longest_element(order, asked)?.value;
+/// assert!((element_constant(ErrorNorm::H1 { h }, order, asked)?.value - 1.0).abs() < 1e-7);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`element_constant`].

@@ -18,6 +18,15 @@ const LARGEST: usize = 1 << 20;
 
 /// |v(x) − v̄| / ‖v'‖₀ at x = node/N for the v with these N slopes; 0 for a constant.
 ///
+/// ```
+/// use signorini::interpolation::{extremal_slopes, largest_share, mean_deviation};
+/// // at an end the best constant of (6.2) is 1/√3
+/// let found = mean_deviation(&extremal_slopes(100, 0)?, 0)?;
+/// assert!((found.value - 1.0 / 3f64.sqrt()).abs() < 1e-5);
+/// assert!(largest_share(20, 10, 1)?.value < 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::CountOutOfRange`] unless 1 ≤ N ≤ 2^20 and node ≤ N; [`Error::NotFinite`] for a slope.
 pub fn mean_deviation(slopes: &[f64], node: usize) -> Result<Estimate> {

@@ -13,6 +13,15 @@ const BESIDE: f64 = 1e-3;
 const NEAR_ZERO: f64 = 1e-300;
 
 /// Best constants in place of the printed 1.
+///
+/// ```
+/// use signorini::{Tolerance, interpolation::LocalConstants, sobolev::FractionalOrder};
+/// let bounds = LocalConstants::at_zero()?;
+/// let at = LocalConstants::new(FractionalOrder::HALF, Tolerance::fast())?;
+/// assert!(at.l2.value < bounds.l2.value && at.derivative.value < bounds.derivative.value);
+/// assert!(at.longest.value > bounds.longest.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalConstants {
     /// C_L2(ν): ‖u − I u‖₀ ≤ C_L2 h^{1+ν} |u|_{1+ν}.

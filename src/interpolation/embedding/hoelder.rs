@@ -19,6 +19,18 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
 /// N(0, θ) at the nodes θ of a mesh.
+///
+/// ```
+/// use signorini::interpolation::{EndIncrements, embedding_upper_bound};
+/// use signorini::sobolev::{FractionalOrder, Partition};
+/// let (lower, theta) = EndIncrements::for_exponents_up_to(4.0)?.constant(0.5)?;
+/// // C(1/2) ≤ C(q) with q = 1/(1 − 1/2)
+/// let upper = embedding_upper_bound(FractionalOrder::HALF, 2.0)?;
+/// assert!(lower.value <= upper.value && theta <= 1.0);
+/// let coarse = EndIncrements::new(&Partition::geometric(10, 0.5, 1.0)?)?;
+/// assert_eq!(coarse.increments().count(), 11);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct EndIncrements {
     nodes: Vec<f64>,

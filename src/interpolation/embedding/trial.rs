@@ -51,6 +51,18 @@ pub struct EmbeddingTrial {
 }
 
 /// Piecewise linears on a mesh geometric to 0, for C(q) at one ν and any q.
+///
+/// ```
+/// use signorini::interpolation::{EmbeddingSpace, critical_exponent, embedding_upper_bound};
+/// use signorini::sobolev::FractionalOrder;
+/// let order = FractionalOrder::new(0.25)?;
+/// let q = critical_exponent(order)?; // 4: ‖u‖_{L⁴} ≤ C ‖u‖_{1/4}
+/// let lower = EmbeddingSpace::new(order, 20, 0.5)?.climb(q)?.quotient;
+/// assert!(lower.value <= embedding_upper_bound(order, q)?.value && lower.value > 0.999);
+/// EmbeddingSpace::at_critical_exponent(order)?;
+/// EmbeddingSpace::for_exponents_up_to(FractionalOrder::HALF, 4.0)?;
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct EmbeddingSpace {
     order: FractionalOrder,

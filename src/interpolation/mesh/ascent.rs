@@ -22,6 +22,16 @@ const RISE: f64 = 1e-9;
 /// The slope, linear on each cell, that is reached from the given values at the cell nodes once the quotient
 /// rises no more.
 ///
+/// ```
+/// use signorini::{Tolerance, interpolation::{ElementMesh, ErrorNorm, InterpolationError, ascend}};
+/// use signorini::sobolev::{FractionalOrder, Partition};
+/// let (order, mesh) = (FractionalOrder::HALF, ElementMesh::single(Partition::uniform(16, 1.0)?)?);
+/// let best = ascend(ErrorNorm::Derivative, order, &mesh, &mesh.cells().nodes())?;
+/// let found = InterpolationError::of_slope(&best, order, Tolerance::fast())?.derivative_ratio()?;
+/// assert!(found.value > 0.28 && found.value < 0.291_564_03); // the best constant from below
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::LengthMismatch`] unless there is a value per node; [`Error::NotFinite`] for bad values;
 /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding (cells far too short).

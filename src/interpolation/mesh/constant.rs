@@ -20,6 +20,16 @@ use crate::sobolev::{FractionalOrder, gram_linears};
 ///
 /// For [`ErrorNorm::H1`] the elements have length h.
 ///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{ErrorNorm, element_constant, mesh_constant, mesh_constant_on_cells};
+/// let (norm, order, asked) = (ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::new(1e-2)?);
+/// let (mesh, one) = (mesh_constant(norm, order, 4, asked)?, element_constant(norm, order, asked)?);
+/// assert!(mesh.value < one.value);
+/// assert!((mesh_constant_on_cells(norm, order, 4, 8)?.value / mesh.value - 1.0).abs() < 0.1);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 1024 of them;
 /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) when it takes more than 4096 cells in all.

@@ -64,6 +64,17 @@ pub fn projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {
 /// Best C*(r) with which (4.7) follows element by element, 0 ≤ r ≤ 1; its square is the largest eigenvalue of
 /// A_{1/2}⁻¹ x = λ A_r x in L²-orthonormal coordinates.
 ///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::interpolation::{ProjectionNorm, dual_projection_constant, projection_constant};
+/// // equal to the paper's chain γ₁(r) γ₁(1/2) at r = 1/2
+/// let asked = Tolerance::balanced();
+/// let (dual, one) = (dual_projection_constant(0.5, asked)?, projection_constant(0.5, asked)?);
+/// assert!((dual.value - one.value.powi(2)).abs() < 1e-8);
+/// assert_eq!(ProjectionNorm::Dual.rate(0.5), 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`projection_constant`].
 pub fn dual_projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {

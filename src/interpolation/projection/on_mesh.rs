@@ -12,6 +12,18 @@ use crate::interpolation::forms::{dual_projection_form, projection_form, seminor
 
 /// The supremum on `elements` equal elements: a lower bound, the supremum at most `error` above it.
 ///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::interpolation::{ProjectionNorm, projection_norm_on_cells, projection_norm_on_mesh};
+/// // r = 1: h/π, attained by cos(πNx)
+/// let exact = 0.25 * std::f64::consts::FRAC_1_PI;
+/// let found = projection_norm_on_mesh(ProjectionNorm::L2, 1.0, 4, Tolerance::new(1e-3)?)?;
+/// assert!((found.value / exact - 1.0).abs() < 1e-3);
+/// let coarse = projection_norm_on_cells(ProjectionNorm::L2, 1.0, 4, 8)?;
+/// assert!(coarse.value <= exact && exact <= coarse.value + 2.0 * coarse.error);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) for r outside [0, 1];
 /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 1024 of them;

@@ -43,6 +43,15 @@ pub struct ProjectionRates {
 
 /// Rates in the dual norm of functions in closed form, from three meshes, each with twice the elements of the
 /// one before.
+///
+/// ```
+/// use signorini::interpolation::{DualRates, SampleSlope, sample_projection_rate};
+/// // cos πx is smooth: the rates are 1 in L² and 3/2 in the dual norm of order 1/2
+/// let phi = SampleSlope::Cosine(1);
+/// assert!((sample_projection_rate(phi)?.value - 1.0).abs() < 1e-3);
+/// assert!((DualRates::new(16)?.rate(phi)?.value - 1.5).abs() < 0.1);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct DualRates {
     elements: [usize; 3],
@@ -84,6 +93,14 @@ impl DualRates {
 }
 
 /// Everything that is needed for the rates of any order.
+///
+/// ```
+/// use signorini::interpolation::ProjectionStudy;
+/// let [l2, dual] = ProjectionStudy::new()?.rates(0.5)?;
+/// assert!(l2.theory == 0.5 && dual.theory == 1.0);
+/// assert!((l2.supremum.rate.value - 0.5).abs() < 0.01 && (dual.supremum.rate.value - 1.0).abs() < 0.05);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ProjectionStudy {
     dual: DualRates,

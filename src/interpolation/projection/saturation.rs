@@ -13,6 +13,13 @@ use crate::sobolev::{FractionalOrder, Partition};
 
 /// ‖φ − π^h φ‖₀ / (h ‖φ'‖₀/√12) for φ = x^a on N equal elements of (0, 1): tends to 1.
 ///
+/// ```
+/// use signorini::interpolation::{power_lagrange_rate, saturation_quotient};
+/// assert!((saturation_quotient(2.0, 100)?.value - 1.0).abs() < 1e-3);
+/// assert!((power_lagrange_rate(2.0)?.value - 2.0).abs() < 1e-3); // piecewise linears do gain
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] for a ≤ 1/2, where φ is not in H¹; [`Error::CountOutOfRange`] without elements.
 pub fn saturation_quotient(a: f64, elements: usize) -> Result<Estimate> {

@@ -55,6 +55,18 @@ const GROWTH: f64 = 1e-9;
 
 /// The rate of the supremum over H^r from meshes of N/8, N/4, N/2 and N elements of `cells` cells each.
 ///
+/// ```
+/// use signorini::{Tolerance, interpolation::{ProjectionNorm, projection_constant}};
+/// use signorini::interpolation::{supremum_rate, wave_constant};
+/// let found = supremum_rate(ProjectionNorm::L2, 0.5, 16, 8)?;
+/// assert!((found.rate.value - 0.5).abs() < 0.05);
+/// // S(N) N^r lies between the wave and the constant of one element
+/// let (below, above) =
+///     (wave_constant(ProjectionNorm::L2, 0.5, 16)?, projection_constant(0.5, Tolerance::balanced())?);
+/// assert!(below.value < found.scaled.value && found.share(above)?.value < 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::CountOutOfRange`] unless N is a multiple of 8, and as [`projection_norm_on_cells`].
 pub fn supremum_rate(norm: ProjectionNorm, r: f64, elements: usize, cells: usize) -> Result<SupremumRate> {

@@ -18,6 +18,29 @@ use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_for
 /// Kept in units of the function: lengths and values divided by powers of two near the length of the interval
 /// and near the largest value. The ratios do not depend on either, and neither squares of tiny values nor
 /// short elements underflow.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
+/// use signorini::interpolation::{ElementMesh, InterpolationError, SampleSlope, power_slope};
+/// // u = x²/2 on (0, 1), slope x: e = x(x−1)/2, ‖e‖₀² = 1/120, ‖e'‖₀² = 1/12, |u|_{3/2} = 1
+/// let order = FractionalOrder::HALF;
+/// let cells = Partition::uniform(2, 1.0)?;
+/// let slope = PiecewisePolynomial::linears(cells.clone(), &[0.0, 0.5, 1.0])?;
+/// let found = InterpolationError::of_slope(&slope, order, Tolerance::balanced())?;
+/// assert!((found.l2()?.value.powi(2) - 1.0 / 120.0).abs() < 1e-9 && found.h() == 1.0);
+/// assert!((found.derivative()?.value.powi(2) - 1.0 / 12.0).abs() < 1e-9);
+/// assert!((found.seminorm()?.value - 1.0).abs() < 1e-8);
+/// let [l2, derivative, h1] = found.ratios()?.map(|ratio| ratio.value);
+/// assert!(l2 == found.l2_ratio()?.value && derivative == found.derivative_ratio()?.value);
+/// assert!(h1 == found.h1_ratio()?.value && h1 < 1.0);
+/// // in closed form; on two elements; and any number of them for a slope in closed form
+/// assert!((power_slope(1.0, order)?.l2()?.value - found.l2()?.value).abs() < 1e-9);
+/// let mesh = ElementMesh::uniform(2, 1)?;
+/// let halved = InterpolationError::on_elements(&slope, &mesh, order, Tolerance::balanced())?;
+/// let sample = InterpolationError::of_sample(SampleSlope::Power(1.0), &cells, order)?;
+/// assert!((halved.l2()?.value / sample.l2()?.value - 1.0).abs() < 1e-8);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InterpolationError {
     l2: Estimate,

@@ -61,6 +61,17 @@ impl Grading {
 }
 
 /// An endless sequence of slopes on (0, 1).
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{InterpolationError, RoughFamily, RoughSlopes};
+/// let order = FractionalOrder::HALF;
+/// assert!(!RoughFamily::admissible(order).contains(&RoughFamily::Steps)); // steps are not in H^{1/2}
+/// let slope = RoughSlopes::new(RoughFamily::Linears, order, 7).draw()?;
+/// let found = InterpolationError::of_slope(&slope, order, Tolerance::fast())?;
+/// assert!(found.derivative_ratio()?.value < 0.2916);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct RoughSlopes {
     family: RoughFamily,

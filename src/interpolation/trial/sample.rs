@@ -24,6 +24,15 @@ use std::str::FromStr;
 const WAVE_DEGREE: usize = 9;
 
 /// A slope on (0, 1) whose norms are known to rounding.
+///
+/// ```
+/// use signorini::{interpolation::SampleSlope, sobolev::FractionalOrder};
+/// let slope: SampleSlope = SampleSlope::Power(1.0);
+/// assert!(slope.value(0.25) == 0.25 && (slope.seminorm(FractionalOrder::HALF)?.value - 1.0).abs() < 1e-12);
+/// let rough = SampleSlope::barely_in(0.5)?; // x^{0.005}
+/// assert!(rough.seminorm(FractionalOrder::new(0.51)?).is_err());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SampleSlope {
     /// x^a, a > −1/2.

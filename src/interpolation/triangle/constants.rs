@@ -173,6 +173,16 @@ fn limit(levels: &[(usize, f64)]) -> f64 {
 ///
 /// Source: Kobayashi, in Proc. Symp. RIMS 1733 (2011) 58-77; 0.4915960 for the right isosceles triangle with
 /// legs 1, where Babuska and Aziz have 0.4929.
+///
+/// ```
+/// use signorini::interpolation::{TriangleConstants, TriangleExtremal, TriangleShape, kobayashi};
+/// let shape = TriangleShape::right_isosceles()?;
+/// let best = TriangleConstants::at_one(&shape, 10)?.derivative;
+/// assert!((kobayashi(&shape) - 0.491_596_0).abs() < 1e-7 && best.lower < kobayashi(&shape));
+/// let extremal: &TriangleExtremal = &best.extremal;
+/// assert!(extremal.value([1.0, 0.0, 0.0]).abs() < 1e-9); // zero at the corners
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn kobayashi(shape: &TriangleShape) -> f64 {
     let [f, t] = shape.frame(0);
     let squares = [f, t, [f[0] + t[0], f[1] + t[1]]].map(|e| e[0] * e[0] + e[1] * e[1]);

@@ -66,6 +66,13 @@ impl TriangleShape {
     }
 
     /// Corners divided by the longest edge, the first at the origin.
+    ///
+    /// ```
+    /// let shape = signorini::interpolation::TriangleShape::new([[1.0, 1.0], [5.0, 1.0], [1.0, 4.0]])?;
+    /// assert_eq!(shape.size(), 5.0);
+    /// assert_eq!(shape.unit_corners()[0], [0.0, 0.0]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn unit_corners(&self) -> [[f64; 2]; 3] {
         self.corners
     }

@@ -72,6 +72,15 @@ pub fn moment_norm(
 
 /// The same given the length of the zone in place of what it leaves, for zones down to 1e-300.
 ///
+/// ```
+/// use signorini::{Tolerance, poincare::{Moment, moment_norm, moment_norm_beside}, sobolev::FractionalOrder};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// let left = moment_norm(order, 0.75, Moment::Mass, asked)?.value;
+/// let zone = moment_norm_beside(order, 0.25, Moment::Mass, asked)?.value;
+/// assert!((left / zone - 1.0).abs() < 1e-8);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As for [`moment_norm`], with the zone's length in place of e.
 pub fn moment_norm_beside(
@@ -104,6 +113,13 @@ fn on(
 
 /// The w with |w|_ν = 1 for which the moment is attained, as a function of the distance from the free end
 /// subtracted from 1: it vanishes on (0, 1 − e). On a space for the tolerance asked for.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Moment, moment_extremal}, sobolev::FractionalOrder};
+/// let w = moment_extremal(FractionalOrder::HALF, 0.5, Moment::Mass, Tolerance::fast())?;
+/// assert!(w.value(0.25).abs() < 1e-12 && w.value(1.0).abs() > 0.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As for [`moment_norm`].

@@ -40,6 +40,15 @@ pub struct MomentBounds {
 }
 
 /// The strong form for one order; serves all zones.
+///
+/// ```
+/// use signorini::poincare::{Moment, StrongForm, half_order_moment};
+/// use signorini::sobolev::FractionalOrder;
+/// let bounds = StrongForm::new(FractionalOrder::HALF)?.moment(0.5, Moment::Mass)?;
+/// let exact = half_order_moment(0.5, Moment::Mass)?;
+/// assert!(bounds.lower <= exact.value + exact.error && exact.value - exact.error <= bounds.upper);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub struct StrongForm {
     nu: f64,
     points: Vec<Collocation>,

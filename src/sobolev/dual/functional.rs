@@ -48,6 +48,17 @@ const MAX_ELEMENTS: usize = 40_000;
 /// sup ⟨f, v⟩/||v||_ν (Slobodeckij) over the piecewise linears of a mesh, from the values ⟨f, φ_i⟩ on its N +
 /// 1 hats.
 ///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::sobolev::{FractionalOrder, Partition, dual_norm_of_functional};
+/// // v ↦ ∫ v on (0, 1), by its values on the hats: the supremum is attained by the constant
+/// let mesh = Partition::uniform(4, 1.0)?;
+/// let load = [0.125, 0.25, 0.25, 0.25, 0.125];
+/// let found = dual_norm_of_functional(&mesh, FractionalOrder::HALF, &load, Tolerance::balanced())?;
+/// assert!((found.value - 1.0).abs() < 1e-8);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::NotPositiveDefinite`],
 /// [`Error::ToleranceNotMet`].

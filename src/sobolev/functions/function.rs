@@ -14,6 +14,16 @@ use crate::numeric::scale::power_of_two;
 const SAMPLES: usize = 16;
 
 /// A point of the interval, known by its distance to the nearest break point.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, Position, SingularFunction}};
+/// // (x − 1/2) on both sides of the break 1/2, exact however close to it
+/// let f = |at: Position| if at.anchor() == 1 { at.offset() } else { at.x() - 0.5 };
+/// let u = SingularFunction::from_positions(&[0.0, 0.5, 1.0], f)?;
+/// assert!((u.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value - 1.0).abs() < 1e-4);
+/// assert!(u.breaks().len() == 3 && u.length() == 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Position {
     x: f64,
@@ -103,6 +113,19 @@ impl<'a> SingularFunction<'a> {
     ///
     /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
     /// are.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction, closed_forms}};
+    /// // |ln x|^0.45, nearly not in H^{1/2}: what lies below x = 1e-300 counts
+    /// let u = SingularFunction::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.log_distance()).powf(0.45),
+    ///     _ => (-at.offset().ln_1p()).powf(0.45),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`SingularFunction::new`].

@@ -60,6 +60,17 @@ impl SingularFunction<'_> {
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
+    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x * x / 2.0)?;
+    /// let slope = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
+    /// // ||x||²_{1/2} = 1/3 + 1, and ||x²/2||²_{3/2} = 1/20 + 1/3 + 1
+    /// assert!((slope.norm(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-7);
+    /// assert!((u.norm_with_derivative(&slope, order, asked)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-7);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`SingularFunction::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
@@ -97,6 +108,16 @@ impl SingularFunction<'_> {
     }
 
     /// ||u||_{L^q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::SingularFunction};
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| 1.0 - x)?;
+    /// let asked = Tolerance::balanced();
+    /// assert!((u.l2_norm(asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-8);
+    /// assert!((u.lq_norm(4.0, asked)?.value - 0.2f64.powf(0.25)).abs() < 1e-8);
+    /// assert!((u.mean(asked)?.value - 0.5).abs() < 1e-8);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].

@@ -39,6 +39,25 @@ pub fn gram_constants(partition: &Partition, order: FractionalOrder) -> Result<M
 }
 
 /// Gram matrix of |·|_ν for the hat functions of all N + 1 nodes.
+///
+/// ```
+/// use signorini::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
+/// use signorini::sobolev::{mass_constants, mass_linears};
+/// let mesh = Partition::uniform(2, 1.0)?;
+/// let a = gram_linears(&mesh, FractionalOrder::HALF);
+/// // the identity, whose squared seminorm is one; constants are in the kernel
+/// let x = [0.0, 0.5, 1.0];
+/// let row = |i: usize| (0..3).map(|j| a[(i, j)] * x[j]).sum::<f64>();
+/// let squared: f64 = (0..3).map(|i| row(i) * x[i]).sum();
+/// assert!((squared - 1.0).abs() < 1e-14);
+/// assert!((a[(0, 0)] + a[(0, 1)] + a[(0, 2)]).abs() < 1e-14);
+/// let b = gram_constants(&mesh, FractionalOrder::new(0.25)?)?;
+/// assert!((b[(0, 0)] + b[(0, 1)]).abs() < 1e-13);
+/// assert_eq!(mass_constants(&mesh), [0.5, 0.5]);
+/// let (diagonal, beside) = mass_linears(&mesh);
+/// assert!((diagonal.iter().sum::<f64>() + 2.0 * beside.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> Mat<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();

@@ -30,6 +30,21 @@ enum OffBand {
 }
 
 /// A Gram matrix of |·|_ν that can be applied to vectors.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, GramOperator, Partition}};
+/// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::balanced());
+/// let mesh = Partition::uniform(1000, 1.0)?;
+/// let [fast, tree] = [
+///     GramOperator::linears(&mesh, order, asked)?,
+///     GramOperator::linears_hierarchical(&mesh, order, asked)?, // the road of graded meshes
+/// ];
+/// assert!(fast.is_uniform() && !tree.is_uniform() && fast.dimension() == 1001);
+/// assert!((fast.diagonal()[7] / tree.diagonal()[7] - 1.0).abs() < 1e-12);
+/// assert!(fast.bytes() < tree.bytes());
+/// assert_eq!(GramOperator::constants(&mesh, order, asked)?.dimension(), 1000);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub struct GramOperator {
     band: Band,
     rest: OffBand,

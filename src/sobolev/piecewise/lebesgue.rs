@@ -35,6 +35,20 @@ impl PiecewisePolynomial {
 
     /// ||u||_{L^q}, 1 ≤ q ≤ ∞.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{Partition, PiecewisePolynomial}};
+    /// let asked = Tolerance::balanced();
+    /// // x² is of degree two: interpolated exactly; its derivative 2x is restricted to (1/2, 1)
+    /// let u = PiecewisePolynomial::interpolate(Partition::uniform(2, 1.0)?, 2, |x| x * x)?;
+    /// assert!(u.degree() == 2 && u.is_continuous());
+    /// assert!((u.mean(asked)?.value - 1.0 / 3.0).abs() < 1e-14);
+    /// assert!((u.lq_norm(3.0, asked)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);
+    /// assert!((u.lq_norm(f64::INFINITY, asked)?.value - 1.0).abs() < 1e-8);
+    /// let slope = u.derivative()?.restrict(1..2)?;
+    /// assert!((slope.value(0, 1.0)? - 2.0).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN; [`Error::ToleranceNotMet`].
     pub fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {

@@ -48,6 +48,19 @@ impl PiecewisePolynomial {
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
+    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::reference());
+    /// // x²/2 as end values and a bubble: x²/2 = x/2 − x(1−x)/2
+    /// let mesh = Partition::uniform(1, 1.0)?;
+    /// let u = PiecewisePolynomial::with_bubbles(mesh.clone(), &[[0.0, 0.5]], vec![vec![-0.5]])?;
+    /// let slope = PiecewisePolynomial::discontinuous_linears(mesh, &[[0.0, 1.0]])?;
+    /// assert!((slope.l2_norm(asked)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-14);
+    /// assert!((slope.norm(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-12);
+    /// assert!((u.norm_with_derivative(&slope, order, asked)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
     pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {

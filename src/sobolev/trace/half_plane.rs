@@ -49,6 +49,10 @@ pub fn half_plane_trace(order: FractionalOrder) -> Result<Estimate> {
 }
 
 /// √(2π), the best constant for s = 1 with ‖∇w‖ on the right: half-plane and square.
+///
+/// ```
+/// assert!((signorini::sobolev::half_plane_trace_at_one().powi(2) - std::f64::consts::TAU).abs() < 1e-14);
+/// ```
 pub fn half_plane_trace_at_one() -> f64 {
     (2.0 * PI).sqrt()
 }

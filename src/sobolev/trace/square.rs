@@ -68,6 +68,13 @@ impl SquareTrace {
 
     /// s = 1 with ‖∇w‖²: the first modes cos(kπx), k = 1, ..., and their harmonic extensions.
     ///
+    /// ```
+    /// use signorini::sobolev::{SquareTrace, half_plane_trace_at_one};
+    /// let found = SquareTrace::at_one(20)?.largest();
+    /// assert!(found.value <= half_plane_trace_at_one().powi(2) + found.error);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for fewer than 2 or more than 200 modes.
     pub fn at_one(modes: usize) -> Result<Self> {

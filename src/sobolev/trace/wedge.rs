@@ -61,6 +61,17 @@ impl WedgeTrace {
 
     /// The half-plane with even boundary values.
     ///
+    /// ```
+    /// use signorini::sobolev::{FractionalOrder, WedgeTrace, half_plane_trace};
+    /// let s = FractionalOrder::new(0.75)?;
+    /// let flat = WedgeTrace::half_plane(s)?.quotient(2.0)?;
+    /// assert!(flat.value <= half_plane_trace(s)?.value.powi(2) + flat.error);
+    /// // s = 1, the mode τ → ∞ of any corner: 2π
+    /// let deep = WedgeTrace::quotient_at_one(1.0, 100.0)?;
+    /// assert!((deep / std::f64::consts::TAU - 1.0).abs() < 0.01);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::OutOfRange`] for s ≤ 1/2.
     pub fn half_plane(order: FractionalOrder) -> Result<Self> {

@@ -26,11 +26,14 @@ impl SingularPlaneFunction<'_> {
     /// The seminorm |w|_s.
     ///
     /// ```
-    /// use signorini::sobolev::{FractionalOrder, SingularPlaneFunction, Triangles,
-    /// coordinate_on_unit_square}; use signorini::Tolerance; let square = Triangles::grid([1, 1], 1.0)?; let
-    /// x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?; let order = FractionalOrder::new(0.7)?;
-    /// let norm = x.seminorm(order, Tolerance::balanced())?; let exact =
-    /// coordinate_on_unit_square(order)?.sqrt()?; assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
+    /// use signorini::sobolev::{FractionalOrder, SingularPlaneFunction, Triangles, coordinate_on_unit_square};
+    /// use signorini::Tolerance;
+    /// let square = Triangles::grid([1, 1], 1.0)?;
+    /// let x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?;
+    /// let order = FractionalOrder::new(0.7)?;
+    /// let norm = x.seminorm(order, Tolerance::balanced())?;
+    /// let exact = coordinate_on_unit_square(order)?.sqrt()?;
+    /// assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
@@ -43,6 +46,21 @@ impl SingularPlaneFunction<'_> {
     }
 
     /// The norm of order s.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularPlaneFunction, Triangles}};
+    /// let (order, asked) = (FractionalOrder::new(0.3)?, Tolerance::balanced());
+    /// let on_square = |f: fn(f64) -> f64| {
+    ///     SingularPlaneFunction::new(Triangles::grid([1, 1], 1.0)?, &[], move |at| f(at.x()[0]))
+    /// };
+    /// let (x, one, zero) = (on_square(|x| x)?, on_square(|_| 1.0)?, on_square(|_| 0.0)?);
+    /// let (l2, full) = (x.l2_norm(asked)?.value, x.norm(order, asked)?.value);
+    /// assert!((l2 - 1.0 / 3f64.sqrt()).abs() < 1e-8 && full > l2);
+    /// // of order 1 + s: the gradient (1, 0) adds its L² norm, one
+    /// let both = x.norm_with_gradient([&one, &zero], order, asked)?.value;
+    /// assert!((both.powi(2) - 4.0 / 3.0).abs() < 1e-7 && x.mesh().area() == 1.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`SingularPlaneFunction::seminorm`].
