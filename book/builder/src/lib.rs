@@ -26,6 +26,7 @@ pub mod number;
 pub mod options;
 pub mod page;
 pub mod paper;
+pub mod pdf;
 pub mod print;
 pub mod scan;
 pub mod search;

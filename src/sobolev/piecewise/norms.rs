@@ -1,15 +1,5 @@
 //! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments as for
 //! functions.
-//!
-//! |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m = 0, 1.
-//!
-//! Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j} a_ij
-//! (u_i−u_j)², which uses that constants have seminorm zero and so keeps its digits when u is nearly
-//! constant; other degrees are integrated pair by pair ([`super::pairs`]). Everything is exact to rounding;
-//! the [`Tolerance`] is what the rounding is held against. Cost O(N²) kernel values, without a stored matrix;
-//! beyond 3000 elements constants and linears take the fast product xᵀAx, whose rounding is relative to Σ
-//! a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds) where that rounding exceeds
-//! the tolerance.
 
 use super::pairs::{Cell, PairSum, PolynomialPairs};
 use super::polynomial::PiecewisePolynomial;
@@ -39,14 +29,42 @@ const LIMIT: &str = "rounding of the form; fewer elements or a smoother function
 impl PiecewisePolynomial {
     /// The seminorm |u|_ν.
     ///
+    /// # Method
+    ///
+    /// ```text
+    /// |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m < 2.
+    /// ```
+    ///
+    /// Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j}
+    /// a_ij (u_i−u_j)², which uses that constants have seminorm zero and so keeps its digits when u is nearly
+    /// constant; other degrees are integrated pair by pair (`pairs`). Everything is exact to rounding; the
+    /// [`Tolerance`] is what the rounding is held against. Cost O(N²) kernel values, without a stored matrix;
+    /// beyond 3000 elements constants and linears take the fast product xᵀAx, whose rounding is relative to Σ
+    /// a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds) where that rounding
+    /// exceeds the tolerance.
+    ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
+    #[doc(alias("Gagliardo", "Slobodeckij"))]
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
+    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::reference());
+    /// // x²/2 as end values and a bubble: x²/2 = x/2 − x(1−x)/2
+    /// let mesh = Partition::uniform(1, 1.0)?;
+    /// let u = PiecewisePolynomial::with_bubbles(mesh.clone(), &[[0.0, 0.5]], vec![vec![-0.5]])?;
+    /// let slope = PiecewisePolynomial::discontinuous_linears(mesh, &[[0.0, 1.0]])?;
+    /// assert!((slope.l2_norm(asked)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-14);
+    /// assert!((slope.norm(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-12);
+    /// assert!((u.norm_with_derivative(&slope, order, asked)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
@@ -102,8 +120,8 @@ impl PiecewisePolynomial {
         power_of_two(self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max))
     }
 
-    /// A power of two near the largest difference of two values: squares of differences of a few ulps must not
-    /// underflow.
+    /// A power of two near the largest difference of two values: squares of differences of a few ulps must
+    /// not underflow.
     fn spread(&self) -> f64 {
         let (mut low, mut high, mut bubbles) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
         for piece in self.pieces() {
