@@ -8,6 +8,19 @@ use std::str::FromStr;
 const SHORTEST: f64 = 1e-300;
 
 /// A zone (a, a+θ) in (0,1), kept as its three lengths a, θ and 1 − a − θ.
+///
+/// ```
+/// use signorini::poincare::{Place, Zone, Zones};
+/// let zone = Zone::centred(0.5)?;
+/// assert_eq!((zone.start(), zone.length(), zone.rest()), (0.25, 0.5, 0.25));
+/// assert!(!zone.is_at_an_end() && Zone::at(0.5, 0.5)?.is_at_an_end());
+/// assert_eq!((Place::Centre.point(), Place::Centre.zone(0.5)?), (0.5, zone));
+/// // a union of intervals
+/// let zones = Zones::union(&[(0.125, 0.25), (0.5, 0.125)])?;
+/// assert_eq!(zones.mirrored().intervals(), [(0.375, 0.125), (0.625, 0.25)]);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("interval", "subinterval"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zone {
     start: f64,

@@ -20,6 +20,7 @@ mod dual;
 mod energy;
 mod functions;
 mod gallery;
+mod grading;
 mod gram;
 mod kernel;
 mod order;

@@ -1,10 +1,4 @@
 //! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
-//!
-//! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
-//! break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
-//! the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
-//! ([`super::log_energy`]). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
-//! that takes a [`Position`] sees the distance itself, or its logarithm.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
@@ -14,6 +8,16 @@ use crate::numeric::scale::power_of_two;
 const SAMPLES: usize = 16;
 
 /// A point of the interval, known by its distance to the nearest break point.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, Position, SingularFunction}};
+/// // (x − 1/2) on both sides of the break 1/2, exact however close to it
+/// let f = |at: Position| if at.anchor() == 1 { at.offset() } else { at.x() - 0.5 };
+/// let u = SingularFunction::from_positions(&[0.0, 0.5, 1.0], f)?;
+/// assert!((u.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value - 1.0).abs() < 1e-4);
+/// assert!(u.breaks().len() == 3 && u.length() == 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Position<'a> {
     breaks: &'a [f64],
@@ -47,7 +51,7 @@ impl Position<'_> {
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
     /// // ln|x - 3/10|, its square root at the left end
     /// let u = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| {
-    ///     at.distance_to(0).sqrt() * at.distance_to(1).ln()
+    ///     at.distance_to(0).sqrt() * at.log_distance_to(1)
     /// })?;
     /// let found = u.seminorm(FractionalOrder::new(0.4)?, Tolerance::fast())?;
     /// assert!(found.relative_error() <= 1e-4);
@@ -76,6 +80,23 @@ impl Position<'_> {
 }
 
 /// A real function on an interval whose singular points are declared.
+///
+/// # Method
+///
+/// The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
+/// break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
+/// the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
+/// (`log_energy`). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
+/// that takes a [`Position`] sees the distance itself, or its logarithm.
+#[doc(alias(
+    "Gagliardo",
+    "Slobodeckij",
+    "Gagliardo seminorm",
+    "fractional Sobolev",
+    "H1/2",
+    "H^s",
+    "closure"
+))]
 pub struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
@@ -133,6 +154,19 @@ impl<'a> SingularFunction<'a> {
     ///
     /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
     /// are.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction, closed_forms}};
+    /// // |ln x|^0.45, nearly not in H^{1/2}: what lies below x = 1e-300 counts
+    /// let u = SingularFunction::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.log_distance()).powf(0.45),
+    ///     _ => (-at.offset().ln_1p()).powf(0.45),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`SingularFunction::new`].

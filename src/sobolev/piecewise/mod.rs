@@ -7,6 +7,7 @@ mod pairs;
 mod polynomial;
 mod rearrangement;
 mod sorting;
+mod squares;
 
 #[cfg(feature = "contact")]
 pub(crate) use lebesgue::linear_power;

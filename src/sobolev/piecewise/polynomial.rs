@@ -1,8 +1,4 @@
 //! Piecewise polynomials on a [`Partition`].
-//!
-//! On an element of length h, with t ∈ (0, 1) from left to right,
-//! u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
-//! then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite_at, require_length};
@@ -26,6 +22,11 @@ pub(crate) struct Piece {
 }
 
 /// A polynomial on every element of a partition.
+///
+/// On an element of length h, with t ∈ (0, 1) from left to right,
+/// u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
+/// then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
+#[doc(alias("Gagliardo", "Slobodeckij", "fractional Sobolev", "H1/2", "P1", "P0", "finite element"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct PiecewisePolynomial {
     partition: Partition,
@@ -91,9 +92,8 @@ impl PiecewisePolynomial {
         Ok(Self { partition, pieces })
     }
 
-    /// The polynomial of the given degree on every element that agrees with f at the nodes and whose bubbles
-    /// are the L²(t(1−t)) projection of the rest; continuous. f is called with the distance from the left
-    /// end.
+    /// Polynomials of the given degree that agree with f at the nodes and whose bubbles are the L²(t(1−t))
+    /// projection of the rest; continuous. f is called with the distance from the left end.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
