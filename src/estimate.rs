@@ -10,6 +10,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// Requested relative accuracy, in [1e-15, 0.1].
+#[doc(alias("accuracy", "precision", "relative tolerance"))]
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance(f64);
 

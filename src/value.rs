@@ -49,6 +49,7 @@ impl AddAssign for Work {
 }
 
 /// A number with an honest absolute error estimate and the work it took.
+#[doc(alias("error bound", "interval"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// The value; finite.

@@ -1,8 +1,4 @@
 //! Elements made of cells: functions live on the cells, I^h and π^h on the elements.
-//!
-//! (u − I^h u)' = u' − π^h u' on every element: Lagrange interpolation of u is the P0 projection of its
-//! slope. One mesh and one set of forms therefore serve Lemma 6.2 (Lagrange) and (4.6), (4.7) (P0
-//! projection).
 
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
@@ -10,6 +6,12 @@ use crate::sobolev::{Partition, PiecewisePolynomial};
 use std::ops::Range;
 
 /// A partition into cells, grouped into elements.
+///
+/// # Method
+///
+/// (u − I^h u)' = u' − π^h u' on every element: Lagrange interpolation of u is the P0 projection of its
+/// slope. One mesh and one set of forms therefore serve Lemma 6.2 (Lagrange) and (4.6), (4.7) (P0
+/// projection).
 ///
 /// ```
 /// use signorini::{interpolation::{ElementMesh, lagrange}, sobolev::Partition};
@@ -123,6 +125,7 @@ impl ElementMesh {
 ///
 /// # Errors
 /// [`Error::NotFinite`] for a value of u.
+#[doc(alias("nodal interpolation"))]
 pub fn lagrange(mesh: &Partition, u: impl Fn(f64) -> f64) -> Result<PiecewisePolynomial> {
     PiecewisePolynomial::interpolate(mesh.clone(), 1, u)
 }

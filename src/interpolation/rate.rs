@@ -48,6 +48,7 @@ pub fn observed_rates(meshes: &[(usize, Estimate)]) -> Result<Vec<Option<Estimat
 ///
 /// # Errors
 /// As [`observed_rates`].
+#[doc(alias("convergence rate", "order of convergence", "EOC"))]
 pub fn observed_rate(meshes: [(usize, Estimate); 3]) -> Result<Estimate> {
     let none = Error::CountOutOfRange { name: "meshes", value: 0, range: "3" };
     observed_rates(&meshes)?.last().copied().flatten().ok_or(none)

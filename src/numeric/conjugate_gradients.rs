@@ -56,6 +56,7 @@ pub enum Step {
 /// assert!(x == [3.0, 2.0] && iteration.rho() == 0.0);
 /// # Ok::<(), signorini::Error>(())
 /// ```
+#[doc(alias("CG", "PCG"))]
 #[derive(Debug, Clone)]
 pub struct ConjugateGradients {
     /// b − A x.

@@ -41,7 +41,7 @@ pub fn series(coefficients: impl IntoIterator<Item = f64>, x: f64) -> f64 {
     sum
 }
 
-/// (Σ c_k P_k(x), Σ c_k P_k'(x)), by P'_{k+1} = (2k+1) P_k + P'_{k−1}.
+/// (Σ c_k P_k(x), Σ c_k P_k'(x)), by P'\_{k+1} = (2k+1) P_k + P'\_{k−1}.
 pub fn series_with_slope(coefficients: impl IntoIterator<Item = f64>, x: f64) -> (f64, f64) {
     let (mut previous, mut current) = (0.0, 1.0);
     let (mut previous_slope, mut slope) = (0.0, 0.0);

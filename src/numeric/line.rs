@@ -10,6 +10,7 @@
 /// let rate = Line::through_logarithms(&[(0.1, 0.03), (0.05, 0.0075), (0.025, 0.001875)]);
 /// assert!((rate.slope - 2.0).abs() < 1e-12);
 /// ```
+#[doc(alias("linear regression", "least squares"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
     /// s.

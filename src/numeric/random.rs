@@ -8,6 +8,7 @@
 /// assert!((0..100).all(|_| a.uniform() == b.uniform())); // one seed, one sequence, on every machine
 /// assert!((2.0..3.0).contains(&a.between(2.0, 3.0)) && a.below(6) < 6);
 /// ```
+#[doc(alias("random number generator"))]
 #[derive(Debug, Clone)]
 pub struct SplitMix {
     state: u64,

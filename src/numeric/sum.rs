@@ -38,6 +38,7 @@ impl RunningSum {
 /// let (a, b) = ([1e200, 1.0], [1e-200, 2.0]);
 /// assert!(pairwise_dot(&a, &b) == 3.0 && (careful_dot(&a, &b) - 3.0).abs() < 1e-15);
 /// ```
+#[doc(alias("Kahan", "Neumaier"))]
 pub fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
     let mut sum = RunningSum::default();
     terms.into_iter().for_each(|term| sum.add(term));

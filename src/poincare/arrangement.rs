@@ -1,9 +1,4 @@
 //! Which set E of given measure has the largest constant: the zone at an end, by rearrangement.
-//!
-//! For 0 < ν < 1 and every measurable E of measure θ, γ_E(ν) ≤ γ_(0,θ)(ν), for functions with mean zero on E
-//! and for those that vanish there: |v*|_ν ≤ |v|_ν for the decreasing rearrangement v*, whose mean over (0,θ)
-//! is the largest over all sets of measure θ. Here both sides for random unions of intervals, and where along
-//! the interval a single zone has its least constant.
 
 use super::constant::{gamma, gamma_whole};
 use super::zone::{Condition, Zone};
@@ -25,6 +20,13 @@ const SPREAD: f64 = 30.0;
 const LEAST_ORDER: f64 = 1e-3;
 
 /// A zone with its order and condition.
+///
+/// # Method
+///
+/// For 0 < ν < 1 and every measurable E of measure θ, γ_E(ν) ≤ γ_(0,θ)(ν), for functions with mean zero on E
+/// and for those that vanish there: |v*|_ν ≤ |v|_ν for the decreasing rearrangement v*, whose mean over (0,θ)
+/// is the largest over all sets of measure θ. Here both sides for random unions of intervals, and where along
+/// the interval a single zone has its least constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZoneCase {
     /// The order ν.

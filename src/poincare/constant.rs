@@ -1,9 +1,4 @@
 //! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and extremal function.
-//!
-//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
-//! pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
-//! every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
-//! their difference is mostly the error of the coarser one. Cost: a few hundred unknowns, whatever θ.
 
 use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
@@ -26,6 +21,13 @@ const COARSER: f64 = 4.0;
 /// γ_θ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy `condition` on `zone`, an interval or a union of
 /// intervals.
 ///
+/// # Method
+///
+/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
+/// pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
+/// every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
+/// their difference is mostly the error of the coarser one. Cost: a few hundred unknowns, whatever θ.
+///
 /// ```
 /// use signorini::{Tolerance, poincare::{Condition, Zone, gamma}, sobolev::FractionalOrder};
 /// let whole = gamma(FractionalOrder::HALF, Zone::end(1.0)?, Condition::MeanZero, Tolerance::balanced())?;
@@ -39,6 +41,7 @@ const COARSER: f64 = 4.0;
 /// [`Error::ToleranceNotMet`] when rounding (about 2e-13, up to 5e-11 for very short zones inside; for
 /// several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the
 /// tolerance.
+#[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs"))]
 pub fn gamma(
     order: FractionalOrder,
     zone: impl Into<Zones>,
@@ -108,6 +111,7 @@ pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> R
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`] as for [`gamma`].
+#[doc(alias("Poincare constant", "Poincare-Wirtinger"))]
 pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
     gamma(order, Zone::end(1.0)?, Condition::MeanZero, tolerance)
 }
@@ -127,6 +131,7 @@ pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estim
 ///
 /// # Errors
 /// As for [`gamma`].
+#[doc(alias("H-1/2"))]
 pub fn dual_norm(
     order: FractionalOrder,
     zone: impl Into<Zones>,
@@ -184,6 +189,7 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
 ///
 /// # Errors
 /// As for [`gamma`].
+#[doc(alias("eigenfunction", "minimiser"))]
 pub fn extremal(
     order: FractionalOrder,
     zone: impl Into<Zones>,

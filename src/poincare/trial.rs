@@ -79,11 +79,12 @@ pub struct TruncatedFamily {
     pub slope: Option<Estimate>,
 }
 
-/// Remark 5 prints |w|_{1/2} ≤ ‖w‖_{1/2} = ‖v‖_{1/2} ≤ 1/n for v = u_n/n = 1 − w, ‖u‖_{1/2} = 1: with full
-/// norms the middle is false, since ‖w‖_{1/2} ≥ ‖w‖₀ ≥ 1 − 1/n. |w| = |v| ≤ ‖v‖_{1/2} ≤ 1/n repairs it.
+/// Remark 5 prints |w|\_{1/2} ≤ ‖w‖\_{1/2} = ‖v‖\_{1/2} ≤ 1/n for v = u_n/n = 1 − w, ‖u‖\_{1/2} = 1: with
+/// full norms the middle is false, since ‖w‖\_{1/2} ≥ ‖w‖₀ ≥ 1 − 1/n. |w| = |v| ≤ ‖v‖\_{1/2} ≤ 1/n repairs
+/// it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormChain {
-    /// n |w|_{1/2} over |u|_{1/2}: at most one, since truncation lowers the seminorm.
+    /// n |w|\_{1/2} over |u|\_{1/2}: at most one, since truncation lowers the seminorm.
     pub truncation: f64,
     /// n |w|_{1/2}, at most one: the repaired chain.
     pub repaired: f64,
@@ -91,7 +92,7 @@ pub struct NormChain {
     pub printed: f64,
 }
 
-/// (2α − 1)/α² · 3/(2π²): the limit of (‖w‖₀/|w|_{1/2})² / L for the functions [`truncated_logarithm`] with
+/// (2α − 1)/α² · 3/(2π²): the limit of (‖w‖₀/|w|\_{1/2})² / L for the functions [`truncated_logarithm`] with
 /// α > 1/2, largest at α = 1, where it is that of γ². In t = |ln x| the seminorm is (2π²/3) ∫ ψ'(t)² dt to
 /// leading order, ψ = (t/L)^α.
 pub fn truncated_slope(alpha: f64) -> f64 {

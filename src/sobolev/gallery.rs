@@ -1,7 +1,5 @@
 //! Functions whose norms are worth knowing, by name: `power:0.3`, `step:0.4`, `hat`, `log:0.25`,
 //! `samples:FILE`.
-//!
-//! All but samples live on (0, 1). Where |u|_ν is finite, [`GalleryFunction::is_in`] says.
 
 use super::closed_forms;
 use super::functions::{Position, SingularFunction};
@@ -16,6 +14,10 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// A function by name.
+///
+/// # Method
+///
+/// All but samples live on (0, 1). Where |u|_ν is finite, [`GalleryFunction::is_in`] says.
 ///
 /// ```
 /// use signorini::{Tolerance, sobolev::{FractionalOrder, GalleryFunction}};

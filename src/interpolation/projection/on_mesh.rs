@@ -1,7 +1,4 @@
 //! sup ‖φ − π^h φ‖ / |φ|_r over φ ∈ H^r(0, 1) on N equal elements, without powers of h.
-//!
-//! Between N and 2N it falls at the rate r or r + 1/2: not slower by (4.6), (4.7), not faster for any
-//! estimate of this form. From piecewise linears on cells, as in Lemma 6.2; dense eigenproblems.
 
 use super::constant::ProjectionNorm;
 use crate::error::Result;
@@ -11,6 +8,11 @@ use crate::interpolation::extremal::{Forms, extremal, extremal_on_cells};
 use crate::interpolation::forms::{dual_projection_form, projection_form, seminorm_form};
 
 /// The supremum on `elements` equal elements: a lower bound, the supremum at most `error` above it.
+///
+/// # Method
+///
+/// Between N and 2N it falls at the rate r or r + 1/2: not slower by (4.6), (4.7), not faster for any
+/// estimate of this form. From piecewise linears on cells, as in Lemma 6.2; dense eigenproblems.
 ///
 /// ```
 /// use signorini::Tolerance;

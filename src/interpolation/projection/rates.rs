@@ -1,8 +1,4 @@
 //! The rates of (4.6) and (4.7) on two roads: of one function barely in H^r, and of the supremum over H^r.
-//!
-//! The function is x^{r−1/2+0.005}, whose own rate is r + 0.005; for r = 1 it is cos(πx), since x^{0.505}
-//! nears the rate 1 slowly. Beside the rates stand the constants that bound the supremum on every mesh, from
-//! above and by a wave from below.
 
 use super::constant::{ProjectionNorm, dual_projection_constant, projection_constant};
 use super::sample::{sample_projection_dual_error, sample_projection_error};
@@ -93,6 +89,12 @@ impl DualRates {
 }
 
 /// Everything that is needed for the rates of any order.
+///
+/// # Method
+///
+/// The function is x^{r−1/2+0.005}, whose own rate is r + 0.005; for r = 1 it is cos(πx), since x^{0.505}
+/// nears the rate 1 slowly. Beside the rates stand the constants that bound the supremum on every mesh, from
+/// above and by a wave from below.
 ///
 /// ```
 /// use signorini::interpolation::ProjectionStudy;

@@ -29,7 +29,7 @@ pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Est
     sample_norms(phi, mesh).map(|(_, projection)| projection)
 }
 
-/// ‖φ − π^h φ‖_{1/2,*} for φ in closed form, on elements of `cells_per_element` cells of the dual norm's
+/// ‖φ − π^h φ‖\_{1/2,*} for φ in closed form, on elements of `cells_per_element` cells of the dual norm's
 /// interval (0, 1).
 ///
 /// # Errors

@@ -1,7 +1,4 @@
 //! Remark 4: ‖φ − π^h φ‖₀ = h ‖φ'‖₀/√12 (1 + o(1)) for φ ∈ H¹, whatever the further smoothness.
-//!
-//! On an element of length h, φ − π^h φ is φ' times the distance from the centre to first order, of mean
-//! square h²/12.
 
 use super::rates::MESHES;
 use super::sample::sample_projection_error;
@@ -12,6 +9,11 @@ use crate::interpolation::trial::{InterpolationError, SampleSlope};
 use crate::sobolev::{FractionalOrder, Partition};
 
 /// ‖φ − π^h φ‖₀ / (h ‖φ'‖₀/√12) for φ = x^a on N equal elements of (0, 1): tends to 1.
+///
+/// # Method
+///
+/// On an element of length h, φ − π^h φ is φ' times the distance from the centre to first order, of mean
+/// square h²/12.
 ///
 /// ```
 /// use signorini::interpolation::{power_lagrange_rate, saturation_quotient};

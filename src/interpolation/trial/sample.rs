@@ -1,16 +1,5 @@
 //! Slopes with a closed-form or quadrature seminorm, and their interpolation errors on any element, without
 //! cancellation.
-//!
-//! | slope v = u' on (0, 1) | in H^ν(0,1) for |
-//! | --- | --- |
-//! | x^a | ν < a + 1/2 |
-//! | 0 below s, 1 above | ν < 1/2 |
-//! | cos(kπx) | all ν |
-//! | 1 | all ν; its ratios are 0/0 |
-//!
-//! ‖v − v̄‖ and ‖∫(v − v̄)‖ on (a, b) are integrated in the difference v(x) − v(x₀), x₀ an end of the
-//! element: powers by expm1, waves by the product of sines. Panels grow away from the singular point; 12
-//! Gauss points on each leave 1e-16.
 
 use super::panels::{PanelRules, Squares, panel_squares, panels};
 use crate::error::{Error, Result};
@@ -24,6 +13,19 @@ use std::str::FromStr;
 const WAVE_DEGREE: usize = 9;
 
 /// A slope on (0, 1) whose norms are known to rounding.
+///
+/// # Method
+///
+/// | slope v = u' on (0, 1) | in H^ν(0,1) for |
+/// | --- | --- |
+/// | x^a | ν < a + 1/2 |
+/// | 0 below s, 1 above | ν < 1/2 |
+/// | cos(kπx) | all ν |
+/// | 1 | all ν; its ratios are 0/0 |
+///
+/// ‖v − v̄‖ and ‖∫(v − v̄)‖ on (a, b) are integrated in the difference v(x) − v(x₀), x₀ an end of the
+/// element: powers by expm1, waves by the product of sines. Panels grow away from the singular point; 12
+/// Gauss points on each leave 1e-16.
 ///
 /// ```
 /// use signorini::{interpolation::SampleSlope, sobolev::FractionalOrder};

@@ -1,11 +1,5 @@
 //! Lemma 6.1 on a triangle: sup ‖∇(u − Iu)‖₀/|∇u|_s and sup ‖u − Iu‖₀/|∇u|_s, I linear interpolation at the
 //! corners.
-//!
-//! |∇u|_s² = ∫∫|∇u(x) − ∇u(y)|²/|x−y|^{2+2s}, 0 < s < 1; at s = 1 the norm ‖D²u‖₀, to which ((1−s) 2/π)^{1/2}
-//! |∇u|_s tends. A trial space ([`super::space`]) gives a lower bound: a generalised eigenvalue problem. The
-//! bounds of degrees p, p − 2, ... settle like p^{-k}, with k from three of them: the limit so found is the
-//! value, and its error is what that limit changed by from p − 2 to p, a part of the distance from the bound,
-//! and what the last direction of the powers still gave. [`super::upper`] is an upper bound.
 
 use super::extremal::{TriangleExtremal, largest_quotient};
 use super::shape::TriangleShape;
@@ -44,6 +38,14 @@ pub struct TriangleConstant {
 }
 
 /// Both constants of one triangle and one order.
+///
+/// # Method
+///
+/// |∇u|_s² = ∫∫|∇u(x) − ∇u(y)|²/|x−y|^{2+2s}, 0 < s < 1; at s = 1 the norm ‖D²u‖₀, to which ((1−s) 2/π)^{1/2}
+/// |∇u|_s tends. A trial space (`space`) gives a lower bound: a generalised eigenvalue problem. The
+/// bounds of degrees p, p − 2, ... settle like p^{-k}, with k from three of them: the limit so found is the
+/// value, and its error is what that limit changed by from p − 2 to p, a part of the distance from the bound,
+/// and what the last direction of the powers still gave. `upper` is an upper bound.
 #[derive(Debug, Clone)]
 pub struct TriangleConstants {
     /// ‖∇(u − Iu)‖₀ over |∇u|_s; scales like (size)^s.

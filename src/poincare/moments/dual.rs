@@ -1,13 +1,4 @@
 //! Moments of functions that vanish on a zone at one end: M(e) = sup ∫₀ᵉ m(x) w(x) dx / |w|_ν.
-//!
-//! w ∈ H^ν(0,1) vanishes on (e, 1); x is the distance from the free end, and m is 1, x or e − x ([`Moment`]).
-//! M² = ∫ m w for the w with (w, v)_ν = ∫ m v for all such v, one linear solve on the slope space of
-//! `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and so small only
-//! by the square of what the space leaves of |w|_ν; the error estimate compares two spaces, as for
-//! [`crate::poincare::gamma`].
-//!
-//! As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length that
-//! at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
@@ -49,6 +40,17 @@ impl Moment {
 }
 
 /// M(e) = sup ∫ m w / |w|_ν over the w that vanish where the distance from the free end is more than e.
+///
+/// # Method
+///
+/// w ∈ H^ν(0,1) vanishes on (e, 1); x is the distance from the free end, and m is 1, x or e − x ([`Moment`]).
+/// M² = ∫ m w for the w with (w, v)_ν = ∫ m v for all such v, one linear solve on the slope space of
+/// `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and so small only
+/// by the square of what the space leaves of |w|_ν; the error estimate compares two spaces, as for
+/// `gamma`.
+///
+/// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length that
+/// at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
 ///
 /// ```
 /// use signorini::{Tolerance, poincare::{Moment, moment_norm}, sobolev::FractionalOrder};

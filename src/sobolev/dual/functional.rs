@@ -1,18 +1,4 @@
 //! Dual norms: sup ⟨f, v⟩ / ||v|| over v, for three norms of order ν.
-//!
-//! | [`DualOf`] | ||v||² | space |
-//! | --- | --- | --- |
-//! | `Slobodeckij` | ∥v∥²_0 + \|v\|²_ν, (1.1) of the paper | H^ν(I) |
-//! | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k cosine coefficients | H^ν(I) |
-//! | `InterpolationZero` | the same with sines | H^ν, H^{1/2}_{00}, H^ν_0 for ν below, at, above 1/2 |
-//!
-//! λ_k = (kπ/L)². The first at ν = 1/2 is the norm ∥·∥_{1/2,*} of (4.7) and Remark 2; the others are \[L²,
-//! H¹\]_ν and \[L², H¹_0\]_ν by eigenpairs.
-//!
-//! The first two are equivalent norms of one space, with different constants; the third is larger than the
-//! second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's. A
-//! functional on a mesh (its values on hats) is measured by one SPD solve with M + A: the supremum over the
-//! piecewise linears of that mesh, a lower bound. For a function the mesh is halved until the limit is known.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -30,6 +16,21 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
 /// The norm whose dual is meant.
+///
+/// | [`DualOf`] | ‖v‖² | space |
+/// | --- | --- | --- |
+/// | `Slobodeckij` | ∥v∥²_0 + \|v\|²_ν, (1.1) of the paper | H^ν(I) |
+/// | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k cosine coefficients | H^ν(I) |
+/// | `InterpolationZero` | the same with sines | H^ν, H^{1/2}_{00}, H^ν_0 for ν below, at, above 1/2 |
+///
+/// λ_k = (kπ/L)². The first at ν = 1/2 is the norm ∥·∥\_{1/2,*} of (4.7) and Remark 2; the others are \[L²,
+/// H¹\]_ν and \[L², H¹_0\]_ν by eigenpairs.
+///
+/// The first two are equivalent norms of one space, with different constants; the third is larger than the
+/// second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's. A
+/// functional on a mesh (its values on hats) is measured by one SPD solve with M + A: the supremum over the
+/// piecewise linears of that mesh, a lower bound. For a function the mesh is halved until the limit is known.
+#[doc(alias("H-1/2", "dual norm"))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DualOf {
     /// ∥v∥²_0 + |v|²_ν.
@@ -62,6 +63,7 @@ const MAX_ELEMENTS: usize = 40_000;
 /// # Errors
 /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::NotPositiveDefinite`],
 /// [`Error::ToleranceNotMet`].
+#[doc(alias("H-1/2", "negative norm", "dual norm"))]
 pub fn dual_norm_of_functional(
     partition: &Partition,
     order: FractionalOrder,
@@ -97,6 +99,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] when meshes of 40 000 elements or 32 768 coefficients do not suffice.
+    #[doc(alias("H-1/2", "negative norm"))]
     pub fn dual_norm(&self, of: DualOf, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         match of {
             DualOf::Slobodeckij => self.dual_by_halving(order, tolerance),

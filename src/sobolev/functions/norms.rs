@@ -1,10 +1,4 @@
 //! Norms of functions with declared break points.
-//!
-//! Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules in
-//! logarithmic coordinates. The error of the finer one is estimated by their difference (the error of the
-//! *coarser* one), plus what the limits along the arms and rounding leave, and what
-//! lies between the points of the rules ([`super::resolution`]). Cost: a seminorm takes about
-//! (arms)² 10⁵ kernel values at 1e-8.
 
 use super::arm_integral::ArmIntegral;
 use super::function::SingularFunction;
@@ -41,6 +35,13 @@ const LIMIT: &str = "rounding of the values, or the limit at a break, is all tha
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
     ///
+    /// # Method
+    ///
+    /// Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules
+    /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error of
+    /// the *coarser* one), plus what the limits along the arms and rounding leave. Cost: a seminorm takes
+    /// about (arms)² 10⁵ kernel values at 1e-8.
+    ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
     /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
@@ -52,6 +53,7 @@ impl SingularFunction<'_> {
     /// # Errors
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
+    #[doc(alias("Gagliardo", "Slobodeckij"))]
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.of_moderate_size()?;
         let waves = unit.seminorm_of_waves(order, tolerance);
@@ -243,7 +245,8 @@ fn refine(
     Err(Error::best_of("integral", asked.relative(), best_of_levels(&found), LIMIT))
 }
 
-/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} − 1).
+/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} −
+/// 1).
 const UNSETTLED: f64 = 4.0;
 
 /// The best of levels that do not meet the tolerance: two that agree by accident are not trusted, a level is

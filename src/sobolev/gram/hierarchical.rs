@@ -6,12 +6,12 @@
 //! that nothing leaves the range of binary64. Near pairs of leaves are stored, entry by entry as accurate as
 //! the dense matrix. Memory about 60 N numbers.
 
-use super::chebyshev::Chebyshev;
 use super::cluster::{Blocks, ClusterTree};
 use crate::error::Result;
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 use crate::sobolev::kernel::cells::CellPairs;
+use crate::sobolev::kernel::chebyshev::Chebyshev;
 use crate::sobolev::kernel::power::PowerKernel;
 use crate::sobolev::partition::Partition;
 use rayon::prelude::*;

@@ -1,16 +1,13 @@
 //! Gram matrices of |·|_ν and of L² for piecewise constants and linears: dense, and as fast products.
 
 mod band;
-mod chebyshev;
 mod circulant;
-mod cluster;
+pub(super) mod cluster;
 pub(super) mod dense;
 mod hierarchical;
 mod operator;
 mod six_step;
 mod toeplitz;
 
-pub(crate) use chebyshev::Chebyshev;
-pub(crate) use cluster::ClusterTree;
 pub use dense::{gram_constants, gram_linears, mass_constants, mass_linears};
 pub use operator::GramOperator;

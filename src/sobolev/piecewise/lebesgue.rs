@@ -1,8 +1,4 @@
 //! Means and L^q norms of piecewise polynomials.
-//!
-//! Mean = (1/|I|) ∫ u. ||u||_q = (∫ |u|^q)^{1/q}, 1 ≤ q < ∞, and q = ∞. On an element where u is linear from
-//! a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a ≈ b.
-//! Elements of higher degree are bisected until a Gauss rule and its two halves agree. Cost O(N).
 
 use super::polynomial::{Piece, PiecewisePolynomial};
 use crate::error::{Error, Result};
@@ -34,6 +30,12 @@ impl PiecewisePolynomial {
     }
 
     /// ||u||_{L^q}, 1 ≤ q ≤ ∞.
+    ///
+    /// # Method
+    ///
+    /// Mean = (1/|I|) ∫ u. ||u||_q = (∫ |u|^q)^{1/q}, 1 ≤ q < ∞, and q = ∞. On an element where u is linear
+    /// from a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a
+    /// ≈ b. Elements of higher degree are bisected until a Gauss rule and its two halves agree. Cost O(N).
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{Partition, PiecewisePolynomial}};

@@ -21,6 +21,7 @@ use crate::numeric::check::require_values;
 /// assert_eq!(x.mesh().triangles().len(), 2);
 /// # Ok::<(), signorini::Error>(())
 /// ```
+#[doc(alias("Gagliardo", "fractional Sobolev", "H1/2", "triangulation"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaneFunction {
     mesh: Triangles,

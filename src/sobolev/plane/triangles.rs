@@ -1,7 +1,4 @@
 //! Triangulations as the plane norms need them: nodes and triangles, nothing about boundaries.
-//!
-//! Triangles touch along whole edges or at nodes that they share by number, and do not overlap. Either
-//! orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
 
 use super::geometry::{Point, twice_area};
 use crate::error::{Error, Result};
@@ -13,6 +10,12 @@ use std::collections::HashMap;
 const BYTES_OF_SQUARE: usize = 300;
 
 /// A triangulation of a polygon.
+///
+/// # Method
+///
+/// Triangles touch along whole edges or at nodes that they share by number, and do not overlap. Either
+/// orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
+#[doc(alias("mesh", "triangulation"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangles {
     nodes: Vec<[f64; 2]>,

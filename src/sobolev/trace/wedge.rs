@@ -1,14 +1,4 @@
 //! A corner: the wedge 0 < θ < ω, trace on its edge θ = 0.
-//!
-//! w = r^{s−1+iτ} ψ(θ), ψ(0) = 1. Per unit of ln r the edge has C(τ), the symbol of the half line, and the
-//! wedge
-//!
-//! E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
-//!
-//! whose minimum over ψ is computed by finite elements ([`super::wedge_elements`]). The best constant of the
-//! wedge is the supremum of C(τ)/min E_τ over τ; as τ → ∞ the quotient tends to that of the half-plane,
-//! from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
-//! at π/2; there the quotient is the closed form for *every* τ, a second road to it.
 
 use super::angular_kernel::AngularKernel;
 use super::half_line::HalfLineSymbol;
@@ -32,6 +22,18 @@ const ANGLES: &str = "[0.1, pi]";
 const LARGEST_TAU: f64 = 100.0;
 
 /// Quotients edge/wedge of the squared seminorms, mode by mode.
+///
+/// # Method
+///
+/// w = r^{s−1+iτ} ψ(θ), ψ(0) = 1. Per unit of ln r the edge has C(τ), the symbol of the half line, and the
+/// wedge
+///
+/// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
+///
+/// whose minimum over ψ is computed by finite elements (`wedge_elements`). The best constant of the
+/// wedge is the supremum of C(τ)/min E_τ over τ; as τ → ∞ the quotient tends to that of the half-plane,
+/// from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
+/// at π/2; there the quotient is the closed form for *every* τ, a second road to it.
 #[derive(Debug, Clone, Copy)]
 pub struct WedgeTrace {
     order: FractionalOrder,
@@ -82,7 +84,8 @@ impl WedgeTrace {
     /// |f|²_{s−1/2}/|w|²_s for the boundary values r^{s−1+iτ} and the least energy: a lower bound of the
     /// square of the best constant.
     ///
-    /// The finite elements do not reach the least energy: up to the rules the value lies below the quotient. Cost: 1e6 operations.
+    /// The finite elements do not reach the least energy: up to the rules the value lies below the quotient.
+    /// Cost: 1e6 operations.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 ≤ τ ≤ 100.
