@@ -3,7 +3,7 @@
 //! `cargo run --release --example theorem_3_1_proof_profile -- --scene fat-cantor --lines`
 
 use example_frame::shown::ladder::{ladder_chart, ladder_table, line_table, quote, slack_chart, title};
-use example_frame::{Finding, Headline, Result, within};
+use example_frame::{Error, Finding, Headline, Result, within};
 use signorini::proof::{LimitLine, LimitLines, Rung, Section, Step, ThetaRule, limit_lines};
 use signorini::proof::{ProofCase, ProofProfile, Resolution};
 use signorini::scenes::StripScene;
@@ -43,6 +43,12 @@ example_frame::options! {
     }
     without_effect(options) {
         "positions" if !options.scene.moves() => "unless the scene is one transition",
+    }
+    check(options) {
+        match options.levels.cells().count() {
+            0..=2 => Err(Error::Option("--levels: an exponent takes three meshes".to_owned())),
+            _ => Ok(()),
+        }
     }
 }
 

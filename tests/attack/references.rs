@@ -79,8 +79,12 @@ pub fn log_unit(alpha: f64, order: FractionalOrder) -> f64 {
     (alpha * ((2.0 * alpha / order.one_minus_twice()).ln() - 1.0)).max(0.0)
 }
 
+/// (1e-140)^{LEAST} is nothing.
+pub const LEAST: f64 = 0.12;
+
 /// ||ln x|^α|²_ν for ν < 1/2 in the unit of [`log_unit`]: with x = e^{−t−r}, y = e^{−t},
-/// 2 ∫₀^∞ e^{−(1−2ν)t} ∫₀^∞ ((t+r)^α − t^α)² e^{−r} (1−e^{−r})^{-1-2ν} dr dt, trapezoidal sums in τ.
+/// 2 ∫₀^∞ e^{−(1−2ν)t} ∫₀^∞ ((t+r)^α − t^α)² e^{−r} (1−e^{−r})^{-1-2ν} dr dt, trapezoidal sums in τ; near 0 the
+/// integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
 pub fn log_power_below_half(alpha: f64, order: FractionalOrder) -> f64 {
     const STEP: f64 = 1.0 / 48.0;
     let (decay, twice, unit) = (order.one_minus_twice(), 2.0 * order.value(), log_unit(alpha, order));
@@ -91,8 +95,8 @@ pub fn log_power_below_half(alpha: f64, order: FractionalOrder) -> f64 {
             let y = (tau - fall).exp();
             (y, STEP * y * (1.0 + fall))
         };
-        // Down to 1e-24, up to where e^{-cy} with a power of y is nothing.
-        (-190..).map(point).take_while(|(y, _)| c * y < 60.0 + 8.0 * alpha).collect()
+        // Down to 1e-140, up to where e^{-cy} with a power of y is nothing.
+        (-277..).map(point).take_while(|(y, _)| c * y < 60.0 + 8.0 * alpha).collect()
     };
     let inner: Vec<[f64; 3]> = points(1.0)
         .into_iter()

@@ -39,8 +39,10 @@ impl SingularFunction<'_> {
     ///
     /// Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules
     /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error of
-    /// the *coarser* one), plus what the limits along the arms and rounding leave. Cost: a seminorm takes
-    /// about (arms)² 10⁵ kernel values at 1e-8.
+    /// the *coarser* one), plus what the limits along the arms, rounding, and waves between the points of the
+    /// rules leave. Cost: a seminorm takes about (arms)² 10⁵ kernel values at 1e-8.
+    ///
+    /// A function with many waves is interpolated on short cells instead, and takes O(cells).
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
