@@ -173,7 +173,8 @@ impl ArmIntegral {
     ) -> Result<Limit> {
         let rule = Rule::gauss_legendre(self.level.points + 4)?;
         let width = self.wide();
-        while found.end() + width <= TAIL_START && !found.explodes() {
+        let start = if tail.start() > depth { depth } else { TAIL_START.max(tail.start()) };
+        while found.end() + width <= start && !found.explodes() {
             let (from, before) = (found.end(), found.sum());
             let sum = before + self.cell(&rule, from, width, density)?;
             found.push(from + width, sum, density(from + width, 0.0)?);

@@ -27,6 +27,10 @@ const CELL: f64 = 1.0;
 const LAST: f64 = 700.0;
 /// Beyond s = 50, e^{−s} is rounding.
 const REACH: f64 = 50.0;
+/// e^{−36} is rounding.
+const NOTHING: f64 = 36.0;
+/// A larger reach than a quarter of the depth of an arm is of no use.
+const DEEPEST_START: f64 = 170.0;
 /// What grows with t may still come down, as δ^a with a small does, until τ has grown by this.
 const SETTLED: f64 = 40.0;
 /// Rounding of a power of t that is read off.
@@ -36,7 +40,7 @@ const BEGUN: f64 = 4.0;
 /// On one cell f grows by e^{GROWTH} at most, read off between t and STEP t.
 const GROWTH: f64 = 4.0;
 const STEP: f64 = 1.125;
-const MORE_TERMS: f64 = 24.0;
+const MORE_TERMS: f64 = 60.0;
 /// Cells that shrink by no more come from a power of t, whose numbers end at 1e-308, not from a function that
 /// settles.
 const ALGEBRAIC: f64 = 1e-6;
@@ -89,11 +93,14 @@ impl<'a> DeepTail<'a> {
             let stretch = s.exp_m1() / s;
             own.push((s, w * NEAR.powf(kernel.two_minus) * s.exp() / stretch * stretch.powf(-kernel.twice)));
         }
-        for (s, w) in cells(&rule, NEAR, REACH) {
+        // Points that are s less deep count like e^{−2νs}.
+        let own_reach = REACH.max(NOTHING / kernel.twice);
+        let is_used = own_reach < DEEPEST_START;
+        for (s, w) in cells(&rule, NEAR, if is_used { own_reach } else { REACH }) {
             own.push((s, w * s * s * s.exp() / s.exp_m1() * s.exp_m1().powf(-kernel.twice)));
         }
-        let (mut across, mut reach) = (Vec::new(), REACH);
-        if let Some(other) = other {
+        let (mut across, mut reach) = (Vec::new(), own_reach);
+        if let Some(other) = other.filter(|_| is_used) {
             let quotient = other.length / arm.length;
             reach += quotient.ln().abs();
             for (s, w) in cells(&rule, 0.0, reach) {
@@ -113,6 +120,11 @@ impl<'a> DeepTail<'a> {
             decay: kernel.one_minus,
             log_length: (arm.length / unit).ln(),
         })
+    }
+
+    /// Where the formula begins to hold.
+    pub(crate) fn start(&self) -> f64 {
+        4.0 * self.reach
     }
 
     /// True when the end beyond t is deep enough for the formula.
@@ -152,7 +164,7 @@ impl<'a> DeepTail<'a> {
             if cell == 0.0 && is_algebraic && !is_seen {
                 return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
             }
-            if cell == 0.0 || (is_seen && ends.len() > 3 && ratio < 0.99 && small) {
+            if cell == 0.0 && self.is_constant_beyond(tau)? || (is_seen && ends.len() > 3 && ratio < 0.99 && small) {
                 // What is left of an exponential in τ, or less.
                 let rest = rest.max(0.0);
                 return Ok(ArmValue { limit: Limit { value: sum + rest, error: rest }, rounding });
@@ -169,6 +181,13 @@ impl<'a> DeepTail<'a> {
             return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
         }
         Ok(ArmValue { limit, rounding })
+    }
+
+    /// Whether the values at a number of places are one.
+    fn is_constant_beyond(&self, tau: f64) -> Result<bool> {
+        let value = |k: u32| self.function.at_depth(&self.arm, (tau + (LAST - tau) * f64::from(k) / 64.0).exp());
+        let first = value(0)?;
+        (1..=64).try_fold(true, |same, k| Ok(same && value(k)? == first))
     }
 
     fn infinite(&self) -> Error {
@@ -194,8 +213,8 @@ impl<'a> DeepTail<'a> {
         let power = if power.is_finite() { power } else { 0.0 };
         let cell = CELL.min(GROWTH / power);
         let reach = -(-self.reach / from).ln_1p();
-        // The interpolants also reach back.
-        let terms = self.terms + (0.5 * power * reach).min(MORE_TERMS) as usize;
+        // The interpolants also reach back; the terms of e^{zx} on (−1, 1) fall like (z/2)^n/n!.
+        let terms = self.terms + (0.75 * power * (cell + reach)).min(MORE_TERMS) as usize;
         Ok(Shape { cell, terms })
     }
 
