@@ -52,6 +52,26 @@ impl Zone {
         Ok(Self { start, length: theta, rest: if rest <= f64::EPSILON { 0.0 } else { rest } })
     }
 
+    /// (a, b), 0 ≤ a < b ≤ 1: by its ends, where [`Zone::at`] takes its length.
+    ///
+    /// ```
+    /// use signorini::poincare::Zone;
+    /// let zone = Zone::between(0.25, 0.75)?;
+    /// assert!(zone.length() == 0.5 && zone.rest() == 0.25);
+    /// assert!(Zone::between(0.75, 0.25).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] as for [`Zone::at`], and for b outside (a, 1].
+    pub fn between(a: f64, b: f64) -> Result<Self> {
+        let inside = a == 0.0 || (SHORTEST..1.0).contains(&a);
+        let start = Error::require("zone start", a, "{0} or [1e-300, 1)", inside)?;
+        let end =
+            Error::require("zone end", b, "(a, 1], at least 1e-300 above a", b - a >= SHORTEST && b <= 1.0)?;
+        Ok(Self { start, length: end - start, rest: 1.0 - end })
+    }
+
     /// The zone of length θ in the middle.
     ///
     /// # Errors

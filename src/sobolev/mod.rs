@@ -17,8 +17,10 @@
 
 pub mod closed_forms;
 mod dual;
+mod energy;
 mod functions;
 mod gallery;
+mod grading;
 mod gram;
 mod kernel;
 mod order;

@@ -1,5 +1,6 @@
 //! Partitions of an interval given by the *lengths* of their elements.
 
+use super::grading::{algebraic_lengths, geometric_lengths};
 use crate::error::{Error, Result};
 use crate::numeric::memory::require_memory;
 use crate::numeric::scale::power_between;
@@ -91,6 +92,35 @@ impl Partition {
     pub fn geometric(layers: usize, ratio: f64, length: f64) -> Result<Self> {
         require_memory("layers", layers, BYTES)?;
         Self::from_lengths(geometric_lengths(layers, ratio, length)?)
+    }
+
+    /// Nodes L (i/n)^β, i = 0, ..., n, β > 0: short elements at the left end for β > 1, where the interpolants
+    /// of x^a have their best rate from some β on. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
+    ///
+    /// ```
+    /// use signorini::sobolev::Partition;
+    /// assert_eq!(Partition::algebraic(4, 2.0, 16.0)?.nodes(), [0.0, 1.0, 4.0, 9.0, 16.0]);
+    /// assert_eq!(Partition::two_sided_algebraic(2, 2.0, 8.0)?.nodes(), [0.0, 1.0, 4.0, 7.0, 8.0]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Partition::uniform`]; [`Error::OutOfRange`] unless 0 < β < ∞.
+    pub fn algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
+        require_memory("elements", count, BYTES)?;
+        Self::from_lengths(algebraic_lengths(count, exponent, length)?)
+    }
+
+    /// As [`Partition::algebraic`] from both ends: `count` elements on either half.
+    ///
+    /// # Errors
+    /// As [`Partition::algebraic`].
+    pub fn two_sided_algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
+        require_memory("elements", count, 2 * BYTES)?;
+        let mut lengths = algebraic_lengths(count, exponent, 0.5 * length)?;
+        let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
+        lengths.extend(mirrored);
+        Self::from_lengths(lengths)
     }
 
     /// Geometric from both ends towards the middle: the shortest elements, L/2 σ^m, lie at the two ends.
@@ -211,14 +241,6 @@ impl Partition {
     }
 }
 
-fn geometric_lengths(layers: usize, ratio: f64, length: f64) -> Result<Vec<f64>> {
-    Error::require("grading ratio", ratio, "(0, 1)", ratio > 0.0 && ratio < 1.0)?;
-    let power = |k: usize| length * ratio.powf(k as f64);
-    let mut lengths = vec![power(layers)];
-    lengths.extend((0..layers).rev().map(|k| power(k) * (1.0 - ratio)));
-    Ok(lengths)
-}
-
 fn running_sums(lengths: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut sum = RunningSum::default();
     let mut sums = vec![0.0];
@@ -252,6 +274,13 @@ mod tests {
         let graded = Partition::graded_to_points(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
         assert_eq!(graded.len(), 8);
         assert_eq!(graded.total(), 1.0);
+        for exponent in [0.5, 1.0, 3.0, 20.0] {
+            let mesh = Partition::algebraic(1000, exponent, 2.0).unwrap();
+            for (i, x) in mesh.nodes().into_iter().enumerate() {
+                let exact = 2.0 * (i as f64 / 1000.0).powf(exponent);
+                assert!((x - exact).abs() <= 1e-14 * exact, "{exponent} {i}: {x:e} {exact:e}");
+            }
+        }
     }
 
     #[test]
@@ -263,5 +292,9 @@ mod tests {
         assert!(Partition::uniform(0, 1.0).is_err());
         assert!(Partition::from_lengths(vec![1e-300, 1e300]).is_err());
         assert!(Partition::geometric(3, 1.0, 1.0).is_err());
+        for exponent in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e5] {
+            assert!(Partition::algebraic(3, exponent, 1.0).is_err(), "{exponent}");
+        }
+        assert!(Partition::algebraic(0, 2.0, 1.0).is_err());
     }
 }

@@ -1,11 +1,13 @@
 //! Piecewise polynomials and their norms.
 
+mod cells;
 mod lebesgue;
 mod norms;
 mod pairs;
 mod polynomial;
 mod rearrangement;
 mod sorting;
+mod squares;
 
 #[cfg(feature = "contact")]
 pub(crate) use lebesgue::linear_power;

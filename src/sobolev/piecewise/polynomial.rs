@@ -84,11 +84,8 @@ impl PiecewisePolynomial {
                 require_finite_at("value", index, value)?;
             }
             if bubbles.len() + 1 > MAX_DEGREE {
-                return Err(Error::CountOutOfRange {
-                    name: "polynomial degree",
-                    value: bubbles.len() + 1,
-                    range: "<= 20",
-                });
+                let value = bubbles.len() + 1;
+                return Err(Error::CountOutOfRange { name: "polynomial degree", value, range: "<= 20" });
             }
             pieces.push(Piece { left, right, bubbles });
         }
@@ -122,14 +119,7 @@ impl PiecewisePolynomial {
 
     /// Highest degree of a piece (bubbles are counted whether zero or not).
     pub fn degree(&self) -> usize {
-        let degrees = self.pieces.iter().map(|piece| {
-            if piece.bubbles.is_empty() {
-                usize::from(piece.left != piece.right)
-            } else {
-                piece.bubbles.len() + 1
-            }
-        });
-        degrees.max().unwrap_or(0)
+        self.pieces.iter().map(Piece::degree).max().unwrap_or(0)
     }
 
     /// Value at local coordinate t ∈ [0, 1] of an element.
@@ -214,7 +204,16 @@ impl PiecewisePolynomial {
 
 impl Piece {
     pub(crate) fn value(&self, t: f64) -> f64 {
-        self.left * (1.0 - t) + self.right * t + t * (1.0 - t) * self.bubble_sum(t).0
+        self.value_above(0.0, t)
+    }
+
+    /// u(t) − c, formed before it is rounded where u is nearly constant.
+    pub(crate) fn value_above(&self, c: f64, t: f64) -> f64 {
+        (self.left - c) * (1.0 - t) + (self.right - c) * t + t * (1.0 - t) * self.bubble_sum(t).0
+    }
+
+    pub(crate) fn degree(&self) -> usize {
+        if self.bubbles.is_empty() { usize::from(self.left != self.right) } else { self.bubbles.len() + 1 }
     }
 
     /// (u(t) − u_L)/t.
