@@ -101,8 +101,11 @@ fn cuts(svg: &str, top: f64, letters: f64) -> Vec<Cut> {
             !all.iter().filter(|other| other.start != here.start).any(|other| meets(&other))
         };
         let (above, below) = (here.y - 1.1 * letters, here.y + 1.1 * letters);
-        let free =
-            [(above, (above, here.y)), (below, (here.y, below))].into_iter().find(|(y, _)| is_free(*y));
+        let mut places = [(above, (above, here.y)), (below, (here.y, below))];
+        if here.y > top {
+            places.reverse();
+        }
+        let free = places.into_iter().find(|(y, _)| is_free(*y));
         free.map(|(_, y)| Cut { start: tag.start, at, y })
     });
     found.collect()
