@@ -25,7 +25,7 @@ example_frame::options! {
         /// Discrete cone: nodal (2.9) or midpoint (4.1)
         #[arg(long, default_value_t = Cone::Nodal)]
         pub cone: Cone,
-        /// active-set, interior-point, multigrid or auto; unless given two, the second one for a check
+        /// active-set, interior-point, edge-interior-point, multigrid or auto; unless given two, the second one for a check
         #[arg(long)]
         pub solver: Option<Solver>,
         /// Algebraic error asked of multigrid, energy norm, relative (default: 1/100 of that of the mesh)

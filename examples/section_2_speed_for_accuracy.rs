@@ -1,15 +1,19 @@
-//! Section 2: true error and true algebraic error against seconds, for three solvers, on a scene with known
-//! solution.
+//! Section 2: true error and true algebraic error against seconds and memory, for three solvers, on a scene
+//! with known solution.
 //!
 //! `cargo run --release --example section_2_speed_for_accuracy -- --levels 6`
 
 use example_frame::{Finding, Headline, Result, contact, progress};
+use peak_alloc::PeakAlloc;
 use signorini::cone::{Cone, NOISE};
 use signorini::scenes::{Road, RoadRow, manufactured_by_every_road};
 use std::process::ExitCode;
 
+#[global_allocator]
+static MEMORY: PeakAlloc = PeakAlloc;
+
 example_frame::options! {
-    /// Seconds against true error on the scene `manufactured`, u = -Re (z - 2/5)^{3/2}
+    /// Seconds and memory against true error on the scene `manufactured`, u = -Re (z - 2/5)^{3/2}
     pub struct Options {
         /// Squares along each side of the coarsest mesh
         #[arg(long, default_value_t = 8)]
@@ -27,18 +31,34 @@ example_frame::options! {
 pub struct Computed {
     /// Coarsest mesh first.
     pub rows: Vec<RoadRow>,
+    /// The most bytes held for each solution, its problem and its judgement.
+    pub peaks: Vec<f64>,
 }
 
 /// Solves on every mesh by every road and measures the error against the known solution.
 pub fn compute(options: &Options) -> Result<Computed> {
     let bar = progress((options.levels * Road::ALL.len()) as u64);
+    // What is allocated once for the process (64 MiB by products of matrices) belongs to no road.
+    manufactured_by_every_road(32, 2, options.cone, |_, _| Ok(()))?;
+    let (mut held, mut begun) = (Vec::new(), None);
+    let mut begin = |next: Option<(usize, Road)>| {
+        if let Some((place, before)) = begun.take() {
+            held.push((place, MEMORY.peak_usage().saturating_sub(before)));
+        }
+        MEMORY.reset_peak_usage();
+        begun = next.map(|place| (place, MEMORY.current_usage()));
+    };
     let rows = manufactured_by_every_road(options.n, options.levels, options.cone, |n, road| {
         bar.set_message(format!("n = {n}, {road}"));
         bar.inc(1);
+        begin(Some((n, road)));
         Ok(())
     })?;
+    begin(None);
     bar.finish_and_clear();
-    Ok(Computed { rows })
+    let peak = |row: &RoadRow| held.iter().find(|(place, _)| *place == (row.n, row.road));
+    let peaks = rows.iter().map(|row| peak(row).map_or(f64::NAN, |(_, bytes)| *bytes as f64)).collect();
+    Ok(Computed { rows, peaks })
 }
 
 /// What a condition may be violated by: a duality gap of 1e-13 summed over the unknowns of a mesh of n = 32.
@@ -61,25 +81,17 @@ fn orders(rows: &[RoadRow]) -> Option<(Vec<f64>, f64)> {
     (orders.len() >= 2).then_some((orders, mean))
 }
 
-/// What decides: the order of the error, the conditions, and whether the roads meet.
+/// What decides: the order of the error, the conditions, and whether the roads meet; what they cost.
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let rows = &computed.rows;
     let order = orders(rows).map(|(all, mean)| (mean, contact::worst(all.iter().map(|o| (o - mean).abs()))));
-    let finest = rows.iter().map(|row| row.n).max();
-    let on = |road: Road, n: Option<usize>| rows.iter().find(|row| row.road == road && Some(row.n) == n);
     let apart = |is_share: bool| {
         let same = rows.iter().filter(move |row| (row.road == Road::Share) == is_share);
-        same.filter_map(|row| Some((row.error / on(Road::Cold, Some(row.n))?.error - 1.0).abs()))
+        let exact = |n| rows.iter().find(|row| row.road == Road::Cold && row.n == n);
+        same.filter_map(move |row| Some((row.error / exact(row.n)?.error - 1.0).abs()))
     };
     let promised = rows.iter().filter_map(|row| Some(row.algebraic? / (row.estimate? + ROUNDING)));
-    let [cold, nested, _, multigrid, share] = Road::ALL.map(|road| on(road, finest));
-    let saved = cold.zip(nested).map(|(cold, nested)| (cold.steps as f64 - nested.steps as f64, 0.0));
-    let largest = rows.iter().filter(|row| row.road == Road::Interior).map(|row| row.n).max();
-    let pair = on(Road::Interior, largest).zip(on(Road::Nested, largest));
-    let faster = pair.map(|(slow, fast)| slow.seconds / fast.seconds);
-    let cheaper = nested.zip(share).map(|(slow, fast)| slow.seconds / fast.seconds);
-    let exact = multigrid.zip(share).map(|(slow, fast)| (slow.steps as f64 - fast.steps as f64, 0.0));
-    vec![
+    let mut found = vec![
         Finding::claim("order", "the error in the energy norm falls with order {value}")
             .number_or(order, "fewer than three meshes")
             .within(SETTLING, 1.0, "linear elements, u in H^{5/2-eps}")
@@ -105,25 +117,9 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
             .at_most(1.0, "the estimate")
             .otherwise("a true algebraic error is {value} of its estimate")
             .told(),
-        Finding::remark("nested", "a nested start saves {value} steps on the finest mesh")
-            .number_or(saved, "a road is missing")
-            .at_least(1.0, "one step")
-            .otherwise("a nested start saves no step")
-            .told(),
-        Finding::remark("seconds", "the nested active set is {value} times as fast as the interior point")
-            .number_or(faster.map(|factor| (factor, 0.5 * factor)), "a road is missing")
-            .at_least(1.0, "equal seconds; a busy machine halves or doubles them"),
-        Finding::remark(
-            "seconds.multigrid",
-            "multigrid on the finest mesh is {value} times as fast as the nested active set",
-        )
-        .number_or(cheaper.map(|factor| (factor, 0.5 * factor)), "a road is missing")
-        .at_least(1.0, "equal seconds; a busy machine halves or doubles them"),
-        Finding::remark("digits", "ten digits take {value} cycles more than those that are worth something")
-            .number_or(exact, "a road is missing")
-            .at_least(1.0, "one cycle")
-            .otherwise("ten digits cost no cycle more"),
-    ]
+    ];
+    found.extend(contact::road_costs(rows, &computed.peaks));
+    found
 }
 
 /// Seconds for accuracy by every road.
@@ -131,13 +127,16 @@ pub fn run(options: &Options) -> Result<Headline> {
     let computed = compute(options)?;
     let claim = "order 1 in the energy norm for u in H^{5/2-eps}, whatever solves the discrete problem";
     let found = findings(options, &computed);
-    let table = contact::road_table(&computed.rows);
+    let table = contact::road_table(&computed.rows, &computed.peaks);
     let mut headline = Headline::new("Section 2, speed for accuracy", claim, table, found);
     if let Some((_, order)) = orders(&computed.rows) {
         headline.quote(format!("section.2.speed.{}.order", options.cone), order);
     }
     let name = |what: &str| format!("section_2_{what}_{}", options.cone);
     headline.draw(&options.output, &name("seconds"), || Ok(contact::road_chart(&computed.rows)))?;
+    headline.draw(&options.output, &name("peak"), || {
+        Ok(contact::memory_chart(&computed.rows, &computed.peaks))
+    })?;
     headline
         .draw(&options.output, &name("algebraic_seconds"), || Ok(contact::algebraic_chart(&computed.rows)))?;
     Ok(headline)

@@ -23,10 +23,13 @@ example_frame::options! {
         /// Regularities in (3/2, 5/2] (default: 1.55 to 1.95, 2, 2.1, 2.25, 2.4)
         #[arg(long, value_delimiter = ',')]
         pub tau: Vec<f64>,
+        /// The corners of the study alone, at --levels
+        #[arg(long)]
+        pub corners: bool,
         /// Strip of --scene: scalar or elastic
         #[arg(long, default_value_t = StripKind::Scalar)]
         pub kind: StripKind,
-        /// Levels of --scene: n = 2^level cells along the edge
+        /// Levels of --scene or --corners: n = 2^level cells along the edge
         #[arg(long, default_value = "3-12")]
         pub levels: Levels,
         /// Positions of a single transition in its cell over which --scene averages
@@ -38,11 +41,12 @@ example_frame::options! {
     }
     without_effect(options) {
         "kind" if !matches!(options.scene, Some(Scene::Strip(_))) => "unless --scene is a scene of the strip",
-        "levels" if options.scene.is_none() => "without --scene",
+        "levels" if options.scene.is_none() && !options.corners => "without --scene or --corners",
+        "corners" if options.scene.is_some() => "beside --scene",
         "positions" if !matches!(&options.scene, Some(Scene::Strip(scene)) if scene.moves()) => "unless --scene is one transition",
         "tau" if matches!(options.scene, Some(Scene::Mesh(_))) => "on meshes: theirs follows from the angle",
         "tau" if options.scene.is_some() && options.tau.len() > 1 => "beyond its first value with --scene",
-        "full" if options.scene.is_some() => "beside --scene",
+        "full" if options.scene.is_some() || options.corners => "beside --scene or --corners",
     }
 }
 
@@ -60,6 +64,7 @@ pub fn compute(cone: Cone, options: &Options) -> Result<Computed> {
     let tau = options.tau.first().copied().unwrap_or(FURTHEST);
     let plan = match &options.scene {
         Some(scene) => RatePlan::of_scene(scene, options.kind, options.levels, tau, options.positions)?,
+        None if options.corners => RatePlan::corners(options.levels).with_taus(&options.tau)?,
         None if options.full => RatePlan::full()?.with_taus(&options.tau)?,
         None => RatePlan::short()?.with_taus(&options.tau)?,
     };

@@ -10,6 +10,18 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// Why a question has no answer, or none that can be trusted.
 ///
 /// How an iteration ended (converged, stalled, cycled) is not an error but a status in its result.
+///
+/// ```
+/// use signorini::{Error, Estimate, Work};
+/// let best = Estimate::new(2.0, 1e-3, Work::default())?;
+/// let refused = Error::not_met("seminorm", 1e-6, best, "rounding");
+/// assert_eq!(refused.best(), Some(best)); // what was reached is not thrown away
+/// assert_eq!(Error::out_of_reach("seminorm", 1e-6, 1.0, "rounding").best(), None);
+/// assert!(Error::require("theta", 0.5, "(0, 1)", true).is_ok());
+/// assert!(Error::require("theta", f64::NAN, "(0, 1)", true).is_err());
+/// assert!(Error::file("samples.txt", "no such file").to_string().contains("samples.txt"));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

@@ -10,6 +10,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// Requested relative accuracy, in [1e-15, 0.1].
+#[doc(alias("accuracy", "precision", "relative tolerance"))]
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance(f64);
 
@@ -43,6 +44,10 @@ impl Tolerance {
     }
 
     /// The relative tolerance as a number.
+    ///
+    /// ```
+    /// assert_eq!(signorini::Tolerance::balanced().relative(), 1e-8);
+    /// ```
     pub const fn relative(self) -> f64 {
         self.0
     }
@@ -118,6 +123,19 @@ impl Estimate {
 
     /// (distance to a value found another way, what that value may itself be off by), both relative to it;
     /// absolute where it is 0.
+    ///
+    /// ```
+    /// use signorini::{Estimate, Work};
+    /// let of = |value, error| Estimate::new(value, error, Work::default());
+    /// let (a, b) = (of(4.0, 4e-6)?, of(2.0, 0.0)?);
+    /// assert!((a.sqrt()?.error - 1e-6).abs() < 1e-12 && (a.over(b)?.error - 2e-6).abs() < 1e-12);
+    /// assert_eq!((b.recip()?.value, a.times(3.0)?.value, a.off(3.5)?.value), (0.5, 12.0, 0.5));
+    /// assert_eq!(a.relative_distance(&b).0, 1.0);
+    /// assert_eq!(Estimate::largest([a, b]).map(|e| e.value), Some(4.0));
+    /// assert_eq!(Estimate::smallest([a, b]).map(|e| e.value), Some(2.0));
+    /// assert!(of(f64::NAN, 0.0).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn relative_distance(&self, exact: &Self) -> (f64, f64) {
         let size = if exact.value == 0.0 { 1.0 } else { exact.value.abs() };
         ((self.value - exact.value).abs() / size, exact.error / size)

@@ -4,6 +4,12 @@ use std::fmt;
 use std::ops::{Add, AddAssign};
 
 /// What an estimate cost, in counts that do not depend on the machine.
+///
+/// ```
+/// use signorini::Work;
+/// let work = Work { points: 3, pairs: 4, ..Work::default() };
+/// assert_eq!((work + work).total(), 14);
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
     /// Evaluations of a function or a kernel.
@@ -43,6 +49,7 @@ impl AddAssign for Work {
 }
 
 /// A number with an honest absolute error estimate and the work it took.
+#[doc(alias("error bound", "interval"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// The value; finite.

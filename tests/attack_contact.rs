@@ -59,6 +59,7 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     for (name, solver) in [
         ("active set", Solver::ActiveSet),
         ("interior point", Solver::InteriorPoint),
+        ("interior point, edge", Solver::EdgeInteriorPoint),
         ("multigrid", Solver::Multigrid),
         ("auto", Solver::Auto),
     ] {

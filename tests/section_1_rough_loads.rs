@@ -179,8 +179,8 @@ fn a_partition_cut_further_has_the_same_norm() {
     }
 }
 
-/// u by its representer over piecewise linears graded to every break of f: from below always, and to its limit
-/// by meshes twice as fine.
+/// Over piecewise linears graded to every break of f: a lower bound always, and how much it rises with meshes
+/// twice as fine.
 fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
     let breaks: Vec<f64> = std::iter::once(0.0)
         .chain(pieces.lengths.iter().scan(0.0, |x, h| {

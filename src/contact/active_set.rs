@@ -54,6 +54,8 @@ pub struct EdgeOutcome {
     pub status: Status,
     /// The sets visited, in order, the last one included.
     pub history: Vec<ContactSet>,
+    /// How many steps it took.
+    pub steps: usize,
 }
 
 /// Solves the edge problem from the given first guess.
@@ -96,7 +98,7 @@ pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<Edg
             None => (steps == limit).then_some(Status::StepLimit { steps }),
         };
         if let Some(status) = status {
-            return Ok(EdgeOutcome { state, set, status, history });
+            return Ok(EdgeOutcome { state, set, status, steps: history.len(), history });
         }
         let is_stuck = one_at_a_time || problem.cone == Cone::Midpoint && in_vain >= PATIENCE;
         if is_stuck && !is_dual_tried {

@@ -77,7 +77,8 @@ pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<Edge
     let is_unloaded = free().all(|i| problem.load[i] == 0.0 && problem.bound[i] >= 0.0);
     if scale == 0.0 || is_unloaded {
         let state = problem.solve_with(&nothing)?;
-        return Ok(EdgeOutcome { state, set: nothing, status: Status::Converged, history: Vec::new() });
+        let status = Status::Converged;
+        return Ok(EdgeOutcome { state, set: nothing, status, history: Vec::new(), steps: 0 });
     }
     // Products of forces and gaps are of this size, squared.
     let root = free().map(|i| problem.stiffness[(i, i)].sqrt() * scale * sizes[i]).fold(0.0, f64::max);
@@ -85,14 +86,14 @@ pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<Edge
         return solve_in_unit(problem, sizes, unit);
     }
     let mut iterate = Iterate::new(problem, sizes, scale);
-    for _ in 0..STEPS {
+    for step in 0..STEPS {
         let balance = iterate.balance();
         if iterate.undecided() <= DECIDED && iterate.is_balanced(&balance) {
-            return Ok(iterate.outcome(Status::Converged));
+            return Ok(iterate.outcome(Status::Converged, step));
         }
         iterate.step(&balance)?;
     }
-    Ok(iterate.outcome(Status::StepLimit { steps: STEPS }))
+    Ok(iterate.outcome(Status::StepLimit { steps: STEPS }, STEPS))
 }
 
 /// The same for loads and bounds over `unit`, scaled back.
@@ -204,7 +205,7 @@ impl<'a> Iterate<'a> {
         until(&self.force, &change.force).min(until(&self.gap, &change.gap))
     }
 
-    fn outcome(mut self, status: Status) -> EdgeOutcome {
+    fn outcome(mut self, status: Status, steps: usize) -> EdgeOutcome {
         let fixed = self.problem.fixed;
         let active = |i: usize| !fixed[i] && self.force[i] > self.problem.stiffness[(i, i)] * self.gap[i];
         let set = ContactSet::new((0..fixed.len()).map(active).collect());
@@ -215,7 +216,7 @@ impl<'a> Iterate<'a> {
         (0..fixed.len()).filter(|&i| fixed[i] || is_free).for_each(|i| self.force[i] = 0.0);
         let gap = self.displacement.iter().zip(self.problem.bound).map(|(w, g)| w - g).collect();
         let state = EdgeState { displacement: self.displacement, multiplier: self.force, gap };
-        EdgeOutcome { state, set, status, history: Vec::new() }
+        EdgeOutcome { state, set, status, history: Vec::new(), steps }
     }
 }
 

@@ -5,6 +5,7 @@
 
 use super::active_set::{EdgeOutcome, solve_on_edge};
 use super::barrier::solve_by_barrier;
+use super::edge_interior_point::edge_interior_point;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
 use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, gap_of};
@@ -33,9 +34,8 @@ pub(super) fn solve(
     guess: ContactSet,
     other: Option<ContactSet>,
 ) -> Result<(ContactSolution, Option<u64>)> {
-    let steps_from = |edge: &EdgeProblem<'_>, guess| {
-        solve_on_edge(edge, guess).map(|outcome| outcome.history.len() as u64)
-    };
+    let steps_from =
+        |edge: &EdgeProblem<'_>, guess| solve_on_edge(edge, guess).map(|outcome| outcome.steps as u64);
     by_edge(
         (problem, cone, Solver::ActiveSet),
         |edge| solve_on_edge(edge, guess),
@@ -47,6 +47,12 @@ pub(super) fn solve(
 pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<ContactSolution> {
     let road = (problem, Cone::Nodal, Solver::InteriorPoint);
     by_edge(road, |edge| solve_by_barrier(edge, sizes), |_| Ok(())).map(|(solution, ())| solution)
+}
+
+/// The solution by the interior point method on the edge, recovered once.
+pub(super) fn solve_by_program(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
+    let road = (problem, cone, Solver::EdgeInteriorPoint);
+    by_edge(road, edge_interior_point, |_| Ok(())).map(|(solution, ())| solution)
 }
 
 /// Elimination, `on_edge` for the problem on the edge, recovery, a step of refinement for the active set; and
@@ -73,7 +79,7 @@ fn by_edge<T>(
         let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
         iterate.add(&reduced, &correction.displacement, &correction.multiplier);
     }
-    let iterations = outcome.history.len() as u64;
+    let iterations = outcome.steps as u64;
     let mut solution = conclude(
         problem,
         cone,

@@ -36,6 +36,7 @@ impl ContactProblem {
                 Ok(self.solve_by_multigrid(cone, None, accuracy, |_| Ok(()))?.solution)
             }
             Solver::InteriorPoint => interior_point::solve(self, cone),
+            Solver::EdgeInteriorPoint => condensed::solve_by_program(self, cone),
         }
     }
 

@@ -12,6 +12,9 @@ pub enum Solver {
     ActiveSet,
     /// A general interior point method for quadratic programs (Clarabel) on the full sparse problem.
     InteriorPoint,
+    /// The same on the problem condensed to the edge: elimination is that of the active set, the search for
+    /// the contact set is not.
+    EdgeInteriorPoint,
     /// Nested iteration with conjugate gradients and a V-cycle.
     Multigrid,
     /// The active set up to [`Solver::CROSSING`] unknowns, multigrid above: what is faster.
@@ -38,6 +41,7 @@ impl fmt::Display for Solver {
         f.write_str(match self {
             Solver::ActiveSet => "active-set",
             Solver::InteriorPoint => "interior-point",
+            Solver::EdgeInteriorPoint => "edge-interior-point",
             Solver::Multigrid => "multigrid",
             Solver::Auto => "auto",
         })
@@ -51,12 +55,13 @@ impl FromStr for Solver {
         match text {
             "active-set" => Ok(Solver::ActiveSet),
             "interior-point" => Ok(Solver::InteriorPoint),
+            "edge-interior-point" => Ok(Solver::EdgeInteriorPoint),
             "multigrid" => Ok(Solver::Multigrid),
             "auto" => Ok(Solver::Auto),
             _ => Err(Error::UnknownName {
                 what: "solver",
                 given: text.to_owned(),
-                expected: "active-set, interior-point, multigrid or auto",
+                expected: "active-set, interior-point, edge-interior-point, multigrid or auto",
             }),
         }
     }

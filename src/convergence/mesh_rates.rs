@@ -21,8 +21,8 @@ use crate::scenes::{MeshScene, Setting, body_regularity};
 
 /// Uniform refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 1;
-/// Squares along each side of the largest reference: 17 million unknowns for a scalar, by multigrid some 9
-/// GB.
+/// Squares along each side of the largest reference: by multigrid some 9 GB for the 17 million unknowns of a
+/// scalar, 15 GB for a body.
 const LARGEST_REFERENCE: usize = 4096;
 /// Rounding of the energy norm of a difference, relative to the norm of u.
 const ROUNDING: f64 = 1e-13;

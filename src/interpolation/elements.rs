@@ -1,8 +1,4 @@
 //! Elements made of cells: functions live on the cells, I^h and π^h on the elements.
-//!
-//! (u − I^h u)' = u' − π^h u' on every element: Lagrange interpolation of u is the P0 projection of its
-//! slope. One mesh and one set of forms therefore serve Lemma 6.2 (Lagrange) and (4.6), (4.7) (P0
-//! projection).
 
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
@@ -10,6 +6,25 @@ use crate::sobolev::{Partition, PiecewisePolynomial};
 use std::ops::Range;
 
 /// A partition into cells, grouped into elements.
+///
+/// # Method
+///
+/// (u − I^h u)' = u' − π^h u' on every element: Lagrange interpolation of u is the P0 projection of its
+/// slope. One mesh and one set of forms therefore serve Lemma 6.2 (Lagrange) and (4.6), (4.7) (P0
+/// projection).
+///
+/// ```
+/// use signorini::{interpolation::{ElementMesh, lagrange}, sobolev::Partition};
+/// let mesh = ElementMesh::uniform(4, 8)?;
+/// assert!(mesh.elements().len() == 4 && mesh.cells().len() == 32 && mesh.h() == 0.25);
+/// // π^h of I^h x: the means of x
+/// let means = mesh.projection(&lagrange(mesh.cells(), |x| x)?)?;
+/// assert!((means.value(0, 0.5)? - 0.125).abs() < 1e-15);
+/// let cells = Partition::geometric(3, 0.5, 1.0)?;
+/// assert_eq!(ElementMesh::single(cells.clone())?.h(), 1.0);
+/// assert_eq!(ElementMesh::new(cells, &[3, 1])?.h(), 0.5);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElementMesh {
     cells: Partition,
@@ -110,6 +125,7 @@ impl ElementMesh {
 ///
 /// # Errors
 /// [`Error::NotFinite`] for a value of u.
+#[doc(alias("nodal interpolation"))]
 pub fn lagrange(mesh: &Partition, u: impl Fn(f64) -> f64) -> Result<PiecewisePolynomial> {
     PiecewisePolynomial::interpolate(mesh.clone(), 1, u)
 }

@@ -6,7 +6,7 @@
 //! | ‖v − π^h v‖₀² = ‖(u − I^h u)'‖₀² | E = M − Σ_e m_e m_eᵀ / h_e |
 //! | ‖u − I^h u‖₀² | from the primitive of v − π^h v at Gauss points, exact |
 //! | \|v\|_r², 0 ≤ r ≤ 1, with the constants made positive | A_r + m mᵀ |
-//! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + M)⁻¹ E: the dual norm of ‖·‖_{1/2} on the piecewise linears |
+//! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + M)⁻¹ E: the dual norm of ‖·‖\_{1/2} on the piecewise linears |
 //!
 //! m_e are the integrals of the hats over element e, m those over the interval. Dense, for meshes of some
 //! hundred cells. The forms with π^h vanish on constants, so m mᵀ changes no extremal quotient.

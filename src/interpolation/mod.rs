@@ -5,8 +5,8 @@
 //! | --- | --- |
 //! | I^h u, Lagrange interpolation of degree one | affine on each element, equal to u at the nodes |
 //! | e = u − I^h u, e' = u' − (mean of u' on the element) | everything is written in the slope v = u' |
-//! | \|u\|_{1+ν} = \|u'\|_ν | [`crate::sobolev`], double integral over both orders of x and y |
-//! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|_{1+ν} | [`element_constant`] |
+//! | \|u\|\_{1+ν} = \|u'\|_ν | [`crate::sobolev`], double integral over both orders of x and y |
+//! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|\_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|\_{1+ν} | [`element_constant`] |
 //! | Lemma 6.1 on a triangle | [`TriangleConstants`], [`kobayashi`] |
 //! | Lemma 6.1 for one u | [`InterpolationError`], [`power_slope`] |
 //! | Lemma 6.2: for one u on a mesh, best constants on a mesh | [`InterpolationError`], [`mesh_constant`] |
@@ -18,7 +18,7 @@
 //! | (4.6), (4.7): their rates for all of H^r, from both sides | [`supremum_rate`], [`wave_constant`] |
 //! | Remark 4 | [`saturation_quotient`], [`power_lagrange_rate`] |
 //! | Remark 2 | [`AliasedWave`], [`all_waves_mean`], [`smooth_dual_error`] |
-//! | ‖·‖_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
+//! | ‖·‖\_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
 //! | C(q) in (3.6), (3.10), (4.12), from both sides | [`embedding_upper_bound`], [`EmbeddingSpace`] |
 //! | C(α) in (E3) | [`EndIncrements`] |
 //! | limits ν → 0, ν → 1, (6.2) | [`limits`] |

@@ -37,8 +37,18 @@ pub fn observed_rates(meshes: &[(usize, Estimate)]) -> Result<Vec<Option<Estimat
 
 /// The exponent between the last two of three meshes.
 ///
+/// ```
+/// use signorini::{Estimate, interpolation::{observed_rate, observed_rates}};
+/// let norm = |n: usize| Estimate::new((n as f64).powi(-2), 1e-12, Default::default());
+/// let meshes = [(8, norm(8)?), (16, norm(16)?), (32, norm(32)?)];
+/// assert!((observed_rate(meshes)?.value - 2.0).abs() < 1e-6);
+/// assert_eq!(observed_rates(&meshes)?.len(), 3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`observed_rates`].
+#[doc(alias("convergence rate", "order of convergence", "EOC"))]
 pub fn observed_rate(meshes: [(usize, Estimate); 3]) -> Result<Estimate> {
     let none = Error::CountOutOfRange { name: "meshes", value: 0, range: "3" };
     observed_rates(&meshes)?.last().copied().flatten().ok_or(none)

@@ -4,6 +4,14 @@ use crate::error::{Error, Result};
 
 /// Fails unless `given` is `expected`.
 ///
+/// ```
+/// use signorini::numeric::check::{require_finite, require_finite_at, require_length, require_values};
+/// assert!(require_length("nodal values", 3, 4).is_err());
+/// assert!(require_finite("nodal values", &[0.0, f64::NAN]).is_err());
+/// assert!(require_finite_at("nodal values", 7, 1.0).is_ok());
+/// assert!(require_values("nodal values", &[0.0, 1.0], 2).is_ok());
+/// ```
+///
 /// # Errors
 /// [`Error::LengthMismatch`] under `name`.
 pub fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {

@@ -34,6 +34,29 @@ pub enum Step {
 }
 
 /// The state of an iteration.
+///
+/// ```
+/// use signorini::Result;
+/// use signorini::numeric::conjugate_gradients::{ConjugateGradients, System};
+/// /// A = diag(1, 2), preconditioned by its inverse.
+/// struct Diagonal;
+/// impl System for Diagonal {
+///     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
+///         out.copy_from_slice(&[x[0], 2.0 * x[1]]);
+///         Ok(())
+///     }
+///     fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()> {
+///         out.copy_from_slice(&[r[0], r[1] / 2.0]);
+///         Ok(())
+///     }
+/// }
+/// let (mut x, mut iteration) = ([0.0; 2], ConjugateGradients::new(2));
+/// iteration.start(&mut Diagonal, &[3.0, 4.0])?;
+/// iteration.step(&mut Diagonal, &mut x)?;
+/// assert!(x == [3.0, 2.0] && iteration.rho() == 0.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("CG", "PCG"))]
 #[derive(Debug, Clone)]
 pub struct ConjugateGradients {
     /// b − A x.

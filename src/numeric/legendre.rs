@@ -17,6 +17,21 @@ pub fn fill(values: &mut [f64], x: f64) {
 }
 
 /// Σ c_k P_k(x).
+///
+/// ```
+/// use signorini::numeric::legendre;
+/// // P_2(x) = (3x² − 1)/2
+/// let [c, x] = [[0.0, 0.0, 1.0], [0.5, 0.25, 0.0]];
+/// assert_eq!(legendre::series(c, x[0]), -0.125);
+/// assert_eq!(legendre::series_with_slope(c, x[0]), (-0.125, 1.5));
+/// let (mut values, mut quotients) = ([0.0; 3], [0.0; 3]);
+/// legendre::fill(&mut values, x[0]);
+/// assert_eq!(values[2], legendre::next(1, x[0], values[1], values[0]));
+/// // (P_2(1/4) − P_2(1/2))/(1/4 − 1/2) = 3/2 · 3/4, and without a difference also at a = b
+/// assert!((legendre::difference_quotients(3, x[0], x[1])[2] - 1.125).abs() < 1e-15);
+/// legendre::fill_with_quotients(&mut values, &mut quotients, 0.5, 0.5);
+/// assert!((quotients[2] - 1.5).abs() < 1e-15);
+/// ```
 pub fn series(coefficients: impl IntoIterator<Item = f64>, x: f64) -> f64 {
     let (mut previous, mut current, mut sum) = (0.0, 1.0, 0.0);
     for (k, c) in coefficients.into_iter().enumerate() {
@@ -26,7 +41,7 @@ pub fn series(coefficients: impl IntoIterator<Item = f64>, x: f64) -> f64 {
     sum
 }
 
-/// (Σ c_k P_k(x), Σ c_k P_k'(x)), by P'_{k+1} = (2k+1) P_k + P'_{k−1}.
+/// (Σ c_k P_k(x), Σ c_k P_k'(x)), by P'\_{k+1} = (2k+1) P_k + P'\_{k−1}.
 pub fn series_with_slope(coefficients: impl IntoIterator<Item = f64>, x: f64) -> (f64, f64) {
     let (mut previous, mut current) = (0.0, 1.0);
     let (mut previous_slope, mut slope) = (0.0, 0.0);

@@ -1,6 +1,16 @@
 //! The regression line y = a + s x, and slopes in doubly logarithmic coordinates.
 
 /// Slope of the regression line and its standard error; 0 for the latter with two points.
+///
+/// ```
+/// use signorini::numeric::line::Line;
+/// let line = Line::through(&[(0.0, 1.0), (1.0, 3.0), (2.0, 5.0)]);
+/// assert!(line.slope == 2.0 && line.intercept == 1.0 && line.error < 1e-12);
+/// // the error of a method over h: the exponent is the rate
+/// let rate = Line::through_logarithms(&[(0.1, 0.03), (0.05, 0.0075), (0.025, 0.001875)]);
+/// assert!((rate.slope - 2.0).abs() < 1e-12);
+/// ```
+#[doc(alias("linear regression", "least squares"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
     /// s.

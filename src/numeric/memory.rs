@@ -26,6 +26,13 @@ fn total_of(text: &str) -> Option<f64> {
 
 /// Fails when `count` pieces of `bytes` bytes each exceed the machine's memory.
 ///
+/// ```
+/// use signorini::numeric::memory::{physical, require_memory};
+/// assert!(physical() > 0.0);
+/// assert!(require_memory("nodes", 1000, 8).is_ok());
+/// assert!(require_memory("entries", 1 << 60, 8).is_err());
+/// ```
+///
 /// # Errors
 /// [`Error::TooLarge`] under `name`.
 pub fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<()> {

@@ -1,6 +1,14 @@
 //! Numbers nobody has chosen, the same on every machine: SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 
 /// A sequence of numbers with a seed.
+///
+/// ```
+/// use signorini::numeric::random::SplitMix;
+/// let (mut a, mut b) = (SplitMix::new(7), SplitMix::new(7));
+/// assert!((0..100).all(|_| a.uniform() == b.uniform())); // one seed, one sequence, on every machine
+/// assert!((2.0..3.0).contains(&a.between(2.0, 3.0)) && a.below(6) < 6);
+/// ```
+#[doc(alias("random number generator"))]
 #[derive(Debug, Clone)]
 pub struct SplitMix {
     state: u64,

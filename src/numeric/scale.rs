@@ -3,6 +3,14 @@
 
 /// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x
 /// = 0.
+///
+/// ```
+/// use signorini::numeric::scale::{largest, power_below, power_between, power_of_two, unit_of};
+/// assert_eq!((power_of_two(3.0), power_of_two(0.3), power_of_two(0.0)), (2.0, 0.25, 1.0));
+/// assert_eq!((unit_of(&[0.1, -5.0]), power_below(&[0.1, -5.0])), (4.0, 4.0));
+/// assert_eq!(largest(&[0.1, -5.0]), 5.0);
+/// assert!((0.5..=2.0).contains(&(power_between(2.0, 8.0) / 4.0)));
+/// ```
 pub fn power_of_two(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { libm::ldexp(1.0, libm::ilogb(x).max(-1000)) }
 }

@@ -4,6 +4,16 @@
 /// true in (low, high).
 ///
 /// Halves until the bracket is at most `width` wide or holds no number between its ends.
+///
+/// ```
+/// use signorini::numeric::search::{golden_section, sign_change, smallest_on_grid};
+/// let (below, above) = sign_change(1.0, 2.0, 1e-12, |x| x * x > 2.0);
+/// assert!(below < 2f64.sqrt() && 2f64.sqrt() < above);
+/// // the least value of (x − 0.3)²: a bracket first, then golden sections
+/// let f = |x: f64| (x - 0.3).powi(2);
+/// let (index, (low, high)) = smallest_on_grid(0.0, 1.0, 10, f);
+/// assert!(index == 3 && (golden_section(low, high, 1e-9, f) - 0.3).abs() < 1e-6);
+/// ```
 pub fn sign_change(
     mut low: f64,
     mut high: f64,

@@ -26,6 +26,19 @@ impl RunningSum {
 }
 
 /// The compensated sum of all terms.
+///
+/// ```
+/// use signorini::numeric::sum::{RunningSum, careful_dot, compensated, pairwise_dot, pairwise_sum};
+/// let terms = [1e100, 1.0, -1e100];
+/// assert!(terms.iter().sum::<f64>() == 0.0 && compensated(terms) == 1.0);
+/// let mut running = RunningSum::default();
+/// terms.into_iter().for_each(|term| running.add(term));
+/// assert_eq!(running.value(), 1.0);
+/// assert_eq!(pairwise_sum(0, 1000, |k| k as f64), 499_500.0);
+/// let (a, b) = ([1e200, 1.0], [1e-200, 2.0]);
+/// assert!(pairwise_dot(&a, &b) == 3.0 && (careful_dot(&a, &b) - 3.0).abs() < 1e-15);
+/// ```
+#[doc(alias("Kahan", "Neumaier"))]
 pub fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
     let mut sum = RunningSum::default();
     terms.into_iter().for_each(|term| sum.add(term));

@@ -31,6 +31,16 @@ pub fn read_text(path: &Path) -> Result<String> {
 /// Two finite numbers per line, between blanks or commas; `#` begins a comment, lines without a word are
 /// passed over. Each pair with its line, from 1.
 ///
+/// ```
+/// use signorini::numeric::text::{pairs, quoted, read_text};
+/// let rows = pairs("# x, y\n0, 1\n0.5 2\n", "samples")?;
+/// assert_eq!(rows, [(2, [0.0, 1.0]), (3, [0.5, 2.0])]); // with their lines
+/// assert!(pairs("0, one", "samples").is_err());
+/// assert!(quoted("one").contains("one"));
+/// assert!(read_text("no such file".as_ref()).is_err());
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::Syntax`] with the line that is anything else.
 pub fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>> {

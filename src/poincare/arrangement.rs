@@ -1,9 +1,4 @@
 //! Which set E of given measure has the largest constant: the zone at an end, by rearrangement.
-//!
-//! For 0 < ν < 1 and every measurable E of measure θ, γ_E(ν) ≤ γ_(0,θ)(ν), for functions with mean zero on E
-//! and for those that vanish there: |v*|_ν ≤ |v|_ν for the decreasing rearrangement v*, whose mean over (0,θ)
-//! is the largest over all sets of measure θ. Here both sides for random unions of intervals, and where along
-//! the interval a single zone has its least constant.
 
 use super::constant::{gamma, gamma_whole};
 use super::zone::{Condition, Zone};
@@ -25,6 +20,13 @@ const SPREAD: f64 = 30.0;
 const LEAST_ORDER: f64 = 1e-3;
 
 /// A zone with its order and condition.
+///
+/// # Method
+///
+/// For 0 < ν < 1 and every measurable E of measure θ, γ_E(ν) ≤ γ_(0,θ)(ν), for functions with mean zero on E
+/// and for those that vanish there: |v*|_ν ≤ |v|_ν for the decreasing rearrangement v*, whose mean over (0,θ)
+/// is the largest over all sets of measure θ. Here both sides for random unions of intervals, and where along
+/// the interval a single zone has its least constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZoneCase {
     /// The order ν.
@@ -89,6 +91,15 @@ impl ZoneCase {
 
 /// `count` random cases with their ratios γ_E / γ_(0,θ); `None` where rounding forbids the tolerance.
 ///
+/// ```
+/// use signorini::{Tolerance, numeric::random::SplitMix, poincare::{ZoneCase, random_zones}};
+/// for (case, ratio) in random_zones(2, 1, Tolerance::fast())? {
+///     assert!(ratio.is_none_or(|ratio| ratio.value <= 1.0 + ratio.error), "{}", case.zones);
+/// }
+/// assert!(ZoneCase::random(&mut SplitMix::new(1))?.zones.length() < 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// Those of [`ZoneCase::over_end`], except for [`Error::ToleranceNotMet`].
 pub fn random_zones(
@@ -107,6 +118,13 @@ pub fn random_zones(
 }
 
 /// A zone of one length, moved along the interval, and cut in two.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Condition, MovedZone}, sobolev::FractionalOrder};
+/// let found = MovedZone::new(FractionalOrder::HALF, 0.1, Condition::MeanZero, Tolerance::fast())?;
+/// assert!(found.least.value < 1.0 && found.whole.value <= found.least.value + 1e-3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovedZone {
     /// The order ν.

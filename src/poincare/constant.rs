@@ -1,9 +1,4 @@
 //! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and extremal function.
-//!
-//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
-//! pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
-//! every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
-//! their difference is mostly the error of the coarser one. Cost: a few hundred unknowns, whatever θ.
 
 use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
@@ -26,6 +21,13 @@ const COARSER: f64 = 4.0;
 /// γ_θ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy `condition` on `zone`, an interval or a union of
 /// intervals.
 ///
+/// # Method
+///
+/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
+/// pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
+/// every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
+/// their difference is mostly the error of the coarser one. Cost: a few hundred unknowns, whatever θ.
+///
 /// ```
 /// use signorini::{Tolerance, poincare::{Condition, Zone, gamma}, sobolev::FractionalOrder};
 /// let whole = gamma(FractionalOrder::HALF, Zone::end(1.0)?, Condition::MeanZero, Tolerance::balanced())?;
@@ -39,6 +41,7 @@ const COARSER: f64 = 4.0;
 /// [`Error::ToleranceNotMet`] when rounding (about 2e-13, up to 5e-11 for very short zones inside; for
 /// several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the
 /// tolerance.
+#[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs"))]
 pub fn gamma(
     order: FractionalOrder,
     zone: impl Into<Zones>,
@@ -98,8 +101,17 @@ pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> R
 
 /// γ₁(ν): mean zero over the whole interval. 1/2 as ν → 0, √(1−ν)/π as ν → 1.
 ///
+/// ```
+/// use signorini::{Tolerance, poincare::gamma_whole, sobolev::FractionalOrder};
+/// let near_one = FractionalOrder::new(1.0 - 1e-9)?;
+/// let found = gamma_whole(near_one, Tolerance::balanced())?.value / near_one.complement().sqrt();
+/// assert!((found - std::f64::consts::FRAC_1_PI).abs() < 1e-6);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::ToleranceNotMet`] as for [`gamma`].
+#[doc(alias("Poincare constant", "Poincare-Wirtinger"))]
 pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
     gamma(order, Zone::end(1.0)?, Condition::MeanZero, tolerance)
 }
@@ -107,8 +119,19 @@ pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estim
 /// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of
 /// 1_E/|E| − 1.
 ///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, Zone, dual_norm, gamma, gamma_whole};
+/// let (order, zone, asked) = (FractionalOrder::HALF, Zone::end(0.01)?, Tolerance::balanced());
+/// let [n, g] = [dual_norm, gamma].map(|f| f(order, zone, Condition::MeanZero, asked).map(|e| e.value));
+/// let (n, g, whole) = (n?, g?, gamma_whole(order, asked)?.value);
+/// assert!(n.max(whole) <= g && g <= n.hypot(whole));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As for [`gamma`].
+#[doc(alias("H-1/2"))]
 pub fn dual_norm(
     order: FractionalOrder,
     zone: impl Into<Zones>,
@@ -156,8 +179,17 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
 /// γ with a function for which it is attained: of the space on which the value was found, or continued from
 /// larger orders as the value is.
 ///
+/// ```
+/// use signorini::{Tolerance, poincare::{Condition, Zone, extremal}, sobolev::FractionalOrder};
+/// let zone = Zone::end(0.01)?;
+/// let (gamma, u) = extremal(FractionalOrder::HALF, zone, Condition::Vanishing, Tolerance::fast())?;
+/// assert!(u.value(0.005).abs() < 1e-12 && u.value(1.0) > 1.0 && gamma.value > 0.3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As for [`gamma`].
+#[doc(alias("eigenfunction", "minimiser"))]
 pub fn extremal(
     order: FractionalOrder,
     zone: impl Into<Zones>,

@@ -11,6 +11,18 @@ const ONE_NODE: f64 = 1e-10;
 const MAKES_WAY: f64 = 1e-5;
 
 /// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, Zone, extremal, trial_quotient};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
+/// let (gamma, u) = extremal(order, Zone::end(0.01)?, Condition::MeanZero, asked)?;
+/// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(x)).abs() < 1e-9));
+/// // its interpolant nearly has the quotient γ
+/// let quotient = trial_quotient(&u.interpolate(3, 1, &[0.01])?, order, asked)?;
+/// assert!((quotient.value / gamma.value - 1.0).abs() < 1e-2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ExtremalFunction {
     /// One function of a slope space; several with their weights where the order is continued from larger

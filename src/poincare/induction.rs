@@ -1,9 +1,4 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
-//!
-//! From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}). With u the extremal function of V_{θ²} in the variable x/θ, I
-//! the stretched interval and c the mean of u over (0,1), (5.7) is
-//! |c| ≤ ‖u‖_{0,(0,1)} ≤ γ_θ |u|_{ν,(0,1)} ≤ γ_θ |u|_{ν,I},
-//! and (5.6) ‖u‖_{0,I} ≤ θ^{−1/2} |c| + θ^{−ν} γ_θ |u|_{ν,I}.
 
 use super::constant::extremal;
 use super::extremal::ExtremalFunction;
@@ -33,9 +28,9 @@ pub struct InductionStep {
     pub share: Estimate,
     /// |c| / ‖u‖_{0,(0,1)}.
     pub mean: Estimate,
-    /// ‖u‖_{0,(0,1)} / (γ_θ |u|_{ν,(0,1)}).
+    /// ‖u‖\_{0,(0,1)} / (γ_θ |u|\_{ν,(0,1)}).
     pub poincare: Estimate,
-    /// |u|_{ν,(0,1)} / |u|_{ν,I}.
+    /// |u|\_{ν,(0,1)} / |u|\_{ν,I}.
     pub restriction: Estimate,
     /// ‖u‖_{0,I} over the right side of (5.6).
     pub stretched: Estimate,
@@ -45,8 +40,15 @@ pub struct InductionStep {
     pub closing: Estimate,
 }
 
-/// (5.5) by quadrature on both intervals: the larger of |q − 1|, q = θ^{1/2} ‖u‖_{0,I} / ‖ũ‖₀ and
-/// θ^{1/2−ν} |u|_{ν,I} / |ũ|_ν, for ũ(x) = e^x + x^{3/5} on (0, 1) and u(x) = ũ(θx) on I = (0, 1/θ).
+/// (5.5) by quadrature on both intervals: the larger of |q − 1|, q = θ^{1/2} ‖u‖\_{0,I} / ‖ũ‖₀ and
+/// θ^{1/2−ν} |u|\_{ν,I} / |ũ|_ν, for ũ(x) = e^x + x^{3/5} on (0, 1) and u(x) = ũ(θx) on I = (0, 1/θ).
+///
+/// ```
+/// use signorini::{Tolerance, poincare::scaling_defect, sobolev::FractionalOrder};
+/// let defect = scaling_defect(FractionalOrder::HALF, 0.1, Tolerance::fast())?;
+/// assert!(defect.value <= 1e-3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ 1; those of the quadrature.
@@ -85,6 +87,13 @@ pub fn scaling_defect(order: FractionalOrder, theta: f64, tolerance: Tolerance) 
 /// with all terms of the sums, so that only θ^{ν−1/2} and ln(1/θ) depend on θ. Infinite where exp overflows,
 /// for ν near 1/2.
 ///
+/// ```
+/// use signorini::{poincare::closing_factor, sobolev::FractionalOrder};
+/// // 2 ln(1/θ)/ln(1/θ₀)
+/// assert!((closing_factor(FractionalOrder::HALF, 0.1, 0.001)? - 6.0).abs() < 1e-14);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ θ₀ < 1.
 pub fn closing_factor(order: FractionalOrder, start: f64, theta: f64) -> Result<f64> {
@@ -111,6 +120,13 @@ pub fn closing_factor(order: FractionalOrder, start: f64, theta: f64) -> Result<
 
 /// Squares θ `steps` times. The errors of (5.7) hold for the interpolated function; what its mean over the
 /// zone misses of zero is added to that of the Poincaré quotient.
+///
+/// # Method
+///
+/// From θ to θ²: γ_{θ²} ≤ γ_θ (1 + θ^{ν−1/2}). With u the extremal function of V_{θ²} in the variable x/θ, I
+/// the stretched interval and c the mean of u over (0,1), (5.7) is
+/// |c| ≤ ‖u‖\_{0,(0,1)} ≤ γ_θ |u|\_{ν,(0,1)} ≤ γ_θ |u|\_{ν,I},
+/// and (5.6) ‖u‖\_{0,I} ≤ θ^{−1/2} |c| + θ^{−ν} γ_θ |u|\_{ν,I}.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ < 1 and θ^(2^steps) ≥ 1e-300; those of [`extremal`].

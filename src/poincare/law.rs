@@ -13,6 +13,17 @@ use crate::sobolev::FractionalOrder;
 const NEAR_HALF: f64 = 0.01;
 
 /// γ_θ as θ → 0 at fixed ν; not uniform in ν.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, LimitLaw, Place, Zone, gamma};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// if let Some(law) = LimitLaw::new(order, Place::End, Condition::MeanZero, asked)? {
+///     let found = gamma(order, Zone::end(1e-9)?, Condition::MeanZero, asked)?;
+///     assert!((law.gamma(1e-9)?.value / found.value - 1.0).abs() < 1e-2);
+/// }
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum LimitLaw {
     /// B θ^{ν−1/2}.

@@ -1,12 +1,4 @@
 //! The printed laws (5.1)-(5.3) and the exact limits they should be compared with.
-//!
-//! | ν | printed | true, zone at an end | true, zone inside |
-//! | --- | --- | --- | --- |
-//! | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, [`super::end_limit`] | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
-//! | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), [`super::UniformLaw`] | γ² ~ L/(2π²) |
-//! | > 1/2 | C | γ₀(ν), [`super::gamma_at_point`] | the same at the point |
-//!
-//! A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν; [`super::LimitLaw`] chooses among them.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
@@ -23,6 +15,23 @@ pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 
 /// The growth that Lemma 5.2 prints: θ^{ν−1/2}, ln(1/θ), 1.
+///
+/// # Method
+///
+/// | ν | printed | true, zone at an end | true, zone inside |
+/// | --- | --- | --- | --- |
+/// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, `end_limit` | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
+/// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), [`super::UniformLaw`] | γ² ~ L/(2π²) |
+/// | > 1/2 | C | γ₀(ν), `gamma_at_point` | the same at the point |
+///
+/// A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν; [`super::LimitLaw`] chooses among them.
+///
+/// ```
+/// use signorini::{poincare::printed_growth, sobolev::FractionalOrder};
+/// assert_eq!(printed_growth(FractionalOrder::new(0.25)?, 1e-4), 10.0);
+/// assert_eq!(printed_growth(FractionalOrder::new(0.75)?, 1e-4), 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
     if order.is_below_half() {
         theta.powf(order.offset())

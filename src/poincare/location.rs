@@ -1,9 +1,4 @@
 //! Remark 7: one length of the zone at several places, and what the printed cut of the interval would need.
-//!
-//! The printed proof cuts the interval inside the zone and uses Lemma 5.2 on both pieces, as if the mean over
-//! each part of the zone were zero. With u odd about the middle of a zone in the middle, the mean over the
-//! zone is zero whatever u is on the left half, and both sides of the step are those of the left half scaled
-//! to (0,1).
 
 use super::constant::gamma;
 use super::scaling::last_exponent;
@@ -35,6 +30,21 @@ pub struct Placed {
 }
 
 /// Zones of one length at several places, and the printed step for odd functions.
+///
+/// # Method
+///
+/// The printed proof cuts the interval inside the zone and uses Lemma 5.2 on both pieces, as if the mean over
+/// each part of the zone were zero. With u odd about the middle of a zone in the middle, the mean over the
+/// zone is zero whatever u is on the left half, and both sides of the step are those of the left half scaled
+/// to (0,1).
+///
+/// ```
+/// use signorini::{Tolerance, poincare::Places, sobolev::FractionalOrder};
+/// // a zone of length 0.01 at the left end and in the middle
+/// let found = Places::new(FractionalOrder::HALF, 0.01, &[0.0, 0.5], Tolerance::fast())?;
+/// assert!(found.zones[1].gamma.value < found.zones[0].gamma.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Places {
     /// The order ν.

@@ -1,10 +1,4 @@
 //! B(ν) = lim θ^{1/2−ν} γ_θ(ν), ν < 1/2, zone at an end: the Mellin transform of the problem on a half line.
-//!
-//! B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ),
-//! C(t) = (1/ν) [ 2 Γ(1−2ν) Re( Γ(1/2+ν+it) / Γ(1/2−ν+it) ) − 1 ],
-//!
-//! C the symbol of the seminorm on (0,∞). Differences of ln Γ over the distance p = 1 − 2ν are formed term by
-//! term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -18,6 +12,23 @@ const STEPS: [f64; 6] = [1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0, 1.0 / 12
 const ROUNDING: f64 = 1e-14;
 
 /// B(ν) for ν < 1/2.
+///
+/// # Method
+///
+/// B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ),
+/// C(t) = (1/ν) [ 2 Γ(1−2ν) Re( Γ(1/2+ν+it) / Γ(1/2−ν+it) ) − 1 ],
+///
+/// C the symbol of the seminorm on (0,∞). Differences of ln Γ over the distance p = 1 − 2ν are formed term by
+/// term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::end_limit, sobolev::FractionalOrder};
+/// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
+/// let order = FractionalOrder::from_offset(-1e-5)?;
+/// let limit = end_limit(order, Tolerance::balanced())?.value.powi(2) * order.one_minus_twice();
+/// assert!((limit * std::f64::consts::PI.powi(2) / 1.5 - 1.0).abs() < 1e-3);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]

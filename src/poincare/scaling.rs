@@ -42,6 +42,15 @@ pub fn growth(order: FractionalOrder, zones: &[(f64, Estimate)]) -> Result<Optio
 
 /// To what [`growth`] tends as θ → 0 at fixed ν: ν − 1/2; at ν = 1/2 the slope 3/(2π²) at an end, 1/(2π²)
 /// inside; 0.
+///
+/// ```
+/// use signorini::{Estimate, poincare::{Place, growth_limit, last_exponent}, sobolev::FractionalOrder};
+/// assert_eq!(growth_limit(FractionalOrder::new(0.25)?, Place::End), -0.25);
+/// let of = |x: f64| Ok::<_, signorini::Error>((x, Estimate::new(x * x, 1e-9, Default::default())?));
+/// let square = last_exponent(&[of(1.0)?, of(2.0)?, of(4.0)?])?;
+/// assert!(square.is_some_and(|p| (p.value - 2.0).abs() <= p.error));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn growth_limit(order: FractionalOrder, place: Place) -> f64 {
     match place {
         _ if order.is_below_half() => order.offset(),
@@ -166,6 +175,16 @@ impl ExplicitBound {
 }
 
 /// What γ_θ of one order is compared with, and zones compared with it.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, ExplicitBound, Place, Scaling};
+/// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::fast());
+/// let point = Scaling::new(order, Place::End, Condition::MeanZero, asked)?.point(1e-3)?;
+/// let bound = ExplicitBound::new(order, Condition::MeanZero, asked)?.map(|bound| bound.at(1e-3));
+/// assert!(bound.transpose()?.is_some_and(|bound| point.found.gamma.value < bound.value));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Scaling {
     order: FractionalOrder,
@@ -241,6 +260,17 @@ impl Scaling {
 }
 
 /// By which factor (5.2) with C from θ = 1/2 is loose at the constant γ of a shorter zone at an end.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, Zone, gamma, looseness_at_half, printed_exponent_near_one};
+/// let asked = Tolerance::fast();
+/// let short = gamma(FractionalOrder::HALF, Zone::end(1e-6)?, Condition::MeanZero, asked)?;
+/// assert!(looseness_at_half(1e-6, short, asked)?.value > 1.0);
+/// // (5.2) cannot hold up to θ = 1
+/// assert!(printed_exponent_near_one(asked)?.is_some_and(|p| p.value < 0.0));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`gamma`].

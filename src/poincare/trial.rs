@@ -48,6 +48,20 @@ pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<PiecewisePolynomial> 
 }
 
 /// The functions [`truncated_logarithm`] of one α beside the constants of the zones on which they vanish.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, TruncatedFamily, Zone, gamma, peetre_tartar, truncated_slope};
+/// let asked = Tolerance::fast();
+/// let (log, zone) = (16.0, Zone::end((-16f64).exp())?);
+/// let constant = gamma(FractionalOrder::HALF, zone, Condition::Vanishing, asked)?;
+/// let family = TruncatedFamily::new(0.4, &[(log, constant)], asked)?;
+/// assert!(family.shares[0].value < 1.0);
+/// assert!((truncated_slope(1.0) - signorini::poincare::END_SLOPE).abs() < 1e-15);
+/// // Lemma 5.1: α (‖u‖₀² + |u|²)^{1/2} ≤ |u| with α = (1 + γ²)^{−1/2}
+/// assert!((peetre_tartar(constant)?.value - 1.0 / 1f64.hypot(constant.value)).abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TruncatedFamily {
     /// The exponent α.
@@ -65,11 +79,12 @@ pub struct TruncatedFamily {
     pub slope: Option<Estimate>,
 }
 
-/// Remark 5 prints |w|_{1/2} ≤ ‖w‖_{1/2} = ‖v‖_{1/2} ≤ 1/n for v = u_n/n = 1 − w, ‖u‖_{1/2} = 1: with full
-/// norms the middle is false, since ‖w‖_{1/2} ≥ ‖w‖₀ ≥ 1 − 1/n. |w| = |v| ≤ ‖v‖_{1/2} ≤ 1/n repairs it.
+/// Remark 5 prints |w|\_{1/2} ≤ ‖w‖\_{1/2} = ‖v‖\_{1/2} ≤ 1/n for v = u_n/n = 1 − w, ‖u‖\_{1/2} = 1: with
+/// full norms the middle is false, since ‖w‖\_{1/2} ≥ ‖w‖₀ ≥ 1 − 1/n. |w| = |v| ≤ ‖v‖\_{1/2} ≤ 1/n repairs
+/// it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormChain {
-    /// n |w|_{1/2} over |u|_{1/2}: at most one, since truncation lowers the seminorm.
+    /// n |w|\_{1/2} over |u|\_{1/2}: at most one, since truncation lowers the seminorm.
     pub truncation: f64,
     /// n |w|_{1/2}, at most one: the repaired chain.
     pub repaired: f64,
@@ -77,7 +92,7 @@ pub struct NormChain {
     pub printed: f64,
 }
 
-/// (2α − 1)/α² · 3/(2π²): the limit of (‖w‖₀/|w|_{1/2})² / L for the functions [`truncated_logarithm`] with
+/// (2α − 1)/α² · 3/(2π²): the limit of (‖w‖₀/|w|\_{1/2})² / L for the functions [`truncated_logarithm`] with
 /// α > 1/2, largest at α = 1, where it is that of γ². In t = |ln x| the seminorm is (2π²/3) ∫ ψ'(t)² dt to
 /// leading order, ψ = (t/L)^α.
 pub fn truncated_slope(alpha: f64) -> f64 {
@@ -134,6 +149,20 @@ pub fn trial_quotient(
 
 /// ‖u − m‖₀ / |u|_ν, m the mean of u over the elements up to θ, a node of its partition of (0,1): a lower
 /// bound of γ_θ.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
+/// use signorini::poincare::{cut_in_two, mean_free_quotient, trial_quotient};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
+/// // u = x: ‖x‖₀ = 1/√3, ‖x − 1/4‖₀ = (7/48)^{1/2}, |x|_{1/2} = 1
+/// let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
+/// assert!((trial_quotient(&u, order, asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-4);
+/// assert!((mean_free_quotient(&u, 0.5, order, asked)?.value - (7.0f64 / 48.0).sqrt()).abs() < 1e-4);
+/// // two halves: each has |u|² = 1/4 and length 1/2
+/// let cut = cut_in_two(&u, 1, order, asked)?;
+/// assert!((cut.right.value - 0.5).abs() < 1e-4);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`trial_quotient`]; [`Error::OutOfRange`] when θ is no node.

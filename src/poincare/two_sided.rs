@@ -74,6 +74,14 @@ pub fn two_sided(
 impl TwoSided {
     /// (γ₁² + N²)^{1/2}, the bound of the short proof.
     ///
+    /// ```
+    /// use signorini::{Tolerance, poincare::{Condition, Zone, two_sided}, sobolev::FractionalOrder};
+    /// let (order, zone) = (FractionalOrder::new(0.3)?, Zone::end(0.1)?);
+    /// let found = two_sided(order, zone, Condition::MeanZero, Tolerance::fast())?;
+    /// assert!(found.upper <= found.simple_bound()?.value * (1.0 + 1e-3));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) on overflow.
     pub fn simple_bound(&self) -> Result<Estimate> {

@@ -1,15 +1,4 @@
 //! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
-//!
-//! With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves
-//! λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (expand the resolvent of the rank-one perturbation; T is the operator
-//! of ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
-//!
-//! N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence
-//! λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
-//!
-//! A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the
-//! analytic continuation, here (and just below 1/2) from two values of N. The remainders of N² and ‖r‖₀² are
-//! of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
 
 use super::constant::{DualMoments, dual_moments, gamma, gamma_whole};
 use super::limits::END_SLOPE;
@@ -34,6 +23,31 @@ const NEWTON: usize = 20;
 const NEAR_HALF: f64 = 1e-6;
 
 /// γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
+///
+/// # Method
+///
+/// With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves
+/// λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (expand the resolvent of the rank-one perturbation; T is the operator
+/// of ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
+///
+/// N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence
+/// λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
+///
+/// A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the
+/// analytic continuation, here (and just below 1/2) from two values of N. The remainders of N² and ‖r‖₀² are
+/// of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::poincare::{Condition, UniformLaw, Zone, gamma};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// let law = UniformLaw::new(order, asked)?;
+/// let found = gamma(order, Zone::end(1e-30)?, Condition::MeanZero, asked)?;
+/// let by_law = law.gamma(1e-30)?;
+/// assert!((by_law.value - found.value).abs() <= by_law.error + found.error);
+/// assert!((law.rest(1e-30, found)?.explained.value - 1.0).abs() < 1e-2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UniformLaw {
     order: FractionalOrder,

@@ -8,6 +8,19 @@ use std::str::FromStr;
 const SHORTEST: f64 = 1e-300;
 
 /// A zone (a, a+θ) in (0,1), kept as its three lengths a, θ and 1 − a − θ.
+///
+/// ```
+/// use signorini::poincare::{Place, Zone, Zones};
+/// let zone = Zone::centred(0.5)?;
+/// assert_eq!((zone.start(), zone.length(), zone.rest()), (0.25, 0.5, 0.25));
+/// assert!(!zone.is_at_an_end() && Zone::at(0.5, 0.5)?.is_at_an_end());
+/// assert_eq!((Place::Centre.point(), Place::Centre.zone(0.5)?), (0.5, zone));
+/// // a union of intervals
+/// let zones = Zones::union(&[(0.125, 0.25), (0.5, 0.125)])?;
+/// assert_eq!(zones.mirrored().intervals(), [(0.375, 0.125), (0.625, 0.25)]);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("interval", "subinterval"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zone {
     start: f64,
@@ -37,6 +50,26 @@ impl Zone {
         let admissible = rest >= -f64::EPSILON;
         Error::require("zone end", start + theta, "(0, 1]", admissible)?;
         Ok(Self { start, length: theta, rest: if rest <= f64::EPSILON { 0.0 } else { rest } })
+    }
+
+    /// (a, b), 0 ≤ a < b ≤ 1: by its ends, where [`Zone::at`] takes its length.
+    ///
+    /// ```
+    /// use signorini::poincare::Zone;
+    /// let zone = Zone::between(0.25, 0.75)?;
+    /// assert!(zone.length() == 0.5 && zone.rest() == 0.25);
+    /// assert!(Zone::between(0.75, 0.25).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] as for [`Zone::at`], and for b outside (a, 1].
+    pub fn between(a: f64, b: f64) -> Result<Self> {
+        let inside = a == 0.0 || (SHORTEST..1.0).contains(&a);
+        let start = Error::require("zone start", a, "{0} or [1e-300, 1)", inside)?;
+        let end =
+            Error::require("zone end", b, "(a, 1], at least 1e-300 above a", b - a >= SHORTEST && b <= 1.0)?;
+        Ok(Self { start, length: end - start, rest: 1.0 - end })
     }
 
     /// The zone of length θ in the middle.

@@ -1,17 +1,29 @@
 //! Interpolatory rules for ∫₀¹ t^β f(t) dt that stay accurate as β → −1.
-//!
-//! On the n Gauss-Legendre points t_i with weights g_i the weights are w_i = g_i Σ_{k<n} (2k+1) μ_k
-//! P_k(2t_i−1), where μ_k = ∫₀¹ t^β P_k(2t−1) dt = Π_{j=0}^{k−1} (β−j) / Π_{j=0}^{k} (β+1+j). They are exact
-//! for polynomials of degree n − 1. A Gauss-Jacobi rule reaches degree 2n − 1, but as β → −1 one of its
-//! points falls onto 0, where a difference quotient has no digits left; here f is extrapolated to 0 from
-//! points of size 1/n² with weights of bounded sum. β + 1 is the argument, so that no digit of it is lost.
-//! Cost O(n²).
 
 use super::Rule;
 use crate::error::{Error, Result};
 use crate::numeric::legendre;
 
 /// Points in (0, 1) and weights (of both signs) for the weight t^β.
+///
+/// # Method
+///
+/// On the n Gauss-Legendre points t_i with weights g_i the weights are w_i = g_i Σ_{k<n} (2k+1) μ_k
+/// P_k(2t_i−1), where μ_k = ∫₀¹ t^β P_k(2t−1) dt = Π_{j=0}^{k−1} (β−j) / Π_{j=0}^{k} (β+1+j). They are exact
+/// for polynomials of degree n − 1. A Gauss-Jacobi rule reaches degree 2n − 1, but as β → −1 one of its
+/// points falls onto 0, where a difference quotient has no digits left; here f is extrapolated to 0 from
+/// points of size 1/n² with weights of bounded sum. β + 1 is the argument, so that no digit of it is lost.
+/// Cost O(n²).
+///
+/// ```
+/// use signorini::quadrature::PowerWeightRule;
+/// // ∫₀¹ t^{−1/2} t² dt = 2/5, and ∫₀¹ t^{−1+1e-9} dt = 1e9
+/// let rule = PowerWeightRule::new(8, 0.5)?;
+/// assert!((rule.integrate(|t| t * t) - 0.4).abs() < 1e-14);
+/// assert_eq!(rule.iter().count(), 8);
+/// assert!((PowerWeightRule::new(8, 1e-9)?.integrate(|_| 1.0) / 1e9 - 1.0).abs() < 1e-14);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerWeightRule {
     points: Vec<f64>,

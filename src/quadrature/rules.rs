@@ -1,9 +1,4 @@
 //! Gauss-Legendre and Gauss-Jacobi rules on (0, 1).
-//!
-//! ∫₀¹ (1−t)^α t^β f(t) dt ≈ Σ wᵢ f(tᵢ), exact for polynomials of degree 2n − 1; α, β > −1.
-//! Legendre (α = β = 0) by Newton's method on the recurrence, kept up to 64 points. Jacobi: eigenvalues of
-//! the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969) 221-230), polished by Newton steps on the
-//! three-term recurrence in t itself. Cost O(n²) for Legendre, O(n³) for Jacobi.
 
 use crate::error::{Error, Result};
 use crate::numeric::eigen::symmetric_eigen;
@@ -11,6 +6,14 @@ use faer::Mat;
 use std::sync::OnceLock;
 
 /// Points in (0, 1), increasing, with positive weights.
+///
+/// # Method
+///
+/// ∫₀¹ (1−t)^α t^β f(t) dt ≈ Σ wᵢ f(tᵢ), exact for polynomials of degree 2n − 1; α, β > −1.
+/// Legendre (α = β = 0) by Newton's method on the recurrence, kept up to 64 points. Jacobi: eigenvalues of
+/// the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969) 221-230), polished by Newton steps on the
+/// three-term recurrence in t itself. Cost O(n²) for Legendre, O(n³) for Jacobi.
+#[doc(alias("Gauss-Legendre", "Gauss-Jacobi", "quadrature"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rule {
     points: Vec<f64>,
@@ -40,6 +43,15 @@ impl Rule {
 
     /// n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
     /// size.
+    ///
+    /// ```
+    /// use signorini::quadrature::Rule;
+    /// // ∫₀¹ (1−t)^{1/2} t^{−1/2} dt = π/2
+    /// let rule = Rule::gauss_jacobi(5, 0.5, -0.5)?;
+    /// assert!((rule.integrate(|_| 1.0) - std::f64::consts::FRAC_PI_2).abs() < 1e-14);
+    /// assert!(rule.iter().all(|(t, w)| 0.0 < t && t < 1.0 && w > 0.0));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for n = 0 or n > 65536, [`Error::OutOfRange`] unless α, β > −1 and finite.

@@ -1,6 +1,6 @@
-//! Five roads to the discrete solutions of the scene with known solution, with seconds, true errors and true
+//! Six roads to the discrete solutions of the scene with known solution, with seconds, true errors and true
 //! algebraic errors: the active set from no contact and from the contact set of the mesh before, the
-//! interior-point method, and multigrid at two accuracies.
+//! interior-point method on the whole body and on its edge, and multigrid at two accuracies.
 
 use super::manufactured;
 use super::mesh::MeshScene;
@@ -28,6 +28,8 @@ pub enum Road {
     Nested,
     /// The interior-point method.
     Interior,
+    /// The interior-point method on the problem condensed to the edge.
+    Edge,
     /// Multigrid to the relative tolerance 1e-10.
     Multigrid,
     /// Multigrid to a hundredth of the error of discretisation.
@@ -36,12 +38,13 @@ pub enum Road {
 
 impl Road {
     /// All roads.
-    pub const ALL: [Road; 5] = [Road::Cold, Road::Nested, Road::Interior, Road::Multigrid, Road::Share];
+    pub const ALL: [Road; 6] =
+        [Road::Cold, Road::Nested, Road::Interior, Road::Edge, Road::Multigrid, Road::Share];
 
     /// Whether the road is taken on n × n squares.
     fn is_taken(self, n: usize) -> bool {
         match self {
-            Road::Cold | Road::Nested => n <= ELIMINATED,
+            Road::Cold | Road::Nested | Road::Edge => n <= ELIMINATED,
             Road::Interior => n <= INTERIOR,
             Road::Multigrid | Road::Share => true,
         }
@@ -54,6 +57,7 @@ impl fmt::Display for Road {
             Road::Cold => "active set, cold",
             Road::Nested => "active set, nested",
             Road::Interior => "interior point",
+            Road::Edge => "interior point, edge",
             Road::Multigrid => "multigrid, 1e-10",
             Road::Share => "multigrid, 1/100 of h",
         })
@@ -146,6 +150,7 @@ fn travel(
         (Road::Nested, Some(coarse)) => problem.solve_after(coarse)?,
         (Road::Cold, _) => problem.solve(cone, Solver::ActiveSet)?,
         (Road::Interior, _) => problem.solve(cone, Solver::InteriorPoint)?,
+        (Road::Edge, _) => problem.solve(cone, Solver::EdgeInteriorPoint)?,
     };
     Ok(Some((solution, None)))
 }

@@ -101,6 +101,16 @@ fn power_above(a: f64, order: FractionalOrder, end: f64) -> (f64, u64) {
 /// |u|²_ν on (0, p+q) for u = 0 on (0, p), 1 on (p, p+q):
 /// 2 [p^{1-2ν} + q^{1-2ν} − (p+q)^{1-2ν}] / (2ν(1−2ν)).
 ///
+/// ```
+/// use signorini::sobolev::{FractionalOrder, closed_forms};
+/// let order = FractionalOrder::new(0.25)?;
+/// // 2 (1 + 1 − √2) / (1/2 · 1/2)
+/// let squared = closed_forms::jump(1.0, 1.0, order)?;
+/// assert!((squared.value - 8.0 * (2.0 - 2f64.sqrt())).abs() < 1e-13);
+/// assert!(closed_forms::jump(1.0, 1.0, FractionalOrder::HALF).is_err()); // a jump is not in H^{1/2}
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Partition::from_lengths`] for bad lengths.
 pub fn jump(p: f64, q: f64, order: FractionalOrder) -> Result<Estimate> {
@@ -113,6 +123,17 @@ pub fn jump(p: f64, q: f64, order: FractionalOrder) -> Result<Estimate> {
 /// |φ|²_ν for the hat φ that rises over `rise`, falls over `fall`, and vanishes on `before` and `after`.
 ///
 /// `before` and `after` may be zero: the hat then touches the end of the interval.
+///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
+/// let squared = closed_forms::hat(1.0, 2.0, 1.0, 0.0, FractionalOrder::HALF)?;
+/// let mesh = Partition::from_nodes(&[0.0, 1.0, 3.0, 4.0])?;
+/// let hat = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0])?;
+/// let norm = hat.seminorm(FractionalOrder::HALF, Tolerance::reference())?;
+/// assert!((norm.value.powi(2) / squared.value - 1.0).abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`Partition::from_lengths`] for bad lengths.

@@ -1,7 +1,5 @@
 //! Functions whose norms are worth knowing, by name: `power:0.3`, `step:0.4`, `hat`, `log:0.25`,
 //! `samples:FILE`.
-//!
-//! All but samples live on (0, 1). Where |u|_ν is finite, [`GalleryFunction::is_in`] says.
 
 use super::closed_forms;
 use super::functions::{Position, SingularFunction};
@@ -16,6 +14,24 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// A function by name.
+///
+/// # Method
+///
+/// All but samples live on (0, 1). Where |u|_ν is finite, [`GalleryFunction::is_in`] says.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, GalleryFunction}};
+/// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::balanced());
+/// let root: GalleryFunction = "power:0.5".parse()?;
+/// let exact = root.closed_form(order)?.map(|e| e.value).unwrap_or(f64::NAN);
+/// assert!((root.seminorm(order, asked)?.value / exact - 1.0).abs() < 1e-8);
+/// assert!((root.norm(order, asked)?.value.powi(2) - exact.powi(2) - 0.5).abs() < 1e-7);
+/// // a step is in H^ν for ν < 1/2 only
+/// let step: GalleryFunction = "step:0.4".parse()?;
+/// assert!(step.is_in(order) && !step.is_in(FractionalOrder::HALF) && step.last_order() == 0.5);
+/// assert_eq!(step.finite_seminorm(FractionalOrder::HALF, asked)?, None);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum GalleryFunction {
     /// x^a.
@@ -64,6 +80,56 @@ impl GalleryFunction {
         match self.evaluated()? {
             Evaluated::Samples(u) => u.norm(order, tolerance),
             Evaluated::Closure(u) => u.norm(order, tolerance),
+        }
+    }
+
+    /// |u − u_h|_ν for a field on many elements, as [`SingularFunction::seminorm_of_error`].
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial}};
+    /// let mesh = Partition::algebraic(1000, 2.0, 1.0)?;
+    /// let values: Vec<f64> = mesh.from_left().iter().map(|x| x.sqrt()).collect();
+    /// let field = PiecewisePolynomial::linears(mesh, &values)?;
+    /// let root = GalleryFunction::Power(0.5);
+    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
+    /// let found = root.seminorm_of_error(&field, order, asked)?;
+    /// assert!(found.value < 3e-3 && found.value < root.norm_of_error(&field, order, asked)?.value);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SingularFunction::seminorm_of_error`]; [`Error::Incompatible`] for samples.
+    pub fn seminorm_of_error(
+        &self,
+        field: &PiecewisePolynomial,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        self.closure()?.seminorm_of_error(field, order, tolerance)
+    }
+
+    /// ||u − u_h||_ν, as [`GalleryFunction::seminorm_of_error`].
+    ///
+    /// # Errors
+    /// As [`GalleryFunction::seminorm_of_error`].
+    pub fn norm_of_error(
+        &self,
+        field: &PiecewisePolynomial,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        self.closure()?.norm_of_error(field, order, tolerance)
+    }
+
+    fn closure(&self) -> Result<SingularFunction<'_>> {
+        match self.evaluated()? {
+            Evaluated::Closure(u) => Ok(u),
+            Evaluated::Samples(_) => Err(Error::Incompatible {
+                what: "function",
+                given: self.to_string(),
+                with: "the error of a field",
+                expected: "a function by formula, or the field minus the samples as one piecewise polynomial",
+            }),
         }
     }
 

@@ -1,14 +1,17 @@
 //! The order ν of a fractional Sobolev space, 0 < ν < 1.
-//!
-//! Formulas switch character at ν = 1/2 (traces, logarithms), and most of them hold 1 − 2ν in an exponent or
-//! a denominator. The offset δ = ν − 1/2 is therefore kept beside ν: orders such as 1/2 + 1e-20, whose ν
-//! rounds to 1/2, are admissible.
 
 use crate::error::{Error, Result};
 use std::fmt;
 use std::str::FromStr;
 
 /// A fractional order 0 < ν < 1 that also knows ν − 1/2.
+///
+/// # Method
+///
+/// Formulas switch character at ν = 1/2 (traces, logarithms), and most of them hold 1 − 2ν in an exponent or
+/// a denominator. The offset δ = ν − 1/2 is therefore kept beside ν: orders such as 1/2 + 1e-20, whose ν
+/// rounds to 1/2, are admissible.
+#[doc(alias("H1/2", "Sobolev order", "nu", "fractional order"))]
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct FractionalOrder {
     value: f64,
@@ -38,6 +41,14 @@ impl FractionalOrder {
     }
 
     /// The order 1/2 + δ, with δ kept to full relative accuracy.
+    ///
+    /// ```
+    /// use signorini::sobolev::FractionalOrder;
+    /// let order = FractionalOrder::from_offset(-1e-20)?; // 1/2 − 1e-20 is no binary64 number
+    /// assert!(order.value() == 0.5 && order.offset() == -1e-20 && order.is_below_half());
+    /// assert!(order.complement() == 0.5 && order.one_minus_twice() == 2e-20);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless −1/2 < δ < 1/2.

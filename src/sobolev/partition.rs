@@ -1,10 +1,6 @@
 //! Partitions of an interval given by the *lengths* of their elements.
-//!
-//! Distances between elements are sums of lengths, never differences of coordinates: an element of length
-//! 1e-300 may sit beside one of length 1 anywhere in the interval, and every distance keeps full relative
-//! accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
-//! relative error about 1 ulp whatever the count.
 
+use super::grading::{algebraic_lengths, geometric_lengths};
 use crate::error::{Error, Result};
 use crate::numeric::memory::require_memory;
 use crate::numeric::scale::power_between;
@@ -19,6 +15,28 @@ const LARGEST_RATIO: f64 = 1e303;
 const BYTES: usize = 48;
 
 /// Elements of an interval, left to right.
+///
+/// # Method
+///
+/// Distances between elements are sums of lengths, never differences of coordinates: an element of length
+/// 1e-300 may sit beside one of length 1 anywhere in the interval, and every distance keeps full relative
+/// accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
+/// relative error about 1 ulp whatever the count.
+///
+/// ```
+/// use signorini::sobolev::Partition;
+/// let mesh = Partition::from_nodes(&[0.0, 0.25, 1.0])?;
+/// assert_eq!(mesh.lengths(), Partition::from_lengths(vec![0.25, 0.75])?.lengths());
+/// assert!(mesh.len() == 2 && !mesh.is_empty() && mesh.total() == 1.0 && mesh.left() == 0.0);
+/// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
+/// assert_eq!((mesh.distance(0, 2), mesh.uniform_length()), (1.0, None));
+/// // graded to both ends, and to a point inside
+/// assert_eq!(Partition::two_sided(1, 0.5, 1.0)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+/// let graded = Partition::graded_to_points(&[0.0, 0.3, 1.0], 20, 0.5)?;
+/// assert!(graded.lengths().iter().any(|&h| h < 1e-6));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("mesh", "grid", "graded mesh", "interval"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Partition {
     left: f64,
@@ -76,6 +94,35 @@ impl Partition {
         Self::from_lengths(geometric_lengths(layers, ratio, length)?)
     }
 
+    /// Nodes L (i/n)^β, i = 0, ..., n, β > 0: short elements at the left end for β > 1, where the interpolants
+    /// of x^a have their best rate from some β on. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
+    ///
+    /// ```
+    /// use signorini::sobolev::Partition;
+    /// assert_eq!(Partition::algebraic(4, 2.0, 16.0)?.nodes(), [0.0, 1.0, 4.0, 9.0, 16.0]);
+    /// assert_eq!(Partition::two_sided_algebraic(2, 2.0, 8.0)?.nodes(), [0.0, 1.0, 4.0, 7.0, 8.0]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Partition::uniform`]; [`Error::OutOfRange`] unless 0 < β < ∞.
+    pub fn algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
+        require_memory("elements", count, BYTES)?;
+        Self::from_lengths(algebraic_lengths(count, exponent, length)?)
+    }
+
+    /// As [`Partition::algebraic`] from both ends: `count` elements on either half.
+    ///
+    /// # Errors
+    /// As [`Partition::algebraic`].
+    pub fn two_sided_algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
+        require_memory("elements", count, 2 * BYTES)?;
+        let mut lengths = algebraic_lengths(count, exponent, 0.5 * length)?;
+        let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
+        lengths.extend(mirrored);
+        Self::from_lengths(lengths)
+    }
+
     /// Geometric from both ends towards the middle: the shortest elements, L/2 σ^m, lie at the two ends.
     ///
     /// # Errors
@@ -103,7 +150,8 @@ impl Partition {
     }
 
     /// (λ, the partition in units of λ), λ a power of two: where lengths lie beyond 1e-100 ... 1e100, the one
-    /// between the shortest and the longest, so that squares and powers of them are numbers of binary64; else 1.
+    /// between the shortest and the longest, so that squares and powers of them are numbers of binary64; else
+    /// 1.
     pub(crate) fn of_moderate_lengths(&self) -> Result<(f64, Self)> {
         let shortest = self.lengths.iter().copied().fold(f64::INFINITY, f64::min);
         if shortest >= 1e-100 && self.total() <= 1e100 {
@@ -193,14 +241,6 @@ impl Partition {
     }
 }
 
-fn geometric_lengths(layers: usize, ratio: f64, length: f64) -> Result<Vec<f64>> {
-    Error::require("grading ratio", ratio, "(0, 1)", ratio > 0.0 && ratio < 1.0)?;
-    let power = |k: usize| length * ratio.powf(k as f64);
-    let mut lengths = vec![power(layers)];
-    lengths.extend((0..layers).rev().map(|k| power(k) * (1.0 - ratio)));
-    Ok(lengths)
-}
-
 fn running_sums(lengths: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut sum = RunningSum::default();
     let mut sums = vec![0.0];
@@ -234,6 +274,13 @@ mod tests {
         let graded = Partition::graded_to_points(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
         assert_eq!(graded.len(), 8);
         assert_eq!(graded.total(), 1.0);
+        for exponent in [0.5, 1.0, 3.0, 20.0] {
+            let mesh = Partition::algebraic(1000, exponent, 2.0).unwrap();
+            for (i, x) in mesh.nodes().into_iter().enumerate() {
+                let exact = 2.0 * (i as f64 / 1000.0).powf(exponent);
+                assert!((x - exact).abs() <= 1e-14 * exact, "{exponent} {i}: {x:e} {exact:e}");
+            }
+        }
     }
 
     #[test]
@@ -245,5 +292,9 @@ mod tests {
         assert!(Partition::uniform(0, 1.0).is_err());
         assert!(Partition::from_lengths(vec![1e-300, 1e300]).is_err());
         assert!(Partition::geometric(3, 1.0, 1.0).is_err());
+        for exponent in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e5] {
+            assert!(Partition::algebraic(3, exponent, 1.0).is_err(), "{exponent}");
+        }
+        assert!(Partition::algebraic(0, 2.0, 1.0).is_err());
     }
 }

@@ -55,7 +55,7 @@ impl Counts {
     ) {
         let count = self.0.entry(solver).or_default();
         count.asked += 1;
-        let is_iterated = matches!(solver, "interior point" | "barrier");
+        let is_iterated = matches!(solver, "interior point" | "interior point, edge" | "barrier");
         let found = catch_unwind(AssertUnwindSafe(solve));
         let what = match found {
             Err(_) => Some("panic".to_owned()),

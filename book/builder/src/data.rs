@@ -68,6 +68,14 @@ impl Data {
         Ok(data)
     }
 
+    /// Takes up all of another collection.
+    pub(crate) fn extend(&mut self, other: Self) {
+        self.examples.extend(other.examples);
+        self.options.extend(other.options);
+        self.figures.extend(other.figures);
+        self.series.extend(other.series);
+    }
+
     /// Takes up a figure, or the numbers behind one, of an example.
     pub(crate) fn insert(&mut self, example: &str, directory: &Path, file: &str) -> Result<()> {
         let (map, stem) = match file.rsplit_once('.') {

@@ -5,6 +5,7 @@
 
 use crate::data::{Data, names, parse_object};
 use crate::error::{Error, Result, read, write};
+use crate::large::Run;
 use serde_json::Value;
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
@@ -25,12 +26,30 @@ pub fn gather(repository: &Path) -> Result<Data> {
         let is_known = read(&cache.join("stamp")).is_ok_and(|known| known == stamp);
         if !is_known {
             eprintln!("[{}/{count}] {name}", k + 1);
-            run(&name, program, &cache)?;
+            run(&name, program, &[], &cache)?;
         }
         collect(&name, &cache, &mut data)?;
         data.options.insert(name.clone(), describe(&name, program)?);
         write(&cache.join("stamp"), &stamp)?;
     }
+    Ok(data)
+}
+
+/// Builds the examples and makes one run with arguments of its own; what it computed, under the run's name.
+///
+/// # Errors
+/// [`Error::Example`] when the example is not there, does not build or run, [`Error::File`].
+pub fn with_arguments(repository: &Path, run: &Run) -> Result<Data> {
+    let failed = |message: &str| Error::Example { name: run.example.clone(), message: message.to_owned() };
+    let programs = build(repository)?;
+    let program =
+        programs.iter().find(|program| program.file_stem().is_some_and(|stem| stem == &*run.example));
+    let program = program.ok_or_else(|| failed("is not there"))?;
+    let cache = cache_directory(program).join("large").join(&run.name);
+    let arguments: Vec<&str> = run.arguments.split_whitespace().collect();
+    self::run(&run.example, program, &arguments, &cache)?;
+    let mut data = Data::default();
+    collect(&run.name, &cache, &mut data)?;
     Ok(data)
 }
 
@@ -76,13 +95,14 @@ fn stamp(program: &Path) -> Result<String> {
 }
 
 /// Runs one example; its headline and figures go to `cache`.
-fn run(name: &str, program: &Path, cache: &Path) -> Result<()> {
+fn run(name: &str, program: &Path, arguments: &[&str], cache: &Path) -> Result<()> {
     let failed = |message: String| Error::Example { name: name.to_owned(), message };
     if cache.exists() {
         std::fs::remove_dir_all(cache).map_err(|source| Error::File { path: cache.to_owned(), source })?;
     }
     write(&cache.join("headline.json"), "")?; // makes the directory too
     let output = Command::new(program)
+        .args(arguments)
         .arg("--values")
         .arg(cache.join("headline.json"))
         .arg("--out")

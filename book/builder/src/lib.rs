@@ -18,6 +18,7 @@ pub mod html;
 pub mod idea;
 pub mod include;
 pub mod labels;
+pub mod large;
 pub mod letters;
 pub mod live;
 pub mod markup;
@@ -25,6 +26,7 @@ pub mod number;
 pub mod options;
 pub mod page;
 pub mod paper;
+pub mod pdf;
 pub mod print;
 pub mod scan;
 pub mod search;
@@ -60,6 +62,23 @@ impl Layout {
     /// Where the committed data of the examples is.
     pub fn generated(&self) -> PathBuf {
         self.book.join("generated")
+    }
+
+    /// Where what large runs computed is kept.
+    pub fn large(&self) -> PathBuf {
+        self.generated().join("large")
+    }
+
+    /// All that pages may show: what examples computed, and large runs.
+    ///
+    /// # Errors
+    /// Those of [`Data::read`]; [`error::Error::Faults`] where a large run was made with other arguments.
+    pub fn data(&self) -> Result<Data> {
+        let large = Data::read(&self.large())?;
+        none_of(large::faults(&large::list(&self.book)?, &large))?;
+        let mut data = Data::read(&self.generated())?;
+        data.extend(large);
+        Ok(data)
     }
 }
 

@@ -1,6 +1,7 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the
 //! pages from the committed data. `cargo book labels`: writes the tables made from `labels.toml`, the list of
 //! chapters in `src/book.rs` and that of examples in `tests/findings.rs`, and nothing else. `cargo book
+//! large NAME`: makes a run of `large.toml` and keeps what it computed. `cargo book
 //! letters`: lists where each symbol of the notation page is first used, and how that page explains it.
 //! `cargo book print`: builds the pages and prints them, as a PDF where a Chromium is installed. `cargo book
 //! serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address. `cargo
@@ -10,13 +11,14 @@ use book_builder::data::Data;
 use book_builder::error::Result;
 use book_builder::letters::Letters;
 use book_builder::serve::{Laboratory, Limits, Server};
-use book_builder::{Layout, build, check_fresh, examples, html, labels, print, shown, tables};
+use book_builder::{Layout, build, check_fresh, examples, html, labels, large, print, shown, tables};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
-const USAGE: &str = "usage: cargo book [build | check | labels | letters | print | serve [--port P]]";
+const USAGE: &str =
+    "usage: cargo book [build | check | labels | large NAME | letters | print | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -25,10 +27,10 @@ fn main() -> ExitCode {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let done = match words.as_slice() {
         [] => renew(&layout),
-        ["build"] => Data::read(&layout.generated()).and_then(|data| build(&layout, &data)),
+        ["build"] => layout.data().and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
         ["print"] => {
-            let built = Data::read(&layout.generated()).and_then(|data| build(&layout, &data));
+            let built = layout.data().and_then(|data| build(&layout, &data));
             return said(built.and_then(|output| print::pdf(&output)));
         }
         ["serve"] => serve(&layout, PORT),
@@ -42,6 +44,9 @@ fn main() -> ExitCode {
         ["labels"] => labels::list(&layout.repository)
             .and_then(|list| tables::renew(&list, &layout.repository))
             .map(|()| layout.repository.clone()),
+        ["large", name] => {
+            return said(large::renew(&layout, name).map(|()| layout.large().join("values.json")));
+        }
         ["letters"] => match html::chapters(&layout.book, &layout.repository) {
             Ok(pages) => {
                 print!("{}", Letters::list(&pages));
@@ -79,12 +84,12 @@ fn renew(layout: &Layout) -> Result<PathBuf> {
     let data = shown(layout, examples::gather(&layout.repository)?)?;
     data.write(&layout.generated())?;
     tables::renew(&labels::list(&layout.repository)?, &layout.repository)?;
-    build(layout, &data)
+    build(layout, &layout.data()?)
 }
 
 /// The book as a laboratory; ends when it is interrupted.
 fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
-    let data = Data::read(&layout.generated())?;
+    let data = layout.data()?;
     let output = build(layout, &data)?;
     let programs = examples::build(&layout.repository)?;
     let server = Server::bind(Laboratory::new(layout, data, &output, &programs, Limits::default())?, port)?;
@@ -95,7 +100,7 @@ fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
 /// Pages first: their faults show at once, without the examples.
 fn check(layout: &Layout) -> Result<PathBuf> {
     let committed = Data::read(&layout.generated())?;
-    let output = build(layout, &committed)?;
+    let output = build(layout, &layout.data()?)?;
     check_fresh(layout, &committed, &examples::gather(&layout.repository)?)?;
     Ok(output)
 }

@@ -63,11 +63,11 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     found
 }
 
-/// Keys, columns and figures that hold times or solver steps have a word `seconds`, `ms`, `speedup`,
-/// `iterations`, `steps` (words joined by `.`, `_`, `-`).
+/// Keys, columns and figures that hold times, memory or solver steps have a word `seconds`, `ms`, `speedup`,
+/// `iterations`, `steps`, `peak` (words joined by `.`, `_`, `-`).
 pub fn is_timed(key: &str) -> bool {
     key.split(['.', '_', '-', '/', ' '])
-        .any(|word| matches!(word, "seconds" | "ms" | "speedup" | "iterations" | "steps"))
+        .any(|word| matches!(word, "seconds" | "ms" | "speedup" | "iterations" | "steps" | "peak"))
 }
 
 fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, String)>) {

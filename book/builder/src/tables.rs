@@ -1,6 +1,6 @@
-//! What is made from lists, between two lines of a file: the tables of the README, of `src/lib.rs` and of the
-//! lemma cards from `labels.toml`; the chapters in `src/book.rs` (documentation tests) from `SUMMARY.md`; the
-//! examples in `tests/findings.rs` from their directory.
+//! What is made from lists, between two lines of a file: the tables of the README, of `src/with_contact.md`
+//! and of the lemma cards from `labels.toml`; the chapters in `src/book.rs` (documentation tests) from
+//! `SUMMARY.md`; the examples in `tests/findings.rs` from their directory.
 
 use crate::data::names;
 use crate::error::{Error, Fault, Result, read, write};
@@ -36,7 +36,7 @@ fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
     if !labels.is_empty() {
         let all: Vec<&Label> = groups.iter().flat_map(|(_, members)| members).copied().collect();
         table("README.md", None, readme_table(&all));
-        table("src/lib.rs", None, contents_table(&all));
+        table("src/with_contact.md", None, contents_table(&all));
         for (group, members) in &groups {
             table("book/src/lemma_cards.md", Some(group), cards_table(members));
         }
@@ -92,10 +92,10 @@ fn readme_table(labels: &[&Label]) -> String {
 }
 
 fn contents_table(labels: &[&Label]) -> String {
-    let mut text = "//! | paper | here |\n//! | --- | --- |\n".to_owned();
+    let mut text = "| paper | here |\n| --- | --- |\n".to_owned();
     for label in labels.iter().filter(|label| !label.items.is_empty()) {
         let items: Vec<String> = label.items.iter().map(|item| format!("[`{item}`]")).collect();
-        let _ = writeln!(text, "//! | {}: {} | {} |", label.label, label.words, items.join(", "));
+        let _ = writeln!(text, "| {}: {} | {} |", label.label, label.words, items.join(", "));
     }
     text
 }
@@ -218,7 +218,7 @@ mod tests {
         put("examples/frame/more.rs", "");
         put(SUMMARY, "# Summary\n\n[How](how.md)\n\n- [(3.2): so](lemma.md)\n");
         put("README.md", "a\n\n<!-- labels -->\n<!-- end of labels -->\nb\n");
-        put("src/lib.rs", "//! <!-- labels -->\n//! <!-- end of labels -->\n");
+        put("src/with_contact.md", "<!-- labels -->\n<!-- end of labels -->\n");
         put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
         put(FINDINGS, "examples! {\n    // examples\n    // end of examples\n}\n");
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
@@ -235,12 +235,12 @@ mod tests {
             faults.into_iter().map(|fault| fault.file.display().to_string()).collect::<Vec<_>>()
         };
         let cards = "book/src/lemma_cards.md";
-        assert_eq!(stale_files(), ["README.md", "src/lib.rs", cards, cards, CHAPTERS, FINDINGS]);
+        assert_eq!(stale_files(), ["README.md", "src/with_contact.md", cards, cards, CHAPTERS, FINDINGS]);
         renew(&labels, directory.path()).unwrap();
         assert!(stale_files().is_empty());
         let text = |file: &str| read(&directory.path().join(file)).unwrap();
-        let contents = text("src/lib.rs");
-        assert!(contents.contains("//! | Lemma 1: so | [`a::f`] |\n//! <!-- end"), "{contents}");
+        let contents = text("src/with_contact.md");
+        assert!(contents.contains("| Lemma 1: so | [`a::f`] |\n<!-- end"), "{contents}");
         let readme = text("README.md");
         let row = "| Lemma 1: so | [ex](examples/ex.rs) | [lemma](tests/lemma.rs): it holds | \
                    [lemma](book/src/lemma.md) | [a.rs](src/a.rs) |\n| Lemma 2: so too |  |  |  |  |\n| Remark";

@@ -211,7 +211,16 @@ fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
         (TypeId::of::<StripKind>(), Kind::Choice(words(&["scalar", "elastic"]))),
         (TypeId::of::<Reference>(), Kind::Choice(words(&["nested", "harmonic"]))),
         (TypeId::of::<Against>(), Kind::Choice(words(&["reference", "itself"]))),
-        (TypeId::of::<Solver>(), Kind::Choice(words(&["active-set", "interior-point", "multigrid", "auto"]))),
+        (
+            TypeId::of::<Solver>(),
+            Kind::Choice(words(&[
+                "active-set",
+                "interior-point",
+                "edge-interior-point",
+                "multigrid",
+                "auto",
+            ])),
+        ),
         (TypeId::of::<Sides>(), Kind::Choice(Sides::ALL.map(|sides| sides.to_string()).into())),
         (TypeId::of::<Levels>(), Kind::Levels),
         (TypeId::of::<Resolution>(), Kind::Named(words(&["segment", "edge"]))),

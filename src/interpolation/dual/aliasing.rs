@@ -1,20 +1,5 @@
 //! Remark 2: in the dual norm of H^{1/2} Lagrange interpolation of H^{3/2} functions gains nothing over
 //! h^{3/2}.
-//!
-//! u_N(x) = −(1 − cos(2πNx)) ≤ 0 on (0, 1) vanishes at the nodes of N equal elements: I^h u_N = 0 and e =
-//! u_N. Since the representer of 1 in H^{1/2}(0,1) is 1, the mean and the wave are orthogonal in the dual
-//! norm:
-//!   ‖e‖²_{1/2,*} = 1 + ‖cos(2πN·)‖²_{1/2,*},  0 ≤ ‖cos‖_{1/2,*} ≤ γ₁(1/2) h^{1/2}/√2 by (4.7)'s duality,
-//!   ‖u_N‖²_{3/2} = 3/2 + ω²/2 + ω² |sin ω·|²_{1/2},  |sin ω·|²_{1/2} = 2ω Si(ω) − 2 Cin(2ω),  ω = 2πN.
-//! So ‖e‖_{1/2,*} ~ h^{3/2} ‖u‖_{3/2} / (√8 π²): the wave is aliased to a constant, which no dual norm makes
-//! small. The upper bound is Lemma 6.2: ‖e‖_{1/2,*} ≤ ‖e‖₀ ≤ C_L2(1/2) h^{3/2} |u|_{3/2}.
-//!
-//! One function for all h: u = −Σ_j c_j 2^{-3j/2} (1 − cos(2π 2^j x)), c_j = (1+j)^{-p}, p > 1/2, is in
-//! H^{3/2}; on 2^k elements the waves j ≥ k are aliased and the others have mean-free errors, so
-//! ‖e‖_{1/2,*} ≥ |∫ e| = Σ_{j≥k} c_j 2^{-3j/2}.
-//!
-//! Reference: P. Hild, C. R. Acad. Sci. Paris 326 (1998) 1233-1236, for the phenomenon; these functions are
-//! chosen here.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -26,6 +11,36 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const ROUNDING: f64 = 1e-13;
 
 /// u_N = −(1 − cos(2πNx)) on N equal elements of (0, 1).
+///
+/// # Method
+///
+/// u_N(x) = −(1 − cos(2πNx)) ≤ 0 on (0, 1) vanishes at the nodes of N equal elements: I^h u_N = 0 and e =
+/// u_N. Since the representer of 1 in H^{1/2}(0,1) is 1, the mean and the wave are orthogonal in the dual
+/// norm:
+/// ```text
+/// ‖e‖²_{1/2,*} = 1 + ‖cos(2πN·)‖²_{1/2,*},  0 ≤ ‖cos‖_{1/2,*} ≤ γ₁(1/2) h^{1/2}/√2 by (4.7)'s duality,
+/// ‖u_N‖²_{3/2} = 3/2 + ω²/2 + ω² |sin ω·|²_{1/2},  |sin ω·|²_{1/2} = 2ω Si(ω) − 2 Cin(2ω),  ω = 2πN.
+/// ```
+/// So ‖e‖\_{1/2,\*} ~ h^{3/2} ‖u‖\_{3/2} / (√8 π²): the wave is aliased to a constant, which no dual norm
+/// makes small. The upper bound is Lemma 6.2: ‖e‖\_{1/2,\*} ≤ ‖e‖₀ ≤ C_L2(1/2) h^{3/2} |u|\_{3/2}.
+///
+/// One function for all h: u = −Σ_j c_j 2^{-3j/2} (1 − cos(2π 2^j x)), c_j = (1+j)^{-p}, p > 1/2, is in
+/// H^{3/2}; on 2^k elements the waves j ≥ k are aliased and the others have mean-free errors, so
+/// ‖e‖\_{1/2,\*} ≥ |∫ e| = Σ\_{j≥k} c_j 2^{-3j/2}.
+///
+/// Reference: P. Hild, C. R. Acad. Sci. Paris 326 (1998) 1233-1236, for the phenomenon; these functions are
+/// chosen here.
+///
+/// ```
+/// use signorini::interpolation::AliasedWave;
+/// let wave = AliasedWave::new(64)?;
+/// assert!((wave.value(1.0 / 128.0) + 2.0).abs() < 1e-12); // −(1 − cos π)
+/// assert!(wave.dual_norm_of_error()?.value >= 1.0 && wave.seminorm()?.value < wave.norm()?.value);
+/// // ‖e‖_{1/2,*}/‖u‖_{3/2} ~ h^{3/2}/(√8 π²)
+/// let limit = 64f64.powf(-1.5) / (8f64.sqrt() * std::f64::consts::PI.powi(2));
+/// assert!((wave.quotient()?.value / limit - 1.0).abs() < 0.05);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AliasedWave {
     elements: usize,
@@ -49,7 +64,7 @@ impl AliasedWave {
         -2.0 * sine * sine
     }
 
-    /// ‖u_N − I^h u_N‖_{1/2,*}: the middle of its bounds, with their half distance as error.
+    /// ‖u_N − I^h u_N‖\_{1/2,\*}: the middle of its bounds, with their half distance as error.
     ///
     /// # Errors
     /// None for N ≥ 1; those of [`element_constant`] are passed on.
@@ -61,7 +76,7 @@ impl AliasedWave {
         Estimate::new(1.0 + 0.5 * excess, 0.5 * excess, gamma.work)
     }
 
-    /// |u_N'|_{1/2} = |u_N|_{3/2}.
+    /// |u_N'|\_{1/2} = |u_N|\_{3/2}.
     ///
     /// # Errors
     /// None for N ≥ 1.
@@ -72,7 +87,7 @@ impl AliasedWave {
         Estimate::new(value, ROUNDING * value, Work::default())
     }
 
-    /// ‖u_N‖_{3/2}.
+    /// ‖u_N‖\_{3/2}.
     ///
     /// # Errors
     /// None for N ≥ 1.
@@ -83,7 +98,7 @@ impl AliasedWave {
         Estimate::new(value, ROUNDING * value, Work::default())
     }
 
-    /// ‖u_N − I^h u_N‖_{1/2,*} / ‖u_N‖_{3/2}.
+    /// ‖u_N − I^h u_N‖\_{1/2,\*} / ‖u_N‖\_{3/2}.
     ///
     /// # Errors
     /// None for N ≥ 1; those of [`element_constant`] are passed on.
@@ -94,8 +109,17 @@ impl AliasedWave {
     }
 }
 
-/// Σ_{j≥k} (1+j)^{-p} 2^{-3j/2}: a lower bound of ‖u − I^h u‖_{1/2,*} on 2^k elements for the one function of
-/// all waves.
+/// Σ\_{j≥k} (1+j)^{-p} 2^{-3j/2}: a lower bound of ‖u − I^h u‖\_{1/2,\*} on 2^k elements for the one function
+/// of all waves.
+///
+/// ```
+/// use signorini::interpolation::{all_waves_mean, all_waves_rate};
+/// // Σ x^j/(1+j) = −ln(1−x)/x at x = 2^{−3/2}
+/// let x = 0.5f64.powf(1.5);
+/// assert!((all_waves_mean(0, 1.0)?.value + (1.0 - x).ln() / x).abs() < 1e-13);
+/// assert!((all_waves_rate(200, 1.0)?.value - 1.5).abs() < 0.02);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 1/2 < p ≤ 10 (else u is not in H^{3/2}); [`Error::CountOutOfRange`] for k >

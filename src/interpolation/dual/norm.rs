@@ -1,9 +1,5 @@
-//! The dual norm of (4.7): ‖f‖_{1/2,*} = sup ∫ f ψ / ‖ψ‖_{1/2} over ψ ∈ H^{1/2}(I), with the full norm (1.1).
-//!
-//! Over the continuous piecewise linears ψ on given cells the supremum is (bᵀ (A + M)⁻¹ b)^{1/2}, b_i = ∫ f
-//! ψ_i: a lower bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving
-//! the cells at least halves what is missing of the square; the difference from the cells twice as long is
-//! the error estimate. Cost O(N³).
+//! The dual norm of (4.7): ‖f‖\_{1/2,*} = sup ∫ f ψ / ‖ψ‖\_{1/2} over ψ ∈ H^{1/2}(I), with the full norm
+//! (1.1).
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
@@ -22,6 +18,25 @@ const POINTS: usize = 8;
 const ROUNDING: f64 = 1e-12;
 
 /// ‖·‖_{1/2,*} on the cells of an interval, factorized once.
+///
+/// # Method
+///
+/// Over the continuous piecewise linears ψ on given cells the supremum is (bᵀ (A + M)⁻¹ b)^{1/2}, b_i = ∫ f
+/// ψ_i: a lower bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving
+/// the cells at least halves what is missing of the square; the difference from the cells twice as long is
+/// the error estimate. Cost O(N³).
+///
+/// ```
+/// use signorini::{interpolation::DualNorm, sobolev::Partition};
+/// let norm = DualNorm::new(&Partition::uniform(8, 1.0)?)?;
+/// assert_eq!(norm.cells().len(), 8);
+/// // the constant one, given as a function and by its integrals against the hats: norm one
+/// assert!((norm.of(|_, _| 1.0)?.value - 1.0).abs() < 1e-10);
+/// let load = [[0.0625].as_slice(), &[0.125; 7], &[0.0625]].concat();
+/// assert!((norm.of_load(&load)?.value - 1.0).abs() < 1e-10);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("H-1/2", "dual norm", "negative norm"))]
 #[derive(Debug, Clone)]
 pub struct DualNorm {
     cells: Partition,
@@ -85,7 +100,7 @@ impl DualNorm {
         times(self.of_load(&load)?, unit)
     }
 
-    /// ‖f‖_{1/2,*} from the integrals b_i = ∫ f ψ_i of f against the hats of all nodes.
+    /// ‖f‖\_{1/2,*} from the integrals b_i = ∫ f ψ_i of f against the hats of all nodes.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] unless there is an integral per node, [`Error::NotFinite`] for a bad one.

@@ -10,6 +10,14 @@ const CELLS: usize = 4;
 
 /// ‖u − I^h u‖_{1/2,*} for u = −e^x on N equal elements of (0, 1).
 ///
+/// ```
+/// use signorini::interpolation::smooth_dual_error;
+/// // e ≈ h² e^x/12 on average: between its mean and its L² norm
+/// let scaled = smooth_dual_error(16)?.value * 12.0 * 256.0;
+/// assert!(scaled > 1.71 && scaled < 2.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 1024 of them.
 pub fn smooth_dual_error(elements: usize) -> Result<Estimate> {

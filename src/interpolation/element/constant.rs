@@ -1,14 +1,4 @@
 //! Best constants of Lemma 6.1, (6.1), on one element, by an eigenproblem for the slope.
-//!
-//! For u on (0, 1) with slope v, e = u − I u has e' = v − v̄ and e(0) = e(1) = 0. The best constants are
-//! C_L2(ν) = sup ‖e‖₀/|v|_ν,  C_H1(ν) = sup ‖e'‖₀/|v|_ν = γ₁(ν),  and for the full norm on an element of
-//! length h C_1(ν, h)² = sup (‖e'‖₀² + h² ‖e‖₀²)/|v|²_ν: then ‖u − I u‖_{1,I} ≤ C_1(ν, h) h^ν |u|_{1+ν,I},
-//! sharp. C_1(ν, h) rises with h; [`longest_element`] finds the length up to which the printed constant 1
-//! holds.
-//!
-//! Both extremal slopes are odd about the centre, behave like a constant plus r^a at the ends, 2ν < a < 2ν +
-//! 1, and are analytic inside: with K odd Legendre polynomials the constant is approached from below like
-//! K^{-4(a+1/2−ν)}, measured K^{-5.6}: 1e-9 at K = 16, 1e-13 at K = 64. Cost O(K⁴).
 
 use super::legendre::{converge, evaluate, odd_degrees, primitive_gram, seminorm_gram};
 use crate::error::{Error, Result};
@@ -84,6 +74,18 @@ impl ElementExtremal {
 
 /// The best constant of Lemma 6.1 in the given norm of the error: C_L2(ν), C_H1(ν) = γ₁(ν) or C_1(ν, h).
 ///
+/// # Method
+///
+/// For u on (0, 1) with slope v, e = u − I u has e' = v − v̄ and e(0) = e(1) = 0. The best constants are
+/// C_L2(ν) = sup ‖e‖₀/|v|_ν,  C_H1(ν) = sup ‖e'‖₀/|v|_ν = γ₁(ν),  and for the full norm on an element of
+/// length h C_1(ν, h)² = sup (‖e'‖₀² + h² ‖e‖₀²)/|v|²_ν: then ‖u − I u‖\_{1,I} ≤ C_1(ν, h) h^ν |u|\_{1+ν,I},
+/// sharp. C_1(ν, h) rises with h; [`longest_element`] finds the length up to which the printed constant 1
+/// holds.
+///
+/// Both extremal slopes are odd about the centre, behave like a constant plus r^a at the ends, 2ν < a < 2ν +
+/// 1, and are analytic inside: with K odd Legendre polynomials the constant is approached from below like
+/// K^{-4(a+1/2−ν)}, measured K^{-5.6}: 1e-9 at K = 16, 1e-13 at K = 64. Cost O(K⁴).
+///
 /// ```
 /// use signorini::{Tolerance, interpolation::{ErrorNorm, element_constant}, sobolev::FractionalOrder};
 /// let slope = element_constant(ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::balanced())?;
@@ -93,11 +95,22 @@ impl ElementExtremal {
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`] when the tolerance cannot be reached; [`Error::OutOfRange`] for a bad length h.
+#[doc(alias("interpolation error", "Lagrange interpolation", "Bramble-Hilbert"))]
 pub fn element_constant(norm: ErrorNorm, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
     element_extremal(norm, order, tolerance).map(|extremal| extremal.constant)
 }
 
 /// The best constant with its extremal function.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{ErrorNorm, element_extremal};
+/// let found = element_extremal(ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::balanced())?;
+/// assert!((found.constant.value - 0.291_564_029).abs() < 1e-8);
+/// assert!((found.slope(0.25)? + found.slope(0.75)?).abs() < 1e-8); // odd about the centre
+/// assert!(found.error(0.0)?.abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`element_constant`].
@@ -132,6 +145,15 @@ fn normalised(gram: &Mat<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64> {
 /// The length h* up to which the second line of Lemma 6.1 holds with the printed constant 1: C_1(ν, h*) = 1.
 ///
 /// C_1 rises with h and lies between h C_L2 and (C_H1² + h² C_L2²)^{1/2}, which brackets h*.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{ErrorNorm, element_constant, longest_element};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// let h = longest_element(order, asked)?.value;
+/// assert!((element_constant(ErrorNorm::H1 { h }, order, asked)?.value - 1.0).abs() < 1e-7);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`element_constant`].

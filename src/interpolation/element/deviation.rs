@@ -1,12 +1,4 @@
 //! (6.2) for one function: |v(x) − v̄| ≤ h^{1/2} ‖v'‖₀ at a node x, v with constant slopes on equal cells.
-//!
-//! Both sides scale alike with h, so that the interval is (0, 1). At x = j/N the slopes that come nearest are
-//! the means of k over the cells ([`super::limits`]), k(s) = s before x and s − 1 beyond; on a cell k is
-//! linear with slope one, and what they miss is
-//!
-//! κ(x)² − q² = 1/(12 N²).
-//!
-//! Values and mean of v are summed from the slopes; κ does not enter. Cost O(N) for one function.
 
 use super::limits::pointwise;
 use crate::error::{Error, Result};
@@ -17,6 +9,25 @@ use crate::numeric::random::SplitMix;
 const LARGEST: usize = 1 << 20;
 
 /// |v(x) − v̄| / ‖v'‖₀ at x = node/N for the v with these N slopes; 0 for a constant.
+///
+/// # Method
+///
+/// Both sides scale alike with h, so that the interval is (0, 1). At x = j/N the slopes that come nearest are
+/// the means of k over the cells (`limits`), k(s) = s before x and s − 1 beyond; on a cell k is
+/// linear with slope one, and what they miss is
+///
+/// κ(x)² − q² = 1/(12 N²).
+///
+/// Values and mean of v are summed from the slopes; κ does not enter. Cost O(N) for one function.
+///
+/// ```
+/// use signorini::interpolation::{extremal_slopes, largest_share, mean_deviation};
+/// // at an end the best constant of (6.2) is 1/√3
+/// let found = mean_deviation(&extremal_slopes(100, 0)?, 0)?;
+/// assert!((found.value - 1.0 / 3f64.sqrt()).abs() < 1e-5);
+/// assert!(largest_share(20, 10, 1)?.value < 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`] unless 1 ≤ N ≤ 2^20 and node ≤ N; [`Error::NotFinite`] for a slope.

@@ -22,6 +22,14 @@ const COUNT: usize = 12;
 
 /// lim C(ν) as ν → 0.
 ///
+/// ```
+/// use signorini::interpolation::{ErrorNorm, limits};
+/// assert!((limits::at_zero(ErrorNorm::Derivative)?.value - 0.5).abs() < 1e-12);
+/// assert!((limits::at_one(ErrorNorm::L2)?.value - std::f64::consts::PI.powi(-2)).abs() < 1e-15);
+/// assert!((limits::pointwise(0.5)?.value - 0.5 / 3f64.sqrt()).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`] for a bad length in [`ErrorNorm::H1`].
 pub fn at_zero(norm: ErrorNorm) -> Result<Estimate> {

@@ -13,13 +13,22 @@ const BESIDE: f64 = 1e-3;
 const NEAR_ZERO: f64 = 1e-300;
 
 /// Best constants in place of the printed 1.
+///
+/// ```
+/// use signorini::{Tolerance, interpolation::LocalConstants, sobolev::FractionalOrder};
+/// let bounds = LocalConstants::at_zero()?;
+/// let at = LocalConstants::new(FractionalOrder::HALF, Tolerance::fast())?;
+/// assert!(at.l2.value < bounds.l2.value && at.derivative.value < bounds.derivative.value);
+/// assert!(at.longest.value > bounds.longest.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalConstants {
-    /// C_L2(ν): ‖u − I u‖₀ ≤ C_L2 h^{1+ν} |u|_{1+ν}.
+    /// C_L2(ν): ‖u − I u‖₀ ≤ C_L2 h^{1+ν} |u|\_{1+ν}.
     pub l2: Estimate,
-    /// C_H1(ν): ‖(u − I u)'‖₀ ≤ C_H1 h^ν |u|_{1+ν}.
+    /// C_H1(ν): ‖(u − I u)'‖₀ ≤ C_H1 h^ν |u|\_{1+ν}.
     pub derivative: Estimate,
-    /// C_1(ν, 1): ‖u − I u‖₁ ≤ C_1 h^ν |u|_{1+ν} for h ≤ 1, the full norm.
+    /// C_1(ν, 1): ‖u − I u‖₁ ≤ C_1 h^ν |u|\_{1+ν} for h ≤ 1, the full norm.
     pub full: Estimate,
     /// h*(ν), up to which the full norm has a constant of at most 1.
     pub longest: Estimate,

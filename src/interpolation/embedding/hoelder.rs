@@ -1,13 +1,5 @@
 //! C(α), the best constant of H^{3/2}(0,1) ⊂ C^{0,α}: |u(x) − u(y)| ≤ C(α) |x − y|^α ‖u‖_{3/2}, 0 < α < 1;
 //! (E3).
-//!
-//! For a fixed pair of points the best constant is the norm of the functional v ↦ ∫_y^x v on the slopes v =
-//! u', by one solve: N(x, y)² = ℓᵀ K⁻¹ ℓ with K the matrix of min_c ‖u + c‖₀² + ‖v‖₀² + |v|²_{1/2}. Over
-//! pairs (0, θ), θ the nodes of a mesh geometric to 0, and piecewise linear v this is a lower bound of C(α) =
-//! sup N(x, y)/|x − y|^α.
-//! Upper bound, Hölder: |∫ v| ≤ |x−y|^{1−1/q} ‖v‖_q, so C(α) ≤ C(q) with q = 1/(1−α).
-//! Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) →
-//! 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
 
 use super::trial::graded;
 use crate::error::{Error, Result};
@@ -19,6 +11,28 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
 /// N(0, θ) at the nodes θ of a mesh.
+///
+/// # Method
+///
+/// For a fixed pair of points the best constant is the norm of the functional v ↦ ∫\_y^x v on the slopes v =
+/// u', by one solve: N(x, y)² = ℓᵀ K⁻¹ ℓ with K the matrix of min_c ‖u + c‖₀² + ‖v‖₀² + |v|²_{1/2}. Over
+/// pairs (0, θ), θ the nodes of a mesh geometric to 0, and piecewise linear v this is a lower bound of C(α) =
+/// sup N(x, y)/|x − y|^α.
+/// Upper bound, Hölder: |∫ v| ≤ |x−y|^{1−1/q} ‖v‖_q, so C(α) ≤ C(q) with q = 1/(1−α).
+/// Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) →
+/// 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
+///
+/// ```
+/// use signorini::interpolation::{EndIncrements, embedding_upper_bound};
+/// use signorini::sobolev::{FractionalOrder, Partition};
+/// let (lower, theta) = EndIncrements::for_exponents_up_to(4.0)?.constant(0.5)?;
+/// // C(1/2) ≤ C(q) with q = 1/(1 − 1/2)
+/// let upper = embedding_upper_bound(FractionalOrder::HALF, 2.0)?;
+/// assert!(lower.value <= upper.value && theta <= 1.0);
+/// let coarse = EndIncrements::new(&Partition::geometric(10, 0.5, 1.0)?)?;
+/// assert_eq!(coarse.increments().count(), 11);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct EndIncrements {
     nodes: Vec<f64>,

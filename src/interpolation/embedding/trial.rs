@@ -1,7 +1,4 @@
-//! C(q) from below: the quotient ‖u‖_{L^q}/‖u‖_ν of functions found by an ascent.
-//!
-//! Piecewise linears on a mesh geometric to 0, and u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_ν: the
-//! quotient rises, ‖·‖_q being convex. Cost O(N³) once, O(N²) a step.
+//! C(q) from below: the quotient ‖u‖\_{L^q}/‖u‖_ν of functions found by an ascent.
 
 use super::upper::{check, critical_exponent};
 use crate::error::{Error, Result};
@@ -41,7 +38,7 @@ pub(super) fn graded(q: f64) -> Result<Partition> {
     Partition::geometric(layers(q)?, RATIO, 1.0)
 }
 
-/// A function and its quotient ‖u‖_{L^q}/‖u‖_ν: a lower bound of C(q).
+/// A function and its quotient ‖u‖\_{L^q}/‖u‖_ν: a lower bound of C(q).
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmbeddingTrial {
     /// The quotient; its error is that of evaluating it.
@@ -51,6 +48,23 @@ pub struct EmbeddingTrial {
 }
 
 /// Piecewise linears on a mesh geometric to 0, for C(q) at one ν and any q.
+///
+/// # Method
+///
+/// Piecewise linears on a mesh geometric to 0, and u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_ν: the
+/// quotient rises, ‖·‖_q being convex. Cost O(N³) once, O(N²) a step.
+///
+/// ```
+/// use signorini::interpolation::{EmbeddingSpace, critical_exponent, embedding_upper_bound};
+/// use signorini::sobolev::FractionalOrder;
+/// let order = FractionalOrder::new(0.25)?;
+/// let q = critical_exponent(order)?; // 4: ‖u‖_{L⁴} ≤ C ‖u‖_{1/4}
+/// let lower = EmbeddingSpace::new(order, 20, 0.5)?.climb(q)?.quotient;
+/// assert!(lower.value <= embedding_upper_bound(order, q)?.value && lower.value > 0.999);
+/// EmbeddingSpace::at_critical_exponent(order)?;
+/// EmbeddingSpace::for_exponents_up_to(FractionalOrder::HALF, 4.0)?;
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct EmbeddingSpace {
     order: FractionalOrder,

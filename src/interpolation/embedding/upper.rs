@@ -1,22 +1,5 @@
-//! C(q), the best constant of H^ν(0,1) ⊂ L^q(0,1), ν ≤ 1/2: ‖u‖_{L^q} ≤ C(q) ‖u‖_ν with the full norm (1.1);
+//! C(q), the best constant of H^ν(0,1) ⊂ L^q(0,1), ν ≤ 1/2: ‖u‖\_{L^q} ≤ C(q) ‖u‖_ν with the full norm (1.1);
 //! (3.6), (3.10), (4.12).
-//!
-//! Domain: 2 ≤ q < ∞ for ν = 1/2, 2 ≤ q ≤ 2/(1−2ν) for ν < 1/2. C(q) ≥ 1 by u = 1.
-//!
-//! **From above**, for all functions. The even reflection U of u on the circle (−1, 1) has ‖U‖_q = ‖u‖_q
-//! (normalised measure); let c_k be its Fourier coefficients, p = 1 + 2ν ≤ 2 and K(t) = |2 sin(πt/2)/π|^{-p}.
-//! Then
-//!   ∫∫_{(−1,1)²} (U(x)−U(y))² K(x−y) = 2 ∫∫_{(0,1)²} (u(x)−u(y))² [K(x−y) + K(x+y)],
-//! K(x+y) ≤ K(x−y), because sin(π(x+y)/2) ≥ |sin(π(x−y)/2)|, and K(t) ≤ t^{-p} + b with b = (π/2)^p − 1 on
-//! (0, 1), because (s/sin s)^p has positive Taylor coefficients. The left side is Σ Ω_k |c_k|² in closed
-//! form. Together
-//!   ‖u‖²_ν ≥ Σ w_k |c_k|²,  w_0 = 1,  w_k = 1 − 2b + κ (R_k − R_0),  κ = π^p/(sin(πν) Γ(p)),
-//!   R_k = Γ(k+1/2+ν)/Γ(k+1/2−ν);
-//! at ν = 1/2 w_k = π² k + 3 − π²/2. Beckner's sharp inequality on the circle (Ann. of Math. 138 (1993)
-//! 213-242) is
-//!   ‖U‖²_q ≤ Σ m_k |c_k|²,  m_k = Γ(1/q) Γ(k+1−1/q) / (Γ(1−1/q) Γ(k+1/q)).
-//! Hence C(q)² ≤ max_k m_k/w_k. m_k/R_k falls with k, which bounds the tail. Where the maximum is 1, C(q) = 1
-//! exactly. Cost: one pass over k, up to the term from which the tail is below the maximum.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
@@ -55,8 +38,34 @@ pub fn critical_exponent(order: FractionalOrder) -> Result<f64> {
 /// rounding, and what terms beyond the 100 000th could add. How far C(q) itself lies below it is seen from
 /// the functions of [`EmbeddingSpace`](crate::interpolation::EmbeddingSpace).
 ///
+/// # Method
+///
+/// Domain: 2 ≤ q < ∞ for ν = 1/2, 2 ≤ q ≤ 2/(1−2ν) for ν < 1/2. C(q) ≥ 1 by u = 1.
+///
+/// **From above**, for all functions. The even reflection U of u on the circle (−1, 1) has ‖U‖_q = ‖u‖_q
+/// (normalised measure); let c_k be its Fourier coefficients, p = 1 + 2ν ≤ 2 and K(t) = |2 sin(πt/2)/π|^{-p}.
+/// Then
+/// ```text
+/// ∫∫_{(−1,1)²} (U(x)−U(y))² K(x−y) = 2 ∫∫_{(0,1)²} (u(x)−u(y))² [K(x−y) + K(x+y)],
+/// ```
+/// K(x+y) ≤ K(x−y), because sin(π(x+y)/2) ≥ |sin(π(x−y)/2)|, and K(t) ≤ t^{-p} + b with b = (π/2)^p − 1 on
+/// (0, 1), because (s/sin s)^p has positive Taylor coefficients. The left side is Σ Ω_k |c_k|² in closed
+/// form. Together
+/// ```text
+/// ‖u‖²_ν ≥ Σ w_k |c_k|²,  w_0 = 1,  w_k = 1 − 2b + κ (R_k − R_0),  κ = π^p/(sin(πν) Γ(p)),
+/// R_k = Γ(k+1/2+ν)/Γ(k+1/2−ν);
+/// ```
+/// at ν = 1/2 w_k = π² k + 3 − π²/2. Beckner's sharp inequality on the circle (Ann. of Math. 138 (1993)
+/// 213-242) is
+/// ```text
+/// ‖U‖²_q ≤ Σ m_k |c_k|²,  m_k = Γ(1/q) Γ(k+1−1/q) / (Γ(1−1/q) Γ(k+1/q)).
+/// ```
+/// Hence C(q)² ≤ max_k m_k/w_k. m_k/R_k falls with k, which bounds the tail. Where the maximum is 1, C(q) = 1
+/// exactly. Cost: one pass over k, up to the term from which the tail is below the maximum.
+///
 /// # Errors
 /// [`Error::OutOfRange`] outside the domain.
+#[doc(alias("Sobolev embedding", "Sobolev inequality"))]
 pub fn embedding_upper_bound(order: FractionalOrder, q: f64) -> Result<Estimate> {
     check(order, q)?;
     let (nu, below) = (order.value(), -order.offset());

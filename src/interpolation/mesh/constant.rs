@@ -1,11 +1,4 @@
 //! Lemma 6.2: the best constants on a mesh.
-//!
-//! C(ν, N) = sup ‖u − I^h u‖ / (h^s |u|_{1+ν,Γ}) over u ∈ H^{1+ν}(Γ) on N equal elements of Γ, s = 1 + ν or
-//! ν. By the lemma's proof C(ν, N) is at most the constant of one element; it is smaller for N > 1, because
-//! |u|²_{1+ν,Γ} also holds the pairs of points in different elements, which the proof drops. The loss stays
-//! bounded as N grows.
-//! Lower bounds from slopes linear on m cells per element; what is missing falls like m^{-1-2ν} (a slope
-//! behaves like r^{2ν} at a node), at most like m^{-2}. Dense; cost O((N m)³).
 
 use super::ascent::error_form;
 use crate::error::Result;
@@ -19,6 +12,25 @@ use crate::sobolev::{FractionalOrder, gram_linears};
 /// `error` above it.
 ///
 /// For [`ErrorNorm::H1`] the elements have length h.
+///
+/// # Method
+///
+/// C(ν, N) = sup ‖u − I^h u‖ / (h^s |u|\_{1+ν,Γ}) over u ∈ H^{1+ν}(Γ) on N equal elements of Γ, s = 1 + ν or
+/// ν. By the lemma's proof C(ν, N) is at most the constant of one element; it is smaller for N > 1, because
+/// |u|²_{1+ν,Γ} also holds the pairs of points in different elements, which the proof drops. The loss stays
+/// bounded as N grows.
+/// Lower bounds from slopes linear on m cells per element; what is missing falls like m^{-1-2ν} (a slope
+/// behaves like r^{2ν} at a node), at most like m^{-2}. Dense; cost O((N m)³).
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{ErrorNorm, element_constant, mesh_constant, mesh_constant_on_cells};
+/// let (norm, order, asked) = (ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::new(1e-2)?);
+/// let (mesh, one) = (mesh_constant(norm, order, 4, asked)?, element_constant(norm, order, asked)?);
+/// assert!(mesh.value < one.value);
+/// assert!((mesh_constant_on_cells(norm, order, 4, 8)?.value / mesh.value - 1.0).abs() < 0.1);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 1024 of them;

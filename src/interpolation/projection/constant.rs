@@ -1,13 +1,4 @@
 //! (4.6) and (4.7): best constants of the L² projection π^h onto piecewise constants.
-//!
-//! (4.6)  ‖φ − π^h φ‖₀ ≤ C(r) h^r |φ|_r,  best on one element C(r) = γ₁(r) for 0 < r < 1, 1 for r = 0, 1/π
-//! for r = 1
-//!        (|φ|₀ = ‖φ‖₀, |φ|₁ = ‖φ'‖₀).
-//! (4.7)  ‖φ − π^h φ‖_{1/2,*} ≤ C*(r) h^{r+1/2} |φ|_r,  with C*(r) = sup ∫ (φ − φ̄) ψ / (|φ|_r |ψ|_{1/2}) on
-//! (0, 1):
-//!        elements add up because Σ |·|²_{r,I} ≤ |·|²_{r,Γ}. The paper's chain gives γ₁(r) γ₁(1/2), equal at
-//!        r = 1/2.
-//! Cost: Legendre's basis on one element as in Lemma 6.1.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -41,6 +32,18 @@ impl ProjectionNorm {
 
 /// Best C(r) of (4.6) on one element, 0 ≤ r ≤ 1.
 ///
+/// # Method
+///
+/// On N elements, with Legendre's basis on one of them as in Lemma 6.1:
+///
+/// ```text
+/// (4.6)  ‖φ − π^h φ‖₀ ≤ C(r) h^r |φ|_r,  C(r) = γ₁(r) for 0 < r < 1, C(0) = 1, C(1) = 1/π
+/// (4.7)  ‖φ − π^h φ‖_{1/2,*} ≤ C*(r) h^{r+1/2} |φ|_r,  C*(r) = sup ∫ (φ − φ̄) ψ / (|φ|_r |ψ|_{1/2})
+/// ```
+///
+/// C* on (0, 1). Here |φ|₀ = ‖φ‖₀ and |φ|₁ = ‖φ'‖₀. Elements add up because Σ |·|²_{r,I} ≤ |·|²_{r,Γ}. The
+/// paper's chain gives γ₁(r) γ₁(1/2) in place of C*(r), equal at r = 1/2.
+///
 /// ```
 /// use signorini::{Tolerance, interpolation::projection_constant};
 /// let best = projection_constant(1.0, Tolerance::balanced())?;
@@ -50,6 +53,7 @@ impl ProjectionNorm {
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for r outside [0, 1]; [`Error::ToleranceNotMet`].
+#[doc(alias("L2 projection"))]
 pub fn projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
     if r == 0.0 {
@@ -63,6 +67,17 @@ pub fn projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {
 
 /// Best C*(r) with which (4.7) follows element by element, 0 ≤ r ≤ 1; its square is the largest eigenvalue of
 /// A_{1/2}⁻¹ x = λ A_r x in L²-orthonormal coordinates.
+///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::interpolation::{ProjectionNorm, dual_projection_constant, projection_constant};
+/// // equal to the paper's chain γ₁(r) γ₁(1/2) at r = 1/2
+/// let asked = Tolerance::balanced();
+/// let (dual, one) = (dual_projection_constant(0.5, asked)?, projection_constant(0.5, asked)?);
+/// assert!((dual.value - one.value.powi(2)).abs() < 1e-8);
+/// assert_eq!(ProjectionNorm::Dual.rate(0.5), 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`projection_constant`].

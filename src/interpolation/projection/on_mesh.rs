@@ -1,7 +1,4 @@
 //! sup ‖φ − π^h φ‖ / |φ|_r over φ ∈ H^r(0, 1) on N equal elements, without powers of h.
-//!
-//! Between N and 2N it falls at the rate r or r + 1/2: not slower by (4.6), (4.7), not faster for any
-//! estimate of this form. From piecewise linears on cells, as in Lemma 6.2; dense eigenproblems.
 
 use super::constant::ProjectionNorm;
 use crate::error::Result;
@@ -11,6 +8,23 @@ use crate::interpolation::extremal::{Forms, extremal, extremal_on_cells};
 use crate::interpolation::forms::{dual_projection_form, projection_form, seminorm_form};
 
 /// The supremum on `elements` equal elements: a lower bound, the supremum at most `error` above it.
+///
+/// # Method
+///
+/// Between N and 2N it falls at the rate r or r + 1/2: not slower by (4.6), (4.7), not faster for any
+/// estimate of this form. From piecewise linears on cells, as in Lemma 6.2; dense eigenproblems.
+///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::interpolation::{ProjectionNorm, projection_norm_on_cells, projection_norm_on_mesh};
+/// // r = 1: h/π, attained by cos(πNx)
+/// let exact = 0.25 * std::f64::consts::FRAC_1_PI;
+/// let found = projection_norm_on_mesh(ProjectionNorm::L2, 1.0, 4, Tolerance::new(1e-3)?)?;
+/// assert!((found.value / exact - 1.0).abs() < 1e-3);
+/// let coarse = projection_norm_on_cells(ProjectionNorm::L2, 1.0, 4, 8)?;
+/// assert!(coarse.value <= exact && exact <= coarse.value + 2.0 * coarse.error);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) for r outside [0, 1];

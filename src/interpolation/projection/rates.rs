@@ -1,8 +1,4 @@
 //! The rates of (4.6) and (4.7) on two roads: of one function barely in H^r, and of the supremum over H^r.
-//!
-//! The function is x^{r−1/2+0.005}, whose own rate is r + 0.005; for r = 1 it is cos(πx), since x^{0.505}
-//! nears the rate 1 slowly. Beside the rates stand the constants that bound the supremum on every mesh, from
-//! above and by a wave from below.
 
 use super::constant::{ProjectionNorm, dual_projection_constant, projection_constant};
 use super::sample::{sample_projection_dual_error, sample_projection_error};
@@ -43,6 +39,15 @@ pub struct ProjectionRates {
 
 /// Rates in the dual norm of functions in closed form, from three meshes, each with twice the elements of the
 /// one before.
+///
+/// ```
+/// use signorini::interpolation::{DualRates, SampleSlope, sample_projection_rate};
+/// // cos πx is smooth: the rates are 1 in L² and 3/2 in the dual norm of order 1/2
+/// let phi = SampleSlope::Cosine(1);
+/// assert!((sample_projection_rate(phi)?.value - 1.0).abs() < 1e-3);
+/// assert!((DualRates::new(16)?.rate(phi)?.value - 1.5).abs() < 0.1);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct DualRates {
     elements: [usize; 3],
@@ -84,6 +89,20 @@ impl DualRates {
 }
 
 /// Everything that is needed for the rates of any order.
+///
+/// # Method
+///
+/// The function is x^{r−1/2+0.005}, whose own rate is r + 0.005; for r = 1 it is cos(πx), since x^{0.505}
+/// nears the rate 1 slowly. Beside the rates stand the constants that bound the supremum on every mesh, from
+/// above and by a wave from below.
+///
+/// ```
+/// use signorini::interpolation::ProjectionStudy;
+/// let [l2, dual] = ProjectionStudy::new()?.rates(0.5)?;
+/// assert!(l2.theory == 0.5 && dual.theory == 1.0);
+/// assert!((l2.supremum.rate.value - 0.5).abs() < 0.01 && (dual.supremum.rate.value - 1.0).abs() < 0.05);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ProjectionStudy {
     dual: DualRates,

@@ -9,6 +9,19 @@ use crate::sobolev::Partition;
 
 /// ‖φ − π^h φ‖₀ on a mesh of (0, 1) for φ in closed form; cost O(N).
 ///
+/// ```
+/// use signorini::interpolation::{DualNorm, SampleSlope};
+/// use signorini::interpolation::{sample_projection_dual_error, sample_projection_error};
+/// use signorini::sobolev::Partition;
+/// // φ = x on 4 elements: h/√12
+/// let phi = SampleSlope::Power(1.0);
+/// let found = sample_projection_error(phi, &Partition::uniform(4, 1.0)?)?;
+/// assert!((found.value - 0.25 / 12f64.sqrt()).abs() < 1e-12);
+/// let norm = DualNorm::new(&Partition::uniform(32, 1.0)?)?;
+/// assert!(sample_projection_dual_error(phi, &norm, 8)?.value < found.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless the mesh is one of (0, 1), or for parameters of φ
 /// out of range.
@@ -16,7 +29,7 @@ pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Est
     sample_norms(phi, mesh).map(|(_, projection)| projection)
 }
 
-/// ‖φ − π^h φ‖_{1/2,*} for φ in closed form, on elements of `cells_per_element` cells of the dual norm's
+/// ‖φ − π^h φ‖\_{1/2,*} for φ in closed form, on elements of `cells_per_element` cells of the dual norm's
 /// interval (0, 1).
 ///
 /// # Errors

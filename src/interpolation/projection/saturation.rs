@@ -1,7 +1,4 @@
 //! Remark 4: ‖φ − π^h φ‖₀ = h ‖φ'‖₀/√12 (1 + o(1)) for φ ∈ H¹, whatever the further smoothness.
-//!
-//! On an element of length h, φ − π^h φ is φ' times the distance from the centre to first order, of mean
-//! square h²/12.
 
 use super::rates::MESHES;
 use super::sample::sample_projection_error;
@@ -12,6 +9,18 @@ use crate::interpolation::trial::{InterpolationError, SampleSlope};
 use crate::sobolev::{FractionalOrder, Partition};
 
 /// ‖φ − π^h φ‖₀ / (h ‖φ'‖₀/√12) for φ = x^a on N equal elements of (0, 1): tends to 1.
+///
+/// # Method
+///
+/// On an element of length h, φ − π^h φ is φ' times the distance from the centre to first order, of mean
+/// square h²/12.
+///
+/// ```
+/// use signorini::interpolation::{power_lagrange_rate, saturation_quotient};
+/// assert!((saturation_quotient(2.0, 100)?.value - 1.0).abs() < 1e-3);
+/// assert!((power_lagrange_rate(2.0)?.value - 2.0).abs() < 1e-3); // piecewise linears do gain
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for a ≤ 1/2, where φ is not in H¹; [`Error::CountOutOfRange`] without elements.

@@ -1,20 +1,5 @@
 //! The rates of (4.6) and (4.7) for the whole space: S(N) = sup ‖φ − π^h φ‖/|φ|_r over φ ∈ H^r(0, 1),
 //! h = 1/N.
-//!
-//! **Both sides, for every N.** Element by element S(N) ≤ C(r) N^{-r}, or C*(r) N^{-r-1/2} in the dual norm.
-//! Below, the wave cos(πNx) has mean zero on every element, so π^h takes nothing from it, and with ω = πN
-//!   |cos ω·|²_{r,(0,1)} = 4 ω^{2r} ∫₀^ω τ^{-1-2r} sin²(τ/2) (1 − τ/ω + sin τ/ω) dτ ≤ c_r ω^{2r}/2,
-//!   c_r = 2π/(Γ(1+2r) sin πr),  c_0 = c_1 = 1,
-//! because sin τ ≤ τ and 8 ∫₀^∞ τ^{-1-2r} sin²(τ/2) dτ = c_r. Hence S(N) ≥ (c_r π^{2r})^{-1/2} N^{-r}; in the
-//! dual norm the wave is tested with itself, ‖cos ω·‖²_{1/2} ≤ 1/2 + πω: S(N) ≥ N^{-r-1/2} / (2 ((π² +
-//! 1/(2N)) c_r π^{2r}/2)^{1/2}). The rates are therefore r and r + 1/2, no better and no worse.
-//!
-//! **Measured.** On a mesh the double integral lacks the pairs of points outside (0, 1), which takes from
-//! |φ|²_r of a function of scale h a part that does not depend on h. So S(N)^{-2} = A N^{2r} − B + ...,
-//! in the dual norm N S(N)^{-2} = ... from the second factor |ψ|²_{1/2} ~ N: the observed exponent between N
-//! and 2N is off by O(N^{-2r}), by 0.04 at r = 0.1 between 32 and 64 elements. Three meshes N, 2N, 4N give A,
-//! B and the exponent itself, which is not put in; the same from N/2, and from half as many cells, gives its
-//! uncertainty.
 
 use super::constant::ProjectionNorm;
 use super::on_mesh::projection_norm_on_cells;
@@ -54,6 +39,37 @@ const CHANGES: f64 = 3.0;
 const GROWTH: f64 = 1e-9;
 
 /// The rate of the supremum over H^r from meshes of N/8, N/4, N/2 and N elements of `cells` cells each.
+///
+/// # Method
+///
+/// **Both sides, for every N.** Element by element S(N) ≤ C(r) N^{-r}, or C*(r) N^{-r-1/2} in the dual norm.
+/// Below, the wave cos(πNx) has mean zero on every element, so π^h takes nothing from it, and with ω = πN
+/// ```text
+/// |cos ω·|²_{r,(0,1)} = 4 ω^{2r} ∫₀^ω τ^{-1-2r} sin²(τ/2) (1 − τ/ω + sin τ/ω) dτ ≤ c_r ω^{2r}/2,
+/// c_r = 2π/(Γ(1+2r) sin πr),  c_0 = c_1 = 1,
+/// ```
+/// because sin τ ≤ τ and 8 ∫₀^∞ τ^{-1-2r} sin²(τ/2) dτ = c_r. Hence S(N) ≥ (c_r π^{2r})^{-1/2} N^{-r}; in the
+/// dual norm the wave is tested with itself, ‖cos ω·‖²_{1/2} ≤ 1/2 + πω: S(N) ≥ N^{-r-1/2} / (2 ((π² +
+/// 1/(2N)) c_r π^{2r}/2)^{1/2}). The rates are therefore r and r + 1/2, no better and no worse.
+///
+/// **Measured.** On a mesh the double integral lacks the pairs of points outside (0, 1), which takes from
+/// |φ|²_r of a function of scale h a part that does not depend on h. So S(N)^{-2} = A N^{2r} − B + ...,
+/// in the dual norm N S(N)^{-2} = ... from the second factor |ψ|²_{1/2} ~ N: the observed exponent between N
+/// and 2N is off by O(N^{-2r}), by 0.04 at r = 0.1 between 32 and 64 elements. Three meshes N, 2N, 4N give A,
+/// B and the exponent itself, which is not put in; the same from N/2, and from half as many cells, gives its
+/// uncertainty.
+///
+/// ```
+/// use signorini::{Tolerance, interpolation::{ProjectionNorm, projection_constant}};
+/// use signorini::interpolation::{supremum_rate, wave_constant};
+/// let found = supremum_rate(ProjectionNorm::L2, 0.5, 16, 8)?;
+/// assert!((found.rate.value - 0.5).abs() < 0.05);
+/// // S(N) N^r lies between the wave and the constant of one element
+/// let (below, above) =
+///     (wave_constant(ProjectionNorm::L2, 0.5, 16)?, projection_constant(0.5, Tolerance::balanced())?);
+/// assert!(below.value < found.scaled.value && found.share(above)?.value < 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`] unless N is a multiple of 8, and as [`projection_norm_on_cells`].

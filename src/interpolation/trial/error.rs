@@ -1,9 +1,5 @@
 //! Both sides of Lemmas 6.1 and 6.2 and of (4.6) for one function, given by its slope v = u' (in (4.6): by φ
 //! = v).
-//!
-//! e' = v − v̄ and e(x) = ∫₀^x (v − v̄). A slope on cells as short as 1e-300 is taken as it is; nothing is
-//! divided by a cell length. For v = x^a everything is closed:
-//! ‖e'‖₀² = a²/((2a+1)(a+1)²),  ‖e‖₀² = 2a²/(3(2a+3)(a+3)(a+1)²).
 
 use super::norms::{ROUNDING, error_norms, sample_norms};
 use super::sample::{SampleSlope, power_error_norms};
@@ -18,6 +14,35 @@ use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_for
 /// Kept in units of the function: lengths and values divided by powers of two near the length of the interval
 /// and near the largest value. The ratios do not depend on either, and neither squares of tiny values nor
 /// short elements underflow.
+///
+/// # Method
+///
+/// e' = v − v̄ and e(x) = ∫₀^x (v − v̄). A slope on cells as short as 1e-300 is taken as it is; nothing is
+/// divided by a cell length. For v = x^a everything is closed:
+/// ‖e'‖₀² = a²/((2a+1)(a+1)²),  ‖e‖₀² = 2a²/(3(2a+3)(a+3)(a+1)²).
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
+/// use signorini::interpolation::{ElementMesh, InterpolationError, SampleSlope, power_slope};
+/// // u = x²/2 on (0, 1), slope x: e = x(x−1)/2, ‖e‖₀² = 1/120, ‖e'‖₀² = 1/12, |u|_{3/2} = 1
+/// let order = FractionalOrder::HALF;
+/// let cells = Partition::uniform(2, 1.0)?;
+/// let slope = PiecewisePolynomial::linears(cells.clone(), &[0.0, 0.5, 1.0])?;
+/// let found = InterpolationError::of_slope(&slope, order, Tolerance::balanced())?;
+/// assert!((found.l2()?.value.powi(2) - 1.0 / 120.0).abs() < 1e-9 && found.h() == 1.0);
+/// assert!((found.derivative()?.value.powi(2) - 1.0 / 12.0).abs() < 1e-9);
+/// assert!((found.seminorm()?.value - 1.0).abs() < 1e-8);
+/// let [l2, derivative, h1] = found.ratios()?.map(|ratio| ratio.value);
+/// assert!(l2 == found.l2_ratio()?.value && derivative == found.derivative_ratio()?.value);
+/// assert!(h1 == found.h1_ratio()?.value && h1 < 1.0);
+/// // in closed form; on two elements; and any number of them for a slope in closed form
+/// assert!((power_slope(1.0, order)?.l2()?.value - found.l2()?.value).abs() < 1e-9);
+/// let mesh = ElementMesh::uniform(2, 1)?;
+/// let halved = InterpolationError::on_elements(&slope, &mesh, order, Tolerance::balanced())?;
+/// let sample = InterpolationError::of_sample(SampleSlope::Power(1.0), &cells, order)?;
+/// assert!((halved.l2()?.value / sample.l2()?.value - 1.0).abs() < 1e-8);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InterpolationError {
     l2: Estimate,
@@ -109,7 +134,7 @@ impl InterpolationError {
         self.units.restore(self.derivative, 0.5)
     }
 
-    /// |u|_{1+ν} = |v|_ν.
+    /// |u|\_{1+ν} = |v|_ν.
     ///
     /// # Errors
     /// As [`InterpolationError::l2`].
@@ -117,7 +142,7 @@ impl InterpolationError {
         self.units.restore(self.seminorm, -self.order.offset())
     }
 
-    /// ‖u − I u‖₀ / (h^{1+ν} |u|_{1+ν}): at most 1 by the lemma, at most C_L2(ν) in truth.
+    /// ‖u − I u‖₀ / (h^{1+ν} |u|\_{1+ν}): at most 1 by the lemma, at most C_L2(ν) in truth.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] when |u|_{1+ν} = 0: for affine u the ratio is 0/0.
@@ -126,7 +151,7 @@ impl InterpolationError {
         Estimate::new(ratio.value / self.h, ratio.error / self.h, ratio.work)
     }
 
-    /// ‖(u − I u)'‖₀ / (h^ν |u|_{1+ν}): at most C_H1(ν).
+    /// ‖(u − I u)'‖₀ / (h^ν |u|\_{1+ν}): at most C_H1(ν).
     ///
     /// # Errors
     /// As [`InterpolationError::l2_ratio`].
@@ -134,7 +159,7 @@ impl InterpolationError {
         self.quotient(self.derivative)
     }
 
-    /// ‖u − I u‖₁ / (h^ν |u|_{1+ν}) with the full norm: at most C_1(ν, h).
+    /// ‖u − I u‖₁ / (h^ν |u|\_{1+ν}) with the full norm: at most C_1(ν, h).
     ///
     /// # Errors
     /// As [`InterpolationError::l2_ratio`]; [`Error::NotFinite`] when the length exceeds the range of

@@ -1,14 +1,5 @@
 //! Families of rough slopes with a fixed seed, to try an inequality on functions nobody has chosen to please
 //! it.
-//!
-//! | family | slope v | domain |
-//! | --- | --- | --- |
-//! | [`RoughFamily::Linears`] | random piecewise linear on a graded mesh | 0 < ν < 1 |
-//! | [`RoughFamily::Steps`] | piecewise constant on such a mesh | ν < 1/2 |
-//! | [`RoughFamily::Weierstrass`] | Σ b^{-sk} cos(b^k π x + φ_k), s just above ν, at 49 nodes | 0 < ν < 1 |
-//!
-//! Graded meshes are geometric to one end, to both, or to an inner point as well.
-//! The numbers are those of [`SplitMix`]: the same on every machine.
 
 use crate::error::Result;
 use crate::numeric::random::SplitMix;
@@ -61,6 +52,28 @@ impl Grading {
 }
 
 /// An endless sequence of slopes on (0, 1).
+///
+/// # Method
+///
+/// | family | slope v | domain |
+/// | --- | --- | --- |
+/// | [`RoughFamily::Linears`] | random piecewise linear on a graded mesh | 0 < ν < 1 |
+/// | [`RoughFamily::Steps`] | piecewise constant on such a mesh | ν < 1/2 |
+/// | [`RoughFamily::Weierstrass`] | Σ b^{-sk} cos(b^k π x + φ_k), s just above ν, at 49 nodes | 0 < ν < 1 |
+///
+/// Graded meshes are geometric to one end, to both, or to an inner point as well.
+/// The numbers are those of [`SplitMix`]: the same on every machine.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use signorini::interpolation::{InterpolationError, RoughFamily, RoughSlopes};
+/// let order = FractionalOrder::HALF;
+/// assert!(!RoughFamily::admissible(order).contains(&RoughFamily::Steps)); // steps are not in H^{1/2}
+/// let slope = RoughSlopes::new(RoughFamily::Linears, order, 7).draw()?;
+/// let found = InterpolationError::of_slope(&slope, order, Tolerance::fast())?;
+/// assert!(found.derivative_ratio()?.value < 0.2916);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct RoughSlopes {
     family: RoughFamily,

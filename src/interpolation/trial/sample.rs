@@ -1,16 +1,5 @@
 //! Slopes with a closed-form or quadrature seminorm, and their interpolation errors on any element, without
 //! cancellation.
-//!
-//! | slope v = u' on (0, 1) | in H^ν(0,1) for |
-//! | --- | --- |
-//! | x^a | ν < a + 1/2 |
-//! | 0 below s, 1 above | ν < 1/2 |
-//! | cos(kπx) | all ν |
-//! | 1 | all ν; its ratios are 0/0 |
-//!
-//! ‖v − v̄‖ and ‖∫(v − v̄)‖ on (a, b) are integrated in the difference v(x) − v(x₀), x₀ an end of the
-//! element: powers by expm1, waves by the product of sines. Panels grow away from the singular point; 12
-//! Gauss points on each leave 1e-16.
 
 use super::panels::{PanelRules, Squares, panel_squares, panels};
 use crate::error::{Error, Result};
@@ -24,6 +13,28 @@ use std::str::FromStr;
 const WAVE_DEGREE: usize = 9;
 
 /// A slope on (0, 1) whose norms are known to rounding.
+///
+/// # Method
+///
+/// | slope v = u' on (0, 1) | in H^ν(0,1) for |
+/// | --- | --- |
+/// | x^a | ν < a + 1/2 |
+/// | 0 below s, 1 above | ν < 1/2 |
+/// | cos(kπx) | all ν |
+/// | 1 | all ν; its ratios are 0/0 |
+///
+/// ‖v − v̄‖ and ‖∫(v − v̄)‖ on (a, b) are integrated in the difference v(x) − v(x₀), x₀ an end of the
+/// element: powers by expm1, waves by the product of sines. Panels grow away from the singular point; 12
+/// Gauss points on each leave 1e-16.
+///
+/// ```
+/// use signorini::{interpolation::SampleSlope, sobolev::FractionalOrder};
+/// let slope: SampleSlope = SampleSlope::Power(1.0);
+/// assert!(slope.value(0.25) == 0.25 && (slope.seminorm(FractionalOrder::HALF)?.value - 1.0).abs() < 1e-12);
+/// let rough = SampleSlope::barely_in(0.5)?; // x^{0.005}
+/// assert!(rough.seminorm(FractionalOrder::new(0.51)?).is_err());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SampleSlope {
     /// x^a, a > −1/2.

@@ -33,6 +33,14 @@ impl WorstRatios {
 /// The largest ratios over `functions` random slopes of each family with members in H^ν, and over seven
 /// powers.
 ///
+/// ```
+/// use signorini::{Tolerance, interpolation::{LocalConstants, worst_ratios}, sobolev::FractionalOrder};
+/// let order = FractionalOrder::HALF;
+/// let shares = worst_ratios(order, 3, 1)?.shares(&LocalConstants::new(order, Tolerance::fast())?)?;
+/// assert!(shares.iter().all(|share| share.value < 1.0));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) when a seminorm cannot be had to 1e-8.
 pub fn worst_ratios(order: FractionalOrder, functions: usize, seed: u64) -> Result<WorstRatios> {

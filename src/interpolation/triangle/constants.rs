@@ -1,11 +1,5 @@
 //! Lemma 6.1 on a triangle: sup ‖∇(u − Iu)‖₀/|∇u|_s and sup ‖u − Iu‖₀/|∇u|_s, I linear interpolation at the
 //! corners.
-//!
-//! |∇u|_s² = ∫∫|∇u(x) − ∇u(y)|²/|x−y|^{2+2s}, 0 < s < 1; at s = 1 the norm ‖D²u‖₀, to which ((1−s) 2/π)^{1/2}
-//! |∇u|_s tends. A trial space ([`super::space`]) gives a lower bound: a generalised eigenvalue problem. The
-//! bounds of degrees p, p − 2, ... settle like p^{-k}, with k from three of them: the limit so found is the
-//! value, and its error is what that limit changed by from p − 2 to p, a part of the distance from the bound,
-//! and what the last direction of the powers still gave. [`super::upper`] is an upper bound.
 
 use super::extremal::{TriangleExtremal, largest_quotient};
 use super::shape::TriangleShape;
@@ -44,6 +38,14 @@ pub struct TriangleConstant {
 }
 
 /// Both constants of one triangle and one order.
+///
+/// # Method
+///
+/// |∇u|_s² = ∫∫|∇u(x) − ∇u(y)|²/|x−y|^{2+2s}, 0 < s < 1; at s = 1 the norm ‖D²u‖₀, to which ((1−s) 2/π)^{1/2}
+/// |∇u|_s tends. A trial space (`space`) gives a lower bound: a generalised eigenvalue problem. The
+/// bounds of degrees p, p − 2, ... settle like p^{-k}, with k from three of them: the limit so found is the
+/// value, and its error is what that limit changed by from p − 2 to p, a part of the distance from the bound,
+/// and what the last direction of the powers still gave. `upper` is an upper bound.
 #[derive(Debug, Clone)]
 pub struct TriangleConstants {
     /// ‖∇(u − Iu)‖₀ over |∇u|_s; scales like (size)^s.
@@ -173,6 +175,16 @@ fn limit(levels: &[(usize, f64)]) -> f64 {
 ///
 /// Source: Kobayashi, in Proc. Symp. RIMS 1733 (2011) 58-77; 0.4915960 for the right isosceles triangle with
 /// legs 1, where Babuska and Aziz have 0.4929.
+///
+/// ```
+/// use signorini::interpolation::{TriangleConstants, TriangleExtremal, TriangleShape, kobayashi};
+/// let shape = TriangleShape::right_isosceles()?;
+/// let best = TriangleConstants::at_one(&shape, 10)?.derivative;
+/// assert!((kobayashi(&shape) - 0.491_596_0).abs() < 1e-7 && best.lower < kobayashi(&shape));
+/// let extremal: &TriangleExtremal = &best.extremal;
+/// assert!(extremal.value([1.0, 0.0, 0.0]).abs() < 1e-9); // zero at the corners
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn kobayashi(shape: &TriangleShape) -> f64 {
     let [f, t] = shape.frame(0);
     let squares = [f, t, [f[0] + t[0], f[1] + t[1]]].map(|e| e[0] * e[0] + e[1] * e[1]);

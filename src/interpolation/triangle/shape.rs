@@ -1,7 +1,4 @@
 //! A triangle: its corners, its barycentric coordinates, and the coordinates that collapse it to a corner.
-//!
-//! From the corner A with B and C behind it: x = A + τ (B − A + a (C − B)), 0 < τ, a < 1, so that τ = β_B +
-//! β_C, a = β_C/τ in barycentric coordinates and dx = 2|T| τ dτ da.
 
 use crate::error::{Error, Result};
 
@@ -9,6 +6,11 @@ use crate::error::{Error, Result};
 pub(super) type Barycentric = [f64; 3];
 
 /// A triangle for interpolation; its size and place do not matter to digits.
+///
+/// # Method
+///
+/// From the corner A with B and C behind it: x = A + τ (B − A + a (C − B)), 0 < τ, a < 1, so that τ = β_B +
+/// β_C, a = β_C/τ in barycentric coordinates and dx = 2|T| τ dτ da.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TriangleShape {
     corners: [[f64; 2]; 3],
@@ -66,6 +68,13 @@ impl TriangleShape {
     }
 
     /// Corners divided by the longest edge, the first at the origin.
+    ///
+    /// ```
+    /// let shape = signorini::interpolation::TriangleShape::new([[1.0, 1.0], [5.0, 1.0], [1.0, 4.0]])?;
+    /// assert_eq!(shape.size(), 5.0);
+    /// assert_eq!(shape.unit_corners()[0], [0.0, 0.0]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn unit_corners(&self) -> [[f64; 2]; 3] {
         self.corners
     }

@@ -1,13 +1,4 @@
 //! Moments of functions that vanish on a zone at one end: M(e) = sup ∫₀ᵉ m(x) w(x) dx / |w|_ν.
-//!
-//! w ∈ H^ν(0,1) vanishes on (e, 1); x is the distance from the free end, and m is 1, x or e − x ([`Moment`]).
-//! M² = ∫ m w for the w with (w, v)_ν = ∫ m v for all such v, one linear solve on the slope space of
-//! `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and so small only
-//! by the square of what the space leaves of |w|_ν; the error estimate compares two spaces, as for
-//! [`crate::poincare::gamma`].
-//!
-//! As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length that
-//! at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
@@ -50,6 +41,17 @@ impl Moment {
 
 /// M(e) = sup ∫ m w / |w|_ν over the w that vanish where the distance from the free end is more than e.
 ///
+/// # Method
+///
+/// w ∈ H^ν(0,1) vanishes on (e, 1); x is the distance from the free end, and m is 1, x or e − x ([`Moment`]).
+/// M² = ∫ m w for the w with (w, v)_ν = ∫ m v for all such v, one linear solve on the slope space of
+/// `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and so small only
+/// by the square of what the space leaves of |w|_ν; the error estimate compares two spaces, as for
+/// `gamma`.
+///
+/// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length that
+/// at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
+///
 /// ```
 /// use signorini::{Tolerance, poincare::{Moment, moment_norm}, sobolev::FractionalOrder};
 /// let [mass, first] = [Moment::Mass, Moment::FromFreeEnd]
@@ -71,6 +73,15 @@ pub fn moment_norm(
 }
 
 /// The same given the length of the zone in place of what it leaves, for zones down to 1e-300.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Moment, moment_norm, moment_norm_beside}, sobolev::FractionalOrder};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// let left = moment_norm(order, 0.75, Moment::Mass, asked)?.value;
+/// let zone = moment_norm_beside(order, 0.25, Moment::Mass, asked)?.value;
+/// assert!((left / zone - 1.0).abs() < 1e-8);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As for [`moment_norm`], with the zone's length in place of e.
@@ -104,6 +115,13 @@ fn on(
 
 /// The w with |w|_ν = 1 for which the moment is attained, as a function of the distance from the free end
 /// subtracted from 1: it vanishes on (0, 1 − e). On a space for the tolerance asked for.
+///
+/// ```
+/// use signorini::{Tolerance, poincare::{Moment, moment_extremal}, sobolev::FractionalOrder};
+/// let w = moment_extremal(FractionalOrder::HALF, 0.5, Moment::Mass, Tolerance::fast())?;
+/// assert!(w.value(0.25).abs() < 1e-12 && w.value(1.0).abs() > 0.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As for [`moment_norm`].

@@ -1,23 +1,4 @@
 //! The moments of [`super::moment_norm`] at ν = 1/2 in closed form, by Wiener and Hopf's method.
-//!
-//! dx dx'/(x−x')² is invariant under y = ln(x/(1−x)): |w|² = ∬ (w(y)−w(y'))² / (4 sinh²((y−y')/2)) on the
-//! line, with the symbol G(ξ) = 2(πξ coth πξ − 1), and w = 0 for y > ln q, q = e/(1−e). With z_n the positive
-//! roots of tan z = z, G = G₊(ξ) G₊(−ξ),
-//!
-//! g_k = G₊(ik) = π (2/3)^{1/2} k Π_n (1 + πk/z_n)/(1 + k/n).
-//!
-//! In t = ln q − y > 0 the operator is T = T(G₋) T(G₊), and e^{−kt} is an eigenvector of the adjoint of an
-//! analytic Toeplitz operator: ⟨e^{−jt}, T⁻¹ e^{−kt}⟩ = 1/((j+k) g_j g_k). The load is Σ f_k q^k e^{−kt}, f_k
-//! = (−1)^{k−1} k for m = 1 and (−1)^k k(k−1)/2 for m = x, so that q dM²/dq = h², h(q) = Σ (f_k/g_k) q^k, and
-//!
-//! M(e)² = ∫₀ᵉ h² ds/(s(1−s)),  s = q/(1+q).
-//!
-//! h has its only singularities on q ≤ −1, and w = (√(1+q) − 1)/(√(1+q) + 1) takes the plane without them to
-//! the unit disc: h = Σ c_m w^m with c_m = Σ_k 4^k C(m+k−1, m−k) f_k/g_k, since q = 4w/(1−w)². At w = −1,
-//! which is q = −1, h grows like (1+w)^{−5} for m = x (f_k/g_k is like k^{3/2}) and like (1+w)^{−3} for m =
-//! 1, so that (1+w)⁵ h = Σ d_m w^m has small coefficients (`Series::at`). They are sums of alternating terms
-//! as large as (3 + 2√2)^m, whose rounding is carried along; w ≤ 0.3 for s ≤ 0.7, where Euler's
-//! transformation (powers of s, terms up to 2^m) loses more. Cost: 4000 roots, 120 000 logarithms, once.
 
 use super::dual::Moment;
 use crate::error::{Error, Result};
@@ -40,6 +21,27 @@ const LONGEST: f64 = 0.7;
 const ROUNDINGS: f64 = 20.0;
 
 /// M(e) at ν = 1/2 as [`super::moment_norm`] defines it.
+///
+/// # Method
+///
+/// dx dx'/(x−x')² is invariant under y = ln(x/(1−x)): |w|² = ∬ (w(y)−w(y'))² / (4 sinh²((y−y')/2)) on the
+/// line, with the symbol G(ξ) = 2(πξ coth πξ − 1), and w = 0 for y > ln q, q = e/(1−e). With z_n the positive
+/// roots of tan z = z, G = G₊(ξ) G₊(−ξ),
+///
+/// g_k = G₊(ik) = π (2/3)^{1/2} k Π_n (1 + πk/z_n)/(1 + k/n).
+///
+/// In t = ln q − y > 0 the operator is T = T(G₋) T(G₊), and e^{−kt} is an eigenvector of the adjoint of an
+/// analytic Toeplitz operator: ⟨e^{−jt}, T⁻¹ e^{−kt}⟩ = 1/((j+k) g_j g_k). The load is Σ f_k q^k e^{−kt}, f_k
+/// = (−1)^{k−1} k for m = 1 and (−1)^k k(k−1)/2 for m = x, so that q dM²/dq = h², h(q) = Σ (f_k/g_k) q^k, and
+///
+/// M(e)² = ∫₀ᵉ h² ds/(s(1−s)),  s = q/(1+q).
+///
+/// h has its only singularities on q ≤ −1, and w = (√(1+q) − 1)/(√(1+q) + 1) takes the plane without them to
+/// the unit disc: h = Σ c_m w^m with c_m = Σ_k 4^k C(m+k−1, m−k) f_k/g_k, since q = 4w/(1−w)². At w = −1,
+/// which is q = −1, h grows like (1+w)^{−5} for m = x (f_k/g_k is like k^{3/2}) and like (1+w)^{−3} for m =
+/// 1, so that (1+w)⁵ h = Σ d_m w^m has small coefficients (`Series::at`). They are sums of alternating terms
+/// as large as (3 + 2√2)^m, whose rounding is carried along; w ≤ 0.3 for s ≤ 0.7, where Euler's
+/// transformation (powers of s, terms up to 2^m) loses more. Cost: 4000 roots, 120 000 logarithms, once.
 ///
 /// ```
 /// use signorini::poincare::{Moment, half_order_moment};

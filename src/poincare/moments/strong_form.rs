@@ -1,22 +1,5 @@
 //! Moments of functions that vanish on a zone, between two bounds, by the strong form of their equation: a
 //! road that shares nothing with the Gram matrices of [`super::moment_norm`].
-//!
-//! On the zone's complement scaled to (0, 1), s from the free end, the zone beginning at 1 and ending at 1/e,
-//! the seminorm is (v, Av) with
-//!
-//! A v(s) = 2 [ PV ∫₀¹ (v(s) − v(t)) |s−t|^{−1−2ν} dt + k(s) v(s) ],
-//! k(s) = ((1−s)^{−2ν} − (1/e−s)^{−2ν}) / (2ν).
-//!
-//! M² = sup 2∫mw − |w|². With w = v + z and the residual r = m − A v this is ∫mv + ∫rv + sup 2∫rz − |z|², and
-//! |z|² ≥ 2∫k z² (pairs with one point in the zone), so that **for every v**
-//!
-//! ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k.
-//!
-//! v is the least squares solution of r = 0 in that weight over the functions of [`super::strong_basis`].
-//!
-//! The bounds hold up to the rounding and the quadrature of these integrals, by which they are widened.
-//! Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million values
-//! of the basis for one ν, all e.
 
 use super::dual::Moment;
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
@@ -40,6 +23,34 @@ pub struct MomentBounds {
 }
 
 /// The strong form for one order; serves all zones.
+///
+/// # Method
+///
+/// On the zone's complement scaled to (0, 1), s from the free end, the zone beginning at 1 and ending at 1/e,
+/// the seminorm is (v, Av) with
+///
+/// A v(s) = 2 [ PV ∫₀¹ (v(s) − v(t)) |s−t|^{−1−2ν} dt + k(s) v(s) ],
+/// k(s) = ((1−s)^{−2ν} − (1/e−s)^{−2ν}) / (2ν).
+///
+/// M² = sup 2∫mw − |w|². With w = v + z and the residual r = m − A v this is ∫mv + ∫rv + sup 2∫rz − |z|², and
+/// |z|² ≥ 2∫k z² (pairs with one point in the zone), so that **for every v**
+///
+/// ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k.
+///
+/// v is the least squares solution of r = 0 in that weight over the functions of `strong_basis`.
+///
+/// The bounds hold up to the rounding and the quadrature of these integrals, by which they are widened.
+/// Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million values
+/// of the basis for one ν, all e.
+///
+/// ```
+/// use signorini::poincare::{Moment, StrongForm, half_order_moment};
+/// use signorini::sobolev::FractionalOrder;
+/// let bounds = StrongForm::new(FractionalOrder::HALF)?.moment(0.5, Moment::Mass)?;
+/// let exact = half_order_moment(0.5, Moment::Mass)?;
+/// assert!(bounds.lower <= exact.value + exact.error && exact.value - exact.error <= bounds.upper);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub struct StrongForm {
     nu: f64,
     points: Vec<Collocation>,

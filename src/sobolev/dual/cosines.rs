@@ -1,8 +1,8 @@
 //! The regional form's nearest relative that is diagonal: β ∫ u v + c ⟨A^ν u, v⟩, A = -d²/dx² with Neumann
 //! ends on (0, 1).
 //!
-//! With c = 2π / (Γ(1+2ν) sin πν) the form c ⟨A^ν u, v⟩ has the symbol c |ξ|^{2ν} of (1.1) on the line; on the
-//! interval it is (1.1) with the kernel of all even images. Its dual form is known twice:
+//! With c = 2π / (Γ(1+2ν) sin πν) the form c ⟨A^ν u, v⟩ has the symbol c |ξ|^{2ν} of (1.1) on the line; on
+//! the interval it is (1.1) with the kernel of all even images. Its dual form is known twice:
 //! - exactly, by resolvents ([`super::resolvent`]):
 //!   1/(β + cλ^ν) = (sin πν / π) ∫_0^∞ c s^ν / (β² + 2βc s^ν cos πν + c² s^{2ν}) ds / (s + λ);
 //! - over the piecewise linears on M equal elements: they are spanned by the interpolants of cos kπx, whose

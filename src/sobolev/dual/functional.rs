@@ -1,20 +1,9 @@
 //! Dual norms: sup ⟨f, v⟩ / ||v|| over v, for three norms of order ν.
 //!
-//! | [`DualOf`] | ||v||² | space |
-//! | --- | --- | --- |
-//! | `Slobodeckij` | ∥v∥²_0 + \|v\|²_ν, (1.1) of the paper | H^ν(I) |
-//! | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k cosine coefficients | H^ν(I) |
-//! | `InterpolationZero` | the same with sines | H^ν, H^{1/2}_{00}, H^ν_0 for ν below, at, above 1/2 |
-//!
-//! λ_k = (kπ/L)². The first at ν = 1/2 is the norm ∥·∥_{1/2,*} of (4.7) and Remark 2; the others are \[L²,
-//! H¹\]_ν and \[L², H¹_0\]_ν by eigenpairs.
-//!
-//! The first two are equivalent norms of one space, with different constants; the third is larger than the
-//! second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's. A
-//! functional on a mesh (its values on hats) is measured by one SPD solve with M + A: the supremum over the
-//! piecewise linears of that mesh, a lower bound. Functions, however rough, are measured by resolvents in the
-//! interpolation spaces and by piecewise linears with a known correction in the first (`resolvent`,
-//! `regional`, with their formulas).
+//! Functions, however rough, are measured by resolvents in the interpolation spaces (`resolvent`) and by
+//! piecewise linears with a known correction for (1.1) (`regional`). A functional on a mesh (its values on
+//! hats) is measured by one SPD solve with M + A: the supremum over the piecewise linears of that mesh, a
+//! lower bound.
 
 use super::resolvent::Ends;
 use crate::error::{Error, Result};
@@ -32,6 +21,21 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
 /// The norm whose dual is meant.
+///
+/// | [`DualOf`] | ‖v‖² | space |
+/// | --- | --- | --- |
+/// | `Slobodeckij` | ∥v∥²_0 + \|v\|²_ν, (1.1) of the paper | H^ν(I) |
+/// | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k cosine coefficients | H^ν(I) |
+/// | `InterpolationZero` | the same with sines | H^ν, H^{1/2}_{00}, H^ν_0 for ν below, at, above 1/2 |
+///
+/// λ_k = (kπ/L)². The first at ν = 1/2 is the norm ∥·∥\_{1/2,*} of (4.7) and Remark 2; the others are \[L²,
+/// H¹\]_ν and \[L², H¹_0\]_ν by eigenpairs.
+///
+/// The first two are equivalent norms of one space, with different constants; the third is larger than the
+/// second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's. A
+/// functional on a mesh (its values on hats) is measured by one SPD solve with M + A: the supremum over the
+/// piecewise linears of that mesh, a lower bound. For a function the mesh is halved until the limit is known.
+#[doc(alias("H-1/2", "dual norm"))]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DualOf {
     /// ∥v∥²_0 + |v|²_ν.
@@ -48,9 +52,21 @@ const DENSE: usize = 300;
 /// sup ⟨f, v⟩/||v||_ν (Slobodeckij) over the piecewise linears of a mesh, from the values ⟨f, φ_i⟩ on its N +
 /// 1 hats.
 ///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::sobolev::{FractionalOrder, Partition, dual_norm_of_functional};
+/// // v ↦ ∫ v on (0, 1), by its values on the hats: the supremum is attained by the constant
+/// let mesh = Partition::uniform(4, 1.0)?;
+/// let load = [0.125, 0.25, 0.25, 0.25, 0.125];
+/// let found = dual_norm_of_functional(&mesh, FractionalOrder::HALF, &load, Tolerance::balanced())?;
+/// assert!((found.value - 1.0).abs() < 1e-8);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::NotPositiveDefinite`],
 /// [`Error::ToleranceNotMet`].
+#[doc(alias("H-1/2", "negative norm", "dual norm"))]
 pub fn dual_norm_of_functional(
     partition: &Partition,
     order: FractionalOrder,
@@ -94,6 +110,7 @@ impl PiecewisePolynomial {
     /// # Errors
     /// [`Error::ToleranceNotMet`], with the best value, when 2^20 elements do not suffice or rounding exceeds
     /// the tolerance; [`Error::NotFinite`] for a norm beyond the range of binary64.
+    #[doc(alias("H-1/2", "negative norm"))]
     pub fn dual_norm(&self, of: DualOf, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         match of {
             DualOf::Slobodeckij => self.dual_of_regional(order, tolerance),

@@ -1,10 +1,4 @@
 //! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
-//!
-//! The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
-//! break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
-//! the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
-//! ([`super::log_energy`]). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
-//! that takes a [`Position`] sees the distance itself, or its logarithm.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
@@ -14,8 +8,19 @@ use crate::numeric::scale::power_of_two;
 const SAMPLES: usize = 16;
 
 /// A point of the interval, known by its distance to the nearest break point.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, Position, SingularFunction}};
+/// // (x − 1/2) on both sides of the break 1/2, exact however close to it
+/// let f = |at: Position| if at.anchor() == 1 { at.offset() } else { at.x() - 0.5 };
+/// let u = SingularFunction::from_positions(&[0.0, 0.5, 1.0], f)?;
+/// assert!((u.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value - 1.0).abs() < 1e-4);
+/// assert!(u.breaks().len() == 3 && u.length() == 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Position {
+pub struct Position<'a> {
+    breaks: &'a [f64],
     x: f64,
     anchor: usize,
     offset: f64,
@@ -23,7 +28,7 @@ pub struct Position {
     depth: Option<f64>,
 }
 
-impl Position {
+impl Position<'_> {
     /// The coordinate, rounded.
     pub fn x(&self) -> f64 {
         self.x
@@ -39,6 +44,35 @@ impl Position {
         self.offset
     }
 
+    /// |x − c_k| for any break point c_k, with all its digits: |offset| for the nearest one, the sum of offset
+    /// and the distance between two breaks for the others. One formula then serves all breaks.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
+    /// // ln|x - 3/10|, its square root at the left end
+    /// let u = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| {
+    ///     at.distance_to(0).sqrt() * at.log_distance_to(1)
+    /// })?;
+    /// let found = u.seminorm(FractionalOrder::new(0.4)?, Tolerance::fast())?;
+    /// assert!(found.relative_error() <= 1e-4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// NaN where there is no break k, which the norms report.
+    pub fn distance_to(&self, k: usize) -> f64 {
+        if k == self.anchor { self.offset.abs() } else { self.from(k).abs() }
+    }
+
+    /// ln of [`Position::distance_to`], also where the distance underflows.
+    pub fn log_distance_to(&self, k: usize) -> f64 {
+        if k == self.anchor { self.log_distance() } else { self.from(k).abs().ln() }
+    }
+
+    /// x − c_k.
+    fn from(&self, k: usize) -> f64 {
+        self.breaks.get(k).map_or(f64::NAN, |other| (self.breaks[self.anchor] - other) + self.offset)
+    }
+
     /// ln |offset|, also where the offset underflows: as far as −10^{300}.
     pub fn log_distance(&self) -> f64 {
         self.depth.unwrap_or_else(|| self.offset.abs().ln())
@@ -46,15 +80,32 @@ impl Position {
 }
 
 /// A real function on an interval whose singular points are declared.
+///
+/// # Method
+///
+/// The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
+/// break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
+/// the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
+/// (`log_energy`). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
+/// that takes a [`Position`] sees the distance itself, or its logarithm.
+#[doc(alias(
+    "Gagliardo",
+    "Slobodeckij",
+    "Gagliardo seminorm",
+    "fractional Sobolev",
+    "H1/2",
+    "H^s",
+    "closure"
+))]
 pub struct SingularFunction<'a> {
     breaks: Vec<f64>,
-    function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
-    sight: Sight,
+    function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
+    pub(super) sight: Sight,
 }
 
 /// What the closure sees of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Sight {
+pub(super) enum Sight {
     Coordinate,
     Offset,
     LogDistance,
@@ -104,15 +155,28 @@ impl<'a> SingularFunction<'a> {
     /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
     /// are.
     ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction, closed_forms}};
+    /// // |ln x|^0.45, nearly not in H^{1/2}: what lies below x = 1e-300 counts
+    /// let u = SingularFunction::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.log_distance()).powf(0.45),
+    ///     _ => (-at.offset().ln_1p()).powf(0.45),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`SingularFunction::new`].
     pub fn from_log_distances(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(f), Sight::LogDistance)
     }
 
-    fn build(
+    pub(super) fn build(
         breaks: &[f64],
-        function: Box<dyn Fn(Position) -> f64 + Sync + 'a>,
+        function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
         sight: Sight,
     ) -> Result<Self> {
         if breaks.len() < 2 {
@@ -190,14 +254,14 @@ impl<'a> SingularFunction<'a> {
     /// The value at distance δ from the anchor of an arm.
     pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
         let offset = arm.sign * delta;
-        self.value(Position { x: arm.start + offset, anchor: arm.anchor, offset, depth: None })
+        self.value_at(arm.anchor, offset, None)
     }
 
     /// The value at δ = R e^{-t} for any t.
     pub(crate) fn at_depth(&self, arm: &Arm, t: f64) -> Result<f64> {
         let offset = arm.sign * arm.delta(t);
         let depth = Some(arm.length.ln() - t);
-        self.value(Position { x: arm.start + offset, anchor: arm.anchor, offset, depth })
+        self.value_at(arm.anchor, offset, depth)
     }
 
     /// True when the function can be evaluated at any depth.
@@ -205,9 +269,11 @@ impl<'a> SingularFunction<'a> {
         self.sight == Sight::LogDistance
     }
 
-    fn value(&self, at: Position) -> Result<f64> {
+    /// The value at an offset from a break, the ln of its size where it underflows.
+    pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
+        let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
         let value = (self.function)(at);
-        require_finite_at("function value near break", at.anchor, value)?;
+        require_finite_at("function value near break", anchor, value)?;
         Ok(value)
     }
 }

@@ -1,9 +1,4 @@
 //! Norms of functions with declared break points.
-//!
-//! Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules in
-//! logarithmic coordinates. The error of the finer one is estimated by their difference (the error of the
-//! *coarser* one), plus what the limits along the arms and rounding leave. Cost: a seminorm takes about
-//! (arms)² 10⁵ kernel values at 1e-8.
 
 use super::arm_integral::ArmIntegral;
 use super::function::SingularFunction;
@@ -39,6 +34,13 @@ const LIMIT: &str = "rounding of the values, or the limit at a break, is all tha
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
     ///
+    /// # Method
+    ///
+    /// Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules
+    /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error of
+    /// the *coarser* one), plus what the limits along the arms and rounding leave. Cost: a seminorm takes
+    /// about (arms)² 10⁵ kernel values at 1e-8.
+    ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
     /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
@@ -50,6 +52,7 @@ impl SingularFunction<'_> {
     /// # Errors
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
+    #[doc(alias("Gagliardo", "Slobodeckij"))]
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.of_moderate_size()?;
         let root = |squared: Estimate| scaled(scale, squared.sqrt()?);
@@ -59,6 +62,17 @@ impl SingularFunction<'_> {
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
+    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x * x / 2.0)?;
+    /// let slope = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
+    /// // ||x||²_{1/2} = 1/3 + 1, and ||x²/2||²_{3/2} = 1/20 + 1/3 + 1
+    /// assert!((slope.norm(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-7);
+    /// assert!((u.norm_with_derivative(&slope, order, asked)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-7);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`SingularFunction::seminorm`].
@@ -97,6 +111,16 @@ impl SingularFunction<'_> {
     }
 
     /// ||u||_{L^q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::SingularFunction};
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| 1.0 - x)?;
+    /// let asked = Tolerance::balanced();
+    /// assert!((u.l2_norm(asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-8);
+    /// assert!((u.lq_norm(4.0, asked)?.value - 0.2f64.powf(0.25)).abs() < 1e-8);
+    /// assert!((u.mean(asked)?.value - 0.5).abs() < 1e-8);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].
@@ -209,7 +233,8 @@ fn refine(
     Err(Error::best_of("integral", asked.relative(), best_of_levels(&found), LIMIT))
 }
 
-/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} − 1).
+/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} −
+/// 1).
 const UNSETTLED: f64 = 4.0;
 
 /// The best of levels that do not meet the tolerance: two that agree by accident are not trusted, a level is

@@ -37,29 +37,48 @@ pub(crate) struct Blocks {
 
 impl ClusterTree {
     pub(crate) fn new(partition: &Partition) -> Self {
+        Self::with_leaves(partition, LEAF, |_| true)
+    }
+
+    /// Leaves of at most `leaf` elements, and no cluster that ends at a node that `may_cut` forbids: the
+    /// elements between two nodes that may cut stay together.
+    pub(crate) fn with_leaves(partition: &Partition, leaf: usize, may_cut: impl Fn(usize) -> bool) -> Self {
         let mut tree = Self { clusters: Vec::new() };
-        tree.grow(partition.lengths(), 0, partition.len());
+        tree.grow(partition.lengths(), 0, partition.len(), leaf, &may_cut);
         tree
     }
 
-    fn grow(&mut self, lengths: &[f64], first: usize, end: usize) -> usize {
+    fn grow(
+        &mut self,
+        lengths: &[f64],
+        first: usize,
+        end: usize,
+        leaf: usize,
+        may_cut: &impl Fn(usize) -> bool,
+    ) -> usize {
         let index = self.clusters.len();
         self.clusters.push(Cluster { first, end, length: 0.0, children: None });
-        if end - first <= LEAF {
+        let middle = first + (end - first) / 2;
+        let cut = if end - first <= leaf {
+            None
+        } else {
+            (middle..end).find(|&k| may_cut(k)).or_else(|| (first + 1..middle).rev().find(|&k| may_cut(k)))
+        };
+        if let Some(cut) = cut {
+            let mut child = |from, to| self.grow(lengths, from, to, leaf, may_cut);
+            let children = [child(first, cut), child(cut, end)];
+            self.clusters[index].length = children.iter().map(|&c| self.clusters[c].length).sum();
+            self.clusters[index].children = Some(children);
+        } else {
             let mut sum = RunningSum::default();
             lengths[first..end].iter().for_each(|&h| sum.add(h));
             self.clusters[index].length = sum.value();
-        } else {
-            let middle = first + (end - first) / 2;
-            let children = [self.grow(lengths, first, middle), self.grow(lengths, middle, end)];
-            self.clusters[index].length = children.iter().map(|&c| self.clusters[c].length).sum();
-            self.clusters[index].children = Some(children);
         }
         index
     }
 
     /// Sum of the lengths of the elements first..end.
-    fn distance(&self, lengths: &[f64], first: usize, end: usize) -> f64 {
+    pub(crate) fn distance(&self, lengths: &[f64], first: usize, end: usize) -> f64 {
         let mut sum = RunningSum::default();
         let mut stack = vec![0];
         while let Some(index) = stack.pop() {

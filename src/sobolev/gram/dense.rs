@@ -1,11 +1,5 @@
 //! Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linears,
 //! dense.
-//!
-//! a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the
-//! paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in closed
-//! form or by rules exact to rounding ([`crate::sobolev::kernel::cells`]); only the entries of neighbouring
-//! hats mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row sums, so
-//! that the row sums are a check. Cost O(N²); the entries of separate hats cost about 16 kernel values.
 
 use crate::error::{Error, Result};
 use crate::numeric::sum::RunningSum;
@@ -39,6 +33,34 @@ pub fn gram_constants(partition: &Partition, order: FractionalOrder) -> Result<M
 }
 
 /// Gram matrix of |·|_ν for the hat functions of all N + 1 nodes.
+///
+/// # Method
+///
+/// a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the
+/// paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in closed
+/// form or by rules exact to rounding (`kernel::cells`); only the entries of neighbouring
+/// hats mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row sums, so
+/// that the row sums are a check. Cost O(N²); the entries of separate hats cost about 16 kernel values.
+///
+/// ```
+/// use signorini::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
+/// use signorini::sobolev::{mass_constants, mass_linears};
+/// let mesh = Partition::uniform(2, 1.0)?;
+/// let a = gram_linears(&mesh, FractionalOrder::HALF);
+/// // the identity, whose squared seminorm is one; constants are in the kernel
+/// let x = [0.0, 0.5, 1.0];
+/// let row = |i: usize| (0..3).map(|j| a[(i, j)] * x[j]).sum::<f64>();
+/// let squared: f64 = (0..3).map(|i| row(i) * x[i]).sum();
+/// assert!((squared - 1.0).abs() < 1e-14);
+/// assert!((a[(0, 0)] + a[(0, 1)] + a[(0, 2)]).abs() < 1e-14);
+/// let b = gram_constants(&mesh, FractionalOrder::new(0.25)?)?;
+/// assert!((b[(0, 0)] + b[(0, 1)]).abs() < 1e-13);
+/// assert_eq!(mass_constants(&mesh), [0.5, 0.5]);
+/// let (diagonal, beside) = mass_linears(&mesh);
+/// assert!((diagonal.iter().sum::<f64>() + 2.0 * beside.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("stiffness matrix", "Gram matrix", "fractional Laplacian"))]
 pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> Mat<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
@@ -62,11 +84,13 @@ pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> Mat<f64> {
 }
 
 /// Gram matrix of L² for piecewise constants: the element lengths.
+#[doc(alias("mass matrix"))]
 pub fn mass_constants(partition: &Partition) -> Vec<f64> {
     partition.lengths().to_vec()
 }
 
 /// Gram matrix of L² for hat functions: (diagonal, off-diagonal) of a tridiagonal matrix.
+#[doc(alias("mass matrix"))]
 pub fn mass_linears(partition: &Partition) -> (Vec<f64>, Vec<f64>) {
     let lengths = partition.lengths();
     let mut diagonal = vec![0.0; lengths.len() + 1];
@@ -84,13 +108,13 @@ pub(crate) fn require_constants_finite(order: FractionalOrder) -> Result<()> {
     Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
 }
 
-/// ∫_{cell i} ∫_{cell j} |x−y|^{-1-2ν} for i < j with the lengths between them summing to `gap`.
+/// ∫\_{cell i} ∫\_{cell j} |x−y|^{-1-2ν} for i < j with the lengths between them summing to `gap`.
 pub(crate) fn constants_on(partition: &Partition, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
     let (p, q) = (partition.lengths()[i], partition.lengths()[j]);
     if j == i + 1 { cells.touching_constants(p, q) } else { cells.separate_constants(p, q, gap) }
 }
 
-/// 2 ∫_{cell} ∫_{outside} |x−y|^{-1-2ν}.
+/// 2 ∫\_{cell} ∫\_{outside} |x−y|^{-1-2ν}.
 pub(crate) fn diagonal_constant(partition: &Partition, cells: &CellPairs, i: usize) -> f64 {
     let h = partition.lengths()[i];
     let outside = [partition.from_left()[i], partition.from_right()[i + 1]];

@@ -2,7 +2,7 @@
 
 mod band;
 mod circulant;
-mod cluster;
+pub(super) mod cluster;
 pub(super) mod dense;
 mod hierarchical;
 mod operator;

@@ -1,12 +1,4 @@
 //! The Gram matrices of |·|_ν as operators y = A x: no N² anywhere.
-//!
-//! | mesh | method | product | memory |
-//! | --- | --- | --- | --- |
-//! | uniform | circulant embedding ([`super::toeplitz`]) | O(N log N) | about 10 N numbers |
-//! | any | H²-matrix ([`super::hierarchical`]) | O(N log²(1/ε)) | about 60 N numbers |
-//!
-//! Constants are removed from x before the product, since A maps them to zero: the error is relative to |A|
-//! |x − mean|.
 
 use super::band::Band;
 use super::dense::require_constants_finite;
@@ -30,6 +22,32 @@ enum OffBand {
 }
 
 /// A Gram matrix of |·|_ν that can be applied to vectors.
+///
+/// # Method
+///
+/// | mesh | method | product | memory |
+/// | --- | --- | --- | --- |
+/// | uniform | circulant embedding (`toeplitz`) | O(N log N) | about 10 N numbers |
+/// | any | H²-matrix (`hierarchical`) | O(N log²(1/ε)) | about 60 N numbers |
+///
+/// Constants are removed from x before the product, since A maps them to zero: the error is relative to |A|
+/// |x − mean|.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, GramOperator, Partition}};
+/// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::balanced());
+/// let mesh = Partition::uniform(1000, 1.0)?;
+/// let [fast, tree] = [
+///     GramOperator::linears(&mesh, order, asked)?,
+///     GramOperator::linears_hierarchical(&mesh, order, asked)?, // the road of graded meshes
+/// ];
+/// assert!(fast.is_uniform() && !tree.is_uniform() && fast.dimension() == 1001);
+/// assert!((fast.diagonal()[7] / tree.diagonal()[7] - 1.0).abs() < 1e-12);
+/// assert!(fast.bytes() < tree.bytes());
+/// assert_eq!(GramOperator::constants(&mesh, order, asked)?.dimension(), 1000);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("Gram matrix", "fractional Laplacian", "H-matrix", "Toeplitz", "FFT", "matrix-vector product"))]
 pub struct GramOperator {
     band: Band,
     rest: OffBand,

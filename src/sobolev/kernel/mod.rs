@@ -2,4 +2,5 @@
 //! relative accuracy.
 
 pub(crate) mod cells;
+pub(crate) mod chebyshev;
 pub(crate) mod power;

@@ -41,32 +41,57 @@ fn gauss_table() -> &'static GaussTable {
 /// Points and weights on (0, 1) of the Gauss rule exact to rounding for (x + ℓη)^{-1-2ν} times a quadratic,
 /// ratio = ℓ/x ≤ 2.
 pub(crate) fn gauss_for(ratio: f64) -> (&'static [f64], &'static [f64]) {
-    gauss_for_degree(ratio, 1)
+    gauss_to(ratio, 1, 1.0)
 }
 
-/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree`: that many points more than the
-/// kernel needs.
-pub(crate) fn gauss_for_degree(ratio: f64, degree: usize) -> (&'static [f64], &'static [f64]) {
+/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree` and to a `share` of the digits: that
+/// many points more than the kernel needs, which are as many as the error ρ^{-2n} asks.
+fn gauss_to(ratio: f64, degree: usize, share: f64) -> (&'static [f64], &'static [f64]) {
     let table = gauss_table();
-    let needed = table.reach.partition_point(|&reach| reach < ratio) + degree;
+    let exact = table.reach.partition_point(|&reach| reach < ratio) as f64;
+    let needed = (exact * share).ceil() as usize + degree;
     let (points, weights) = &table.rules[needed.min(MAX_POINTS - 1)];
     (points, weights)
 }
 
 /// Σ w f over pieces of (0, ℓ) that grow away from a singularity at −x, each by a rule exact to rounding.
 pub(crate) fn graded_gauss(x: f64, length: f64, f: impl FnMut(f64, f64)) {
-    graded_gauss_degree(x, length, 1, f);
+    graded_gauss_to(x, length, 1, 1.0, f);
 }
 
-/// As [`graded_gauss`] for the kernel times a polynomial of degree 2 `degree`.
-pub(crate) fn graded_gauss_degree(x: f64, length: f64, degree: usize, mut f: impl FnMut(f64, f64)) {
+/// The rules for the kernel times polynomials of degree 2 `degree`, to a share of all digits.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GaussRules {
+    pub(crate) degree: usize,
+    /// of 17 digits
+    pub(crate) share: f64,
+}
+
+impl GaussRules {
+    /// To the relative accuracy `target` of a positive integral.
+    pub(crate) fn to(degree: usize, target: f64) -> Self {
+        Self { degree, share: (-target.log10() / 17.0).clamp(0.1, 1.0) }
+    }
+
+    /// As [`gauss_for`].
+    pub(crate) fn simple(self, ratio: f64) -> (&'static [f64], &'static [f64]) {
+        gauss_to(ratio, self.degree, self.share)
+    }
+
+    /// As [`graded_gauss`].
+    pub(crate) fn graded(self, x: f64, length: f64, f: impl FnMut(f64, f64)) {
+        graded_gauss_to(x, length, self.degree, self.share, f);
+    }
+}
+
+fn graded_gauss_to(x: f64, length: f64, degree: usize, share: f64, mut f: impl FnMut(f64, f64)) {
     let mut start = 0.0;
     loop {
         let rest = length - start;
         let reach = GAUSS_REACH * (x + start);
         // A last piece slightly too long is cheaper than a sliver.
         let (piece, last) = if rest <= reach { (rest, true) } else { (reach, false) };
-        let (points, weights) = gauss_for_degree(piece / (x + start), degree);
+        let (points, weights) = gauss_to(piece / (x + start), degree, share);
         for (&point, &weight) in points.iter().zip(weights) {
             f(start + piece * point, piece * weight);
         }

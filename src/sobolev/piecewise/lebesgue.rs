@@ -1,8 +1,4 @@
 //! Means and L^q norms of piecewise polynomials.
-//!
-//! Mean = (1/|I|) ∫ u. ||u||_q = (∫ |u|^q)^{1/q}, 1 ≤ q < ∞, and q = ∞. On an element where u is linear from
-//! a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a ≈ b.
-//! Elements of higher degree are bisected until a Gauss rule and its two halves agree. Cost O(N).
 
 use super::polynomial::{Piece, PiecewisePolynomial};
 use crate::error::{Error, Result};
@@ -34,6 +30,26 @@ impl PiecewisePolynomial {
     }
 
     /// ||u||_{L^q}, 1 ≤ q ≤ ∞.
+    ///
+    /// # Method
+    ///
+    /// Mean = (1/|I|) ∫ u. ||u||_q = (∫ |u|^q)^{1/q}, 1 ≤ q < ∞, and q = ∞. On an element where u is linear
+    /// from a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a
+    /// ≈ b. Elements of higher degree are bisected until a Gauss rule and its two halves agree. Cost O(N).
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{Partition, PiecewisePolynomial}};
+    /// let asked = Tolerance::balanced();
+    /// // x² is of degree two: interpolated exactly; its derivative 2x is restricted to (1/2, 1)
+    /// let u = PiecewisePolynomial::interpolate(Partition::uniform(2, 1.0)?, 2, |x| x * x)?;
+    /// assert!(u.degree() == 2 && u.is_continuous());
+    /// assert!((u.mean(asked)?.value - 1.0 / 3.0).abs() < 1e-14);
+    /// assert!((u.lq_norm(3.0, asked)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);
+    /// assert!((u.lq_norm(f64::INFINITY, asked)?.value - 1.0).abs() < 1e-8);
+    /// let slope = u.derivative()?.restrict(1..2)?;
+    /// assert!((slope.value(0, 1.0)? - 2.0).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN; [`Error::ToleranceNotMet`].

@@ -1,52 +1,62 @@
 //! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments as for
 //! functions.
-//!
-//! |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m = 0, 1.
-//!
-//! Piecewise constants and continuous piecewise linears go through the Gram matrix in the form −Σ_{i<j} a_ij
-//! (u_i−u_j)², which uses that constants have seminorm zero and so keeps its digits when u is nearly
-//! constant; other degrees are integrated pair by pair ([`super::pairs`]). Everything is exact to rounding;
-//! the [`Tolerance`] is what the rounding is held against. Cost O(N²) kernel values, without a stored matrix;
-//! beyond 3000 elements constants and linears take the fast product xᵀAx, whose rounding is relative to Σ
-//! a_ii x_i², and return to the pairs (up to 16000 elements, some ten seconds) where that rounding exceeds
-//! the tolerance.
 
-use super::pairs::{Cell, PairSum, PolynomialPairs};
 use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::power_of_two;
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
-use crate::sobolev::gram::GramOperator;
-use crate::sobolev::gram::dense::{FarRow, constants_on, neighbours_linear};
-use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
-use rayon::prelude::*;
 
-/// Elements up to which all pairs are summed directly.
-const DIRECT: usize = 3000;
-/// Elements up to which they are when the fast product is not accurate enough.
-const PATIENT: usize = 16_000;
-/// Asked of the fast product.
-const FAST_FORM: Tolerance = Tolerance::reference();
-/// Error of the fast product, entry by entry, relative to |A| |x|; measured below 1e-14.
-const FAST_ROUNDING: f64 = 1e-13;
 /// What ends the accuracy of a quadratic form.
 const LIMIT: &str = "rounding of the form; fewer elements or a smoother function have more digits";
 
 impl PiecewisePolynomial {
     /// The seminorm |u|_ν.
     ///
+    /// # Method
+    ///
+    /// ```text
+    /// |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m < 2.
+    /// ```
+    ///
+    /// Few elements are summed pair by pair, exact to rounding, at O(N²) kernel values: constants and
+    /// continuous linears through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which uses that
+    /// constants have seminorm zero and so keeps its digits when u is nearly constant. More elements go
+    ///
+    /// - on uniform meshes, constants and linears, by the fast product xᵀAx, whose rounding is relative to Σ
+    ///   a_ii x_i²: O(N log N);
+    /// - else, and where that rounding exceeds the tolerance, by moments: pairs of clusters of elements with
+    ///   a gap no shorter than either, on which the kernel is interpolated at Chebyshev points to the
+    ///   [`Tolerance`] asked; O(N log(1/τ)²), down to about 1e-13. Since the integrand is no less than zero,
+    ///   the relative error of the sum is at most that of the kernel.
+    ///
+    /// The values of neighbours are rounded, and that is what ends the accuracy of many elements for ν near 1.
+    ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
+    #[doc(alias("Gagliardo", "Slobodeckij"))]
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial}};
+    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::reference());
+    /// // x²/2 as end values and a bubble: x²/2 = x/2 − x(1−x)/2
+    /// let mesh = Partition::uniform(1, 1.0)?;
+    /// let u = PiecewisePolynomial::with_bubbles(mesh.clone(), &[[0.0, 0.5]], vec![vec![-0.5]])?;
+    /// let slope = PiecewisePolynomial::discontinuous_linears(mesh, &[[0.0, 1.0]])?;
+    /// assert!((slope.l2_norm(asked)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-14);
+    /// assert!((slope.norm(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-12);
+    /// assert!((u.norm_with_derivative(&slope, order, asked)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
@@ -102,8 +112,8 @@ impl PiecewisePolynomial {
         power_of_two(self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max))
     }
 
-    /// A power of two near the largest difference of two values: squares of differences of a few ulps must not
-    /// underflow.
+    /// A power of two near the largest difference of two values: squares of differences of a few ulps must
+    /// not underflow.
     fn spread(&self) -> f64 {
         let (mut low, mut high, mut bubbles) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
         for piece in self.pieces() {
@@ -142,136 +152,4 @@ impl PiecewisePolynomial {
         }
         Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
     }
-
-    fn seminorm_squared_of_moderate(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        if self.is_exactly(|piece| piece.left == piece.right) {
-            self.constants_squared(order, tolerance)
-        } else if self.is_exactly(|_| true) && self.is_continuous() {
-            self.linears_squared(order, tolerance)
-        } else {
-            self.pairs_squared(order)
-        }
-    }
-
-    fn is_exactly(&self, shape: impl Fn(&super::polynomial::Piece) -> bool) -> bool {
-        self.pieces().iter().all(|piece| piece.bubbles.is_empty() && shape(piece))
-    }
-
-    fn constants_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        let (partition, pieces) = (self.partition(), self.pieces());
-        if pieces.iter().all(|piece| piece.left == pieces[0].left) {
-            return Estimate::new(0.0, 0.0, Work::default());
-        }
-        let n = pieces.len();
-        if n > DIRECT {
-            let values: Vec<f64> = pieces.iter().map(|piece| piece.left).collect();
-            let fast = fast_form(&GramOperator::constants(partition, order, FAST_FORM)?, &values)?;
-            if is_enough(&fast, n, tolerance) {
-                return Ok(fast);
-            }
-        }
-        let cells = CellPairs::new(order);
-        let value: f64 = (0..n)
-            .into_par_iter()
-            .map(|i| {
-                let (mut sum, mut gap) = (0.0, RunningSum::default());
-                for j in i + 1..n {
-                    let difference = pieces[i].left - pieces[j].left;
-                    if difference != 0.0 {
-                        sum += constants_on(partition, &cells, i, j, gap.value()) * difference * difference;
-                    }
-                    gap.add(partition.lengths()[j]);
-                }
-                2.0 * sum
-            })
-            .sum();
-        Estimate::new(value, ENTRY_ROUNDING * value, pair_work(n))
-    }
-
-    fn linears_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        let partition = self.partition();
-        let cells = CellPairs::new(order);
-        let n = partition.len();
-        let mut nodal: Vec<f64> = self.pieces().iter().map(|piece| piece.left).collect();
-        nodal.push(self.pieces()[n - 1].right);
-        if n > DIRECT {
-            let fast = fast_form(&GramOperator::linears(partition, order, FAST_FORM)?, &nodal)?;
-            if is_enough(&fast, n, tolerance) {
-                return Ok(fast);
-            }
-        }
-        let square = |i: usize, j: usize| (nodal[i] - nodal[j]) * (nodal[i] - nodal[j]);
-        let (value, absolute) = (0..n)
-            .into_par_iter()
-            .map(|e| {
-                let entry = neighbours_linear(partition, &cells, e) * square(e, e + 1);
-                let (mut sum, mut absolute) = (-entry, entry.abs());
-                for (k, [near, far]) in FarRow::new(partition, &cells, e).values.into_iter().enumerate() {
-                    let term = -near * square(e + 1, e + 2 + k) - far * square(e, e + 2 + k);
-                    sum += term;
-                    absolute += term;
-                }
-                (sum, absolute)
-            })
-            .reduce(|| (0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
-        Estimate::new(value, ENTRY_ROUNDING * absolute, pair_work(n))
-    }
-
-    fn pairs_squared(&self, order: FractionalOrder) -> Result<Estimate> {
-        let pairs = PolynomialPairs::new(order, self.degree().max(1))?;
-        let lengths = self.partition().lengths();
-        let n = lengths.len();
-        let cell = |i: usize| Cell { length: lengths[i], piece: &self.pieces()[i] };
-        let total = (0..n)
-            .into_par_iter()
-            .map(|i| {
-                let mut sum = pairs.own(cell(i));
-                if i + 1 < n {
-                    sum = sum.plus(pairs.touching(cell(i), cell(i + 1), self.jump(i + 1)));
-                }
-                let mut gap = RunningSum::default();
-                for j in i + 2..n {
-                    gap.add(lengths[j - 1]);
-                    sum = sum.plus(pairs.separate(cell(i), cell(j), gap.value()));
-                }
-                sum
-            })
-            .reduce(PairSum::default, PairSum::plus);
-        let work = Work { points: total.points, ..pair_work(n) };
-        Estimate::new(total.value, ENTRY_ROUNDING * total.value + total.rounding, work)
-    }
-}
-
-/// xᵀ A x by the fast product.
-fn fast_form(operator: &GramOperator, x: &[f64]) -> Result<Estimate> {
-    let image = operator.apply(x)?;
-    let mean = x.iter().map(|v| v / x.len() as f64).sum::<f64>();
-    let (mut sum, mut absolute) = (RunningSum::default(), 0.0);
-    for ((v, y), a) in x.iter().zip(&image).zip(operator.diagonal()) {
-        let v = v - mean;
-        sum.add(v * y);
-        // |x|ᵀ |A| |x| ≤ 2 Σ a_ii x_i², since rows sum to zero
-        absolute += 2.0 * a * v * v;
-    }
-    Estimate::new(sum.value(), FAST_ROUNDING * absolute, Work { points: x.len() as u64, ..Work::default() })
-}
-
-/// True when the square of the seminorm is known to twice the tolerance, or the pairs are too many to do
-/// better.
-fn is_enough(squared: &Estimate, n: usize, tolerance: Tolerance) -> bool {
-    n > PATIENT || squared.relative_error() <= 2.0 * tolerance.relative()
-}
-
-impl PairSum {
-    fn plus(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            rounding: self.rounding + other.rounding,
-            points: self.points + other.points,
-        }
-    }
-}
-
-fn pair_work(n: usize) -> Work {
-    Work { pairs: (n * (n + 1) / 2) as u64, ..Work::default() }
 }

@@ -10,7 +10,8 @@ use super::polynomial::Piece;
 use crate::error::Result;
 use crate::numeric::scale::power_between;
 use crate::quadrature::{PowerWeightRule, Rule};
-use crate::sobolev::kernel::power::{PowerKernel, gauss_for_degree, graded_gauss_degree};
+use crate::sobolev::energy::PairSum;
+use crate::sobolev::kernel::power::{GaussRules, PowerKernel};
 use crate::sobolev::order::FractionalOrder;
 
 /// An element with its polynomial.
@@ -20,51 +21,72 @@ pub(crate) struct Cell<'a> {
     pub(crate) piece: &'a Piece,
 }
 
-/// A positive integral and the rounding error of the differences in it.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct PairSum {
-    pub(crate) value: f64,
-    pub(crate) rounding: f64,
-    pub(crate) points: u64,
-}
-
 /// The rules for polynomials up to one degree.
 pub(crate) struct PolynomialPairs {
     kernel: PowerKernel,
-    degree: usize,
+    rules: GaussRules,
+    /// of ∫∫ over one element twice, for the slope of the linear part and the bubbles
+    own: Vec<Vec<f64>>,
     /// weights t^{1-2ν} and t^{2-2ν}
     quotient_rule: PowerWeightRule,
     square_rule: PowerWeightRule,
-    inner: Rule,
 }
 
+/// Rounding of the form of one element, relative to its terms.
+const OWN_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 impl PolynomialPairs {
-    pub(crate) fn new(order: FractionalOrder, degree: usize) -> Result<Self> {
+    /// For polynomials up to `degree`; integrals of the kernel to the relative accuracy `target`.
+    pub(crate) fn new(order: FractionalOrder, degree: usize, target: f64) -> Result<Self> {
         let kernel = PowerKernel::new(order);
         let points = 2 * degree + 1;
-        Ok(Self {
+        let mut pairs = Self {
             kernel,
-            degree,
+            rules: GaussRules::to(degree, target),
+            own: Vec::new(),
             quotient_rule: PowerWeightRule::new(points, kernel.two_minus)?,
             square_rule: PowerWeightRule::new(points, kernel.three_minus)?,
-            inner: Rule::gauss_legendre(degree + 1)?,
-        })
+        };
+        pairs.own = pairs.own_form(degree, &Rule::gauss_legendre(degree + 1)?);
+        Ok(pairs)
+    }
+
+    /// The form of one element of length one, for its slope and its bubbles.
+    fn own_form(&self, degree: usize, inner: &Rule) -> Vec<Vec<f64>> {
+        let unit = |k: usize| Piece {
+            left: 0.0,
+            right: if k == 0 { 1.0 } else { 0.0 },
+            bubbles: (1..degree).map(|j| if j == k { 1.0 } else { 0.0 }).collect(),
+        };
+        let basis: Vec<Piece> = (0..degree).map(unit).collect();
+        let mut form = vec![vec![0.0; degree]; degree];
+        for (zeta, w) in self.quotient_rule.iter() {
+            for (tau, v) in inner.iter() {
+                let t = (1.0 - zeta) * tau;
+                let quotient = |piece: &Piece| inner.integrate(|r| piece.slope(t + r * zeta));
+                let quotients: Vec<f64> = basis.iter().map(quotient).collect();
+                let weight = 2.0 * w * v * (1.0 - zeta);
+                for (row, a) in form.iter_mut().zip(&quotients) {
+                    row.iter_mut().zip(&quotients).for_each(|(entry, b)| *entry += weight * a * b);
+                }
+            }
+        }
+        form
     }
 
     /// Over one element twice.
     pub(crate) fn own(&self, cell: Cell) -> PairSum {
-        let mut sum = PairSum::default();
-        for (zeta, w) in self.quotient_rule.iter() {
-            let squares = self.inner.integrate(|tau| {
-                let t = (1.0 - zeta) * tau;
-                let quotient = self.inner.integrate(|r| cell.piece.slope(t + r * zeta));
-                sum.points += 1;
-                quotient * quotient
-            });
-            sum.value += w * (1.0 - zeta) * squares;
+        let slope = cell.piece.right - cell.piece.left;
+        let coefficients = || std::iter::once(&slope).chain(&cell.piece.bubbles);
+        let (mut value, mut size) = (0.0, 0.0);
+        for (a, row) in coefficients().zip(&self.own) {
+            let along: f64 = coefficients().zip(row).map(|(b, entry)| b * entry).sum();
+            let absolute: f64 = coefficients().zip(row).map(|(b, entry)| (b * entry).abs()).sum();
+            value += a * along;
+            size += a.abs() * absolute;
         }
-        sum.value *= 2.0 * self.kernel.scaling(cell.length);
-        sum
+        let factor = self.kernel.scaling(cell.length);
+        PairSum { value: factor * value, rounding: factor * OWN_ROUNDING * size, points: 1 }
     }
 
     /// Over two neighbours, both orders; `jump` = value of the right one minus value of the left one at the
@@ -77,19 +99,39 @@ impl PolynomialPairs {
         // Triangle s = ξ, t = ξη (in units of the elements) and its mirror image s = ξη, t = ξ.
         for mirrored in [false, true] {
             let (x, length) = if mirrored { (b, a) } else { (a, b) };
+            // The element along which ξ runs alone has the same quotients for every η.
+            let along: Vec<f64> = self
+                .square_rule
+                .iter()
+                .map(
+                    |(xi, _)| {
+                        if mirrored { right.piece.quotient_left(xi) } else { left.piece.quotient_right(xi) }
+                    },
+                )
+                .collect();
             // η from 0 to 1 runs over (0, length); the kernel's singularity lies at −x.
-            graded_gauss_degree(x, length, self.degree, |eta_length, w| {
+            self.rules.graded(x, length, |eta_length, w| {
                 let eta = eta_length / length;
                 let kernel = w * (x / (x + eta_length)) * (x + eta_length).powf(-self.kernel.twice);
-                let difference = |xi: f64| {
-                    let (s, t) = if mirrored { (xi * eta, xi) } else { (xi, xi * eta) };
-                    let (s_factor, t_factor) = if mirrored { (eta, 1.0) } else { (1.0, eta) };
-                    t_factor * right.piece.quotient_left(t) - s_factor * left.piece.quotient_right(s)
+                // u(x) − u(y) over ξ, up to its sign
+                let difference = |xi: f64, alone: f64| {
+                    let t = xi * eta;
+                    alone
+                        - eta
+                            * if mirrored {
+                                left.piece.quotient_right(t)
+                            } else {
+                                right.piece.quotient_left(t)
+                            }
                 };
-                let mut radial = self.square_rule.integrate(|xi| difference(xi).powi(2));
+                let pairs = self.square_rule.iter().zip(&along);
+                let mut radial: f64 = pairs.map(|((xi, w), &alone)| w * difference(xi, alone).powi(2)).sum();
                 if jump != 0.0 {
-                    radial += 2.0 * jump * self.quotient_rule.integrate(difference)
-                        + jump * jump / self.kernel.one_minus;
+                    let sign = if mirrored { 2.0 } else { -2.0 };
+                    // Both rules have the Gauss points.
+                    let points = self.quotient_rule.iter().zip(&along);
+                    let linear: f64 = points.map(|((xi, w), &alone)| w * difference(xi, alone)).sum();
+                    radial += sign * jump * linear + jump * jump / self.kernel.one_minus;
                 }
                 sum.value += kernel * radial;
                 sum.points += 1;
@@ -114,9 +156,9 @@ impl PolynomialPairs {
             sum.points += 1;
         };
         if p <= d && q <= d {
-            let (t_points, t_weights) = gauss_for_degree(q / d, self.degree);
+            let (t_points, t_weights) = self.rules.simple(q / d);
             let values: Vec<f64> = t_points.iter().map(|&t| right.piece.value(t)).collect();
-            let (s_points, s_weights) = gauss_for_degree(p / d, self.degree);
+            let (s_points, s_weights) = self.rules.simple(p / d);
             for (&s, &v) in s_points.iter().zip(s_weights) {
                 let value = left.piece.value(1.0 - s);
                 for ((&t, &w), &other) in t_points.iter().zip(t_weights).zip(&values) {
@@ -125,9 +167,9 @@ impl PolynomialPairs {
                 }
             }
         } else {
-            graded_gauss_degree(d, p, self.degree, |s, v| {
+            self.rules.graded(d, p, |s, v| {
                 let value = left.piece.value(1.0 - s / p);
-                graded_gauss_degree(d + s, q, self.degree, |t, w| {
+                self.rules.graded(d + s, q, |t, w| {
                     let distance = d + s + t;
                     add(distance, v * (w / distance), right.piece.value(t / q) - value);
                 });

@@ -1,8 +1,4 @@
 //! Piecewise polynomials on a [`Partition`].
-//!
-//! On an element of length h, with t ∈ (0, 1) from left to right,
-//! u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
-//! then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite_at, require_length};
@@ -26,6 +22,11 @@ pub(crate) struct Piece {
 }
 
 /// A polynomial on every element of a partition.
+///
+/// On an element of length h, with t ∈ (0, 1) from left to right,
+/// u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
+/// then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
+#[doc(alias("Gagliardo", "Slobodeckij", "fractional Sobolev", "H1/2", "P1", "P0", "finite element"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct PiecewisePolynomial {
     partition: Partition,
@@ -83,20 +84,16 @@ impl PiecewisePolynomial {
                 require_finite_at("value", index, value)?;
             }
             if bubbles.len() + 1 > MAX_DEGREE {
-                return Err(Error::CountOutOfRange {
-                    name: "polynomial degree",
-                    value: bubbles.len() + 1,
-                    range: "<= 20",
-                });
+                let value = bubbles.len() + 1;
+                return Err(Error::CountOutOfRange { name: "polynomial degree", value, range: "<= 20" });
             }
             pieces.push(Piece { left, right, bubbles });
         }
         Ok(Self { partition, pieces })
     }
 
-    /// The polynomial of the given degree on every element that agrees with f at the nodes and whose bubbles
-    /// are the L²(t(1−t)) projection of the rest; continuous. f is called with the distance from the left
-    /// end.
+    /// Polynomials of the given degree that agree with f at the nodes and whose bubbles are the L²(t(1−t))
+    /// projection of the rest; continuous. f is called with the distance from the left end.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
@@ -122,14 +119,7 @@ impl PiecewisePolynomial {
 
     /// Highest degree of a piece (bubbles are counted whether zero or not).
     pub fn degree(&self) -> usize {
-        let degrees = self.pieces.iter().map(|piece| {
-            if piece.bubbles.is_empty() {
-                usize::from(piece.left != piece.right)
-            } else {
-                piece.bubbles.len() + 1
-            }
-        });
-        degrees.max().unwrap_or(0)
+        self.pieces.iter().map(Piece::degree).max().unwrap_or(0)
     }
 
     /// Value at local coordinate t ∈ [0, 1] of an element.
@@ -214,7 +204,16 @@ impl PiecewisePolynomial {
 
 impl Piece {
     pub(crate) fn value(&self, t: f64) -> f64 {
-        self.left * (1.0 - t) + self.right * t + t * (1.0 - t) * self.bubble_sum(t).0
+        self.value_above(0.0, t)
+    }
+
+    /// u(t) − c, formed before it is rounded where u is nearly constant.
+    pub(crate) fn value_above(&self, c: f64, t: f64) -> f64 {
+        (self.left - c) * (1.0 - t) + (self.right - c) * t + t * (1.0 - t) * self.bubble_sum(t).0
+    }
+
+    pub(crate) fn degree(&self) -> usize {
+        if self.bubbles.is_empty() { usize::from(self.left != self.right) } else { self.bubbles.len() + 1 }
     }
 
     /// (u(t) − u_L)/t.
@@ -248,7 +247,7 @@ impl Piece {
 
 /// Coefficients of (f − linear part)/(t(1−t)) in P_0 ... P_{degree−2}: exact when f is a polynomial of that
 /// degree.
-fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
+pub(crate) fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
     let count = degree.saturating_sub(1);
     let mut coefficients = vec![0.0; count];
     if count == 0 {

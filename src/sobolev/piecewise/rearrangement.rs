@@ -1,9 +1,4 @@
 //! Monotone rearrangements of piecewise linear functions, exact up to rounding.
-//!
-//! v* decreases and takes every range of values on a set of the same measure as v. Between two neighbouring
-//! values a > b among those at the ends of elements, an element of length h with ends c, d on both sides of
-//! them holds values in (b, a) on the length h (a − b)/|c − d|: the distribution function is piecewise
-//! linear, and so is v*. Cost: (number of elements)².
 
 use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};
@@ -11,6 +6,13 @@ use crate::sobolev::partition::Partition;
 
 impl PiecewisePolynomial {
     /// The decreasing rearrangement v* of a function of degree at most one, on the same interval.
+    ///
+    /// # Method
+    ///
+    /// v* decreases and takes every range of values on a set of the same measure as v. Between two
+    /// neighbouring values a > b among those at the ends of elements, an element of length h with ends c, d
+    /// on both sides of them holds values in (b, a) on the length h (a − b)/|c − d|: the distribution
+    /// function is piecewise linear, and so is v*. Cost: (number of elements)².
     ///
     /// ```
     /// use signorini::sobolev::{Partition, PiecewisePolynomial};

@@ -20,6 +20,13 @@ pub fn near_differences(values: &[f64], reach: usize) -> f64 {
 
 /// The largest quotient over all reaches of [`near_differences`] in sorted and in given order: at most one,
 /// by the lemma. Zero for equal numbers. Exact comparisons as long as the sums are, as for whole numbers.
+///
+/// ```
+/// use signorini::sobolev::{sorted_share, sorted_share_of_orders, sorted_share_of_random};
+/// assert!(sorted_share(&[1.0, 0.0, 3.0, 2.0]) <= 1.0);
+/// assert_eq!(sorted_share_of_orders(&[0.0, 1.0, 5.0]), 1.0); // the sorted order is among them
+/// assert!(sorted_share_of_random(20, 1) <= 1.0);
+/// ```
 pub fn sorted_share(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

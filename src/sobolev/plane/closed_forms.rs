@@ -39,6 +39,18 @@ pub fn coordinate_on_unit_square(order: FractionalOrder) -> Result<Estimate> {
 ///
 /// Across a straight edge the kernel integrates to ∫ (t²+z²)^{-3/2} dz = 2/t² at distance t from side to
 /// side, and 2 ∫∫ 2 (a+b)^{-1-2s} da db over a, b > 0 near 0 is 4/(1−2s) to leading order.
+///
+/// ```
+/// use signorini::Tolerance;
+/// use signorini::sobolev::{FractionalOrder, PlaneFunction, Triangles, gradient_limit, perimeter_limit};
+/// // half of the unit square, cut along the diagonal of length √2
+/// let half = PlaneFunction::constants(Triangles::grid([1, 1], 1.0)?, vec![1.0, 0.0])?;
+/// let order = FractionalOrder::from_offset(-1e-6)?;
+/// let squared = half.seminorm(order, Tolerance::fast())?.value.powi(2);
+/// assert!((2e-6 * squared / perimeter_limit(2f64.sqrt()) - 1.0).abs() < 1e-3);
+/// assert_eq!(gradient_limit(1.0), std::f64::consts::FRAC_PI_2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn perimeter_limit(length: f64) -> f64 {
     4.0 * length
 }

@@ -7,6 +7,21 @@ use crate::error::Result;
 use crate::numeric::check::require_values;
 
 /// A piecewise constant or a continuous piecewise linear function.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{FractionalOrder, PlaneFunction, Triangles}};
+/// let x = PlaneFunction::linears(Triangles::grid([1, 1], 1.0)?, vec![0.0, 1.0, 0.0, 1.0])?;
+/// let (order, asked) = (FractionalOrder::new(0.3)?, Tolerance::balanced());
+/// assert!((x.l2_norm()?.value - 1.0 / 3f64.sqrt()).abs() < 1e-14);
+/// assert!(x.norm(order, asked)?.value > x.l2_norm()?.value);
+/// // the gradient (1, 0) on both triangles has no seminorm: ||x||²_{1+s} = 1/3 + 1
+/// assert!((x.norm_with_gradient(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-8);
+/// let [along, across] = x.gradient()?;
+/// assert!(along.is_piecewise_constant() && along.values() == [1.0, 1.0] && across.values() == [0.0, 0.0]);
+/// assert_eq!(x.mesh().triangles().len(), 2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("Gagliardo", "fractional Sobolev", "H1/2", "triangulation"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaneFunction {
     mesh: Triangles,

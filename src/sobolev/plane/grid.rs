@@ -1,12 +1,5 @@
 //! Products with the Gram matrix of |·|_s for continuous piecewise linears on a uniform grid of squares, each
 //! cut from bottom left to top right.
-//!
-//! Pairs of squares depend on their offset only. With the forms of [`super::cell_pairs`], w_c the four values
-//! on the square c,
-//! wᵀAw = Σ_c w_cᵀ 2D(c) w_c − 2 Σ_{c,c'} w_cᵀ C(c'−c) w_{c'} + squares that touch, D(c) = Σ S(c'−c) over the
-//! squares c' that do not touch c: a rectangle of offsets, known from sums over quadrants. The second sum is
-//! ten convolutions. Rows of A sum to zero up to rounding. Units: the side of a square; A scales with
-//! h^{2−2s}. Cost: O(N) kernel values once, then O(N log N) per product; memory about 200 N numbers.
 
 use super::cell_pairs::{CORNERS, CellPair, CellPairs, HATS, Square};
 use super::convolution::{Spectrum, Torus};
@@ -22,6 +15,15 @@ use rustfft::num_complex::Complex64;
 const FINEST: f64 = 1e-14;
 
 /// The Gram matrix of |·|_s on a uniform grid, as a fast product.
+///
+/// # Method
+///
+/// Pairs of squares depend on their offset only. With the forms of `cell_pairs`, w_c the four values
+/// on the square c,
+/// wᵀAw = Σ_c w_cᵀ 2D(c) w_c − 2 Σ_{c,c'} w_cᵀ C(c'−c) w_{c'} + squares that touch, D(c) = Σ S(c'−c) over the
+/// squares c' that do not touch c: a rectangle of offsets, known from sums over quadrants. The second sum is
+/// ten convolutions. Rows of A sum to zero up to rounding. Units: the side of a square; A scales with
+/// h^{2−2s}. Cost: O(N) kernel values once, then O(N log N) per product; memory about 200 N numbers.
 pub struct GridOperator {
     squares: [usize; 2],
     scale: f64,

@@ -1,14 +1,4 @@
 //! Norms of order s and 1 + s of piecewise constants and linears in the plane.
-//!
-//! |w|²_s = ∫∫ (w(x)−w(y))² / |x−y|^{2+2s},  ||w||²_s = ||w||² + |w|²_s,  ||w||²_{1+s} = ||w||² + ||∇w||² +
-//! |∂₁w|²_s + |∂₂w|²_s.
-//!
-//! The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of [`super::means`]. Piecewise
-//! constants have a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every
-//! integral is computed by three rules: the second gives the value, the third and the first judge it. Limits:
-//! (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral with s = 0.
-//! |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; beyond, clusters that are apart
-//! are compressed: cost O(N log N), errors included.
 
 use super::function::PlaneFunction;
 use super::means::{Means, Shape};
@@ -33,6 +23,20 @@ const LIMIT: &str = "finer rules and clusters no longer help: the rest is roundi
 impl PlaneFunction {
     /// The seminorm |w|_s.
     ///
+    /// # Method
+    ///
+    /// ```text
+    /// |w|²_s = ∫∫ (w(x)−w(y))² / |x−y|^{2+2s},  ||w||²_s = ||w||² + |w|²_s,
+    /// ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
+    /// ```
+    ///
+    /// The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of `means`. Piecewise
+    /// constants have a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every
+    /// integral is computed by three rules: the second gives the value, the third and the first judge it.
+    /// Limits: (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral
+    /// with s = 0. |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; beyond, clusters
+    /// that are apart are compressed: cost O(N log N), errors included.
+    ///
     /// ```
     /// use signorini::sobolev::{FractionalOrder, PlaneFunction, Triangles};
     /// use signorini::Tolerance;
@@ -46,6 +50,7 @@ impl PlaneFunction {
     /// # Errors
     /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles
     /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
+    #[doc(alias("Gagliardo", "Slobodeckij"))]
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }

@@ -1,27 +1,4 @@
 //! Corner singularities w = r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω.
-//!
-//! F(x, y) = (w(x)−w(y))² |x−y|^{-2-2s} is homogeneous of degree 2a − 2 − 2s about the corner. As for
-//! simplices ([`super::means`]) one radius can be taken to be R; with the other R e^{-u} and ψ the angle
-//! between x and y,
-//!
-//! |w|²_s = R^{2a+2−2s} / (a+1−s) ∫₀^ω ∫₀^∞ e^{-(1-s)u} J(u, ψ) (4 sinh²(u/2) + 4 sin²(ψ/2))^{-1-s} du dψ,
-//! J = (1−τ)² P(ψ) + 2τ Q(ψ), τ = e^{-au}, L = ω − ψ,
-//! P = ∫₀^L sin²(bφ) + sin²(b(φ+ψ)) dφ,  Q = ∫₀^L (sin(b(φ+ψ)) − sin(bφ))² dφ = 2 sin²(bψ/2) (L + cos(bω)
-//! sin(bL)/b): nothing cancels. It is finite exactly for a > s − 1. At u = ψ = 0 the integrand is ξ^{-2s}
-//! times an analytic function of polar kind: Duffy's coordinates and a Gauss-Jacobi rule in ξ; elsewhere
-//! Gauss rules on cells that grow away from it.
-//!
-//! The gradient of the harmonic r^p sin(pφ) is p r^{p−1} (cos, sin) of (p−1)φ in fixed directions: both
-//! components together have P = 2L and Q = 4 sin²((p−1)ψ/2) L, a = p − 1, times p².
-//!
-//! An elastic displacement with zero shear on y = 0 (Westergaard) is v = (α Re z^p − y Im pz^q, (1+α) Im z^p
-//! − y Re pz^q), q = p − 1. The conformal and the other part of ∇v give, with
-//! W = r^q (e^{iqφ} − e^{i(q−2)φ}) = 2iy z^{q−1},
-//!
-//! |∇v|_s² = p² (2α² |r^q e^{iqφ}|_s² + 2(1 + 2α) |r^q sin qφ|_s² + ½ q² |W|_s²).
-//!
-//! W has P = ∫₀^L 4 sin²φ + 4 sin²(φ+ψ) dφ, Q = 4 ((S² + T²) L − 2 S T cos ω sin L), S = sin(qψ/2), T =
-//! sin((q−2)ψ/2).
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -42,6 +19,32 @@ enum Part {
 }
 
 /// r^a sin(bφ) on a sector.
+///
+/// # Method
+///
+/// F(x, y) = (w(x)−w(y))² |x−y|^{-2-2s} is homogeneous of degree 2a − 2 − 2s about the corner. As for
+/// simplices (`means`) one radius can be taken to be R; with the other R e^{-u} and ψ the angle
+/// between x and y,
+///
+/// |w|²_s = R^{2a+2−2s} / (a+1−s) ∫₀^ω ∫₀^∞ e^{-(1-s)u} J(u, ψ) (4 sinh²(u/2) + 4 sin²(ψ/2))^{-1-s} du dψ,
+/// J = (1−τ)² P(ψ) + 2τ Q(ψ), τ = e^{-au}, L = ω − ψ,
+/// P = ∫₀^L sin²(bφ) + sin²(b(φ+ψ)) dφ,  Q = ∫₀^L (sin(b(φ+ψ)) − sin(bφ))² dφ = 2 sin²(bψ/2) (L + cos(bω)
+/// sin(bL)/b): nothing cancels. It is finite exactly for a > s − 1. At u = ψ = 0 the integrand is ξ^{-2s}
+/// times an analytic function of polar kind: Duffy's coordinates and a Gauss-Jacobi rule in ξ; elsewhere
+/// Gauss rules on cells that grow away from it.
+///
+/// The gradient of the harmonic r^p sin(pφ) is p r^{p−1} (cos, sin) of (p−1)φ in fixed directions: both
+/// components together have P = 2L and Q = 4 sin²((p−1)ψ/2) L, a = p − 1, times p².
+///
+/// An elastic displacement with zero shear on y = 0 (Westergaard) is v = (α Re z^p − y Im pz^q, (1+α) Im z^p
+/// − y Re pz^q), q = p − 1. The conformal and the other part of ∇v give, with
+/// W = r^q (e^{iqφ} − e^{i(q−2)φ}) = 2iy z^{q−1},
+///
+/// |∇v|_s² = p² (2α² |r^q e^{iqφ}|_s² + 2(1 + 2α) |r^q sin qφ|_s² + ½ q² |W|_s²).
+///
+/// W has P = ∫₀^L 4 sin²φ + 4 sin²(φ+ψ) dφ, Q = 4 ((S² + T²) L − 2 S T cos ω sin L), S = sin(qψ/2), T =
+/// sin((q−2)ψ/2).
+#[doc(alias("corner singularity", "L-shape"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SectorPower {
     part: Part,

@@ -1,7 +1,4 @@
 //! Triangulations as the plane norms need them: nodes and triangles, nothing about boundaries.
-//!
-//! Triangles touch along whole edges or at nodes that they share by number, and do not overlap. Either
-//! orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
 
 use super::geometry::{Point, twice_area};
 use crate::error::{Error, Result};
@@ -13,6 +10,12 @@ use std::collections::HashMap;
 const BYTES_OF_SQUARE: usize = 300;
 
 /// A triangulation of a polygon.
+///
+/// # Method
+///
+/// Triangles touch along whole edges or at nodes that they share by number, and do not overlap. Either
+/// orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
+#[doc(alias("mesh", "triangulation"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangles {
     nodes: Vec<[f64; 2]>,
@@ -67,6 +70,18 @@ impl Triangles {
     }
 
     /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
+    ///
+    /// ```
+    /// use signorini::Tolerance;
+    /// use signorini::sobolev::{FractionalOrder, GridOperator, Triangles, coordinate_on_unit_square};
+    /// let order = FractionalOrder::HALF;
+    /// let form = GridOperator::new([8, 8], 0.125, order, Tolerance::balanced())?;
+    /// let x: Vec<f64> = Triangles::grid([8, 8], 0.125)?.nodes().iter().map(|p| p[0]).collect();
+    /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
+    /// assert!((squared / coordinate_on_unit_square(order)?.value - 1.0).abs() < 1e-7);
+    /// assert!(form.size() == 81 && form.bytes() > 81 * 8);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
@@ -132,6 +147,14 @@ impl Triangles {
     }
 
     /// The same triangulation with its nodes moved.
+    ///
+    /// ```
+    /// use signorini::sobolev::Triangles;
+    /// let sheared = Triangles::grid([2, 2], 0.5)?.mapped(|[x, y]| [x + y, y])?;
+    /// assert!(sheared.nodes()[8] == [2.0, 1.0] && sheared.triangles().len() == 8);
+    /// assert!((sheared.area() - 1.0).abs() < 1e-15);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Triangles::new`] for the moved nodes.

@@ -1,18 +1,4 @@
 //! The half-plane H = {y > 0}: |w(·,0)|²_{s−1/2,ℝ} ≤ C(s)² |w|²_{s,H} with the best constant
-//!
-//! C(s)² = 4s² / ((2s−1) D(s)),  D(s) = −π cot(πs) − ψ(2s) − γ,  1/2 < s < 1,
-//!
-//! ψ = Γ'/Γ, γ Euler's constant. Three steps, proved in full on the page of the book:
-//! - y^{2s−1} is harmonic for Lw(x) = PV ∫_H (w(x)−w(z)) |x−z|^{-2-2s} dz, and L commutes with the inversion
-//!   w ↦ |x|^{2s−2} w(x/|x|²); so y^{2s−1}/|x|^{2s} is harmonic too, the Poisson kernel of the operator
-//!   div(y^{2−2s} ∇w).
-//! - The least energy of the boundary values e^{iξx} is that of e^{iξx} φ(|ξ|y),
-//!   φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y) = 1 − b y^{2σ} + ..., σ = s − 1/2, b = 2^{-2σ} Γ(1−σ)/Γ(1+σ);
-//!   per length it is b A (D/s) |ξ|^{2σ}, A = √π Γ(s+1/2)/Γ(s+1).
-//! - The edge has 2π/(Γ(2s) sin πσ) |ξ|^{2σ}; the Γ functions of the quotient cancel.
-//!
-//! Limits: C(s)² (2s−1)² → 3/π² as s → 1/2; π/(2(1−s)) C(s)² → 2π as s → 1, the square of the constant of
-//! the Dirichlet integral.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
@@ -27,6 +13,22 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 ///
 /// Invariant under scaling. Cost: twenty terms.
 ///
+/// # Method
+///
+/// C(s)² = 4s² / ((2s−1) D(s)),  D(s) = −π cot(πs) − ψ(2s) − γ,  1/2 < s < 1,
+///
+/// ψ = Γ'/Γ, γ Euler's constant. Three steps, proved in full on the page of the book:
+/// - y^{2s−1} is harmonic for Lw(x) = PV ∫_H (w(x)−w(z)) |x−z|^{-2-2s} dz, and L commutes with the inversion
+///   w ↦ |x|^{2s−2} w(x/|x|²); so y^{2s−1}/|x|^{2s} is harmonic too, the Poisson kernel of the operator
+///   div(y^{2−2s} ∇w).
+/// - The least energy of the boundary values e^{iξx} is that of e^{iξx} φ(|ξ|y),
+///   φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y) = 1 − b y^{2σ} + ..., σ = s − 1/2, b = 2^{-2σ} Γ(1−σ)/Γ(1+σ);
+///   per length it is b A (D/s) |ξ|^{2σ}, A = √π Γ(s+1/2)/Γ(s+1).
+/// - The edge has 2π/(Γ(2s) sin πσ) |ξ|^{2σ}; the Γ functions of the quotient cancel.
+///
+/// Limits: C(s)² (2s−1)² → 3/π² as s → 1/2; π/(2(1−s)) C(s)² → 2π as s → 1, the square of the constant of
+/// the Dirichlet integral.
+///
 /// ```
 /// use signorini::sobolev::{FractionalOrder, half_plane_trace};
 /// let near: FractionalOrder = "1/2+1e-9".parse()?;
@@ -37,6 +39,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2, where functions have no trace.
+#[doc(alias("trace theorem", "trace constant"))]
 pub fn half_plane_trace(order: FractionalOrder) -> Result<Estimate> {
     let sigma = require_trace(order)?;
     // −π cot(πs) = π tan(πσ), from the nearer end.
@@ -49,6 +52,10 @@ pub fn half_plane_trace(order: FractionalOrder) -> Result<Estimate> {
 }
 
 /// √(2π), the best constant for s = 1 with ‖∇w‖ on the right: half-plane and square.
+///
+/// ```
+/// assert!((signorini::sobolev::half_plane_trace_at_one().powi(2) - std::f64::consts::TAU).abs() < 1e-14);
+/// ```
 pub fn half_plane_trace_at_one() -> f64 {
     (2.0 * PI).sqrt()
 }

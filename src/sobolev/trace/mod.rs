@@ -1,4 +1,4 @@
-//! The trace theorem with its constant: |w|_{s−1/2, edge} ≤ C |w|_{s,Ω}, 1/2 < s ≤ 1.
+//! The trace theorem with its constant: |w|\_{s−1/2, edge} ≤ C |w|\_{s,Ω}, 1/2 < s ≤ 1.
 //!
 //! |w|²_{s,Ω} = ∫_Ω∫_Ω (w(x)−w(y))² / |x−y|^{2+2s} dx dy and, for s = 1, ‖∇w‖²; the edge has the same double
 //! integral with |x−y|^{-2s}.

@@ -1,14 +1,4 @@
 //! The unit square, trace on the edge y = 0: lower bounds of the best constant from trial functions.
-//!
-//! For s < 1 the trial functions are X(x) Y(y), X a Legendre polynomial, Y one of those or y^{2s−1} times it.
-//! Functions X of one parity about x = 1/2 do not see the others, and for one parity the
-//! displacements (a, b) and (a, −b) count the same:
-//!
-//! |w|²_s = 4 ∫₀¹∫₀¹ (a²+b²)^{-1-s} G(a, b) da db,
-//! G = ⟨ΔXΔX⟩⟨YY⟩ + ⟨ΔX X⁺⟩⟨Y ΔY⟩ + ⟨X⁺ΔX⟩⟨ΔY Y⟩ + ⟨X⁺X⁺⟩⟨ΔYΔY⟩,
-//!
-//! by products of rules graded to a = 0 and b = 0. For s = 1 the trial functions are cos(kπx) with the
-//! harmonic extension cosh(kπ(1−y)), whose energy is (kπ/2) tanh(kπ).
 
 use super::half_plane::require_trace;
 use super::increments::{EdgeFamily, Family, Increments, Parity};
@@ -33,6 +23,18 @@ const ROUNDING: f64 = 1e-10;
 const SINGULAR: usize = 2;
 
 /// Largest quotients of trial functions on the square.
+///
+/// # Method
+///
+/// For s < 1 the trial functions are X(x) Y(y), X a Legendre polynomial, Y one of those or y^{2s−1} times it.
+/// Functions X of one parity about x = 1/2 do not see the others, and for one parity the
+/// displacements (a, b) and (a, −b) count the same:
+///
+/// |w|²_s = 4 ∫₀¹∫₀¹ (a²+b²)^{-1-s} G(a, b) da db,
+/// G = ⟨ΔXΔX⟩⟨YY⟩ + ⟨ΔX X⁺⟩⟨Y ΔY⟩ + ⟨X⁺ΔX⟩⟨ΔY Y⟩ + ⟨X⁺X⁺⟩⟨ΔYΔY⟩,
+///
+/// by products of rules graded to a = 0 and b = 0. For s = 1 the trial functions are cos(kπx) with the
+/// harmonic extension cosh(kπ(1−y)), whose energy is (kπ/2) tanh(kπ).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SquareTrace {
     /// Largest |w|²_{s−1/2, edge}/|w|²_s among functions odd about x = 1/2, and among even ones.
@@ -67,6 +69,13 @@ impl SquareTrace {
     }
 
     /// s = 1 with ‖∇w‖²: the first modes cos(kπx), k = 1, ..., and their harmonic extensions.
+    ///
+    /// ```
+    /// use signorini::sobolev::{SquareTrace, half_plane_trace_at_one};
+    /// let found = SquareTrace::at_one(20)?.largest();
+    /// assert!(found.value <= half_plane_trace_at_one().powi(2) + found.error);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for fewer than 2 or more than 200 modes.

@@ -1,14 +1,4 @@
 //! A corner: the wedge 0 < θ < ω, trace on its edge θ = 0.
-//!
-//! w = r^{s−1+iτ} ψ(θ), ψ(0) = 1. Per unit of ln r the edge has C(τ), the symbol of the half line, and the
-//! wedge
-//!
-//! E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
-//!
-//! whose minimum over ψ is computed by finite elements ([`super::wedge_elements`]). The best constant of the
-//! wedge is the supremum of C(τ)/min E_τ over τ; as τ → ∞ the quotient tends to that of the half-plane,
-//! from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
-//! at π/2; there the quotient is the closed form for *every* τ, a second road to it.
 
 use super::angular_kernel::AngularKernel;
 use super::half_line::HalfLineSymbol;
@@ -32,6 +22,18 @@ const ANGLES: &str = "[0.1, pi]";
 const LARGEST_TAU: f64 = 100.0;
 
 /// Quotients edge/wedge of the squared seminorms, mode by mode.
+///
+/// # Method
+///
+/// w = r^{s−1+iτ} ψ(θ), ψ(0) = 1. Per unit of ln r the edge has C(τ), the symbol of the half line, and the
+/// wedge
+///
+/// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
+///
+/// whose minimum over ψ is computed by finite elements (`wedge_elements`). The best constant of the
+/// wedge is the supremum of C(τ)/min E_τ over τ; as τ → ∞ the quotient tends to that of the half-plane,
+/// from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
+/// at π/2; there the quotient is the closed form for *every* τ, a second road to it.
 #[derive(Debug, Clone, Copy)]
 pub struct WedgeTrace {
     order: FractionalOrder,
@@ -61,6 +63,17 @@ impl WedgeTrace {
 
     /// The half-plane with even boundary values.
     ///
+    /// ```
+    /// use signorini::sobolev::{FractionalOrder, WedgeTrace, half_plane_trace};
+    /// let s = FractionalOrder::new(0.75)?;
+    /// let flat = WedgeTrace::half_plane(s)?.quotient(2.0)?;
+    /// assert!(flat.value <= half_plane_trace(s)?.value.powi(2) + flat.error);
+    /// // s = 1, the mode τ → ∞ of any corner: 2π
+    /// let deep = WedgeTrace::quotient_at_one(1.0, 100.0)?;
+    /// assert!((deep / std::f64::consts::TAU - 1.0).abs() < 0.01);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::OutOfRange`] for s ≤ 1/2.
     pub fn half_plane(order: FractionalOrder) -> Result<Self> {
@@ -71,7 +84,8 @@ impl WedgeTrace {
     /// |f|²_{s−1/2}/|w|²_s for the boundary values r^{s−1+iτ} and the least energy: a lower bound of the
     /// square of the best constant.
     ///
-    /// The finite elements do not reach the least energy: up to the rules the value lies below the quotient. Cost: 1e6 operations.
+    /// The finite elements do not reach the least energy: up to the rules the value lies below the quotient.
+    /// Cost: 1e6 operations.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 ≤ τ ≤ 100.

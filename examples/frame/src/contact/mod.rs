@@ -15,6 +15,6 @@ mod two_roads;
 pub use conditions::{CONDITIONS, Condition, solvers_agree};
 pub use listing::{table, worst};
 pub use own::{Load, Material, Own, OwnOptions};
-pub use roads::{algebraic_chart, road_chart, road_table};
+pub use roads::{algebraic_chart, memory_chart, road_chart, road_costs, road_table};
 pub use subject::Subject;
 pub use two_roads::{RoadsRow, compressibility_chart, two_roads_table};

@@ -11,6 +11,8 @@ use crate::Result;
 
 pub(super) const WIDTH: f64 = 640.0;
 const PLOT_HEIGHT: f64 = 320.0;
+/// From row to row of named rows, with room for the letters of a narrow screen.
+const ROW: f64 = 21.5;
 pub(super) const LEFT: f64 = 88.0;
 pub(super) const RIGHT: f64 = 22.0;
 const TOP: f64 = 36.0;
@@ -75,23 +77,23 @@ impl Chart {
     /// [`crate::Error::Figure`] when the drawing backend fails.
     pub fn svg(&self) -> Result<String> {
         let (labels, legend) = (Labels::of(self), Legend::of(self));
-        let height = (PLOT_HEIGHT + BELOW + legend.height()).max(labels.height()) + TOP + 8.0;
+        let frame = self.frame(labels.width());
+        let height = (frame.height + BELOW + legend.height()).max(labels.height()) + TOP + 8.0;
         Canvas::draw(WIDTH, height, &self.title, |canvas| {
-            let frame = self.frame(labels.width());
             canvas.text(&self.title, (WIDTH / 2.0, TOP / 2.0), TEXT_SIZE + 1.0, Anchor::Centre)?;
             self.draw_bands(canvas, &frame)?;
             self.draw_axes(canvas, &frame)?;
             self.draw_asymptotes(canvas, &frame)?;
             self.series.iter().enumerate().try_for_each(|(k, s)| draw_series(canvas, &frame, s, k))?;
             labels.draw(canvas, &frame)?;
-            legend.draw(canvas, up(0.0) + BELOW)
+            legend.draw(canvas, frame.up(0.0) + BELOW)
         })
     }
 
     fn draw_asymptotes(&self, canvas: &Canvas<'_>, frame: &Frame) -> Result<()> {
         for &(at, colour) in &self.asymptotes {
             if let Some(x) = frame.x.position(at).map(|s| frame.across(s)) {
-                let ends = [(x, up(0.0)), (x, up(1.0))];
+                let ends = [(x, frame.up(0.0)), (x, frame.up(1.0))];
                 canvas.dashes(&ends, Paint::Colour(colour, 1.0), 1.2, (2.0, 4.0))?;
             }
         }
@@ -108,6 +110,7 @@ impl Chart {
             x: self.x.scale(points().map(|p| p.0).chain(bands).chain(asymptotes)),
             y: self.y.scale(points().map(|p| p.1).chain(ends)),
             width: WIDTH - LEFT - RIGHT - labels,
+            height: PLOT_HEIGHT.max(ROW * self.y.row_count() as f64),
         }
     }
 
@@ -118,7 +121,8 @@ impl Chart {
                     continue;
                 };
                 let (a, b) = (frame.across(a.clamp(0.0, 1.0)), frame.across(b.clamp(0.0, 1.0)));
-                let corners = [(a, up(0.0)), (b, up(0.0)), (b, up(1.0)), (a, up(1.0))];
+                let corners =
+                    [(a, frame.up(0.0)), (b, frame.up(0.0)), (b, frame.up(1.0)), (a, frame.up(1.0))];
                 canvas.polygon(&corners, Paint::Colour(band.colour, 0.25))?;
             }
         }
@@ -128,16 +132,16 @@ impl Chart {
     fn draw_axes(&self, canvas: &Canvas<'_>, frame: &Frame) -> Result<()> {
         for tick in self.x.ticks(&frame.x, (frame.width / 80.0) as usize) {
             let x = frame.across(tick.position);
-            canvas.line(&[(x, up(0.0)), (x, up(1.0))], Paint::Ink(0.15), 0.8)?;
+            canvas.line(&[(x, frame.up(0.0)), (x, frame.up(1.0))], Paint::Ink(0.15), 0.8)?;
             canvas.text(
                 tick.label.as_deref().unwrap_or(""),
-                (x, up(0.0) + 14.0),
+                (x, frame.up(0.0) + 14.0),
                 TEXT_SIZE,
                 Anchor::Centre,
             )?;
         }
         for tick in self.y.ticks(&frame.y, 6) {
-            let y = up(tick.position);
+            let y = frame.up(tick.position);
             canvas.line(&[(frame.across(0.0), y), (frame.across(1.0), y)], Paint::Ink(0.15), 0.8)?;
             canvas.text(
                 tick.label.as_deref().unwrap_or(""),
@@ -147,18 +151,19 @@ impl Chart {
             )?;
         }
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)]
-            .map(|(s, t)| (frame.across(s), up(t)));
+            .map(|(s, t)| (frame.across(s), frame.up(t)));
         canvas.line(&corners, Paint::Ink(0.8), 1.0)?;
-        canvas.text(&self.x.label, (frame.across(0.5), up(0.0) + 39.0), TEXT_SIZE, Anchor::Centre)?;
-        canvas.text(&self.y.label, (14.0, up(0.5)), TEXT_SIZE, Anchor::Upwards)
+        canvas.text(&self.x.label, (frame.across(0.5), frame.up(0.0) + 39.0), TEXT_SIZE, Anchor::Centre)?;
+        canvas.text(&self.y.label, (14.0, frame.up(0.5)), TEXT_SIZE, Anchor::Upwards)
     }
 }
 
-/// The plot: both scales and its width.
+/// The plot: both scales, its width and its height.
 pub(super) struct Frame {
     x: Scale,
     y: Scale,
     width: f64,
+    height: f64,
 }
 
 impl Frame {
@@ -166,16 +171,16 @@ impl Frame {
     pub(super) fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
         let (s, t) = (self.x.position(x)?, self.y.position(y)?);
         let inside = |p: f64| (-0.001..=1.001).contains(&p);
-        (inside(s) && inside(t)).then(|| (self.across(s), up(t)))
+        (inside(s) && inside(t)).then(|| (self.across(s), self.up(t)))
     }
 
     pub(super) fn across(&self, s: f64) -> f64 {
         LEFT + s * self.width
     }
-}
 
-pub(super) fn up(t: f64) -> f64 {
-    TOP + (1.0 - t) * PLOT_HEIGHT
+    pub(super) fn up(&self, t: f64) -> f64 {
+        TOP + (1.0 - t) * self.height
+    }
 }
 
 fn draw_series(canvas: &Canvas<'_>, frame: &Frame, series: &Series, index: usize) -> Result<()> {

@@ -1,14 +1,16 @@
 //! Names beside the curves, at the right of the plot, each with a line to the end of its curve.
 
 use super::canvas::{Anchor, Canvas, Paint};
-use super::chart::{CHARACTER, Chart, Frame, draw_sample, paint, up};
+use super::chart::{CHARACTER, Chart, Frame, draw_sample, paint};
 use super::series::Series;
 use crate::Result;
 
 /// Entries that a legend may have.
 const MOST: usize = 6;
-const SIZE: f64 = 13.0;
-const LINE: f64 = 15.0;
+const SIZE: f64 = 13.5;
+/// From line to line, and more from name to name: room for the letters of a narrow screen.
+const LINE: f64 = 21.5;
+const APART: f64 = 6.0;
 /// Characters of a line, at which names are broken between words.
 const CHARACTERS: usize = 24;
 /// From the plot to the sample, from the sample to its name.
@@ -52,8 +54,8 @@ impl<'a> Labels<'a> {
         shown.sort_by(|a, b| a.0.1.total_cmp(&b.0.1));
         let heights: Vec<f64> = shown.iter().map(|label| height(label.3)).collect();
         let wanted: Vec<f64> = shown.iter().map(|label| label.0.1).collect();
-        let bottom = up(0.0).max(up(1.0) + self.height());
-        let places = apart(&wanted, &heights, (up(1.0), bottom));
+        let bottom = frame.up(0.0).max(frame.up(1.0) + self.height());
+        let places = apart(&wanted, &heights, (frame.up(1.0), bottom));
         let x = frame.across(1.0) + GAP;
         for ((end, k, series, lines), y) in shown.into_iter().zip(places) {
             canvas.line(&[end, (x - 4.0, y)], soft(paint(series)), 0.8)?;
@@ -68,7 +70,7 @@ impl<'a> Labels<'a> {
 }
 
 fn height(lines: &[String]) -> f64 {
-    LINE * lines.len() as f64 + 3.0
+    LINE * lines.len() as f64 + APART
 }
 
 fn soft(paint: Paint) -> Paint {

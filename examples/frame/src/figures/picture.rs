@@ -176,7 +176,7 @@ impl BodyPicture<'_> {
             svg,
             "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
             left + width + 14.0,
-            y + 11.0,
+            y + 7.0,
             escape(&self.value_name)
         );
         if !self.arrow_name.is_empty() {

@@ -30,6 +30,11 @@ impl Axis {
         Self { label: String::new(), logarithmic: false, range, rows: names }
     }
 
+    /// How many named rows it has.
+    pub(super) fn row_count(&self) -> usize {
+        self.rows.len()
+    }
+
     /// The same axis over exactly [low, high].
     pub fn range(mut self, low: f64, high: f64) -> Self {
         self.range = Some((low, high));

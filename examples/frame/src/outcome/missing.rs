@@ -1,7 +1,7 @@
 //! Why a row has no entry in a column: a key means the same in all examples.
 
 /// Keys with the reason why a number can be missing, where nothing of the row says it in words.
-const REASONS: [(&str, &str); 49] = [
+const REASONS: [(&str, &str); 53] = [
     ("K_whole", "the seminorm of the whole body is not known in closed form"),
     ("algebraic", "no second solution to compare with"),
     ("algebraic_error", "a direct solver: rounding only"),
@@ -11,12 +11,14 @@ const REASONS: [(&str, &str); 49] = [
     ("coarse", "the state at the end goes on through all resolved radii"),
     ("constant", "the norm of the solution is not computed for this scene"),
     ("error", "no number was computed: the row says why"),
+    ("error_ratio", "no coarser mesh with digits"),
     ("estimate", "only multigrid estimates its algebraic error"),
     ("exponent", "too few levels with a slack above rounding"),
     ("explained", "the constant itself is not computed at this length, only its bounds"),
     ("factor", "another solver took over"),
     ("falk", "takes a rate, and a rate takes three meshes"),
     ("fine", "the state at the end goes on through all resolved radii"),
+    ("flag", "a level that counts in every fit and every bound"),
     ("full", "a function that is not in the space of the remark"),
     ("half_width", "too few levels with digits for a fit"),
     ("hoelder", "a critical exponent below nu = 1/2: no Hoelder constant"),
@@ -44,8 +46,10 @@ const REASONS: [(&str, &str); 49] = [
     ("smooth_rate_error", "a rate takes three meshes"),
     ("square", "the constant itself is not computed at this length, only its bounds"),
     ("steps", "another solver took over"),
+    ("term", "no exact solution is known that gives the term"),
     ("term_half_width", "no consistency term on some level, or too few levels for a fit"),
     ("term_order", "no consistency term on some level, or too few levels for a fit"),
+    ("term_over_paper", "no exact solution is known that gives the term"),
     ("term_ratio", "no consistency term on any level"),
     ("theta", "below the range of binary64: its logarithm is given"),
     ("to_half", "a step is in H^s for s < 1/2 only"),

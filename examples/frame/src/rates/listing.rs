@@ -30,7 +30,7 @@ pub fn level_table(study: &RateStudy) -> Result<Table> {
         Column::new("cells", "1/h", Format::Significant(7), "contact segments per unit length"),
         Column::new("unknowns", "unknowns", Format::Scientific(1), ""),
         Column::new("error", "error", Format::Scientific(4), "energy norm of u - u_h"),
-        Column::new("ratio", "ratio", Format::Fixed(3), "error of the row above over this one"),
+        Column::new("error_ratio", "ratio", Format::Fixed(3), "error of the row above over this one"),
         Column::new("order", "order", Format::Fixed(3), "log2 of the ratio"),
         Column::hidden("over_earlier"),
         Column::new("over_paper", "e/paper", four, "error over the bound of the theorem"),

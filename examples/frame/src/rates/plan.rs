@@ -65,8 +65,13 @@ impl RatePlan {
                 });
             }
         }
-        let meshes = CORNERS.map(|angle| corner(angle, 4, 10)).to_vec();
-        Ok(Self { strips, meshes })
+        Ok(Self { strips, ..Self::corners(Levels::new(2, 11)?) })
+    }
+
+    /// The corners of the study alone.
+    pub fn corners(levels: Levels) -> Self {
+        let meshes = CORNERS.map(|angle| corner(angle, levels.coarsest_cells(), levels.cells().count()));
+        Self { strips: Vec::new(), meshes: meshes.to_vec() }
     }
 
     /// One scene, with its own load on meshes.
@@ -119,12 +124,13 @@ impl RatePlan {
         self.strips.iter().map(StripGroup::steps).sum::<usize>() + self.meshes.len()
     }
 
-    /// About what the largest study takes, in bytes: 200 for each cell of the reference of a strip, 2200 for
-    /// each square of the finest mesh, whose reference is twice as fine.
+    /// About what the largest study takes, in bytes: 200 for each cell of the reference of a strip; for each
+    /// square of the finest mesh, whose reference is twice as fine, 2200 for a scalar and 3700 for a body.
     fn bytes(&self) -> f64 {
         let strips = self.strips.iter().map(|group| 200.0 * group.reference_cells as f64);
         let squares = |mesh: &MeshRates| (mesh.coarsest as f64 * (mesh.levels as f64 - 1.0).exp2()).powi(2);
-        strips.chain(self.meshes.iter().map(|mesh| 2200.0 * squares(mesh))).fold(0.0, f64::max)
+        let bytes = |mesh: &MeshRates| if mesh.scene.is_elastic() { 3700.0 } else { 2200.0 } * squares(mesh);
+        strips.chain(self.meshes.iter().map(bytes)).fold(0.0, f64::max)
     }
 
     /// All studies in one cone with their fits; finished levels of strips are taken from the memory.

@@ -1,13 +1,4 @@
 //! Norms of order s, 0 and 1 + s of functions given by closures.
-//!
-//! |w|²_s = ∫∫ (w(x)−w(y))² / |x−y|^{2+2s},  ||w||²_s = ||w||² + |w|²_s,  ||w||²_{1+s} = ||w||² + ||∇w||² +
-//! |∂₁w|²_s + |∂₂w|²_s.
-//!
-//! Finite at a corner with w = w₀ + r^a (…) exactly for a > s − 1, and for functions that jump across an edge
-//! exactly for s < 1/2. |w(·/l)|_s = l^{1−s}|w|_s; (1−s)|w|²_s → (π/2)||∇w||² as s → 1 where that is finite;
-//! as s → 0 |w|_s tends to the integral with s = 0. Cost: pairs of triangles times n⁴, n the points that the
-//! tolerance needs, about 9 for 1e-8; n³ to n⁴ values of the closure for a pair. A singularity along an edge
-//! has no rule of its own: [`Error::ToleranceNotMet`] says how far the others come.
 
 use super::function::SingularPlaneFunction;
 use super::piece::View;
@@ -25,12 +16,29 @@ const LIMIT: &str =
 impl SingularPlaneFunction<'_> {
     /// The seminorm |w|_s.
     ///
+    /// # Method
+    ///
+    /// ```text
+    /// |w|²_s = ∫∫ (w(x)−w(y))² / |x−y|^{2+2s},  ||w||²_s = ||w||² + |w|²_s,
+    /// ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
     /// ```
-    /// use signorini::sobolev::{FractionalOrder, SingularPlaneFunction, Triangles,
-    /// coordinate_on_unit_square}; use signorini::Tolerance; let square = Triangles::grid([1, 1], 1.0)?; let
-    /// x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?; let order = FractionalOrder::new(0.7)?;
-    /// let norm = x.seminorm(order, Tolerance::balanced())?; let exact =
-    /// coordinate_on_unit_square(order)?.sqrt()?; assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
+    ///
+    /// Finite at a corner with w = w₀ + r^a (…) exactly for a > s − 1, and for functions that jump across an
+    /// edge exactly for s < 1/2. |w(·/l)|_s = l^{1−s}|w|_s; (1−s)|w|²_s → (π/2)||∇w||² as s → 1 where that is
+    /// finite; as s → 0 |w|_s tends to the integral with s = 0. Cost: pairs of triangles times n⁴, n the
+    /// points that the tolerance needs, about 9 for 1e-8; n³ to n⁴ values of the closure for a pair. A
+    /// singularity along an edge has no rule of its own: [`Error::ToleranceNotMet`] says how far the others
+    /// come.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularPlaneFunction, Triangles}};
+    /// use signorini::sobolev::coordinate_on_unit_square;
+    /// let square = Triangles::grid([1, 1], 1.0)?;
+    /// let x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?;
+    /// let order = FractionalOrder::new(0.7)?;
+    /// let norm = x.seminorm(order, Tolerance::balanced())?;
+    /// let exact = coordinate_on_unit_square(order)?.sqrt()?;
+    /// assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
@@ -43,6 +51,21 @@ impl SingularPlaneFunction<'_> {
     }
 
     /// The norm of order s.
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularPlaneFunction, Triangles}};
+    /// let (order, asked) = (FractionalOrder::new(0.3)?, Tolerance::balanced());
+    /// let on_square = |f: fn(f64) -> f64| {
+    ///     SingularPlaneFunction::new(Triangles::grid([1, 1], 1.0)?, &[], move |at| f(at.x()[0]))
+    /// };
+    /// let (x, one, zero) = (on_square(|x| x)?, on_square(|_| 1.0)?, on_square(|_| 0.0)?);
+    /// let (l2, full) = (x.l2_norm(asked)?.value, x.norm(order, asked)?.value);
+    /// assert!((l2 - 1.0 / 3f64.sqrt()).abs() < 1e-8 && full > l2);
+    /// // of order 1 + s: the gradient (1, 0) adds its L² norm, one
+    /// let both = x.norm_with_gradient([&one, &zero], order, asked)?.value;
+    /// assert!((both.powi(2) - 4.0 / 3.0).abs() < 1e-7 && x.mesh().area() == 1.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`SingularPlaneFunction::seminorm`].

@@ -25,6 +25,18 @@ pub(super) struct Corners {
 ///
 /// In the triangles at a declared corner the offset from it is exact as close as 1e-290; the coordinates
 /// themselves are rounded.
+///
+/// ```
+/// use signorini::{Tolerance, sobolev::{SingularPlaneFunction, Triangles}};
+/// // r² sin²φ + x² = r² about the declared corner 0, on the unit square as two triangles at it
+/// let square = Triangles::star(&[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
+/// let w = SingularPlaneFunction::new(square, &[(0, 2.0)], |at| {
+///     assert!(at.triangle() < 2 && at.offset(0)[0] >= 0.0);
+///     (at.radius(0) * at.angle(0).sin()).powi(2) + at.x()[0].powi(2)
+/// })?;
+/// assert!((w.l2_norm(Tolerance::balanced())?.value.powi(2) - 28.0 / 45.0).abs() < 1e-7);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct PlanePosition<'a> {
     corners: &'a Corners,

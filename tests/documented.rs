@@ -1,0 +1,158 @@
+//! Every public function of the toolkit stands in an example of its documentation, which is compiled and run.
+//!
+//! Read from the sources: `pub fn` is what can be reached from outside, since `unreachable_pub` warns of all
+//! others. A free function counts where an example calls it; a method where an example calls it and names its
+//! type, or stands in a file of that type; a constructor where an example calls it by its type.
+
+use std::path::{Path, PathBuf};
+
+const ROOMS: [&str; 8] =
+    ["value", "error", "estimate", "numeric", "quadrature", "sobolev", "poincare", "interpolation"];
+/// Functions without an example, each with a reason.
+const EXCUSED: [(&str, &str); 0] = [];
+
+/// A public function: file, type, name, and whether it takes `self`.
+#[derive(Debug, Clone, PartialEq)]
+struct Function {
+    file: PathBuf,
+    of: Option<String>,
+    name: String,
+    takes_self: bool,
+}
+
+/// The sources of the toolkit and of the start page.
+fn sources() -> Vec<(PathBuf, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut left: Vec<PathBuf> = ROOMS.iter().map(|room| root.join(room)).collect();
+    left.extend(ROOMS.iter().map(|room| root.join(room).with_extension("rs")));
+    left.push(root.join("lib.rs"));
+    let mut found = Vec::new();
+    while let Some(path) = left.pop() {
+        if path.is_dir() {
+            left.extend(path.read_dir().unwrap().map(|entry| entry.unwrap().path()));
+        } else if let Ok(text) = std::fs::read_to_string(&path) {
+            found.push((path, text.split("#[cfg(test)]\nmod ").next().unwrap_or("").to_owned()));
+        }
+    }
+    found
+}
+
+/// The code blocks of the documentation that are compiled.
+fn examples(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut open: Option<(bool, String)> = None;
+    for line in text.lines().map(str::trim_start) {
+        let Some(line) = line.strip_prefix("///").or_else(|| line.strip_prefix("//!")) else {
+            open = None;
+            continue;
+        };
+        let line = line.strip_prefix(' ').unwrap_or(line);
+        match (line.strip_prefix("```"), &mut open) {
+            (Some(kind), None) => open = Some((kind.is_empty() || kind == "rust", String::new())),
+            (Some(_), Some((compiled, block))) => {
+                if *compiled {
+                    found.push(std::mem::take(block));
+                }
+                open = None;
+            }
+            (None, Some((_, block))) => {
+                block.push_str(line);
+                block.push('\n');
+            }
+            (None, None) => {}
+        }
+    }
+    found
+}
+
+/// The type of an `impl` line.
+fn implemented(line: &str) -> Option<String> {
+    let rest = line.strip_prefix("impl")?;
+    let rest = if rest.starts_with('<') { rest.split_once("> ")?.1 } else { rest.trim_start() };
+    let name = rest.rsplit(" for ").next()?.trim_start_matches('&');
+    Some(name.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect())
+}
+
+fn functions(file: &Path, text: &str) -> Vec<Function> {
+    let (mut found, mut of) = (Vec::new(), None);
+    let lines: Vec<&str> = text.lines().collect();
+    for (k, line) in lines.iter().enumerate() {
+        if let Some(name) = implemented(line) {
+            of = Some(name);
+        } else if line.starts_with('}') {
+            of = None;
+        }
+        let Some(rest) = line.trim_start().strip_prefix("pub ") else { continue };
+        let Some(rest) = rest.strip_prefix("const ").unwrap_or(rest).strip_prefix("fn ") else { continue };
+        let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+        let signature = lines[k..lines.len().min(k + 3)].join(" ");
+        let arguments = signature.split_once(&format!("fn {name}")).unwrap().1;
+        let first = arguments.split_once('(').map_or("", |(_, rest)| rest.trim_start());
+        let first = first.split([',', ')', ':']).next().unwrap_or("");
+        let takes_self = first.split_whitespace().any(|word| word.trim_start_matches('&') == "self");
+        found.push(Function { file: file.to_owned(), of: of.clone(), name, takes_self });
+    }
+    found
+}
+
+/// Whether the text holds the word, with `before` in front of it.
+fn has(text: &str, before: &str, word: &str) -> bool {
+    let part = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(&format!("{before}{word}")).any(|(at, found)| {
+        let starts = !before.is_empty() || !text[..at].ends_with(part);
+        starts && !text[at + found.len()..].starts_with(part)
+    })
+}
+
+/// The functions that stand in no example.
+fn missing(sources: &[(PathBuf, String)]) -> Vec<String> {
+    let blocks: Vec<(&Path, String)> = sources
+        .iter()
+        .flat_map(|(file, text)| examples(text).into_iter().map(|block| (file.as_path(), block)))
+        .collect();
+    let of_type = |file: &Path, name: &str| {
+        let text = &sources.iter().find(|source| source.0 == file).unwrap().1;
+        text.lines().any(|line| implemented(line).as_deref() == Some(name))
+    };
+    let shown = |function: &Function| {
+        blocks.iter().any(|(file, block)| match &function.of {
+            None => has(block, "", &function.name),
+            Some(of) if function.takes_self => {
+                let called =
+                    has(block, ".", &function.name) || has(block, &format!("{of}::"), &function.name);
+                called && (has(block, "", of) || of_type(file, of))
+            }
+            Some(of) => has(block, &format!("{of}::"), &function.name),
+        })
+    };
+    let all = sources.iter().filter(|(file, _)| !file.ends_with("lib.rs"));
+    let all: Vec<Function> = all.flat_map(|(file, text)| functions(file, text)).collect();
+    assert!(all.len() > 300, "{} public functions", all.len());
+    let without = all.iter().filter(|function| !shown(function));
+    without
+        .map(|f| format!("{}{}", f.of.as_ref().map_or(String::new(), |of| format!("{of}::")), f.name))
+        .collect()
+}
+
+#[test]
+fn every_public_function_of_the_toolkit_stands_in_an_example() {
+    let missing = missing(&sources());
+    let excused = |name: &String| EXCUSED.iter().any(|(excused, _)| excused == name);
+    let left: Vec<&String> = missing.iter().filter(|name| !excused(name)).collect();
+    assert!(left.is_empty(), "{} functions without an example: {left:#?}", left.len());
+    let idle: Vec<&str> =
+        EXCUSED.iter().map(|(name, _)| *name).filter(|name| !missing.iter().any(|m| m == name)).collect();
+    assert!(idle.is_empty(), "excused, and have an example: {idle:?}");
+}
+
+#[test]
+fn functions_without_an_example_are_seen() {
+    let mut sources = sources();
+    let (file, text) = sources.iter_mut().find(|(file, _)| file.ends_with("poincare/zone.rs")).unwrap();
+    assert!(functions(file, text).iter().any(|f| f.name == "centred" && !f.takes_self));
+    *text = text
+        .replace("Zone::centred(0.5)", "Zone::at(0.25, 0.5)")
+        .replace(".is_at_an_end()", ".rest().is_nan()");
+    text.push_str("pub fn length_of_nothing() {}\n");
+    assert_eq!(missing(&sources), ["Zone::centred", "Zone::is_at_an_end", "length_of_nothing"]);
+}
