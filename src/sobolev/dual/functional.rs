@@ -93,11 +93,13 @@ impl PiecewisePolynomial {
     /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||.
     ///
     /// The interpolation spaces: Balakrishnan's integral of resolvents, each in closed form on every element
-    /// and summed in O(N): all digits on every partition, some hundred passes (100 000 elements: a third of a
-    /// second). The norm (1.1): Q_h + R − R_h, piecewise linears on M equal elements with what they miss
-    /// taken from an interpolation space, where it is known; M doubles up to 2^20. At ν ≥ 1/2 eight digits are
-    /// reached on 100 000 elements in seconds; at small orders with many jumps fewer (ν = 1/10: 1e-4), and the
-    /// refusal carries the best value. The error is honest, not proved: that of doubling.
+    /// and summed in O(N): all digits on every partition, some hundred passes (a fraction of a second for
+    /// 100 000 elements).
+    ///
+    /// The norm (1.1): Q_h + R − R_h, piecewise linears on M equal elements with what they miss taken from an
+    /// interpolation space, where it is known; M doubles up to 2^20. At ν ≥ 1/2 eight digits are reached on
+    /// 100 000 elements in seconds; at small orders with many jumps fewer (ν = 1/10: four), and the refusal
+    /// carries the best value. The error is that of doubling: honest, not proved.
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{DualOf, FractionalOrder, Partition, PiecewisePolynomial}};
