@@ -173,7 +173,7 @@ impl ArmIntegral {
     ) -> Result<Limit> {
         let rule = Rule::gauss_legendre(self.level.points + 4)?;
         let width = self.wide();
-        let start = if tail.start() > depth { depth } else { TAIL_START.max(tail.start()) };
+        let start = if tail.start() > depth { depth } else { TAIL_START.max(tail.start() + width) };
         while found.end() + width <= start && !found.explodes() {
             let (from, before) = (found.end(), found.sum());
             let sum = before + self.cell(&rule, from, width, density)?;

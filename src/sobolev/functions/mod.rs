@@ -9,6 +9,7 @@ mod log_energy;
 mod norms;
 mod partials;
 mod resolution;
+mod seen;
 mod supremum;
 mod two_rates;
 mod waves;
