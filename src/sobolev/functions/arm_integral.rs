@@ -120,7 +120,7 @@ impl ArmIntegral {
         if let Some(tail) = tail
             && depth >= TAIL_START
         {
-            return self.with_tail(tail, scale, rounding, &mut partials, &mut density);
+            return self.with_tail(tail, depth, scale, rounding, &mut partials, &mut density);
         }
         if depth >= self.structured + 5.0 * BLOCK
             && let Some(limit) = self.deep(depth, scale, rounding, &mut partials, &mut density)?
@@ -166,6 +166,7 @@ impl ArmIntegral {
     fn with_tail(
         &self,
         tail: &DeepTail,
+        depth: f64,
         scale: f64,
         rounding: &Cell<f64>,
         found: &mut Partials,

@@ -13,7 +13,8 @@
 //! c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) − T_k(y))/(x − y), at x −
 //! y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
 
-use super::function::{Arm, SingularFunction};
+use super::arm::Arm;
+use super::function::SingularFunction;
 use super::interpolant::Interpolant;
 use super::level::{ArmValue, Level};
 use crate::error::{Error, Result};

@@ -1,6 +1,7 @@
 //! Chebyshev interpolants of a function along an arm, in τ = ln t, and their divided differences.
 
-use super::function::{Arm, SingularFunction};
+use super::arm::Arm;
+use super::function::SingularFunction;
 use crate::error::Result;
 use std::f64::consts::PI;
 

@@ -9,9 +9,10 @@
 //! decays as its break point allows ([`super::arm_integral`]). Distances keep their digits: δ(e^s − 1) on one
 //! arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
 
+use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
 use super::deep_tail::DeepTail;
-use super::function::{Arm, SingularFunction};
+use super::function::SingularFunction;
 use super::level::{Density, Level, LevelValue};
 use super::resolution::missed;
 use crate::error::Result;

@@ -1,5 +1,6 @@
 //! Norms of functions given by a closure with declared break points.
 
+mod arm;
 mod arm_integral;
 mod deep_tail;
 mod function;

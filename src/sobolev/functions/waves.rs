@@ -10,7 +10,8 @@
 //! Cells that shrink geometrically towards a point mean that u is not smooth there: such functions are left to
 //! the rules in logarithmic coordinates. Cost: 3d values of u per cell.
 
-use super::function::{Arm, SingularFunction};
+use super::arm::Arm;
+use super::function::SingularFunction;
 use super::resolution::of_residual;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
