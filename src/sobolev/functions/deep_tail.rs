@@ -165,8 +165,7 @@ impl<'a> DeepTail<'a> {
             if cell == 0.0 && is_algebraic && !is_seen {
                 return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
             }
-            if cell == 0.0 && self.is_constant_beyond(tau)?
-                || (is_seen && ends.len() > 3 && ratio < 0.99 && small)
+            if cell == 0.0 && self.grows_no_more(tau)? || (is_seen && ends.len() > 3 && ratio < 0.99 && small)
             {
                 // What is left of an exponential in τ, or less.
                 let rest = rest.max(0.0);
@@ -186,12 +185,14 @@ impl<'a> DeepTail<'a> {
         Ok(ArmValue { limit, rounding })
     }
 
-    /// Whether the values at a number of places are one.
-    fn is_constant_beyond(&self, tau: f64) -> Result<bool> {
-        let value =
-            |k: u32| self.function.at_depth(&self.arm, (tau + (LAST - tau) * f64::from(k) / 64.0).exp());
-        let first = value(0)?;
-        (1..=64).try_fold(true, |same, k| Ok(same && value(k)? == first))
+    /// Whether no value at a number of deeper places is larger.
+    fn grows_no_more(&self, tau: f64) -> Result<bool> {
+        let size = |k: u32| {
+            let at = tau + (LAST - tau) * f64::from(k) / 64.0;
+            self.function.at_depth(&self.arm, at.exp()).map(f64::abs)
+        };
+        let first = size(0)?;
+        (1..=64).try_fold(true, |none, k| Ok(none && size(k)? <= first))
     }
 
     fn infinite(&self) -> Error {
