@@ -324,3 +324,26 @@ fn a_power_has_the_norm_of_its_cosine_series() {
     assert!(encloses(bounds, found), "{found} in {bounds:?}");
     assert!(!encloses(bounds, Estimate { value: 1.01 * found.value, ..found }));
 }
+
+#[test]
+fn plain_numbers_stand_for_orders_and_tolerances() {
+    let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0).unwrap(), &[0.0, 0.5, 1.0]).unwrap();
+    let x = SingularFunction::new(&[0.0, 1.0], |x: f64| x).unwrap();
+    let half = FractionalOrder::HALF;
+    assert_eq!(u.norm(0.5, 1e-8), u.norm(half, tolerance(1e-8)));
+    assert_eq!(x.seminorm(0.5, 1e-6), x.seminorm(half, tolerance(1e-6)));
+    assert_eq!(u.lq_norm(3.0, 1e-8), u.lq_norm(3.0, tolerance(1e-8)));
+    let dual = |of| (u.dual_norm(of, 0.5, 1e-8).unwrap(), x.dual_norm(of, 0.5, 1e-6).unwrap());
+    for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
+        let (a, b) = dual(of);
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?}: {a} {b}");
+    }
+    for bad in [
+        u.norm(1.0, 1e-8),
+        u.norm(0.5, 0.0),
+        u.norm(f64::NAN, 1e-8),
+        x.dual_norm(DualOf::Interpolation, 0.5, 2.0),
+    ] {
+        assert!(matches!(bad, Err(Error::OutOfRange { .. })), "{bad:?}");
+    }
+}

@@ -7,7 +7,7 @@
 //! and beyond as a geometric series.
 
 use super::functional::DualOf;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
@@ -49,7 +49,14 @@ impl SingularFunction<'_> {
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] for a value of the function.
     #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(&self, of: DualOf, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn dual_norm(
+        &self,
+        of: DualOf,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         let (scale, unit) = self.of_moderate_size()?;
         let size = Estimate::or_best(unit.l2_norm(Tolerance::fast()))?.value;
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?;
