@@ -25,10 +25,8 @@
 //! ```
 //! use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
 //! let (s, asked, breaks) = (FractionalOrder::new(0.45)?, Tolerance::balanced(), [0.0, 0.3, 1.0]);
-//! let kink = SingularFunction::new(&breaks, |x| (x - 0.3).abs())?;
-//! let logarithm = SingularFunction::from_positions(&breaks, |at| {
-//!     if at.anchor() == 1 { at.log_distance() } else { (at.x() - 0.3).abs().ln() }
-//! })?;
+//! let kink = SingularFunction::from_positions(&breaks, |at| at.distance_to(1))?;
+//! let logarithm = SingularFunction::from_positions(&breaks, |at| at.log_distance_to(1))?;
 //! println!("{}, {}", kink.norm(s, asked)?, logarithm.norm(s, asked)?);
 //! # Ok::<(), signorini::Error>(())
 //! ```
