@@ -1,6 +1,9 @@
 //! Dual norms, sup ⟨f, v⟩ / ||v||, of functionals on a mesh and of piecewise polynomials.
 
+mod cells;
+mod cosines;
 mod functional;
-mod modes;
+mod regional;
+mod resolvent;
 
 pub use functional::{DualOf, dual_norm_of_functional};
