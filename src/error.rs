@@ -259,8 +259,10 @@ impl Error {
         }
     }
 
-    /// The parameter `name` if it satisfies `admissible`, else [`Error::OutOfRange`]. NaN is never
-    /// admissible.
+    /// The parameter `name` if it satisfies `admissible`. NaN is never admissible.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
     pub fn require(name: &'static str, value: f64, range: &'static str, admissible: bool) -> Result<f64> {
         if admissible && !value.is_nan() { Ok(value) } else { Err(Error::OutOfRange { name, value, range }) }
     }

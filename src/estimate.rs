@@ -23,6 +23,9 @@ impl Tolerance {
     /// assert!("reference".parse::<Tolerance>()? == Tolerance::reference());
     /// # Ok::<(), signorini::Error>(())
     /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
     pub fn new(relative: f64) -> Result<Self> {
         let admissible = (1e-15..=0.1).contains(&relative);
         Error::require("tolerance", relative, "[1e-15, 0.1]", admissible).map(Self)

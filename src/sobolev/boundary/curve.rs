@@ -9,6 +9,7 @@ use crate::numeric::check::require_length;
 use crate::sobolev::partition::Partition;
 
 /// The boundary of a polygon, or an open polygonal curve, with elements on every side.
+#[doc(alias("polygon", "boundary mesh", "BEM"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct PolygonalCurve {
     vertices: Vec<[f64; 2]>,
@@ -68,7 +69,7 @@ impl PolygonalCurve {
     /// let corner = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
     /// let mesh = Partition::uniform(4, 1.0)?;
     /// let curve = PolygonalCurve::open(&corner, &[mesh.clone(), mesh])?;
-    /// assert!(curve.len() == 8 && curve.nodes().len() == 9);
+    /// assert!(curve.len() == 8 && curve.nodes().len() == 9 && !curve.is_empty());
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///

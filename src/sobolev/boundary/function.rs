@@ -20,6 +20,7 @@ const SHARE: f64 = 0.5;
 const LIMIT: &str = "rounding of the values beside their differences";
 
 /// A function on a [`PolygonalCurve`]: continuous and linear on every element, or constant on every element.
+#[doc(alias("H1/2", "H-1/2", "trace", "boundary element", "BEM", "Gagliardo"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryFunction {
     curve: PolygonalCurve,
