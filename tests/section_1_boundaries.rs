@@ -24,8 +24,8 @@ fn regular(count: usize) -> PolygonalCurve {
     PolygonalCurve::closed(&vertices, &vec![uniform(1); count]).unwrap()
 }
 
-/// ∫∫ τ² d^{-1-2ν} over the unit square, d the distance of points at σ, τ from a corner of the angle ω, in polar
-/// coordinates: d = ρ √(1 − sin 2θ cos ω), ρ up to 1/max(cos θ, sin θ).
+/// ∫∫ τ² d^{-1-2ν} over the unit square, d the distance of points at σ, τ from a corner of the angle ω, in
+/// polar coordinates: d = ρ √(1 − sin 2θ cos ω), ρ up to 1/max(cos θ, sin θ).
 fn over_corner(angle: f64, nu: f64) -> f64 {
     let steps = 40_000;
     let value = |theta: f64| {
@@ -116,7 +116,8 @@ fn vertices_on_a_side_change_nothing() {
 
 #[test]
 fn regular_polygons_become_the_circle() {
-    // |cos kθ|²_{1/2} = 2π² k on the unit circle, its square in L² π: of the eigenfunction the dual norm is π/||u||.
+    // |cos kθ|²_{1/2} = 2π² k on the unit circle, its square in L² π: of the eigenfunction the dual norm is
+    // π/||u||.
     for k in [1, 3] {
         let wave = |x: [f64; 2]| (f64::from(k) * x[1].atan2(x[0])).cos();
         let exact = (2.0 * PI * PI * f64::from(k)).sqrt();

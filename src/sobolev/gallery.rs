@@ -98,7 +98,8 @@ impl GalleryFunction {
     /// |u − u_h|_ν for a field on many elements, as [`SingularFunction::seminorm_of_error`].
     ///
     /// ```
-    /// use signorini::{Tolerance, sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial}};
+    /// use signorini::Tolerance;
+    /// use signorini::sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial};
     /// let mesh = Partition::algebraic(1000, 2.0, 1.0)?;
     /// let values: Vec<f64> = mesh.from_left().iter().map(|x| x.sqrt()).collect();
     /// let field = PiecewisePolynomial::linears(mesh, &values)?;

@@ -1,8 +1,8 @@
 //! Polygonal curves with a mesh on every side, and distances on them.
 //!
-//! Points are known by their side and the distance from its ends. Two points of sides that meet at distances σ,
-//! τ from the common vertex are √((σ−τ)² + στ |a−b|²) apart, a and b the directions of the sides from there: no
-//! digits are lost towards a corner, whatever its angle.
+//! Points are known by their side and the distance from its ends. Two points of sides that meet at distances
+//! σ, τ from the common vertex are √((σ−τ)² + στ |a−b|²) apart, a and b the directions of the sides from
+//! there: no digits are lost towards a corner, whatever its angle.
 
 use crate::error::{Error, Result};
 use crate::numeric::check::require_length;
@@ -40,13 +40,14 @@ pub(super) enum Relation {
 }
 
 impl PolygonalCurve {
-    /// The boundary of the polygon with these vertices, in either orientation; side k, from vertex k on, has the
-    /// elements of `meshes[k]`, scaled to its length.
+    /// The boundary of the polygon with these vertices, in either orientation; side k, from vertex k on, has
+    /// the elements of `meshes[k]`, scaled to its length.
     ///
     /// ```
     /// use signorini::sobolev::{Partition, PolygonalCurve};
     /// let triangle = [[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]];
-    /// let meshes = [Partition::uniform(2, 1.0)?, Partition::algebraic(3, 2.0, 1.0)?, Partition::uniform(1, 1.0)?];
+    /// let graded = Partition::algebraic(3, 2.0, 1.0)?;
+    /// let meshes = [Partition::uniform(2, 1.0)?, graded, Partition::uniform(1, 1.0)?];
     /// let curve = PolygonalCurve::closed(&triangle, &meshes)?;
     /// assert!(curve.len() == 6 && curve.is_closed() && (curve.length() - 12.0).abs() < 1e-14);
     /// assert_eq!(curve.nodes()[1], [1.5, 0.0]);
@@ -54,9 +55,9 @@ impl PolygonalCurve {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than three vertices, [`Error::LengthMismatch`] unless there are as
-    /// many meshes, [`Error::NotFinite`], [`Error::Edge`] for a side that is a point, turns back on the one
-    /// before, or meets another one.
+    /// [`Error::CountOutOfRange`] with fewer than three vertices, [`Error::LengthMismatch`] unless there are
+    /// as many meshes, [`Error::NotFinite`], [`Error::Edge`] for a side that is a point, turns back on the
+    /// one before, or meets another one.
     pub fn closed(vertices: &[[f64; 2]], meshes: &[Partition]) -> Result<Self> {
         Self::build(vertices, meshes, true)
     }
@@ -78,8 +79,8 @@ impl PolygonalCurve {
         Self::build(vertices, meshes, false)
     }
 
-    /// The closed curve with `count` elements on every side, on either half of it graded towards the corners like
-    /// (i/n)^β; β = 1 for equal ones. `count` is even.
+    /// The closed curve with `count` elements on every side, on either half of it graded towards the corners
+    /// like (i/n)^β; β = 1 for equal ones. `count` is even.
     ///
     /// ```
     /// use signorini::sobolev::PolygonalCurve;
@@ -90,7 +91,8 @@ impl PolygonalCurve {
     /// ```
     ///
     /// # Errors
-    /// As [`PolygonalCurve::closed`] and [`Partition::algebraic`]; [`Error::CountOutOfRange`] for an odd count.
+    /// As [`PolygonalCurve::closed`] and [`Partition::algebraic`]; [`Error::CountOutOfRange`] for an odd
+    /// count.
     pub fn graded(vertices: &[[f64; 2]], count: usize, exponent: f64) -> Result<Self> {
         if !count.is_multiple_of(2) {
             return Err(Error::CountOutOfRange { name: "elements of a side", value: count, range: "even" });
@@ -218,7 +220,8 @@ impl PolygonalCurve {
         self.sides[side].mesh.lengths()[cell]
     }
 
-    /// The place of the point at distance t from the left end of an element, as [`PolygonalCurve::apart`] wants it.
+    /// The place of the point at distance t from the left end of an element, as [`PolygonalCurve::apart`]
+    /// wants it.
     pub(super) fn place(&self, e: usize, t: f64) -> Place {
         let (side, cell) = self.elements[e];
         let mesh = &self.sides[side].mesh;

@@ -1,4 +1,5 @@
-//! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linears, and its limit on halved meshes.
+//! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linears, and its limit on halved
+//! meshes.
 
 use super::curve::PolygonalCurve;
 use super::function::BoundaryFunction;
@@ -24,10 +25,10 @@ impl BoundaryFunction {
     /// # Method
     ///
     /// On a mesh the supremum over continuous piecewise linears is √(bᵀ(M+A)⁻¹b), a lower bound, by one dense
-    /// factorization. Every element is halved until 1500 elements; with d_k the steps of the values, which shrink
-    /// by a factor r, the limit is taken as v_k + d_k r/(1−r) and its error as its last change, or as its distance
-    /// to v_k where there is no other. The smoother f and the meshes towards corners and jumps, the more digits:
-    /// about four for a jump, eight for continuous f.
+    /// factorization. Every element is halved until 1500 elements; with d_k the steps of the values, which
+    /// shrink by a factor r, the limit is taken as v_k + d_k r/(1−r) and its error as its last change, or as
+    /// its distance to v_k where there is no other. Elements that shrink towards corners and jumps of f
+    /// give more digits.
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{BoundaryFunction, FractionalOrder, PolygonalCurve}};
@@ -78,7 +79,8 @@ fn limit(values: &[f64], limits: &mut Vec<f64>, work: Work) -> Result<Option<Est
     let ratio = second / first;
     let is_settled = second.abs() <= rounding;
     let found = if is_settled { c } else { c + second * ratio / (1.0 - ratio) };
-    if !is_settled && !(ratio > 0.0 && ratio < 0.9) {
+    let shrinks = ratio > 0.0 && ratio < 0.9;
+    if !(is_settled || shrinks) {
         return Estimate::new(c, 10.0 * second.abs() + rounding, work).map(Some);
     }
     let change =

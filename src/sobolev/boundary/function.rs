@@ -60,7 +60,8 @@ impl BoundaryFunction {
     /// ```
     /// use signorini::{Tolerance, sobolev::{BoundaryFunction, FractionalOrder, PolygonalCurve}};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let side = BoundaryFunction::constants(PolygonalCurve::graded(&square, 2, 1.0)?, &[1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])?;
+    /// let curve = PolygonalCurve::graded(&square, 2, 1.0)?;
+    /// let side = BoundaryFunction::constants(curve, &[1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])?;
     /// assert!(side.seminorm(FractionalOrder::new(0.4)?, Tolerance::fast()).is_ok());
     /// assert!(side.seminorm(FractionalOrder::HALF, Tolerance::fast()).is_err()); // a jump
     /// # Ok::<(), signorini::Error>(())
@@ -101,18 +102,18 @@ impl BoundaryFunction {
         &self.ends
     }
 
-    /// |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 < ν < 1: the norm that
-    /// traces have on a Lipschitz curve, up to equivalence.
+    /// |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 < ν < 1: the
+    /// norm that traces have on a Lipschitz curve, up to equivalence.
     ///
     /// # Method
     ///
-    /// Every pair of elements: neighbours in Duffy's coordinates about their common point, straight on or over a
-    /// corner of any angle; others by Gauss rules on pieces no longer than their distance. Cost O(N²) pairs at 10
-    /// to 100 kernel values, a second for 2000 elements, 20 000 at most.
+    /// Every pair of elements: neighbours in Duffy's coordinates about their common point, straight on or
+    /// over a corner of any angle; others by Gauss rules on pieces no longer than their distance. Cost O(N²)
+    /// pairs at 10 to 100 kernel values, a second for 2000 elements, 20 000 at most.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::TooLarge`] beyond 20 000 elements;
-    /// [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
+    /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::TooLarge`] beyond 20 000
+    /// elements; [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
     #[doc(alias("Gagliardo", "Slobodeckij", "boundary element"))]
     pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)

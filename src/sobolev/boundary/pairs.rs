@@ -1,11 +1,12 @@
-//! ∫∫ f(x, y) |x−y|^{-1-2ν} over two elements of a polygonal curve, for f = (u(x)−u(y))² of piecewise linears or
-//! constants.
+//! ∫∫ f(x, y) |x−y|^{-1-2ν} over two elements of a polygonal curve, for f = (u(x)−u(y))² of piecewise linears
+//! or constants.
 //!
 //! - one element twice: 2 h^{1-2ν} / ((2−2ν)(3−2ν)) times the squared difference of its values;
 //! - neighbours of lengths p, q, straight on or over a corner: the integrand is homogeneous about the common
-//!   point, so that over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq (Duffy) the integral in ξ is 1/(3−2ν),
-//!   or 1/(1−2ν) for constants, and pq times a smooth integral in η is left: its integrand is singular at η q =
-//!   p e^{±iω} only, ω the angle, and cut until no piece is longer than its distance to these;
+//!   point, so that over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq (Duffy) the integral in ξ is
+//!   1/(3−2ν), or 1/(1−2ν) for constants, and pq times a smooth integral in η is left: its integrand is
+//!   singular at η q = p e^{±iω} only, ω the angle, and cut until no piece is longer than its distance to
+//!   these;
 //! - others: cut until no piece is longer than the distance to the other, then Gauss rules whose order the
 //!   quotient of the two decides.
 
@@ -141,8 +142,8 @@ impl<'a> CurvePairs<'a> {
         }
     }
 
-    /// For pieces of this length over their distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²), and one point for
-    /// the linears.
+    /// For pieces of this length over their distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²), and one point
+    /// for the linears.
     fn rule(&self, ratio: f64) -> &Rule {
         let z = 2.0 / ratio.max(1e-8);
         let rho = z + z.hypot(1.0);

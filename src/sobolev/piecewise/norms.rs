@@ -33,7 +33,7 @@ impl PiecewisePolynomial {
     ///   [`Tolerance`] asked; O(N log(1/τ)²), down to about 1e-13. Since the integrand is no less than zero,
     ///   the relative error of the sum is at most that of the kernel.
     ///
-    /// The values of neighbours are rounded, and that is what ends the accuracy of many elements for ν near 1.
+    /// The rounding of the values of neighbours ends the accuracy of many elements for ν near 1.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
