@@ -8,6 +8,7 @@
 //! | a formula, with kinks or singularities | Gagliardo-Slobodeckij seminorm, norm | [`sobolev::SingularFunction`] |
 //! | values on a mesh of an interval | the same, up to a million nodes | [`sobolev::PiecewisePolynomial`] |
 //! | values on a triangulation | norms in the plane | [`sobolev::PlaneFunction`] |
+//! | values on the boundary of a polygon | norms of order 1/2, −1/2 and others | [`sobolev::BoundaryFunction`] |
 //! | a load | its dual norm | [`sobolev::PiecewisePolynomial::dual_norm`] |
 //! | a mesh | Gram and mass matrix, fast products | [`sobolev::GramOperator`], [`sobolev::gram_linears`] |
 //! | a zone where the mean vanishes | the Poincaré constant | [`poincare::gamma`] |
@@ -98,5 +99,5 @@ pub mod sobolev;
 pub mod strip;
 pub mod value;
 
-pub use error::{Error, Result};
+pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};

@@ -15,4 +15,5 @@ mod supremum;
 mod two_rates;
 mod waves;
 
+pub(crate) use function::Arm;
 pub use function::{Position, SingularFunction};
