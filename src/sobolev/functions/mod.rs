@@ -15,5 +15,5 @@ mod supremum;
 mod two_rates;
 mod waves;
 
-pub(crate) use function::Arm;
+pub(crate) use arm::Arm;
 pub use function::{Position, SingularFunction};
