@@ -99,5 +99,5 @@ pub mod sobolev;
 pub mod strip;
 pub mod value;
 
-pub use error::{Error, Result};
+pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};
