@@ -6,7 +6,7 @@
 //! | you have | you want | start here |
 //! | --- | --- | --- |
 //! | a formula, with kinks or singularities | Gagliardo-Slobodeckij seminorm, norm | [`sobolev::SingularFunction`] |
-//! | values on a mesh of an interval | the same, up to a million nodes | [`sobolev::PiecewisePolynomial`] |
+//! | values on a mesh of an interval | the same, 100 000 nodes in a second | [`sobolev::PiecewisePolynomial`] |
 //! | values on a triangulation | norms in the plane | [`sobolev::PlaneFunction`] |
 //! | values on the boundary of a polygon | norms of order 1/2, −1/2 and others | [`sobolev::BoundaryFunction`] |
 //! | a load | its dual norm | [`sobolev::PiecewisePolynomial::dual_norm`] |
