@@ -3,7 +3,9 @@
 
 use signorini::numeric::random::SplitMix;
 use signorini::quadrature::Rule;
-use signorini::sobolev::{DualOf, FractionalOrder, Partition, PiecewisePolynomial, dual_norm_of_functional};
+use signorini::sobolev::{
+    DualOf, FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, dual_norm_of_functional,
+};
 use signorini::{Error, Estimate, Tolerance};
 use std::f64::consts::PI;
 
@@ -264,4 +266,84 @@ fn random_signs_on_a_hundred_thousand_elements() {
     let half = find(0.5, 1e-5).unwrap();
     let cosines = load.dual_norm(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-8)).unwrap();
     assert!(half.value < cosines.value && cosines.value < 3.0 * half.value, "{half} {cosines}");
+}
+
+#[test]
+fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
+    // A step is a piecewise polynomial; at singularities sharper tolerances stay within wider ones.
+    let step = |x: f64| if x < 0.3 { 1.0 } else { -2.0 };
+    let declared = SingularFunction::new(&[0.0, 0.3, 1.0], step).unwrap();
+    let cells = Partition::from_lengths(vec![0.3, 0.7]).unwrap();
+    let exact = PiecewisePolynomial::constants(cells, &[1.0, -2.0]).unwrap();
+    let log = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
+    let power = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
+    for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
+        for nu in [0.3, 0.5, 0.8] {
+            let [a, b] = [
+                declared.dual_norm(of, order(nu), tolerance(1e-6)).unwrap(),
+                exact.dual_norm(of, order(nu), tolerance(1e-7)).unwrap(),
+            ];
+            assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?} {nu}: {a} {b}");
+            for u in [&log, &power] {
+                let [wide, sharp] = [1e-3, 1e-6].map(|t| u.dual_norm(of, order(nu), tolerance(t)).unwrap());
+                let off = (wide.value - sharp.value).abs();
+                assert!(off <= wide.error + sharp.error, "{of:?} {nu}: {wide} {sharp}");
+                let l2 = u.l2_norm(tolerance(1e-3)).unwrap();
+                assert!(sharp.value < l2.value + l2.error, "{sharp} {l2}");
+            }
+        }
+    }
+}
+
+/// ∫_0^1 x^{-2/5} cos kπx dx = (kπ)^{-3/5} ∫_0^{kπ} y^{-2/5} cos y dy; by substitution y = z^{5/3}.
+#[test]
+fn a_power_has_the_norm_of_its_cosine_series() {
+    let coefficient = |k: usize| {
+        // x = z^{5/3}: ∫ (5/3) cos(kπ z^{5/3}) dz
+        let rule = Rule::gauss_legendre(12).unwrap();
+        let parts = 4 * k + 4;
+        let mut sum = 0.0;
+        for part in 0..parts {
+            for (t, w) in rule.iter() {
+                let z = (part as f64 + t) / parts as f64;
+                sum += w / parts as f64 * 5.0 / 3.0 * (k as f64 * PI * z.powf(5.0 / 3.0)).cos();
+            }
+        }
+        sum
+    };
+    let (mut sum, mut rest, mut weight) = (0.0, 5.0, 1.0);
+    for k in 0..400 {
+        let square = coefficient(k).powi(2) * if k == 0 { 1.0 } else { 2.0 };
+        weight = (k as f64 * PI).hypot(1.0).powf(-1.0);
+        sum += weight * square;
+        rest -= square;
+    }
+    let power = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
+    let found = power.dual_norm(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-6)).unwrap();
+    let bounds = [sum - 1e-6, sum + weight * rest + 1e-6];
+    assert!(encloses(bounds, found), "{found} in {bounds:?}");
+    assert!(!encloses(bounds, Estimate { value: 1.01 * found.value, ..found }));
+}
+
+#[test]
+fn plain_numbers_stand_for_orders_and_tolerances() {
+    let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0).unwrap(), &[0.0, 0.5, 1.0]).unwrap();
+    let x = SingularFunction::new(&[0.0, 1.0], |x: f64| x).unwrap();
+    let half = FractionalOrder::HALF;
+    assert_eq!(u.norm(0.5, 1e-8), u.norm(half, tolerance(1e-8)));
+    assert_eq!(x.seminorm(0.5, 1e-6), x.seminorm(half, tolerance(1e-6)));
+    assert_eq!(u.lq_norm(3.0, 1e-8), u.lq_norm(3.0, tolerance(1e-8)));
+    let dual = |of| (u.dual_norm(of, 0.5, 1e-8).unwrap(), x.dual_norm(of, 0.5, 1e-6).unwrap());
+    for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
+        let (a, b) = dual(of);
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?}: {a} {b}");
+    }
+    for bad in [
+        u.norm(1.0, 1e-8),
+        u.norm(0.5, 0.0),
+        u.norm(f64::NAN, 1e-8),
+        x.dual_norm(DualOf::Interpolation, 0.5, 2.0),
+    ] {
+        assert!(matches!(bad, Err(Error::OutOfRange { .. })), "{bad:?}");
+    }
 }

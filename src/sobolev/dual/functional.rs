@@ -6,7 +6,7 @@
 //! lower bound.
 
 use super::resolvent::Ends;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::check::require_values;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
@@ -113,7 +113,14 @@ impl PiecewisePolynomial {
     /// [`Error::ToleranceNotMet`], with the best value, when 2^20 elements do not suffice or rounding exceeds
     /// the tolerance; [`Error::NotFinite`] for a norm beyond the range of binary64.
     #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(&self, of: DualOf, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn dual_norm(
+        &self,
+        of: DualOf,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         match of {
             DualOf::Slobodeckij => self.dual_of_regional(order, tolerance),
             DualOf::Interpolation => self.dual_by_resolvents(Ends::Neumann, order, tolerance),

@@ -1,6 +1,7 @@
 //! Dual norms, sup ⟨f, v⟩ / ||v||, of functionals on a mesh and of piecewise polynomials.
 
 mod cells;
+mod closure;
 mod cosines;
 mod functional;
 mod regional;
