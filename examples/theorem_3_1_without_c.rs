@@ -3,7 +3,7 @@
 //! `cargo run --release --example theorem_3_1_without_c -- --finest 8`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
+use example_frame::{Column, Error, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
@@ -31,6 +31,12 @@ example_frame::options! {
         /// Lame's second constant
         #[arg(long, default_value_t = 1.0, value_parser = within::<f64>("[1e-12, 1e12]"))]
         pub mu: f64,
+    }
+    check(options) {
+        match options.levels.coarsest_cells() {
+            cells if cells < 4 * GAPS => Err(Error::Option("--levels: 16 cells or more hold the gaps".to_owned())),
+            _ => Ok(()),
+        }
     }
     memory(options) {
         4500.0 * f64::from(2 * options.finest).exp2()

@@ -144,7 +144,9 @@ impl<'a> DeepTail<'a> {
                 Ok(found) if found.0.is_finite() => found,
                 // Grown beyond binary64, and nothing brings it down.
                 _ if self.decay <= 0.0 && grows(&densities) => return Err(self.infinite()),
-                Ok(_) => return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, BEYOND)),
+                Ok(_) | Err(Error::NotFinite { .. }) => {
+                    return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, BEYOND));
+                }
                 Err(error) => return Err(error),
             };
             sum += cell;

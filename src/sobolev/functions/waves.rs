@@ -71,6 +71,8 @@ struct Cell {
     ends: [f64; 2],
     bubbles: Vec<f64>,
     residual: f64,
+    /// what the rounding of x and of u leaves of residuals
+    noise: f64,
 }
 
 /// Polynomials of one degree and what they are compared with.
@@ -186,8 +188,9 @@ impl SingularFunction<'_> {
         let mut stack = vec![(0.0, arm.length, 0)];
         while let Some((near, far, halvings)) = stack.pop() {
             let cell = self.cell(arm, fit, near, far)?;
-            if cell.residual <= fit.accuracy || halvings == DEEPEST {
-                is_resolved &= cell.residual <= fit.accuracy;
+            let is_fitted = cell.residual <= fit.accuracy.max(cell.noise);
+            if is_fitted || halvings == DEEPEST {
+                is_resolved &= is_fitted;
                 cells.push(cell);
                 if cells.len() > most {
                     return Ok(None);
@@ -214,11 +217,18 @@ impl SingularFunction<'_> {
         };
         let bubbles = bubbles_of(fit.degree, ends, seen)?;
         let piece = Piece { left: ends[0], right: ends[1], bubbles };
-        let residual = fit.between.points().iter().map(|&t| (seen(t) - piece.value(t)).abs());
-        let residual = UNSEEN * residual.fold(0.0, f64::max);
+        let (mut residual, mut low, mut high) = (0.0_f64, ends[0].min(ends[1]), ends[0].max(ends[1]));
+        for &t in fit.between.points() {
+            let found = seen(t);
+            residual = residual.max((found - piece.value(t)).abs());
+            (low, high) = (low.min(found), high.max(found));
+        }
+        let residual = UNSEEN * residual;
+        let slope = (high - low) / (far - near);
+        let noise = FLOOR * (low.abs().max(high.abs()) + slope * (arm.start.abs() + far));
         match fault.into_inner() {
             Some(error) => Err(error),
-            None => Ok(Cell { near, far, ends, bubbles: piece.bubbles, residual }),
+            None => Ok(Cell { near, far, ends, bubbles: piece.bubbles, residual, noise }),
         }
     }
 }
