@@ -26,7 +26,7 @@ example_frame::options! {
         #[arg(long, value_delimiter = ',', default_values = ["2", "3", "4", "6", "8", "12", "16", "24", "36", "50", "75", "100", "150", "200"], value_parser = within::<f64>("[2, 1000]"))]
         pub q: Vec<f64>,
         /// Orders nu < 1/2, comma separated, taken at the critical exponent q = 2/(1 - 2 nu)
-        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"], value_parser = within::<FractionalOrder>("(0, 0.5)"))]
         pub nu: Vec<FractionalOrder>,
     }
 }

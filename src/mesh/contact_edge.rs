@@ -57,8 +57,8 @@ impl ContactEdge {
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part, Sides, unit_square};
-    /// let sides = Sides { right: Part::Neumann, top: Part::Contact, left: Part::Dirichlet, ..Sides::HANGING };
-    /// let edge = ContactEdge::in_pieces(&unit_square(2, sides)?)?;
+    /// let sides = Sides { right: Part::Neumann, top: Part::Contact, left: Part::Dirichlet, ..Sides::HANGING
+    /// }; let edge = ContactEdge::in_pieces(&unit_square(2, sides)?)?;
     /// assert_eq!(edge.normals()?, [[0.0, -1.0], [0.0, 1.0]]);
     /// # Ok::<(), signorini::Error>(())
     /// ```

@@ -78,8 +78,8 @@ impl ProofCase {
         ProofConstants::new(self.tau, q, &self.zones()?)
     }
 
-    /// Fails where τ, θ, the resolution, the positions or the parameters of the scene do not fit, before anything
-    /// is computed.
+    /// Fails where τ, θ, the resolution, the positions or the parameters of the scene do not fit, before
+    /// anything is computed.
     ///
     /// # Errors
     /// [`Error::OutOfRange`], [`Error::CountOutOfRange`], those of the scene.

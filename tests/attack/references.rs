@@ -73,8 +73,8 @@ pub fn log_power(alpha: f64) -> f64 {
     2.0 * first * (below + alpha * alpha / (2.0 * (0.5 - alpha)) + above)
 }
 
-/// ln of the unit in which |ln x|^α is of size 1 at the order ν < 1/2: its values where t^{2α} e^{−(1−2ν)t} is
-/// largest.
+/// ln of the unit in which |ln x|^α is of size 1 at the order ν < 1/2: its values where t^{2α} e^{−(1−2ν)t}
+/// is largest.
 pub fn log_unit(alpha: f64, order: FractionalOrder) -> f64 {
     (alpha * ((2.0 * alpha / order.one_minus_twice()).ln() - 1.0)).max(0.0)
 }
@@ -83,8 +83,8 @@ pub fn log_unit(alpha: f64, order: FractionalOrder) -> f64 {
 pub const LEAST: f64 = 0.12;
 
 /// ||ln x|^α|²_ν for ν < 1/2 in the unit of [`log_unit`]: with x = e^{−t−r}, y = e^{−t},
-/// 2 ∫₀^∞ e^{−(1−2ν)t} ∫₀^∞ ((t+r)^α − t^α)² e^{−r} (1−e^{−r})^{-1-2ν} dr dt, trapezoidal sums in τ; near 0 the
-/// integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
+/// 2 ∫₀^∞ e^{−(1−2ν)t} ∫₀^∞ ((t+r)^α − t^α)² e^{−r} (1−e^{−r})^{-1-2ν} dr dt, trapezoidal sums in τ; near 0
+/// the integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
 pub fn log_power_below_half(alpha: f64, order: FractionalOrder) -> f64 {
     const STEP: f64 = 1.0 / 48.0;
     let (decay, twice, unit) = (order.one_minus_twice(), 2.0 * order.value(), log_unit(alpha, order));
@@ -162,8 +162,8 @@ pub fn linears(lengths: &[f64], ends: &[[f64; 2]], order: FractionalOrder, rule:
     sum
 }
 
-/// ∫₀^p ∫₀^q (D + b y/q − a x/p)² (d+x+y)^{-1-2ν} dy dx for p ≤ q, in r = x + y: the integral across is exact,
-/// the one in r by Gauss's rule on panels (r, 2r + d). At d = 0 a jump D comes with a = b = 0.
+/// ∫₀^p ∫₀^q (D + b y/q − a x/p)² (d+x+y)^{-1-2ν} dy dx for p ≤ q, in r = x + y: the integral across is
+/// exact, the one in r by Gauss's rule on panels (r, 2r + d). At d = 0 a jump D comes with a = b = 0.
 fn pair(d: f64, [p, a]: [f64; 2], [q, b]: [f64; 2], jump: f64, order: FractionalOrder, rule: &Rule) -> f64 {
     let exponent = -1.0 - 2.0 * order.value();
     // Two points are exact for squares of linear functions.

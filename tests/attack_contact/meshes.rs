@@ -146,8 +146,8 @@ pub fn grid(random: &mut SplitMix, is_elastic: bool) -> Mesh {
     grid_in_pieces(random, is_elastic, 1)
 }
 
-/// As [`grid`], with so many contact edges at most, at most [`MOST`] nodes on them together; those of an elastic
-/// body are straight.
+/// As [`grid`], with so many contact edges at most, at most [`MOST`] nodes on them together; those of an
+/// elastic body are straight.
 pub fn grid_in_pieces(random: &mut SplitMix, is_elastic: bool, pieces: usize) -> Mesh {
     loop {
         let most = if random.below(3) == 0 { 11 } else { 5 };

@@ -1,5 +1,5 @@
-//! K and F of a scene from the definitions, in numbers of twice the length, and the sizes of what is added up in
-//! them.
+//! K and F of a scene from the definitions, in numbers of twice the length, and the sizes of what is added up
+//! in them.
 
 use super::double::Double;
 use super::scene::{Material, Scene};

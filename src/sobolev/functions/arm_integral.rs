@@ -96,8 +96,8 @@ impl ArmIntegral {
             partial.push(sum);
             densities.push(density(from + h, 0.0)?);
             let whole = sum.abs() + scale;
-            // Nothing here may be nothing yet: a function may be constant over most of its arm, or so small that
-            // its squares are zero.
+            // Nothing here may be nothing yet: a function may be constant over most of its arm, or so small
+            // that its squares are zero.
             if from > SETTLED && sum != 0.0 && cell.abs() <= 1e-17 * whole {
                 return Ok(Limit { value: sum, error: 1e-17 * whole });
             }

@@ -3,7 +3,8 @@
 use super::two_rates::TwoRates;
 use crate::quadrature::{Limit, extrapolate};
 
-/// wT of t^p e^{-wt} from which on the exponential is told from corrections to the power, which are about p/T.
+/// wT of t^p e^{-wt} from which on the exponential is told from corrections to the power, which are about
+/// p/T.
 const BEGUN: f64 = 1.0;
 
 /// ∫₀^{t_k} ℓ and ℓ(t_k).
@@ -58,7 +59,8 @@ impl Partials {
         Some([step(first, middle)?, step(middle, last)?])
     }
 
-    /// ℓ grows like an exponential: twice as much in ln ℓ over twice the length, where a power grows by as much.
+    /// ℓ grows like an exponential: twice as much in ln ℓ over twice the length, where a power grows by as
+    /// much.
     pub(super) fn explodes(&self) -> bool {
         let grows = |[before, after]: [Growth; 2]| {
             after.of_density > 4f64.ln() && after.of_density > 1.5 * before.of_density

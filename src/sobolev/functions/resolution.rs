@@ -1,15 +1,15 @@
 //! What a function keeps between the points at which it is seen.
 //!
-//! Where e = u − p on cells K of an interval of length L, p a polynomial of degree d, and ε_K = max |e| as seen
-//! between the points of p: with D = 2(d+2)², Markov's bound of the slope of a polynomial of degree d + 2 of
-//! size 1 on an interval of length 1, pairs with |x−y| < h/D have |e(x)−e(y)| ≤ ε D |x−y|/h, and all others
-//! (e(x)−e(y))² ≤ 2e(x)² + 2e(y)². So
+//! Where e = u − p on cells K of an interval of length L, p a polynomial of degree d, and ε_K = max |e| as
+//! seen between the points of p: with D = 2(d+2)², Markov's bound of the slope of a polynomial of degree d +
+//! 2 of size 1 on an interval of length 1, pairs with |x−y| < h/D have |e(x)−e(y)| ≤ ε D |x−y|/h, and all
+//! others (e(x)−e(y))² ≤ 2e(x)² + 2e(y)². So
 //!
 //! |e|²_ν ≤ Σ_K h ε² h^{-2ν} D^{2ν} (2/(2−2ν) + 8 (1 − (h/(DL))^{2ν})/(2ν)).
 //!
 //! A rule of d + 1 Gauss points integrates p² exactly, and ∫ pe nearly so, e being orthogonal to low degrees:
-//! what it misses of |u|²_ν is of the size |e|²_ν. Two rules that both miss most of a wave may agree by accident;
-//! their ε is as large as the wave.
+//! what it misses of |u|²_ν is of the size |e|²_ν. Two rules that both miss most of a wave may agree by
+//! accident; their ε is as large as the wave.
 
 use super::function::SingularFunction;
 use super::level::Level;

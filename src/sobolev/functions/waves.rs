@@ -1,14 +1,14 @@
 //! Functions with many waves between their breaks, as piecewise polynomials.
 //!
-//! Each half of an interval between breaks is halved until a polynomial p of degree d agrees with the function
-//! on every cell K: ε_K = max |u − p| at points between those of p. Where that takes many cells of comparable
-//! lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many cells in each of
-//! two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`], O(cells)).
+//! Each half of an interval between breaks is halved until a polynomial p of degree d agrees with the
+//! function on every cell K: ε_K = max |u − p| at points between those of p. Where that takes many cells of
+//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many cells
+//! in each of two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`], O(cells)).
 //!
 //! The error is | |u|_ν − |p|_ν | ≤ |u − p|_ν, bounded in [`super::resolution`].
 //!
-//! Cells that shrink geometrically towards a point mean that u is not smooth there: such functions are left to
-//! the rules in logarithmic coordinates. Cost: 3d values of u per cell.
+//! Cells that shrink geometrically towards a point mean that u is not smooth there: such functions are left
+//! to the rules in logarithmic coordinates. Cost: 3d values of u per cell.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
