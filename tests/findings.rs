@@ -95,6 +95,7 @@ macro_rules! examples {
 
 examples! {
     // examples
+    accuracy_table: "../examples/accuracy_table.rs",
     contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     equation_6_2_mean: "../examples/equation_6_2_mean.rs",

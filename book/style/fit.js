@@ -20,6 +20,8 @@
       if (line && formula.offsetWidth > line.clientWidth) formula.classList.add("long");
     }
   }
+  // Cells with many words keep a width in which these can be read, on a phone too.
+  for (const cell of document.querySelectorAll("main td")) cell.classList.toggle("words", cell.textContent.length > 40);
   // What is still wider is marked, and where its end is in sight.
   function mark(box) {
     const hidden = box.scrollWidth - box.clientWidth;

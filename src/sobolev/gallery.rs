@@ -83,6 +83,56 @@ impl GalleryFunction {
         }
     }
 
+    /// |u − u_h|_ν for a field on many elements, as [`SingularFunction::seminorm_of_error`].
+    ///
+    /// ```
+    /// use signorini::{Tolerance, sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial}};
+    /// let mesh = Partition::algebraic(1000, 2.0, 1.0)?;
+    /// let values: Vec<f64> = mesh.from_left().iter().map(|x| x.sqrt()).collect();
+    /// let field = PiecewisePolynomial::linears(mesh, &values)?;
+    /// let root = GalleryFunction::Power(0.5);
+    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
+    /// let found = root.seminorm_of_error(&field, order, asked)?;
+    /// assert!(found.value < 3e-3 && found.value < root.norm_of_error(&field, order, asked)?.value);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SingularFunction::seminorm_of_error`]; [`Error::Incompatible`] for samples.
+    pub fn seminorm_of_error(
+        &self,
+        field: &PiecewisePolynomial,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        self.closure()?.seminorm_of_error(field, order, tolerance)
+    }
+
+    /// ||u − u_h||_ν, as [`GalleryFunction::seminorm_of_error`].
+    ///
+    /// # Errors
+    /// As [`GalleryFunction::seminorm_of_error`].
+    pub fn norm_of_error(
+        &self,
+        field: &PiecewisePolynomial,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        self.closure()?.norm_of_error(field, order, tolerance)
+    }
+
+    fn closure(&self) -> Result<SingularFunction<'_>> {
+        match self.evaluated()? {
+            Evaluated::Closure(u) => Ok(u),
+            Evaluated::Samples(_) => Err(Error::Incompatible {
+                what: "function",
+                given: self.to_string(),
+                with: "the error of a field",
+                expected: "a function by formula, or the field minus the samples as one piecewise polynomial",
+            }),
+        }
+    }
+
     /// |u|_ν in closed form, where one is known.
     ///
     /// # Errors

@@ -7,6 +7,7 @@
 //! | --- | --- |
 //! | orders and meshes | [`FractionalOrder`], [`Partition`] |
 //! | norms of piecewise polynomials and of closures | [`PiecewisePolynomial`], [`SingularFunction`] |
+//! | norms of u − u_h | [`SingularFunction::seminorm_of_error`], [`GalleryFunction::seminorm_of_error`] |
 //! | monotone rearrangements | [`PiecewisePolynomial::decreasing_rearrangement`], [`near_differences`] |
 //! | norms of named functions | [`GalleryFunction`] |
 //! | Gram matrices, dense and as fast operators | [`gram_constants`], [`gram_linears`], [`GramOperator`] |
@@ -18,6 +19,7 @@
 pub mod closed_forms;
 mod dual;
 mod energy;
+mod fields;
 mod functions;
 mod gallery;
 mod grading;

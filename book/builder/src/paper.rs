@@ -17,7 +17,7 @@ const DENSE: f64 = 16.5 / 19.0;
 const LEAST: f64 = 11.1;
 const NARROW: f64 = 374.0;
 /// Characters of a centred line that a narrow screen has room for.
-const LINE: usize = 58;
+const LINE: usize = 66;
 /// Width of words over the size of letters: for each character, and once more, since few may all be wide.
 const WIDTH: (f64, f64) = (0.47, 0.8);
 /// Paper in parts of a tenth.
@@ -81,8 +81,8 @@ pub struct Cut {
 }
 
 /// Centred words that are long and have no tags in them, cut at the blank nearest to their middle: one of the
-/// lines keeps its place, the other stands above it or, where other words are, below, if there is room.
-fn cuts(svg: &str, letters: f64) -> Vec<Cut> {
+/// lines keeps its place; the other stands below it, above it at the top, or where no words are.
+fn cuts(svg: &str, top: f64, letters: f64) -> Vec<Cut> {
     let all = words(svg, &[]);
     let long = |tag: &Tag<'_>| tag.attribute("text-anchor") == Some("middle") && tag.name == "text";
     let found = tags(svg).filter(long).filter_map(|tag| {
@@ -101,8 +101,11 @@ fn cuts(svg: &str, letters: f64) -> Vec<Cut> {
             !all.iter().filter(|other| other.start != here.start).any(|other| meets(&other))
         };
         let (above, below) = (here.y - 1.1 * letters, here.y + 1.1 * letters);
-        let free =
-            [(above, (above, here.y)), (below, (here.y, below))].into_iter().find(|(y, _)| is_free(*y));
+        let mut places = [(above, (above, here.y)), (below, (here.y, below))];
+        if here.y > top {
+            places.reverse();
+        }
+        let free = places.into_iter().find(|(y, _)| is_free(*y));
         free.map(|(_, y)| Cut { start: tag.start, at, y })
     });
     found.collect()
@@ -193,7 +196,7 @@ impl Sheet {
     pub fn of(svg: &str, view: View) -> Self {
         let scale = if is_fine(view) { 10.0 } else { 1.0 };
         let at = |letters: f64| {
-            let cuts = cuts(svg, letters);
+            let cuts = cuts(svg, view[1] + 0.2 * view[3], letters);
             let crowd = Crowd::of(svg, &cuts, letters);
             Self { view: room(&words(svg, &cuts), view, &crowd, letters), letters, crowd, cuts }
         };

@@ -40,14 +40,14 @@ fn wide_paper_gets_larger_letters_and_long_titles_two_lines() {
     assert!(wide.letters >= LEAST * wide.view[2] / NARROW && wide.letters < 22.0, "{wide:?}");
     assert_eq!(wide.style(), format!(r#" style="--letters:{}px""#, wide.letters));
     let title = "word ".repeat(14);
-    let line = format!(r#"<text x="320" y="124" text-anchor="middle">{title}</text>"#);
+    let line = format!(r#"<text x="320" y="24" text-anchor="middle">{title}</text>"#);
     let sheet = |more: &str| Sheet::of(&(line.clone() + more), paper);
     let tag = tags(&line).next().unwrap();
-    assert_eq!((sheet("").view, sheet("").style()), (paper, String::new()));
-    let cut = Cut { start: 0, at: tag.end + 34, y: (103.1, 124.0) };
+    assert_eq!((sheet("").view, sheet("").style()), ([0.0, -13.0, 640.0, 313.0], String::new()));
+    let cut = Cut { start: 0, at: tag.end + 34, y: (24.0 - 1.1 * LETTERS, 24.0) };
     assert_eq!(sheet("").cuts, [cut]);
-    let other = r#"<text x="300" y="100">0.4</text>"#;
-    assert_eq!(sheet(other).cuts, [Cut { y: (124.0, 144.9), ..cut }]);
+    let other = r#"<text x="300" y="5">0.4</text>"#;
+    assert_eq!(sheet(other).cuts, [Cut { y: (24.0, 24.0 + 1.1 * LETTERS), ..cut }]);
     assert!(Sheet::of(&line.replace("word w", "word<b>w"), paper).cuts.is_empty());
 }
 

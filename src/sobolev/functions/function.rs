@@ -100,12 +100,12 @@ impl Position<'_> {
 pub struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
-    sight: Sight,
+    pub(super) sight: Sight,
 }
 
 /// What the closure sees of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Sight {
+pub(super) enum Sight {
     Coordinate,
     Offset,
     LogDistance,
@@ -174,7 +174,7 @@ impl<'a> SingularFunction<'a> {
         Self::build(breaks, Box::new(f), Sight::LogDistance)
     }
 
-    fn build(
+    pub(super) fn build(
         breaks: &[f64],
         function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
         sight: Sight,

@@ -6,6 +6,7 @@ mod function;
 mod level;
 mod log_energy;
 mod norms;
+mod seen;
 mod supremum;
 mod two_rates;
 

@@ -11,5 +11,7 @@ mod squares;
 
 #[cfg(feature = "contact")]
 pub(crate) use lebesgue::linear_power;
+pub(crate) use pairs::{Cell, PolynomialPairs};
 pub use polynomial::PiecewisePolynomial;
+pub(crate) use polynomial::{Piece, bubbles_of};
 pub use sorting::{near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random};

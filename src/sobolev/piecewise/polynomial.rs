@@ -247,7 +247,7 @@ impl Piece {
 
 /// Coefficients of (f − linear part)/(t(1−t)) in P_0 ... P_{degree−2}: exact when f is a polynomial of that
 /// degree.
-fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
+pub(crate) fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
     let count = degree.saturating_sub(1);
     let mut coefficients = vec![0.0; count];
     if count == 0 {

@@ -1,0 +1,198 @@
+//! Poincaré constants, moments, and constants of interpolation.
+
+use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
+use signorini::interpolation::{ErrorNorm, InterpolationError, ProjectionNorm, SampleSlope};
+use signorini::interpolation::{element_constant, extremal_slopes, limits, mean_deviation};
+use signorini::interpolation::{power_slope, projection_norm_on_mesh};
+use signorini::numeric::random::SplitMix;
+use signorini::poincare::{Condition, Moment, StrongForm, Zone, end_limit, gamma, gamma_at_point};
+use signorini::poincare::{half_order_moment, moment_norm};
+use signorini::sobolev::{FractionalOrder, Partition};
+use signorini::{Estimate, Result, Work};
+
+const GAMMA: &str = include_str!("../../../tests/reference/gamma_reference.json");
+const LIMITS: &str = include_str!("../../../tests/reference/limits_reference.json");
+const ELEMENTS: &str = include_str!("../../../tests/reference/interpolation_reference.json");
+
+/// All of them.
+pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+    let mut all = zones(each, random)?;
+    all.extend(moments(each, random)?);
+    all.extend(elements(each, random)?);
+    Ok(all)
+}
+
+fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+    let (reference, limits) = (rows(GAMMA)?, rows(LIMITS)?);
+    let ends: Vec<_> = reference.as_array().into_iter().flatten().collect();
+    let ends = draw(each.min(ends.len()), || {
+        let row = ends[random.below(ends.len())];
+        let (order, zone) = (order_of(row, "nu_decimal")?, Zone::end(number(row, "theta_decimal")?)?);
+        Ok((printed(row, "gamma")?, ask(move |t| gamma(order, zone, Condition::MeanZero, t))))
+    })?;
+    let inside: Vec<_> = limits["location"].as_array().into_iter().flatten().collect();
+    let inside = draw(each.min(inside.len()), || {
+        let row = inside[random.below(inside.len())];
+        let theta = number(row, "theta")?;
+        let zone = match row["a"].as_str() {
+            Some("(1-theta)/2") => Zone::centred(theta)?,
+            _ => Zone::at(number(row, "a")?, theta)?,
+        };
+        let (order, digits) = (order_of(row, "nu")?, number(row, "digits")?);
+        let value = number(row, "gamma")?;
+        let exact = Estimate::new(value, value * 10f64.powf(1.0 - digits), Work::default())?;
+        Ok((exact, ask(move |t| gamma(order, zone, Condition::MeanZero, t))))
+    })?;
+    let list = |key: &str| limits[key].as_array().cloned().unwrap_or_default();
+    let small = list("B").into_iter().map(|row| {
+        let order = order_of(&row, "nu")?;
+        Ok((printed(&row, "B")?, ask(move |t| end_limit(order, t))))
+    });
+    let small = small.collect::<Result<Vec<_>>>()?;
+    let points = list("gamma0").into_iter().map(|row| {
+        let order = order_of(&row, "nu")?;
+        Ok((printed(&row, "gamma0")?, ask(move |t| gamma_at_point(order, 0.0, t))))
+    });
+    let points = points.collect::<Result<Vec<_>>>()?;
+    let by = "ball arithmetic, another program";
+    Ok(vec![
+        Family {
+            name: "zone at end",
+            functions: "poincare::gamma",
+            range: "zone at an end",
+            by,
+            least: 0.0,
+            cases: ends,
+        },
+        Family {
+            name: "zone inside",
+            functions: "poincare::gamma",
+            range: "zone inside",
+            by,
+            least: 0.0,
+            cases: inside,
+        },
+        Family {
+            name: "end limit",
+            functions: "poincare::end_limit",
+            range: "0.01 <= nu < 1/2",
+            by: "30 digits",
+            least: 0.0,
+            cases: small,
+        },
+        Family {
+            name: "point",
+            functions: "poincare::gamma_at_point",
+            range: "nu > 1/2",
+            by,
+            least: 0.0,
+            cases: points,
+        },
+    ])
+}
+
+fn moments(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+    let weight = |random: &mut SplitMix| [Moment::Mass, Moment::FromFreeEnd][random.below(2)];
+    let half = draw(each, || {
+        let (e, moment) = (10f64.powf(random.between(-4.0, -0.2)), weight(random));
+        Ok((half_order_moment(e, moment)?, ask(move |t| moment_norm(FractionalOrder::HALF, e, moment, t))))
+    })?;
+    let strong = draw(each.min(3), || {
+        let order = order(random, 0.1, 0.9)?;
+        let form = StrongForm::new(order)?;
+        let (e, moment) = (random.between(0.02, 0.98), weight(random));
+        let bounds = form.moment(e, moment)?;
+        let middle = 0.5 * (bounds.lower + bounds.upper);
+        let exact = Estimate::new(middle, 0.5 * (bounds.upper - bounds.lower), Work::default())?;
+        Ok((exact, ask(move |t| moment_norm(order, e, moment, t))))
+    })?;
+    let functions = "poincare::moment_norm";
+    Ok(vec![
+        Family {
+            name: "moment 1/2",
+            functions,
+            range: "nu = 1/2",
+            by: "Wiener and Hopf's method",
+            least: 0.0,
+            cases: half,
+        },
+        Family {
+            name: "moments",
+            functions,
+            range: "0.1 < nu < 0.9",
+            by: "bounds by the strong form",
+            least: 0.0,
+            cases: strong,
+        },
+    ])
+}
+
+fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+    let reference = rows(ELEMENTS)?;
+    let mut constants = Vec::new();
+    for row in reference.as_array().into_iter().flatten() {
+        let order = order_of(row, "nu")?;
+        for (norm, key) in [(ErrorNorm::L2, "C_L2"), (ErrorNorm::Derivative, "C_H1")] {
+            constants.push((printed(row, key)?, ask(move |t| element_constant(norm, order, t))));
+        }
+    }
+    let slopes = draw(each, || {
+        let order = order(random, 0.02, 0.98)?;
+        let a = order.value() - 0.5 + random.between(0.05, 2.0);
+        let mesh = Partition::uniform(1, 1.0)?;
+        let of = move || InterpolationError::of_sample(SampleSlope::Power(a), &mesh, order);
+        let exact = power_slope(a, order)?;
+        Ok(match random.below(2) {
+            0 => (exact.l2_ratio()?, ask(move |_| of()?.l2_ratio())),
+            _ => (exact.derivative_ratio()?, ask(move |_| of()?.derivative_ratio())),
+        })
+    })?;
+    let means = draw(each, || {
+        let cells = 1 + random.below(200);
+        let node = random.below(cells + 1);
+        let best = limits::pointwise(node as f64 / cells as f64)?.value;
+        let exact = (best * best - 1.0 / (12.0 * (cells * cells) as f64)).sqrt();
+        let exact = Estimate::new(exact, 1e-15 / exact, Work::default())?;
+        Ok((exact, ask(move |_| mean_deviation(&extremal_slopes(cells, node)?, node))))
+    })?;
+    let waves = draw(each.min(4), || {
+        let elements = 1 + random.below(8);
+        let exact = formula(std::f64::consts::FRAC_1_PI / elements as f64)?;
+        Ok((exact, ask(move |t| projection_norm_on_mesh(ProjectionNorm::L2, 1.0, elements, t))))
+    })?;
+    let by = "closed form";
+    Ok(vec![
+        Family {
+            name: "element",
+            functions: "interpolation::element_constant",
+            range: "0.01 <= nu <= 0.99",
+            by: "ball arithmetic, another program",
+            least: 0.0,
+            cases: constants,
+        },
+        Family {
+            name: "slope x^a",
+            functions: "InterpolationError::of_sample",
+            range: "x^a, one element",
+            by,
+            least: 0.0,
+            cases: slopes,
+        },
+        Family {
+            name: "mean",
+            functions: "interpolation::mean_deviation",
+            range: "up to 200 cells",
+            by,
+            least: 0.0,
+            cases: means,
+        },
+        Family {
+            name: "projection",
+            functions: "interpolation::projection_norm_on_mesh",
+            range: "r = 1, to 1e-4",
+            by,
+            least: 1e-4,
+            cases: waves,
+        },
+    ])
+}

@@ -1,0 +1,105 @@
+//! Norms in the plane.
+
+use super::{Family, ask, draw, number, order, order_of, rows};
+use serde_json::Value;
+use signorini::numeric::random::SplitMix;
+use signorini::sobolev::coordinate_on_unit_square;
+use signorini::sobolev::{GridOperator, PlaneFunction, SingularPlaneFunction, Triangles};
+use signorini::{Error, Estimate, Result, Work};
+
+const REFERENCE: &str = include_str!("../../../tests/reference/plane_reference.json");
+
+/// All of them.
+pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+    let reference = rows(REFERENCE)?;
+    let cases = reference["cases"].as_array().into_iter().flatten();
+    let meshes = cases.filter(|row| row["case"] == "P1 on mesh" || row["case"] == "P0 on mesh");
+    let meshes = meshes.map(|row| {
+        let order = order_of(row, "s")?;
+        let mesh = Triangles::new(points(row)?, triangles(row)?)?;
+        let values: Vec<f64> = numbers(&row["values"])?;
+        let is_linear = row["case"] == "P1 on mesh";
+        let w = if is_linear {
+            PlaneFunction::linears(mesh, values)?
+        } else {
+            PlaneFunction::constants(mesh, values)?
+        };
+        // Twelve digits of the square.
+        let square = number(row, "seminorm_sq")?;
+        let exact = Estimate::new(square, 1e-12 * square, Work::default())?.sqrt()?;
+        Ok((exact, ask(move |t| w.seminorm(order, t))))
+    });
+    let meshes = meshes.collect::<Result<Vec<_>>>()?;
+    let grids = draw(each.min(8), || {
+        let (order, n) = (order(random, 0.05, 0.95)?, 1 + random.below(4));
+        let mesh = Triangles::grid([n, n], 1.0 / n as f64)?;
+        let values = mesh.nodes().iter().map(|p| p[0]).collect();
+        let w = PlaneFunction::linears(mesh, values)?;
+        Ok((coordinate_on_unit_square(order)?.sqrt()?, ask(move |t| w.seminorm(order, t))))
+    })?;
+    let closures = draw(each.min(4), || {
+        let order = order(random, 0.05, 0.95)?;
+        let w = SingularPlaneFunction::new(Triangles::grid([1, 1], 1.0)?, &[], |at| at.x()[0])?;
+        Ok((coordinate_on_unit_square(order)?.sqrt()?, ask(move |t| w.seminorm(order, t))))
+    })?;
+    let products = draw(each.min(8), || {
+        let (order, n) = (order(random, 0.05, 0.95)?, 1 + random.below(16));
+        let x: Vec<f64> = (0..(n + 1) * (n + 1)).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
+        let product = move |t: signorini::Tolerance| {
+            let form = GridOperator::new([n, n], 1.0 / n as f64, order, t)?;
+            let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
+            Estimate::new(squared, t.relative() * squared, Work::default())
+        };
+        Ok((coordinate_on_unit_square(order)?, ask(product)))
+    })?;
+    let by = "one integral";
+    Ok(vec![
+        Family {
+            name: "plane mesh",
+            functions: "PlaneFunction::seminorm",
+            range: "two to eight triangles",
+            by: "12 digits, another program",
+            least: 0.0,
+            cases: meshes,
+        },
+        Family {
+            name: "plane grid",
+            functions: "PlaneFunction::seminorm",
+            range: "x on grids",
+            by,
+            least: 0.0,
+            cases: grids,
+        },
+        Family {
+            name: "plane u",
+            functions: "SingularPlaneFunction::seminorm",
+            range: "x on a square",
+            by,
+            least: 0.0,
+            cases: closures,
+        },
+        Family {
+            name: "grid product",
+            functions: "GridOperator::apply",
+            range: "x on grids",
+            by,
+            least: 0.0,
+            cases: products,
+        },
+    ])
+}
+
+fn numbers(row: &Value) -> Result<Vec<f64>> {
+    let list = row.as_array().into_iter().flatten().map(Value::as_f64);
+    list.collect::<Option<Vec<f64>>>().ok_or_else(|| Error::file("tests/reference", "no list of numbers"))
+}
+
+fn points(row: &Value) -> Result<Vec<[f64; 2]>> {
+    let list = row["points"].as_array().into_iter().flatten();
+    list.map(|point| numbers(point).map(|p| [p[0], p[1]])).collect()
+}
+
+fn triangles(row: &Value) -> Result<Vec<[usize; 3]>> {
+    let list = row["triangles"].as_array().into_iter().flatten();
+    list.map(|nodes| numbers(nodes).map(|n| [n[0] as usize, n[1] as usize, n[2] as usize])).collect()
+}

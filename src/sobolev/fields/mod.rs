@@ -1,0 +1,8 @@
+//! Norms of u − u_h: a function with declared break points against a piecewise polynomial.
+
+mod cells;
+mod fit;
+mod layout;
+mod norms;
+mod patch;
+mod samples;

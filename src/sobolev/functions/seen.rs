@@ -1,0 +1,25 @@
+//! What a function sees of its breaks, for others made of it.
+
+use super::function::{Position, Sight, SingularFunction};
+use crate::error::Result;
+
+impl<'a> SingularFunction<'a> {
+    /// The size of the rounded coordinates near break k; 0 where the function sees offsets.
+    pub(crate) fn blur(&self, k: usize) -> f64 {
+        self.coordinate_if_seen(k).abs()
+    }
+
+    /// The coordinate of break k where that is what the function sees, else 0.
+    pub(crate) fn coordinate_if_seen(&self, k: usize) -> f64 {
+        if self.sight == Sight::Coordinate { self.breaks()[k] } else { 0.0 }
+    }
+
+    /// A function of positions that are known as this one's are.
+    pub(crate) fn seen_likewise<'b>(
+        &self,
+        breaks: &[f64],
+        f: impl Fn(Position<'_>) -> f64 + Sync + 'b,
+    ) -> Result<SingularFunction<'b>> {
+        SingularFunction::build(breaks, Box::new(f), self.sight)
+    }
+}
