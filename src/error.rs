@@ -222,6 +222,18 @@ fn value_of(best: &Option<Estimate>) -> String {
     best.map_or_else(String::new, |best| format!(" (best value {best})"))
 }
 
+/// A parameter given as itself or as the plain number it stands for: `u.norm(0.5, 1e-8)?`.
+///
+/// Implemented for orders and tolerances, and for `f64` in their place; a number outside their range is
+/// [`Error::OutOfRange`].
+pub trait Given<T> {
+    /// The parameter.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`].
+    fn given(self) -> Result<T>;
+}
+
 impl Error {
     /// The best estimate of `what` misses the tolerance that was asked, for the reason given.
     pub fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
@@ -259,8 +271,10 @@ impl Error {
         }
     }
 
-    /// The parameter `name` if it satisfies `admissible`, else [`Error::OutOfRange`]. NaN is never
-    /// admissible.
+    /// The parameter `name` if it satisfies `admissible`. NaN is never admissible.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
     pub fn require(name: &'static str, value: f64, range: &'static str, admissible: bool) -> Result<f64> {
         if admissible && !value.is_nan() { Ok(value) } else { Err(Error::OutOfRange { name, value, range }) }
     }

@@ -4,7 +4,7 @@
 //! The `error` of an estimate is *absolute*: an honest estimate of |v − v*|, never below the rounding of v
 //! itself.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 pub use crate::value::{Estimate, Work};
 use std::fmt;
 use std::str::FromStr;
@@ -23,6 +23,9 @@ impl Tolerance {
     /// assert!("reference".parse::<Tolerance>()? == Tolerance::reference());
     /// # Ok::<(), signorini::Error>(())
     /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
     pub fn new(relative: f64) -> Result<Self> {
         let admissible = (1e-15..=0.1).contains(&relative);
         Error::require("tolerance", relative, "[1e-15, 0.1]", admissible).map(Self)
@@ -56,6 +59,27 @@ impl Tolerance {
 impl Default for Tolerance {
     fn default() -> Self {
         Self::balanced()
+    }
+}
+
+impl TryFrom<f64> for Tolerance {
+    type Error = Error;
+
+    /// As [`Tolerance::new`].
+    fn try_from(relative: f64) -> Result<Self> {
+        Self::new(relative)
+    }
+}
+
+impl Given<Self> for Tolerance {
+    fn given(self) -> Result<Self> {
+        Ok(self)
+    }
+}
+
+impl Given<Tolerance> for f64 {
+    fn given(self) -> Result<Tolerance> {
+        Tolerance::new(self)
     }
 }
 

@@ -8,6 +8,7 @@
 //! | a formula, with kinks or singularities | Gagliardo-Slobodeckij seminorm, norm | [`sobolev::SingularFunction`] |
 //! | values on a mesh of an interval | the same, up to a million nodes | [`sobolev::PiecewisePolynomial`] |
 //! | values on a triangulation | norms in the plane | [`sobolev::PlaneFunction`] |
+//! | values on the boundary of a polygon | norms of order 1/2, −1/2 and others | [`sobolev::BoundaryFunction`] |
 //! | a load | its dual norm | [`sobolev::PiecewisePolynomial::dual_norm`] |
 //! | a mesh | Gram and mass matrix, fast products | [`sobolev::GramOperator`], [`sobolev::gram_linears`] |
 //! | a zone where the mean vanishes | the Poincaré constant | [`poincare::gamma`] |
@@ -25,10 +26,8 @@
 //! ```
 //! use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
 //! let (s, asked, breaks) = (FractionalOrder::new(0.45)?, Tolerance::balanced(), [0.0, 0.3, 1.0]);
-//! let kink = SingularFunction::new(&breaks, |x| (x - 0.3).abs())?;
-//! let logarithm = SingularFunction::from_positions(&breaks, |at| {
-//!     if at.anchor() == 1 { at.log_distance() } else { (at.x() - 0.3).abs().ln() }
-//! })?;
+//! let kink = SingularFunction::from_positions(&breaks, |at| at.distance_to(1))?;
+//! let logarithm = SingularFunction::from_positions(&breaks, |at| at.log_distance_to(1))?;
 //! println!("{}, {}", kink.norm(s, asked)?, logarithm.norm(s, asked)?);
 //! # Ok::<(), signorini::Error>(())
 //! ```
@@ -100,5 +99,5 @@ pub mod sobolev;
 pub mod strip;
 pub mod value;
 
-pub use error::{Error, Result};
+pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};

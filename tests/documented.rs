@@ -145,6 +145,39 @@ fn every_public_function_of_the_toolkit_stands_in_an_example() {
     assert!(idle.is_empty(), "excused, and have an example: {idle:?}");
 }
 
+/// Paragraphs in which Markdown takes two indices for emphasis: an underscore between a bar and a brace opens
+/// one, the next closes it; written with a backslash it does not.
+fn garbled(text: &str) -> Vec<String> {
+    let (mut found, mut paragraph, mut in_code) = (Vec::new(), String::new(), false);
+    for line in text.lines().map(str::trim_start).chain([""]) {
+        let line = line.strip_prefix("///").or_else(|| line.strip_prefix("//!"));
+        let content = line.unwrap_or("").trim();
+        in_code = line.is_some() && in_code != content.starts_with("```");
+        if !content.is_empty() && !in_code && !content.starts_with("```") {
+            paragraph.push_str(content);
+            paragraph.push('\n');
+            continue;
+        }
+        let paragraph = std::mem::take(&mut paragraph);
+        let opens = ["|_{", "‖_{", "∥_{", "'_{"].iter().any(|mark| paragraph.contains(mark));
+        if opens && paragraph.matches('_').count() > 1 {
+            found.push(paragraph);
+        }
+    }
+    found
+}
+
+#[test]
+fn no_formula_of_the_documentation_is_garbled() {
+    for (file, text) in sources() {
+        let found = garbled(&text);
+        assert!(found.is_empty(), "{}: {found:#?}", file.display());
+    }
+    assert_eq!(garbled("/// so |u|_{1/2}\n/// and |v|_{1/2}\nfn f() {}\n").len(), 1);
+    assert!(garbled("/// so |u|\\_{1/2} and |v|\\_{1/2}\n").is_empty());
+    assert!(garbled("/// ```text\n/// |u|_{1/2} and |v|_{1/2}\n/// ```\n").is_empty());
+}
+
 #[test]
 fn functions_without_an_example_are_seen() {
     let mut sources = sources();

@@ -24,6 +24,8 @@ pub trait System {
 }
 
 /// What a step did.
+///
+/// Returned by [`ConjugateGradients::step`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Step {
     /// The energy of the error fell by this, ρ²/κ.

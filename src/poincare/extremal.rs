@@ -12,6 +12,8 @@ const MAKES_WAY: f64 = 1e-5;
 
 /// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
 ///
+/// Returned by [`super::extremal`].
+///
 /// ```
 /// use signorini::{Tolerance, sobolev::FractionalOrder};
 /// use signorini::poincare::{Condition, Zone, extremal, trial_quotient};

@@ -14,6 +14,8 @@ const PIECES: usize = 6;
 const AT_THETA: f64 = 1e-12;
 
 /// One step from θ to θ².
+///
+/// Returned by [`induction`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InductionStep {
     /// θ² after the step.

@@ -9,6 +9,11 @@ use std::f64::consts::PI;
 pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
 
 /// 1/(2π²): the slope for a zone inside.
+///
+/// ```
+/// use signorini::poincare::{END_SLOPE, INTERIOR_SLOPE};
+/// assert!((END_SLOPE / INTERIOR_SLOPE - 3.0).abs() < 1e-15); // an end is three times as bad
+/// ```
 pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 
 /// Rounding of a tangent, two products and a root, relative; 1/2 − ν is known exactly.

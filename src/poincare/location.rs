@@ -15,6 +15,8 @@ const SHARE: f64 = 1e-3;
 const RAMPS: [f64; 3] = [8.517, 17.728, 36.148];
 
 /// A zone at one place.
+///
+/// Returned by [`Places`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed {
     /// Its start a.

@@ -196,6 +196,8 @@ pub struct Scaling {
 }
 
 /// One zone.
+///
+/// Returned by [`Scaling::point`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScalingPoint {
     /// The order ν.

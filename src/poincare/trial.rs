@@ -82,6 +82,8 @@ pub struct TruncatedFamily {
 /// Remark 5 prints |w|\_{1/2} ≤ ‖w‖\_{1/2} = ‖v‖\_{1/2} ≤ 1/n for v = u_n/n = 1 − w, ‖u‖\_{1/2} = 1: with
 /// full norms the middle is false, since ‖w‖\_{1/2} ≥ ‖w‖₀ ≥ 1 − 1/n. |w| = |v| ≤ ‖v‖\_{1/2} ≤ 1/n repairs
 /// it.
+///
+/// Returned by [`TruncatedFamily`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormChain {
     /// n |w|\_{1/2} over |u|\_{1/2}: at most one, since truncation lowers the seminorm.
@@ -187,6 +189,8 @@ pub fn mean_free_quotient(
 }
 
 /// Both sides of a bound, with errors.
+///
+/// Returned by [`cut_in_two`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BothSides {
     /// What is bounded.

@@ -65,7 +65,9 @@ pub struct UniformLaw {
     remainder: f64,
 }
 
-/// γ² beside the law: see [`UniformLaw::rest`].
+/// γ² beside the law.
+///
+/// Returned by [`UniformLaw::rest`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LawRest {
     /// γ².

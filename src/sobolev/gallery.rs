@@ -6,7 +6,7 @@ use super::functions::{Position, SingularFunction};
 use super::order::FractionalOrder;
 use super::partition::Partition;
 use super::piecewise::PiecewisePolynomial;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::text::{pairs, read_text};
 use std::fmt;
@@ -54,7 +54,13 @@ impl GalleryFunction {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] above the critical order, [`Error::ToleranceNotMet`], [`Error::File`].
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         match self.evaluated()? {
             Evaluated::Samples(u) => u.seminorm(order, tolerance),
             Evaluated::Closure(u) => u.seminorm(order, tolerance),
@@ -76,7 +82,13 @@ impl GalleryFunction {
     ///
     /// # Errors
     /// As [`GalleryFunction::seminorm`].
-    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         match self.evaluated()? {
             Evaluated::Samples(u) => u.norm(order, tolerance),
             Evaluated::Closure(u) => u.norm(order, tolerance),
@@ -86,7 +98,8 @@ impl GalleryFunction {
     /// |u − u_h|_ν for a field on many elements, as [`SingularFunction::seminorm_of_error`].
     ///
     /// ```
-    /// use signorini::{Tolerance, sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial}};
+    /// use signorini::Tolerance;
+    /// use signorini::sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial};
     /// let mesh = Partition::algebraic(1000, 2.0, 1.0)?;
     /// let values: Vec<f64> = mesh.from_left().iter().map(|x| x.sqrt()).collect();
     /// let field = PiecewisePolynomial::linears(mesh, &values)?;

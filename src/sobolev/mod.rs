@@ -12,10 +12,12 @@
 //! | norms of named functions | [`GalleryFunction`] |
 //! | Gram matrices, dense and as fast operators | [`gram_constants`], [`gram_linears`], [`GramOperator`] |
 //! | dual norms | [`dual_norm_of_functional`], [`PiecewisePolynomial::dual_norm`], [`DualOf`] |
+//! | norms on polygons' boundaries | [`BoundaryFunction`], [`PolygonalCurve`] |
 //! | norms in the plane, on triangulations | [`PlaneFunction`], [`SingularPlaneFunction`], [`Triangles`] |
 //! | traces with their constants | [`half_plane_trace`], [`WedgeTrace`], [`SquareTrace`] |
 //! | exact values | [`closed_forms`] |
 
+mod boundary;
 pub mod closed_forms;
 mod dual;
 mod energy;
@@ -32,6 +34,7 @@ mod plane;
 mod root;
 mod trace;
 
+pub use boundary::{BoundaryFunction, PolygonalCurve};
 pub use dual::{DualOf, dual_norm_of_functional};
 pub use functions::{Position, SingularFunction};
 pub use gallery::GalleryFunction;

@@ -1,6 +1,6 @@
 //! The order ν of a fractional Sobolev space, 0 < ν < 1.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use std::fmt;
 use std::str::FromStr;
 
@@ -90,6 +90,18 @@ impl TryFrom<f64> for FractionalOrder {
 
     fn try_from(nu: f64) -> Result<Self> {
         Self::new(nu)
+    }
+}
+
+impl Given<Self> for FractionalOrder {
+    fn given(self) -> Result<Self> {
+        Ok(self)
+    }
+}
+
+impl Given<FractionalOrder> for f64 {
+    fn given(self) -> Result<FractionalOrder> {
+        FractionalOrder::new(self)
     }
 }
 

@@ -94,8 +94,8 @@ impl Partition {
         Self::from_lengths(geometric_lengths(layers, ratio, length)?)
     }
 
-    /// Nodes L (i/n)^β, i = 0, ..., n, β > 0: short elements at the left end for β > 1, where the interpolants
-    /// of x^a have their best rate from some β on. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
+    /// Nodes L (i/n)^β, i = 0, ..., n, β > 0: short elements at the left end for β > 1, as powers x^a want
+    /// them. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
     ///
     /// ```
     /// use signorini::sobolev::Partition;

@@ -10,7 +10,7 @@ use crate::scan::{Kind, pieces};
 use std::collections::BTreeSet;
 
 /// The page of letters.
-const PAGE: &str = "notation.html";
+pub const NOTATION: &str = "notation.html";
 /// The section of letters with several meanings.
 const SEVERAL: &str = "several pages";
 /// Letters that name something else at every turn: normals, indices, loads, any function, any constant.
@@ -48,7 +48,7 @@ impl Letters {
 
     /// Every symbol of the notation page.
     fn all(pages: &[Page]) -> Self {
-        let Some(page) = pages.iter().find(|page| page.html == PAGE) else { return Self::default() };
+        let Some(page) = pages.iter().find(|page| page.html == NOTATION) else { return Self::default() };
         let mut letters = Self::default();
         let mut section = String::new();
         for (k, line) in page.text.lines().enumerate() {
@@ -86,7 +86,7 @@ impl Letters {
     pub fn first_uses(pages: &[Page]) -> Vec<(Letter, Option<String>)> {
         let mut found: Vec<(Letter, Option<String>)> =
             Self::all(pages).0.into_iter().map(|letter| (letter, None)).collect();
-        for page in pages.iter().filter(|page| page.html != PAGE) {
+        for page in pages.iter().filter(|page| page.html != NOTATION) {
             let formulas = all_tokens(page);
             for (letter, first) in found.iter_mut().filter(|(_, first)| first.is_none()) {
                 *first = letter.is_used(page, &formulas).then(|| page.html.clone());
@@ -114,7 +114,7 @@ impl Letters {
 
     /// Rows of the notation page that name other pages than those where their symbols are first used.
     pub fn faults(pages: &[Page]) -> Vec<Fault> {
-        let Some(page) = pages.iter().find(|page| page.html == PAGE) else { return Vec::new() };
+        let Some(page) = pages.iter().find(|page| page.html == NOTATION) else { return Vec::new() };
         let uses = Self::first_uses(pages);
         let is_wrong = |row: &[(Letter, Option<String>)]| {
             let used: BTreeSet<&String> = row.iter().filter_map(|(_, first)| first.as_ref()).collect();
@@ -133,7 +133,7 @@ impl Letters {
 
     /// Those that the formulas of a page use, in the order of the notation page.
     pub fn of(&self, page: &Page) -> Vec<Letter> {
-        if page.html == PAGE {
+        if page.html == NOTATION {
             return Vec::new();
         }
         let formulas = all_tokens(page);
@@ -173,7 +173,7 @@ const NAMED: [&str; 8] =
     ["\\label", "\\eqref", "\\tag", "\\text", "\\mathrm", "\\begin", "\\end", "\\operatorname"];
 
 /// Commands and characters; spaces, names and words are left out.
-fn tokens(latex: &str) -> Vec<String> {
+pub fn tokens(latex: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut rest = latex;
     while let Some(first) = rest.chars().next() {
@@ -255,7 +255,7 @@ mod tests {
         let notation = "## Norms and zones\n\n| letter | meaning |\n| --- | --- |\n| $\\theta$, $K$, $K^h$ | a |\n\
             | $\\abs{v}_\\nu$ | b |\n| $\\gamma_\\theta(\\nu)$ | c |\n| $\\nu = \\tau - \\frac32$, $h$, $n$ | d |\n\
             | $a(u, v)$, $C(q)$ | e |\n\n## One letter, several pages\n\n| $\\theta$ | here | an angle: [x](angle.md) |\n";
-        let pages = [page(PAGE, notation), page("p.html", text)];
+        let pages = [page(NOTATION, notation), page("p.html", text)];
         Letters::read(&pages).of(&pages[1]).into_iter().map(|letter| letter.latex).collect()
     }
 
@@ -274,7 +274,7 @@ mod tests {
     #[test]
     fn a_letter_with_another_meaning_is_left_out() {
         let notation = "## Norms\n\n| $\\theta$ | b |\n\n## One letter, several pages\n\n| $\\theta$ | here | [x](p.md) |\n";
-        let pages = [page(PAGE, notation), page("p.html", "$\\theta$"), page("q.html", "$\\theta$")];
+        let pages = [page(NOTATION, notation), page("p.html", "$\\theta$"), page("q.html", "$\\theta$")];
         let letters = Letters::read(&pages);
         assert!(letters.of(&pages[1]).is_empty());
         assert_eq!(letters.of(&pages[2])[0].section, "norms");
@@ -284,7 +284,7 @@ mod tests {
     fn rows_name_the_pages_where_their_symbols_are_first_used() {
         let notation = |first: &str| {
             page(
-                PAGE,
+                NOTATION,
                 &format!("## Norms\n\n| $\\theta$, $h$, $\\xi_1$ | b | {first} |\n| $n$ | c | [p](p.md) |\n"),
             )
         };

@@ -21,6 +21,7 @@ pub mod labels;
 pub mod large;
 pub mod letters;
 pub mod live;
+pub mod local;
 pub mod markup;
 pub mod number;
 pub mod options;
@@ -100,6 +101,7 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     faults.extend(exercises::faults(&exercises::list(&layout.book)?, &pages, &layout.book));
     faults.extend(coverage::faults(&pages, &layout.repository)?);
     faults.extend(letters::Letters::faults(&pages));
+    faults.extend(local::faults(&pages));
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,

@@ -11,7 +11,7 @@ use book_builder::data::Data;
 use book_builder::error::Result;
 use book_builder::letters::Letters;
 use book_builder::serve::{Laboratory, Limits, Server};
-use book_builder::{Layout, build, check_fresh, examples, html, labels, large, print, shown, tables};
+use book_builder::{Layout, build, check_fresh, examples, html, labels, large, local, print, shown, tables};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -49,7 +49,7 @@ fn main() -> ExitCode {
         }
         ["letters"] => match html::chapters(&layout.book, &layout.repository) {
             Ok(pages) => {
-                print!("{}", Letters::list(&pages));
+                print!("{}\n{}", Letters::list(&pages), local::list(&pages));
                 return ExitCode::SUCCESS;
             }
             Err(error) => Err(error),

@@ -94,7 +94,16 @@ fn word_end(text: &str) -> usize {
         .skip(sign)
         .find(|&(at, c)| !(c.is_alphanumeric() || matches!(c, '.' | '/') && follows(at)))
         .map_or(text.len(), |(at, _)| at);
-    if end > sign { end } else { 0 }
+    // A number with a power of ten.
+    let ten =
+        text[..end].strip_suffix('e').filter(|mantissa| mantissa.ends_with(|c: char| c.is_ascii_digit()));
+    let digits = text[end..].strip_prefix('-').filter(|_| ten.is_some());
+    let length = digits.map_or(0, |rest| rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()));
+    match (end > sign, length) {
+        (true, 0) => end,
+        (true, length) => end + 1 + length,
+        _ => 0,
+    }
 }
 
 /// A minus sign in front of a number, as HTML, and its length.
@@ -128,6 +137,11 @@ mod tests {
             ("theta^-0.25, H^{1/2}", "θ<sup>\u{2212}0.25</sup>, H<sup>1/2</sup>"),
             ("theta = 1e-6 (C)", "θ = 10<sup>\u{2212}6</sup> (C)"),
             ("h^0.20 on", "h<sup>0.20</sup> on"),
+            (
+                "theta^-5.0e-4, h^1e-3; x^2e",
+                "θ<sup>\u{2212}5.0\u{202f}·\u{202f}10<sup>\u{2212}4</sup></sup>, \
+                 h<sup>10<sup>\u{2212}3</sup></sup>; x<sup>2e</sup>",
+            ),
             ("h^(2(tau-1)(2-tau)) all", "h<sup>2(τ\u{2212}1)(2\u{2212}τ)</sup> all"),
             ("u_N = 3.5e-7.", "u<sub>N</sub> = 3.5\u{202f}·\u{202f}10<sup>\u{2212}7</sup>."),
             ("a < b, 1 element, e-6, x1e-3", "a &lt; b, 1 element, e-6, x1e-3"),

@@ -40,6 +40,8 @@ impl ErrorNorm {
 }
 
 /// A best constant with the slope that attains it.
+///
+/// Returned by [`element_extremal`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElementExtremal {
     /// The constant.

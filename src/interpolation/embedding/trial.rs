@@ -19,6 +19,12 @@ const RISE: f64 = 1e-12;
 const POINTS: usize = 12;
 
 /// lim C(q)/√q for q → ∞ at ν = 1/2: (3/(4π²e))^{1/2}, from the logarithm cut off at ln(1/θ) = q/2.
+///
+/// ```
+/// use signorini::interpolation::EMBEDDING_GROWTH;
+/// let exact = 3.0 / (4.0 * std::f64::consts::PI.powi(2) * 1f64.exp());
+/// assert!((EMBEDDING_GROWTH.powi(2) - exact).abs() < 1e-15);
+/// ```
 pub const EMBEDDING_GROWTH: f64 = 0.167_198_939_329_408_5;
 
 /// Largest exponent that a space for a critical exponent is made for.
@@ -39,6 +45,8 @@ pub(super) fn graded(q: f64) -> Result<Partition> {
 }
 
 /// A function and its quotient ‖u‖\_{L^q}/‖u‖_ν: a lower bound of C(q).
+///
+/// Returned by [`EmbeddingSpace::climb`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmbeddingTrial {
     /// The quotient; its error is that of evaluating it.
@@ -95,6 +103,12 @@ impl EmbeddingSpace {
     }
 
     /// Beyond this exponent the layers would leave the range of binary64.
+    ///
+    /// ```
+    /// use signorini::{interpolation::EmbeddingSpace, sobolev::FractionalOrder};
+    /// let beyond = 1.01 * EmbeddingSpace::LARGEST;
+    /// assert!(EmbeddingSpace::for_exponents_up_to(FractionalOrder::HALF, beyond).is_err());
+    /// ```
     pub const LARGEST: f64 = 1000.0;
 
     /// Elements shrink by `ratio` from 1/4 to 1/4 ratio^layers at the end 0; equal ones on the rest of (0,

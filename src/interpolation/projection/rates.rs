@@ -23,6 +23,8 @@ const SUPREMUM: usize = 64;
 const CELLS: usize = 4;
 
 /// Rates and constants in one norm at one order.
+///
+/// Returned by [`ProjectionStudy::rates`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProjectionRates {
     /// The exponent of h in (4.6) or (4.7): r or r + 1/2.

@@ -8,6 +8,8 @@ use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;
 
 /// The rate of S(N), from four meshes.
+///
+/// Returned by [`supremum_rate`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SupremumRate {
     /// The exponent with the constant part B taken out. Its error: what the three coarser meshes say

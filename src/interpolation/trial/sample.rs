@@ -59,6 +59,12 @@ impl SampleSlope {
 
     /// How far the power that is barely in H^r lies inside it: its own rates of approximation are off by as
     /// much.
+    ///
+    /// ```
+    /// use signorini::interpolation::SampleSlope;
+    /// assert_eq!(SampleSlope::barely_in(0.5)?, SampleSlope::Power(SampleSlope::EDGE));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub const EDGE: f64 = 0.005;
 
     /// |v|_ν on (0, 1).

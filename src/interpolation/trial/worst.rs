@@ -12,6 +12,8 @@ use crate::sobolev::FractionalOrder;
 const GAPS: [f64; 7] = [1e-6, 1e-2, 0.1, 0.4, 0.8, 1.3, 2.0];
 
 /// The largest ratios found.
+///
+/// Returned by [`worst_ratios`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorstRatios {
     /// ‖u − I u‖₀ / (h^{1+ν} |u|_{1+ν}).

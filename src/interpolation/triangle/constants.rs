@@ -23,6 +23,8 @@ const TRUST: f64 = 0.03;
 const QUADRATURE: f64 = 3e-8;
 
 /// A best constant from below, extrapolated, and from above.
+///
+/// Returned by [`TriangleConstants`].
 #[derive(Debug, Clone)]
 pub struct TriangleConstant {
     /// Quotient of a function: a lower bound up to quadrature.

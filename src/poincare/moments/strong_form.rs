@@ -14,6 +14,8 @@ const DEPENDENT: f64 = 1e-7;
 const QUADRATURE: f64 = 1e-10;
 
 /// Lower and upper bound of a moment.
+///
+/// Returned by [`StrongForm::moment`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MomentBounds {
     /// M is at least this.

@@ -8,10 +8,10 @@
 //!
 //! ∫_A ∫_B (u(x)−u(y))² k = L_A L_B Σ_ab k(x_a, y_b) [D² M⁰M⁰ + 2D (M¹M⁰ − M⁰M¹) + M²M⁰ + M⁰M² − 2 M¹M¹],
 //!
-//! all of the size of the variation of u on A ∪ B: no digits are lost where u is nearly constant, since c_A is
-//! a number of binary64 and u − c_A is formed before anything is summed. Since (u(x)−u(y))² ≥ 0, the relative
-//! error of the sum is at most that of the interpolated kernel. From child to parent c changes by δ: M¹ += δ
-//! M⁰, M² += 2δ M¹ + δ² M⁰. Cost O(m²) a cluster and a pair.
+//! all of the size of the variation of u on A ∪ B: no digits are lost where u is nearly constant, since c_A
+//! is a number of binary64 and u − c_A is formed before anything is summed. Since (u(x)−u(y))² ≥ 0, the
+//! relative error of the sum is at most that of the interpolated kernel. From child to parent c changes by δ:
+//! M¹ += δ M⁰, M² += 2δ M¹ + δ² M⁰. Cost O(m²) a cluster and a pair.
 
 use super::pair_sum::PairSum;
 use crate::numeric::sum::RunningSum;
@@ -128,8 +128,8 @@ impl<'a> MomentTree<'a> {
         [0, 1, 2].map(|k| &self.moments[(3 * c + k) * m..(3 * c + k + 1) * m])
     }
 
-    /// ∫∫ over cluster a of this tree and cluster b of another, both orders; `kernel` is L_A L_B k at the points
-    /// of the two.
+    /// ∫∫ over cluster a of this tree and cluster b of another, both orders; `kernel` is L_A L_B k at the
+    /// points of the two.
     pub(crate) fn pair(
         &self,
         a: usize,

@@ -26,18 +26,20 @@ impl SingularFunction<'_> {
     /// # Method
     ///
     /// The elements are cut at the breaks of u and until none is longer than its distance to the nearest one.
-    /// Away from the breaks u − u_h is replaced by polynomials of the degree (5 to 20) that their coefficients
-    /// ask for, and the double integral goes pair by pair for near cells and by moments for far ones, as for
-    /// [`PiecewisePolynomial::seminorm`]. The two elements beside a break form a patch: over pairs in it the
-    /// integral is that of [`SingularFunction::seminorm`] of the difference, which also recognises what is
-    /// infinite; against all others the patch enters by points that shrink towards the break. Cost
-    /// O(N log(1/τ)²): seconds for 10⁵ elements.
+    /// Away from the breaks u − u_h is replaced by polynomials of the degree (5 to 20) that their
+    /// coefficients ask for, and the double integral goes pair by pair for near cells and by moments for far
+    /// ones, as for [`PiecewisePolynomial::seminorm`]. The two elements beside a break form a patch: over
+    /// pairs in it the integral is that of [`SingularFunction::seminorm`] of the difference, which also
+    /// recognises what is infinite; against all others the patch enters by points that shrink towards the
+    /// break. Cost O(N log(1/τ)²): seconds for 10⁵ elements.
     ///
-    /// The error contains the interpolation of the kernel, the last coefficients, the patches, and the rounding
-    /// of u beside a difference that may be 10¹⁰ times smaller, taken as independent from point to point.
+    /// The error contains the interpolation of the kernel, the last coefficients, the patches, and the
+    /// rounding of u beside a difference that may be 10¹⁰ times smaller, taken as independent from point to
+    /// point.
     ///
     /// ```
-    /// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction}};
+    /// use signorini::Tolerance;
+    /// use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction};
     /// // x² and its interpolants: the rate of order 1/2
     /// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
     /// let error = |n: usize| {
@@ -52,8 +54,9 @@ impl SingularFunction<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless both live on the same interval; [`Error::InfiniteNorm`] when the field jumps
-    /// and ν ≥ 1/2, and as [`SingularFunction::seminorm`]; [`Error::ToleranceNotMet`] with the best value.
+    /// [`Error::OutOfRange`] unless both live on the same interval; [`Error::InfiniteNorm`] when the field
+    /// jumps and ν ≥ 1/2, and as [`SingularFunction::seminorm`]; [`Error::ToleranceNotMet`] with the best
+    /// value.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
     pub fn seminorm_of_error(
         &self,
@@ -67,7 +70,8 @@ impl SingularFunction<'_> {
     /// ||u − u_h||_ν, as [`SingularFunction::seminorm_of_error`].
     ///
     /// ```
-    /// use signorini::{Tolerance, sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction}};
+    /// use signorini::Tolerance;
+    /// use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction};
     /// // x - 1/2 against 0: 1 + 1/12
     /// let u = SingularFunction::new(&[0.0, 1.0], |x| x - 0.5)?;
     /// let zero = PiecewisePolynomial::constants(Partition::uniform(10, 1.0)?, &[0.0; 10])?;

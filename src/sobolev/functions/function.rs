@@ -44,8 +44,8 @@ impl Position<'_> {
         self.offset
     }
 
-    /// |x − c_k| for any break point c_k, with all its digits: |offset| for the nearest one, the sum of offset
-    /// and the distance between two breaks for the others. One formula then serves all breaks.
+    /// |x − c_k| for any break point c_k, with all its digits: |offset| for the nearest one, for the others
+    /// the sum of offset and the distance of two breaks. One formula then serves all breaks.
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};

@@ -10,4 +10,5 @@ mod seen;
 mod supremum;
 mod two_rates;
 
+pub(crate) use function::Arm;
 pub use function::{Position, SingularFunction};

@@ -4,7 +4,7 @@ use super::arm_integral::ArmIntegral;
 use super::function::SingularFunction;
 use super::level::{Density, Level, LevelValue};
 use super::log_energy::LogEnergy;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{accept, root_of_squares, scaled};
@@ -53,7 +53,13 @@ impl SingularFunction<'_> {
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         let (scale, unit) = self.of_moderate_size()?;
         let root = |squared: Estimate| scaled(scale, squared.sqrt()?);
         refine(tolerance, 2.0, |level, tolerance| LogEnergy::new(&unit, order, level)?.compute(tolerance))
@@ -76,7 +82,13 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularFunction::seminorm`].
-    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
         whole(parts, tolerance)
     }
@@ -106,7 +118,8 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularFunction::lq_norm`].
-    pub fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         self.lq_norm(2.0, tolerance)
     }
 
@@ -124,7 +137,8 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].
-    pub fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let (scale, unit) = self.of_moderate_size()?;
         if q == f64::INFINITY {
@@ -148,7 +162,8 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularFunction::lq_norm`].
-    pub fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         let size = self.lq_norm(1.0, Tolerance::fast())?.value;
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());

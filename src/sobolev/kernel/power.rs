@@ -44,8 +44,8 @@ pub(crate) fn gauss_for(ratio: f64) -> (&'static [f64], &'static [f64]) {
     gauss_to(ratio, 1, 1.0)
 }
 
-/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree` and to a `share` of the digits: that
-/// many points more than the kernel needs, which are as many as the error ρ^{-2n} asks.
+/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree` and to a `share` of the digits:
+/// that many points more than the kernel needs, which are as many as the error ρ^{-2n} asks.
 fn gauss_to(ratio: f64, degree: usize, share: f64) -> (&'static [f64], &'static [f64]) {
     let table = gauss_table();
     let exact = table.reach.partition_point(|&reach| reach < ratio) as f64;

@@ -1,7 +1,7 @@
 //! Means and L^q norms of piecewise polynomials.
 
 use super::polynomial::{Piece, PiecewisePolynomial};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::search::sign_change;
 use crate::numeric::sum::RunningSum;
@@ -18,7 +18,8 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn mean(&self, _tolerance: Tolerance) -> Result<Estimate> {
+    pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let _: Tolerance = tolerance.given()?;
         let rule = Rule::gauss_legendre(self.degree() + 1)?;
         let total = self.partition().total();
         let (mut sum, mut absolute) = (RunningSum::default(), 0.0);
@@ -53,7 +54,8 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN; [`Error::ToleranceNotMet`].
-    pub fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let peak = self.largest()?;
         if q == f64::INFINITY || peak.value == 0.0 {

@@ -2,7 +2,7 @@
 //! functions.
 
 use super::polynomial::PiecewisePolynomial;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::power_of_two;
 use crate::numeric::sum::RunningSum;
@@ -33,13 +33,19 @@ impl PiecewisePolynomial {
     ///   [`Tolerance`] asked; O(N log(1/τ)²), down to about 1e-13. Since the integrand is no less than zero,
     ///   the relative error of the sum is at most that of the kernel.
     ///
-    /// The values of neighbours are rounded, and that is what ends the accuracy of many elements for ν near 1.
+    /// The rounding of the values of neighbours ends the accuracy of many elements for ν near 1.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
@@ -60,7 +66,13 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
-    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let order = order.given()?;
+        let tolerance = tolerance.given()?;
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
@@ -94,7 +106,8 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn l2_norm(&self, _tolerance: Tolerance) -> Result<Estimate> {
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let _: Tolerance = tolerance.given()?;
         let scale = self.scale();
         let rule = Rule::gauss_legendre(self.degree() + 1)?;
         let mut sum = RunningSum::default();

@@ -7,7 +7,7 @@ use crate::Result;
 
 /// Entries that a legend may have.
 const MOST: usize = 6;
-const SIZE: f64 = 13.5;
+const SIZE: f64 = 14.0;
 /// From line to line, and more from name to name: room for the letters of a narrow screen.
 const LINE: f64 = 21.5;
 const APART: f64 = 6.0;

@@ -1,0 +1,9 @@
+//! Norms on polygonal curves: Slobodeckij norms with the distance in the plane, and their dual norms.
+
+mod curve;
+mod dual;
+mod function;
+mod pairs;
+
+pub use curve::PolygonalCurve;
+pub use function::BoundaryFunction;
