@@ -21,7 +21,8 @@ example_frame::options! {
         pub finest: u32,
     }
     memory(options) {
-        1300.0 * f64::from(2 * options.finest).exp2()
+        let strips = 190.0 * options.levels.reference_cells() as f64;
+        strips.max(1300.0 * f64::from(2 * options.finest).exp2())
     }
 }
 

@@ -4,7 +4,7 @@
 //! With the full H¹ norm the second line needs h ≤ h*(ν); it is tried for h = 2 h* too.
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::interpolation::{
     ErrorNorm, InterpolationError, LocalConstants, SampleSlope, mesh_constant_on_cells,
 };
@@ -26,8 +26,15 @@ example_frame::options! {
         #[arg(long, default_value = "power:0.3")]
         pub function: SampleSlope,
         /// Numbers of elements, comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["1", "2", "4", "8", "16", "1024", "65536"])]
+        #[arg(long, value_delimiter = ',', default_values = ["1", "2", "4", "8", "16", "1024", "65536"], value_parser = within::<usize>("[1, 1e15]"))]
         pub elements: Vec<usize>,
+    }
+    check(options) {
+        let element = Partition::uniform(1, 1.0)?;
+        for &order in &options.nu {
+            InterpolationError::of_sample(options.function, &element, order)?;
+        }
+        Ok(())
     }
     memory(options) {
         48.0 * options.elements.iter().copied().max().unwrap_or(0) as f64

@@ -25,6 +25,9 @@ example_frame::options! {
         #[arg(long, default_value_t = 16)]
         pub n: usize,
     }
+    memory(options) {
+        1300.0 * (options.n as f64).max((options.meshes as f64).exp2()).powi(2)
+    }
 }
 
 /// Regularities of the transition; at τ = 2 its slopes are like |ln r|^{−1}, in H².

@@ -3,7 +3,7 @@
 //! `cargo run --release --example remark_3_face -- --nu 0.1,0.3 --halvings 16`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use signorini::proof::FaceGaps;
 use signorini::sobolev::FractionalOrder;
 use signorini::{Estimate, Tolerance};
@@ -13,7 +13,7 @@ example_frame::options! {
     /// The consistency term of both cones on one face with small gaps about its corners
     pub struct Options {
         /// Orders nu = tau - 3/2 in (0, 1/2)
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4"], value_parser = within::<FractionalOrder>("(0, 0.5)"))]
         pub nu: Vec<FractionalOrder>,
         /// The gaps have legs from 1/4 down to 2 to the power of minus this minus one
         #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(4..=40))]

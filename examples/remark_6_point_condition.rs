@@ -7,7 +7,7 @@
 //! `cargo run --release --example remark_6_point_condition`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use signorini::poincare::{Condition, END_SLOPE, Zone, gamma, gamma_at_point};
 use signorini::sobolev::FractionalOrder;
 use signorini::{Estimate, Tolerance};
@@ -17,7 +17,7 @@ example_frame::options! {
     /// The Poincare constant of functions that vanish at one point
     pub struct Options: Quick {
         /// Orders nu in (1/2, 1)
-        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.75", "0.9", "0.99"])]
+        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.75", "0.9", "0.99"], value_parser = within::<FractionalOrder>("(0.5, 1)"))]
         pub nu: Vec<FractionalOrder>,
         /// The point inside, beside the end
         #[arg(long, default_value_t = 0.5)]

@@ -3,7 +3,7 @@
 //! `cargo run --release --example theorem_3_1_proof_profile -- --scene fat-cantor --lines`
 
 use example_frame::shown::ladder::{ladder_chart, ladder_table, line_table, quote, slack_chart, title};
-use example_frame::{Finding, Headline, Result, within};
+use example_frame::{Error, Finding, Headline, Result, within};
 use signorini::proof::{LimitLine, LimitLines, Rung, Section, Step, ThetaRule, limit_lines};
 use signorini::proof::{ProofCase, ProofProfile, Resolution};
 use signorini::scenes::StripScene;
@@ -44,6 +44,12 @@ example_frame::options! {
     without_effect(options) {
         "positions" if !options.scene.moves() => "unless the scene is one transition",
     }
+    check(options) {
+        match options.levels.cells().count() {
+            0..=2 => Err(Error::Option("--levels: an exponent takes three meshes".to_owned())),
+            _ => Ok(()),
+        }
+    }
 }
 
 /// Both sides of every line on all meshes, and the rungs.
@@ -62,6 +68,7 @@ pub fn compute(section: Section, options: &Options) -> Result<Computed> {
     let scene_tau = options.scene_tau.unwrap_or(tau);
     let rule = options.theta.map_or(ThetaRule::Printed { tau: tau.min(2.0) }, ThetaRule::Fixed);
     let case = ProofCase { section, source, tau, scene_tau, levels, resolution, rule, positions };
+    case.require_valid()?;
     let profile = case.profile(&case.constants(options.q)?)?;
     let rungs = profile.ladder()?;
     Ok(Computed { profile, rungs, limits: limit_lines(section, options.q)? })

@@ -23,10 +23,10 @@ example_frame::options! {
         #[arg(long, default_value_t = 0.06, value_parser = within::<f64>("[1e-12, 0.4]"))]
         pub above: f64,
         /// Lame's first constant
-        #[arg(long, default_value_t = 1.0)]
+        #[arg(long, default_value_t = 1.0, value_parser = within::<f64>("[-1e12, 1e12]"))]
         pub lambda: f64,
         /// Lame's second constant
-        #[arg(long, default_value_t = 1.0)]
+        #[arg(long, default_value_t = 1.0, value_parser = within::<f64>("[1e-12, 1e12]"))]
         pub mu: f64,
         /// Meshes of 4 x 4 ... n x n squares, n = 2 to this power
         #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(3..=9))]

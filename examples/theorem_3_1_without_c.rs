@@ -3,7 +3,7 @@
 //! `cargo run --release --example theorem_3_1_without_c -- --finest 8`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
@@ -26,10 +26,10 @@ example_frame::options! {
         #[arg(long, default_value = "4-12")]
         pub levels: Levels,
         /// Lame's first constant of the elastic problems, at least 0
-        #[arg(long, default_value_t = 1.0)]
+        #[arg(long, default_value_t = 1.0, value_parser = within::<f64>("[0, 1e12]"))]
         pub lambda: f64,
         /// Lame's second constant
-        #[arg(long, default_value_t = 1.0)]
+        #[arg(long, default_value_t = 1.0, value_parser = within::<f64>("[1e-12, 1e12]"))]
         pub mu: f64,
     }
     memory(options) {

@@ -3,7 +3,7 @@
 //! `cargo run --release --example theta_balance -- --tau 2`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
 use signorini::proof::{BalanceExponents, BalanceRow, ElementBalance, worst_of_cases};
 use signorini::strip::Levels;
 use std::process::ExitCode;
@@ -21,6 +21,12 @@ example_frame::options! {
         /// Element lengths h = 2^-COARSEST ... 2^-FINEST
         #[arg(long, default_value = "3-12")]
         pub levels: Levels,
+    }
+    check(options) {
+        match options.levels.cells().count() {
+            0..=2 => Err(Error::Option("--levels: an exponent takes three meshes".to_owned())),
+            _ => Ok(()),
+        }
     }
 }
 

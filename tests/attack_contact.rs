@@ -16,16 +16,18 @@ mod meshes;
 mod program;
 #[path = "attack_contact/scene.rs"]
 mod scene;
+#[path = "attack_contact/stiffness.rs"]
+mod stiffness;
 
 use count::Counts;
 use meshes::grid;
 use program::Program;
 use scene::Scene;
-use signorini::Tolerance;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{Accuracy, ContactSolution, Solver};
 use signorini::mesh::{ContactEdge, Part, Triangulation};
 use signorini::numeric::random::SplitMix;
+use signorini::{Error, Tolerance};
 
 fn variable(name: &str) -> Option<u64> {
     let text = std::env::var(name).ok()?;
@@ -71,7 +73,7 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
         let guess = program.supports().iter().map(|_| random.below(2) == 0).collect();
         problem()?.solve_from(cone, ContactSet::new(guess))
     });
-    if cone == Cone::Nodal && !scene.mesh.is_closed {
+    if cone == Cone::Nodal && !scene.mesh.is_closed && scene.mesh.further.is_empty() {
         ask("barrier", &|| problem()?.solve_by_sizes(&vec![1.0; scene.mesh.chain.len()]));
     }
     if let Some(hierarchy) = scene.hierarchy() {
@@ -82,6 +84,38 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
             Ok(found.solution)
         });
     }
+}
+
+/// Two or three contact edges, each with its own normal.
+#[test]
+fn every_solver_on_several_contact_edges() {
+    let one = variable("SIGNORINI_SCENE");
+    let scenes = one.map_or(0..variable("SIGNORINI_FUZZ").unwrap_or(1000), |seed| seed..seed + 1);
+    let (mut counts, mut edges, mut slanted) = (Counts::default(), [0; 4], 0);
+    for seed in scenes {
+        let scene = Scene::random_in_pieces(seed);
+        if one.is_some() {
+            println!("{scene:#?}");
+        }
+        assert!(scene.mesh.chain.len() <= 12, "scene {seed}: {} contact nodes", scene.mesh.chain.len());
+        edges[scene.mesh.pieces().len()] += 1;
+        slanted += usize::from(scene.mesh.pieces().iter().any(|piece| {
+            let [a, b] = [piece[0], piece[1]].map(|node| scene.mesh.nodes[node]);
+            a[0] != b[0] && a[1] != b[1]
+        }));
+        attack(seed, &scene, Cone::Nodal, &mut counts);
+        let midpoint = scene.problem().and_then(|problem| problem.solve(Cone::Midpoint, Solver::Auto));
+        assert!(
+            matches!(midpoint, Err(Error::Incompatible { .. } | Error::Triangle { .. })),
+            "scene {seed}: {midpoint:?}"
+        );
+        let barrier =
+            scene.problem().and_then(|problem| problem.solve_by_sizes(&vec![1.0; scene.mesh.chain.len()]));
+        let named = matches!(barrier, Err(Error::CountOutOfRange { .. } | Error::Triangle { .. }));
+        assert!(named, "scene {seed}: the barrier takes several pieces for one");
+    }
+    println!("{} scenes of two contact edges, {} of three; {slanted} slanted", edges[2], edges[3]);
+    counts.close(false);
 }
 
 /// Contact in several pieces, or around a corner of an elastic body, is refused by name; one piece never is.

@@ -19,6 +19,9 @@ use std::f64::consts::PI;
 /// Rounding of the references: sums of some thousand positive terms.
 const ROUNDING: f64 = 1e-14;
 
+/// Of trapezoidal sums in two variables.
+const REFERENCE: f64 = 1e-10;
+
 /// Of cos kπx where kπx is rounded.
 const ARGUMENT: f64 = 1e-11;
 
@@ -208,8 +211,62 @@ fn closures_of_powers_of_the_logarithm() {
     count.close("closures of powers of the logarithm", 20, 0.9);
 }
 
+/// |ln x|^α over e^{unit}, right below 1e-300.
+fn log_power(alpha: f64, unit: f64) -> SingularFunction<'static> {
+    SingularFunction::from_log_distances(&[0.0, 1.0], move |at| {
+        let log = match at.anchor() {
+            0 => (-at.log_distance()).ln(),
+            _ if at.log_distance() < -46.0 => at.log_distance(),
+            _ => (-at.offset().ln_1p()).ln(),
+        };
+        (alpha * log - unit).exp()
+    })
+    .unwrap()
+}
+
 #[test]
-#[ignore = "refusals at thousands of half waves take seconds each"]
+fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
+    let (mut random, mut count) = (SplitMix::new(9), Count::default());
+    for _ in 0..cases(16) {
+        let alpha = decades(&mut random, -7.0, 2.301);
+        let order = match random.below(3) {
+            0 => FractionalOrder::from_offset(-decades(&mut random, -6.0, -0.4)),
+            1 => FractionalOrder::new(decades(&mut random, -3.0, -0.5)),
+            _ => FractionalOrder::new(random.between(0.05, 0.49)),
+        }
+        .unwrap();
+        let tolerance = Tolerance::new(decades(&mut random, -5.0, -1.5)).unwrap();
+        if 2.0 * alpha + order.one_minus_twice() < references::LEAST {
+            continue;
+        }
+        let exact = references::log_power_below_half(alpha, order).sqrt();
+        let found = log_power(alpha, references::log_unit(alpha, order)).seminorm(order, tolerance);
+        count.judge(|| format!("|ln x|^{alpha:e}, {order:?}, {tolerance}"), &found, exact, REFERENCE);
+    }
+    count.close("powers of the logarithm below one half", 8, 0.25);
+}
+
+#[test]
+fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
+    let (mut random, mut infinite, mut refused) = (SplitMix::new(10), 0, 0);
+    for i in 0..cases(80) {
+        let (alpha, order) = if i % 2 == 0 {
+            (0.5 + decades(&mut random, -7.0, 2.3), FractionalOrder::HALF)
+        } else {
+            let above = decades(&mut random, -16.0, -0.31);
+            (decades(&mut random, -7.0, 2.301), FractionalOrder::from_offset(above).unwrap())
+        };
+        match log_power(alpha, 0.0).seminorm(order, Tolerance::fast()) {
+            Err(Error::InfiniteNorm { .. }) => infinite += 1,
+            Err(_) => refused += 1,
+            Ok(found) => panic!("|ln x|^{alpha:e}, {order:?} is not in H^nu, and has the norm {found}"),
+        }
+    }
+    println!("infinite powers of the logarithm: {infinite} infinite, {refused} refused");
+    assert!(refused * 10 <= infinite, "{infinite} infinite, {refused} refused");
+}
+
+#[test]
 fn cosines_up_to_ten_thousand_half_waves() {
     let (mut random, rule) = (SplitMix::new(4), Rule::gauss_legendre(16).unwrap());
     let mut closures = Count::default();

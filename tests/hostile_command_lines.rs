@@ -226,6 +226,60 @@ fn a_later_value_of_a_list_is_refused_before_the_first_is_computed() {
     assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
 }
 
+/// Longest time to refuse before the first computation; asked five times where the machine is busy.
+const AT_ONCE: Duration = Duration::from_millis(200);
+
+#[test]
+fn options_are_checked_before_the_first_computation() {
+    let profile = [
+        "--positions=0",
+        "--positions=65",
+        "--scene-tau=0",
+        "--scene-tau=1e300",
+        "--levels=1-1",
+        "--levels=20-22",
+        "--scene=transition:0",
+        "--scene=transitions:0",
+        "--scene=cantor:1e-300",
+        "--scene=fat-cantor:0",
+        "--theta=1",
+        "--tau=2.5",
+        "--q=1e7",
+    ];
+    let twins = ["theorem_3_1_proof_profile", "theorem_4_1_proof_profile"];
+    let mut lines: Vec<(&str, &str)> =
+        twins.iter().flat_map(|&name| profile.map(|line| (name, line))).collect();
+    lines.extend([
+        ("remark_7_zone_location", "--theta=1e-300"),
+        ("remark_7_zone_location", "--at=0,1e-300"),
+        ("remark_6_point_condition", "--nu=0.55,0.6,1e-300"),
+        ("remark_3_face", "--nu=0.25,0.4,0.9999999999"),
+        ("lemma_6_2_global_estimate", "--nu=0.25,0.5,0.9999999999"),
+        ("lemma_6_2_global_estimate", "--function=step:0.25"),
+        ("lemma_6_2_global_estimate", "--elements=1,65536,0"),
+        ("theorem_3_1_with_numbers_elastic", "--mu=1e-300"),
+        ("theorem_3_1_with_numbers_elastic", "--mu=1e300"),
+        ("theorem_3_1_with_numbers_elastic", "--lambda=-1"),
+        ("theorem_3_1_without_c", "--mu=1e-300"),
+        ("theorem_3_1_without_c", "--lambda=1e300"),
+        ("theta_balance", "--levels=1-1"),
+        ("figure_4_1_alternative", "--scene=membrane-reaction"),
+        ("remark_1_whole_boundary", "--n=100000"),
+    ]);
+    let late = |&(name, line): &(&str, &str)| {
+        let once = |_| {
+            let start = Instant::now();
+            let wrong = fault(name, &[line.to_owned()]);
+            let taken = start.elapsed();
+            wrong.or_else(|| (taken > AT_ONCE).then(|| format!("{name} {line}: refused after {taken:?}")))
+        };
+        let answers: Vec<Option<String>> = (0..5).map_while(|k| once(k).map(Some)).collect();
+        if answers.len() == 5 { answers.into_iter().next().flatten() } else { None }
+    };
+    let faults = all_faults(&lines, late);
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
+}
+
 #[test]
 fn an_option_without_effect_is_refused() {
     for (name, line) in [

@@ -13,6 +13,8 @@ use std::ops::Range;
 /// Chains that deviate from a line by more than this times their length are not straight: what a mesh file of
 /// ten printed digits may round away.
 const STRAIGHTNESS: f64 = 1e-10;
+/// What coordinates are rounded by, over their size, once turned and sheared.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The nodes of Γ_C in order, piece after piece.
 #[derive(Debug, Clone, PartialEq)]
@@ -168,11 +170,15 @@ impl ContactEdge {
         let (first, last) = (points[0], points[points.len() - 1]);
         let length = distance(first, last);
         let normal = [(last[1] - first[1]) / length, (first[0] - last[0]) / length];
+        // Points of a line are off it by the rounding of their coordinates, however short the piece.
+        let size = points.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let allowed = STRAIGHTNESS * length + ROUNDING * size;
         for i in 1..points.len() {
             let d = [points[i][0] - first[0], points[i][1] - first[1]];
             let off = (d[0] * normal[0] + d[1] * normal[1]).abs();
             // Written so that a closed chain (length zero, normal not a number) fails, too.
-            let straight = off <= STRAIGHTNESS * length && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS);
+            let straight =
+                off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + ROUNDING * size;
             if !straight {
                 return Err(Error::Edge {
                     nodes: [self.nodes[piece.start + i - 1], self.nodes[piece.start + i]],

@@ -67,18 +67,19 @@ impl Places {
     /// # Errors
     /// Those of [`two_sided`] and [`Zone::at`].
     pub fn new(order: FractionalOrder, theta: f64, fractions: &[f64], tolerance: Tolerance) -> Result<Self> {
+        // Scaled to (0,1), the left piece (0,1/2) has its zone, of relative length 2ε, at an end.
+        let short = Zone::end(2.0 * SHARE * theta)?;
+        let zones = fractions.iter().map(|fraction| Zone::at(fraction * (1.0 - theta), theta));
+        let zones = zones.collect::<Result<Vec<Zone>>>()?;
         let end = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
-        let placed = |fraction: &f64| -> Result<Placed> {
-            let zone = Zone::at(fraction * (1.0 - theta), theta)?;
+        let placed = |zone: Zone| -> Result<Placed> {
             let found = two_sided(order, zone, Condition::MeanZero, tolerance)?;
             let (gamma, repair) = (found.gamma, found.simple_bound()?);
             let (ratio, share) = (gamma.over(end)?, gamma.over(repair)?);
             Ok(Placed { start: zone.start(), gamma, ratio, repair, share })
         };
-        // Scaled to (0,1), the left piece (0,1/2) has its zone, of relative length 2ε, at an end.
-        let short = Zone::end(2.0 * SHARE * theta)?;
         let step = gamma(order, short, Condition::Vanishing, tolerance)?.over(end)?;
-        let zones = fractions.iter().map(placed).collect::<Result<Vec<Placed>>>()?;
+        let zones = zones.into_iter().map(placed).collect::<Result<Vec<Placed>>>()?;
         let sign = order.is_below_half().then(|| sign(order)).transpose()?;
         let ramps = if order.offset() == 0.0 { ramps(order)? } else { None };
         Ok(Self { order, zones, step, sign, ramps })

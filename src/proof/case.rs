@@ -78,13 +78,30 @@ impl ProofCase {
         ProofConstants::new(self.tau, q, &self.zones()?)
     }
 
+    /// Fails where τ, θ, the resolution, the positions or the parameters of the scene do not fit, before anything
+    /// is computed.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`], [`Error::CountOutOfRange`], those of the scene.
+    pub fn require_valid(&self) -> Result<()> {
+        self.zones()?;
+        self.require_fitting()?;
+        let cells = self.resolution.cells(self.levels.coarsest_cells());
+        let tau = if self.tau > 2.0 { 2.0 } else { self.scene_tau };
+        self.source.data(tau, cells, Sides::Natural).map(|_| ())
+    }
+
     /// Fails where τ, the constants, the resolution or the positions do not fit.
     pub(super) fn check(&self, constants: &ProofConstants) -> Result<()> {
+        let same = constants.tau() == self.tau;
+        Error::require("tau of the constants", constants.tau(), "the regularity of the case", same)?;
+        self.require_fitting()
+    }
+
+    fn require_fitting(&self) -> Result<()> {
         let largest = if self.section == Section::Three { 2.0 } else { 2.5 };
         let admissible = self.tau > 1.5 && self.tau <= largest && self.tau < 2.5;
         Error::require("tau", self.tau, "(3/2, 2], in Section 4 (3/2, 5/2)", admissible)?;
-        let same = constants.tau() == self.tau;
-        Error::require("tau of the constants", constants.tau(), "the regularity of the case", same)?;
         let finest = self.levels.cells().last().unwrap_or(1);
         let cells = self.resolution.cells(finest);
         if cells > LARGEST || cells < 2 * finest {

@@ -73,6 +73,56 @@ pub fn log_power(alpha: f64) -> f64 {
     2.0 * first * (below + alpha * alpha / (2.0 * (0.5 - alpha)) + above)
 }
 
+/// ln of the unit in which |ln x|^α is of size 1 at the order ν < 1/2: its values where t^{2α} e^{−(1−2ν)t} is
+/// largest.
+pub fn log_unit(alpha: f64, order: FractionalOrder) -> f64 {
+    (alpha * ((2.0 * alpha / order.one_minus_twice()).ln() - 1.0)).max(0.0)
+}
+
+/// (1e-140)^{LEAST} is nothing.
+pub const LEAST: f64 = 0.12;
+
+/// ||ln x|^α|²_ν for ν < 1/2 in the unit of [`log_unit`]: with x = e^{−t−r}, y = e^{−t},
+/// 2 ∫₀^∞ e^{−(1−2ν)t} ∫₀^∞ ((t+r)^α − t^α)² e^{−r} (1−e^{−r})^{-1-2ν} dr dt, trapezoidal sums in τ; near 0 the
+/// integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
+pub fn log_power_below_half(alpha: f64, order: FractionalOrder) -> f64 {
+    const STEP: f64 = 1.0 / 48.0;
+    let (decay, twice, unit) = (order.one_minus_twice(), 2.0 * order.value(), log_unit(alpha, order));
+    let points = |c: f64| -> Vec<(f64, f64)> {
+        let point = |k: i32| {
+            let tau = STEP * f64::from(k);
+            let fall = (-tau).exp();
+            let y = (tau - fall).exp();
+            (y, STEP * y * (1.0 + fall))
+        };
+        // Down to 1e-140, up to where e^{-cy} with a power of y is nothing.
+        (-277..).map(point).take_while(|(y, _)| c * y < 60.0 + 8.0 * alpha).collect()
+    };
+    let inner: Vec<[f64; 3]> = points(1.0)
+        .into_iter()
+        .map(|(r, w)| [r, w, (-r).exp() * (-(-r).exp_m1()).powf(-1.0 - twice)])
+        .collect();
+    let mut sum = 0.0;
+    for (t, w) in points(decay) {
+        // In the unit: (t+r)^α − t^α = t^α expm1(α ln(1 + r/t))
+        let ground = alpha * t.ln() - unit - 0.5 * decay * t;
+        let row: f64 = inner
+            .iter()
+            .map(|&[r, v, kernel]| {
+                let growth = alpha * (r / t).ln_1p();
+                let rise = if growth < 1.0 {
+                    growth.exp_m1() * ground.exp()
+                } else {
+                    (ground + growth).exp() - ground.exp()
+                };
+                v * kernel * rise * rise
+            })
+            .sum();
+        sum += w * row;
+    }
+    2.0 * sum
+}
+
 /// |cos kπx|²_ν on (0, 1) = 4 ω^{2ν} ∫₀^ω sin²(v/2) [1 − (v − sin v)/ω] v^{-1-2ν} dv, ω = kπ; Gauss's rule on
 /// every half period, the term v²/4 of the first one by hand.
 pub fn cosine(k: u32, order: FractionalOrder, rule: &Rule) -> f64 {

@@ -12,9 +12,10 @@
 //! contact set enters.
 
 use super::double::{Cholesky, Double, dot};
-use super::scene::{Material, Scene};
+use super::scene::Scene;
+use super::stiffness::System;
 use signorini::cone::Cone;
-use signorini::mesh::{Part, Point};
+use signorini::mesh::Part;
 
 /// Pivots below this share of their diagonal entry make a set of constraints dependent.
 const DEPENDENT: f64 = 1e-20;
@@ -33,9 +34,7 @@ pub struct Program {
     /// k_i^{1/2} and |F|_i at all unknowns.
     roots: Vec<f64>,
     load_sizes: Vec<f64>,
-    /// n, or (1, 0) for a scalar problem; the nodes of every constraint, its row and its bound on the free
-    /// unknowns.
-    pub normal: [Double; 2],
+    /// The nodes of every constraint, its row and its bound on the free unknowns.
     supports: Vec<Vec<usize>>,
     rows: Vec<Vec<Double>>,
     bound: Vec<Double>,
@@ -60,64 +59,12 @@ pub struct Answer {
     pub sizes: Vec<f64>,
 }
 
-/// The coefficients λ, μ of a region.
-fn lame(material: &Material, region: usize) -> [Double; 2] {
-    let Material::Elastic { moduli, is_stress } = material else { return [Double::ZERO; 2] };
-    let [young, poisson] = moduli[region.min(moduli.len() - 1)].map(Double::from);
-    let (one, two) = (Double::from(1.0), Double::from(2.0));
-    let mu = young / (two * (one + poisson));
-    let rest = if *is_stress { one - poisson } else { one - two * poisson };
-    [young * poisson / ((one + poisson) * rest), mu]
-}
-
 impl Program {
     /// `None` where K is not positive definite in numbers of 106 bits.
     pub fn new(scene: &Scene, cone: Cone) -> Option<Self> {
         let c = scene.components();
-        let (nodes, count) = (&scene.mesh.nodes, scene.mesh.nodes.len() * c);
-        let mut whole = vec![vec![Double::ZERO; count]; count];
-        let (mut sizes, mut load_sizes) = (vec![0.0; count], vec![0.0; count]);
-        let mut load: Vec<Double> = scene.forces.iter().map(|&f| f.into()).collect();
-        for (t, corners) in scene.mesh.triangles.iter().enumerate() {
-            let region = scene.mesh.regions.get(t).map_or(0, |&r| r as usize);
-            let triangle = Triangle::new(corners.map(|node| nodes[node]));
-            let [lambda, mu] = lame(&scene.material, region);
-            for (i, &a) in corners.iter().enumerate() {
-                let (g, twelfth) = (triangle.gradients[i], triangle.area / Double::from(12.0));
-                for k in 0..c {
-                    for &b in corners {
-                        let times = if a == b { 2.0 } else { 1.0 };
-                        let f = Double::from(times * scene.volume[b * c + k]) * twelfth;
-                        load[a * c + k] = load[a * c + k] + f;
-                        load_sizes[a * c + k] += f.abs().0 * triangle.shape;
-                    }
-                }
-                for (j, &b) in corners.iter().enumerate() {
-                    let h = triangle.gradients[j];
-                    let product = g[0] * h[0] + g[1] * h[1];
-                    match scene.material {
-                        Material::Scalar { reaction } => {
-                            let mass = Double::from(if i == j { 2.0 } else { 1.0 } * reaction) * twelfth;
-                            whole[a][b] = whole[a][b] + (triangle.area * product + mass);
-                        }
-                        Material::Elastic { .. } => {
-                            for (k, l) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                                let shear = if k == l { mu * product } else { Double::ZERO };
-                                let entry = lambda * g[k] * h[l] + mu * g[l] * h[k] + shear;
-                                whole[2 * a + k][2 * b + l] =
-                                    whole[2 * a + k][2 * b + l] + triangle.area * entry;
-                            }
-                        }
-                    }
-                }
-                let squares = (g[0] * g[0] + g[1] * g[1]).0;
-                let modulus = match scene.material {
-                    Material::Scalar { reaction } => squares + reaction / 6.0,
-                    Material::Elastic { .. } => (lambda.0.abs() + 2.0 * mu.0) * squares,
-                };
-                (0..c).for_each(|k| sizes[a * c + k] += triangle.area.0 * modulus * triangle.shape);
-            }
-        }
+        let System { stiffness, load, sizes, mut load_sizes } = System::of(scene);
+        let (nodes, count) = (&scene.mesh.nodes, load.len());
         let mut held = vec![false; count];
         for edge in scene.mesh.boundary.iter().filter(|edge| edge.part == Part::Dirichlet) {
             edge.nodes.iter().for_each(|node| (0..c).for_each(|k| held[node * c + k] = true));
@@ -127,46 +74,49 @@ impl Program {
         let free: Vec<usize> = (0..count).filter(|&i| !held[i]).collect();
         (0..count).for_each(|i| load_sizes[i] += scene.forces[i].abs());
         let part: Vec<Vec<Double>> =
-            free.iter().map(|&i| free.iter().map(|&j| whole[i][j]).collect()).collect();
+            free.iter().map(|&i| free.iter().map(|&j| stiffness[i][j]).collect()).collect();
         let inverse = Cholesky::new(&part, 0.0)?;
         let mut program = Self {
             absolute: absolute_inverse(&inverse),
             inverse,
-            stiffness: whole,
+            stiffness,
             load,
             free,
             prescribed,
             roots: sizes.into_iter().map(f64::sqrt).collect(),
             load_sizes,
-            normal: normal(scene),
-            supports: supports(scene, cone),
+            supports: Vec::new(),
             rows: Vec::new(),
             bound: Vec::new(),
             components: c,
         };
-        program.constrain(scene);
+        program.constrain(scene, cone);
         Some(program)
     }
 
-    fn constrain(&mut self, scene: &Scene) {
+    fn constrain(&mut self, scene: &Scene, cone: Cone) {
         let place = |node: usize| scene.mesh.chain.iter().position(|&other| other == node).unwrap();
-        for nodes in &self.supports {
-            let weight = Double::from(1.0 / nodes.len() as f64);
-            let mut row = vec![Double::ZERO; self.free.len()];
-            let mut bound = Double::ZERO;
-            for &node in nodes {
-                bound = bound + weight * scene.gap[place(node)].into();
-                for k in 0..self.components {
-                    let unknown = node * self.components + k;
-                    let entry = weight * self.normal[k];
-                    match self.free.binary_search(&unknown) {
-                        Ok(at) => row[at] = row[at] + entry,
-                        Err(_) => bound = bound - entry * self.prescribed[unknown].into(),
+        for piece in scene.mesh.pieces() {
+            let normal = normal(scene, piece);
+            for nodes in supports(piece, cone, scene.mesh.is_closed) {
+                let weight = Double::from(1.0 / nodes.len() as f64);
+                let mut row = vec![Double::ZERO; self.free.len()];
+                let mut bound = Double::ZERO;
+                for &node in &nodes {
+                    bound = bound + weight * scene.gap[place(node)].into();
+                    for k in 0..self.components {
+                        let unknown = node * self.components + k;
+                        let entry = weight * normal[k];
+                        match self.free.binary_search(&unknown) {
+                            Ok(at) => row[at] = row[at] + entry,
+                            Err(_) => bound = bound - entry * self.prescribed[unknown].into(),
+                        }
                     }
                 }
+                self.supports.push(nodes);
+                self.rows.push(row);
+                self.bound.push(bound);
             }
-            self.rows.push(row);
-            self.bound.push(bound);
         }
     }
 
@@ -365,49 +315,23 @@ fn absolute_inverse(factor: &Cholesky) -> Vec<Vec<f64>> {
     (0..count).map(|i| (0..count).map(|j| entry(i, j)).collect()).collect()
 }
 
-/// The outward normal of a straight edge.
-fn normal(scene: &Scene) -> [Double; 2] {
+/// The outward normal of a straight piece; (1, 0) for a scalar problem.
+fn normal(scene: &Scene, piece: &[usize]) -> [Double; 2] {
     if scene.components() == 1 {
         return [Double::from(1.0), Double::ZERO];
     }
-    let chain = &scene.mesh.chain;
-    let [a, b] = [chain[0], chain[chain.len() - 1]].map(|node| scene.mesh.nodes[node].map(Double::from));
+    let [a, b] = [piece[0], piece[piece.len() - 1]].map(|node| scene.mesh.nodes[node].map(Double::from));
     let [x, y] = [b[0] - a[0], b[1] - a[1]];
     let length = (x * x + y * y).sqrt();
     [y / length, -x / length]
 }
 
-fn supports(scene: &Scene, cone: Cone) -> Vec<Vec<usize>> {
-    let chain = &scene.mesh.chain;
+fn supports(piece: &[usize], cone: Cone, is_closed: bool) -> Vec<Vec<usize>> {
     match cone {
-        Cone::Nodal => chain.iter().map(|&node| vec![node]).collect(),
+        Cone::Nodal => piece.iter().map(|&node| vec![node]).collect(),
         Cone::Midpoint => {
-            let segments = chain.len() - usize::from(!scene.mesh.is_closed);
-            (0..segments).map(|i| vec![chain[i], chain[(i + 1) % chain.len()]]).collect()
+            let segments = piece.len() - usize::from(!is_closed);
+            (0..segments).map(|i| vec![piece[i], piece[(i + 1) % piece.len()]]).collect()
         }
-    }
-}
-
-/// Area and gradients of the barycentric coordinates; `shape` is the size of what is subtracted in the area
-/// over the area.
-struct Triangle {
-    area: Double,
-    gradients: [[Double; 2]; 3],
-    shape: f64,
-}
-
-impl Triangle {
-    fn new(corners: [Point; 3]) -> Self {
-        let corners = corners.map(|point| point.map(Double::from));
-        let side = |i: usize, j: usize| [corners[j][0] - corners[i][0], corners[j][1] - corners[i][1]];
-        let (p, q) = (side(0, 1), side(0, 2));
-        let (plus, minus) = (p[0] * q[1], q[0] * p[1]);
-        let doubled = plus - minus;
-        let gradients = [0, 1, 2].map(|i| {
-            let [x, y] = side((i + 1) % 3, (i + 2) % 3);
-            [-y / doubled, x / doubled]
-        });
-        let shape = (plus.0.abs() + minus.0.abs()) / doubled.0;
-        Self { area: Double::from(0.5) * doubled, gradients, shape }
     }
 }

@@ -109,7 +109,7 @@ impl BoundaryFunction {
     ///
     /// Every pair of elements: neighbours in Duffy's coordinates about their common point, straight on or
     /// over a corner of any angle; others by Gauss rules on pieces no longer than their distance. Cost O(N²)
-    /// pairs at 10 to 100 kernel values, a second for 2000 elements, 20 000 at most.
+    /// pairs at 10 to 100 kernel values, some seconds for 2000 elements, 20 000 at most.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::TooLarge`] beyond 20 000

@@ -241,7 +241,7 @@ impl Moments {
 fn fill_moments(z: f64, values: &mut [f64]) {
     let (x, last) = (0.5 * z, values.len() - 1);
     values[0] = if z > 0.0 { -(-z).exp_m1() / z } else { 1.0 };
-    let sign = |n: usize| if n % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
     if x > (last * last).max(4) as f64 {
         // e^{-x} cosh x / x - i_0 / x
         let mut previous = values[0];

@@ -3,13 +3,13 @@
 //! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink
 //! geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays too
 //! slowly for that, wide cells down to the depth of the arm feed [`crate::quadrature::extrapolate`] and
-//! [`TwoRates`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
+//! [`Partials`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
 
 use super::deep_tail::DeepTail;
 use super::level::{ArmValue, Density, Level};
-use super::two_rates::TwoRates;
+use super::partials::Partials;
 use crate::error::{Error, Result};
-use crate::quadrature::{Limit, Rule, extrapolate};
+use crate::quadrature::{Limit, Rule};
 use std::cell::Cell;
 
 /// What an integral along an arm needs to know.
@@ -29,6 +29,8 @@ pub(crate) struct ArmIntegral {
 const ROUNDING_SAFETY: f64 = 1.5;
 /// Cells that shrink towards t = 0.
 const START_RATIO: f64 = 0.15;
+/// Why the end of an arm is not known.
+const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
 /// Depth before which no tail is believed: e^{-6} of the arm.
 const SETTLED: f64 = 6.0;
 /// Width of a wide block, beyond all structure, and the cells in it.
@@ -94,8 +96,9 @@ impl ArmIntegral {
             partial.push(sum);
             densities.push(density(from + h, 0.0)?);
             let whole = sum.abs() + scale;
-            // Nothing here may be nothing yet: a function may be constant over most of its arm.
-            if from > SETTLED && cell.abs() <= 1e-17 * whole {
+            // Nothing here may be nothing yet: a function may be constant over most of its arm, or so small that
+            // its squares are zero.
+            if from > SETTLED && sum != 0.0 && cell.abs() <= 1e-17 * whole {
                 return Ok(Limit { value: sum, error: 1e-17 * whole });
             }
             let ratio = (cell / previous).abs();
@@ -108,7 +111,8 @@ impl ArmIntegral {
             }
             let rest = cell.abs() * ratio / (1.0 - ratio);
             if from > SETTLED && ratio < 0.95 && rest <= 0.02 * self.tolerance * whole {
-                return Ok(Limit { value: sum, error: rest });
+                // What is left of an exponential: a slower end leaves a little more, a faster one nothing.
+                return Ok(Limit { value: sum + rest.copysign(cell), error: rest });
             }
         }
         let mut partials =
@@ -116,7 +120,7 @@ impl ArmIntegral {
         if let Some(tail) = tail
             && depth >= TAIL_START
         {
-            return self.with_tail(tail, scale, rounding, &mut partials, &mut density);
+            return self.with_tail(tail, depth, scale, rounding, &mut partials, &mut density);
         }
         if depth >= self.structured + 5.0 * BLOCK
             && let Some(limit) = self.deep(depth, scale, rounding, &mut partials, &mut density)?
@@ -162,6 +166,7 @@ impl ArmIntegral {
     fn with_tail(
         &self,
         tail: &DeepTail,
+        depth: f64,
         scale: f64,
         rounding: &Cell<f64>,
         found: &mut Partials,
@@ -169,13 +174,14 @@ impl ArmIntegral {
     ) -> Result<Limit> {
         let rule = Rule::gauss_legendre(self.level.points + 4)?;
         let width = self.wide();
-        while found.end() + width <= TAIL_START && !found.grows() {
+        let start = if tail.start() > depth { depth } else { TAIL_START.max(tail.start() + width) };
+        while found.end() + width <= start && !found.explodes() {
             let (from, before) = (found.end(), found.sum());
             let sum = before + self.cell(&rule, from, width, density)?;
             found.push(from + width, sum, density(from + width, 0.0)?);
             found.rounding = rounding.get();
         }
-        if found.diverges() || !tail.starts_at(found.end()) {
+        if found.explodes() || found.has_growing_rate() || !tail.starts_at(found.end()) {
             return self.decide(found);
         }
         let rest = tail.integrate(found.end(), self.tolerance, found.sum().abs() + scale)?;
@@ -201,7 +207,7 @@ impl ArmIntegral {
             found.push(from + width, sum, density(from + width, 0.0)?);
             found.rounding = rounding.get();
             cells += 1;
-            if found.grows() {
+            if found.explodes() {
                 break;
             }
             if cells % BLOCK_CELLS == 0 && cells >= 5 * BLOCK_CELLS {
@@ -225,76 +231,10 @@ impl ArmIntegral {
                 why: "the contributions near a break point do not decay",
             });
         }
+        if found.still_grows() {
+            // No more of it can be seen, and the largest part may lie beyond.
+            return Err(Error::out_of_reach("integral", self.tolerance, f64::INFINITY, GROWS));
+        }
         Ok(found.limit().unwrap_or(Limit { value: found.sum(), error: found.rest() }))
-    }
-}
-
-/// ∫₀^{t_k} ℓ and ℓ(t_k).
-struct Partials {
-    ends: Vec<f64>,
-    partial: Vec<f64>,
-    densities: Vec<f64>,
-    /// 2ν
-    gap: f64,
-    /// of the sum, by the rounding of the function's values
-    rounding: f64,
-}
-
-impl Partials {
-    fn end(&self) -> f64 {
-        self.ends[self.ends.len() - 1]
-    }
-
-    fn sum(&self) -> f64 {
-        self.partial[self.partial.len() - 1]
-    }
-
-    fn push(&mut self, end: f64, sum: f64, density: f64) {
-        self.ends.push(end);
-        self.partial.push(sum);
-        self.densities.push(density);
-    }
-
-    /// A crude size of what lies beyond the end.
-    fn rest(&self) -> f64 {
-        self.densities[self.densities.len() - 1].abs() * self.end()
-    }
-
-    /// ℓ has grown beyond doubt: more than t² over the second half, where t e^{−wt} may still come down.
-    fn grows(&self) -> bool {
-        let middle = self.ends.partition_point(|&t| t < 0.5 * self.end());
-        !self.sum().is_finite() || self.densities[self.ends.len() - 1] > 4.0 * self.densities[middle]
-    }
-
-    /// The law of the end where it has two rates.
-    fn two_rates(&self) -> Option<TwoRates> {
-        TwoRates::of(&self.ends, &self.densities, self.gap, (self.rounding / self.sum()).abs())
-    }
-
-    /// ℓ does not decay, or no faster than 1/t.
-    fn diverges(&self) -> bool {
-        if let Some(found) = self.two_rates() {
-            return !found.decays();
-        }
-        let (ends, densities) = (&self.ends, &self.densities);
-        let last = ends.len() - 1;
-        let middle = ends.iter().position(|&t| t >= 0.5 * self.end()).unwrap_or(0);
-        if middle == 0 || middle == last || densities[last] <= 0.0 {
-            return false;
-        }
-        let slope = |k: usize| (densities[k - 1] / densities[k]).ln() / (ends[k] - ends[k - 1]);
-        // p of ℓ ~ t^{-p}; an exponential would double it from the middle to the end.
-        let (at_middle, at_end) = (slope(middle) * ends[middle], slope(last) * ends[last]);
-        let algebraic = (at_end - at_middle).abs() < 0.05 * at_end.abs() && at_end <= 1.001;
-        algebraic || self.grows() || densities[last] >= densities[middle] * (1.0 - 1e-9)
-    }
-
-    fn limit(&self) -> Option<Limit> {
-        // On the first cells the integrand still feels the whole interval.
-        let from = self.ends.iter().position(|&t| t >= (0.5 * self.end()).min(25.0)).unwrap_or(0);
-        let noise = (4.0 * f64::EPSILON * self.sum()).hypot(self.rounding);
-        let general = extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise);
-        let law = self.two_rates().and_then(|found| found.limit(self.sum()));
-        general.into_iter().chain(law).min_by(|a, b| a.error.total_cmp(&b.error))
     }
 }

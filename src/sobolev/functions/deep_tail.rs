@@ -13,21 +13,41 @@
 //! c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) − T_k(y))/(x − y), at x −
 //! y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
 
-use super::function::{Arm, SingularFunction};
+use super::arm::Arm;
+use super::function::SingularFunction;
+use super::interpolant::Interpolant;
 use super::level::{ArmValue, Level};
 use crate::error::{Error, Result};
 use crate::quadrature::{Limit, PowerWeightRule, Rule, extrapolate};
 use crate::sobolev::kernel::power::PowerKernel;
-use std::f64::consts::PI;
+use std::mem;
 
-/// Width of a cell in τ.
+/// Largest width of a cell in τ.
 const CELL: f64 = 1.0;
 /// e^τ is a number of binary64 up to here.
 const LAST: f64 = 700.0;
 /// Beyond s = 50, e^{−s} is rounding.
 const REACH: f64 = 50.0;
-/// Cells after which t = e^46: corrections in 1/t to a power of t are below 1e-19.
-const SETTLED: usize = 40;
+/// e^{−36} is rounding.
+const NOTHING: f64 = 36.0;
+/// A larger reach than a quarter of the depth of an arm is of no use.
+const DEEPEST_START: f64 = 170.0;
+/// What grows with t may still come down, as δ^a with a small does, until τ has grown by this.
+const SETTLED: f64 = 40.0;
+/// Rounding of a power of t that is read off.
+const FLAT: f64 = 1e-13;
+/// |1 − 2ν| t from which on e^{−(1−2ν)t} shows.
+const BEGUN: f64 = 4.0;
+/// On one cell f grows by e^{GROWTH} at most, read off between t and STEP t.
+const GROWTH: f64 = 4.0;
+const STEP: f64 = 1.125;
+const MORE_TERMS: f64 = 60.0;
+/// Cells that shrink by no more come from a power of t, whose numbers end at 1e-308, not from a function that
+/// settles.
+const ALGEBRAIC: f64 = 1e-6;
+/// Why there is no answer.
+const UNSEEN: &str = "so close to the limit of finiteness only points nearer than exp(-1e300) decide";
+const BEYOND: &str = "contributions near a break exceed binary64";
 /// The part (0, 2) of s next to the singularity; cells of width 3 beyond.
 const NEAR: f64 = 2.0;
 const FAR_CELL: f64 = 3.0;
@@ -51,10 +71,11 @@ pub(crate) struct DeepTail<'a> {
     log_length: f64,
 }
 
-/// A Chebyshev interpolant on (from, from + width) of τ.
-struct Interpolant {
-    coefficients: Vec<f64>,
-    largest: f64,
+/// Cells in τ and the coefficients of an interpolant on them.
+#[derive(Clone, Copy)]
+struct Shape {
+    cell: f64,
+    terms: usize,
 }
 
 impl<'a> DeepTail<'a> {
@@ -73,11 +94,14 @@ impl<'a> DeepTail<'a> {
             let stretch = s.exp_m1() / s;
             own.push((s, w * NEAR.powf(kernel.two_minus) * s.exp() / stretch * stretch.powf(-kernel.twice)));
         }
-        for (s, w) in cells(&rule, NEAR, REACH) {
+        // Points that are s less deep count like e^{−2νs}.
+        let own_reach = REACH.max(NOTHING / kernel.twice);
+        let is_used = own_reach < DEEPEST_START;
+        for (s, w) in cells(&rule, NEAR, if is_used { own_reach } else { REACH }) {
             own.push((s, w * s * s * s.exp() / s.exp_m1() * s.exp_m1().powf(-kernel.twice)));
         }
-        let (mut across, mut reach) = (Vec::new(), REACH);
-        if let Some(other) = other {
+        let (mut across, mut reach) = (Vec::new(), own_reach);
+        if let Some(other) = other.filter(|_| is_used) {
             let quotient = other.length / arm.length;
             reach += quotient.ln().abs();
             for (s, w) in cells(&rule, 0.0, reach) {
@@ -99,6 +123,11 @@ impl<'a> DeepTail<'a> {
         })
     }
 
+    /// Where the formula begins to hold.
+    pub(crate) fn start(&self) -> f64 {
+        4.0 * self.reach
+    }
+
     /// True when the end beyond t is deep enough for the formula.
     pub(crate) fn starts_at(&self, t: f64) -> bool {
         self.reach < 0.25 * t
@@ -106,69 +135,112 @@ impl<'a> DeepTail<'a> {
 
     /// ∫_from^∞ ℓ; `whole` is what it will be added to.
     pub(crate) fn integrate(&self, from: f64, tolerance: f64, whole: f64) -> Result<ArmValue> {
+        let shape = self.shape(from)?;
         let (mut ends, mut partial, mut densities) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut sum, mut rounding, mut previous) = (0.0f64, 0.0f64, f64::INFINITY);
+        let (mut sum, mut rounding, mut previous, mut last) = (0.0f64, 0.0f64, f64::INFINITY, 0.0);
         let mut tau = from.ln();
-        while tau + CELL <= LAST {
-            let (cell, density, noise) = self.cell(tau)?;
+        while tau + shape.cell <= LAST {
+            let (cell, density, noise) = match self.cell(tau, shape) {
+                Ok(found) if found.0.is_finite() => found,
+                // Grown beyond binary64, and nothing brings it down.
+                _ if self.decay <= 0.0 && grows(&densities) => return Err(self.infinite()),
+                Ok(_) => return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, BEYOND)),
+                Err(error) => return Err(error),
+            };
             sum += cell;
             rounding = rounding.hypot(noise);
-            tau += CELL;
+            tau += shape.cell;
             ends.push(tau);
             partial.push(sum);
             densities.push(density);
-            let ratio = cell / previous;
-            previous = cell;
-            if ends.len() > SETTLED && ratio >= 1.0 - 1e-9 {
-                return Err(Error::InfiniteNorm {
-                    order: 0.5 * (1.0 - self.decay),
-                    why: "t l(t) does not decay in ln t",
-                });
+            if self.is_infinite(&ends, &densities) {
+                return Err(self.infinite());
             }
+            let ratio = cell / previous;
+            let is_algebraic = mem::replace(&mut last, ratio) > ALGEBRAIC;
+            previous = cell;
             let rest = cell * ratio / (1.0 - ratio);
             let small = rest <= 0.002 * tolerance * (whole + sum) || cell <= 1e-17 * (whole + sum);
-            if cell == 0.0 || (ends.len() > 3 && ratio < 0.99 && small) {
-                return Ok(ArmValue { limit: Limit { value: sum, error: rest.max(0.0) }, rounding });
+            let is_seen = self.decay >= 0.0 || -self.decay * tau.exp() > BEGUN;
+            if cell == 0.0 && is_algebraic && !is_seen {
+                return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
             }
+            if cell == 0.0 && self.grows_no_more(tau)? || (is_seen && ends.len() > 3 && ratio < 0.99 && small)
+            {
+                // What is left of an exponential in τ, or less.
+                let rest = rest.max(0.0);
+                return Ok(ArmValue { limit: Limit { value: sum + rest, error: rest }, rounding });
+            }
+        }
+        if self.decay != 0.0 && self.decay.abs() * tau.exp() <= BEGUN {
+            return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
         }
         // Too slow even for 10^{300}: exponentials in τ, with all their digits, have a limit.
         let rest = densities.last().map_or(0.0, |density| density * tau);
         let limit = extrapolate(&ends, &partial, &densities, 1e-14 * sum)
             .unwrap_or(Limit { value: sum, error: rest });
+        if limit.error > 0.5 * limit.value {
+            return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
+        }
         Ok(ArmValue { limit, rounding })
     }
 
-    /// (∫ ℓ dt, t ℓ at the end, rounding) on (τ, τ + CELL).
-    fn cell(&self, tau: f64) -> Result<(f64, f64, f64)> {
-        let from = tau + (-self.reach / tau.exp()).ln_1p();
-        let width = tau + CELL - from;
-        let own = self.interpolant(&self.arm, from, width)?;
-        let other = self.other.map(|other| self.interpolant(&other, from, width)).transpose()?;
-        let (mut sum, mut noise, mut density) = (0.0, 0.0, 0.0);
-        for (point, w) in self.rule.iter() {
-            let at = tau + CELL * point;
-            let (value, rounding) = self.density(&own, other.as_ref(), at, from, width);
-            density = at.exp() * value;
-            sum += w * CELL * density;
-            noise += w * CELL * at.exp() * rounding;
-        }
-        Ok((sum, density, noise))
+    /// Whether no value at a number of deeper places is larger.
+    fn grows_no_more(&self, tau: f64) -> Result<bool> {
+        let size = |k: u32| {
+            let at = tau + (LAST - tau) * f64::from(k) / 64.0;
+            self.function.at_depth(&self.arm, at.exp()).map(f64::abs)
+        };
+        let first = size(0)?;
+        (1..=64).try_fold(true, |none, k| Ok(none && size(k)? <= first))
     }
 
-    fn interpolant(&self, arm: &Arm, from: f64, width: f64) -> Result<Interpolant> {
-        let n = self.terms;
-        let angles: Vec<f64> = (0..n).map(|j| PI * (j as f64 + 0.5) / n as f64).collect();
-        let values = angles
-            .iter()
-            .map(|angle| self.function.at_depth(arm, (from + 0.5 * width * (1.0 + angle.cos())).exp()))
-            .collect::<Result<Vec<f64>>>()?;
-        let coefficients = (0..n)
-            .map(|k| {
-                let sum: f64 = angles.iter().zip(&values).map(|(a, v)| v * (k as f64 * a).cos()).sum();
-                sum * if k == 0 { 1.0 } else { 2.0 } / n as f64
-            })
-            .collect();
-        Ok(Interpolant { coefficients, largest: values.iter().fold(0.0, |m, v| v.abs().max(m)) })
+    fn infinite(&self) -> Error {
+        Error::InfiniteNorm { order: 0.5 * (1.0 - self.decay), why: "t l(t) does not decay in ln t" }
+    }
+
+    /// Whether t ℓ(t) does not decay in ln t, beyond doubt: never while e^{−(1−2ν)t} still has to come.
+    fn is_infinite(&self, ends: &[f64], densities: &[f64]) -> bool {
+        let [first, last] = [ends[0], ends[ends.len() - 1]];
+        if self.decay > 0.0 || last - first < SETTLED {
+            return false;
+        }
+        // The power of t, over the latter half; corrections to it are of the size reach/t.
+        let from = ends.partition_point(|&tau| tau < 0.5 * (first + last));
+        let power = (densities[densities.len() - 1] / densities[from]).ln() / (last - ends[from]);
+        power > 4.0 * self.reach * (-ends[from]).exp() - FLAT
+    }
+
+    /// Cells on which f, a power of t, grows by e^{GROWTH} at most.
+    fn shape(&self, from: f64) -> Result<Shape> {
+        let [here, there] = [from, STEP * from].map(|t| self.function.at_depth(&self.arm, t));
+        let power = ((there? / here?).abs().ln() / STEP.ln()).abs();
+        let power = if power.is_finite() { power } else { 0.0 };
+        let cell = CELL.min(GROWTH / power);
+        let reach = -(-self.reach / from).ln_1p();
+        // The interpolants also reach back; the terms of e^{zx} on (−1, 1) fall like (z/2)^n/n!.
+        let terms = self.terms + (0.75 * power * (cell + reach)).min(MORE_TERMS) as usize;
+        Ok(Shape { cell, terms })
+    }
+
+    /// (∫ ℓ dt, t ℓ at the end, rounding) on (τ, τ + CELL).
+    fn cell(&self, tau: f64, shape: Shape) -> Result<(f64, f64, f64)> {
+        let from = tau + (-self.reach / tau.exp()).ln_1p();
+        let width = tau + shape.cell - from;
+        let own = Interpolant::new(self.function, &self.arm, from, width, shape.terms)?;
+        let other = self
+            .other
+            .map(|other| Interpolant::new(self.function, &other, from, width, shape.terms))
+            .transpose()?;
+        let (mut sum, mut noise, mut density) = (0.0, 0.0, 0.0);
+        for (point, w) in self.rule.iter() {
+            let at = tau + shape.cell * point;
+            let (value, rounding) = self.density(&own, other.as_ref(), at, from, width);
+            density = at.exp() * value;
+            sum += w * shape.cell * density;
+            noise += w * shape.cell * at.exp() * rounding;
+        }
+        Ok((sum, density, noise))
     }
 
     /// ℓ at τ and its rounding.
@@ -183,7 +255,7 @@ impl<'a> DeepTail<'a> {
         let t = tau.exp();
         let x = 2.0 * (tau - from) / width - 1.0;
         // Coefficients are right to some ε; the derivative of T_k is k² at most, k^{3/2} in the mean.
-        let blur = |p: &Interpolant| f64::EPSILON * p.largest * (self.terms as f64).powf(1.5);
+        let blur = |p: &Interpolant| f64::EPSILON * p.largest * (p.coefficients.len() as f64).powf(1.5);
         let (mut sum, mut rounding) = (0.0, 0.0);
         for &(s, weight) in &self.own {
             let step = -(-s / t).ln_1p() * 2.0 / width;
@@ -207,29 +279,9 @@ impl<'a> DeepTail<'a> {
     }
 }
 
-impl Interpolant {
-    /// (p(x) − p(y))/(x − y).
-    fn divided_difference(&self, x: f64, y: f64) -> f64 {
-        let (mut before, mut current) = (0.0, 1.0);
-        let (mut chebyshev_before, mut chebyshev) = (1.0, y);
-        let mut sum = 0.0;
-        for c in &self.coefficients[1..] {
-            sum += c * current;
-            (before, current) = (current, 2.0 * (x * current + chebyshev) - before);
-            (chebyshev_before, chebyshev) = (chebyshev, 2.0 * y * chebyshev - chebyshev_before);
-        }
-        sum
-    }
-
-    /// p(x) − q(x), exactly zero for equal p and q.
-    fn minus(&self, other: &Self, x: f64) -> f64 {
-        let (mut before, mut current, mut sum) = (x, 1.0, 0.0);
-        for (a, b) in self.coefficients.iter().zip(&other.coefficients) {
-            sum += (a - b) * current;
-            (before, current) = (current, 2.0 * x * current - before);
-        }
-        sum
-    }
+/// Whether the last of the values has grown.
+fn grows(densities: &[f64]) -> bool {
+    matches!(densities, [.., before, last] if last > before)
 }
 
 /// Gauss points and weights on cells of (from, to).

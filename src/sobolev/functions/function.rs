@@ -1,5 +1,6 @@
 //! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
 
+use super::arm::Arm;
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
 use crate::numeric::scale::power_of_two;
@@ -218,6 +219,10 @@ impl<'a> SingularFunction<'a> {
             for k in 0..SAMPLES {
                 let t = (arm.depth * (k as f64 + 0.5) / SAMPLES as f64).min(0.1 + 0.3 * k as f64);
                 largest = largest.max(self.at(&arm, arm.delta(t))?.abs());
+                // Deeper, what counts in L² is u √δ; where it is no number it may never be asked for.
+                let deep = arm.depth * (k as f64 + 0.5) / SAMPLES as f64;
+                let value = self.at(&arm, arm.delta(deep)).map_or(0.0, f64::abs);
+                largest = largest.max(value * (-0.5 * deep).exp());
             }
         }
         let scale = power_of_two(largest);
@@ -275,25 +280,5 @@ impl<'a> SingularFunction<'a> {
         let value = (self.function)(at);
         require_finite_at("function value near break", anchor, value)?;
         Ok(value)
-    }
-}
-
-/// Half of the interval between two breaks: the points c + sign δ, 0 < δ < length.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Arm {
-    pub(crate) anchor: usize,
-    pub(crate) start: f64,
-    pub(crate) sign: f64,
-    pub(crate) length: f64,
-    /// largest t at which the function can be trusted
-    pub(crate) depth: f64,
-    /// rounding of x = c + δ; 0 where offsets are seen
-    pub(crate) blur: f64,
-}
-
-impl Arm {
-    /// δ = R e^{-t}.
-    pub(crate) fn delta(&self, t: f64) -> f64 {
-        self.length * (-t).exp()
     }
 }

@@ -39,5 +39,7 @@ pub(crate) struct LevelValue {
     pub(crate) value: f64,
     pub(crate) tail: f64,
     pub(crate) rounding: f64,
+    /// what the rules cannot see
+    pub(crate) missed: f64,
     pub(crate) points: u64,
 }

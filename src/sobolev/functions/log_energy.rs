@@ -9,10 +9,12 @@
 //! decays as its break point allows ([`super::arm_integral`]). Distances keep their digits: δ(e^s − 1) on one
 //! arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
 
+use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
 use super::deep_tail::DeepTail;
-use super::function::{Arm, SingularFunction};
+use super::function::SingularFunction;
 use super::level::{Density, Level, LevelValue};
+use super::resolution::missed;
 use crate::error::Result;
 use crate::quadrature::{PowerWeightRule, Rule};
 use crate::sobolev::kernel::power::PowerKernel;
@@ -94,11 +96,13 @@ impl<'a> LogEnergy<'a> {
             rounding = found.rounding.hypot(rounding);
         }
         let factor = 2.0 * self.kernel.scaling(self.unit);
+        let (missed, points) = missed(self.function, self.level, self.kernel)?;
         Ok(LevelValue {
             value: factor * value,
             tail: factor * tail,
             rounding: factor * rounding,
-            points: self.points,
+            missed,
+            points: self.points + points,
         })
     }
 

@@ -1,14 +1,19 @@
 //! Norms of functions given by a closure with declared break points.
 
+mod arm;
 mod arm_integral;
 mod deep_tail;
 mod function;
+mod interpolant;
 mod level;
 mod log_energy;
 mod norms;
+mod partials;
+mod resolution;
 mod seen;
 mod supremum;
 mod two_rates;
+mod waves;
 
-pub(crate) use function::Arm;
+pub(crate) use arm::Arm;
 pub use function::{Position, SingularFunction};

@@ -4,6 +4,7 @@ use super::arm_integral::ArmIntegral;
 use super::function::SingularFunction;
 use super::level::{Density, Level, LevelValue};
 use super::log_energy::LogEnergy;
+use super::resolution::missed_of_integral;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::order::FractionalOrder;
@@ -38,8 +39,10 @@ impl SingularFunction<'_> {
     ///
     /// Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules
     /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error of
-    /// the *coarser* one), plus what the limits along the arms and rounding leave. Cost: a seminorm takes
-    /// about (arms)² 10⁵ kernel values at 1e-8.
+    /// the *coarser* one), plus what the limits along the arms, rounding, and waves between the points of the
+    /// rules leave. Cost: a seminorm takes about (arms)² 10⁵ kernel values at 1e-8.
+    ///
+    /// A function with many waves is interpolated on short cells instead, and takes O(cells).
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularFunction}};
@@ -61,6 +64,10 @@ impl SingularFunction<'_> {
         let order = order.given()?;
         let tolerance = tolerance.given()?;
         let (scale, unit) = self.of_moderate_size()?;
+        let waves = unit.seminorm_of_waves(order, tolerance);
+        if let Some(found) = waves.map_err(|error| error.carry("seminorm", |best| scaled(scale, best)))? {
+            return scaled(scale, found);
+        }
         let root = |squared: Estimate| scaled(scale, squared.sqrt()?);
         refine(tolerance, 2.0, |level, tolerance| LogEnergy::new(&unit, order, level)?.compute(tolerance))
             .map_err(|error| error.carry("seminorm", root))
@@ -144,6 +151,11 @@ impl SingularFunction<'_> {
         if q == f64::INFINITY {
             return scaled(scale, unit.largest(tolerance)?);
         }
+        if q == 2.0
+            && let Some(found) = unit.l2_norm_of_waves(tolerance)?
+        {
+            return scaled(scale, found);
+        }
         let root = |power: Estimate| {
             let value = power.value.max(0.0).powf(1.0 / q);
             let error = if power.value > power.error {
@@ -196,7 +208,8 @@ impl SingularFunction<'_> {
                 tail += found.limit.error;
                 rounding += found.rounding;
             }
-            Ok(LevelValue { value, tail, rounding, points })
+            let missed = missed_of_integral(self, level, &f)?;
+            Ok(LevelValue { value, tail, rounding, missed, points })
         })
     }
 }
@@ -228,6 +241,7 @@ fn refine(
             let error = (current.value - coarse.value).abs()
                 + current.tail
                 + current.rounding
+                + current.missed
                 + 64.0 * f64::EPSILON * current.value.abs();
             let work = Work { points, ..Work::default() };
             let estimate = Estimate::new(current.value, error, work)?;

@@ -5,7 +5,8 @@
 //! values at depth/4, depth/2 and depth where their differences fall, and infinite where they do not. Cost:
 //! 700 values per arm and unit of 1/step.
 
-use super::function::{Arm, SingularFunction};
+use super::arm::Arm;
+use super::function::SingularFunction;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::search::golden_section;

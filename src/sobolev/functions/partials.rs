@@ -1,0 +1,122 @@
+//! What is known of an integral along an arm up to some depth, and what that says of the rest.
+
+use super::two_rates::TwoRates;
+use crate::quadrature::{Limit, extrapolate};
+
+/// wT of t^p e^{-wt} from which on the exponential is told from corrections to the power, which are about p/T.
+const BEGUN: f64 = 1.0;
+
+/// ∫₀^{t_k} ℓ and ℓ(t_k).
+pub(super) struct Partials {
+    pub(super) ends: Vec<f64>,
+    pub(super) partial: Vec<f64>,
+    pub(super) densities: Vec<f64>,
+    /// 2ν
+    pub(super) gap: f64,
+    /// of the sum, by the rounding of the function's values
+    pub(super) rounding: f64,
+}
+
+/// What t, ln t and ln ℓ grow by on a part of the arm.
+#[derive(Clone, Copy)]
+struct Growth {
+    length: f64,
+    of_t: f64,
+    of_density: f64,
+}
+
+impl Partials {
+    pub(super) fn end(&self) -> f64 {
+        self.ends[self.ends.len() - 1]
+    }
+
+    pub(super) fn sum(&self) -> f64 {
+        self.partial[self.partial.len() - 1]
+    }
+
+    pub(super) fn push(&mut self, end: f64, sum: f64, density: f64) {
+        self.ends.push(end);
+        self.partial.push(sum);
+        self.densities.push(density);
+    }
+
+    /// A crude size of what lies beyond the end.
+    pub(super) fn rest(&self) -> f64 {
+        self.densities[self.densities.len() - 1].abs() * self.end()
+    }
+
+    /// From T/4 to T/2 and from T/2 to T; `None` where ℓ vanishes there or the two coincide.
+    fn growth(&self) -> Option<[Growth; 2]> {
+        let at = |share: f64| self.ends.partition_point(|&t| t < share * self.end());
+        let [first, middle, last] = [at(0.25), at(0.5), self.ends.len() - 1];
+        let step = |from: usize, to: usize| {
+            let [start, end] = [self.ends[from], self.ends[to]];
+            let of_density = (self.densities[to] / self.densities[from]).ln();
+            let growth = Growth { length: end - start, of_t: (end / start).ln(), of_density };
+            (from < to && of_density.is_finite()).then_some(growth)
+        };
+        Some([step(first, middle)?, step(middle, last)?])
+    }
+
+    /// ℓ grows like an exponential: twice as much in ln ℓ over twice the length, where a power grows by as much.
+    pub(super) fn explodes(&self) -> bool {
+        let grows = |[before, after]: [Growth; 2]| {
+            after.of_density > 4f64.ln() && after.of_density > 1.5 * before.of_density
+        };
+        !self.sum().is_finite() || self.growth().is_some_and(grows)
+    }
+
+    /// w of ℓ ~ t^p e^{-wt}: growth = p of_t − w length, twice.
+    fn final_rate(&self) -> Option<f64> {
+        let [before, after] = self.growth()?;
+        let determinant = before.of_t * after.length - after.of_t * before.length;
+        Some((before.of_density * after.of_t - after.of_density * before.of_t) / determinant)
+    }
+
+    /// ℓ grows, but will come down: its law ends with an exponential that has begun to count.
+    pub(super) fn comes_down(&self) -> bool {
+        self.sum().is_finite() && self.final_rate().is_some_and(|rate| rate * self.end() > BEGUN)
+    }
+
+    /// ℓ is not smaller at the end than in the middle.
+    pub(super) fn still_grows(&self) -> bool {
+        self.growth().is_some_and(|[_, after]| after.of_density >= -1e-9)
+    }
+
+    /// The law of the end where it has two rates.
+    fn two_rates(&self) -> Option<TwoRates> {
+        TwoRates::of(&self.ends, &self.densities, self.gap, (self.rounding / self.sum()).abs())
+    }
+
+    /// The end follows two rates, and grows: a power of the distance, not of its logarithm.
+    pub(super) fn has_growing_rate(&self) -> bool {
+        self.two_rates().is_some_and(|found| !found.decays())
+    }
+
+    /// ℓ does not decay, or no faster than 1/t.
+    pub(super) fn diverges(&self) -> bool {
+        if let Some(found) = self.two_rates() {
+            return !found.decays();
+        }
+        let (ends, densities) = (&self.ends, &self.densities);
+        let last = ends.len() - 1;
+        let middle = ends.iter().position(|&t| t >= 0.5 * self.end()).unwrap_or(0);
+        if middle == 0 || middle == last || densities[last] <= 0.0 {
+            return false;
+        }
+        let slope = |k: usize| (densities[k - 1] / densities[k]).ln() / (ends[k] - ends[k - 1]);
+        // p of ℓ ~ t^{-p}; an exponential would double it from the middle to the end.
+        let (at_middle, at_end) = (slope(middle) * ends[middle], slope(last) * ends[last]);
+        let algebraic = (at_end - at_middle).abs() < 0.05 * at_end.abs() && at_end <= 1.001;
+        algebraic || self.explodes() || self.still_grows() && !self.comes_down()
+    }
+
+    pub(super) fn limit(&self) -> Option<Limit> {
+        // On the first cells the integrand still feels the whole interval.
+        let from = self.ends.iter().position(|&t| t >= (0.5 * self.end()).min(25.0)).unwrap_or(0);
+        let noise = (4.0 * f64::EPSILON * self.sum()).hypot(self.rounding);
+        let general = extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise);
+        let law = self.two_rates().and_then(|found| found.limit(self.sum()));
+        general.into_iter().chain(law).min_by(|a, b| a.error.total_cmp(&b.error))
+    }
+}
