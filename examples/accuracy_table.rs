@@ -78,7 +78,7 @@ pub fn findings(rows: &[Row]) -> Vec<Finding> {
             .at_most(0.0, "all of them have an answer")
             .otherwise("{value} questions are refused"),
         Finding::remark(
-            "slowest",
+            "seconds.slowest",
             format!("the slowest answer takes {{value}} seconds ({})", named(slowest)),
         )
         .number_or(number(slowest, &slow), none)
