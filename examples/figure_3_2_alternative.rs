@@ -91,7 +91,7 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
             .at_most(ends, "one segment per transition point")
             .otherwise("u_h puts {count:segment} into another case, more than transition points"),
         Finding::remark("second.carries", "the second case alone carries {percent} % of the term")
-            .number_or(carried.map(|share| (share, CARRIES)), none)
+            .number_or(carried.filter(|share| share.is_finite()).map(|share| (share, CARRIES)), none)
             .at_least(0.5, "half of the term")
             .otherwise("the second case alone carries {percent} % of the term, the first or both the rest")
             .told(),

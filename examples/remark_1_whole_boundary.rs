@@ -26,7 +26,7 @@ example_frame::options! {
         pub n: usize,
     }
     memory(options) {
-        1300.0 * (options.n as f64).max((options.meshes as f64).exp2()).powi(2)
+        (2700.0 * (options.n as f64).powi(2)).max(2100.0 * (2.0 * options.meshes as f64).exp2())
     }
 }
 

@@ -25,8 +25,8 @@ example_frame::options! {
         /// Exponents q for nu = 1/2, comma separated; alpha = 1 - 1/q beside them
         #[arg(long, value_delimiter = ',', default_values = ["2", "3", "4", "6", "8", "12", "16", "24", "36", "50", "75", "100", "150", "200"], value_parser = within::<f64>("[2, 1000]"))]
         pub q: Vec<f64>,
-        /// Orders nu < 1/2, comma separated, taken at the critical exponent q = 2/(1 - 2 nu)
-        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"], value_parser = within::<FractionalOrder>("(0, 0.5)"))]
+        /// Orders nu < 1/2, comma separated, taken at the critical exponent q = 2/(1 - 2 nu), at most 1e5
+        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"], value_parser = within::<FractionalOrder>("(0, 0.49999]"))]
         pub nu: Vec<FractionalOrder>,
     }
 }

@@ -28,7 +28,7 @@ example_frame::options! {
         pub tolerance: Tolerance,
     }
     memory(options) {
-        180.0 * f64::from(options.depth).exp2()
+        270.0 * f64::from(options.depth).exp2()
     }
 }
 

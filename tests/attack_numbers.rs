@@ -1,14 +1,15 @@
 //! A seeded attack on norms and constants in one dimension. Every answer is right to its own error, or there
 //! is a reason why there is none; the references are formulas of the test (`attack/references.rs`).
 //!
-//! `SIGNORINI_ATTACK=10 cargo test --release --test attack_numbers -- --nocapture` takes ten times the cases.
+//! `SIGNORINI_ATTACK=10 cargo test --release --test attack_numbers -- --nocapture` takes ten times the cases,
+//! `SIGNORINI_SEED=7` other ones.
 
 #[path = "attack/mod.rs"]
 mod attack;
 #[path = "attack/references.rs"]
 mod references;
 
-use attack::{Count, cases};
+use attack::{Count, cases, seeded};
 use signorini::numeric::random::SplitMix;
 use signorini::poincare::{Condition, Zone, gamma};
 use signorini::quadrature::Rule;
@@ -67,7 +68,7 @@ fn exponent(random: &mut SplitMix, order: FractionalOrder) -> f64 {
 
 #[test]
 fn closed_forms_of_powers_and_logarithms() {
-    let (mut random, mut count) = (SplitMix::new(1), Count::default());
+    let (mut random, mut count) = (seeded(1), Count::default());
     for _ in 0..cases(5000) {
         let order = order(&mut random);
         let a = exponent(&mut random, order);
@@ -133,7 +134,7 @@ fn root_of_reference(lengths: &[f64], ends: &[[f64; 2]], order: FractionalOrder,
 
 #[test]
 fn piecewise_linears_on_lengths_of_300_decades() {
-    let (mut random, rule) = (SplitMix::new(2), Rule::gauss_legendre(12).unwrap());
+    let (mut random, rule) = (seeded(2), Rule::gauss_legendre(12).unwrap());
     let mut linears = Count::default();
     for _ in 0..cases(4000) {
         let (order, lengths, tolerance) = (order(&mut random), lengths(&mut random), tolerance(&mut random));
@@ -150,7 +151,7 @@ fn piecewise_linears_on_lengths_of_300_decades() {
 
 #[test]
 fn piecewise_constants_on_lengths_of_300_decades() {
-    let (mut random, rule) = (SplitMix::new(6), Rule::gauss_legendre(12).unwrap());
+    let (mut random, rule) = (seeded(6), Rule::gauss_legendre(12).unwrap());
     let mut constants = Count::default();
     for _ in 0..cases(2000) {
         let order = order_below_half(&mut random);
@@ -168,7 +169,7 @@ fn piecewise_constants_on_lengths_of_300_decades() {
 
 #[test]
 fn closures_of_powers() {
-    let mut random = SplitMix::new(3);
+    let mut random = seeded(3);
     let mut count = Count::default();
     for _ in 0..cases(600) {
         let order = order(&mut random);
@@ -192,7 +193,7 @@ fn closures_of_powers() {
 
 #[test]
 fn closures_of_powers_of_the_logarithm() {
-    let (mut random, mut count) = (SplitMix::new(7), Count::default());
+    let (mut random, mut count) = (seeded(7), Count::default());
     for i in 0..cases(20) {
         let distance = decades(&mut random, -7.0, -0.31);
         let alpha = if i % 2 == 0 { 0.5 - distance } else { decades(&mut random, -5.0, -0.31) };
@@ -226,7 +227,7 @@ fn log_power(alpha: f64, unit: f64) -> SingularFunction<'static> {
 
 #[test]
 fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
-    let (mut random, mut count) = (SplitMix::new(9), Count::default());
+    let (mut random, mut count) = (seeded(9), Count::default());
     for _ in 0..cases(16) {
         let alpha = decades(&mut random, -7.0, 2.301);
         let order = match random.below(3) {
@@ -248,7 +249,7 @@ fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
 
 #[test]
 fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
-    let (mut random, mut infinite, mut refused) = (SplitMix::new(10), 0, 0);
+    let (mut random, mut infinite, mut refused) = (seeded(10), 0, 0);
     for i in 0..cases(80) {
         let (alpha, order) = if i % 2 == 0 {
             (0.5 + decades(&mut random, -7.0, 2.3), FractionalOrder::HALF)
@@ -268,7 +269,7 @@ fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
 
 #[test]
 fn cosines_up_to_ten_thousand_half_waves() {
-    let (mut random, rule) = (SplitMix::new(4), Rule::gauss_legendre(16).unwrap());
+    let (mut random, rule) = (seeded(4), Rule::gauss_legendre(16).unwrap());
     let mut closures = Count::default();
     for _ in 0..cases(20) {
         let k = decades(&mut random, 0.0, 4.0) as u32;
@@ -287,7 +288,7 @@ fn cosines_up_to_ten_thousand_half_waves() {
 
 #[test]
 fn cosines_in_pieces() {
-    let (mut random, rule) = (SplitMix::new(8), Rule::gauss_legendre(16).unwrap());
+    let (mut random, rule) = (seeded(8), Rule::gauss_legendre(16).unwrap());
     let mut pieces = Count::default();
     for _ in 0..cases(600) {
         let (k, order, tolerance) = (1 + random.below(6) as u32, order(&mut random), tolerance(&mut random));
@@ -304,7 +305,7 @@ fn cosines_in_pieces() {
 
 #[test]
 fn poincare_constants_between_bounds_known_by_hand() {
-    let (mut random, mut answered, mut refused) = (SplitMix::new(5), 0, 0);
+    let (mut random, mut answered, mut refused) = (seeded(5), 0, 0);
     for _ in 0..cases(100) {
         let order = order(&mut random);
         let theta = decades(&mut random, -4.0, 0.0);

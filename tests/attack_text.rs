@@ -4,7 +4,8 @@
 //! is of a new kind is mutated further. Each is read, or refused by an error that names the line of a file,
 //! in a time and a memory in proportion to its length.
 //!
-//! `SIGNORINI_FUZZ=100000 cargo test --release --test attack_text -- --nocapture` tries as many per grammar.
+//! `SIGNORINI_FUZZ=100000 cargo test --release --test attack_text -- --nocapture` tries as many per grammar,
+//! `SIGNORINI_SEED=7` other ones.
 
 use example_frame::Expression;
 use example_frame::contact::Material;
@@ -321,11 +322,12 @@ fn ask(grammar: &Grammar, text: &str, watched: &Watched) -> Answer {
 fn mutants_are_read_or_refused_by_their_line() {
     let asked = std::env::var("SIGNORINI_FUZZ").ok().and_then(|text| text.parse().ok());
     let count: usize = asked.unwrap_or(MUTANTS);
+    let shift = std::env::var("SIGNORINI_SEED").map_or(0, |text| text.parse().unwrap());
     let watched = Watched::default();
     watch(&watched);
     let mut faults = Vec::new();
     for (seed, grammar) in (0..).zip(grammars()) {
-        let mut random = SplitMix::new(seed);
+        let mut random = SplitMix::new(seed + 1000 * shift);
         let (mut pool, mut kinds) = (grammar.seeds.clone(), BTreeSet::new());
         for text in &grammar.seeds {
             kinds.extend(ask(&grammar, text, &watched).map_err(|wrong| panic!("{text}: {wrong}")));

@@ -13,7 +13,8 @@ use std::ops::Range;
 /// Chains that deviate from a line by more than this times their length are not straight: what a mesh file of
 /// ten printed digits may round away.
 const STRAIGHTNESS: f64 = 1e-10;
-/// What coordinates are rounded by, over their size, once turned and sheared.
+/// What coordinates are rounded by, over the size of the body, once turned and sheared: a node at the origin
+/// may have come from anywhere in it.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The nodes of Γ_C in order, piece after piece.
@@ -25,6 +26,8 @@ pub struct ContactEdge {
     /// Where each piece begins.
     starts: Vec<usize>,
     closed: bool,
+    /// The largest coordinate of the body.
+    size: f64,
 }
 
 impl ContactEdge {
@@ -83,7 +86,8 @@ impl ContactEdge {
             nodes.extend_from_slice(chain);
         }
         let points: Vec<Point> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
-        Ok(Self { nodes, points, arc, starts, closed: chains[0].1 })
+        let size = mesh.nodes().iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+        Ok(Self { nodes, points, arc, starts, closed: chains[0].1, size })
     }
 
     /// Where each piece lies in [`ContactEdge::nodes`].
@@ -149,6 +153,11 @@ impl ContactEdge {
 
     /// The outward unit normals of straight pieces.
     ///
+    /// A piece is straight when no node is farther from the line through its ends than 1e-10 of its length and
+    /// 8ε of the largest coordinate of the body together: that much the rounding of coordinates takes a node of
+    /// a short piece from its line, also where the piece itself lies near the origin. The normal is right to
+    /// about that distance over the length.
+    ///
     /// # Errors
     /// [`Error::Edge`] naming the first segment that leaves the line of its piece.
     pub fn normals(&self) -> Result<Vec<Point>> {
@@ -171,14 +180,13 @@ impl ContactEdge {
         let length = distance(first, last);
         let normal = [(last[1] - first[1]) / length, (first[0] - last[0]) / length];
         // Points of a line are off it by the rounding of their coordinates, however short the piece.
-        let size = points.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let allowed = STRAIGHTNESS * length + ROUNDING * size;
+        let rounded = ROUNDING * self.size;
+        let allowed = STRAIGHTNESS * length + rounded;
         for i in 1..points.len() {
             let d = [points[i][0] - first[0], points[i][1] - first[1]];
             let off = (d[0] * normal[0] + d[1] * normal[1]).abs();
             // Written so that a closed chain (length zero, normal not a number) fails, too.
-            let straight =
-                off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + ROUNDING * size;
+            let straight = off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + rounded;
             if !straight {
                 return Err(Error::Edge {
                     nodes: [self.nodes[piece.start + i - 1], self.nodes[piece.start + i]],
@@ -259,5 +267,28 @@ mod tests {
         assert_eq!(both.nodal_lengths().iter().sum::<f64>(), 2.0);
         let bent = mapped_grid(4, 4, Sides::HANGING, |[x, y]| [x, y - 0.1 * x * x]).unwrap();
         assert!(ContactEdge::of(&bent).unwrap().normal().is_err());
+    }
+
+    /// Of 1e-12 of the body, turned far from the origin and moved there: its coordinates are small, their
+    /// rounding is not.
+    #[test]
+    fn a_short_piece_is_straight_to_the_rounding_of_the_body() {
+        for step in 0..50 {
+            let (sin, cos) = (0.1 + 0.12 * f64::from(step)).sin_cos();
+            let turned =
+                |[x, y]: Point| [cos * (x + 1.0) - sin * (y + 1.0), sin * (x + 1.0) + cos * (y + 1.0)];
+            let origin = turned([0.0, 0.0]);
+            let made = |bulge: f64| {
+                mapped_grid(4, 4, Sides::HANGING, |[x, y]| {
+                    let off = if y == 0.0 && x == 0.5 { bulge } else { 0.0 };
+                    let [a, b] = turned([(1e-12 + y) * x, y - off]);
+                    [a - origin[0], b - origin[1]]
+                })
+                .and_then(|mesh| ContactEdge::of(&mesh)?.normal())
+            };
+            let normal = made(0.0).unwrap_or_else(|error| panic!("{step}: {error}"));
+            assert!((normal[0] - sin).hypot(normal[1] + cos) < 1e-3, "{step}: {normal:?}");
+            assert!(made(1e-13).is_err(), "{step}: a bulge of a tenth");
+        }
     }
 }

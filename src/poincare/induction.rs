@@ -43,7 +43,8 @@ pub struct InductionStep {
 }
 
 /// (5.5) by quadrature on both intervals: the larger of |q − 1|, q = θ^{1/2} ‖u‖\_{0,I} / ‖ũ‖₀ and
-/// θ^{1/2−ν} |u|\_{ν,I} / |ũ|_ν, for ũ(x) = e^x + x^{3/5} on (0, 1) and u(x) = ũ(θx) on I = (0, 1/θ).
+/// θ^{1/2−ν} |u|\_{ν,I} / |ũ|_ν, for ũ(x) = x^{3/5} (1 − x) on (0, 1) and u(x) = ũ(θx) on I = (0, 1/θ):
+/// no digits are lost at the ends, where ũ vanishes, and ũ is in H^ν for every ν < 1.
 ///
 /// ```
 /// use signorini::{Tolerance, poincare::scaling_defect, sobolev::FractionalOrder};
@@ -56,9 +57,16 @@ pub struct InductionStep {
 /// [`Error::OutOfRange`] unless 0 < θ ≤ 1; those of the quadrature.
 pub fn scaling_defect(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("theta", theta, "(0, 1]", theta > 0.0 && theta <= 1.0)?;
-    let function = |x: f64| x.exp() + x.powf(0.6);
-    let unit = SingularFunction::new(&[0.0, 1.0], function)?;
-    let stretched = SingularFunction::new(&[0.0, 1.0 / theta], |x: f64| function(theta * x))?;
+    let on = |end: f64| {
+        SingularFunction::from_positions(&[0.0, end], move |at| {
+            let distance = (at.offset() / end).abs();
+            match at.anchor() {
+                0 => distance.powf(0.6) * (1.0 - distance),
+                _ => (0.6 * (-distance).ln_1p()).exp() * distance,
+            }
+        })
+    };
+    let (unit, stretched) = (on(1.0)?, on(1.0 / theta)?);
     let off = |long: Estimate, short: Estimate, factor: f64| {
         let quotient = factor * long.value / short.value;
         let error = quotient * (long.relative_error() + short.relative_error());

@@ -58,7 +58,20 @@ pub fn power(a: f64, order: FractionalOrder) -> Result<Estimate> {
     // The rounding of a itself matters where the denominators 2a−2ν+1 and 2a+1 are small.
     let conditioning = a.abs() / gap + a.abs() / (0.5 + a).abs();
     let work = Work { points: below_terms + above_terms, ..Work::default() };
-    Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning), work)
+    // What is subnormal is rounded, to 0 perhaps.
+    Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning) + f64::MIN_POSITIVE, work)
+}
+
+/// |x^a|_ν itself, right also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up to
+/// relative terms of the size of a.
+pub(super) fn root_of_power(a: f64, order: FractionalOrder) -> Result<Estimate> {
+    const TINY: f64 = 1e-30;
+    if a == 0.0 || a.abs() >= TINY || a <= order.offset() {
+        return power(a, order)?.sqrt();
+    }
+    let gaps = (TINY - order.offset()) / (a - order.offset());
+    let found = power(TINY, order)?.sqrt()?.times(gaps.sqrt() * (a.abs() / TINY))?;
+    Estimate::new(found.value, found.error + f64::MIN_POSITIVE * f64::EPSILON, found.work)
 }
 
 /// ∫₀^ε (1−t^a)² (1−t)^{-1-2ν} dt and the number of terms.

@@ -21,6 +21,7 @@ mod boundary;
 pub mod closed_forms;
 mod dual;
 mod energy;
+mod evaluated;
 mod fields;
 mod functions;
 mod gallery;

@@ -1,5 +1,6 @@
 //! What the attacks share: how many cases, and what became of them.
 
+use signorini::numeric::random::SplitMix;
 use signorini::{Error, Estimate, Result};
 
 /// `SIGNORINI_ATTACK=10` takes ten times as many cases.
@@ -8,6 +9,13 @@ pub fn cases(default: usize) -> usize {
         text.parse().unwrap_or_else(|_| panic!("SIGNORINI_ATTACK = {text} is not a number"))
     });
     (default as f64 * factor).ceil() as usize
+}
+
+/// Of the family; `SIGNORINI_SEED=7` takes other cases.
+pub fn seeded(family: u64) -> SplitMix {
+    let seed = std::env::var("SIGNORINI_SEED")
+        .map_or(0, |text| text.parse().unwrap_or_else(|_| panic!("SIGNORINI_SEED = {text} is not a number")));
+    SplitMix::new(family + 1000 * seed)
 }
 
 /// What became of the cases of one family.

@@ -187,14 +187,17 @@ impl<'a> DeepTail<'a> {
         Ok(ArmValue { limit, rounding })
     }
 
-    /// Whether no value at a number of deeper places is larger.
+    /// Whether no value at a number of deeper places is larger; one beyond binary64 is.
     fn grows_no_more(&self, tau: f64) -> Result<bool> {
         let size = |k: u32| {
             let at = tau + (LAST - tau) * f64::from(k) / 64.0;
-            self.function.at_depth(&self.arm, at.exp()).map(f64::abs)
+            match self.function.at_depth(&self.arm, at.exp()) {
+                Err(Error::NotFinite { .. }) => Ok(f64::INFINITY),
+                value => value.map(f64::abs),
+            }
         };
         let first = size(0)?;
-        (1..=64).try_fold(true, |none, k| Ok(none && size(k)? <= first))
+        (1..=64).try_fold(first.is_finite(), |none, k| Ok(none && size(k)? <= first))
     }
 
     fn infinite(&self) -> Error {
