@@ -100,7 +100,7 @@ impl SingularFunction<'_> {
     /// # Errors
     /// As [`SingularFunction::seminorm_of_error`], without the infinite seminorms.
     pub fn l2_norm_of_error(&self, field: &PiecewisePolynomial, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, unit) = self.of_moderate_size()?;
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
         let field = field.scaled_by(1.0 / scale);
         let cells = FieldCells::new(&Difference { function: &unit, field: &field }, tolerance.relative())?;
         accept("L^2 norm", scaled(scale, l2(&cells)?)?, tolerance, LIMIT)
@@ -113,7 +113,7 @@ impl SingularFunction<'_> {
         order: FractionalOrder,
         tolerance: Tolerance,
     ) -> Result<[Estimate; 2]> {
-        let (scale, unit) = self.of_moderate_size()?;
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
         let field = field.scaled_by(1.0 / scale);
         let difference = Difference { function: &unit, field: &field };
         let cells = FieldCells::new(&difference, tolerance.relative())?;
@@ -141,7 +141,8 @@ fn squared(
         let first = cells.parts.iter().position(|part| part.patch == Some(k)).unwrap_or(0);
         let count = cells.parts[first..].iter().take_while(|part| part.patch == Some(k)).count();
         let function = patch(difference.function, difference.field, k, &cells.parts[first..first + count])?;
-        let rough = Estimate::or_best(function.seminorm(order, Tolerance::new(1e-2)?))?;
+        let rough =
+            Estimate::or_best(function.seminorm(order, Tolerance::new(1e-2)?.with_work(tolerance.work())))?;
         patches.push((function, rough));
     }
     let share = |rough: &Estimate| rough.value * rough.value;
@@ -154,7 +155,11 @@ fn squared(
         let found = if asked >= 1e-2 || rough.value == 0.0 {
             *rough
         } else {
-            Estimate::or_best(function.seminorm(order, Tolerance::new(asked.max(1e-14))?))?
+            let asked = Tolerance::new(asked.max(1e-14))?.with_work(tolerance.work());
+            match Estimate::or_best(function.seminorm(order, asked)) {
+                Err(_) if difference.function.work_left() == 0 => *rough,
+                other => other?,
+            }
         };
         value.add(found.value * found.value);
         error += (2.0 * found.value + found.error) * found.error;
