@@ -9,8 +9,7 @@
 //! | midpoint | ∫_N u ∫σ | ∫σ | −∫w x over gaps at 0 and inside, ∫w(1−x) over that at 1 |
 //!
 //! with ∫w = 0 on each gap inside, because u vanishes at both its ends. The space is conforming: every value
-//! is a lower bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost: two
-//! Cholesky factorizations of the size of the mesh per set; the Gram matrix once.
+//! is a lower bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost O(N³).
 
 use crate::cone::Cone;
 use crate::error::{Error, Given, Result};
