@@ -62,7 +62,7 @@ impl GalleryFunction {
         self.lq_norm(2.0, tolerance)
     }
 
-    /// ||u||_{L^q}, 1 ≤ q ≤ ∞, as [`SingularFunction::lq_norm`].
+    /// ||u||\_{L^q}, 1 ≤ q ≤ ∞, as [`SingularFunction::lq_norm`].
     ///
     /// ```
     /// use signorini::sobolev::GalleryFunction;
