@@ -8,7 +8,7 @@
 
 use super::functional::DualOf;
 use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use crate::sobolev::functions::{Arm, SingularFunction};
@@ -70,15 +70,20 @@ impl SingularFunction<'_> {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let (scale, unit) = self.of_moderate_size()?;
-        let size = Estimate::or_best(unit.l2_norm(Tolerance::fast()))?.value;
-        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?;
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
+        let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
+        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let mut best: Option<Estimate> = None;
         for degree in DEGREES {
             let goal = 1e-4 * tolerance.relative() * size;
             let mut pieces = Interpolant::default();
             for arm in unit.arms() {
-                pieces.add(&unit, &arm, degree, goal * goal)?;
+                match pieces.add(&unit, &arm, degree, goal * goal) {
+                    Err(_) if best.is_some() && unit.work_left() == 0 => {
+                        return Err(Error::best_of("dual norm", tolerance.relative(), best, SPENT));
+                    }
+                    other => other?,
+                }
             }
             let (u, left) = pieces.finish()?;
             let found = Estimate::or_best(u.dual_norm_in(of, order, inner))?;

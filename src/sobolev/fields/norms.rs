@@ -111,7 +111,7 @@ impl FieldError<'_> {
     /// As [`FieldError::seminorm`], without the infinite seminorms.
     pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
-        let (scale, unit) = self.function.of_moderate_size()?;
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
         let cells = FieldCells::new(&Difference { function: &unit, field: &field }, tolerance.relative())?;
         accept("L^2 norm", scaled(scale, l2(&cells)?)?, tolerance, LIMIT)
@@ -119,7 +119,7 @@ impl FieldError<'_> {
 
     /// The seminorm and the L² norm.
     fn parts(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<[Estimate; 2]> {
-        let (scale, unit) = self.function.of_moderate_size()?;
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
         let difference = Difference { function: &unit, field: &field };
         let cells = FieldCells::new(&difference, tolerance.relative())?;
@@ -147,7 +147,8 @@ fn squared(
         let first = cells.parts.iter().position(|part| part.patch == Some(k)).unwrap_or(0);
         let count = cells.parts[first..].iter().take_while(|part| part.patch == Some(k)).count();
         let function = patch(difference.function, difference.field, k, &cells.parts[first..first + count])?;
-        let rough = Estimate::or_best(function.seminorm(order, Tolerance::new(1e-2)?))?;
+        let rough =
+            Estimate::or_best(function.seminorm(order, Tolerance::new(1e-2)?.with_work(tolerance.work())))?;
         patches.push((function, rough));
     }
     let share = |rough: &Estimate| rough.value * rough.value;
@@ -160,7 +161,11 @@ fn squared(
         let found = if asked >= 1e-2 || rough.value == 0.0 {
             *rough
         } else {
-            Estimate::or_best(function.seminorm(order, Tolerance::new(asked.max(1e-14))?))?
+            let asked = Tolerance::new(asked.max(1e-14))?.with_work(tolerance.work());
+            match Estimate::or_best(function.seminorm(order, asked)) {
+                Err(_) if difference.function.work_left() == 0 => *rough,
+                other => other?,
+            }
         };
         value.add(found.value * found.value);
         error += (2.0 * found.value + found.error) * found.error;

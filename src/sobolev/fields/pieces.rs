@@ -50,7 +50,7 @@ impl FieldError<'_> {
     pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
-        let (scale, unit) = self.function.of_moderate_size()?;
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
         let difference = Difference { function: &unit, field: &field };
         let cells = FieldCells::new(&difference, 0.1 * tolerance.relative())?;
@@ -132,7 +132,7 @@ impl FieldError<'_> {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let (scale, unit) = self.function.of_moderate_size()?;
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
         let difference = Difference { function: &unit, field: &field };
         let asked = (OF_CELLS * tolerance.relative()).max(LEAST);
@@ -153,7 +153,7 @@ impl FieldError<'_> {
             }
         }
         let (u, left) = pieces.finish()?;
-        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?;
+        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let found = Estimate::or_best(u.dual_norm_in(of, order, inner))?;
         let found = Estimate::new(found.value, found.error + left, found.work)?;
         accept("dual norm", scaled(scale, found)?, tolerance, LIMIT)
