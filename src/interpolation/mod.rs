@@ -34,6 +34,7 @@ mod embedding;
 mod extremal;
 mod forms;
 mod mesh;
+mod mesh_ratios;
 mod projection;
 mod rate;
 mod trial;
@@ -49,6 +50,7 @@ pub use embedding::{
     EMBEDDING_GROWTH, EmbeddingSpace, EmbeddingTrial, EndIncrements, critical_exponent, embedding_upper_bound,
 };
 pub use mesh::{ascend, mesh_constant, mesh_constant_on_cells};
+pub use mesh_ratios::MeshRatios;
 pub use projection::{
     DualRates, ProjectionNorm, ProjectionRates, ProjectionStudy, SupremumRate, dual_projection_constant,
     power_lagrange_rate, projection_constant, projection_norm_on_cells, projection_norm_on_mesh,
