@@ -18,7 +18,7 @@
 //! | (4.6), (4.7): their rates for all of H^r, from both sides | [`supremum_rate`], [`wave_constant`] |
 //! | Remark 4 | [`saturation_quotient`], [`power_lagrange_rate`] |
 //! | Remark 2 | [`AliasedWave`], [`all_waves_mean`], [`smooth_dual_error`] |
-//! | ‖·‖\_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
+//! | ‖·‖\_{1/2,*} | [`crate::sobolev::dual`]: dual to the full norm (1.1) of order 1/2 on the interval |
 //! | C(q) in (3.6), (3.10), (4.12), from both sides | [`embedding_upper_bound`], [`EmbeddingSpace`] |
 //! | C(α) in (E3) | [`EndIncrements`] |
 //! | limits ν → 0, ν → 1, (6.2) | [`limits`] |
@@ -40,7 +40,7 @@ mod rate;
 mod trial;
 mod triangle;
 
-pub use dual::{AliasedWave, DualNorm, all_waves_mean, all_waves_rate, smooth_dual_error};
+pub use dual::{AliasedWave, all_waves_mean, all_waves_rate, smooth_dual_error};
 pub use element::{
     ElementExtremal, ErrorNorm, LocalConstants, element_constant, element_extremal, extremal_slopes,
     largest_share, limits, longest_element, mean_deviation,
