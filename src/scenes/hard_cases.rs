@@ -7,7 +7,7 @@
 use super::mesh::{MeshScene, Setting};
 use crate::cone::Cone;
 use crate::contact::{Accuracy, ContactProblem, Fallback, Solver};
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::Tolerance;
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Hierarchy, Sides, mapped_grid};
@@ -140,7 +140,8 @@ impl HardCase {
     ///
     /// # Errors
     /// Those of problems and solvers.
-    pub fn by_two_roads(&self, n: usize, cone: Cone, tolerance: Tolerance) -> Result<TwoRoads> {
+    pub fn by_two_roads(&self, n: usize, cone: Cone, tolerance: impl Given<Tolerance>) -> Result<TwoRoads> {
+        let tolerance = tolerance.given()?;
         let (problem, hierarchy) = self.problem(n)?;
         TwoRoads::of(&problem, hierarchy.as_ref(), cone, tolerance)
     }
@@ -155,8 +156,9 @@ impl TwoRoads {
         problem: &ContactProblem,
         hierarchy: Option<&Hierarchy>,
         cone: Cone,
-        tolerance: Tolerance,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
+        let tolerance = tolerance.given()?;
         let found = problem.solve_by_multigrid(cone, hierarchy, Accuracy::Relative(tolerance), |_| Ok(()))?;
         let (one, other) = (&found.solution, problem.solve(cone, Solver::ActiveSet)?);
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };

@@ -1,7 +1,9 @@
 //! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
 
 use super::arm::Arm;
+use super::budget::Budget;
 use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
 use crate::numeric::check::require_finite_at;
 use crate::numeric::scale::power_of_two;
 
@@ -102,6 +104,7 @@ pub struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
     pub(super) sight: Sight,
+    pub(super) budget: Budget,
 }
 
 /// What the closure sees of a point.
@@ -198,7 +201,7 @@ impl<'a> SingularFunction<'a> {
                 admissible,
             )?;
         }
-        Ok(Self { breaks: breaks.to_vec(), function, sight })
+        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited() })
     }
 
     /// The break points.
@@ -213,7 +216,9 @@ impl<'a> SingularFunction<'a> {
 
     /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and
     /// powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
-    pub(crate) fn of_moderate_size(&self) -> Result<(f64, SingularFunction<'_>)> {
+    ///
+    /// What is asked of u/S counts against the work that the tolerance allows.
+    pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
         let mut largest = 0.0_f64;
         for arm in self.arms() {
             for k in 0..SAMPLES {
@@ -229,7 +234,12 @@ impl<'a> SingularFunction<'a> {
         let unit = move |at: Position| (self.function)(at) / scale;
         Ok((
             scale,
-            SingularFunction { breaks: self.breaks.clone(), function: Box::new(unit), sight: self.sight },
+            SingularFunction {
+                breaks: self.breaks.clone(),
+                function: Box::new(unit),
+                sight: self.sight,
+                budget: Budget::of(tolerance),
+            },
         ))
     }
 
@@ -276,6 +286,7 @@ impl<'a> SingularFunction<'a> {
 
     /// The value at an offset from a break, the ln of its size where it underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
+        self.budget.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
         let value = (self.function)(at);
         require_finite_at("function value near break", anchor, value)?;
