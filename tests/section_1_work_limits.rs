@@ -47,7 +47,8 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
     for limit in [100, 10_000, 300_000] {
         let tolerance = Tolerance::new(1e-9).unwrap().with_work(limit);
         let order = FractionalOrder::new(0.4).unwrap();
-        let norms: [(&str, u64, &dyn Fn() -> Result<Estimate>); 11] = [
+        type Norm<'a> = (&'a str, u64, &'a dyn Fn() -> Result<Estimate>);
+        let norms: [Norm<'_>; 11] = [
             ("seminorm", 1, &|| u.seminorm(order, tolerance)),
             ("norm", 2, &|| u.norm(order, tolerance)),
             ("l2", 1, &|| u.l2_norm(tolerance)),

@@ -25,6 +25,8 @@ use crate::sobolev::FractionalOrder;
 ///
 /// # Errors
 /// As for [`gamma`].
+///
+/// [`gamma`]: super::gamma
 #[doc(alias("H-1/2", "dual norm"))]
 pub fn largest_mean(
     order: impl Given<FractionalOrder>,
