@@ -155,7 +155,7 @@ fn require_count(count: usize) -> Result<()> {
 mod tests {
     use super::*;
     use crate::estimate::{Estimate, Tolerance};
-    use crate::poincare::{Condition, dual_norm, extremal, gamma};
+    use crate::poincare::{Condition, extremal, gamma, largest_mean};
     use crate::sobolev::{FractionalOrder, gram_linears, mass_linears};
     use crate::{numeric::pencil::Factored, sobolev::Partition};
     use faer::Mat;
@@ -279,7 +279,7 @@ mod tests {
         let (order, tolerance) = (FractionalOrder::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
         for condition in CONDITIONS {
             let (value, function) = extremal(order, zones.clone(), condition, tolerance).unwrap();
-            let norm = dual_norm(order, zones.clone(), condition, tolerance).unwrap();
+            let norm = largest_mean(order, zones.clone(), condition, tolerance).unwrap();
             assert!(norm.value > 0.0 && norm.value < value.value);
             let mean: f64 = zones
                 .intervals()

@@ -7,7 +7,7 @@ use super::order::FractionalOrder;
 use super::partition::Partition;
 use super::piecewise::PiecewisePolynomial;
 use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::estimate::Estimate;
 use crate::numeric::text::{pairs, read_text};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -50,107 +50,12 @@ pub enum GalleryFunction {
 const EXPECTED: &str = "power:A, step:X with 0 < X < 1, hat, log:ALPHA with 0 < ALPHA <= 80, or samples:FILE";
 
 impl GalleryFunction {
-    /// |u|_ν.
-    ///
-    /// # Errors
-    /// [`Error::InfiniteNorm`] above the critical order, [`Error::ToleranceNotMet`], [`Error::File`].
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
-        match self.evaluated()? {
-            Evaluated::Samples(u) => u.seminorm(order, tolerance),
-            Evaluated::Closure(u) => u.seminorm(order, tolerance),
-        }
-    }
-
-    /// |u|_ν, none where it is found to be infinite.
-    ///
-    /// # Errors
-    /// As [`GalleryFunction::seminorm`] otherwise.
-    pub fn finite_seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Option<Estimate>> {
-        match self.seminorm(order, tolerance) {
-            Err(Error::InfiniteNorm { .. }) => Ok(None),
-            outcome => outcome.map(Some),
-        }
-    }
-
-    /// ||u||_ν.
-    ///
-    /// # Errors
-    /// As [`GalleryFunction::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
-        match self.evaluated()? {
-            Evaluated::Samples(u) => u.norm(order, tolerance),
-            Evaluated::Closure(u) => u.norm(order, tolerance),
-        }
-    }
-
-    /// |u − u_h|_ν for a field on many elements, as [`SingularFunction::seminorm_of_error`].
-    ///
-    /// ```
-    /// use signorini::Tolerance;
-    /// use signorini::sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial};
-    /// let mesh = Partition::algebraic(1000, 2.0, 1.0)?;
-    /// let values: Vec<f64> = mesh.from_left().iter().map(|x| x.sqrt()).collect();
-    /// let field = PiecewisePolynomial::linears(mesh, &values)?;
-    /// let root = GalleryFunction::Power(0.5);
-    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
-    /// let found = root.seminorm_of_error(&field, order, asked)?;
-    /// assert!(found.value < 3e-3 && found.value < root.norm_of_error(&field, order, asked)?.value);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`SingularFunction::seminorm_of_error`]; [`Error::Incompatible`] for samples.
-    pub fn seminorm_of_error(
-        &self,
-        field: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-    ) -> Result<Estimate> {
-        self.closure()?.seminorm_of_error(field, order, tolerance)
-    }
-
-    /// ||u − u_h||_ν, as [`GalleryFunction::seminorm_of_error`].
-    ///
-    /// # Errors
-    /// As [`GalleryFunction::seminorm_of_error`].
-    pub fn norm_of_error(
-        &self,
-        field: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-    ) -> Result<Estimate> {
-        self.closure()?.norm_of_error(field, order, tolerance)
-    }
-
-    fn closure(&self) -> Result<SingularFunction<'_>> {
-        match self.evaluated()? {
-            Evaluated::Closure(u) => Ok(u),
-            Evaluated::Samples(_) => Err(Error::Incompatible {
-                what: "function",
-                given: self.to_string(),
-                with: "the error of a field",
-                expected: "a function by formula, or the field minus the samples as one piecewise polynomial",
-            }),
-        }
-    }
-
     /// |u|_ν in closed form, where one is known.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] above the critical order.
-    pub fn closed_form(&self, order: FractionalOrder) -> Result<Option<Estimate>> {
+    pub fn closed_form(&self, order: impl Given<FractionalOrder>) -> Result<Option<Estimate>> {
+        let order = order.given()?;
         let squared = match self {
             Self::Power(a) => closed_forms::power(*a, order)?,
             Self::Step(at) => closed_forms::jump(*at, 1.0 - at, order)?,
@@ -181,7 +86,7 @@ impl GalleryFunction {
         }
     }
 
-    fn evaluated(&self) -> Result<Evaluated<'_>> {
+    pub(super) fn evaluated(&self) -> Result<Evaluated<'_>> {
         let closure = match *self {
             Self::Power(a) => SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
                 0 => at.offset().powf(a),
@@ -210,7 +115,7 @@ impl GalleryFunction {
 }
 
 /// A function of the gallery, ready to be measured.
-enum Evaluated<'a> {
+pub(super) enum Evaluated<'a> {
     Closure(SingularFunction<'a>),
     Samples(PiecewisePolynomial),
 }

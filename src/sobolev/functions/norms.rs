@@ -43,8 +43,7 @@ impl SingularFunction<'_> {
         order: impl Given<FractionalOrder>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let (scale, unit) = self.of_moderate_size(tolerance)?;
         let waves = unit.seminorm_of_waves(order, tolerance);
         if let Some(found) = waves.map_err(|error| error.carry("seminorm", |best| scaled(scale, best)))? {
@@ -78,8 +77,7 @@ impl SingularFunction<'_> {
         order: impl Given<FractionalOrder>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
         whole(parts, tolerance)
     }
@@ -92,9 +90,10 @@ impl SingularFunction<'_> {
     pub fn norm_with_derivative(
         &self,
         derivative: &SingularFunction,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let same = self.length() == derivative.length();
         Error::require(
             "length of the derivative's interval",

@@ -3,7 +3,7 @@
 use super::function::SingularPlaneFunction;
 use super::piece::View;
 use super::sums::{ClosureSum, Quantity};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::numeric::scale::power_of_two;
 use crate::sobolev::order::FractionalOrder;
@@ -51,7 +51,12 @@ impl SingularPlaneFunction<'_> {
     /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps and s ≥
     /// 1/2; [`Error::OutOfRange`] for triangles that touch without a common node or are too close for their
     /// length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         judged("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
 
@@ -74,7 +79,12 @@ impl SingularPlaneFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularPlaneFunction::seminorm`].
-    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_as_it_is(tolerance)?];
         judged("norm", root_of_squares(&parts)?, tolerance)
     }
@@ -87,9 +97,10 @@ impl SingularPlaneFunction<'_> {
     pub fn norm_with_gradient(
         &self,
         gradient: [&SingularPlaneFunction<'_>; 2],
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         if self.jumps() {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
@@ -106,7 +117,8 @@ impl SingularPlaneFunction<'_> {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
-    pub fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         judged("L2 norm", self.l2_as_it_is(tolerance)?, tolerance)
     }
 
