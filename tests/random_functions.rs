@@ -179,11 +179,8 @@ fn closure(random: &mut SplitMix) -> Case {
     // The road is slower: of weak singularities it says what a second allows.
     let second = |norm: bool| {
         let tight = Tolerance::new((0.1 * asked.relative()).max(1e-9)).unwrap().with_work(1 << 22);
-        let found = if norm {
-            u.norm_of_error(&zero, order, tight)
-        } else {
-            u.seminorm_of_error(&zero, order, tight)
-        };
+        let found =
+            if norm { u.minus(&zero).norm(order, tight) } else { u.minus(&zero).seminorm(order, tight) };
         Estimate::or_best(found).ok()
     };
     let norm = random.below(2) == 0;
@@ -287,7 +284,7 @@ fn error_of_field(random: &mut SplitMix) -> Case {
     // x^a beside a difference of 1e-4: rounding of x
     let reference = Estimate { error: reference.error + 1e-11 * reference.value + 1e-14, ..reference };
     let what = format!("x^{a} less its interpolant on {cells}, {order}");
-    case(what, asked, reference, |asked| u.seminorm_of_error(&field, order, asked))
+    case(what, asked, reference, |asked| u.minus(&field).seminorm(order, asked))
 }
 
 /// The boundary of a random convex polygon, linears on it; against halved elements, and scaled.
@@ -346,8 +343,8 @@ fn interpolation_load(random: &mut SplitMix) -> Case {
     let (order, asked) = (order(random, 0.97), tolerance(random));
     let (u, what) = load(random, 5.0);
     let of = [DualOf::Interpolation, DualOf::InterpolationZero][random.below(2)];
-    let second = Estimate::or_best(halved(&u).dual_norm(of, order, reference())).unwrap();
-    case(format!("{what}, {of:?}, {order}"), asked, second, |asked| u.dual_norm(of, order, asked))
+    let second = Estimate::or_best(halved(&u).dual_norm_in(of, order, reference())).unwrap();
+    case(format!("{what}, {of:?}, {order}"), asked, second, |asked| u.dual_norm_in(of, order, asked))
 }
 
 /// The dual norm (1.1); against the same load with an element cut at an odd place, so that no mesh fits.
@@ -364,8 +361,8 @@ fn regional_load(random: &mut SplitMix) -> Case {
     let cut = Partition::from_lengths(lengths).unwrap();
     let cut = PiecewisePolynomial::discontinuous_linears(cut, &ends).unwrap();
     let of = DualOf::Slobodeckij;
-    let second = Estimate::or_best(cut.dual_norm(of, order, asked.relative().max(1e-6))).unwrap();
-    case(format!("{what}, {of:?}, {order}"), asked, second, |asked| u.dual_norm(of, order, asked))
+    let second = Estimate::or_best(cut.dual_norm_in(of, order, asked.relative().max(1e-6))).unwrap();
+    case(format!("{what}, {of:?}, {order}"), asked, second, |asked| u.dual_norm_in(of, order, asked))
 }
 
 /// The dual norm of a closure; against its interpolant on a graded mesh, which leaves what L² bounds.
@@ -378,9 +375,9 @@ fn closure_load(random: &mut SplitMix) -> Case {
     // The same without the declared place of the distance: the other half of the interval first.
     let g = |p: Position| p.distance_to(1).powf(a) + 1.0 - p.x();
     let mirrored = SingularFunction::from_positions(&[0.0, 1.0 - at, 1.0], g).unwrap();
-    let second = Estimate::or_best(mirrored.dual_norm(of, order, 1e-12)).unwrap();
+    let second = Estimate::or_best(mirrored.dual_norm_in(of, order, 1e-12)).unwrap();
     let what = format!("|x - {at}|^{a} + x as a load, {of:?}, {order}");
-    case(what, asked, second, |asked| u.dual_norm(of, order, asked))
+    case(what, asked, second, |asked| u.dual_norm_in(of, order, asked))
 }
 
 /// Waves as a load: cos kπx has the norm (1 + k²π²)^{-ν/2}/√2 in the dual of interpolation.
@@ -391,7 +388,7 @@ fn wave_load(random: &mut SplitMix) -> Case {
     let u = SingularFunction::new(&[0.0, 1.0], |x: f64| (frequency * x).cos()).unwrap();
     let exact = exactly((1.0 + frequency * frequency).powf(-0.5 * order.value()) / 2f64.sqrt());
     case(format!("cos {k} pi x as a load, {order}"), asked, exact, |asked| {
-        u.dual_norm(DualOf::Interpolation, order, asked)
+        u.dual_norm_in(DualOf::Interpolation, order, asked)
     })
 }
 
