@@ -1,7 +1,7 @@
 //! u − u_h in H^ν: against closures with every node as a break, closed forms, and laws of many elements.
 
 use signorini::sobolev::{
-    FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial, Position, SingularFunction,
+    DualOf, FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial, Position, SingularFunction,
     closed_forms,
 };
 use signorini::{Error, Estimate, Tolerance};
@@ -178,4 +178,28 @@ fn jumps_and_other_intervals_are_refused() {
     let flat = PiecewisePolynomial::constants(Partition::uniform(8, 1.0).unwrap(), &[0.0; 8]).unwrap();
     let singular = power.minus(&flat).seminorm(order(0.8), Tolerance::fast());
     assert!(matches!(singular, Err(Error::InfiniteNorm { .. })), "{singular:?}");
+}
+
+#[test]
+fn lebesgue_and_dual_norms_of_errors_are_those_of_the_difference() {
+    // x^0.6 + 0.5 sin 4x against its interpolant: by a closure whose breaks are all nodes.
+    let sample = Sample { c: 0.3, a: 0.6, b: 0.5, w: 4.0 };
+    let u = sample.function();
+    let mesh = Partition::uniform(12, 1.0).unwrap();
+    let values: Vec<f64> = mesh.nodes().iter().map(|x| sample.value((x - 0.3).abs(), *x)).collect();
+    let field = PiecewisePolynomial::linears(mesh, &values).unwrap();
+    let all = sample.by_closure(&field);
+    for q in [1.0, 2.0, 3.5] {
+        let (a, b) =
+            (u.minus(&field).lq_norm(q, 1e-6).unwrap(), Estimate::or_best(all.lq_norm(q, 1e-6)).unwrap());
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{q}: {a} {b}");
+    }
+    let l2 = u.minus(&field).l2_norm(1e-8).unwrap();
+    assert!((u.minus(&field).lq_norm(2.0, 1e-8).unwrap().value / l2.value - 1.0).abs() < 1e-7);
+    for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
+        let a = u.minus(&field).dual_norm_in(of, 0.5, 1e-5).unwrap();
+        let b = Estimate::or_best(all.dual_norm_in(of, 0.5, 1e-5)).unwrap();
+        assert!((a.value - b.value).abs() <= a.error + b.error && a.value < l2.value, "{of:?}: {a} {b}");
+    }
+    assert!(u.minus(&field).lq_norm(0.5, 1e-6).is_err());
 }

@@ -162,8 +162,9 @@ fn squared(
             *rough
         } else {
             let asked = Tolerance::new(asked.max(1e-14))?.with_work(tolerance.work());
+            // What refuses more digits without a value leaves those that are known.
             match Estimate::or_best(function.seminorm(order, asked)) {
-                Err(_) if difference.function.work_left() == 0 => *rough,
+                Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. }) => *rough,
                 other => other?,
             }
         };

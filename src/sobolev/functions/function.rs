@@ -4,7 +4,7 @@ use super::arm::Arm;
 use super::budget::Budget;
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
-use crate::numeric::check::require_finite_at;
+use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
 
 /// Points of an arm at which the size of a function is looked at.
@@ -125,8 +125,8 @@ impl<'a> SingularFunction<'a> {
     /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::OutOfRange`] unless they increase
-    /// strictly, are finite and lie at least 1e-290 and 1e-290 of the interval apart.
+    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::NotFinite`], [`Error::EntryOutOfRange`]
+    /// unless they increase strictly and lie at least 1e-290 and 1e-290 of the interval apart.
     pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
@@ -191,15 +191,12 @@ impl<'a> SingularFunction<'a> {
             });
         }
         let total = breaks[breaks.len() - 1] - breaks[0];
-        for pair in breaks.windows(2) {
+        require_finite("break point", breaks)?;
+        for (k, pair) in breaks.windows(2).enumerate() {
             let length = pair[1] - pair[0];
             let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
-            Error::require(
-                "distance of break points",
-                length,
-                "(1e-290, inf), and 1e-290 of the interval",
-                admissible,
-            )?;
+            let range = "numbers above the break before by 1e-290, and by 1e-290 of the interval";
+            require_entry("break point", k + 1, pair[1], range, admissible)?;
         }
         Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited() })
     }

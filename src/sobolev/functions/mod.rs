@@ -12,6 +12,7 @@ mod norms;
 mod partials;
 mod refine;
 mod resolution;
+mod rest;
 mod seen;
 mod supremum;
 mod two_rates;
