@@ -3,6 +3,7 @@
 //! `cargo run --release --example contact_costs_nothing -- --levels 4-20`
 
 use example_frame::figures::{Axis, Chart, Series};
+use example_frame::rates::STEADY;
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
 use signorini::cone::Cone;
 use signorini::proof::{CostRow, CostStudy};
@@ -59,17 +60,14 @@ pub fn compute(options: &Options) -> Result<Computed> {
 
 /// Sums of squares on strips, quadrature on meshes, relative.
 const ROUNDING: f64 = 1e-6;
-/// An order with a wider bar is no order.
-const STEADY: f64 = 0.1;
 
 /// What decides: the quotients on the finest meshes, and Falk's lemma on all.
 pub fn findings((cases, meshes): &Computed) -> Vec<Finding> {
-    let larger = |a: (f64, f64), b: (f64, f64)| if b.0 + b.1 > a.0 + a.1 { b } else { a };
     let to_interpolation = |case: &CostStudy| case.limit(CostRow::over_interpolation);
     let nodal = cases.iter().filter(|case| case.cone == Cone::Nodal).flat_map(|case| &case.rows);
     let falk = nodal.map(|row| row.error / (row.interpolation + 2.0 * row.consistency)).reduce(f64::max);
     let least = cases.iter().flat_map(|case| &case.rows).map(CostRow::over_best).reduce(f64::min);
-    let natural = cases.iter().filter(|case| case.tau > 2.0).filter_map(to_interpolation).reduce(larger);
+    let natural = cases.iter().filter(|case| case.tau > 2.0).filter_map(to_interpolation);
     let mesh = meshes.iter().filter_map(|levels| ClosedFormLevel::limit(levels));
     let mesh = mesh.map(|(quotient, change)| (quotient, change + ROUNDING));
     let kept = |case: &&CostStudy| case.cone == Cone::Nodal && case.scene == cases[0].scene;
@@ -86,21 +84,21 @@ pub fn findings((cases, meshes): &Computed) -> Vec<Finding> {
             .number_or(bar(least), "no mesh")
             .at_least(1.0 - 2.0 * ROUNDING, "the best approximation"),
         Finding::claim("natural", "natural transitions: {value} times the error of interpolation")
-            .number_or(natural, "no mesh")
+            .largest_of(natural, "no mesh")
             .at_most(1.001, "1, to a thousandth on these meshes")
             .told(),
         Finding::claim("mesh", "the same on meshes, a problem in closed form: {value} times")
-            .number_or(mesh.reduce(larger), "no mesh")
+            .largest_of(mesh, "no mesh")
             .at_most(1.01, "1, to a hundredth on these meshes"),
         Finding::remark("supremum", "where tau is not reached the limit may be larger: up to {value} times")
-            .number_or(cases.iter().filter_map(to_interpolation).reduce(larger), "no mesh")
+            .largest_of(cases.iter().filter_map(to_interpolation), "no mesh")
             .at_least(1.0, "the error of interpolation")
             .told(),
         Finding::claim("falls", "the larger tau the smaller the limit for transitions, by {value} or more")
             .number_or(fall, "fewer than two limits")
             .at_least(0.0, "no change"),
         Finding::claim("order", "steady orders of the term over h^(2 tau - 2) are {value} off at most")
-            .number_or(orders.reduce(larger), "no steady order")
+            .largest_of(orders, "no steady order")
             .at_most(0.15, "the sum over the gaps longer than h"),
     ]
 }
@@ -121,12 +119,7 @@ fn table(cases: &[CostStudy]) -> Table {
         Column::new("scene", "scene", Format::Plain, ""),
         Column::new("tau", "tau", Format::Plain, "its regularity, a supremum"),
         Column::new("cone", "cone", Format::Plain, ""),
-        Column::new(
-            "interpolation",
-            "/ interp",
-            three,
-            "|u - u_h| / |u - I^h u|, finest mesh with 64 cells of reference in h",
-        ),
+        Column::new("interpolation", "/ interp", three, "|u - u_h| / |u - I^h u|, 64 reference cells in h"),
         Column::new("interpolation_half", "+-", two, "its change over the last two halvings of h"),
         Column::new("best", "/ best", three, "|u - u_h| over that of the best approximation, no constraint"),
         Column::new("best_half", "+-", two, ""),

@@ -5,9 +5,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use signorini::interpolation::{
-    ErrorNorm, InterpolationError, LocalConstants, SampleSlope, mesh_constant_on_cells,
-};
+use signorini::interpolation::{InterpolationError, LocalConstants, MeshRatios, SampleSlope};
 use signorini::sobolev::{FractionalOrder, Partition};
 use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
@@ -42,18 +40,7 @@ example_frame::options! {
 }
 
 /// One order on one mesh: ratios and constants for the function, its derivative, and the full norm.
-pub struct Row {
-    /// Order of the lemma.
-    pub nu: f64,
-    /// Equal elements of (0, 1).
-    pub elements: usize,
-    /// Ratios of the given function on elements of length h = 1/N.
-    pub function: [Estimate; 3],
-    /// The largest ratios of slopes linear on cells, on small meshes; full norm on elements of length 2 h*.
-    pub mesh: Option<[Estimate; 3]>,
-    /// The best constants of one element; full norm on an element of length 1.
-    pub element: [Estimate; 3],
-}
+pub type Row = MeshRatios;
 
 /// Ratios and constants on every mesh.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
@@ -61,15 +48,9 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for &order in &options.nu {
         let best = LocalConstants::new(order, Tolerance::balanced())?;
-        let element = [best.l2, best.derivative, best.full];
-        let norms = [ErrorNorm::L2, ErrorNorm::Derivative, ErrorNorm::H1 { h: 2.0 * best.longest.value }];
         for &elements in &options.elements {
-            let mesh = Partition::uniform(elements, 1.0)?;
-            let function = InterpolationError::of_sample(options.function, &mesh, order)?.ratios()?;
-            let on_mesh = |norm| mesh_constant_on_cells(norm, order, elements, CELLS);
-            let all = || signorini::Result::Ok([on_mesh(norms[0])?, on_mesh(norms[1])?, on_mesh(norms[2])?]);
-            let mesh = (elements <= LARGEST_MESH).then(all).transpose()?;
-            rows.push(Row { nu: order.value(), elements, function, mesh, element });
+            let cells = (elements <= LARGEST_MESH).then_some(CELLS);
+            rows.push(Row::of_sample(options.function, order, &best, elements, cells)?);
             bar.inc(1);
         }
     }
@@ -115,9 +96,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let claim = "|u - I^h u|_0 <= h^(1+nu) |u|_(1+nu), |u - I^h u|_1 <= h^nu |u|_(1+nu) on a mesh";
     let mut headline = Headline::new("Lemma 6.2", claim, table(&rows), findings(options, &rows));
     for (key, name) in [("mesh.share", "mesh_share"), ("function.ratio", "largest_ratio")] {
-        if let Some((value, _)) = headline.finding(key).and_then(Finding::measured) {
-            headline.quote(format!("lemma_6_2.{name}"), value);
-        }
+        headline.quote_found(key, format!("lemma_6_2.{name}"));
     }
     headline.draw(&options.output, "lemma_6_2_global_estimate", || Ok(draw(options, &rows)))?;
     Ok(headline)

@@ -107,9 +107,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let claim = "|u_N - I^h u_N| in the dual norm of H^(1/2) is no better than h^(3/2) for u_N in H^(3/2)";
     let mut headline = Headline::new("Remark 2", claim, table(&computed), findings(options, &computed));
     for (key, name) in [("wave", "wave"), ("smooth", "smooth"), ("one.function", "one_function")] {
-        if let Some((value, _)) = headline.finding(key).and_then(Finding::measured) {
-            headline.quote(format!("remark_2.{name}_rate"), value);
-        }
+        headline.quote_found(key, format!("remark_2.{name}_rate"));
     }
     headline.draw(&options.output, "remark_2_dual_norm_counterexample", || Ok(draw(&computed)))?;
     Ok(headline)

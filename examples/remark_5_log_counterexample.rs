@@ -7,7 +7,7 @@
 //! `cargo run --release --example remark_5_log_counterexample`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Error, Finding, Format, Headline, Result, Table, within};
+use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, increasing, within};
 use signorini::poincare::{
     Condition, NormChain, TruncatedFamily, Zone, gamma, last_exponent, truncated_slope,
 };
@@ -29,10 +29,7 @@ example_frame::options! {
         pub tolerance: Tolerance,
     }
     check(options) {
-        match options.log.is_sorted_by(|one, next| one < next) {
-            true => Ok(()),
-            false => Err(Error::Option("--log: expected numbers that increase".to_owned())),
-        }
+        increasing("--log", &options.log)
     }
 }
 
@@ -68,23 +65,21 @@ const SLOPE: f64 = 1e-3;
 /// What decides: every quotient grows, below a constant that grows like √L; which chain of norms holds.
 pub fn findings(computed: &Computed) -> Vec<Finding> {
     let families = &computed.families;
-    let share = Estimate::largest(families.iter().flat_map(|family| family.shares.iter().copied()));
     let chain = |part: fn(&NormChain) -> f64| {
-        let numbers = families.iter().flat_map(|family| &family.chain).map(part);
-        numbers.reduce(f64::max).map(|number| (number, 0.0))
+        families.iter().flat_map(|family| &family.chain).map(move |norms| (part(norms), 0.0))
     };
     let (above, few) = ("no alpha below 1/2", "fewer than two zones");
     let mut findings = vec![
         Finding::claim("below", "every quotient lies below the constant of its zone, at {percent} % at most")
-            .estimate_or(share, "no function")
+            .largest(families.iter().flat_map(|family| family.shares.iter().copied()))
             .at_most(1.0, "the constant is a supremum")
             .otherwise("a quotient is {percent} % of the constant of its zone"),
         Finding::printed("chain", "the printed chain of full norms, ||w||_{1/2} = ||v||_{1/2} <= 1/n, holds")
-            .number_or(chain(|norms| norms.printed), above)
+            .largest_of(chain(|norms| norms.printed), above)
             .at_most(1.0, "||w||_{1/2} in units of 1/n")
             .otherwise("||w||_{1/2} <= 1/n is false: it is up to {value} times 1/n"),
         Finding::claim("repaired", "with seminorms it holds: |w| is {percent} % of |u|/n at most")
-            .number_or(chain(|norms| norms.truncation), above)
+            .largest_of(chain(|norms| norms.truncation), above)
             .at_most(1.0 + RESOLUTION, "truncation lowers the seminorm, up to interpolation")
             .otherwise("|w| is {percent} % of |u|/n: the mesh near x = 1 does not resolve so small an alpha"),
         Finding::claim("constant", "the constant of the zone grows like L^{value}, L = ln(1/theta)")

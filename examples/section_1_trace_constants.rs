@@ -50,7 +50,7 @@ pub struct Computed {
     pub one: Estimate,
 }
 
-/// Modes tau of the corner, the first three of the half-plane too; cosines for s = 1.
+/// Frequencies mu of the corner, the first three of the half-plane too; cosines for s = 1.
 const CORNER: [f64; 5] = [0.0, 1.0, 4.0, 16.0, 64.0];
 const COSINES: usize = 60;
 /// Distance from 1/2 at which the limit is read off; accuracy asked.
@@ -64,7 +64,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
         let constant = half_plane_trace(order)?;
         let over = |found: Estimate| found.times(constant.value.powi(-2));
         let all = |shape: WedgeTrace, modes: &[f64]| -> signorini::Result<Vec<Estimate>> {
-            modes.iter().map(|&tau| over(shape.quotient(tau)?)).collect()
+            modes.iter().map(|&mu| over(shape.quotient(mu)?)).collect()
         };
         let half_plane = all(WedgeTrace::half_plane(order)?, &CORNER[..3])?;
         let corner = all(WedgeTrace::corner(order, angle)?, &CORNER)?;
@@ -122,7 +122,7 @@ fn table(computed: &Computed) -> Table {
         Column::new("constant", "C(s)", digits, "half-plane"),
         Column::new("growth", "(2s-1) C", digits, "tends to sqrt(3)/pi as s -> 1/2"),
         Column::new("normalised", "normalised", digits, "C sqrt(pi/(2(1-s))), tends to sqrt(2 pi)"),
-        Column::new("corner", "corner", share, "largest quotient of its modes up to tau = 16, over C^2"),
+        Column::new("corner", "corner", share, "largest quotient of its modes up to mu = 16, over C^2"),
         Column::new("square", "square", share, "largest quotient of trial functions, over C^2"),
     ];
     Table::new(columns).with_rows(computed.rows.iter().map(|row| {
@@ -135,9 +135,9 @@ fn table(computed: &Computed) -> Table {
 
 fn draw_shares(computed: &Computed) -> Chart {
     let chart = Chart::new("Corner and square", Axis::linear("s"), Axis::linear("quotient over half-plane"));
-    let chart = CORNER.iter().enumerate().fold(chart, |chart, (k, tau)| {
+    let chart = CORNER.iter().enumerate().fold(chart, |chart, (k, mu)| {
         let points = computed.rows.iter().map(|row| (row.order.value(), row.corner[k].value)).collect();
-        chart.with(Series::line_and_points(format!("corner, tau = {tau}"), points))
+        chart.with(Series::line_and_points(format!("corner, mu = {mu}"), points))
     });
     let point = |row: &Row| Some((row.order.value(), row.square?.value));
     chart.with(Series::line_and_points("square", computed.rows.iter().filter_map(point).collect()))

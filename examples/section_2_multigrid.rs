@@ -71,7 +71,8 @@ pub fn findings(_: &Options, rows: &[Row]) -> Vec<Finding> {
     let beyond = |row: &&Row| matches!(row.case, HardCase::Compressibility(r) if r > MOST_INCOMPRESSIBLE);
     let silent = rows.iter().filter(beyond);
     let silent = silent.filter(|row| row.found.fallback != Some(Fallback::NearlyIncompressible)).count();
-    let tried = cycles().filter_map(|row| row.found.set_steps).max();
+    let tried = |cone| cycles().filter(|row| row.cone == cone).map(|row| row.found.set_steps).max();
+    let alone = rows.iter().map(|row| row.found.cold_steps).max();
     let is_sliver = |row: &&Row| matches!(row.case, HardCase::Aspect { .. });
     let slow = cycles().filter(is_sliver).filter_map(|row| row.found.factor).reduce(f64::max);
     let given_up = rows.iter().filter(|row| row.found.fallback == Some(Fallback::NotReached)).count();
@@ -108,11 +109,20 @@ pub fn findings(_: &Options, rows: &[Row]) -> Vec<Finding> {
         )
         .number_or(Some(count(silent)), "no run")
         .at_most(0.0, "the range of the method"),
-        Finding::remark("tried", "multigrid tries {value} contact sets on a level at most")
-            .number_or(tried.map(count), "no level")
-            .at_most(3.0, "a nested start")
-            .otherwise("multigrid tries up to {value} contact sets on a level")
+        Finding::remark("tried", "in the nodal cone {value} contact sets are tried on a level at most")
+            .number_or(tried(Cone::Nodal).map(count), "no level")
+            .at_most(3.0, "three linear systems")
+            .otherwise("in the nodal cone up to {value} contact sets are tried on a level")
             .told(),
+        Finding::remark("tried.midpoint", "in the midpoint cone {value} at most")
+            .number_or(tried(Cone::Midpoint).map(count), "no level")
+            .at_most(3.0, "three linear systems")
+            .otherwise("in the midpoint cone up to {value}")
+            .told(),
+        Finding::remark("alone", "on one mesh, from no contact, elimination tries up to {value}")
+            .number_or(alone.map(count), "no run")
+            .at_least(4.0, "more than three")
+            .otherwise("on one mesh, from no contact, elimination tries {value} at most"),
         Finding::remark(
             "growth",
             "but for slivers the next mesh takes {value} times as many gradient steps at most",

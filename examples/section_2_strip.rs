@@ -121,7 +121,6 @@ pub fn run(options: &Options) -> Result<Headline> {
     let mut headline = Headline::new("Section 2, strip", claim, table(study), findings(options, &computed));
     if let (Some(finest), Some(order)) = (study.studies[0].last(), Trend::of(errors)) {
         headline.quote("section.2.strip.unknowns", finest.facts.unknowns);
-        headline.quote("section.2.strip.error", errors[errors.len() - 1].1);
         headline.quote_with("section.2.strip.order", order.exponent, order.uncertainty);
     }
     headline.draw(&options.output, "section_2_strip", || Ok(draw(options, &computed)))?;
@@ -143,8 +142,7 @@ fn table(study: &CaseStudy) -> Table {
         Column::new("seconds", "seconds", Format::Significant(2), "operator, load, contact"),
         Column::hidden("error_seconds"),
     ];
-    let cell = |value: f64| if value.is_nan() { Cell::Missing } else { value.into() };
-    Table::new(columns).with_rows(study.rows().into_iter().map(|row| row.map(cell)))
+    Table::new(columns).with_rows(study.rows().into_iter().map(|row| row.map(Cell::finite)))
 }
 
 /// Errors against h with the two bounds, each passing through the coarsest error.

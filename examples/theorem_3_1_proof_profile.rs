@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release --example theorem_3_1_proof_profile -- --scene fat-cantor --lines`
 
-use example_frame::shown::ladder::{ladder_chart, ladder_table, line_table, quote, slack_chart, title};
-use example_frame::{Error, Finding, Headline, Result, within};
+use example_frame::shown::ladder::{ladder_table, line_table, show, title};
+use example_frame::{Finding, Headline, Result, within};
 use signorini::proof::{LimitLine, LimitLines, Rung, Section, Step, ThetaRule, limit_lines};
 use signorini::proof::{ProofCase, ProofProfile, Resolution};
 use signorini::scenes::StripScene;
@@ -45,10 +45,7 @@ example_frame::options! {
         "positions" if !options.scene.moves() => "unless the scene is one transition",
     }
     check(options) {
-        match options.levels.cells().count() {
-            0..=2 => Err(Error::Option("--levels: an exponent takes three meshes".to_owned())),
-            _ => Ok(()),
-        }
+        Ok(options.levels.require_count(3, "[3, 22]: an exponent takes three meshes")?)
     }
 }
 
@@ -149,13 +146,10 @@ pub fn run(options: &Options) -> Result<Headline> {
 pub fn outcome(section: Section, name: &str, options: &Options) -> Result<Headline> {
     let computed = compute(section, options)?;
     let Computed { profile, rungs, .. } = &computed;
-    let (label, key, _) = title(section);
     let claim = "every line of the proof holds with explicit constants; a ladder shows which one loses order";
     let table = if options.lines { line_table(&profile.lines()) } else { ladder_table(section, rungs) };
-    let mut headline = Headline::new(label, claim, table, findings(options, &computed));
-    quote(&mut headline, key, profile, rungs);
-    headline.draw(&options.output, name, || Ok(ladder_chart(profile, rungs)))?;
-    headline.draw(&options.output, &format!("{name}_slack"), || Ok(slack_chart(profile)))?;
+    let mut headline = Headline::new(title(section).0, claim, table, findings(options, &computed));
+    show(&mut headline, &options.output, name, profile, rungs)?;
     Ok(headline)
 }
 

@@ -7,12 +7,8 @@ use example_frame::{Column, Error, Finding, Format, Headline, Result, Table, pro
 use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
-use signorini::proof::{
-    BoundProblem, BoundRow, BoundStudy, MeshShape, SegmentConstant, consistency_constant, half_sharpened,
-    product_constant,
-};
+use signorini::proof::{BoundProblem, BoundRow, BoundStudy, MeshShape, segment_versions};
 use signorini::scenes::ClosedForm;
-use signorini::sobolev::FractionalOrder;
 use signorini::strip::Levels;
 use std::process::ExitCode;
 
@@ -52,14 +48,10 @@ const SHARP: f64 = 1e-6;
 /// Squares, scalar and elastic, one and two transitions, and a strip, both cones, on every mesh.
 pub fn compute(options: &Options) -> Result<Vec<BoundStudy>> {
     let lame = Some(Lame::new(options.lambda, options.mu)?);
-    let (nu, asked) = (FractionalOrder::HALF, Tolerance::new(SHARP)?);
-    let up = |found: SegmentConstant| found.value.value + found.value.error;
-    let nodal = [half_sharpened(nu), up(product_constant(nu, asked)?), up(consistency_constant(nu, asked)?)];
-    // The midpoint cone has half of a product of two L1 norms, whatever the contact set.
-    let midpoint = [0.5 * nodal[0], 0.5 * nodal[1], 0.5 * nodal[1]];
+    let segments = segment_versions(Tolerance::new(SHARP)?)?;
     let bar = progress(8 * u64::from(options.finest - 1));
     let (mut studies, mut strips) = (Vec::new(), Vec::new());
-    for (cone, segment) in [(Cone::Nodal, &nodal), (Cone::Midpoint, &midpoint)] {
+    for (cone, segment) in [Cone::Nodal, Cone::Midpoint].into_iter().zip(&segments) {
         for (lame, two_transitions) in [(None, false), (None, true), (lame, false), (lame, true)] {
             let scene = ClosedForm { two_transitions, lame };
             studies.push(BoundStudy::square(scene, cone, segment, options.finest, || bar.inc(1))?);
@@ -91,8 +83,7 @@ pub fn findings(studies: &[BoundStudy]) -> Vec<Finding> {
     let near =
         Finding::remark("near", "with kappa and |u|_2 near the edge it is at most {value} times the error");
     findings.push(decide(near, all(last, true).concat(), f64::max).at_most(4.0, "effectivity 4").told());
-    let whole =
-        Finding::remark("whole", "with kappa and |u|_2 of the whole body at most {value} times the error");
+    let whole = Finding::remark("whole", "with kappa and |u|_2 of the body at most {value} times the error");
     findings.push(decide(whole, all(last, false).concat(), f64::max).at_most(4.0, "effectivity 4"));
     let near = all(last, true);
     let falls = near.iter().flat_map(|found| found.windows(2).map(|pair| pair[1] / pair[0])).collect();
@@ -150,10 +141,8 @@ fn table(studies: &[BoundStudy]) -> Table {
 
 /// Bound over error against h, the best version, one transition and the strip.
 fn draw(studies: &[BoundStudy]) -> Chart {
-    let (x, y) = (
-        Axis::logarithmic("h, mesh size (side of the square or period of the strip = 1)"),
-        Axis::logarithmic("bound / error"),
-    );
+    let x = Axis::logarithmic("h, mesh size (side of the square or period of the strip = 1)");
+    let y = Axis::logarithmic("bound / error");
     let mut chart = Chart::new("How far the bound without C is from the error", x, y);
     let drawn = |study: &&BoundStudy| {
         !matches!(study.problem, BoundProblem::Square(ClosedForm { two_transitions: true, .. }))

@@ -3,7 +3,7 @@
 //! `cargo run --release --example theta_balance -- --tau 2`
 
 use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
+use example_frame::{Column, Finding, Format, Headline, Result, Table};
 use signorini::proof::{BalanceExponents, BalanceRow, ElementBalance, worst_of_cases};
 use signorini::strip::Levels;
 use std::process::ExitCode;
@@ -23,10 +23,7 @@ example_frame::options! {
         pub levels: Levels,
     }
     check(options) {
-        match options.levels.cells().count() {
-            0..=2 => Err(Error::Option("--levels: an exponent takes three meshes".to_owned())),
-            _ => Ok(()),
-        }
+        Ok(options.levels.require_count(3, "[3, 22]: an exponent takes three meshes")?)
     }
 }
 
@@ -66,9 +63,8 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
         .number(e.worst.value - e.printed.value, e.worst.uncertainty + e.printed.uncertainty)
         .at_least(0.0, "equal exponents")
         .told();
-    let together = rows.iter().map(|row| (row.own_share, 0.0)).reduce(|a, b| if b.0 > a.0 { b } else { a });
     let own = Finding::claim("own.bounds", "and none that with theta_T = r, at most {percent} %")
-        .number_or(together, "no element length")
+        .largest_of(rows.iter().map(|row| (row.own_share, 0.0)), "no element length")
         .at_most(1.0, "(3.5) and (3.12) at the same theta");
     let mut findings = vec![bounds, lost, own];
     for (key, own) in [("own", e.own[0]), ("own.midpoint", e.own[1])] {
@@ -79,19 +75,16 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     // At τ = 2 both bounds carry logarithms, which no exponent over these lengths tells apart.
     if tau < 2.0 {
         let equation = 2.0 * tau * tau - 5.0 * tau + 4.0;
-        findings.push(
-            Finding::claim("printed", "the printed choice gives one element the exponent {value}")
-                .number(e.printed.value, e.printed.uncertainty)
-                .within(ROUNDING, equation, "2 tau^2 - 5 tau + 4")
-                .told(),
-        );
+        let choice = Finding::claim("printed", "the printed choice gives one element the exponent {value}");
+        let choice = choice.number(e.printed.value, e.printed.uncertainty);
+        findings.push(choice.within(ROUNDING, equation, "2 tau^2 - 5 tau + 4").told());
         let way = 2.0 * tau - 2.0 - equation;
-        let part = (e.sharpened.value - e.printed.value) / way;
-        findings.push(
-            Finding::remark("sharpened", "the sharpened first case regains {percent} % of the loss")
-                .number(part, (e.sharpened.uncertainty + e.printed.uncertainty) / way)
-                .within(ROUNDING, 0.5, "half of (tau - 3/2)(2 - tau)"),
-        );
+        let (gain, bar) =
+            (e.sharpened.value - e.printed.value, e.sharpened.uncertainty + e.printed.uncertainty);
+        let regained =
+            Finding::remark("sharpened", "the sharpened first case regains {percent} % of the loss");
+        let regained = regained.number(gain / way, bar / way);
+        findings.push(regained.within(ROUNDING, 0.5, "half of (tau - 3/2)(2 - tau)"));
     }
     let growth = |theta: f64| rows.last().map(|row| worst_of_cases(&row.pairs, theta)[1]);
     let growth = growth(1e-3).zip(growth(0.2)).map(|(short, long)| (short / long - 1.0, 0.0));

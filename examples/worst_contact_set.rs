@@ -3,14 +3,13 @@
 //! `cargo run --release --example worst_contact_set -- --tau 1.6 --out out`
 
 use example_frame::figures::{Axis, Chart, Series};
+use example_frame::rates::STEADY;
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
 use signorini::Tolerance;
 use signorini::cone::Cone;
 use signorini::convergence::{Bound, Fit};
-use signorini::proof::{
-    ContactFamily, SegmentConstant, SegmentSearch, SegmentSets, SetTerms, consistency_constant,
-    midpoint_bound, one_gap_ratio,
-};
+use signorini::proof::{ContactFamily, SegmentConstant, SegmentSearch, SegmentSets, SetTerms};
+use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio};
 use signorini::sobolev::FractionalOrder;
 use std::process::ExitCode;
 
@@ -66,8 +65,6 @@ const CELLS: usize = 48;
 const GAPS: usize = 20;
 const SETS: usize = 10_000;
 const SEED: u64 = 2012;
-/// An order with a wider bar is no order.
-const STEADY: f64 = 0.1;
 /// Part of a share that its two seminorms, asked to 1e-8, and the sums may be off by.
 const SHARE: f64 = 1e-6;
 

@@ -35,6 +35,18 @@ pub enum Error {
         /// The admissible set, as text.
         range: &'static str,
     },
+    /// An entry of a list lies outside the range in which the formula holds.
+    #[error("{name} at index {index} = {value:?} is outside {range}")]
+    EntryOutOfRange {
+        /// What the entry is called.
+        name: &'static str,
+        /// Its position, from 0.
+        index: usize,
+        /// The value that was given.
+        value: f64,
+        /// The admissible set, as text.
+        range: &'static str,
+    },
     /// A count (cells, nodes, levels, ...) is not admissible.
     #[error("{name} = {value} is outside {range}")]
     CountOutOfRange {

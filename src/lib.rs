@@ -48,7 +48,7 @@
 //! use signorini::sobolev::{DualOf, Partition, PiecewisePolynomial};
 //! let signs: Vec<f64> = (0..1000).map(|k| if k * k % 7 < 3 { 1.0 } else { -1.0 }).collect();
 //! let f = PiecewisePolynomial::constants(Partition::uniform(1000, 1.0)?, &signs)?;
-//! println!("{}", f.dual_norm(DualOf::Slobodeckij, 0.5, 1e-8)?);
+//! println!("{}", f.dual_norm(0.5, 1e-8)?);
 //! # Ok::<(), signorini::Error>(())
 //! ```
 //!

@@ -1,4 +1,5 @@
-//! Every public function of the toolkit stands in an example of its documentation, which is compiled and run.
+//! Every public function and type of the toolkit stands in an example of its documentation, which is compiled
+//! and run; and `tests/data/public-api.txt` lists what is public, so that a review sees what goes or changes.
 //!
 //! Read from the sources: `pub fn` is what can be reached from outside, since `unreachable_pub` warns of all
 //! others. A free function counts where an example calls it; a method where an example calls it and names its
@@ -143,6 +144,93 @@ fn every_public_function_of_the_toolkit_stands_in_an_example() {
     let idle: Vec<&str> =
         EXCUSED.iter().map(|(name, _)| *name).filter(|name| !missing.iter().any(|m| m == name)).collect();
     assert!(idle.is_empty(), "excused, and have an example: {idle:?}");
+}
+
+/// A line that declares something public, with its type before a method: `name`, and the whole declaration up to
+/// its body.
+fn declarations(text: &str) -> Vec<(String, String)> {
+    let (mut found, mut of) = (Vec::new(), None);
+    let lines: Vec<&str> = text.lines().collect();
+    for (k, line) in lines.iter().enumerate() {
+        if let Some(name) = implemented(line) {
+            of = Some(name);
+        } else if line.starts_with('}') {
+            of = None;
+        }
+        let Some(rest) = line.trim_start().strip_prefix("pub ") else { continue };
+        if ["mod ", "use "].iter().any(|word| rest.starts_with(word)) {
+            continue;
+        }
+        let (mut whole, mut next) = (line.trim().to_owned(), k);
+        let is_function = rest.starts_with("fn ") || rest.starts_with("const fn ");
+        while is_function && !whole.ends_with(['{', ';']) && next + 1 < lines.len() {
+            next += 1;
+            whole = format!("{whole} {}", lines[next].trim());
+        }
+        let whole = whole.trim_end_matches(['{', ';', ',', ' ']).replace("( ", "(").replace(", )", ")");
+        let kind = ["struct ", "enum ", "trait "].iter().find_map(|kind| rest.strip_prefix(kind));
+        let name = kind.unwrap_or("").chars().take_while(|c| c.is_alphanumeric()).collect();
+        found.push((name, of.as_ref().map_or(whole.clone(), |of| format!("{of}: {whole}"))));
+    }
+    found
+}
+
+/// The public types that no compiled example names, no public function takes or returns, and no public field
+/// holds: all functions stand in examples, and with them what goes in and comes out.
+fn types_missing(sources: &[(PathBuf, String)]) -> Vec<String> {
+    let blocks: Vec<String> = sources.iter().flat_map(|(_, text)| examples(text)).collect();
+    let declared: Vec<(String, String)> = sources.iter().flat_map(|(_, text)| declarations(text)).collect();
+    let types: Vec<&String> = declared.iter().map(|(name, _)| name).filter(|name| !name.is_empty()).collect();
+    assert!(types.len() > 60, "{} public types", types.len());
+    // Of functions and fields, without the type they belong to.
+    let uses: Vec<&str> = declared
+        .iter()
+        .filter(|(name, _)| name.is_empty())
+        .filter_map(|(_, whole)| whole.split_once("pub ").map(|(_, rest)| rest))
+        .collect();
+    let is_used = |name: &str| uses.iter().any(|rest| has(rest, "", name));
+    let shown = |name: &str| blocks.iter().any(|block| has(block, "", name)) || is_used(name);
+    types.into_iter().filter(|name| !shown(name)).cloned().collect()
+}
+
+/// Types without an example, each with a reason.
+const EXCUSED_TYPES: [(&str, &str); 0] = [];
+
+#[test]
+fn every_public_type_of_the_toolkit_stands_in_an_example() {
+    let mut missing = types_missing(&sources());
+    missing.retain(|name| !EXCUSED_TYPES.iter().any(|(excused, _)| excused == name));
+    assert!(missing.is_empty(), "{} types without an example: {missing:#?}", missing.len());
+    let mut sources = sources();
+    sources[0].1.push_str("pub struct Nothing;\n");
+    assert_eq!(types_missing(&sources), ["Nothing"]);
+}
+
+/// Where the list of public items is kept. `SIGNORINI_WRITE_API=1` writes it anew.
+const API: &str = "tests/data/public-api.txt";
+
+#[test]
+fn the_list_of_public_items_is_up_to_date() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut lines: Vec<String> = Vec::new();
+    for (file, text) in sources() {
+        let file = file.strip_prefix(root.join("src")).unwrap().with_extension("");
+        let room = file.components().next().unwrap().as_os_str().to_str().unwrap().to_owned();
+        lines.extend(declarations(&text).into_iter().map(|(_, whole)| format!("{room} | {whole}")));
+    }
+    lines.sort();
+    let now = lines.join("\n") + "\n";
+    if std::env::var_os("SIGNORINI_WRITE_API").is_some() {
+        std::fs::write(root.join(API), &now).unwrap();
+    }
+    let kept = std::fs::read_to_string(root.join(API)).unwrap_or_default();
+    let gone: Vec<&str> = kept.lines().filter(|line| !lines.iter().any(|l| l == line)).collect();
+    let new: Vec<&String> = lines.iter().filter(|line| !kept.lines().any(|k| k == *line)).collect();
+    assert!(
+        gone.is_empty() && new.is_empty(),
+        "gone or changed: {gone:#?}\nnew: {new:#?}\nif meant: SIGNORINI_WRITE_API=1 cargo test --test documented, and a \
+         line in CHANGELOG.md"
+    );
 }
 
 /// Paragraphs in which Markdown takes two indices for emphasis: an underscore between a bar and a brace opens

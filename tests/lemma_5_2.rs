@@ -3,8 +3,8 @@
 
 use example_frame::{Outcome, Verdict};
 use signorini::poincare::{
-    Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, closing_factor, dual_norm, end_limit,
-    extremal, gamma, gamma_at_point, gamma_whole, growth, interior_limit, printed_growth, two_sided,
+    Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, closing_factor, end_limit, extremal,
+    gamma, gamma_at_point, gamma_whole, growth, interior_limit, largest_mean, printed_growth, two_sided,
 };
 use signorini::sobolev::FractionalOrder;
 use signorini::{Error, Estimate, Tolerance};
@@ -186,7 +186,7 @@ fn orders_without_digits_of_their_own_are_continued() {
     for (nu, theta) in [(1e-9, 0.3), (1e-12, 1e-3)] {
         let (zone, asked) = (Zone::end(theta).unwrap(), Tolerance::new(1e-8).unwrap());
         let value = gamma(order(nu), zone, Condition::MeanZero, asked).unwrap();
-        let norm = dual_norm(order(nu), zone, Condition::MeanZero, asked).unwrap();
+        let norm = largest_mean(order(nu), zone, Condition::MeanZero, asked).unwrap();
         assert!(norm.value <= value.value && norm.relative_error() <= 1e-8, "nu {nu:e}: {norm}, {value}");
         let (found, u) = extremal(order(nu), zone, Condition::MeanZero, asked).unwrap();
         assert_eq!(found, value);

@@ -7,7 +7,9 @@ mod example;
 use example_frame::{Outcome, Verdict};
 use signorini::Tolerance;
 use signorini::interpolation::{RoughFamily, rearranged_shares};
-use signorini::poincare::{Condition, Zone, ZoneCase, Zones, dual_norm, gamma, gamma_at_point, random_zones};
+use signorini::poincare::{
+    Condition, Zone, ZoneCase, Zones, gamma, gamma_at_point, largest_mean, random_zones,
+};
 use signorini::sobolev::{FractionalOrder, sorted_share_of_orders, sorted_share_of_random};
 
 #[test]
@@ -94,7 +96,7 @@ fn dual_norms_and_points_have_their_worst_place_at_the_end() {
         let order = FractionalOrder::new(nu).unwrap();
         let zones = Zones::union(&[(0.1, 0.02), (0.5, 0.05)]).unwrap();
         for condition in [Condition::MeanZero, Condition::Vanishing] {
-            let norm = |zones: Zones| dual_norm(order, zones, condition, tolerance).unwrap().value;
+            let norm = |zones: Zones| largest_mean(order, zones, condition, tolerance).unwrap().value;
             let end = norm(Zone::end(zones.length()).unwrap().into());
             assert!(norm(zones.clone()) < end, "nu {nu}, {condition}");
         }

@@ -257,6 +257,29 @@ fn reaches<'a>(
     found
 }
 
+/// Files below a directory with more lines than allowed.
+fn long_files(directory: &str, most: usize, deep: bool) -> Vec<String> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(directory)).unwrap() {
+        let path = entry.unwrap().path();
+        let name = format!("{directory}/{}", path.file_name().unwrap().to_string_lossy());
+        if path.is_dir() && deep {
+            found.extend(long_files(&name, most, deep));
+        } else if path.extension().is_some_and(|end| end == "rs") {
+            let lines = std::fs::read_to_string(&path).unwrap().lines().count();
+            found.extend((lines > most).then(|| format!("{name}: {lines} lines")));
+        }
+    }
+    found
+}
+
+#[test]
+fn no_example_has_more_than_160_lines_and_no_source_more_than_300() {
+    assert!(!long_files("examples", 20, false).is_empty(), "nothing was read");
+    let found = [long_files("examples", 160, false), long_files("src", 300, true)].concat();
+    assert!(found.is_empty(), "too long:\n{}", found.join("\n"));
+}
+
 #[test]
 fn no_import_circle_among_files() {
     let (modules, edges) = house();

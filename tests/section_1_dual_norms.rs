@@ -1,7 +1,7 @@
 //! Dual norms of order ν: exact values, two solvers, and the order between the three norms.
 
 use signorini::Tolerance;
-use signorini::sobolev::{DualOf, FractionalOrder, Partition, PiecewisePolynomial, dual_norm_of_functional};
+use signorini::sobolev::{DualOf, FractionalOrder, MeshFunctional, Partition, PiecewisePolynomial};
 
 /// Solver tolerance 1e-10, and as much for the comparison.
 const SOLVER_TOLERANCE: f64 = 1e-8;
@@ -11,7 +11,7 @@ fn constants_have_their_l2_norm_in_both_duals() {
     // v ↦ ∫ v is maximal at v = 1, whose seminorm vanishes: sup = √L in either norm.
     let u = PiecewisePolynomial::constants(Partition::uniform(3, 2.0).unwrap(), &[1.0; 3]).unwrap();
     for of in [DualOf::Slobodeckij, DualOf::Interpolation] {
-        let value = u.dual_norm(of, FractionalOrder::HALF, Tolerance::new(1e-9).unwrap()).unwrap().value;
+        let value = u.dual_norm_in(of, FractionalOrder::HALF, Tolerance::new(1e-9).unwrap()).unwrap().value;
         assert!((value - 2f64.sqrt()).abs() < SOLVER_TOLERANCE, "{of:?}: {value}");
     }
 }
@@ -24,8 +24,10 @@ fn dense_and_iterative_solves_agree() {
     };
     let small = Partition::geometric(298, 0.9, 1.0).unwrap();
     let large = Partition::geometric(300, 0.9, 1.0).unwrap();
-    let tolerance = Tolerance::new(1e-9).unwrap();
-    let dense = dual_norm_of_functional(&small, order, &functional(&small), tolerance).unwrap();
+    let dual = |mesh: &Partition, values: &[f64]| {
+        MeshFunctional::new(mesh.clone(), values).unwrap().dual_norm(order, 1e-9).unwrap()
+    };
+    let dense = dual(&small, &functional(&small));
     // Two more elements of length 1e-14 at the end change nothing that can be seen; the solver changes.
     let mut load = functional(&large);
     let scale = large.len() as f64 / small.len() as f64;
@@ -34,8 +36,8 @@ fn dense_and_iterative_solves_agree() {
     load[1] = 0.0;
     let mut reference = functional(&small);
     reference[0] = 0.0;
-    let dense_again = dual_norm_of_functional(&small, order, &reference, tolerance).unwrap();
-    let iterative = dual_norm_of_functional(&large, order, &load, tolerance).unwrap();
+    let dense_again = dual(&small, &reference);
+    let iterative = dual(&large, &load);
     assert!(dense.work.factorizations == 1 && iterative.work.iterations > 1);
     let error = (iterative.value / dense_again.value - 1.0).abs();
     assert!(error < 1e-4, "{iterative} against {dense_again}: {error:e}");
@@ -46,7 +48,7 @@ fn the_three_norms_are_ordered_and_equivalent() {
     // sign(x − 1/2): mean zero, a jump
     let u = PiecewisePolynomial::constants(Partition::uniform(2, 1.0).unwrap(), &[-1.0, 1.0]).unwrap();
     let tolerance = Tolerance::new(1e-5).unwrap();
-    let value = |of| u.dual_norm(of, FractionalOrder::HALF, tolerance).unwrap().value;
+    let value = |of| u.dual_norm_in(of, FractionalOrder::HALF, tolerance).unwrap().value;
     let (slobodeckij, cosines, sines) =
         (value(DualOf::Slobodeckij), value(DualOf::Interpolation), value(DualOf::InterpolationZero));
     // cosine series of the sign: 8/π² Σ_{odd} k^{-2} (1 + (kπ)²)^{-1/2}

@@ -1,7 +1,7 @@
 //! u − u_h in H^ν: against closures with every node as a break, closed forms, and laws of many elements.
 
 use signorini::sobolev::{
-    FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial, Position, SingularFunction,
+    DualOf, FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial, Position, SingularFunction,
     closed_forms,
 };
 use signorini::{Error, Estimate, Tolerance};
@@ -99,12 +99,12 @@ fn random_errors_agree_with_closures_at_every_tolerance() {
         let exact = Estimate::or_best(closure.seminorm(order(nu), asked(1e-8))).unwrap();
         let plain = Estimate::or_best(closure.l2_norm(asked(1e-11))).unwrap();
         for tolerance in [1e-2, 1e-4, 1e-6] {
-            let found = u.seminorm_of_error(&field, order(nu), asked(tolerance)).unwrap();
+            let found = u.minus(&field).seminorm(order(nu), asked(tolerance)).unwrap();
             let off = (found.value - exact.value).abs();
             let words = format!("{case}: {sample:?} nu {nu} {tolerance} {:?}", field.partition().nodes());
             assert!(off <= found.error + exact.error, "{words}: {found} {exact}");
             assert!(found.relative_error() <= tolerance, "{words}: {found}");
-            let found = u.l2_norm_of_error(&field, asked(tolerance)).unwrap();
+            let found = u.minus(&field).l2_norm(asked(tolerance)).unwrap();
             assert!(
                 (found.value - plain.value).abs() <= found.error + plain.error,
                 "{words}: {found} {plain}"
@@ -123,8 +123,12 @@ fn against_zero_the_error_is_the_function() {
             let nu = if a < 0.0 { 0.2 } else { 0.6 };
             let exact = closed_forms::power(a, order(nu)).unwrap().sqrt().unwrap();
             for tolerance in [1e-3, 1e-6, 1e-9] {
-                let found =
-                    GalleryFunction::Power(a).seminorm_of_error(&zero, order(nu), asked(tolerance)).unwrap();
+                let found = GalleryFunction::Power(a)
+                    .function()
+                    .unwrap()
+                    .minus(&zero)
+                    .seminorm(order(nu), asked(tolerance))
+                    .unwrap();
                 let off = (found.value - exact.value).abs();
                 assert!(off <= found.error + exact.error, "{name} {a} {count} {tolerance}: {found} {exact}");
             }
@@ -145,7 +149,7 @@ fn the_error_of_a_parabola_is_its_bubbles() {
         for nu in [0.25, 0.5, 0.75] {
             let exact = exact.seminorm(order(nu), asked(1e-9)).unwrap();
             for tolerance in [1e-3, 1e-6] {
-                let found = u.seminorm_of_error(&field, order(nu), asked(tolerance)).unwrap();
+                let found = u.minus(&field).seminorm(order(nu), asked(tolerance)).unwrap();
                 let off = (found.value - exact.value).abs();
                 assert!(off <= found.error + exact.error, "{count} {nu} {tolerance}: {found} {exact}");
                 assert!(found.work.total() < 20_000_000 + 8000 * count as u64, "{:?}", found.work);
@@ -162,14 +166,40 @@ fn jumps_and_other_intervals_are_refused() {
         &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
     )
     .unwrap();
-    let found = u.seminorm_of_error(&steps, FractionalOrder::HALF, Tolerance::fast());
+    let found = u.minus(&steps).seminorm(FractionalOrder::HALF, Tolerance::fast());
     assert!(matches!(found, Err(Error::InfiniteNorm { .. })));
-    assert!(u.seminorm_of_error(&steps, order(0.4), Tolerance::fast()).is_ok());
+    assert!(u.minus(&steps).seminorm(order(0.4), Tolerance::fast()).is_ok());
     let longer = PiecewisePolynomial::constants(Partition::uniform(8, 2.0).unwrap(), &[0.0; 8]).unwrap();
-    assert!(matches!(u.l2_norm_of_error(&longer, Tolerance::fast()), Err(Error::OutOfRange { .. })));
-    let singular = GalleryFunction::Power(0.2).seminorm_of_error(&longer, order(0.8), Tolerance::fast());
+    assert!(matches!(u.minus(&longer).l2_norm(Tolerance::fast()), Err(Error::OutOfRange { .. })));
+    let name = GalleryFunction::Power(0.2);
+    let power = name.function().unwrap();
+    let singular = power.minus(&longer).seminorm(order(0.8), Tolerance::fast());
     assert!(singular.is_err());
     let flat = PiecewisePolynomial::constants(Partition::uniform(8, 1.0).unwrap(), &[0.0; 8]).unwrap();
-    let singular = GalleryFunction::Power(0.2).seminorm_of_error(&flat, order(0.8), Tolerance::fast());
+    let singular = power.minus(&flat).seminorm(order(0.8), Tolerance::fast());
     assert!(matches!(singular, Err(Error::InfiniteNorm { .. })), "{singular:?}");
+}
+
+#[test]
+fn lebesgue_and_dual_norms_of_errors_are_those_of_the_difference() {
+    // x^0.6 + 0.5 sin 4x against its interpolant: by a closure whose breaks are all nodes.
+    let sample = Sample { c: 0.3, a: 0.6, b: 0.5, w: 4.0 };
+    let u = sample.function();
+    let mesh = Partition::uniform(12, 1.0).unwrap();
+    let values: Vec<f64> = mesh.nodes().iter().map(|x| sample.value((x - 0.3).abs(), *x)).collect();
+    let field = PiecewisePolynomial::linears(mesh, &values).unwrap();
+    let all = sample.by_closure(&field);
+    for q in [1.0, 2.0, 3.5] {
+        let (a, b) =
+            (u.minus(&field).lq_norm(q, 1e-6).unwrap(), Estimate::or_best(all.lq_norm(q, 1e-6)).unwrap());
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{q}: {a} {b}");
+    }
+    let l2 = u.minus(&field).l2_norm(1e-8).unwrap();
+    assert!((u.minus(&field).lq_norm(2.0, 1e-8).unwrap().value / l2.value - 1.0).abs() < 1e-7);
+    for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
+        let a = u.minus(&field).dual_norm_in(of, 0.5, 1e-5).unwrap();
+        let b = Estimate::or_best(all.dual_norm_in(of, 0.5, 1e-5)).unwrap();
+        assert!((a.value - b.value).abs() <= a.error + b.error && a.value < l2.value, "{of:?}: {a} {b}");
+    }
+    assert!(u.minus(&field).lq_norm(0.5, 1e-6).is_err());
 }

@@ -4,7 +4,7 @@
 use signorini::numeric::random::SplitMix;
 use signorini::quadrature::Rule;
 use signorini::sobolev::{
-    DualOf, FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, dual_norm_of_functional,
+    DualOf, FractionalOrder, MeshFunctional, Partition, PiecewisePolynomial, SingularFunction,
 };
 use signorini::{Error, Estimate, Tolerance};
 use std::f64::consts::PI;
@@ -123,7 +123,7 @@ fn spectral_sums_are_enclosed_and_a_spoiled_value_is_not() {
         for (of, zero) in [(DualOf::Interpolation, false), (DualOf::InterpolationZero, true)] {
             let bounds = pieces.enclosure(zero, nu, 6000);
             for asked in [1e-3, 1e-8, 1e-12] {
-                let found = pieces.function().dual_norm(of, order(nu), tolerance(asked)).unwrap();
+                let found = pieces.function().dual_norm_in(of, order(nu), tolerance(asked)).unwrap();
                 assert!(encloses(bounds, found), "{case} {of:?} {nu}: {found} in {bounds:?}");
                 if asked == 1e-12 {
                     sharp += 1;
@@ -154,7 +154,7 @@ fn square_waves_on_up_to_a_hundred_thousand_elements() {
         let wave = PiecewisePolynomial::constants(Partition::uniform(n, 1.0).unwrap(), &signs).unwrap();
         for nu in [0.1, 0.5, 0.9] {
             let exact = square_wave(n as f64, nu);
-            let found = wave.dual_norm(DualOf::InterpolationZero, order(nu), tolerance(1e-8)).unwrap();
+            let found = wave.dual_norm_in(DualOf::InterpolationZero, order(nu), tolerance(1e-8)).unwrap();
             let off = (found.value - exact).abs();
             assert!(off <= found.error + 1e-11 * exact, "{n} {nu}: {found} against {exact:e}, {off:e}");
         }
@@ -172,10 +172,10 @@ fn a_partition_cut_further_has_the_same_norm() {
     let halves = PiecewisePolynomial::constants(Partition::from_lengths(cut).unwrap(), &twice).unwrap();
     for nu in [0.05, 0.5, 0.95] {
         for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
-            let [a, b] = [&whole, &halves].map(|u| u.dual_norm(of, order(nu), tolerance(1e-10)).unwrap());
+            let [a, b] = [&whole, &halves].map(|u| u.dual_norm_in(of, order(nu), tolerance(1e-10)).unwrap());
             let off = (a.value - b.value).abs();
             assert!(off <= a.error + b.error, "{of:?} {nu}: {a} and {b}, {off:e} apart");
-            let refused = whole.dual_norm(of, order(nu), tolerance(1e-15));
+            let refused = whole.dual_norm_in(of, order(nu), tolerance(1e-15));
             assert!(matches!(refused, Err(Error::ToleranceNotMet { best: Some(_), .. })), "{refused:?}");
         }
     }
@@ -209,7 +209,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
                 load[i + 1] += w * h * f * t;
             }
         }
-        dual_norm_of_functional(&mesh, order(nu), &load, tolerance(1e-11)).unwrap().value
+        MeshFunctional::new(mesh, &load).unwrap().dual_norm(order(nu), tolerance(1e-11)).unwrap().value
     };
     let (coarse, fine) = (value(16, 0.5), value(32, 0.5f64.sqrt()));
     (fine, 0.5 * (fine - coarse).abs())
@@ -224,7 +224,7 @@ fn the_norm_of_1_1_agrees_with_graded_meshes() {
         pieces.values.truncate(3);
         let nu = [0.15, 0.35, 0.5, 0.65, 0.9][case % 5];
         let (below, missing) = from_graded_meshes(&pieces, nu);
-        let found = pieces.function().dual_norm(DualOf::Slobodeckij, order(nu), tolerance(1e-7)).unwrap();
+        let found = pieces.function().dual_norm(order(nu), tolerance(1e-7)).unwrap();
         let above = found.value + found.error - below;
         assert!(above >= -1e-11 * below, "{case} {nu}: {found} is below {below:e}");
         assert!(
@@ -241,8 +241,7 @@ fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
     for case in 0..100 {
         let pieces = Pieces::random(&mut random);
         let nu = [0.25, 0.4, 0.5, 0.7, 0.9][case % 5];
-        let find =
-            |t| Estimate::or_best(pieces.function().dual_norm(DualOf::Slobodeckij, order(nu), tolerance(t)));
+        let find = |t| Estimate::or_best(pieces.function().dual_norm(order(nu), tolerance(t)));
         let fine = find(1e-6).unwrap();
         for wide in [1e-2, 1e-3, 1e-4] {
             let found = find(wide).unwrap();
@@ -260,11 +259,11 @@ fn random_signs_on_a_hundred_thousand_elements() {
     let mut random = SplitMix::new(17);
     let values: Vec<f64> = (0..100_000).map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
     let load = PiecewisePolynomial::constants(Partition::uniform(100_000, 1.0).unwrap(), &values).unwrap();
-    let find = |nu, t| load.dual_norm(DualOf::Slobodeckij, order(nu), tolerance(t));
+    let find = |nu, t| load.dual_norm(order(nu), tolerance(t));
     let (wide, sharp) = (find(0.9, 1e-5).unwrap(), find(0.9, 1e-9).unwrap());
     assert!((wide.value - sharp.value).abs() <= wide.error + sharp.error, "{wide} {sharp}");
     let half = find(0.5, 1e-5).unwrap();
-    let cosines = load.dual_norm(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-8)).unwrap();
+    let cosines = load.dual_norm_in(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-8)).unwrap();
     assert!(half.value < cosines.value && cosines.value < 3.0 * half.value, "{half} {cosines}");
 }
 
@@ -280,12 +279,13 @@ fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
         for nu in [0.3, 0.5, 0.8] {
             let [a, b] = [
-                declared.dual_norm(of, order(nu), tolerance(1e-6)).unwrap(),
-                exact.dual_norm(of, order(nu), tolerance(1e-7)).unwrap(),
+                declared.dual_norm_in(of, order(nu), tolerance(1e-6)).unwrap(),
+                exact.dual_norm_in(of, order(nu), tolerance(1e-7)).unwrap(),
             ];
             assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?} {nu}: {a} {b}");
             for u in [&log, &power] {
-                let [wide, sharp] = [1e-3, 1e-6].map(|t| u.dual_norm(of, order(nu), tolerance(t)).unwrap());
+                let [wide, sharp] =
+                    [1e-3, 1e-6].map(|t| u.dual_norm_in(of, order(nu), tolerance(t)).unwrap());
                 let off = (wide.value - sharp.value).abs();
                 assert!(off <= wide.error + sharp.error, "{of:?} {nu}: {wide} {sharp}");
                 let l2 = u.l2_norm(tolerance(1e-3)).unwrap();
@@ -319,7 +319,7 @@ fn a_power_has_the_norm_of_its_cosine_series() {
         rest -= square;
     }
     let power = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
-    let found = power.dual_norm(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-6)).unwrap();
+    let found = power.dual_norm_in(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-6)).unwrap();
     let bounds = [sum - 1e-6, sum + weight * rest + 1e-6];
     assert!(encloses(bounds, found), "{found} in {bounds:?}");
     assert!(!encloses(bounds, Estimate { value: 1.01 * found.value, ..found }));
@@ -333,7 +333,7 @@ fn plain_numbers_stand_for_orders_and_tolerances() {
     assert_eq!(u.norm(0.5, 1e-8), u.norm(half, tolerance(1e-8)));
     assert_eq!(x.seminorm(0.5, 1e-6), x.seminorm(half, tolerance(1e-6)));
     assert_eq!(u.lq_norm(3.0, 1e-8), u.lq_norm(3.0, tolerance(1e-8)));
-    let dual = |of| (u.dual_norm(of, 0.5, 1e-8).unwrap(), x.dual_norm(of, 0.5, 1e-6).unwrap());
+    let dual = |of| (u.dual_norm_in(of, 0.5, 1e-8).unwrap(), x.dual_norm_in(of, 0.5, 1e-6).unwrap());
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
         let (a, b) = dual(of);
         assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?}: {a} {b}");
@@ -342,7 +342,7 @@ fn plain_numbers_stand_for_orders_and_tolerances() {
         u.norm(1.0, 1e-8),
         u.norm(0.5, 0.0),
         u.norm(f64::NAN, 1e-8),
-        x.dual_norm(DualOf::Interpolation, 0.5, 2.0),
+        x.dual_norm_in(DualOf::Interpolation, 0.5, 2.0),
     ] {
         assert!(matches!(bad, Err(Error::OutOfRange { .. })), "{bad:?}");
     }

@@ -4,7 +4,7 @@
 use signorini::interpolation::{ErrorNorm, dual_projection_constant, element_constant};
 use signorini::numeric::scale::largest;
 use signorini::poincare::{Condition, Zone, gamma};
-use signorini::sobolev::{DualOf, FractionalOrder, GramOperator, Partition, PiecewisePolynomial};
+use signorini::sobolev::{FractionalOrder, GramOperator, Partition, PiecewisePolynomial};
 use signorini::sobolev::{SingularFunction, closed_forms, gram_linears};
 use signorini::{Estimate, Result, Tolerance, Work};
 
@@ -59,7 +59,7 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
         ),
         ("fast product and its setup, geometric 1e-30, N 2000", 1.0, Box::new(product)),
         ("hat on 1000 elements, nu 1/2", hat_exact, Box::new(move |tolerance| hat.seminorm(half, tolerance))),
-        ("dual norm of a constant", 1.0, Box::new(move |t| one.dual_norm(DualOf::Slobodeckij, half, t))),
+        ("dual norm of a constant", 1.0, Box::new(move |t| one.dual_norm(half, t))),
         best("interpolation C_L2, nu 1/2", 0.5, ErrorNorm::L2, 0.092_742_524_652_174_63)?,
         best("interpolation C_H1, nu 0.99", 0.99, ErrorNorm::Derivative, 0.032_024_593_023_715_79)?,
         (

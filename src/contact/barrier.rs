@@ -19,7 +19,7 @@ use super::edge_problem::{EdgeProblem, EdgeState};
 use super::units::unit_for;
 use crate::cone::{Cone, ContactSet, Status};
 use crate::error::{Error, Result};
-use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::check::{require_entry, require_finite, require_length};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
@@ -54,7 +54,7 @@ struct Change {
 ///
 /// # Errors
 /// [`Error::NotPositiveDefinite`] when S is not; [`Error::LengthMismatch`] when lengths disagree;
-/// [`Error::OutOfRange`] for sizes that are not positive; [`Error::NotFinite`] for loads and gaps beyond
+/// [`Error::EntryOutOfRange`] for sizes that are not positive; [`Error::NotFinite`] for loads and gaps beyond
 /// binary64; [`Error::Incompatible`] for the midpoint cone.
 pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
     if problem.cone != Cone::Nodal {
@@ -67,8 +67,8 @@ pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<Edge
     require_finite("size of displacements", sizes)?;
     require_finite("edge load", problem.load)?;
     require_finite("gap", problem.bound)?;
-    if let Some(&value) = sizes.iter().find(|&&size| size <= 0.0) {
-        return Err(Error::OutOfRange { name: "size of displacements", value, range: "(0, inf)" });
+    if let Some(k) = sizes.iter().position(|&size| size <= 0.0) {
+        require_entry("size of displacements", k, sizes[k], "(0, inf)", false)?;
     }
     let free = || (0..sizes.len()).filter(|&i| !problem.fixed[i]);
     let alone = |i: usize| problem.load[i].abs() / problem.stiffness[(i, i)] / sizes[i];

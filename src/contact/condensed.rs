@@ -5,6 +5,7 @@
 
 use super::active_set::{EdgeOutcome, solve_on_edge};
 use super::barrier::solve_by_barrier;
+use super::cascade;
 use super::edge_interior_point::edge_interior_point;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
@@ -41,6 +42,13 @@ pub(super) fn solve(
         |edge| solve_on_edge(edge, guess),
         |edge| other.map(|other| steps_from(edge, other)).transpose(),
     )
+}
+
+/// The solution by the active set, its first guess from coarser functions on the edge.
+pub(super) fn solve_by_cascade(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
+    let road = (problem, cone, Solver::ActiveSet);
+    let found = by_edge(road, |edge| solve_on_edge(edge, cascade::guess(edge)?), |_| Ok(()))?;
+    Ok(found.0)
 }
 
 /// The solution by the barrier with the given sizes of displacements, recovered once.

@@ -5,14 +5,11 @@
 
 use super::active_set::EdgeOutcome;
 use super::edge_problem::{EdgeProblem, EdgeState};
-use super::program::{DUALITY_GAP, Program, constraint_matrix};
+use super::program::{LEFT, Program, constraint_matrix};
 use crate::cone::ContactSet;
 use crate::error::Result;
 use crate::numeric::scale::largest;
 use clarabel::algebra::CscMatrix;
-
-/// Where nothing is in contact, forces below this multiple of the load are what the barrier leaves.
-const LEFT: f64 = 100.0 * DUALITY_GAP;
 
 /// Solves the edge problem; active is where the force exceeds the gap times the stiffness.
 ///

@@ -4,7 +4,7 @@
 //! Nothing is shared with the condensed active set except the assembled matrix.
 
 use super::problem::ContactProblem;
-use super::program::{Answer, DUALITY_GAP, Program, constraint_matrix};
+use super::program::{Answer, LEFT, Program, constraint_matrix};
 use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, force_scale, gap_of};
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, Status};
@@ -13,9 +13,6 @@ use crate::estimate::Work;
 use crate::numeric::scale::largest;
 use clarabel::algebra::CscMatrix;
 use std::time::Instant;
-
-/// Where nothing is in contact, forces below this multiple of the force scale are what the barrier leaves.
-const LEFT: f64 = 100.0 * DUALITY_GAP;
 
 pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
     let start = Instant::now();

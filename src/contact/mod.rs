@@ -8,6 +8,7 @@
 mod active_set;
 mod barrier;
 mod by_radius;
+mod cascade;
 mod condensed;
 mod data;
 mod dual_active_set;

@@ -18,7 +18,10 @@ const FEASIBILITY: f64 = 1e-14;
 
 /// Asked of Clarabel for the duality gap, relative; it may stop earlier when it cannot progress, and is
 /// judged then.
-pub(super) const DUALITY_GAP: f64 = 1e-13;
+const DUALITY_GAP: f64 = 1e-13;
+
+/// Where nothing is in contact, forces below this multiple of the scale of forces are what the barrier leaves.
+pub(super) const LEFT: f64 = 100.0 * DUALITY_GAP;
 
 /// Not asked: absolute gaps have no scale here, and a problem with a solution is never to be called
 /// infeasible.

@@ -4,8 +4,8 @@
 //! radii: on rings with ratio e^s it is known to s/2 in ln r.
 
 use crate::cone::ContactSet;
-use crate::error::{Error, Result};
-use crate::numeric::check::{require_finite, require_length};
+use crate::error::Result;
+use crate::numeric::check::{require_entry, require_finite, require_length};
 
 /// A stretch of the edge, all contact or all gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,14 +39,14 @@ impl RadialInterval {
 /// ```
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] unless there is a radius per constraint, [`Error::NotFinite`],
-/// [`Error::OutOfRange`] for radii that are negative or do not increase.
+/// [`Error::LengthMismatch`](crate::Error::LengthMismatch) unless there is a radius per constraint, [`Error::NotFinite`](crate::Error::NotFinite),
+/// [`Error::EntryOutOfRange`](crate::Error::EntryOutOfRange) for radii that are negative or do not increase.
 pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInterval>> {
     require_length("radii", radii.len(), set.constraints())?;
     require_finite("radius", radii)?;
-    let falls = radii.windows(2).find(|pair| pair[0] >= pair[1]).map(|pair| pair[1]);
-    if let Some(value) = falls.or(radii.first().copied().filter(|&first| first < 0.0)) {
-        return Err(Error::OutOfRange { name: "radius", value, range: "increasing radii >= 0" });
+    for (k, &radius) in radii.iter().enumerate() {
+        let above = if k == 0 { radius >= 0.0 } else { radius > radii[k - 1] };
+        require_entry("radius", k, radius, "increasing radii >= 0", above)?;
     }
     let mut found: Vec<RadialInterval> = Vec::new();
     for (i, &radius) in radii.iter().enumerate().filter(|(_, radius)| **radius > 0.0) {

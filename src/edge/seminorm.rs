@@ -13,7 +13,7 @@
 //! O(K²).
 
 use super::pair::{Segment, Traces};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::quadrature::Rule;
 use crate::sobolev::{FractionalOrder, GramOperator, Partition};
@@ -36,7 +36,8 @@ impl SeminormForm {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for constants and ν ≥ 1/2; [`Error::CountOutOfRange`] without cells.
-    pub fn new(traces: Traces, order: FractionalOrder, cells: usize) -> Result<Self> {
+    pub fn new(traces: Traces, order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
+        let order = order.given()?;
         if traces == Traces::Constants && !order.is_below_half() {
             return Err(Error::InfiniteNorm {
                 order: order.value(),
@@ -99,9 +100,10 @@ const DEPTH: usize = 14;
 pub fn seminorm_by_quadrature(
     segment: &Segment<'_>,
     which: SegmentTrace,
-    order: FractionalOrder,
-    tolerance: Tolerance,
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     if segment.traces == Traces::Constants && !order.is_below_half() {
         return Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" });
     }

@@ -7,7 +7,7 @@
 //! | contact set {u_N = 0} | closed intervals between nodes where u_N = 0, single points included |
 
 use crate::error::{Error, Result};
-use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::check::{require_entry, require_finite, require_length};
 
 /// A closed interval [start, end] of the contact edge; a single point when both agree.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +48,7 @@ impl EdgeTrace {
     /// `rounding` times the largest force relative to the largest displacement.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], and [`Error::OutOfRange`] when nodes do not increase,
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], and [`Error::EntryOutOfRange`] when nodes do not increase,
     /// when u_N exceeds `rounding`, or when fewer than two nodes are given ([`Error::CountOutOfRange`]).
     pub fn new(nodes: Vec<f64>, displacement: Vec<f64>, force: Vec<f64>, rounding: f64) -> Result<Self> {
         if nodes.len() < 2 {
@@ -64,11 +64,11 @@ impl EdgeTrace {
         for (name, values) in [("node", &nodes), ("displacement", &displacement), ("force", &force)] {
             require_finite(name, values)?;
         }
-        if let Some(pair) = nodes.windows(2).find(|p| p[0] >= p[1]) {
-            return Err(Error::OutOfRange { name: "node", value: pair[1], range: "increasing nodes" });
+        if let Some(k) = nodes.windows(2).position(|p| p[0] >= p[1]) {
+            require_entry("node", k + 1, nodes[k + 1], "increasing nodes", false)?;
         }
-        if let Some(&value) = displacement.iter().find(|&&u| u > rounding) {
-            return Err(Error::OutOfRange { name: "normal displacement", value, range: "u_N <= 0" });
+        if let Some(k) = displacement.iter().position(|&u| u > rounding) {
+            require_entry("normal displacement", k, displacement[k], "u_N <= 0", false)?;
         }
         let largest_u = displacement.iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let largest_force = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));

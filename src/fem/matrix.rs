@@ -5,6 +5,7 @@
 //! and eliminations read rows only. A product costs two operations per entry and runs on all cores.
 
 use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Rows handled by one task of a parallel product.
 const CHUNK: usize = 4096;
@@ -21,6 +22,24 @@ pub struct BlockMatrix {
 
 impl BlockMatrix {
     pub(super) fn new(components: usize, offsets: Vec<usize>, columns: Vec<u32>, values: Vec<f64>) -> Self {
+        Self { components, offsets, columns, values }
+    }
+
+    /// From the entries of every row; blocks of which some entry is given are whole.
+    pub(crate) fn of_rows(components: usize, rows: &[BTreeMap<usize, f64>]) -> Self {
+        let c = components;
+        let (mut offsets, mut columns, mut values) = (vec![0], Vec::new(), Vec::new());
+        for block in rows.chunks_exact(c) {
+            let neighbours: BTreeSet<usize> =
+                block.iter().flat_map(|row| row.keys().map(|k| k / c)).collect();
+            for node in neighbours {
+                columns.push(node as u32);
+                for row in block {
+                    values.extend((node * c..(node + 1) * c).map(|k| row.get(&k).copied().unwrap_or(0.0)));
+                }
+            }
+            offsets.push(columns.len());
+        }
         Self { components, offsets, columns, values }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
+use crate::numeric::check::require_entry;
 use crate::sobolev::{Partition, PiecewisePolynomial};
 use std::ops::Range;
 
@@ -35,14 +36,12 @@ impl ElementMesh {
     /// Elements of the given numbers of cells, left to right.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for an element without cells, [`Error::LengthMismatch`] unless they add up.
+    /// [`Error::EntryOutOfRange`] for an element without cells, [`Error::LengthMismatch`] unless they add up.
     pub fn new(cells: Partition, cells_per_element: &[usize]) -> Result<Self> {
         let mut elements = Vec::with_capacity(cells_per_element.len());
         let mut start = 0;
-        for &count in cells_per_element {
-            if count == 0 {
-                return Err(Error::CountOutOfRange { name: "cells of an element", value: 0, range: ">= 1" });
-            }
+        for (index, &count) in cells_per_element.iter().enumerate() {
+            require_entry("cells of an element", index, count as f64, ">= 1", count > 0)?;
             elements.push(start..start + count);
             start += count;
         }

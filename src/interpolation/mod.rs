@@ -18,7 +18,7 @@
 //! | (4.6), (4.7): their rates for all of H^r, from both sides | [`supremum_rate`], [`wave_constant`] |
 //! | Remark 4 | [`saturation_quotient`], [`power_lagrange_rate`] |
 //! | Remark 2 | [`AliasedWave`], [`all_waves_mean`], [`smooth_dual_error`] |
-//! | ‖·‖\_{1/2,*} | [`DualNorm`]: dual to the full norm (1.1) of order 1/2 on the interval |
+//! | ‖·‖\_{1/2,*} | [`crate::sobolev::dual`]: dual to the full norm (1.1) of order 1/2 on the interval |
 //! | C(q) in (3.6), (3.10), (4.12), from both sides | [`embedding_upper_bound`], [`EmbeddingSpace`] |
 //! | C(α) in (E3) | [`EndIncrements`] |
 //! | limits ν → 0, ν → 1, (6.2) | [`limits`] |
@@ -34,12 +34,13 @@ mod embedding;
 mod extremal;
 mod forms;
 mod mesh;
+mod mesh_ratios;
 mod projection;
 mod rate;
 mod trial;
 mod triangle;
 
-pub use dual::{AliasedWave, DualNorm, all_waves_mean, all_waves_rate, smooth_dual_error};
+pub use dual::{AliasedWave, all_waves_mean, all_waves_rate, smooth_dual_error};
 pub use element::{
     ElementExtremal, ErrorNorm, LocalConstants, element_constant, element_extremal, extremal_slopes,
     largest_share, limits, longest_element, mean_deviation,
@@ -49,6 +50,7 @@ pub use embedding::{
     EMBEDDING_GROWTH, EmbeddingSpace, EmbeddingTrial, EndIncrements, critical_exponent, embedding_upper_bound,
 };
 pub use mesh::{ascend, mesh_constant, mesh_constant_on_cells};
+pub use mesh_ratios::MeshRatios;
 pub use projection::{
     DualRates, ProjectionNorm, ProjectionRates, ProjectionStudy, SupremumRate, dual_projection_constant,
     power_lagrange_rate, projection_constant, projection_norm_on_cells, projection_norm_on_mesh,

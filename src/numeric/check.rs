@@ -43,6 +43,22 @@ pub fn require_values(name: &'static str, values: &[f64], expected: usize) -> Re
     require_finite(name, values)
 }
 
+/// Fails unless the entry with this index satisfies `admissible`.
+pub(crate) fn require_entry(
+    name: &'static str,
+    index: usize,
+    value: f64,
+    range: &'static str,
+    admissible: bool,
+) -> Result<()> {
+    require_not_nan(name, index, value)?;
+    if admissible { Ok(()) } else { Err(Error::EntryOutOfRange { name, index, value, range }) }
+}
+
+fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<()> {
+    if value.is_nan() { Err(Error::NotFinite { name, index, value }) } else { Ok(()) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,7 +3,7 @@
 use super::constant::{gamma, gamma_whole};
 use super::zone::{Condition, Zone};
 use super::zones::Zones;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::random::SplitMix;
 use crate::numeric::search::golden_section;
@@ -83,7 +83,8 @@ impl ZoneCase {
     ///
     /// # Errors
     /// As for [`gamma`].
-    pub fn over_end(&self, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn over_end(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         let end = gamma(self.order, Zone::end(self.zones.length())?, self.condition, tolerance)?;
         gamma(self.order, self.zones.clone(), self.condition, tolerance)?.over(end)
     }
@@ -105,8 +106,9 @@ impl ZoneCase {
 pub fn random_zones(
     count: u32,
     seed: u64,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Vec<(ZoneCase, Option<Estimate>)>> {
+    let tolerance = tolerance.given()?;
     let mut random = SplitMix::new(seed);
     let cases = (0..count).map(|_| ZoneCase::random(&mut random)).collect::<Result<Vec<_>>>()?;
     let with_ratio = |case: ZoneCase| match case.over_end(tolerance) {
@@ -150,11 +152,12 @@ impl MovedZone {
     /// # Errors
     /// Those of [`gamma`] and [`Zone::at`].
     pub fn new(
-        order: FractionalOrder,
+        order: impl Given<FractionalOrder>,
         theta: f64,
         condition: Condition,
-        tolerance: Tolerance,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let (share, least) = best_place(order, theta, condition, tolerance)?;
         let end = gamma(order, Zone::end(theta)?, condition, tolerance)?;
         let whole = gamma_whole(order, tolerance)?.over(end)?;

@@ -4,10 +4,10 @@ use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
 use super::extremal::ExtremalFunction;
 use super::mesh::{MeshModel, SHORTEST_RADIUS};
-use super::rounding::{ROUNDING, rounding};
+use super::rounding::rounding;
 use super::zone::{Condition, Zone};
 use super::zones::Zones;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
@@ -43,11 +43,12 @@ const COARSER: f64 = 4.0;
 /// tolerance.
 #[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs"))]
 pub fn gamma(
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     zone: impl Into<Zones>,
     condition: Condition,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let constraint = constraint(&zone.into(), condition)?;
     continued(order, &constraint, tolerance, |order, tolerance| {
         refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
@@ -55,7 +56,7 @@ pub fn gamma(
 }
 
 /// What `direct` finds, at small orders that have no digits of their own what is continued from larger ones.
-fn continued(
+pub(super) fn continued(
     order: FractionalOrder,
     constraint: &Constraint,
     tolerance: Tolerance,
@@ -86,7 +87,12 @@ fn continued(
 /// [`Error::OutOfRange`] for ν ≤ 1/2, where points have no trace, or a point outside;
 /// [`Error::ToleranceNotMet`] as for [`gamma`], and when ν is so close to 1/2 that the constant is decided
 /// below r = 1e-290.
-pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> Result<Estimate> {
+pub fn gamma_at_point(
+    order: impl Given<FractionalOrder>,
+    a: f64,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
     let inside = a == 0.0 || (1e-300..=1.0).contains(&a);
     let a = Error::require("point", a, "{0} or [1e-300, 1]", inside)?;
@@ -112,68 +118,9 @@ pub fn gamma_at_point(order: FractionalOrder, a: f64, tolerance: Tolerance) -> R
 /// # Errors
 /// [`Error::ToleranceNotMet`] as for [`gamma`].
 #[doc(alias("Poincare constant", "Poincare-Wirtinger"))]
-pub fn gamma_whole(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+pub fn gamma_whole(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     gamma(order, Zone::end(1.0)?, Condition::MeanZero, tolerance)
-}
-
-/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]: for mean zero on E, the dual norm of
-/// 1_E/|E| − 1.
-///
-/// ```
-/// use signorini::{Tolerance, sobolev::FractionalOrder};
-/// use signorini::poincare::{Condition, Zone, dual_norm, gamma, gamma_whole};
-/// let (order, zone, asked) = (FractionalOrder::HALF, Zone::end(0.01)?, Tolerance::balanced());
-/// let [n, g] = [dual_norm, gamma].map(|f| f(order, zone, Condition::MeanZero, asked).map(|e| e.value));
-/// let (n, g, whole) = (n?, g?, gamma_whole(order, asked)?.value);
-/// assert!(n.max(whole) <= g && g <= n.hypot(whole));
-/// # Ok::<(), signorini::Error>(())
-/// ```
-///
-/// # Errors
-/// As for [`gamma`].
-#[doc(alias("H-1/2"))]
-pub fn dual_norm(
-    order: FractionalOrder,
-    zone: impl Into<Zones>,
-    condition: Condition,
-    tolerance: Tolerance,
-) -> Result<Estimate> {
-    let constraint = constraint(&zone.into(), condition)?;
-    if constraint.is_whole() {
-        return Estimate::new(0.0, 0.0, Work::default());
-    }
-    continued(order, &constraint, tolerance, |order, tolerance| {
-        refine_until(order, &constraint, tolerance, |model| {
-            let discrete = Discrete::new(order, &constraint, model)?;
-            Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
-        })
-    })
-}
-
-/// N², ‖r‖₀² and ⟨T²r, r⟩ for a zone (0,θ), r the mean-free representer of the dual norm, T the operator of
-/// ‖·‖₀².
-pub(crate) struct DualMoments {
-    pub(crate) square: Estimate,
-    pub(crate) representer: Estimate,
-    pub(crate) image: Estimate,
-}
-
-pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
-    let constraint = Constraint::on_zones(&Zone::end(theta)?.into(), Condition::MeanZero);
-    let moments = |model: &MeshModel| -> Result<([f64; 3], Work)> {
-        let discrete = Discrete::new(order, &constraint, model)?;
-        let dual = discrete.dual_norm()?;
-        let scale = discrete.factor * discrete.factor;
-        let square = dual.square * scale;
-        Ok(([square, square * dual.rayleigh * scale, square * dual.image * scale * scale], discrete.work))
-    };
-    let model = MeshModel::new(order, tolerance.relative());
-    let both = rayon::join(|| moments(&model), || moments(&model.varied()));
-    let ((fine, work), (coarse, more)) = (both.0?, both.1?);
-    let estimate = |k: usize| {
-        Estimate::new(fine[k], (fine[k] - coarse[k]).abs() + 2.0 * ROUNDING * fine[k], work + more)
-    };
-    Ok(DualMoments { square: estimate(0)?, representer: estimate(1)?, image: estimate(2)? })
 }
 
 /// γ with a function for which it is attained: of the space on which the value was found, or continued from
@@ -191,11 +138,12 @@ pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolera
 /// As for [`gamma`].
 #[doc(alias("eigenfunction", "minimiser"))]
 pub fn extremal(
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     zone: impl Into<Zones>,
     condition: Condition,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<(Estimate, ExtremalFunction)> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let constraint = constraint(&zone.into(), condition)?;
     let direct = |order, tolerance| attained(order, &constraint, tolerance);
     match (direct(order, tolerance), Continuation::to(order, constraint.shortest(), tolerance)) {

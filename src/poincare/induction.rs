@@ -3,7 +3,7 @@
 use super::constant::extremal;
 use super::extremal::ExtremalFunction;
 use super::zone::{Condition, Zone};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::{FractionalOrder, SingularFunction};
 
@@ -55,7 +55,12 @@ pub struct InductionStep {
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ 1; those of the quadrature.
-pub fn scaling_defect(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<Estimate> {
+pub fn scaling_defect(
+    order: impl Given<FractionalOrder>,
+    theta: f64,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     Error::require("theta", theta, "(0, 1]", theta > 0.0 && theta <= 1.0)?;
     let on = |end: f64| {
         SingularFunction::from_positions(&[0.0, end], move |at| {
@@ -106,7 +111,8 @@ pub fn scaling_defect(order: FractionalOrder, theta: f64, tolerance: Tolerance) 
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ θ₀ < 1.
-pub fn closing_factor(order: FractionalOrder, start: f64, theta: f64) -> Result<f64> {
+pub fn closing_factor(order: impl Given<FractionalOrder>, start: f64, theta: f64) -> Result<f64> {
+    let order = order.given()?;
     Error::require(
         "theta",
         theta,
@@ -148,11 +154,12 @@ pub fn closing_factor(order: FractionalOrder, start: f64, theta: f64) -> Result<
 /// # Ok::<(), signorini::Error>(())
 /// ```
 pub fn induction(
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     theta: f64,
     steps: u32,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Vec<InductionStep>> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     Error::require("steps", f64::from(steps), "[1, 9]", (1..=9).contains(&steps))?;
     // θ^(2^steps) is the shortest zone; on the whole interval no function is restricted.
     let admissible = theta > 0.0 && theta < 1.0 && theta.powf(2f64.powi(steps as i32)) >= 1e-300;

@@ -5,7 +5,7 @@ use super::limits::interior_limit;
 use super::mellin::end_limit;
 use super::uniform::UniformLaw;
 use super::zone::{Condition, Place};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::FractionalOrder;
 
@@ -46,11 +46,12 @@ impl LimitLaw {
     /// # Errors
     /// Those of [`gamma_at_point`], [`end_limit`] and [`UniformLaw::new`].
     pub fn new(
-        order: FractionalOrder,
+        order: impl Given<FractionalOrder>,
         place: Place,
         condition: Condition,
-        tolerance: Tolerance,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Option<Self>> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let uniform = || UniformLaw::new(order, tolerance).map(|law| Some(Self::Uniform(Box::new(law))));
         let power = |factor: Estimate| Some(Self::Power { order, factor });
         if order.offset() > 0.0 {

@@ -1,6 +1,6 @@
 //! The printed laws (5.1)-(5.3) and the exact limits they should be compared with.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::sobolev::FractionalOrder;
 use std::f64::consts::PI;
@@ -58,7 +58,8 @@ pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2.
-pub fn interior_limit(order: FractionalOrder) -> Result<Estimate> {
+pub fn interior_limit(order: impl Given<FractionalOrder>) -> Result<Estimate> {
+    let order = order.given()?;
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     // tan(πν) = cot(π(1/2 − ν))
     let tangent = 1.0 / (PI * -order.offset()).tan();

@@ -5,7 +5,7 @@ use super::scaling::last_exponent;
 use super::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
 use super::two_sided::two_sided;
 use super::zone::{Condition, Zone};
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial};
 
@@ -66,7 +66,13 @@ impl Places {
     ///
     /// # Errors
     /// Those of [`two_sided`] and [`Zone::at`].
-    pub fn new(order: FractionalOrder, theta: f64, fractions: &[f64], tolerance: Tolerance) -> Result<Self> {
+    pub fn new(
+        order: impl Given<FractionalOrder>,
+        theta: f64,
+        fractions: &[f64],
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         // Scaled to (0,1), the left piece (0,1/2) has its zone, of relative length 2ε, at an end.
         let short = Zone::end(2.0 * SHARE * theta)?;
         let zones = fractions.iter().map(|fraction| Zone::at(fraction * (1.0 - theta), theta));

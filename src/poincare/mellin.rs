@@ -1,6 +1,6 @@
 //! B(ν) = lim θ^{1/2−ν} γ_θ(ν), ν < 1/2, zone at an end: the Mellin transform of the problem on a half line.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::{FractionalOrder, HalfLineSymbol};
 use std::f64::consts::PI;
@@ -33,7 +33,8 @@ const ROUNDING: f64 = 1e-14;
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]
 /// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
-pub fn end_limit(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+pub fn end_limit(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     if limit.relative_error() > asked {
         let why = "the order nu is rounded, and 1 - 2 nu holds no more digits";

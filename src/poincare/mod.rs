@@ -16,6 +16,7 @@ mod induction;
 mod law;
 mod limits;
 mod location;
+mod mean;
 mod mellin;
 mod mesh;
 mod moments;
@@ -30,12 +31,13 @@ mod zones;
 
 pub use arrangement::{MovedZone, ZoneCase, random_zones};
 pub use bracket::HalfBracket;
-pub use constant::{dual_norm, extremal, gamma, gamma_at_point, gamma_whole};
+pub use constant::{extremal, gamma, gamma_at_point, gamma_whole};
 pub use extremal::ExtremalFunction;
 pub use induction::{InductionStep, closing_factor, induction, scaling_defect};
 pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
 pub use location::{Placed, Places};
+pub use mean::largest_mean;
 pub use mellin::end_limit;
 pub use moments::{
     Moment, MomentBounds, StrongForm, half_order_moment, moment_extremal, moment_norm, moment_norm_beside,

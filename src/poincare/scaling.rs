@@ -6,7 +6,7 @@ use super::limits::{END_SLOPE, INTERIOR_SLOPE, printed_growth};
 use super::mellin::end_limit;
 use super::two_sided::{TwoSided, two_sided};
 use super::zone::{Condition, Place, Zone};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
@@ -26,7 +26,8 @@ use crate::sobolev::FractionalOrder;
 /// assert!(found.is_some_and(|exponent| (exponent.value + 0.25).abs() <= exponent.error));
 /// # Ok::<(), signorini::Error>(())
 /// ```
-pub fn growth(order: FractionalOrder, zones: &[(f64, Estimate)]) -> Result<Option<Estimate>> {
+pub fn growth(order: impl Given<FractionalOrder>, zones: &[(f64, Estimate)]) -> Result<Option<Estimate>> {
+    let order = order.given()?;
     for pair in zones.windows(2) {
         Error::require("theta", pair[1].0, "a shorter zone than before", pair[1].0 < pair[0].0)?;
     }
@@ -91,7 +92,8 @@ const NEAR_ONE: [f64; 3] = [1e-2, 1e-3, 1e-4];
 ///
 /// # Errors
 /// As [`gamma`].
-pub fn printed_exponent_near_one(tolerance: Tolerance) -> Result<Option<Estimate>> {
+pub fn printed_exponent_near_one(tolerance: impl Given<Tolerance>) -> Result<Option<Estimate>> {
+    let tolerance = tolerance.given()?;
     let order = FractionalOrder::HALF;
     let point = |distance: f64| -> Result<Point> {
         let theta = 1.0 - distance;
@@ -132,7 +134,12 @@ impl ExplicitBound {
     ///
     /// # Errors
     /// Those of [`gamma_whole`], [`gamma_at_point`] and [`end_limit`].
-    pub fn new(order: FractionalOrder, condition: Condition, tolerance: Tolerance) -> Result<Option<Self>> {
+    pub fn new(
+        order: impl Given<FractionalOrder>,
+        condition: Condition,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Option<Self>> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let half = || {
             gamma_whole(FractionalOrder::HALF, tolerance).map(|whole| Some(Self::RootOfLogarithm { whole }))
         };
@@ -226,11 +233,12 @@ impl Scaling {
     /// # Errors
     /// Those of [`LimitLaw::new`] and [`ExplicitBound::new`].
     pub fn new(
-        order: FractionalOrder,
+        order: impl Given<FractionalOrder>,
         place: Place,
         condition: Condition,
-        tolerance: Tolerance,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let law = LimitLaw::new(order, place, condition, tolerance)?;
         let bound = ExplicitBound::new(order, condition, tolerance)?;
         Ok(Self { order, place, condition, tolerance, law, bound })
@@ -276,7 +284,12 @@ impl Scaling {
 ///
 /// # Errors
 /// As [`gamma`].
-pub fn looseness_at_half(theta: f64, shorter: Estimate, tolerance: Tolerance) -> Result<Estimate> {
+pub fn looseness_at_half(
+    theta: f64,
+    shorter: Estimate,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let tolerance = tolerance.given()?;
     let order = FractionalOrder::HALF;
     let middle = gamma(order, Zone::end(0.5)?, Condition::MeanZero, tolerance)?;
     let printed = printed_growth(order, theta) / printed_growth(order, 0.5);

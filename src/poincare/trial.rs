@@ -2,7 +2,7 @@
 
 use super::limits::END_SLOPE;
 use super::scaling::{growth, last_exponent};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
 
@@ -106,7 +106,8 @@ impl TruncatedFamily {
     ///
     /// # Errors
     /// Those of [`truncated_logarithm`] and of [`growth`](super::growth).
-    pub fn new(alpha: f64, constants: &[(f64, Estimate)], tolerance: Tolerance) -> Result<Self> {
+    pub fn new(alpha: f64, constants: &[(f64, Estimate)], tolerance: impl Given<Tolerance>) -> Result<Self> {
+        let tolerance = tolerance.given()?;
         // ‖|ln x|^α‖₀² = Γ(1 + 2α)
         let full = if alpha < 0.5 {
             let square = closed_forms::log_power(alpha)?.value;
@@ -143,9 +144,10 @@ impl TruncatedFamily {
 /// Those of [`PiecewisePolynomial::seminorm`]; [`Error::NotFinite`] for a constant.
 pub fn trial_quotient(
     u: &PiecewisePolynomial,
-    order: FractionalOrder,
-    tolerance: Tolerance,
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     u.l2_norm(Tolerance::reference())?.over(u.seminorm(order, tolerance)?)
 }
 
@@ -171,9 +173,10 @@ pub fn trial_quotient(
 pub fn mean_free_quotient(
     u: &PiecewisePolynomial,
     theta: f64,
-    order: FractionalOrder,
-    tolerance: Tolerance,
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let near = |x: f64| (x - theta).abs() <= ONE_NODE * theta;
     let node = u.partition().nodes().iter().position(|&x| near(x)).filter(|&k| k > 0);
     let elements = node.ok_or(Error::OutOfRange { name: "theta", value: theta, range: "the nodes" })?;
@@ -207,9 +210,10 @@ pub struct BothSides {
 pub fn cut_in_two(
     u: &PiecewisePolynomial,
     elements: usize,
-    order: FractionalOrder,
-    tolerance: Tolerance,
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<BothSides> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let (mut square, mut error) = (0.0, 0.0);
     let left = u.l2_norm(Tolerance::reference())?;
     for range in [0..elements, elements..u.partition().len()] {

@@ -1,12 +1,13 @@
 //! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
 
-use super::constant::{constraint, dual_norm, gamma, gamma_whole, refine};
+use super::constant::{constraint, gamma, gamma_whole, refine};
 use super::continuation::Continuation;
 use super::discrete::{Constraint, Discrete};
+use super::mean::largest_mean;
 use super::mesh::MeshModel;
 use super::rounding::rounding;
 use super::zone::{Condition, Zone};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
@@ -43,11 +44,12 @@ pub struct TwoSided {
 /// # Errors
 /// As for [`super::gamma`].
 pub fn two_sided(
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     zone: Zone,
     condition: Condition,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<TwoSided> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let parts = constraint(&zone.into(), condition)?;
     let whole = gamma_whole(order, tolerance)?;
     let direct = refine(
@@ -64,7 +66,7 @@ pub fn two_sided(
             if Continuation::to(order, parts.shortest(), tolerance).is_some() =>
         {
             let gamma = gamma(order, zone, condition, tolerance)?;
-            let dual_norm = dual_norm(order, zone, condition, tolerance)?;
+            let dual_norm = largest_mean(order, zone, condition, tolerance)?;
             Ok(TwoSided::of_estimates(gamma, whole, dual_norm))
         }
         result => result,

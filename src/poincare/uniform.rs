@@ -1,11 +1,12 @@
 //! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
 
-use super::constant::{DualMoments, dual_moments, gamma, gamma_whole};
+use super::constant::{gamma, gamma_whole};
 use super::limits::END_SLOPE;
+use super::mean::{DualMoments, dual_moments};
 use super::mellin;
 use super::slopes::kernel::exp_quotient;
 use super::zone::{Condition, Zone};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
@@ -84,7 +85,8 @@ impl UniformLaw {
     /// # Errors
     /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] when the dual norms cannot be had
     /// to the tolerance.
-    pub fn new(order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
+    pub fn new(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         Error::require("nu", order.value(), "[0.4, 0.6]", order.offset().abs() <= 0.1)?;
         let p = order.one_minus_twice();
         let growth = |theta: f64| exp_quotient(p, -theta.ln());

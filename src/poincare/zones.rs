@@ -2,7 +2,7 @@
 
 use super::zone::Zone;
 use crate::error::{Error, Result};
-use crate::numeric::check::require_finite;
+use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use std::fmt;
 
 /// Shortest length that is admitted, as for [`Zone`].
@@ -41,13 +41,14 @@ impl Zones {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for none and for more than 32 intervals; [`Error::OutOfRange`] for lengths
-    /// that are no admissible ones, intervals that overlap or touch, or that reach beyond (0,1);
+    /// [`Error::CountOutOfRange`] for none and for more than 32 intervals; [`Error::EntryOutOfRange`] for
+    /// lengths that are no admissible ones, intervals that overlap or touch, or that reach beyond (0,1);
     /// [`Error::NotFinite`].
     pub fn union(intervals: &[(f64, f64)]) -> Result<Self> {
         require_count(intervals.len())?;
-        for &(start, length) in intervals {
-            require_finite("interval", &[start, length])?;
+        for (k, &(start, length)) in intervals.iter().enumerate() {
+            require_finite_at("start of interval", k, start)?;
+            require_finite_at("length of interval", k, length)?;
         }
         let mut sorted = intervals.to_vec();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -56,7 +57,7 @@ impl Zones {
             let gap = start - end;
             if k > 0 {
                 let apart = gap > TOUCHING * start;
-                Error::require("gap between two intervals", gap, "(0, 1), intervals being apart", apart)?;
+                require_entry("start of interval", k, start, "beyond the interval before", apart)?;
             }
             lengths.extend([gap, length]);
             end = start + length;
@@ -91,7 +92,7 @@ impl Zones {
         for (k, &length) in lengths.iter().enumerate() {
             let name = if k % 2 == 0 { "gap" } else { "interval" };
             let admissible = (SHORTEST..=1.0).contains(&length) || (k == 0 && length == 0.0);
-            Error::require(name, length, "[1e-300, 1]; {0} as the first gap", admissible)?;
+            require_entry(name, k / 2, length, "[1e-300, 1]; {0} as the first gap", admissible)?;
         }
         let rest = rest(of);
         Error::require("end of the last interval", 1.0 - rest, "(0, 1]", rest >= -f64::EPSILON)?;
@@ -155,7 +156,7 @@ fn require_count(count: usize) -> Result<()> {
 mod tests {
     use super::*;
     use crate::estimate::{Estimate, Tolerance};
-    use crate::poincare::{Condition, dual_norm, extremal, gamma};
+    use crate::poincare::{Condition, extremal, gamma, largest_mean};
     use crate::sobolev::{FractionalOrder, gram_linears, mass_linears};
     use crate::{numeric::pencil::Factored, sobolev::Partition};
     use faer::Mat;
@@ -279,7 +280,7 @@ mod tests {
         let (order, tolerance) = (FractionalOrder::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
         for condition in CONDITIONS {
             let (value, function) = extremal(order, zones.clone(), condition, tolerance).unwrap();
-            let norm = dual_norm(order, zones.clone(), condition, tolerance).unwrap();
+            let norm = largest_mean(order, zones.clone(), condition, tolerance).unwrap();
             assert!(norm.value > 0.0 && norm.value < value.value);
             let mean: f64 = zones
                 .intervals()

@@ -7,7 +7,7 @@
 //! r^{1−ν} and |∇u|_ν ~ r^{−ν}, while Iu = −1 on all of T: the nodal quotient grows like r^{2ν−1}, the other
 //! falls like r^{1+2ν}.
 
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::{FractionalOrder, PlaneFunction, Triangles, root_of_squares};
 
@@ -27,7 +27,12 @@ impl FaceGaps {
     ///
     /// # Errors
     /// [`crate::Error::InfiniteNorm`] for ν ≥ 1/2: σ jumps; [`crate::Error::ToleranceNotMet`].
-    pub fn new(halvings: u32, order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
+    pub fn new(
+        halvings: u32,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let face = Face::new(halvings)?;
         let areas = face.mesh.areas();
         let contact: f64 = face.pressure.iter().zip(areas).map(|(s, area)| s * area).sum();

@@ -67,6 +67,6 @@ pub use step::{Step, TwoLaws};
 pub use theta::{ThetaRule, printed_exponent, printed_theta};
 pub use with_numbers::{NumberedRow, NumberedStudy, TheoremNumbers};
 pub use without_c::{BoundRow, BoundWithoutC, MeshShape, half_plane_korn};
-pub use without_c_study::{BoundProblem, BoundStudy};
+pub use without_c_study::{BoundProblem, BoundStudy, segment_versions};
 pub use worst_pair::worst_ratio;
 pub use worst_sets::{ContactFamily, SetTerms};

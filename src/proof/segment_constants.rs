@@ -31,7 +31,7 @@
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 
 use crate::cone::Cone;
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::search::golden_section;
 use crate::poincare::{Moment, MomentBounds, StrongForm, moment_norm, moment_norm_beside};
@@ -86,8 +86,11 @@ pub fn half_sharpened(order: FractionalOrder) -> f64 {
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) as for [`moment_norm`].
-pub fn product_constant(order: FractionalOrder, tolerance: Tolerance) -> Result<SegmentConstant> {
-    largest_product(order, Moment::Mass, Moment::Mass, tolerance)
+pub fn product_constant(
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
+) -> Result<SegmentConstant> {
+    largest_product(order.given()?, Moment::Mass, Moment::Mass, tolerance.given()?)
 }
 
 /// κ(ν), the best constant of the consistency term of either cone over the contact sets with one gap, at an
@@ -95,16 +98,22 @@ pub fn product_constant(order: FractionalOrder, tolerance: Tolerance) -> Result<
 ///
 /// # Errors
 /// As for [`product_constant`].
-pub fn consistency_constant(order: FractionalOrder, tolerance: Tolerance) -> Result<SegmentConstant> {
-    largest_product(order, Moment::FromFreeEnd, Moment::Mass, tolerance)
+pub fn consistency_constant(
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
+) -> Result<SegmentConstant> {
+    largest_product(order.given()?, Moment::FromFreeEnd, Moment::Mass, tolerance.given()?)
 }
 
 /// κ̄(ν): the term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact set.
 ///
 /// # Errors
 /// As for [`product_constant`].
-pub fn midpoint_bound(order: FractionalOrder, tolerance: Tolerance) -> Result<SegmentConstant> {
-    largest_product(order, Moment::Mass, Moment::FromZone, tolerance)
+pub fn midpoint_bound(
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
+) -> Result<SegmentConstant> {
+    largest_product(order.given()?, Moment::Mass, Moment::FromZone, tolerance.given()?)
 }
 
 /// The best constant of the consistency term for one gap of the given length at an end: A(1−b) B(b) for the
@@ -121,7 +130,13 @@ pub fn midpoint_bound(order: FractionalOrder, tolerance: Tolerance) -> Result<Se
 /// # Errors
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for
 /// [`product_constant`].
-pub fn one_gap_ratio(cone: Cone, order: FractionalOrder, gap: f64, tolerance: Tolerance) -> Result<Estimate> {
+pub fn one_gap_ratio(
+    cone: Cone,
+    order: impl Given<FractionalOrder>,
+    gap: f64,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     match cone {
         Cone::Nodal => product(order, (Moment::Mass, Moment::FromFreeEnd), gap, tolerance),
         Cone::Midpoint => product(order, (Moment::FromFreeEnd, Moment::Mass), gap, tolerance),
@@ -211,10 +226,6 @@ mod tests {
     /// Both roads, to nine digits.
     const ASKED: f64 = 1e-9;
 
-    fn sharp() -> Tolerance {
-        Tolerance::new(ASKED).unwrap()
-    }
-
     #[test]
     fn the_potentials_weigh_most_at_one_half() {
         for k in 1..=200 {
@@ -241,7 +252,7 @@ mod tests {
         // Conforming piecewise linears on graded meshes, from below, 3 to 4 digits.
         for (nu, k, kappa) in [(1e-6, 0.1997, 0.0679), (0.25, 0.1105, 0.03234), (0.5, 0.0519, 0.01350)] {
             let order = FractionalOrder::new(nu).unwrap();
-            let found = [product_constant(order, sharp()), consistency_constant(order, sharp())];
+            let found = [product_constant(order, ASKED), consistency_constant(order, ASKED)];
             for (found, seen) in found.into_iter().zip([k, kappa]) {
                 let value = found.unwrap().value.value;
                 assert!((value / seen - 1.0).abs() < 2e-3, "{nu}: {value} {seen}");
@@ -255,9 +266,9 @@ mod tests {
             let order = FractionalOrder::new(nu).unwrap();
             let strong = StrongForm::new(order).unwrap();
             let c = half_sharpened(order);
-            let k = product_constant(order, sharp()).unwrap();
-            let kappa = consistency_constant(order, sharp()).unwrap();
-            let midpoint = midpoint_bound(order, sharp()).unwrap();
+            let k = product_constant(order, ASKED).unwrap();
+            let kappa = consistency_constant(order, ASKED).unwrap();
+            let midpoint = midpoint_bound(order, ASKED).unwrap();
             let all = [kappa.value.value, midpoint.value.value, k.value.value, c];
             assert!(all.windows(2).all(|pair| pair[0] < pair[1]), "{nu}: {all:?}");
             assert!((k.contact - 0.5).abs() < 1e-4, "{nu}: {k:?}");
@@ -274,8 +285,8 @@ mod tests {
     fn the_maximum_found_is_that_of_a_grid() {
         for nu in [0.01, 0.5, 0.95] {
             let order = FractionalOrder::new(nu).unwrap();
-            let kappa = consistency_constant(order, sharp()).unwrap();
-            let largest = product_constant(order, sharp()).unwrap().value;
+            let kappa = consistency_constant(order, ASKED).unwrap();
+            let largest = product_constant(order, ASKED).unwrap().value;
             for k in 1..40 {
                 let gap = f64::from(k) / 40.0;
                 let ratio = one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast()).unwrap();

@@ -1,12 +1,28 @@
 //! The bound without C beside the error of a problem whose solution is known, mesh after mesh.
 
+use super::segment_constants::{SegmentConstant, consistency_constant, half_sharpened, product_constant};
 use super::without_c::{BoundRow, BoundWithoutC, MeshShape, half_plane_korn};
 use super::without_c_strip::strip_bounds;
 use crate::cone::Cone;
 use crate::error::Result;
+use crate::estimate::Tolerance;
 use crate::scenes::{ClosedForm, ClosedFormLevel};
+use crate::sobolev::FractionalOrder;
 use crate::strip::Levels;
 use std::fmt;
+
+/// The three constants c, K, κ of a segment at ν = 1/2 for the bounds of the nodal and of the midpoint cone; K
+/// and κ are rounded up by their errors. The midpoint cone has half of a product of two L¹ norms, whatever the
+/// contact set, so that κ is of no use to it: c/2, K/2, K/2.
+///
+/// # Errors
+/// Those of [`product_constant`].
+pub fn segment_versions(tolerance: Tolerance) -> Result<[[f64; 3]; 2]> {
+    let (order, up) = (FractionalOrder::HALF, |found: SegmentConstant| found.value.value + found.value.error);
+    let product = up(product_constant(order, tolerance)?);
+    let nodal = [half_sharpened(order), product, up(consistency_constant(order, tolerance)?)];
+    Ok([nodal, [0.5 * nodal[0], 0.5 * product, 0.5 * product]])
+}
 
 /// Where the solution is known.
 #[derive(Debug, Clone, Copy, PartialEq)]

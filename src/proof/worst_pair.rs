@@ -24,7 +24,7 @@
 //! [`super::consistency_constant`] the maximum. Cost: O(cells³) per set.
 
 use crate::cone::Cone;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::{FractionalOrder, Partition, gram_constants};
 use faer::Mat;
@@ -48,7 +48,14 @@ const HALVINGS: u32 = 4;
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for gaps that leave no contact or τ outside (3/2, 2); [`Error::ToleranceNotMet`].
-pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64, tolerance: Tolerance) -> Result<Estimate> {
+pub fn worst_ratio(
+    cone: Cone,
+    tau: f64,
+    left: f64,
+    right: f64,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let tolerance = tolerance.given()?;
     Error::require("left gap", left, "[0, 1)", (0.0..1.0).contains(&left))?;
     Error::require("right gap", right, "(0, 1 - left)", right > 0.0 && right < 1.0 - left)?;
     let order = FractionalOrder::new(Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)? - 1.5)?;

@@ -7,7 +7,7 @@
 use super::mesh::{MeshScene, Setting};
 use crate::cone::Cone;
 use crate::contact::{Accuracy, ContactProblem, Fallback, Solver};
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::Tolerance;
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Hierarchy, Sides, mapped_grid};
@@ -74,9 +74,10 @@ pub struct TwoRoads {
     pub factor: Option<f64>,
     /// Gradient steps on the finest level.
     pub gradient_steps: Option<usize>,
-    /// Most contact sets tried on a level.
-    pub set_steps: Option<usize>,
-    /// Contact sets that elimination tries from no contact.
+    /// Most contact sets tried on a level, the coarsest included, with nothing known beforehand; on the mesh
+    /// itself where elimination took over.
+    pub set_steps: usize,
+    /// Contact sets that elimination tries on the mesh itself, from no contact.
     pub cold_steps: usize,
     /// Whether both ended well.
     pub is_converged: bool,
@@ -139,7 +140,8 @@ impl HardCase {
     ///
     /// # Errors
     /// Those of problems and solvers.
-    pub fn by_two_roads(&self, n: usize, cone: Cone, tolerance: Tolerance) -> Result<TwoRoads> {
+    pub fn by_two_roads(&self, n: usize, cone: Cone, tolerance: impl Given<Tolerance>) -> Result<TwoRoads> {
+        let tolerance = tolerance.given()?;
         let (problem, hierarchy) = self.problem(n)?;
         TwoRoads::of(&problem, hierarchy.as_ref(), cone, tolerance)
     }
@@ -154,15 +156,17 @@ impl TwoRoads {
         problem: &ContactProblem,
         hierarchy: Option<&Hierarchy>,
         cone: Cone,
-        tolerance: Tolerance,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
+        let tolerance = tolerance.given()?;
         let found = problem.solve_by_multigrid(cone, hierarchy, Accuracy::Relative(tolerance), |_| Ok(()))?;
         let (one, other) = (&found.solution, problem.solve(cone, Solver::ActiveSet)?);
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
         let difference: Vec<f64> =
             one.displacement.iter().zip(&other.displacement).map(|(a, b)| a - b).collect();
         let norm = problem.energy_norm(&other.displacement)?;
-        let last = found.levels.last().filter(|_| found.fallback.is_none());
+        let levels = if found.fallback.is_none() { &found.levels[..] } else { &[] };
+        let last = levels.last();
         let is_weak = other.margins.is_weak(WEAK);
         Ok(Self {
             unknowns: other.displacement.len(),
@@ -172,7 +176,7 @@ impl TwoRoads {
             estimate: found.error.filter(|_| found.fallback.is_none()).map(|error| error.relative_error()),
             factor: last.map(|level| level.factor),
             gradient_steps: last.map(|level| level.gradient_steps),
-            set_steps: last.and_then(|_| found.levels.iter().map(|level| level.steps).max()),
+            set_steps: levels.iter().map(|level| level.steps).fold(found.coarsest_steps, usize::max),
             cold_steps: other.history.len(),
             is_converged: one.status.is_converged() && other.status.is_converged(),
             fallback: found.fallback,

@@ -13,7 +13,7 @@
 //! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for
 //! ν < p − 1/2. For p = 3/2 no load would be left.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::fem::{Form, Lame};
 use crate::mesh::Point;
@@ -122,7 +122,8 @@ impl RoughTransition {
     /// # Errors
     /// [`Error::InfiniteNorm`] for τ ≥ p + 1; [`Error::OutOfRange`] unless 1 < τ ≤ 2; as
     /// [`SectorPower::elastic_gradient`].
-    pub fn body_seminorm(&self, tau: f64, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn body_seminorm(&self, tau: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         let (p, radius, q) = (self.power, self.radius(), self.power - 1.0);
         let material = self.lame.map(Self::moduli);
         if tau == 2.0 {
@@ -162,9 +163,10 @@ impl RoughTransition {
         &self,
         datum: EdgeDatum,
         [from, to]: [f64; 2],
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         if order.value() >= self.power - 0.5 {
             let why = "r^(p-1) on one side of a point is in H^nu only for nu < p - 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });

@@ -14,7 +14,7 @@ use super::gram::dense::{diagonal_linear, require_constants_finite};
 use super::kernel::cells::CellPairs;
 use super::order::FractionalOrder;
 use super::partition::Partition;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 
 /// Rounding of the sums below, in units of the value: at most a few hundred operations, all of one sign.
@@ -39,7 +39,8 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] for a not finite or above 1e4.
-pub fn power(a: f64, order: FractionalOrder) -> Result<Estimate> {
+pub fn power(a: f64, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+    let order = order.given()?;
     Error::require("exponent a", a, "finite and at most 1e4", a.is_finite() && a <= 1e4)?;
     if a == 0.0 {
         return Estimate::new(0.0, 0.0, Work::default());
@@ -126,7 +127,8 @@ fn power_above(a: f64, order: FractionalOrder, end: f64) -> (f64, u64) {
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Partition::from_lengths`] for bad lengths.
-pub fn jump(p: f64, q: f64, order: FractionalOrder) -> Result<Estimate> {
+pub fn jump(p: f64, q: f64, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+    let order = order.given()?;
     require_constants_finite(order)?;
     Partition::from_lengths(vec![p, q])?;
     let value = 2.0 * CellPairs::new(order).touching_constants(p, q);
@@ -150,7 +152,14 @@ pub fn jump(p: f64, q: f64, order: FractionalOrder) -> Result<Estimate> {
 ///
 /// # Errors
 /// As [`Partition::from_lengths`] for bad lengths.
-pub fn hat(before: f64, rise: f64, fall: f64, after: f64, order: FractionalOrder) -> Result<Estimate> {
+pub fn hat(
+    before: f64,
+    rise: f64,
+    fall: f64,
+    after: f64,
+    order: impl Given<FractionalOrder>,
+) -> Result<Estimate> {
+    let order = order.given()?;
     let mut lengths = vec![rise, fall];
     let mut peak = 1;
     if before != 0.0 {

@@ -2,14 +2,15 @@
 //! `samples:FILE`.
 
 use super::closed_forms;
-use super::evaluated::{Evaluated, hat, log, power, read_samples, step};
-use super::functions::SingularFunction;
+use super::functions::{Position, SingularFunction};
 use super::order::FractionalOrder;
+use super::partition::Partition;
 use super::piecewise::PiecewisePolynomial;
 use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::estimate::Estimate;
+use crate::numeric::text::{pairs, read_text};
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// A function by name.
@@ -49,108 +50,12 @@ pub enum GalleryFunction {
 const EXPECTED: &str = "power:A, step:X with 0 < X < 1, hat, log:ALPHA with 0 < ALPHA <= 80, or samples:FILE";
 
 impl GalleryFunction {
-    /// |u|_ν.
-    ///
-    /// # Errors
-    /// [`Error::InfiniteNorm`] above the critical order, [`Error::ToleranceNotMet`], [`Error::File`].
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        self.evaluated()?.seminorm(order.given()?, tolerance.given()?)
-    }
-
-    /// |u|_ν, none where it is found to be infinite.
-    ///
-    /// # Errors
-    /// As [`GalleryFunction::seminorm`] otherwise.
-    pub fn finite_seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Option<Estimate>> {
-        match self.seminorm(order, tolerance) {
-            Err(Error::InfiniteNorm { .. }) => Ok(None),
-            outcome => outcome.map(Some),
-        }
-    }
-
-    /// ||u||_ν.
-    ///
-    /// # Errors
-    /// As [`GalleryFunction::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        self.evaluated()?.norm(order.given()?, tolerance.given()?)
-    }
-
-    /// |u − u_h|_ν for a field on many elements, as [`SingularFunction::seminorm_of_error`].
-    ///
-    /// ```
-    /// use signorini::Tolerance;
-    /// use signorini::sobolev::{FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial};
-    /// let mesh = Partition::algebraic(1000, 2.0, 1.0)?;
-    /// let values: Vec<f64> = mesh.from_left().iter().map(|x| x.sqrt()).collect();
-    /// let field = PiecewisePolynomial::linears(mesh, &values)?;
-    /// let root = GalleryFunction::Power(0.5);
-    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
-    /// let found = root.seminorm_of_error(&field, order, asked)?;
-    /// assert!(found.value < 3e-3 && found.value < root.norm_of_error(&field, order, asked)?.value);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`SingularFunction::seminorm_of_error`]; [`Error::Incompatible`] for samples.
-    pub fn seminorm_of_error(
-        &self,
-        field: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-    ) -> Result<Estimate> {
-        self.closure()?.seminorm_of_error(field, order, tolerance)
-    }
-
-    /// ||u − u_h||_ν, as [`GalleryFunction::seminorm_of_error`].
-    ///
-    /// # Errors
-    /// As [`GalleryFunction::seminorm_of_error`].
-    pub fn norm_of_error(
-        &self,
-        field: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-    ) -> Result<Estimate> {
-        self.closure()?.norm_of_error(field, order, tolerance)
-    }
-
-    fn closure(&self) -> Result<SingularFunction<'_>> {
-        match *self {
-            Self::Power(a) => power(a),
-            Self::Step(x) => step(x),
-            Self::Hat => hat(),
-            Self::Log(alpha) => log(alpha),
-            Self::Samples(_) => Err(Error::Incompatible {
-                what: "function",
-                given: self.to_string(),
-                with: "the error of a field",
-                expected: "a function by formula, or the field minus the samples as one piecewise polynomial",
-            }),
-        }
-    }
-
-    fn evaluated(&self) -> Result<Evaluated<'_>> {
-        match self {
-            Self::Power(a) => Evaluated::power(*a),
-            Self::Samples(path) => read_samples(path).map(Evaluated::Samples),
-            _ => self.closure().map(Evaluated::Closure),
-        }
-    }
-
     /// |u|_ν in closed form, where one is known.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] above the critical order.
-    pub fn closed_form(&self, order: FractionalOrder) -> Result<Option<Estimate>> {
+    pub fn closed_form(&self, order: impl Given<FractionalOrder>) -> Result<Option<Estimate>> {
+        let order = order.given()?;
         let squared = match self {
             Self::Power(a) => return closed_forms::root_of_power(*a, order).map(Some),
             Self::Step(at) => closed_forms::jump(*at, 1.0 - at, order)?,
@@ -180,24 +85,64 @@ impl GalleryFunction {
             Self::Power(_) | Self::Hat | Self::Samples(_) => 1.0,
         }
     }
+
+    pub(super) fn evaluated(&self) -> Result<Evaluated<'_>> {
+        let closure = match *self {
+            Self::Power(a) => SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
+                0 => at.offset().powf(a),
+                _ => (a * at.offset().ln_1p()).exp(),
+            }),
+            Self::Step(x) => SingularFunction::from_positions(&[0.0, x, 1.0], |at: Position| {
+                let right = at.anchor() == 2 || at.anchor() == 1 && at.offset() > 0.0;
+                f64::from(u8::from(right))
+            }),
+            Self::Hat => SingularFunction::from_positions(&[0.0, 0.5, 1.0], |at| match at.anchor() {
+                1 => 1.0 - 2.0 * at.offset().abs(),
+                _ => 2.0 * at.offset().abs(),
+            }),
+            Self::Log(alpha) => {
+                SingularFunction::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
+                    0 => (-at.log_distance()).powf(alpha),
+                    // The distance to 1 is −ln x; at small α its power is far from 0 where it underflows.
+                    _ if at.log_distance() < -46.0 => (alpha * at.log_distance()).exp(),
+                    _ => (-at.offset().ln_1p()).powf(alpha),
+                })
+            }
+            Self::Samples(ref path) => return read_samples(path).map(Evaluated::Samples),
+        };
+        closure.map(Evaluated::Closure)
+    }
+}
+
+/// A function of the gallery, ready to be measured.
+pub(super) enum Evaluated<'a> {
+    Closure(SingularFunction<'a>),
+    Samples(PiecewisePolynomial),
+}
+
+/// The piecewise linear function through the rows (x, value) of a file.
+fn read_samples(path: &Path) -> Result<PiecewisePolynomial> {
+    let rows = pairs(&read_text(path)?, "samples").map_err(|fault| Error::file(path, fault))?;
+    if rows.len() < 2 {
+        return Err(Error::file(path, "fewer than two rows of x, value"));
+    }
+    if let Some([_, (line, _)]) = rows.array_windows().find(|[(_, left), (_, right)]| left[0] >= right[0]) {
+        return Err(Error::file(path, format!("line {line}: x is not above that of the line before")));
+    }
+    let (nodes, values): (Vec<f64>, Vec<f64>) = rows.iter().map(|&(_, [x, value])| (x, value)).unzip();
+    PiecewisePolynomial::linears(Partition::from_nodes(&nodes)?, &values)
 }
 
 impl fmt::Display for GalleryFunction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Power(a) => write!(f, "power:{}", short(*a)),
-            Self::Step(at) => write!(f, "step:{}", short(*at)),
+            Self::Power(a) => write!(f, "power:{a}"),
+            Self::Step(at) => write!(f, "step:{at}"),
             Self::Hat => write!(f, "hat"),
-            Self::Log(alpha) => write!(f, "log:{}", short(*alpha)),
+            Self::Log(alpha) => write!(f, "log:{alpha}"),
             Self::Samples(path) => write!(f, "samples:{}", path.display()),
         }
     }
-}
-
-/// The shortest text that is read as this number again, without rows of zeros.
-fn short(value: f64) -> String {
-    let plain = value.to_string();
-    if plain.len() > 20 { format!("{value:e}") } else { plain }
 }
 
 fn unknown(text: &str) -> Error {
@@ -240,39 +185,6 @@ mod tests {
         for name in ["power:0", "power:0.6", "hat"] {
             assert_eq!(name.parse::<GalleryFunction>().unwrap().last_order(), 1.0, "{name}");
         }
-    }
-
-    /// x^a with a so small that its values round to one: |u|_ν ~ |a| below ν = 1/2, √a at 1/2.
-    #[test]
-    fn powers_next_to_a_constant_have_their_norms() {
-        let asked = Tolerance::balanced();
-        for a in [1e-300, 1e-17, -1e-17, 1e-12, -1e-6, 1e-3, 0.003906] {
-            for nu in [1e-3, 0.1, 0.25, 0.49] {
-                let (u, order) = (GalleryFunction::Power(a), FractionalOrder::new(nu).unwrap());
-                let (found, exact) =
-                    (u.seminorm(order, asked).unwrap(), u.closed_form(order).unwrap().unwrap());
-                let off = (found.value - exact.value).abs();
-                assert!(off <= found.error + exact.error, "{u}, {nu}: {found}, exact {exact}");
-                assert!(found.error <= 1.1e-8 * exact.value, "{u}, {nu}: {found}");
-                let norm = u.norm(order, asked).unwrap();
-                let whole = (1.0 / (1.0 + 2.0 * a) + exact.value.powi(2)).sqrt();
-                assert!((norm.value - whole).abs() <= norm.error + 1e-15, "{u}, {nu}: {norm}, exact {whole}");
-            }
-            let half = GalleryFunction::Power(a).finite_seminorm(FractionalOrder::HALF, asked);
-            match half {
-                Ok(Some(found)) => {
-                    let exact =
-                        GalleryFunction::Power(a).closed_form(FractionalOrder::HALF).unwrap().unwrap();
-                    assert!((found.value - exact.value).abs() <= found.error + exact.error, "{a}: {found}");
-                }
-                Ok(None) => assert!(a < 0.0, "x^{a} is in H^(1/2)"),
-                Err(error) => assert!(matches!(error, Error::ToleranceNotMet { .. }), "{a}: {error}"),
-            }
-            let above = GalleryFunction::Power(a).finite_seminorm(FractionalOrder::new(0.75).unwrap(), asked);
-            assert_eq!(above.unwrap(), None, "{a}");
-        }
-        let written = |a: f64| GalleryFunction::Power(a).to_string();
-        assert_eq!([1e-300, 0.3, -2.0].map(written), ["power:1e-300", "power:0.3", "power:-2"]);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use crate::error::{Error, Result};
 
 /// L σ^m, then L σ^k (1 − σ), k = m − 1, ..., 0.
 pub(super) fn geometric_lengths(layers: usize, ratio: f64, length: f64) -> Result<Vec<f64>> {
+    require_length_of_interval(length)?;
     Error::require("grading ratio", ratio, "(0, 1)", ratio > 0.0 && ratio < 1.0)?;
     let power = |k: usize| length * ratio.powf(k as f64);
     let mut lengths = vec![power(layers)];
@@ -13,6 +14,7 @@ pub(super) fn geometric_lengths(layers: usize, ratio: f64, length: f64) -> Resul
 
 /// L ((i+1)/n)^β − L (i/n)^β, i < n.
 pub(super) fn algebraic_lengths(count: usize, exponent: f64, length: f64) -> Result<Vec<f64>> {
+    require_length_of_interval(length)?;
     let admissible = exponent > 0.0 && exponent.is_finite();
     Error::require("grading exponent", exponent, "(0, inf)", admissible)?;
     let element = |i: usize| {
@@ -20,4 +22,9 @@ pub(super) fn algebraic_lengths(count: usize, exponent: f64, length: f64) -> Res
         if i == 0 { right } else { right * -(-exponent * (1.0 / i as f64).ln_1p()).exp_m1() }
     };
     Ok((0..count).map(element).collect())
+}
+
+/// 0 < L < ∞.
+pub(super) fn require_length_of_interval(length: f64) -> Result<f64> {
+    Error::require("length of the interval", length, "(0, inf)", length > 0.0 && length.is_finite())
 }

@@ -7,11 +7,11 @@
 //! | --- | --- |
 //! | orders and meshes | [`FractionalOrder`], [`Partition`] |
 //! | norms of piecewise polynomials and of closures | [`PiecewisePolynomial`], [`SingularFunction`] |
-//! | norms of u − u_h | [`SingularFunction::seminorm_of_error`], [`GalleryFunction::seminorm_of_error`] |
+//! | norms of u − u_h | [`SingularFunction::minus`], [`FieldError`] |
 //! | monotone rearrangements | [`PiecewisePolynomial::decreasing_rearrangement`], [`near_differences`] |
 //! | norms of named functions | [`GalleryFunction`] |
 //! | Gram matrices, dense and as fast operators | [`gram_constants`], [`gram_linears`], [`GramOperator`] |
-//! | dual norms | [`dual_norm_of_functional`], [`PiecewisePolynomial::dual_norm`], [`DualOf`] |
+//! | dual norms | [`dual`], [`PiecewisePolynomial::dual_norm`], [`DualOf`], [`MeshFunctional`] |
 //! | norms on polygons' boundaries | [`BoundaryFunction`], [`PolygonalCurve`] |
 //! | norms in the plane, on triangulations | [`PlaneFunction`], [`SingularPlaneFunction`], [`Triangles`] |
 //! | traces with their constants | [`half_plane_trace`], [`WedgeTrace`], [`SquareTrace`] |
@@ -19,12 +19,12 @@
 
 mod boundary;
 pub mod closed_forms;
-mod dual;
+pub mod dual;
 mod energy;
-mod evaluated;
 mod fields;
 mod functions;
 mod gallery;
+mod gallery_norms;
 mod grading;
 mod gram;
 mod kernel;
@@ -36,7 +36,8 @@ mod root;
 mod trace;
 
 pub use boundary::{BoundaryFunction, PolygonalCurve};
-pub use dual::{DualOf, dual_norm_of_functional};
+pub use dual::{DualOf, MeshFunctional};
+pub use fields::FieldError;
 pub use functions::{Position, SingularFunction};
 pub use gallery::GalleryFunction;
 pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};

@@ -1,7 +1,8 @@
 //! Partitions of an interval given by the *lengths* of their elements.
 
-use super::grading::{algebraic_lengths, geometric_lengths};
+use super::grading::{algebraic_lengths, geometric_lengths, require_length_of_interval};
 use crate::error::{Error, Result};
+use crate::numeric::check::{require_entry, require_finite};
 use crate::numeric::memory::require_memory;
 use crate::numeric::scale::power_between;
 use crate::numeric::sum::RunningSum;
@@ -51,9 +52,9 @@ impl Partition {
     /// The partition with the given element lengths, left end at 0.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] without elements, [`Error::OutOfRange`] for a length that is not positive
-    /// and finite, for a total length that overflows, or when the total length exceeds 1e303 times the
-    /// shortest element.
+    /// [`Error::CountOutOfRange`] without elements, [`Error::EntryOutOfRange`] for a length that is not positive
+    /// and finite, [`Error::OutOfRange`] for a total length that overflows, or when the total length exceeds
+    /// 1e303 times the shortest element.
     pub fn from_lengths(lengths: Vec<f64>) -> Result<Self> {
         Self::at(0.0, lengths)
     }
@@ -61,10 +62,13 @@ impl Partition {
     /// The partition with the given nodes; lengths are their differences.
     ///
     /// # Errors
-    /// As [`Partition::from_lengths`]; nodes must increase strictly.
+    /// As [`Partition::from_lengths`]; [`Error::EntryOutOfRange`] unless nodes increase; [`Error::NotFinite`].
     pub fn from_nodes(nodes: &[f64]) -> Result<Self> {
+        require_finite("node", nodes)?;
+        for (k, pair) in nodes.windows(2).enumerate() {
+            require_entry("node", k + 1, pair[1], "numbers above the node before", pair[0] < pair[1])?;
+        }
         let left = nodes.first().copied().unwrap_or(0.0);
-        Error::require("node", left, "finite", left.is_finite())?;
         Self::at(left, nodes.windows(2).map(|pair| pair[1] - pair[0]).collect())
     }
 
@@ -74,6 +78,7 @@ impl Partition {
     /// As [`Partition::from_lengths`]; [`Error::TooLarge`] for more elements than memory holds.
     pub fn uniform(count: usize, length: f64) -> Result<Self> {
         require_memory("elements", count, BYTES)?;
+        require_length_of_interval(length)?;
         Self::from_lengths(vec![length / count.max(1) as f64; count])
     }
 
@@ -166,9 +171,8 @@ impl Partition {
         if lengths.is_empty() {
             return Err(Error::CountOutOfRange { name: "elements", value: 0, range: ">= 1" });
         }
-        for &length in &lengths {
-            let admissible = length > 0.0 && length.is_finite();
-            Error::require("element length", length, "(0, inf)", admissible)?;
+        for (index, &length) in lengths.iter().enumerate() {
+            require_entry("element length", index, length, "(0, inf)", length > 0.0 && length.is_finite())?;
         }
         let from_left = running_sums(lengths.iter().copied());
         let mut from_right = running_sums(lengths.iter().rev().copied());
@@ -177,12 +181,8 @@ impl Partition {
         Error::require("total length", total, "finite", total.is_finite())?;
         let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
         let admissible = shortest >= f64::MIN_POSITIVE && total / shortest <= LARGEST_RATIO;
-        Error::require(
-            "shortest element length",
-            shortest,
-            "[2.3e-308, inf) and at least 1e-303 of the interval",
-            admissible,
-        )?;
+        let range = "[2.3e-308, inf) and at least 1e-303 of the interval";
+        Error::require("shortest element length", shortest, range, admissible)?;
         Ok(Self { left, lengths, from_left, from_right })
     }
 

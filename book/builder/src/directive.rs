@@ -129,9 +129,10 @@ fn parts(finding: &Value) -> Result<[&str; 3], String> {
 /// A sentence with its comparison; one that does not hold says so.
 fn finding(finding: &Value) -> Result<String, String> {
     let [outcome, words, comparison] = parts(finding)?;
+    let says_so = words.starts_with(outcome);
     let words = typography::html(words);
     let mark = match outcome {
-        "refuted" | "undecided" => format!("<strong class=\"outcome\">{outcome}:</strong> "),
+        "refuted" | "undecided" if !says_so => format!("<strong class=\"outcome\">{outcome}:</strong> "),
         _ => String::new(),
     };
     let class = outcome.replace(' ', "-");

@@ -23,6 +23,7 @@ pub mod letters;
 pub mod live;
 pub mod local;
 pub mod markup;
+pub mod meanings;
 pub mod number;
 pub mod options;
 pub mod page;
@@ -33,6 +34,7 @@ pub mod scan;
 pub mod search;
 pub mod sentence;
 pub mod serve;
+pub mod several;
 pub mod slider;
 pub mod stale;
 pub mod tables;
@@ -102,6 +104,7 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     faults.extend(coverage::faults(&pages, &layout.repository)?);
     faults.extend(letters::Letters::faults(&pages));
     faults.extend(local::faults(&pages));
+    faults.extend(meanings::faults(&pages));
     let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,

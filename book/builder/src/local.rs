@@ -50,9 +50,9 @@ const RELATIONS: [&str; 14] = [
     "\\mapsto",
 ];
 /// What a letter on the left of a relation may follow.
-const BEGINS: [&str; 16] = [
+const BEGINS: [&str; 17] = [
     ",", ";", "&", "=", "<", "\\le", "\\\\", "\\quad", "\\qquad", "\\;", ":", "\\text", "\\begin", "{", "}",
-    "\\{",
+    "\\{", "\\mathrm",
 ];
 /// What binds a letter: the first index of a sum, the variable of an integral, what runs through a set.
 const BINDS: [&str; 9] = ["\\sum", "\\prod", "\\sup", "\\inf", "\\max", "\\min", "\\lim", "\\dd", "\\forall"];
@@ -97,10 +97,16 @@ fn formulas(page: &Page) -> Vec<Formula> {
 }
 
 /// Directives are numbers.
-fn without_values(latex: &str) -> String {
+pub(crate) fn without_values(latex: &str) -> String {
     let mut parts = latex.split("{{value:");
     let first = parts.next().unwrap_or("").to_owned();
     parts.fold(first, |text, part| text + "1" + part.split_once("}}").map_or("", |(_, rest)| rest))
+}
+
+/// Whether a token is a letter of either alphabet.
+pub(crate) fn is_letter(token: &str) -> bool {
+    let is_latin = token.len() == 1 && token.starts_with(|c: char| c.is_ascii_alphabetic());
+    is_latin || token.strip_prefix('\\').is_some_and(|name| GREEK.contains(&name))
 }
 
 /// Letters and where they stand; an index is part of its letter.
@@ -108,9 +114,7 @@ fn letters(tokens: &[String]) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
-        let is_latin = token.len() == 1 && token.starts_with(|c: char| c.is_ascii_alphabetic());
-        let is_greek = token.strip_prefix('\\').is_some_and(|name| GREEK.contains(&name));
-        if is_latin || is_greek {
+        if is_letter(token) {
             found.push((at, token.clone()));
         }
         at = behind_index(tokens, at + 1);
@@ -119,7 +123,7 @@ fn letters(tokens: &[String]) -> Vec<(usize, String)> {
 }
 
 /// Behind an index, if there is one here.
-fn behind_index(tokens: &[String], at: usize) -> usize {
+pub(crate) fn behind_index(tokens: &[String], at: usize) -> usize {
     if tokens.get(at).is_none_or(|token| token != "_") {
         return at;
     }

@@ -154,7 +154,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
             _ => (DualOf::InterpolationZero, [1.0, 1.0]),
         };
         let u = PiecewisePolynomial::constants(mesh, &values)?;
-        Ok((modes(order)?, ask(move |t| u.dual_norm(of, order, t))))
+        Ok((modes(order)?, ask(move |t| u.dual_norm_in(of, order, t))))
     })?;
     let products = draw(each.min(6), || {
         let (order, count) = (order(random, 0.02, 0.98)?, 100 + random.below(300));

@@ -55,6 +55,17 @@ pub fn within<T: OnTheLine>(
     }
 }
 
+/// Refuses a list of numbers that does not increase.
+///
+/// # Errors
+/// [`crate::Error::Option`] with the name of the option.
+pub fn increasing(option: &str, numbers: &[f64]) -> crate::Result<()> {
+    if numbers.is_sorted_by(|one, next| one < next) {
+        return Ok(());
+    }
+    Err(crate::Error::Option(format!("{option}: expected numbers that increase")))
+}
+
 /// The ends; `None` of what is no interval, and then nothing lies in it.
 fn ends(interval: &str) -> Option<[f64; 2]> {
     let inner = interval.strip_prefix(['(', '['])?.strip_suffix([')', ']'])?;

@@ -39,7 +39,7 @@ pub use command::{HasOutput, Output, announce_memory, main};
 pub use describe::Cost;
 pub use error::{Error, Result};
 pub use expression::Expression;
-pub use interval::{OnTheLine, within};
+pub use interval::{OnTheLine, increasing, within};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
 pub use progress::progress;
 pub use seconds::timed;

@@ -71,7 +71,7 @@ impl fmt::Display for Fallback {
 pub struct MultigridLevel {
     /// Unknowns, prescribed ones included.
     pub unknowns: usize,
-    /// Contact sets tried.
+    /// Contact sets tried, each with a linear system of the level.
     pub steps: usize,
     /// Conjugate gradient steps, one cycle each.
     pub gradient_steps: usize,
@@ -94,6 +94,9 @@ pub struct MultigridSolution {
     pub error: Option<Estimate>,
     /// The expected error of discretisation in the energy norm.
     pub discretisation: Option<f64>,
+    /// Contact sets tried by elimination on the coarsest mesh, or on the mesh itself where it took over; the
+    /// first of them is guessed from coarser functions on the edge.
+    pub coarsest_steps: usize,
     /// The levels above the coarsest one.
     pub levels: Vec<MultigridLevel>,
     /// Why the direct solver was taken, if it was.

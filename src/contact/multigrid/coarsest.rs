@@ -6,6 +6,9 @@ use crate::fem::Condensation;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
+/// A pivot below this share of its diagonal entry is rounding: some part of the body is not held.
+const VANISHED: f64 = 1e-14;
+
 /// The condensation and the factor of S on the free nodes.
 pub(super) struct Coarsest {
     condensation: Condensation,
@@ -39,8 +42,13 @@ impl Coarsest {
         }
         let part = Mat::from_fn(free.len(), free.len(), |i, j| schur[(free[i], free[j])]);
         let what = "condensed stiffness on the coarsest contact edge";
-        let failed = |_| Error::NotPositiveDefinite { what, pivot: free.len() };
-        self.factor = Some(part.llt(Side::Lower).map_err(failed)?);
+        let failed = |pivot: usize| Error::NotPositiveDefinite { what, pivot };
+        let factor = part.llt(Side::Lower).map_err(|_| failed(free.len()))?;
+        let vanishes = |&k: &usize| factor.L()[(k, k)].powi(2) <= VANISHED * part[(k, k)];
+        if let Some(pivot) = (0..free.len()).find(vanishes) {
+            return Err(failed(pivot));
+        }
+        self.factor = Some(factor);
         Ok(())
     }
 

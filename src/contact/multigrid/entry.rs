@@ -5,7 +5,7 @@ use super::super::problem::ContactProblem;
 use super::accuracy::{Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridProgress, MultigridSolution};
 use super::chain::Chain;
 use super::nested::{self, Observer};
-use crate::cone::{Cone, ContactSet};
+use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::fem::Form;
 use crate::mesh::Hierarchy;
@@ -93,9 +93,9 @@ impl ContactProblem {
     }
 
     fn directly(&self, cone: Cone, why: Fallback) -> Result<MultigridSolution> {
-        let none = ContactSet::empty(self.edge_cone(cone).constraints());
-        let (solution, _) = condensed::solve(self, cone, none, None)?;
+        let solution = condensed::solve_by_cascade(self, cone)?;
         Ok(MultigridSolution {
+            coarsest_steps: solution.history.len(),
             solution,
             error: None,
             discretisation: None,

@@ -6,6 +6,11 @@
 //! and R. Krause, Comput. Vis. Sci. 4 (2001)). Each level starts from the solution and the set of the coarser
 //! one. The cost is O(unknowns) for a fixed accuracy.
 //!
+//! Nothing is known of the solution beforehand: a cold start is the way up from the coarsest mesh, where the
+//! set is guessed from coarser functions on the edge. What the ends of contact do between two meshes is seen
+//! on patches over them: a level takes one linear system in the nodal cone, or two; three at most in the
+//! midpoint cone, n to 2048.
+//!
 //! In the midpoint cone a run that is short by one segment has multipliers that ring, and what a projection
 //! makes of them is far from the set sought: where all that is wrong lies beside the ends of runs, the ends
 //! move. A run beside a clamped end may have to be broken up at places that no step finds; up to n = 256
@@ -43,6 +48,7 @@ mod level;
 mod link;
 mod nested;
 mod newton;
+mod patch;
 mod real;
 mod sparse_level;
 mod vectors;

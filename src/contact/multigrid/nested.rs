@@ -14,7 +14,7 @@ use super::grid_level::GridLevel;
 use super::level::Level;
 use super::newton::{Goal, Guess, Outcome, STEPS, Stage};
 use super::sparse_level::SparseLevel;
-use crate::cone::{Cone, ContactSet};
+use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::fem::Stencils;
@@ -81,9 +81,7 @@ impl<'a> Job<'a> {
         let last = levels.len() - 1;
         let mut coarsest = Coarsest::new(self.problems[0])?;
         let condensed = coarsest.condensed_share(self.problems[0]);
-        let edge = self.problems[0].edge_cone(self.cone);
-        let (first, _) =
-            condensed::solve(self.problems[0], self.cone, ContactSet::empty(edge.constraints()), None)?;
+        let first = condensed::solve_by_cascade(self.problems[0], self.cone)?;
         let factorization = start.elapsed().as_secs_f64();
         let start = Instant::now();
         let places: Vec<usize> = (0..levels[0].unknowns()).map(|unknown| levels[0].place(unknown)).collect();
@@ -141,7 +139,7 @@ impl<'a> Job<'a> {
         self.conclude(
             unknowns,
             outcome,
-            reports,
+            (first.history.len(), reports),
             Seconds {
                 assembly: self.problems.iter().map(|problem| problem.assembly_seconds()).sum(),
                 factorization,
@@ -155,7 +153,7 @@ impl<'a> Job<'a> {
         &self,
         unknowns: Vec<f64>,
         outcome: Outcome,
-        levels: Vec<MultigridLevel>,
+        (coarsest_steps, levels): (usize, Vec<MultigridLevel>),
         seconds: Seconds,
     ) -> Result<MultigridSolution> {
         let start = Instant::now();
@@ -181,7 +179,14 @@ impl<'a> Job<'a> {
         solution.seconds = Seconds { recovery: start.elapsed().as_secs_f64(), ..seconds };
         let error = Estimate::new(outcome.norm, outcome.error + rounding, work)?;
         let discretisation = levels.last().and_then(|level| level.discretisation);
-        Ok(MultigridSolution { solution, error: Some(error), discretisation, levels, fallback: None })
+        Ok(MultigridSolution {
+            solution,
+            error: Some(error),
+            discretisation,
+            coarsest_steps,
+            levels,
+            fallback: None,
+        })
     }
 
     fn goal(&self, is_last: bool, discretisation: &Discretisation) -> Goal {

@@ -1,9 +1,12 @@
 //! Contact on one level: truncated Newton steps, linear systems no more exactly than the set needs.
 //!
-//! A step holds the constraints of the set with equality and lowers the error by conjugate gradients; as soon
-//! as the error is a fiftieth of what it was, the signs of forces and gaps decide about the set, as in the
-//! condensed active set. When the set stands, the gradients go on to the accuracy asked for. A set that comes
-//! back is decided more exactly, then one constraint at a time.
+//! First patches over the ends of the runs that are guessed ([`super::patch`]) mend the guess: no linear
+//! system of the level is solved for a set that its neighbourhood contradicts. A step holds the constraints
+//! of the set with equality and lowers the error by conjugate gradients; as soon as the error is a fiftieth of
+//! what it was, signs of forces and gaps tell which constraints are wrong, and patches over them give the next
+//! set. Where these change nothing the signs decide, as in the condensed active set. When the set stands, the
+//! gradients go on to the accuracy asked for. A set that comes back is decided more exactly, then one
+//! constraint at a time.
 
 use super::super::problem::ContactProblem;
 use super::cycle::Cycle;
@@ -11,6 +14,7 @@ use super::edge::{Contact, Edge, changed};
 use super::face::FreePart;
 use super::gradients::Gradients;
 use super::level::Level;
+use super::patch;
 use super::vectors::{dot, dot_mixed, subtract_from};
 use crate::cone::{Cone, ContactSet, Status};
 use crate::error::Result;
@@ -24,10 +28,14 @@ const SHARPER: f64 = 1e-3;
 const SHARPEST: f64 = 1e-10;
 /// Steps allowed.
 pub(super) const STEPS: usize = 60;
+/// A first error below this share of the solution is as good as none: a patch may be all of a coarse body.
+const SOLVED: f64 = 1e-8;
 /// Starts from the true residual before the accuracy asked for is out of reach.
 const TRIES: usize = 3;
-/// What the gradients are to leave of the accuracy asked for.
+/// What the gradients are to leave of the accuracy asked for; of an accuracy that was missed, at most half
+/// and at least a tenth as much.
 const SPARE: f64 = 0.4;
+const LESS: (f64, f64) = (0.1, 0.5);
 /// Conjugate gradient steps allowed for one set: at the factor 0.9 enough for 1e-12.
 const GRADIENT_STEPS: usize = 300;
 /// More than this is never relied on of κ, whatever few steps say, and of an estimate this share.
@@ -136,8 +144,13 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
     ) -> Result<Outcome> {
         let mut gradients = Gradients::new(x.len(), self.least);
         let (mut set, mut history, mut seen) = (start, Vec::new(), HashSet::new());
+        if self.guess != Guess::Known {
+            self.hold(x, &set);
+            let ends: Vec<usize> = set.runs().into_iter().flat_map(|run| [run.start, run.end - 1]).collect();
+            self.mend(x, &mut set, &ends)?;
+        }
         let (mut decided, mut one_at_a_time, mut fewest) = (DECIDED, false, usize::MAX);
-        let (mut gradient_steps, mut tries, mut first) = (0, 0, None);
+        let (mut gradient_steps, mut tries, mut first, mut spare) = (0, 0, None, SPARE);
         loop {
             if history.last() != Some(&set) {
                 history.push(set.clone());
@@ -146,12 +159,12 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
             let first = *first.get_or_insert(error_of(&gradients));
             let goal = match goal {
                 Goal::Absolute(error) => error,
-                Goal::Share(share) => share * first,
+                Goal::Share(share) => share * first.max(SOLVED * sizes.norm),
                 Goal::Relative(relative) => relative * sizes.norm,
             };
             let (mut steps_here, mut before) = (0, error_of(&gradients));
             let (wrong, stuck) = loop {
-                let wanted = (decided * before).max(SPARE * goal);
+                let wanted = (decided * before).max(spare * goal);
                 let mut stuck = false;
                 while error_of(&gradients) > wanted && !stuck {
                     stuck = steps_here >= GRADIENT_STEPS || !gradients.step(self.level, self.cycle, x);
@@ -163,7 +176,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
                     Guess::Known => Vec::new(),
                     _ => self.edge.contact(x, &gradients.residual, &set).wrong,
                 };
-                if !wrong.is_empty() || stuck || before <= SPARE * goal {
+                if !wrong.is_empty() || stuck || before <= spare * goal {
                     break (wrong, stuck);
                 }
             };
@@ -183,6 +196,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
                     return Ok(Outcome { set, status, history, gradient_steps, ..outcome });
                 }
                 decided = (decided * SHARPER).max(SHARPEST);
+                spare *= (LESS.1 * goal / outcome.error).clamp(LESS.0, LESS.1);
                 continue;
             }
             if wrong.len() < fewest {
@@ -193,19 +207,36 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
                 decided = (decided * SHARPER).max(SHARPEST);
             }
             let contact = self.edge.contact(x, &gradients.residual, &set);
+            let mut next = set.clone();
+            if !came_back && !one_at_a_time {
+                self.mend(x, &mut next, &wrong)?;
+            }
             set = if one_at_a_time {
                 changed(&set, &wrong[..1])
-            } else {
+            } else if next == set {
                 self.edge.next_set(x, &set, &contact)?
+            } else {
+                next
             };
         }
     }
 
-    /// Moves the iterate onto the set and starts the gradients there.
-    fn begin(&mut self, x: &mut [f64], set: &ContactSet, gradients: &mut Gradients) -> Result<Sizes> {
+    /// Moves the iterate onto the set.
+    fn hold(&self, x: &mut [f64], set: &ContactSet) -> FreePart {
         let slack = self.edge.slack(x);
         let part = FreePart::new(self.problem, self.level, (self.edge.cone, set), &slack, &self.edge.fixed);
         self.edge.add(x, &part.change);
+        part
+    }
+
+    /// Mends the set near the given constraints, and the iterate with it.
+    fn mend(&self, x: &mut [f64], set: &mut ContactSet, constraints: &[usize]) -> Result<()> {
+        patch::mend((self.problem, self.level, &self.edge, &self.load), x, set, constraints)
+    }
+
+    /// Moves the iterate onto the set and starts the gradients there.
+    fn begin(&mut self, x: &mut [f64], set: &ContactSet, gradients: &mut Gradients) -> Result<Sizes> {
+        let part = self.hold(x, set);
         self.cycle.hold(&part.held, part.sawtooths)?;
         let sizes = self.residual(x, &mut gradients.residual);
         gradients.start(self.cycle);

@@ -5,5 +5,5 @@ mod norm;
 mod smooth;
 
 pub use aliasing::{AliasedWave, all_waves_mean, all_waves_rate};
-pub use norm::DualNorm;
+pub(crate) use norm::DualNorm;
 pub use smooth::smooth_dual_error;

@@ -1,5 +1,5 @@
 //! The dual norm of (4.7): ‖f‖\_{1/2,*} = sup ∫ f ψ / ‖ψ‖\_{1/2} over ψ ∈ H^{1/2}(I), with the full norm
-//! (1.1).
+//! (1.1), on one mesh for many f. The toolkit's dual norms are in [`crate::sobolev::dual`].
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
@@ -25,20 +25,8 @@ const ROUNDING: f64 = 1e-12;
 /// ψ_i: a lower bound that rises as the cells are refined. The representer is in H¹ for f ∈ L², so halving
 /// the cells at least halves what is missing of the square; the difference from the cells twice as long is
 /// the error estimate. Cost O(N³).
-///
-/// ```
-/// use signorini::{interpolation::DualNorm, sobolev::Partition};
-/// let norm = DualNorm::new(&Partition::uniform(8, 1.0)?)?;
-/// assert_eq!(norm.cells().len(), 8);
-/// // the constant one, given as a function and by its integrals against the hats: norm one
-/// assert!((norm.of(|_, _| 1.0)?.value - 1.0).abs() < 1e-10);
-/// let load = [[0.0625].as_slice(), &[0.125; 7], &[0.0625]].concat();
-/// assert!((norm.of_load(&load)?.value - 1.0).abs() < 1e-10);
-/// # Ok::<(), signorini::Error>(())
-/// ```
-#[doc(alias("H-1/2", "dual norm", "negative norm"))]
 #[derive(Debug, Clone)]
-pub struct DualNorm {
+pub(crate) struct DualNorm {
     cells: Partition,
     fine: Solver,
     /// On the cells joined in pairs.
@@ -61,7 +49,7 @@ impl DualNorm {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for an odd number of cells or more than 4096 (the matrices are dense).
-    pub fn new(cells: &Partition) -> Result<Self> {
+    pub(crate) fn new(cells: &Partition) -> Result<Self> {
         let count = cells.len();
         if !count.is_multiple_of(2) || count > MAX_CELLS {
             return Err(Error::CountOutOfRange { name: "cells", value: count, range: "even, <= 4096" });
@@ -72,7 +60,7 @@ impl DualNorm {
     }
 
     /// The cells.
-    pub fn cells(&self) -> &Partition {
+    pub(crate) fn cells(&self) -> &Partition {
         &self.cells
     }
 
@@ -80,7 +68,7 @@ impl DualNorm {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value of f or a norm beyond the range of binary64.
-    pub fn of(&self, f: impl Fn(usize, f64) -> f64) -> Result<Estimate> {
+    pub(crate) fn of(&self, f: impl Fn(usize, f64) -> f64) -> Result<Estimate> {
         let rule = Rule::gauss_legendre(POINTS)?;
         let count = self.cells.len();
         let values: Vec<f64> =
@@ -104,7 +92,7 @@ impl DualNorm {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] unless there is an integral per node, [`Error::NotFinite`] for a bad one.
-    pub fn of_load(&self, load: &[f64]) -> Result<Estimate> {
+    pub(crate) fn of_load(&self, load: &[f64]) -> Result<Estimate> {
         let count = self.cells.len();
         require_values("load", load, count + 1)?;
         let unit = unit_of(load);
@@ -164,6 +152,7 @@ impl Solver {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sobolev::MeshFunctional;
 
     #[test]
     fn the_dual_norm_of_a_constant_is_the_constant() {
@@ -189,5 +178,83 @@ mod tests {
             let missing = finest.value - coarse.value;
             assert!((0.0..=coarse.error).contains(&missing), "{n}: {coarse} against {finest}");
         }
+    }
+
+    /// Lengths and heights.
+    const SIZES: [(f64, f64); 15] = [
+        (1e-100, 1.0),
+        (1e100, 1.0),
+        (1.0, 1e-100),
+        (1.0, 1e100),
+        (1e-60, 1e60),
+        (1e-150, 1.0),
+        (1e150, 1.0),
+        (1e-300, 1.0),
+        (1e300, 1.0),
+        (1.0, 1e-160),
+        (1.0, 1e160),
+        (1.0, 1e-300),
+        (1.0, 1e300),
+        (1e-300, 1e-300),
+        (1e300, 1e300),
+    ];
+
+    #[test]
+    fn dual_norms_keep_their_digits_at_any_size() {
+        for (length, height) in SIZES {
+            let cells = Partition::uniform(8, length).unwrap();
+            let dual = DualNorm::new(&cells).unwrap();
+            // The dual norm of a constant v on an interval of length h is v h^{1/2}.
+            let (constant, exact) = (dual.of(|_, _| height), height * length.sqrt());
+            if exact.is_finite() {
+                let constant = constant.unwrap();
+                let error = (constant.value - exact).abs();
+                // Below the range of binary64 the answer is 0 or subnormal, within its error.
+                assert!(
+                    error <= 1e-10 * exact + constant.error,
+                    "h {length} height {height}: {constant} {exact}"
+                );
+                assert!(constant.error <= 1e-10 * exact + 1e-307, "h {length} height {height}: {constant}");
+            } else {
+                assert!(matches!(constant, Err(Error::NotFinite { .. })), "{constant:?}");
+            }
+            // A sawtooth of mean zero scales like v h on a short interval; the rounding of its mean weighs
+            // h^{-1/2} times more.
+            if length <= 1e-60 && length * height > 1e-290 {
+                let saw = |dual: &DualNorm, unit: f64| {
+                    dual.of(|i, _| if i % 2 == 0 { unit } else { -unit }).unwrap()
+                };
+                let moderate = DualNorm::new(&Partition::uniform(8, 2f64.powi(-20)).unwrap()).unwrap();
+                let reference = saw(&moderate, 1.0).value * 2f64.powi(20) * height * length;
+                let found = saw(&dual, height);
+                assert!(
+                    (found.value - reference).abs() <= 1e-4 * reference + found.error,
+                    "h {length}: {found}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_held_is_refused() {
+        assert!(matches!(
+            DualNorm::new(&Partition::uniform(5000, 1.0).unwrap()),
+            Err(Error::CountOutOfRange { .. })
+        ));
+        let dual = DualNorm::new(&Partition::uniform(2, 1e-100).unwrap()).unwrap();
+        // On an interval of length h the dual norm of 1 is h^{1/2}.
+        let norm = dual.of(|_, _| 1.0).unwrap();
+        assert!((norm.value / 1e-50 - 1.0).abs() < 1e-10, "{norm}");
+        assert!(dual.of(|_, _| f64::INFINITY).is_err());
+    }
+
+    #[test]
+    fn the_solve_agrees_with_the_one_on_any_mesh() {
+        // The same functional through a solve with the fast operator.
+        let cells = Partition::uniform(256, 1.0).unwrap();
+        let load: Vec<f64> = (0..=256).map(|i| f64::from((37 * i) % 101) / 101.0 - 0.3).collect();
+        let dense = DualNorm::new(&cells).unwrap().of_load(&load).unwrap();
+        let other = MeshFunctional::new(cells, &load).unwrap().dual_norm(0.5, 1e-8).unwrap();
+        assert!((dense.value / other.value - 1.0).abs() < 1e-8, "{dense} {other}");
     }
 }

@@ -1,7 +1,7 @@
 //! Best constants of Lemma 6.1, (6.1), on one element, by an eigenproblem for the slope.
 
 use super::legendre::{converge, evaluate, odd_degrees, primitive_gram, seminorm_gram};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
@@ -98,7 +98,12 @@ impl ElementExtremal {
 /// # Errors
 /// [`Error::ToleranceNotMet`] when the tolerance cannot be reached; [`Error::OutOfRange`] for a bad length h.
 #[doc(alias("interpolation error", "Lagrange interpolation", "Bramble-Hilbert"))]
-pub fn element_constant(norm: ErrorNorm, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+pub fn element_constant(
+    norm: ErrorNorm,
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     element_extremal(norm, order, tolerance).map(|extremal| extremal.constant)
 }
 
@@ -118,9 +123,10 @@ pub fn element_constant(norm: ErrorNorm, order: FractionalOrder, tolerance: Tole
 /// As [`element_constant`].
 pub fn element_extremal(
     norm: ErrorNorm,
-    order: FractionalOrder,
-    tolerance: Tolerance,
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<ElementExtremal> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let mut last = None;
     let constant = converge("interpolation constant", tolerance, |count| {
         let degrees = odd_degrees(count);
@@ -159,7 +165,11 @@ fn normalised(gram: &Mat<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64> {
 ///
 /// # Errors
 /// As [`element_constant`].
-pub fn longest_element(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+pub fn longest_element(
+    order: impl Given<FractionalOrder>,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let l2 = element_constant(ErrorNorm::L2, order, tolerance)?;
     let derivative = element_constant(ErrorNorm::Derivative, order, tolerance)?.value;
     let mut work = l2.work;

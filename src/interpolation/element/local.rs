@@ -2,7 +2,7 @@
 
 use super::constant::{ErrorNorm, element_constant, longest_element};
 use super::limits;
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::FractionalOrder;
 
@@ -43,7 +43,8 @@ impl LocalConstants {
     ///
     /// # Errors
     /// As [`element_constant`].
-    pub fn new(order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
+    pub fn new(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let best = |norm| element_constant(norm, order, tolerance);
         let longest = longest_element(order, Tolerance::fast())?;
         let beside = |factor: f64| best(ErrorNorm::H1 { h: factor * longest.value });

@@ -1,7 +1,7 @@
 //! C(q) from below: the quotient ‖u‖\_{L^q}/‖u‖_ν of functions found by an ascent.
 
 use super::upper::{check, critical_exponent};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::forms::mass_form;
 use crate::quadrature::Rule;
@@ -87,7 +87,8 @@ impl EmbeddingSpace {
     ///
     /// # Errors
     /// As [`EmbeddingSpace::new`]; [`Error::OutOfRange`] unless 2 ≤ q ≤ [`EmbeddingSpace::LARGEST`].
-    pub fn for_exponents_up_to(order: FractionalOrder, q: f64) -> Result<Self> {
+    pub fn for_exponents_up_to(order: impl Given<FractionalOrder>, q: f64) -> Result<Self> {
+        let order = order.given()?;
         Self::new(order, layers(q)?, RATIO)
     }
 
@@ -96,7 +97,8 @@ impl EmbeddingSpace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless ν < 1/2; as [`EmbeddingSpace::new`].
-    pub fn at_critical_exponent(order: FractionalOrder) -> Result<Self> {
+    pub fn at_critical_exponent(order: impl Given<FractionalOrder>) -> Result<Self> {
+        let order = order.given()?;
         let q = critical_exponent(order)?;
         Error::require("nu", order.value(), "(0, 1/2) for the critical exponent", q.is_finite())?;
         Self::for_exponents_up_to(order, (4.0 * q).min(LARGEST_CRITICAL))
@@ -116,7 +118,8 @@ impl EmbeddingSpace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν > 1/2 or a ratio outside (0, 1), or elements too short.
-    pub fn new(order: FractionalOrder, layers: usize, ratio: f64) -> Result<Self> {
+    pub fn new(order: impl Given<FractionalOrder>, layers: usize, ratio: f64) -> Result<Self> {
+        let order = order.given()?;
         critical_exponent(order)?;
         let mut lengths = Partition::geometric(layers, ratio, 0.25)?.lengths().to_vec();
         let rest = (3.0 * ratio / (1.0 - ratio)).ceil().max(4.0) as usize;

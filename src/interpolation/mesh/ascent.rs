@@ -1,6 +1,6 @@
 //! An optimiser: from any slope to better ones, in the continuous piecewise linears on the cells of a mesh.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::interpolation::element::ErrorNorm;
 use crate::interpolation::elements::ElementMesh;
 use crate::interpolation::forms::{lagrange_form, projection_form, without_constants};
@@ -39,10 +39,11 @@ const RISE: f64 = 1e-9;
 /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding (cells far too short).
 pub fn ascend(
     norm: ErrorNorm,
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     mesh: &ElementMesh,
     start: &[f64],
 ) -> Result<PiecewisePolynomial> {
+    let order = order.given()?;
     let cells = mesh.cells();
     let size = cells.len() + 1;
     // Checks the count and the values.

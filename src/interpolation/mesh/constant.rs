@@ -1,7 +1,7 @@
 //! Lemma 6.2: the best constants on a mesh.
 
 use super::ascent::error_form;
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::interpolation::element::ErrorNorm;
 use crate::interpolation::elements::ElementMesh;
@@ -37,10 +37,11 @@ use crate::sobolev::{FractionalOrder, gram_linears};
 /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) when it takes more than 4096 cells in all.
 pub fn mesh_constant(
     norm: ErrorNorm,
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     elements: usize,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let constant = |quotient| scaled(norm, order, elements, quotient);
     extremal(elements, tolerance, |mesh| forms(norm, order, mesh))
         .map_err(|error| error.carry("best constant on a mesh", constant))
@@ -55,10 +56,11 @@ pub fn mesh_constant(
 /// number of cells per element, or for more than 4096 cells in all.
 pub fn mesh_constant_on_cells(
     norm: ErrorNorm,
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     elements: usize,
     cells: usize,
 ) -> Result<Estimate> {
+    let order = order.given()?;
     scaled(norm, order, elements, extremal_on_cells(elements, cells, |mesh| forms(norm, order, mesh))?)
 }
 

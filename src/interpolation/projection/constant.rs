@@ -1,6 +1,6 @@
 //! (4.6) and (4.7): best constants of the L² projection π^h onto piecewise constants.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::element::{
     ErrorNorm, converge, element_constant, odd_degrees, seminorm_gram, stiffness_gram,
@@ -54,7 +54,8 @@ impl ProjectionNorm {
 /// # Errors
 /// [`Error::OutOfRange`] for r outside [0, 1]; [`Error::ToleranceNotMet`].
 #[doc(alias("L2 projection"))]
-pub fn projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {
+pub fn projection_constant(r: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+    let tolerance = tolerance.given()?;
     Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
     if r == 0.0 {
         return Estimate::new(1.0, 0.0, Work::default());
@@ -81,7 +82,8 @@ pub fn projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {
 ///
 /// # Errors
 /// As [`projection_constant`].
-pub fn dual_projection_constant(r: f64, tolerance: Tolerance) -> Result<Estimate> {
+pub fn dual_projection_constant(r: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+    let tolerance = tolerance.given()?;
     Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
     converge("projection constant in the dual norm", tolerance, |count| {
         let degrees = odd_degrees(count);

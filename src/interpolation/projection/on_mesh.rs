@@ -1,7 +1,7 @@
 //! sup ‖φ − π^h φ‖ / |φ|_r over φ ∈ H^r(0, 1) on N equal elements, without powers of h.
 
 use super::constant::ProjectionNorm;
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::interpolation::elements::ElementMesh;
 use crate::interpolation::extremal::{Forms, extremal, extremal_on_cells};
@@ -34,8 +34,9 @@ pub fn projection_norm_on_mesh(
     norm: ProjectionNorm,
     r: f64,
     elements: usize,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let tolerance = tolerance.given()?;
     extremal(elements, tolerance, |mesh| forms(norm, r, mesh))
 }
 

@@ -1,7 +1,7 @@
 //! The rates of (4.6) and (4.7) on two roads: of one function barely in H^r, and of the supremum over H^r.
 
 use super::constant::{ProjectionNorm, dual_projection_constant, projection_constant};
-use super::sample::{sample_projection_dual_error, sample_projection_error};
+use super::sample::{projection_dual_error, sample_projection_error};
 use super::supremum::{SupremumRate, supremum_rate, wave_constant};
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
@@ -74,11 +74,11 @@ impl DualRates {
     /// place of four change of the coarser pair (halving the cells at least halves what they miss).
     ///
     /// # Errors
-    /// As [`sample_projection_dual_error`].
+    /// As [`sample_projection_dual_error`](super::sample_projection_dual_error).
     pub fn rate(&self, phi: SampleSlope) -> Result<Estimate> {
         // How far the norms are off cancels in the rates, but for what the cells are seen to change.
         let error = |k: usize, cells: usize| {
-            let norm = sample_projection_dual_error(phi, &self.norms[k], cells)?;
+            let norm = projection_dual_error(phi, &self.norms[k], cells)?;
             Estimate::new(norm.value, 0.0, norm.work)
         };
         let meshes = [0, 1, 2].map(|k| self.elements[k]);
@@ -114,7 +114,7 @@ impl ProjectionStudy {
     /// Factorizes the dual norms for one function.
     ///
     /// # Errors
-    /// None for the meshes used here; those of [`DualNorm`] are passed on.
+    /// None for the meshes used here; those of [`DualRates::new`] are passed on.
     pub fn new() -> Result<Self> {
         Ok(Self { dual: DualRates::new(DUAL_COARSEST)? })
     }

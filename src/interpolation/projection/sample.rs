@@ -10,15 +10,14 @@ use crate::sobolev::Partition;
 /// ‖φ − π^h φ‖₀ on a mesh of (0, 1) for φ in closed form; cost O(N).
 ///
 /// ```
-/// use signorini::interpolation::{DualNorm, SampleSlope};
-/// use signorini::interpolation::{sample_projection_dual_error, sample_projection_error};
+/// use signorini::interpolation::{SampleSlope, sample_projection_dual_error, sample_projection_error};
 /// use signorini::sobolev::Partition;
 /// // φ = x on 4 elements: h/√12
 /// let phi = SampleSlope::Power(1.0);
 /// let found = sample_projection_error(phi, &Partition::uniform(4, 1.0)?)?;
 /// assert!((found.value - 0.25 / 12f64.sqrt()).abs() < 1e-12);
-/// let norm = DualNorm::new(&Partition::uniform(32, 1.0)?)?;
-/// assert!(sample_projection_dual_error(phi, &norm, 8)?.value < found.value);
+/// let cells = Partition::uniform(32, 1.0)?;
+/// assert!(sample_projection_dual_error(phi, &cells, 8)?.value < found.value);
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
@@ -29,13 +28,23 @@ pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Est
     sample_norms(phi, mesh).map(|(_, projection)| projection)
 }
 
-/// ‖φ − π^h φ‖\_{1/2,*} for φ in closed form, on elements of `cells_per_element` cells of the dual norm's
-/// interval (0, 1).
+/// ‖φ − π^h φ‖\_{1/2,*} for φ in closed form, on elements of `cells_per_element` cells of a mesh of (0, 1): the
+/// supremum over the piecewise linears on the cells, its error from the cells joined in pairs. Cost O(N³).
 ///
 /// # Errors
 /// [`Error::LengthMismatch`](crate::Error::LengthMismatch) unless the cells divide into such elements;
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) for another interval.
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) for another interval;
+/// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for an odd number of cells or more than 4096.
 pub fn sample_projection_dual_error(
+    phi: SampleSlope,
+    cells: &Partition,
+    cells_per_element: usize,
+) -> Result<Estimate> {
+    projection_dual_error(phi, &DualNorm::new(cells)?, cells_per_element)
+}
+
+/// [`sample_projection_dual_error`] with a norm that is factorized.
+pub(super) fn projection_dual_error(
     phi: SampleSlope,
     norm: &DualNorm,
     cells_per_element: usize,
@@ -58,4 +67,18 @@ pub fn sample_projection_dual_error(
         }
     }
     norm.of_load(&load)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loads_by_moments_are_those_of_points() {
+        // φ = x: loads of φ − π φ by moments and by Gauss points.
+        let cells = Partition::uniform(32, 1.0).unwrap();
+        let sample = sample_projection_dual_error(SampleSlope::Power(1.0), &cells, 4).unwrap();
+        let direct = DualNorm::new(&cells).unwrap().of(|i, t| ((i % 4) as f64 + t - 2.0) / 32.0).unwrap();
+        assert!((sample.value / direct.value - 1.0).abs() < 1e-10, "{sample} {direct}");
+    }
 }

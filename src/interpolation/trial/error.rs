@@ -3,7 +3,7 @@
 
 use super::norms::{ROUNDING, error_norms, sample_norms};
 use super::sample::{SampleSlope, power_error_norms};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::elements::ElementMesh;
 use crate::numeric::scale::power_of_two;
@@ -67,9 +67,10 @@ impl InterpolationError {
     /// [`Error::InfiniteNorm`] when v jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`].
     pub fn of_slope(
         slope: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let (slope, units) = in_units(slope)?;
         let seminorm = slope.seminorm(order, tolerance)?;
         let (l2, derivative) = error_norms(&slope)?;
@@ -84,9 +85,10 @@ impl InterpolationError {
     pub fn on_elements(
         slope: &PiecewisePolynomial,
         mesh: &ElementMesh,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         mesh.require_cells(slope)?;
         let (slope, units) = in_units(slope)?;
         let seminorm = slope.seminorm(order, tolerance)?;
@@ -105,7 +107,12 @@ impl InterpolationError {
     /// # Errors
     /// [`Error::InfiniteNorm`] when the slope is not in H^ν; [`Error::OutOfRange`] unless the mesh is one of
     /// (0, 1).
-    pub fn of_sample(slope: SampleSlope, mesh: &Partition, order: FractionalOrder) -> Result<Self> {
+    pub fn of_sample(
+        slope: SampleSlope,
+        mesh: &Partition,
+        order: impl Given<FractionalOrder>,
+    ) -> Result<Self> {
+        let order = order.given()?;
         let seminorm = slope.seminorm(order)?;
         let (l2, derivative) = sample_norms(slope, mesh)?;
         let h = mesh.lengths().iter().copied().fold(0.0, f64::max);
@@ -221,7 +228,8 @@ fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)>
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2, [`Error::OutOfRange`] for a not finite or above 1e4.
-pub fn power_slope(a: f64, order: FractionalOrder) -> Result<InterpolationError> {
+pub fn power_slope(a: f64, order: impl Given<FractionalOrder>) -> Result<InterpolationError> {
+    let order = order.given()?;
     let seminorm = closed_forms::power(a, order)?.sqrt()?;
     let (l2, derivative) = power_error_norms(a);
     // 2a + 1 is exact to the rounding of a, which weighs where it is small.

@@ -2,7 +2,7 @@
 //! cancellation.
 
 use super::panels::{PanelRules, Squares, panel_squares, panels};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
 use std::f64::consts::PI;
@@ -72,7 +72,8 @@ impl SampleSlope {
     /// # Errors
     /// [`Error::InfiniteNorm`] outside the domain of the table above; [`Error::OutOfRange`] for parameters
     /// outside it.
-    pub fn seminorm(self, order: FractionalOrder) -> Result<Estimate> {
+    pub fn seminorm(self, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+        let order = order.given()?;
         self.check()?;
         match self {
             SampleSlope::Power(a) => closed_forms::power(a, order)?.sqrt(),

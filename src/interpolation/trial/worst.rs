@@ -3,7 +3,7 @@
 
 use super::error::{InterpolationError, power_slope};
 use super::rough::{RoughFamily, RoughSlopes};
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::interpolation::element::LocalConstants;
 use crate::sobolev::FractionalOrder;
@@ -45,7 +45,8 @@ impl WorstRatios {
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) when a seminorm cannot be had to 1e-8.
-pub fn worst_ratios(order: FractionalOrder, functions: usize, seed: u64) -> Result<WorstRatios> {
+pub fn worst_ratios(order: impl Given<FractionalOrder>, functions: usize, seed: u64) -> Result<WorstRatios> {
+    let order = order.given()?;
     let mut tried = Vec::new();
     for family in RoughFamily::admissible(order) {
         let mut slopes = RoughSlopes::new(family, order, seed);

@@ -5,7 +5,7 @@ use super::extremal::{TriangleExtremal, largest_quotient};
 use super::shape::TriangleShape;
 use super::space::{Forms, Space};
 use super::upper::bounds;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::sobolev::FractionalOrder;
 use faer::Mat;
@@ -72,7 +72,8 @@ impl TriangleConstants {
     /// # Errors
     /// [`Error::OutOfRange`] for an order below 0.02, [`Error::CountOutOfRange`] for a degree outside 10 ...
     /// 30.
-    pub fn new(shape: &TriangleShape, order: FractionalOrder, degree: usize) -> Result<Self> {
+    pub fn new(shape: &TriangleShape, order: impl Given<FractionalOrder>, degree: usize) -> Result<Self> {
+        let order = order.given()?;
         let s = Error::require("s", order.value(), "[0.02, 1)", order.value() >= 0.02)?;
         require_degree(degree)?;
         let unit = shape.unit();

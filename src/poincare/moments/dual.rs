@@ -1,6 +1,6 @@
 //! Moments of functions that vanish on a zone at one end: M(e) = sup ∫₀ᵉ m(x) w(x) dx / |w|_ν.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::poincare::constant::refine_until;
 use crate::poincare::continuation::Continuation;
@@ -64,11 +64,12 @@ impl Moment {
 /// [`Error::OutOfRange`] unless 1e-300 ≤ e ≤ 1 − 1e-15; [`Error::ToleranceNotMet`] as for
 /// [`crate::poincare::gamma`].
 pub fn moment_norm(
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     length: f64,
     moment: Moment,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     on(order, &inside(length)?, moment, tolerance)
 }
 
@@ -86,11 +87,12 @@ pub fn moment_norm(
 /// # Errors
 /// As for [`moment_norm`], with the zone's length in place of e.
 pub fn moment_norm_beside(
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     zone: f64,
     moment: Moment,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     on(order, &beside(zone)?, moment, tolerance)
 }
 
@@ -126,11 +128,12 @@ fn on(
 /// # Errors
 /// As for [`moment_norm`].
 pub fn moment_extremal(
-    order: FractionalOrder,
+    order: impl Given<FractionalOrder>,
     length: f64,
     moment: Moment,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<ExtremalFunction> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
     let model = MeshModel::new(order, tolerance.relative());
     let discrete = Discrete::new(order, &inside(length)?, &model)?;
     let (_, coefficients) = solve(&discrete, moment, &model)?;
@@ -198,7 +201,7 @@ fn load(space: &SlopeSpace, moment: Moment, points: usize) -> Result<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::poincare::{Zone, dual_norm};
+    use crate::poincare::{Zone, largest_mean};
 
     #[test]
     fn the_mass_is_the_dual_norm_of_the_mean() {
@@ -208,7 +211,7 @@ mod tests {
                 let tolerance = Tolerance::balanced();
                 let mass = moment_norm(order, length, Moment::Mass, tolerance).unwrap();
                 let zone = Zone::end(1.0 - length).unwrap();
-                let mean = dual_norm(order, zone, Condition::Vanishing, tolerance).unwrap();
+                let mean = largest_mean(order, zone, Condition::Vanishing, tolerance).unwrap();
                 let apart = (mass.value - mean.value).abs();
                 assert!(apart <= mass.error + mean.error, "{nu} {length}: {mass} {mean}");
             }

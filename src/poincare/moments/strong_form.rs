@@ -3,7 +3,7 @@
 
 use super::dual::Moment;
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::poincare::slopes::kernel::exp_quotient;
 use crate::sobolev::FractionalOrder;
 
@@ -63,7 +63,8 @@ impl StrongForm {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3].
-    pub fn new(order: FractionalOrder) -> Result<Self> {
+    pub fn new(order: impl Given<FractionalOrder>) -> Result<Self> {
+        let order = order.given()?;
         let nu = order.value();
         let inside = (1e-3 - 1e-12..=1.0 - 1e-3 + 1e-12).contains(&nu);
         Error::require("nu", nu, "[0.001, 0.999]", inside)?;

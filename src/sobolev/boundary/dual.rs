@@ -4,7 +4,7 @@
 use super::curve::PolygonalCurve;
 use super::function::BoundaryFunction;
 use super::pairs::CurvePairs;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::order::FractionalOrder;
 use faer::linalg::solvers::Solve;
@@ -43,7 +43,12 @@ impl BoundaryFunction {
     /// [`Error::CountOutOfRange`] for more than 1500 elements, [`Error::NotPositiveDefinite`],
     /// [`Error::ToleranceNotMet`] with the best value.
     #[doc(alias("boundary element", "H-1/2"))]
-    pub fn dual_norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn dual_norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         if self.curve().len() > MOST {
             let (name, range) = ("elements of a dual norm", "<= 1500");
             return Err(Error::CountOutOfRange { name, value: self.curve().len(), range });

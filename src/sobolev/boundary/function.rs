@@ -2,7 +2,7 @@
 
 use super::curve::PolygonalCurve;
 use super::pairs::CurvePairs;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::check::{require_length, require_values};
 use crate::numeric::memory::require_memory;
@@ -115,7 +115,12 @@ impl BoundaryFunction {
     /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::TooLarge`] beyond 20 000
     /// elements; [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
     #[doc(alias("Gagliardo", "Slobodeckij", "boundary element"))]
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
@@ -123,7 +128,12 @@ impl BoundaryFunction {
     ///
     /// # Errors
     /// As [`BoundaryFunction::seminorm`].
-    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
@@ -132,7 +142,8 @@ impl BoundaryFunction {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn l2_norm(&self, _tolerance: Tolerance) -> Result<Estimate> {
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let _: Tolerance = tolerance.given()?;
         let scale = self.size();
         let square = |e: usize| {
             let [a, b] = self.ends[e].map(|v| v / scale);

@@ -8,7 +8,7 @@
 
 use super::functional::DualOf;
 use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use crate::sobolev::functions::{Arm, SingularFunction};
@@ -22,7 +22,8 @@ const DEGREES: [usize; 3] = [6, 12, 18];
 const LOOKED_AT: usize = 24;
 
 /// A piecewise polynomial, and the square of the L² norm of what it leaves.
-struct Interpolant {
+#[derive(Default)]
+pub(crate) struct Interpolant {
     lengths: Vec<f64>,
     ends: Vec<[f64; 2]>,
     bubbles: Vec<Vec<f64>>,
@@ -31,7 +32,7 @@ struct Interpolant {
 
 impl SingularFunction<'_> {
     /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||, as
-    /// [`PiecewisePolynomial::dual_norm`].
+    /// [`PiecewisePolynomial::dual_norm`]: dual to [`SingularFunction::norm`].
     ///
     /// The function is replaced by a piecewise polynomial graded to its breaks; the L² norm of the difference
     /// bounds the dual norm of the difference and is part of the error. Functions of
@@ -39,10 +40,11 @@ impl SingularFunction<'_> {
     /// [`SingularFunction::new`] lose. Cost: some dozens of pieces per break, then as for them.
     ///
     /// ```
-    /// use signorini::{Tolerance, sobolev::{DualOf, FractionalOrder, SingularFunction}};
+    /// use signorini::sobolev::{DualOf, SingularFunction};
     /// let log = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1))?;
-    /// let found = log.dual_norm(DualOf::Slobodeckij, FractionalOrder::HALF, Tolerance::new(1e-6)?)?;
-    /// assert!(found.value < log.l2_norm(Tolerance::fast())?.value);
+    /// let found = log.dual_norm(0.5, 1e-6)?;
+    /// assert!(found.value < log.l2_norm(1e-4)?.value);
+    /// assert!(log.dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-6)?.value < found.value);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
@@ -51,27 +53,40 @@ impl SingularFunction<'_> {
     #[doc(alias("H-1/2", "negative norm"))]
     pub fn dual_norm(
         &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
+    }
+
+    /// The dual norm to any of the norms that [`DualOf`] names.
+    ///
+    /// # Errors
+    /// As [`SingularFunction::dual_norm`].
+    pub fn dual_norm_in(
+        &self,
         of: DualOf,
         order: impl Given<FractionalOrder>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
-        let (scale, unit) = self.of_moderate_size()?;
-        let size = Estimate::or_best(unit.l2_norm(Tolerance::fast()))?.value;
-        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?;
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
+        let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
+        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let mut best: Option<Estimate> = None;
         for degree in DEGREES {
             let goal = 1e-4 * tolerance.relative() * size;
-            let mut pieces =
-                Interpolant { lengths: Vec::new(), ends: Vec::new(), bubbles: Vec::new(), left: 0.0 };
+            let mut pieces = Interpolant::default();
             for arm in unit.arms() {
-                pieces.add(&unit, &arm, degree, goal * goal)?;
+                match pieces.add(&unit, &arm, degree, goal * goal) {
+                    Err(_) if best.is_some() && unit.work_left() == 0 => {
+                        return Err(Error::best_of("dual norm", tolerance.relative(), best, SPENT));
+                    }
+                    other => other?,
+                }
             }
-            let left = pieces.left.sqrt();
-            let partition = Partition::from_lengths(pieces.lengths)?;
-            let u = PiecewisePolynomial::with_bubbles(partition, &pieces.ends, pieces.bubbles)?;
-            let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
+            let (u, left) = pieces.finish()?;
+            let found = Estimate::or_best(u.dual_norm_in(of, order, inner))?;
             let found = Estimate::new(found.value, found.error + left, found.work)?.times(scale)?;
             if found.relative_error() <= tolerance.relative() || found.value == 0.0 {
                 return Ok(found);
@@ -91,8 +106,19 @@ impl SingularFunction<'_> {
 }
 
 impl Interpolant {
+    /// The polynomial, and the L² norm of what it leaves.
+    pub(crate) fn finish(self) -> Result<(PiecewisePolynomial, f64)> {
+        let partition = Partition::from_lengths(self.lengths)?;
+        Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, self.left.sqrt()))
+    }
+
+    /// ∫ of a square that is left on a piece pushed.
+    pub(crate) fn leave(&mut self, square: f64) {
+        self.left += square;
+    }
+
     /// Appends an arm, from left to right.
-    fn add(&mut self, u: &SingularFunction, arm: &Arm, degree: usize, goal: f64) -> Result<()> {
+    pub(crate) fn add(&mut self, u: &SingularFunction, arm: &Arm, degree: usize, goal: f64) -> Result<()> {
         let radius = |k: usize| arm.length * 0.5f64.powi(k as i32);
         let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
         let middle = |k: usize| u.at(arm, 0.75 * radius(k));
@@ -122,7 +148,7 @@ impl Interpolant {
         Ok(())
     }
 
-    fn push(&mut self, length: f64, ends: [f64; 2], bubbles: Vec<f64>) {
+    pub(crate) fn push(&mut self, length: f64, ends: [f64; 2], bubbles: Vec<f64>) {
         self.lengths.push(length);
         self.ends.push(ends);
         self.bubbles.push(bubbles);

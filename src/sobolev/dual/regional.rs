@@ -28,6 +28,9 @@ use crate::sobolev::piecewise::PiecewisePolynomial;
 /// Equal elements at first and at most.
 const FIRST: usize = 64;
 const MOST: usize = 1 << 20;
+/// Elements from which on a mesh is only halved if the tolerance is within reach, SPARE halvings granted.
+const LARGE: usize = 1 << 18;
+const SPARE: f64 = 2.0;
 /// Rounding of Q_h relative to ε M^{2ν}; measured below 0.02.
 const ROUNDING: f64 = 0.1;
 /// A over 1 on the shortest element; its root, the share of layers, is below the last digit.
@@ -267,6 +270,11 @@ impl PiecewisePolynomial {
                 if best.is_none_or(|best| found.error < best.error) {
                     best = Some(found);
                 } else if best.is_some_and(|best| found.error > 4.0 * best.error) {
+                    break;
+                }
+                // Large meshes are for those that may reach it.
+                let gain = rough.rate().powf((MOST as f64 / count as f64).log2() + SPARE);
+                if count >= LARGE && found.relative_error() > gain * tolerance.relative() {
                     break;
                 }
             }

@@ -5,4 +5,7 @@ mod fit;
 mod layout;
 mod norms;
 mod patch;
+mod pieces;
 mod samples;
+
+pub use norms::FieldError;

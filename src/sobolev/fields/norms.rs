@@ -3,7 +3,7 @@
 use super::cells::{Content, FieldCells, FieldEnergies};
 use super::fit::Difference;
 use super::patch::patch;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
@@ -18,103 +18,109 @@ const SHARE: f64 = 0.2;
 /// Standard deviations by which independent roundings may exceed their expectation.
 const ROUNDING_SAFETY: f64 = 4.0;
 /// What ends the accuracy.
-const LIMIT: &str = "rounding of the function beside a small difference, or the limit at a break";
+pub(super) const LIMIT: &str = "rounding of the function beside a small difference, or the limit at a break";
+
+/// u − u_h for a function with declared breaks and a field on many elements: an interpolant, a finite element
+/// solution. Its norms are those of other functions.
+///
+/// # Method
+///
+/// The elements are cut at the breaks of u and until none is longer than its distance to the nearest one.
+/// Away from the breaks u − u_h is replaced by polynomials of the degree (5 to 20) that their
+/// coefficients ask for, and the double integral goes pair by pair for near cells and by moments for far
+/// ones, as for [`PiecewisePolynomial::seminorm`]. The two elements beside a break form a patch: over
+/// pairs in it the integral is that of [`SingularFunction::seminorm`] of the difference, which also
+/// recognises what is infinite; against all others the patch enters by points that shrink towards the
+/// break. Cost O(N log(1/τ)²): seconds for 10⁵ elements.
+///
+/// The error contains the interpolation of the kernel, the last coefficients, the patches, and the
+/// rounding of u beside a difference that may be 10¹⁰ times smaller, taken as independent from point to
+/// point.
+///
+/// ```
+/// use signorini::sobolev::{Partition, PiecewisePolynomial, SingularFunction};
+/// // x² and its interpolants: the rate of order 1/2
+/// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
+/// let error = |n: usize| {
+///     let mesh = Partition::uniform(n, 1.0)?;
+///     let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
+///     u.minus(&PiecewisePolynomial::linears(mesh, &values)?).seminorm(0.5, 1e-6)
+/// };
+/// let rate = (error(100)?.value / error(200)?.value).log2();
+/// assert!((rate - 1.5).abs() < 0.01);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[doc(alias("Gagliardo", "Slobodeckij", "finite element error", "interpolation error"))]
+#[derive(Debug, Clone, Copy)]
+pub struct FieldError<'a> {
+    pub(super) function: &'a SingularFunction<'a>,
+    pub(super) field: &'a PiecewisePolynomial,
+}
 
 impl SingularFunction<'_> {
-    /// |u − u_h|_ν for a field u_h on many elements: an interpolant, a finite element solution.
-    ///
-    /// # Method
-    ///
-    /// The elements are cut at the breaks of u and until none is longer than its distance to the nearest one.
-    /// Away from the breaks u − u_h is replaced by polynomials of the degree (5 to 20) that their
-    /// coefficients ask for, and the double integral goes pair by pair for near cells and by moments for far
-    /// ones, as for [`PiecewisePolynomial::seminorm`]. The two elements beside a break form a patch: over
-    /// pairs in it the integral is that of [`SingularFunction::seminorm`] of the difference, which also
-    /// recognises what is infinite; against all others the patch enters by points that shrink towards the
-    /// break. Cost O(N log(1/τ)²): seconds for 10⁵ elements.
-    ///
-    /// The error contains the interpolation of the kernel, the last coefficients, the patches, and the
-    /// rounding of u beside a difference that may be 10¹⁰ times smaller, taken as independent from point to
-    /// point.
+    /// u − u_h, both on the same interval, for its norms.
     ///
     /// ```
-    /// use signorini::Tolerance;
-    /// use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction};
-    /// // x² and its interpolants: the rate of order 1/2
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
-    /// let error = |n: usize| {
-    ///     let mesh = Partition::uniform(n, 1.0)?;
-    ///     let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
-    ///     let field = PiecewisePolynomial::linears(mesh, &values)?;
-    ///     u.seminorm_of_error(&field, FractionalOrder::HALF, Tolerance::new(1e-6)?)
-    /// };
-    /// let rate = (error(100)?.value / error(200)?.value).log2();
-    /// assert!((rate - 1.5).abs() < 0.01);
+    /// use signorini::sobolev::{Partition, PiecewisePolynomial, SingularFunction};
+    /// // x - 1/2 against 0: 1 + 1/12
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x| x - 0.5)?;
+    /// let zero = PiecewisePolynomial::constants(Partition::uniform(10, 1.0)?, &[0.0; 10])?;
+    /// let error = u.minus(&zero);
+    /// assert!((error.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
+    /// assert!((error.l2_norm(1e-8)?.value.powi(2) - 1.0 / 12.0).abs() < 1e-8);
     /// # Ok::<(), signorini::Error>(())
     /// ```
+    pub fn minus<'b>(&'b self, field: &'b PiecewisePolynomial) -> FieldError<'b> {
+        FieldError { function: self, field }
+    }
+}
+
+impl FieldError<'_> {
+    /// |u − u_h|_ν.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless both live on the same interval; [`Error::InfiniteNorm`] when the field
     /// jumps and ν ≥ 1/2, and as [`SingularFunction::seminorm`]; [`Error::ToleranceNotMet`] with the best
     /// value.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm_of_error(
+    pub fn seminorm(
         &self,
-        field: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        accept("seminorm", self.parts_of_error(field, order, tolerance)?[0], tolerance, LIMIT)
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        accept("seminorm", self.parts(order, tolerance)?[0], tolerance, LIMIT)
     }
 
-    /// ||u − u_h||_ν, as [`SingularFunction::seminorm_of_error`].
-    ///
-    /// ```
-    /// use signorini::Tolerance;
-    /// use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction};
-    /// // x - 1/2 against 0: 1 + 1/12
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x| x - 0.5)?;
-    /// let zero = PiecewisePolynomial::constants(Partition::uniform(10, 1.0)?, &[0.0; 10])?;
-    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
-    /// let found = u.norm_of_error(&zero, order, asked)?;
-    /// assert!((found.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
-    /// let plain = u.l2_norm_of_error(&zero, asked)?;
-    /// assert!((plain.value.powi(2) - 1.0 / 12.0).abs() < 1e-8);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
+    /// ||u − u_h||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
     /// # Errors
-    /// As [`SingularFunction::seminorm_of_error`].
-    pub fn norm_of_error(
+    /// As [`FieldError::seminorm`].
+    pub fn norm(
         &self,
-        field: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let parts = self.parts_of_error(field, order, tolerance)?;
-        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        accept("norm", root_of_squares(&self.parts(order, tolerance)?)?, tolerance, LIMIT)
     }
 
     /// ||u − u_h|| in L².
     ///
     /// # Errors
-    /// As [`SingularFunction::seminorm_of_error`], without the infinite seminorms.
-    pub fn l2_norm_of_error(&self, field: &PiecewisePolynomial, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, unit) = self.of_moderate_size()?;
-        let field = field.scaled_by(1.0 / scale);
+    /// As [`FieldError::seminorm`], without the infinite seminorms.
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
+        let field = self.field.scaled_by(1.0 / scale);
         let cells = FieldCells::new(&Difference { function: &unit, field: &field }, tolerance.relative())?;
         accept("L^2 norm", scaled(scale, l2(&cells)?)?, tolerance, LIMIT)
     }
 
     /// The seminorm and the L² norm.
-    fn parts_of_error(
-        &self,
-        field: &PiecewisePolynomial,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-    ) -> Result<[Estimate; 2]> {
-        let (scale, unit) = self.of_moderate_size()?;
-        let field = field.scaled_by(1.0 / scale);
+    fn parts(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<[Estimate; 2]> {
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
+        let field = self.field.scaled_by(1.0 / scale);
         let difference = Difference { function: &unit, field: &field };
         let cells = FieldCells::new(&difference, tolerance.relative())?;
         if !order.is_below_half() && cells.jumps_apart() {
@@ -141,7 +147,8 @@ fn squared(
         let first = cells.parts.iter().position(|part| part.patch == Some(k)).unwrap_or(0);
         let count = cells.parts[first..].iter().take_while(|part| part.patch == Some(k)).count();
         let function = patch(difference.function, difference.field, k, &cells.parts[first..first + count])?;
-        let rough = Estimate::or_best(function.seminorm(order, Tolerance::new(1e-2)?))?;
+        let rough =
+            Estimate::or_best(function.seminorm(order, Tolerance::new(1e-2)?.with_work(tolerance.work())))?;
         patches.push((function, rough));
     }
     let share = |rough: &Estimate| rough.value * rough.value;
@@ -154,7 +161,12 @@ fn squared(
         let found = if asked >= 1e-2 || rough.value == 0.0 {
             *rough
         } else {
-            Estimate::or_best(function.seminorm(order, Tolerance::new(asked.max(1e-14))?))?
+            let asked = Tolerance::new(asked.max(1e-14))?.with_work(tolerance.work());
+            // What refuses more digits without a value leaves those that are known.
+            match Estimate::or_best(function.seminorm(order, asked)) {
+                Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. }) => *rough,
+                other => other?,
+            }
         };
         value.add(found.value * found.value);
         error += (2.0 * found.value + found.error) * found.error;
@@ -205,7 +217,7 @@ fn leftovers(energies: &FieldEnergies, cells: &FieldCells, order: FractionalOrde
 }
 
 /// ||u − u_h|| in L².
-fn l2(cells: &FieldCells) -> Result<Estimate> {
+pub(super) fn l2(cells: &FieldCells) -> Result<Estimate> {
     let (mut value, mut error, mut noise) = (RunningSum::default(), 0.0, 0.0_f64);
     for (content, part) in cells.contents.iter().zip(&cells.parts) {
         match content {

@@ -4,10 +4,13 @@
 //! geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays too
 //! slowly for that, wide cells down to the depth of the arm feed [`crate::quadrature::extrapolate`] and
 //! [`Partials`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
+//!
+//! The rest beyond a cell is bounded from both sides of the law ℓ may follow ([`super::rest`]).
 
 use super::deep_tail::DeepTail;
 use super::level::{ArmValue, Density, Level};
 use super::partials::Partials;
+use super::rest::rest_by_chords;
 use crate::error::{Error, Result};
 use crate::quadrature::{Limit, Rule};
 use std::cell::Cell;
@@ -64,9 +67,10 @@ impl ArmIntegral {
         tail: Option<&DeepTail>,
         mut density: impl FnMut(f64) -> Result<Density>,
     ) -> Result<ArmValue> {
-        let rounding = Cell::new(0.0);
-        let limit = self.limit(depth, scale, tail, &rounding, |t, weight| {
+        let (rounding, last) = (Cell::new(0.0), Cell::new(0.0));
+        let limit = self.limit(depth, scale, tail, [&rounding, &last], |t, weight| {
             let density = density(t)?;
+            last.set(density.rounding);
             rounding.set((weight * density.rounding).hypot(rounding.get()));
             Ok(density.value)
         })?;
@@ -74,13 +78,14 @@ impl ArmIntegral {
         Ok(ArmValue { limit, rounding })
     }
 
-    /// As [`ArmIntegral::integrate`], for a density that is told its weight.
+    /// As [`ArmIntegral::integrate`], for a density that is told its weight; the rounding of the sum, and that
+    /// of the last density.
     fn limit(
         &self,
         depth: f64,
         scale: f64,
         tail: Option<&DeepTail>,
-        rounding: &Cell<f64>,
+        [rounding, of_last]: [&Cell<f64>; 2],
         mut density: impl FnMut(f64, f64) -> Result<f64>,
     ) -> Result<Limit> {
         let h = self.level.width;
@@ -110,9 +115,16 @@ impl ArmIntegral {
                 break;
             }
             let rest = cell.abs() * ratio / (1.0 - ratio);
-            if from > SETTLED && ratio < 0.95 && rest <= 0.02 * self.tolerance * whole {
-                // What is left of an exponential: a slower end leaves a little more, a faster one nothing.
-                return Ok(Limit { value: sum + rest.copysign(cell), error: rest });
+            let settles = |rest: f64| rest <= 0.02 * self.tolerance * whole;
+            if from > SETTLED && ratio < 0.95 && settles(rest) {
+                let last = densities[densities.len() - 1];
+                let chords = rest_by_chords(from + h, last, end, |t| {
+                    Ok(Density { value: density(t, 0.0)?, rounding: of_last.get() })
+                })?;
+                let error = rest.max(chords - rest);
+                if settles(error) {
+                    return Ok(Limit { value: sum + rest.copysign(cell), error });
+                }
             }
         }
         let mut partials =

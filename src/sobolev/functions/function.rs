@@ -1,8 +1,10 @@
 //! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
 
 use super::arm::Arm;
+use super::budget::Budget;
 use crate::error::{Error, Result};
-use crate::numeric::check::require_finite_at;
+use crate::estimate::Tolerance;
+use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
 
 /// Points of an arm at which the size of a function is looked at.
@@ -102,6 +104,7 @@ pub struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
     pub(super) sight: Sight,
+    pub(super) budget: Budget,
 }
 
 /// What the closure sees of a point.
@@ -122,8 +125,8 @@ impl<'a> SingularFunction<'a> {
     /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::OutOfRange`] unless they increase
-    /// strictly, are finite and lie at least 1e-290 and 1e-290 of the interval apart.
+    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::NotFinite`], [`Error::EntryOutOfRange`]
+    /// unless they increase strictly and lie at least 1e-290 and 1e-290 of the interval apart.
     pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
@@ -188,17 +191,14 @@ impl<'a> SingularFunction<'a> {
             });
         }
         let total = breaks[breaks.len() - 1] - breaks[0];
-        for pair in breaks.windows(2) {
+        require_finite("break point", breaks)?;
+        for (k, pair) in breaks.windows(2).enumerate() {
             let length = pair[1] - pair[0];
             let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
-            Error::require(
-                "distance of break points",
-                length,
-                "(1e-290, inf), and 1e-290 of the interval",
-                admissible,
-            )?;
+            let range = "numbers above the break before by 1e-290, and by 1e-290 of the interval";
+            require_entry("break point", k + 1, pair[1], range, admissible)?;
         }
-        Ok(Self { breaks: breaks.to_vec(), function, sight })
+        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited() })
     }
 
     /// The break points.
@@ -213,7 +213,9 @@ impl<'a> SingularFunction<'a> {
 
     /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and
     /// powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
-    pub(crate) fn of_moderate_size(&self) -> Result<(f64, SingularFunction<'_>)> {
+    ///
+    /// What is asked of u/S counts against the work that the tolerance allows.
+    pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
         let mut largest = 0.0_f64;
         for arm in self.arms() {
             for k in 0..SAMPLES {
@@ -229,7 +231,12 @@ impl<'a> SingularFunction<'a> {
         let unit = move |at: Position| (self.function)(at) / scale;
         Ok((
             scale,
-            SingularFunction { breaks: self.breaks.clone(), function: Box::new(unit), sight: self.sight },
+            SingularFunction {
+                breaks: self.breaks.clone(),
+                function: Box::new(unit),
+                sight: self.sight,
+                budget: Budget::of(tolerance),
+            },
         ))
     }
 
@@ -276,6 +283,7 @@ impl<'a> SingularFunction<'a> {
 
     /// The value at an offset from a break, the ln of its size where it underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
+        self.budget.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
         let value = (self.function)(at);
         require_finite_at("function value near break", anchor, value)?;

@@ -122,7 +122,7 @@ impl<'a> LogEnergy<'a> {
         let delta = self.arms[arm].delta(t);
         let x = Outer { arm, t, delta, value: self.function.at(&self.arms[arm], delta)? };
         let h = self.level.width;
-        let mut sum = Density::default();
+        let (mut sum, before) = (Density::default(), self.points);
         for other in 0..self.arms.len() {
             // Full cells; on the own arm they stop between h/2 and 3h/2 from t.
             let reach = if other == arm { (t / h - 0.5).floor() } else { (t / h).floor() };
@@ -140,6 +140,7 @@ impl<'a> LogEnergy<'a> {
                     self.partial_cell(x, other, from)?
                 };
         }
+        self.function.spend(self.points - before)?;
         Ok(sum)
     }
 

@@ -2,6 +2,7 @@
 
 mod arm;
 mod arm_integral;
+mod budget;
 mod deep_tail;
 mod function;
 mod interpolant;
@@ -9,7 +10,9 @@ mod level;
 mod log_energy;
 mod norms;
 mod partials;
+mod refine;
 mod resolution;
+mod rest;
 mod seen;
 mod supremum;
 mod two_rates;

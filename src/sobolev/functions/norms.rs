@@ -2,35 +2,14 @@
 
 use super::arm_integral::ArmIntegral;
 use super::function::SingularFunction;
-use super::level::{Density, Level, LevelValue};
+use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
+use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{accept, root_of_squares, scaled};
-
-/// Orders and widths, each more accurate than the one before: one decade and a half per step for functions
-/// analytic up to their breaks.
-const LEVELS: [Level; 11] = [
-    Level { points: 4, width: 1.5 },
-    Level { points: 6, width: 1.4 },
-    Level { points: 8, width: 1.3 },
-    Level { points: 11, width: 1.2 },
-    Level { points: 15, width: 1.1 },
-    Level { points: 18, width: 1.0 },
-    Level { points: 18, width: 0.6 },
-    Level { points: 20, width: 0.35 },
-    Level { points: 22, width: 0.2 },
-    Level { points: 24, width: 0.11 },
-    Level { points: 26, width: 0.06 },
-];
-
-/// Below this the square of the seminorm of a function of size 1 is rounding: (64 ε)².
-const ZERO: f64 = 2e-28;
-
-/// What ends the accuracy of a closure.
-const LIMIT: &str = "rounding of the values, or the limit at a break, is all that finer rules show";
 
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
@@ -55,23 +34,27 @@ impl SingularFunction<'_> {
     /// # Errors
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
+    ///
+    /// Refused are a function of the coordinate with a singularity at a break that is not 0, where x is rounded
+    /// ([`SingularFunction::from_positions`] serves), and what takes more than [`Tolerance::with_work`] allows.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
     pub fn seminorm(
         &self,
         order: impl Given<FractionalOrder>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
-        let (scale, unit) = self.of_moderate_size()?;
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
         let waves = unit.seminorm_of_waves(order, tolerance);
         if let Some(found) = waves.map_err(|error| error.carry("seminorm", |best| scaled(scale, best)))? {
             return scaled(scale, found);
         }
         let root = |squared: Estimate| scaled(scale, squared.sqrt()?);
-        refine(tolerance, 2.0, |level, tolerance| LogEnergy::new(&unit, order, level)?.compute(tolerance))
-            .map_err(|error| error.carry("seminorm", root))
-            .and_then(root)
+        refine(&unit, tolerance, 2.0, |level, tolerance| {
+            LogEnergy::new(&unit, order, level)?.compute(tolerance)
+        })
+        .map_err(|error| error.carry("seminorm", root))
+        .and_then(root)
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
@@ -94,8 +77,7 @@ impl SingularFunction<'_> {
         order: impl Given<FractionalOrder>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
         whole(parts, tolerance)
     }
@@ -108,9 +90,10 @@ impl SingularFunction<'_> {
     pub fn norm_with_derivative(
         &self,
         derivative: &SingularFunction,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let same = self.length() == derivative.length();
         Error::require(
             "length of the derivative's interval",
@@ -147,7 +130,7 @@ impl SingularFunction<'_> {
     pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
-        let (scale, unit) = self.of_moderate_size()?;
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
         if q == f64::INFINITY {
             return scaled(scale, unit.largest(tolerance)?);
         }
@@ -176,17 +159,19 @@ impl SingularFunction<'_> {
     /// As [`SingularFunction::lq_norm`].
     pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
-        let size = self.lq_norm(1.0, Tolerance::fast())?.value;
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
+        let size = unit.lq_norm(1.0, Tolerance::fast().with_work(tolerance.work()))?.value;
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
         // u/size + 2 is safely positive in the mean, so that a relative tolerance means something.
-        let shift = 2.0 / self.length();
         let length = self.length();
+        let shift = 2.0 / length;
         let back = |shifted: Estimate| {
-            Estimate::new((shifted.value - 2.0) * size / length, shifted.error * size / length, shifted.work)
+            let factor = size / length * scale;
+            Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)
         };
-        self.integral_of(tolerance, 0.3, |u| u / size + shift)
+        unit.integral_of(tolerance, 0.3, |u| u / size + shift)
             .map_err(|error| error.carry("mean", back))
             .and_then(back)
     }
@@ -194,7 +179,7 @@ impl SingularFunction<'_> {
     /// ∫ f(u(x)) dx, to `factor` times the tolerance.
     fn integral_of(&self, tolerance: Tolerance, factor: f64, f: impl Fn(f64) -> f64) -> Result<Estimate> {
         let arms = self.arms();
-        refine(tolerance, factor, |level, tolerance| {
+        refine(self, tolerance, factor, |level, tolerance| {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             for arm in &arms {
@@ -218,67 +203,4 @@ impl SingularFunction<'_> {
 fn whole(parts: [Result<Estimate>; 2], tolerance: Tolerance) -> Result<Estimate> {
     let [a, b] = parts.map(Estimate::or_best);
     accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)
-}
-
-/// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so
-/// that the number made of it meets the tolerance.
-fn refine(
-    asked: Tolerance,
-    factor: f64,
-    compute: impl Fn(Level, f64) -> Result<LevelValue>,
-) -> Result<Estimate> {
-    let tolerance = factor * asked.relative();
-    let digits = -tolerance.log10();
-    // The first level to try leaves the second one likely to succeed.
-    let first = ((digits - 2.0) / 3.0).floor().clamp(0.0, 3.0) as usize;
-    let mut previous: Option<LevelValue> = None;
-    let mut found: Vec<Estimate> = Vec::new();
-    let mut points = 0;
-    for &level in &LEVELS[first..] {
-        let current = compute(level, tolerance)?;
-        points += current.points;
-        if let Some(coarse) = previous {
-            let error = (current.value - coarse.value).abs()
-                + current.tail
-                + current.rounding
-                + current.missed
-                + 64.0 * f64::EPSILON * current.value.abs();
-            let work = Work { points, ..Work::default() };
-            let estimate = Estimate::new(current.value, error, work)?;
-            // The function is of size 1: an integral within a few ulps of zero is that of a function without
-            // variation.
-            if estimate.error.max(estimate.value.abs()) <= ZERO || estimate.relative_error() <= tolerance {
-                return Ok(estimate);
-            }
-            let best = found.iter().map(|e| e.error).fold(f64::INFINITY, f64::min);
-            found.push(estimate);
-            if estimate.error > 0.5 * best && best < 1e-6 * estimate.value.abs() {
-                // Finer rules no longer help: what is left is rounding or the limit along an arm.
-                break;
-            }
-        }
-        previous = Some(current);
-    }
-    Err(Error::best_of("integral", asked.relative(), best_of_levels(&found), LIMIT))
-}
-
-/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} −
-/// 1).
-const UNSETTLED: f64 = 4.0;
-
-/// The best of levels that do not meet the tolerance: two that agree by accident are not trusted, a level is
-/// as good as all later ones leave it. The last counts where three in turn gained a digit each.
-fn best_of_levels(found: &[Estimate]) -> Option<Estimate> {
-    if let [.., a, b, c] = found
-        && b.error <= 0.1 * a.error
-        && c.error <= 0.1 * b.error
-    {
-        return Some(*c);
-    }
-    let judged = |(k, level): (usize, &Estimate)| {
-        let later = found[k + 1..].iter().map(|later| (later.value - level.value).abs());
-        Estimate { error: UNSETTLED * later.fold(level.error, f64::max), ..*level }
-    };
-    let confirmed = found.iter().enumerate().take(found.len().max(2) - 1);
-    confirmed.map(judged).min_by(|a, b| a.error.total_cmp(&b.error))
 }

@@ -4,6 +4,11 @@ use super::function::{Position, Sight, SingularFunction};
 use crate::error::Result;
 
 impl<'a> SingularFunction<'a> {
+    /// What is left of the work that a tolerance allows.
+    pub(crate) fn work_left(&self) -> u64 {
+        self.budget.left()
+    }
+
     /// The size of the rounded coordinates near break k; 0 where the function sees offsets.
     pub(crate) fn blur(&self, k: usize) -> f64 {
         self.coordinate_if_seen(k).abs()
@@ -12,6 +17,19 @@ impl<'a> SingularFunction<'a> {
     /// The coordinate of break k where that is what the function sees, else 0.
     pub(crate) fn coordinate_if_seen(&self, k: usize) -> f64 {
         if self.sight == Sight::Coordinate { self.breaks()[k] } else { 0.0 }
+    }
+
+    /// Whether the distance to some break is only known up to the rounding of a coordinate.
+    pub(super) fn has_rounded_distances(&self) -> bool {
+        self.sight == Sight::Coordinate && self.breaks().iter().any(|&at| at != 0.0)
+    }
+
+    /// Counts kernel values against the work that is allowed.
+    ///
+    /// # Errors
+    /// [`crate::Error::ToleranceNotMet`] when it is spent.
+    pub(super) fn spend(&self, count: u64) -> Result<()> {
+        self.budget.spend(count)
     }
 
     /// A function of positions that are known as this one's are.

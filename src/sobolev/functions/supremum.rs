@@ -8,7 +8,7 @@
 use super::arm::Arm;
 use super::function::SingularFunction;
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::numeric::search::golden_section;
 use crate::sobolev::root::accept;
 
@@ -38,7 +38,12 @@ impl SingularFunction<'_> {
         for density in DENSITIES {
             let mut whole = Peak::default();
             for arm in self.arms() {
-                let peak = self.peak(&arm, density)?;
+                let peak = match self.peak(&arm, density) {
+                    Err(_) if self.work_left() == 0 => {
+                        return Err(Error::best_of("L^inf norm", tolerance.relative(), best, SPENT));
+                    }
+                    other => other?,
+                };
                 whole.value = whole.value.max(peak.value);
                 whole.error = whole.error.max(peak.error);
                 whole.points += peak.points;

@@ -14,7 +14,7 @@ use super::arm::Arm;
 use super::function::SingularFunction;
 use super::resolution::of_residual;
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::quadrature::Rule;
 use crate::sobolev::kernel::power::PowerKernel;
 use crate::sobolev::order::FractionalOrder;
@@ -97,7 +97,13 @@ impl SingularFunction<'_> {
         // A cell of about a wave: |e|_ν/|u|_ν is about ε (D/6)^ν.
         let mut accuracy = 0.1 * asked * 0.03f64.powf(order.value());
         for _ in 0..ROUNDS {
-            let resolved = match (self.waves(accuracy.max(FLOOR))?, &best) {
+            let waves = match self.waves(accuracy.max(FLOOR)) {
+                Err(_) if best.is_some() && self.work_left() == 0 => {
+                    return Err(Error::best_of("seminorm", asked, best, SPENT));
+                }
+                other => other?,
+            };
+            let resolved = match (waves, &best) {
                 (Waves::Resolved(resolved), _) => resolved,
                 (Waves::None, None) => return Ok(None),
                 (Waves::TooMany, None) => {

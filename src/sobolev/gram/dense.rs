@@ -1,7 +1,7 @@
 //! Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linears,
 //! dense.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::order::FractionalOrder;
@@ -13,7 +13,8 @@ use rayon::prelude::*;
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2: indicator functions are not in H^ν.
-pub fn gram_constants(partition: &Partition, order: FractionalOrder) -> Result<Mat<f64>> {
+pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>) -> Result<Mat<f64>> {
+    let order = order.given()?;
     require_constants_finite(order)?;
     let cells = CellPairs::new(order);
     let n = partition.len();

@@ -4,7 +4,7 @@ use super::band::Band;
 use super::dense::require_constants_finite;
 use super::hierarchical::Hierarchical;
 use super::toeplitz::Toeplitz;
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::{require_finite_at, require_length};
 use crate::sobolev::kernel::cells::CellPairs;
@@ -65,7 +65,12 @@ impl GramOperator {
     ///
     /// # Errors
     /// None on a valid partition but what the rules of quadrature report.
-    pub fn linears(partition: &Partition, order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
+    pub fn linears(
+        partition: &Partition,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         Self::build(partition, order, tolerance, true, partition.uniform_length())
     }
 
@@ -73,7 +78,12 @@ impl GramOperator {
     ///
     /// # Errors
     /// [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
-    pub fn constants(partition: &Partition, order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
+    pub fn constants(
+        partition: &Partition,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         require_constants_finite(order)?;
         Self::build(partition, order, tolerance, false, partition.uniform_length())
     }
@@ -84,9 +94,10 @@ impl GramOperator {
     /// As [`GramOperator::linears`].
     pub fn linears_hierarchical(
         partition: &Partition,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         Self::build(partition, order, tolerance, true, None)
     }
 

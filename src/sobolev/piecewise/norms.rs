@@ -44,8 +44,7 @@ impl PiecewisePolynomial {
         order: impl Given<FractionalOrder>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
@@ -71,8 +70,7 @@ impl PiecewisePolynomial {
         order: impl Given<FractionalOrder>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let order = order.given()?;
-        let tolerance = tolerance.given()?;
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
@@ -85,9 +83,10 @@ impl PiecewisePolynomial {
     pub fn norm_with_derivative(
         &self,
         derivative: &Self,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let total = derivative.partition().total();
         let same = self.partition().total() == total;
         Error::require("length of the derivative's interval", total, "that of the function", same)?;

@@ -1,7 +1,7 @@
 //! Piecewise polynomials on a [`Partition`].
 
 use crate::error::{Error, Result};
-use crate::numeric::check::{require_finite_at, require_length};
+use crate::numeric::check::{require_finite_at, require_length, require_values};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use crate::sobolev::partition::Partition;
@@ -57,7 +57,7 @@ impl PiecewisePolynomial {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub fn linears(partition: Partition, values: &[f64]) -> Result<Self> {
-        require_length("values of nodes", values.len(), partition.len() + 1)?;
+        require_values("values of nodes", values, partition.len() + 1)?;
         let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         Self::discontinuous_linears(partition, &ends)
     }
@@ -74,7 +74,7 @@ impl PiecewisePolynomial {
     /// Values at the element ends and coefficients c_k of t(1−t) P_k(2t−1), any number per element.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::EntryOutOfRange`] beyond degree 20.
     pub fn with_bubbles(partition: Partition, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
         require_length("end values", ends.len(), partition.len())?;
         require_length("bubble coefficients", bubbles.len(), partition.len())?;
@@ -84,8 +84,8 @@ impl PiecewisePolynomial {
                 require_finite_at("value", index, value)?;
             }
             if bubbles.len() + 1 > MAX_DEGREE {
-                let value = bubbles.len() + 1;
-                return Err(Error::CountOutOfRange { name: "polynomial degree", value, range: "<= 20" });
+                let (name, value) = ("polynomial degree", (bubbles.len() + 1) as f64);
+                return Err(Error::EntryOutOfRange { name, index, value, range: "1 ..= 20" });
             }
             pieces.push(Piece { left, right, bubbles });
         }

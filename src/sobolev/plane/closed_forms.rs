@@ -1,6 +1,6 @@
 //! Squared seminorms in the plane in closed form, and their limits.
 
-use crate::error::Result;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::quadrature::Rule;
 use crate::sobolev::order::FractionalOrder;
@@ -27,7 +27,8 @@ const POINTS: usize = 20;
 ///
 /// # Errors
 /// None for an order in (0, 1).
-pub fn coordinate_on_unit_square(order: FractionalOrder) -> Result<Estimate> {
+pub fn coordinate_on_unit_square(order: impl Given<FractionalOrder>) -> Result<Estimate> {
+    let order = order.given()?;
     let two = 2.0 * order.complement();
     let (p, q) = (1.0 / (two * (1.0 + two)), 1.0 / ((1.0 + two) * (2.0 + two)));
     let part = |k: f64| (p - q * k) * (-order.value() * (k * k).ln_1p()).exp();

@@ -3,7 +3,7 @@
 
 use super::cell_pairs::{CORNERS, CellPair, CellPairs, HATS, Square};
 use super::convolution::{Spectrum, Torus};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::require_values;
 use crate::numeric::memory::require_memory;
@@ -56,7 +56,13 @@ impl GridOperator {
     /// # Errors
     /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
     /// [`Error::OutOfRange`] unless h > 0.
-    pub fn new(squares: [usize; 2], h: f64, order: FractionalOrder, tolerance: Tolerance) -> Result<Self> {
+    pub fn new(
+        squares: [usize; 2],
+        h: f64,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         if squares.contains(&0) {
             return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
@@ -97,8 +103,7 @@ impl GridOperator {
         require_values("values at nodes", w, self.size())?;
         let mut image = self.far(w);
         self.near(w, &mut image);
-        image.iter_mut().for_each(|value| *value *= self.scale);
-        Ok(image)
+        Ok(image.into_iter().map(|value| self.scale * value).collect())
     }
 
     fn node(&self, i: usize, j: usize) -> usize {

@@ -3,7 +3,7 @@
 use super::function::PlaneFunction;
 use super::means::{Means, Shape};
 use super::sums::PairSum;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::numeric::sum::RunningSum;
@@ -51,7 +51,12 @@ impl PlaneFunction {
     /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles
     /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
@@ -59,7 +64,12 @@ impl PlaneFunction {
     ///
     /// # Errors
     /// As [`PlaneFunction::seminorm`].
-    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm()?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
@@ -69,7 +79,12 @@ impl PlaneFunction {
     /// # Errors
     /// [`Error::InfiniteNorm`] for s ≥ 1/2 unless the gradient is constant, and for a function that jumps; as
     /// [`PlaneFunction::seminorm`].
-    pub fn norm_with_gradient(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm_with_gradient(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         if self.is_piecewise_constant() && !self.is_constant() {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });

@@ -1,6 +1,6 @@
 //! Corner singularities w = r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::quadrature::Rule;
 use crate::sobolev::order::FractionalOrder;
@@ -105,9 +105,10 @@ impl SectorPower {
     pub fn harmonic_gradient(
         power: f64,
         radius: f64,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let gradient = Self { part: Part::Rotation, ..Self::new(power - 1.0, 1.0, PI, radius)? };
         let gradient = Self { frequency: (power - 1.0).abs(), ..gradient };
         scaled(power.abs(), gradient.seminorm(order, tolerance)?)
@@ -135,9 +136,10 @@ impl SectorPower {
         power: f64,
         alpha: f64,
         radius: f64,
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         Error::require("alpha", alpha, "(0, inf)", alpha > 0.0 && alpha.is_finite())?;
         let q = power - 1.0;
         let one = Self::new(q, 1.0, PI, radius)?;
@@ -155,7 +157,12 @@ impl SectorPower {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a ≤ s − 1, [`Error::ToleranceNotMet`].
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let gap = self.exponent + order.complement();
         if gap <= 0.0 {
             let why = "r^a times a smooth angular part is in H^s near a corner only for a > s - 1";

@@ -1,6 +1,6 @@
 //! The half-plane H = {y > 0}: |w(·,0)|²_{s−1/2,ℝ} ≤ C(s)² |w|²_{s,H} with the best constant
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::gamma::digamma_above_one;
 use crate::sobolev::order::FractionalOrder;
@@ -40,7 +40,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2, where functions have no trace.
 #[doc(alias("trace theorem", "trace constant"))]
-pub fn half_plane_trace(order: FractionalOrder) -> Result<Estimate> {
+pub fn half_plane_trace(order: impl Given<FractionalOrder>) -> Result<Estimate> {
+    let order = order.given()?;
     let sigma = require_trace(order)?;
     // −π cot(πs) = π tan(πσ), from the nearer end.
     let tangent = if sigma < 0.25 { (PI * sigma).tan() } else { (PI * order.complement()).tan().recip() };
@@ -85,7 +86,8 @@ const STEP: f64 = 0.06;
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2 and unless 1e-30 ≤ y ≤ 1e3 or y = 0.
-pub fn extension_profile(order: FractionalOrder, y: f64) -> Result<f64> {
+pub fn extension_profile(order: impl Given<FractionalOrder>, y: f64) -> Result<f64> {
+    let order = order.given()?;
     let sigma = require_trace(order)?;
     if y == 0.0 {
         return Ok(1.0);
@@ -114,7 +116,7 @@ mod tests {
             ("0.99", 0.040_416_295_790_515_6),
         ];
         for (s, square) in squares {
-            let found = half_plane_trace(s.parse().unwrap()).unwrap();
+            let found = half_plane_trace(s.parse::<FractionalOrder>().unwrap()).unwrap();
             let error = (found.value - f64::sqrt(square)).abs();
             assert!(error < 1e-13 * found.value && found.relative_error() < 1e-13, "{s}: {found}");
         }

@@ -2,7 +2,7 @@
 
 use super::half_plane::require_trace;
 use super::increments::{EdgeFamily, Family, Increments, Parity};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::pencil::Factored;
 use crate::quadrature::Rule;
@@ -55,7 +55,8 @@ impl SquareTrace {
     /// # Errors
     /// [`Error::OutOfRange`] unless 0.55 ≤ s ≤ 0.95, [`Error::CountOutOfRange`] for degrees outside 2..=20;
     /// [`Error::NotPositiveDefinite`] where the trial functions are dependent to rounding.
-    pub fn new(order: FractionalOrder, degree: usize) -> Result<Self> {
+    pub fn new(order: impl Given<FractionalOrder>, degree: usize) -> Result<Self> {
+        let order = order.given()?;
         Error::require("s", order.value(), "[0.55, 0.95]", (0.55..=0.95).contains(&order.value()))?;
         require_degree("degree", degree)?;
         let [values, judges] = POINTS.map(|points| quotients(order, degree, points));

@@ -4,7 +4,7 @@ use super::angular_kernel::AngularKernel;
 use super::half_line::HalfLineSymbol;
 use super::half_plane::require_trace;
 use super::wedge_elements::{Fineness, WedgeElements};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::pencil::Factored;
 use crate::sobolev::order::FractionalOrder;
@@ -55,7 +55,8 @@ impl WedgeTrace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 1/2 < s and 0.1 ≤ ω ≤ π.
-    pub fn corner(order: FractionalOrder, angle: f64) -> Result<Self> {
+    pub fn corner(order: impl Given<FractionalOrder>, angle: f64) -> Result<Self> {
+        let order = order.given()?;
         require_trace(order)?;
         Error::require("angle", angle, ANGLES, (0.1..=PI).contains(&angle))?;
         Ok(Self { order, angle, mirrored: false })
@@ -76,7 +77,8 @@ impl WedgeTrace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for s ≤ 1/2.
-    pub fn half_plane(order: FractionalOrder) -> Result<Self> {
+    pub fn half_plane(order: impl Given<FractionalOrder>) -> Result<Self> {
+        let order = order.given()?;
         require_trace(order)?;
         Ok(Self { order, angle: FRAC_PI_2, mirrored: true })
     }

@@ -14,7 +14,7 @@
 use super::inner::FaceSolver;
 use super::solution::EdgeSolution;
 use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::require_finite;
 use crate::numeric::scale::largest;
@@ -66,8 +66,9 @@ pub fn solve_contact_to(
     load: &EdgeLoad,
     cone: Cone,
     start: Option<&EdgeSolution>,
-    tolerance: Tolerance,
+    tolerance: impl Given<Tolerance>,
 ) -> Result<EdgeSolution> {
+    let tolerance = tolerance.given()?;
     solve_scaled(operator, load, cone, start, tolerance.relative())
 }
 

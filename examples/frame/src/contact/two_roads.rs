@@ -31,8 +31,8 @@ pub fn two_roads_table(rows: &[RoadsRow]) -> Table {
         Column::new("estimate", "estimate", error, "the same as multigrid estimates it"),
         Column::new("factor", "factor", Format::Fixed(3), "of one cycle alone, as the gradients see it"),
         Column::new("steps", "steps", digits, "gradient steps on the finest level"),
-        Column::new("tried", "tried", digits, "most contact sets tried on a level"),
-        Column::new("cold", "cold", digits, "contact sets tried by elimination from no contact"),
+        Column::new("tried", "tried", digits, "most contact sets tried on a level, from nothing known"),
+        Column::new("cold", "one mesh", digits, "the same by elimination on the mesh alone, from no contact"),
         Column::new("word", "taken", digits, "which solver was taken, and why"),
     ];
     Table::new(columns).with_rows(rows.iter().map(|row| -> [Cell; 12] {

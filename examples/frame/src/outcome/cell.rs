@@ -38,6 +38,13 @@ impl From<f64> for Cell {
     }
 }
 
+impl Cell {
+    /// A number, or nothing where it is NaN.
+    pub fn finite(value: f64) -> Self {
+        if value.is_nan() { Cell::Missing } else { value.into() }
+    }
+}
+
 impl From<usize> for Cell {
     fn from(value: usize) -> Self {
         i64::try_from(value).map_or(Cell::Number(value as f64), Cell::Integer)

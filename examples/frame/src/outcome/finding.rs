@@ -174,6 +174,14 @@ impl Finding {
         self.number_or(smallest.map(|e| (e.value, e.error)), "nothing was computed")
     }
 
+    /// The largest of several numbers with their uncertainties, each counted at its upper end; without any there
+    /// is no number, and `why` says why.
+    #[must_use]
+    pub fn largest_of(self, numbers: impl IntoIterator<Item = (f64, f64)>, why: impl Into<String>) -> Self {
+        let larger = |a: (f64, f64), b: (f64, f64)| if b.0 + b.1 > a.0 + a.1 { b } else { a };
+        self.number_or(numbers.into_iter().reduce(larger), why)
+    }
+
     /// A number that may not exist; `why` says why it does not.
     #[must_use]
     pub fn number_or(mut self, number: Option<(f64, f64)>, why: impl Into<String>) -> Self {

@@ -59,6 +59,13 @@ impl Headline {
         self.quote(format!("{key}.uncertainty"), uncertainty);
     }
 
+    /// Adds the number of a finding to be quoted under another key, where there is one.
+    pub fn quote_found(&mut self, finding: &str, key: impl Into<String>) {
+        if let Some((value, _)) = self.finding(finding).and_then(Finding::measured) {
+            self.quote(key, value);
+        }
+    }
+
     /// Draws and saves a chart as `name.svg` where figures are asked for; `chart` is not called otherwise.
     ///
     /// # Errors

@@ -20,3 +20,6 @@ pub use row::{
     HALF_WIDTH, RateRow, complete, fit_cells, largest, lowest, order_columns, rate_table, term_remarks,
 };
 pub use store::LevelStore;
+
+/// An order with a wider bar is no order.
+pub const STEADY: f64 = 0.1;

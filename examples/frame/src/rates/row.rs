@@ -105,9 +105,12 @@ pub fn term_remarks(rows: &[&RateRow]) -> [Finding; 2] {
         Finding::remark("terms", "where it was seen, the root of the consistency term has order tau - 1")
             .number_or(largest(seen), "no term could be fitted")
             .at_most(1.0, "tau - 1; in units of +-"),
-        Finding::remark("terms.silent", "{value} scenes say nothing of the consistency term, as it vanishes")
-            .number(silent, 0.0)
-            .at_most(0.5 * rows.len() as f64, "half of the scenes; sigma_N = 0 at corners"),
+        Finding::remark(
+            "terms.silent",
+            "the number of scenes without a consistency term to fit, as it vanishes, is {value}",
+        )
+        .number(silent, 0.0)
+        .at_most(0.5 * rows.len() as f64, "half of the scenes; sigma_N = 0 at corners"),
     ]
 }
 

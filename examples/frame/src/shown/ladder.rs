@@ -1,7 +1,7 @@
 //! Tables and figures of the proof profiles: the ladder of bounds and the lines.
 
 use crate::figures::{Axis, Chart, Series};
-use crate::{Column, Format, Headline, Table};
+use crate::{Column, Format, Headline, Output, Result, Table};
 use signorini::proof::{Exponent, Line, LineProfile, ProofProfile, Rung, Section, Step};
 
 /// Lines drawn in the chart of slacks.
@@ -152,6 +152,22 @@ pub fn slack_chart(profile: &ProofProfile) -> Chart {
         chart = chart.with(Series::line_and_points(name, line.slacks));
     }
     chart
+}
+
+/// Quotes the numbers of a ladder, and draws it and the slack of its lines as `name` and `name_slack`.
+///
+/// # Errors
+/// Those of the drawing and of the files.
+pub fn show(
+    headline: &mut Headline,
+    output: &Output,
+    name: &str,
+    profile: &ProofProfile,
+    rungs: &[Rung],
+) -> Result<()> {
+    quote(headline, title(profile.case.section).1, profile, rungs);
+    headline.draw(output, name, || Ok(ladder_chart(profile, rungs)))?;
+    headline.draw(output, &format!("{name}_slack"), || Ok(slack_chart(profile)))
 }
 
 /// Quotes exponents and losses of the rungs, slacks and counts, under `key`.

@@ -3,8 +3,8 @@
 use super::function::SingularPlaneFunction;
 use super::piece::View;
 use super::sums::{ClosureSum, Quantity};
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::numeric::scale::power_of_two;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::root::{accept, root_of_squares, scaled, scaled_root};
@@ -12,6 +12,11 @@ use crate::sobolev::root::{accept, root_of_squares, scaled, scaled_root};
 /// What ends the accuracy.
 const LIMIT: &str =
     "the rules have no more points: it is not as smooth as declared, or what is left is rounding";
+
+/// The estimate, unless it misses the tolerance.
+fn judged(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Estimate> {
+    accept(what, found, tolerance, if found.work.points > tolerance.work() { SPENT } else { LIMIT })
+}
 
 impl SingularPlaneFunction<'_> {
     /// The seminorm |w|_s.
@@ -46,8 +51,13 @@ impl SingularPlaneFunction<'_> {
     /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps and s ≥
     /// 1/2; [`Error::OutOfRange`] for triangles that touch without a common node or are too close for their
     /// length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
-    pub fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
-        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        judged("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
 
     /// The norm of order s.
@@ -69,9 +79,14 @@ impl SingularPlaneFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularPlaneFunction::seminorm`].
-    pub fn norm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_as_it_is(tolerance)?];
-        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
+        judged("norm", root_of_squares(&parts)?, tolerance)
     }
 
     /// The norm of order 1 + s, given both derivatives.
@@ -82,9 +97,10 @@ impl SingularPlaneFunction<'_> {
     pub fn norm_with_gradient(
         &self,
         gradient: [&SingularPlaneFunction<'_>; 2],
-        order: FractionalOrder,
-        tolerance: Tolerance,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
         if self.jumps() {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
@@ -94,15 +110,16 @@ impl SingularPlaneFunction<'_> {
             parts.push(part.l2_as_it_is(tolerance)?);
             parts.push(part.seminorm_as_it_is(order, tolerance)?);
         }
-        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
+        judged("norm", root_of_squares(&parts)?, tolerance)
     }
 
     /// The L² norm.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
-    pub fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        accept("L2 norm", self.l2_as_it_is(tolerance)?, tolerance, LIMIT)
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
+        judged("L2 norm", self.l2_as_it_is(tolerance)?, tolerance)
     }
 
     fn view(&self) -> View<'_> {
@@ -111,7 +128,7 @@ impl SingularPlaneFunction<'_> {
 
     fn l2_as_it_is(&self, tolerance: Tolerance) -> Result<Estimate> {
         let view = self.view();
-        let sum = ClosureSum::new(view, FractionalOrder::HALF, tolerance.relative(), Quantity::Square)?;
+        let sum = ClosureSum::new(view, FractionalOrder::HALF, tolerance, Quantity::Square)?;
         scaled(view.extent, scaled_root(view.unit, sum.square()?)?)
     }
 
@@ -124,7 +141,7 @@ impl SingularPlaneFunction<'_> {
             return infinite("a function that jumps across an edge is not in H^s for s >= 1/2");
         }
         let view = self.view();
-        let sum = ClosureSum::new(view, order, tolerance.relative(), Quantity::Seminorm)?;
+        let sum = ClosureSum::new(view, order, tolerance, Quantity::Seminorm)?;
         let root = scaled_root(view.unit, sum.seminorm()?)?;
         scaled(view.extent.powf(order.complement()), root)
     }

@@ -11,13 +11,14 @@ use super::fan::{Contact, Fan};
 use super::piece::{Piece, View};
 use super::radial::{self, Approach};
 use super::side::Side;
-use crate::error::Result;
-use crate::estimate::{Estimate, Work};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::numeric::sum::compensated;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::plane::kernel::InversePower;
 use crate::sobolev::root::ENTRY_ROUNDING;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Points of the rules, one after the other.
 const POINTS: [usize; 6] = [4, 6, 9, 13, 18, 24];
@@ -61,6 +62,8 @@ pub(super) struct ClosureSum<'a> {
     kernel: InversePower,
     /// Relative accuracy asked of the square.
     accuracy: f64,
+    /// Values of the closure that may be taken.
+    work: u64,
     approaches: Vec<Approach>,
     /// By how much, relative to the whole, the radial rules may be off.
     radial_error: f64,
@@ -77,11 +80,12 @@ impl<'a> ClosureSum<'a> {
     pub(super) fn new(
         view: View<'a>,
         order: FractionalOrder,
-        accuracy: f64,
+        tolerance: Tolerance,
         quantity: Quantity,
     ) -> Result<Self> {
         let kernel = InversePower::new(1.0 + order.value());
-        let mut sum = Self { view, order, kernel, accuracy, approaches: Vec::new(), radial_error: 0.0 };
+        let (accuracy, work) = (tolerance.relative(), tolerance.work());
+        let mut sum = Self { view, order, kernel, accuracy, work, approaches: Vec::new(), radial_error: 0.0 };
         let pieces = view.pieces();
         for corner in 0..view.function.corners().all.len() {
             let (approach, error) = sum.approach_of(corner, &pieces, quantity)?;
@@ -124,9 +128,18 @@ impl<'a> ClosureSum<'a> {
         parts: &[T],
         integral: impl Fn(&T, usize) -> Result<(f64, u64)> + Sync,
     ) -> Result<Estimate> {
+        let spent = AtomicU64::new(0);
         let evaluate = |part: &T, before: Option<Found>| -> Result<Found> {
             let level = before.map_or(0, |found| found.level + 1);
+            if spent.load(Ordering::Relaxed) > self.work {
+                // A part that was seen once is of the size that was seen, no more is known.
+                let reason = || Error::out_of_reach("norm", self.accuracy, f64::INFINITY, SPENT);
+                return before
+                    .map(|found| Found { error: found.error.min(found.value.abs()), level, ..found })
+                    .ok_or_else(reason);
+            }
             let (value, points) = integral(part, level)?;
+            spent.fetch_add(points, Ordering::Relaxed);
             let mut work = Work { points, pairs: 1, ..Work::default() };
             let (mut change, mut error) = (f64::INFINITY, f64::INFINITY);
             if let Some(found) = before {

@@ -1,0 +1,35 @@
+//! What is left of the evaluations that a norm may take.
+
+use crate::error::{Error, Result};
+use crate::estimate::{SPENT, Tolerance};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Evaluations of a function and of the kernel that are still allowed.
+pub(super) struct Budget {
+    left: AtomicU64,
+    asked: f64,
+}
+
+impl Budget {
+    pub(super) fn unlimited() -> Self {
+        Self { left: AtomicU64::new(u64::MAX), asked: 0.0 }
+    }
+
+    pub(super) fn of(tolerance: Tolerance) -> Self {
+        Self { left: AtomicU64::new(tolerance.work()), asked: tolerance.relative() }
+    }
+
+    pub(super) fn left(&self) -> u64 {
+        self.left.load(Ordering::Relaxed)
+    }
+
+    /// Takes `count` evaluations; threads may overdraw by what each of them takes at once.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] when fewer are left.
+    pub(super) fn spend(&self, count: u64) -> Result<()> {
+        let left = self.left();
+        self.left.store(left.saturating_sub(count), Ordering::Relaxed);
+        if left > count { Ok(()) } else { Err(Error::out_of_reach("norm", self.asked, f64::INFINITY, SPENT)) }
+    }
+}

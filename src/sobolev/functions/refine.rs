@@ -1,0 +1,125 @@
+//! Levels of growing accuracy until two agree.
+
+use super::function::SingularFunction;
+use super::level::{Level, LevelValue};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
+
+/// Orders and widths, each more accurate than the one before: one decade and a half per step for functions
+/// analytic up to their breaks.
+const LEVELS: [Level; 11] = [
+    Level { points: 4, width: 1.5 },
+    Level { points: 6, width: 1.4 },
+    Level { points: 8, width: 1.3 },
+    Level { points: 11, width: 1.2 },
+    Level { points: 15, width: 1.1 },
+    Level { points: 18, width: 1.0 },
+    Level { points: 18, width: 0.6 },
+    Level { points: 20, width: 0.35 },
+    Level { points: 22, width: 0.2 },
+    Level { points: 24, width: 0.11 },
+    Level { points: 26, width: 0.06 },
+];
+
+/// Below this the square of the seminorm of a function of size 1 is rounding: (64 ε)².
+const ZERO: f64 = 2e-28;
+
+/// What ends the accuracy of a closure.
+pub(super) const LIMIT: &str =
+    "rounding of the values, or the limit at a break, is all that finer rules show";
+
+/// What ends it where x = c + δ is rounded.
+const ROUNDED: &str = "x is rounded near a break that is not 0, and the distance to it is all that counts there: \
+     from_positions gives the distance";
+
+/// Levels after which what the ends of the arms and rounding leave should have fallen, and by how much.
+const TRIED: usize = 4;
+const FALLS: f64 = 0.3;
+
+/// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so
+/// that the number made of it meets the tolerance.
+///
+/// Ends where finer rules no longer help: where the error as a whole no longer falls, and where what does not
+/// come of the rules alone, rounding and the limit at a break, is above the tolerance and stays there.
+pub(super) fn refine(
+    u: &SingularFunction,
+    asked: Tolerance,
+    factor: f64,
+    compute: impl Fn(Level, f64) -> Result<LevelValue>,
+) -> Result<Estimate> {
+    let tolerance = factor * asked.relative();
+    let digits = -tolerance.log10();
+    // The first level to try leaves the second one likely to succeed.
+    let first = ((digits - 2.0) / 3.0).floor().clamp(0.0, 3.0) as usize;
+    let mut previous: Option<LevelValue> = None;
+    let mut found: Vec<Estimate> = Vec::new();
+    let (mut points, mut least, mut why) = (0, f64::INFINITY, LIMIT);
+    for (tried, &level) in LEVELS[first..].iter().enumerate() {
+        let current = match compute(level, tolerance) {
+            Err(_) if u.work_left() == 0 => {
+                why = SPENT;
+                break;
+            }
+            other => other?,
+        };
+        points += current.points;
+        let work = Work { points, ..Work::default() };
+        let beside_rules = current.tail + current.rounding;
+        if let Some(coarse) = previous {
+            let error = (current.value - coarse.value).abs()
+                + beside_rules
+                + current.missed
+                + 64.0 * f64::EPSILON * current.value.abs();
+            let estimate = Estimate::new(current.value, error, work)?;
+            // The function is of size 1: an integral within a few ulps of zero is that of a function without
+            // variation.
+            if estimate.error.max(estimate.value.abs()) <= ZERO || estimate.relative_error() <= tolerance {
+                return Ok(estimate);
+            }
+            let best = found.iter().map(|e| e.error).fold(f64::INFINITY, f64::min);
+            found.push(estimate);
+            if estimate.error > 0.5 * best && best < 1e-6 * estimate.value.abs() {
+                break;
+            }
+        }
+        let stays = beside_rules > tolerance * current.value.abs() && beside_rules > FALLS * least;
+        if stays && u.has_rounded_distances() {
+            why = ROUNDED;
+        }
+        if stays && tried + 1 >= TRIED {
+            break;
+        }
+        least = least.min(beside_rules);
+        previous = Some(current);
+    }
+    let best = match (best_of_levels(&found), previous) {
+        (None, Some(level)) => {
+            // One level alone: all that is known is its size.
+            let work = Work { points, ..Work::default() };
+            Some(Estimate::new(level.value, level.value.abs() + level.tail + level.rounding, work)?)
+        }
+        (best, _) => best,
+    };
+    Err(Error::best_of("integral", asked.relative(), best, why))
+}
+
+/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} −
+/// 1).
+const UNSETTLED: f64 = 4.0;
+
+/// The best of levels that do not meet the tolerance: two that agree by accident are not trusted, a level is
+/// as good as all later ones leave it. The last counts where three in turn gained a digit each.
+fn best_of_levels(found: &[Estimate]) -> Option<Estimate> {
+    if let [.., a, b, c] = found
+        && b.error <= 0.1 * a.error
+        && c.error <= 0.1 * b.error
+    {
+        return Some(*c);
+    }
+    let judged = |(k, level): (usize, &Estimate)| {
+        let later = found[k + 1..].iter().map(|later| (later.value - level.value).abs());
+        Estimate { error: UNSETTLED * later.fold(level.error, f64::max), ..*level }
+    };
+    let confirmed = found.iter().enumerate().take(found.len().max(2) - 1);
+    confirmed.map(judged).min_by(|a, b| a.error.total_cmp(&b.error))
+}
