@@ -30,7 +30,7 @@ const FIRST: usize = 64;
 const MOST: usize = 1 << 20;
 /// Elements from which on a mesh is only halved if the tolerance is within reach, SPARE halvings granted.
 const LARGE: usize = 1 << 18;
-const SPARE: f64 = 2.0;
+const SPARE: f64 = 0.0;
 /// Rounding of Q_h relative to ε M^{2ν}; measured below 0.02.
 const ROUNDING: f64 = 0.1;
 /// A over 1 on the shortest element; its root, the share of layers, is below the last digit.
