@@ -14,9 +14,6 @@ fn refusal(found: &Result<Estimate>) -> (Option<Estimate>, &'static str) {
     }
 }
 
-/// Name, integrals it is made of, and the norm.
-type Norm<'a> = (&'a str, u64, &'a dyn Fn() -> Result<Estimate>);
-
 #[test]
 fn a_logarithm_of_rounded_distances_is_refused_quickly() {
     let rounded = SingularFunction::new(&[0.0, 0.3, 1.0], |x: f64| (x - 0.3).abs().ln()).unwrap();
@@ -50,7 +47,8 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
     for limit in [100, 10_000, 300_000] {
         let tolerance = Tolerance::new(1e-9).unwrap().with_work(limit);
         let order = FractionalOrder::new(0.4).unwrap();
-        let norms: [Norm; 11] = [
+        type Norm<'a> = (&'a str, u64, &'a dyn Fn() -> Result<Estimate>);
+        let norms: [Norm<'_>; 11] = [
             ("seminorm", 1, &|| u.seminorm(order, tolerance)),
             ("norm", 2, &|| u.norm(order, tolerance)),
             ("l2", 1, &|| u.l2_norm(tolerance)),

@@ -10,8 +10,7 @@ use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
-/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`](super::gamma). For mean zero on E it is
-/// what 1_E/|E| − 1
+/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]. For mean zero on E it is what 1_E/|E| − 1
 /// has as a functional in the dual of the seminorm; dual norms to (1.1) are in [`crate::sobolev::dual`].
 ///
 /// ```
@@ -25,7 +24,9 @@ use crate::sobolev::FractionalOrder;
 /// ```
 ///
 /// # Errors
-/// As for [`gamma`](super::gamma).
+/// As for [`gamma`].
+///
+/// [`gamma`]: super::gamma
 #[doc(alias("H-1/2", "dual norm"))]
 pub fn largest_mean(
     order: impl Given<FractionalOrder>,

@@ -64,9 +64,11 @@ impl PiecewisePolynomial {
     /// ```
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet), with the best value, when 2^20
-    /// elements do not suffice or rounding exceeds the tolerance; [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// a norm beyond the range of binary64.
+    /// [`Error::ToleranceNotMet`], with the best value, when 2^20 elements do not suffice or rounding exceeds
+    /// the tolerance; [`Error::NotFinite`] for a norm beyond the range of binary64.
+    ///
+    /// [`Error::ToleranceNotMet`]: crate::Error::ToleranceNotMet
+    /// [`Error::NotFinite`]: crate::Error::NotFinite
     #[doc(alias("H-1/2", "negative norm"))]
     pub fn dual_norm(
         &self,
