@@ -105,7 +105,7 @@ impl FieldError<'_> {
     ///     assert!(sines.value < u.minus(&field).l2_norm(1e-4)?.value);
     ///     Ok::<f64, signorini::Error>(found.value)
     /// };
-    /// assert!(((error(8)? / error(16)?).log2() - 1.5).abs() < 0.05);
+    /// assert!(((error(64)? / error(128)?).log2() - 1.5).abs() < 0.1);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
