@@ -90,7 +90,7 @@ pub const INADMISSIBLE: [Bad; 8] = [
         "a node given twice",
         "any norm",
         || Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(|mesh| mesh.nodes()[0]),
-        out_of_range,
+        |error| matches!(error, Error::EntryOutOfRange { .. }),
     ),
     (
         "a zone of length 0, order 1/2",
