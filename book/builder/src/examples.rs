@@ -10,29 +10,78 @@ use serde_json::Value;
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Builds the examples of the package at `repository` and runs those whose program changed.
+/// Examples that run side by side at most: each may use all processors and some hundred megabytes.
+const MOST_BESIDE: usize = 4;
+
+/// Builds the examples of the package at `repository` and runs those whose program changed: those of which
+/// `committed` holds no seconds side by side, the others alone afterwards, so that nothing disturbs a clock.
 ///
 /// # Errors
 /// [`Error::Example`] when one does not build or run, [`Error::File`].
-pub fn gather(repository: &Path) -> Result<Data> {
+pub fn gather(repository: &Path, committed: &Data) -> Result<Data> {
     let programs = build(repository)?;
-    let mut data = Data::default();
-    let count = programs.len();
+    let mut changed = Vec::new();
     for (k, program) in programs.iter().enumerate() {
-        let name = program.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let cache = cache_directory(program).join(&name);
-        let stamp = stamp(program)?;
-        let is_known = read(&cache.join("stamp")).is_ok_and(|known| known == stamp);
-        if !is_known {
-            eprintln!("[{}/{count}] {name}", k + 1);
-            run(&name, program, &[], &cache)?;
+        let (name, cache, stamp) = (name(program), cache(program), stamp(program)?);
+        if !read(&cache.join("stamp")).is_ok_and(|known| known == stamp) {
+            changed.push((k + 1, program, name, cache, stamp));
         }
-        collect(&name, &cache, &mut data)?;
+    }
+    let renew = |(k, program, name, cache, stamp): &(usize, &PathBuf, String, PathBuf, String)| {
+        eprintln!("[{k}/{}] {name}", programs.len());
+        run(name, program, &[], cache)?;
+        write(&cache.join("stamp"), stamp)
+    };
+    let (beside, alone): (Vec<_>, Vec<_>) =
+        changed.iter().partition(|(_, _, name, ..)| committed.examples.get(name).is_some_and(has_no_clock));
+    let next = AtomicUsize::new(0);
+    let work = || -> Result<()> {
+        while let Some(one) = beside.get(next.fetch_add(1, Ordering::Relaxed)) {
+            renew(one).inspect_err(|_| next.store(beside.len(), Ordering::Relaxed))?;
+        }
+        Ok(())
+    };
+    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(MOST_BESIDE);
+    std::thread::scope(|scope| {
+        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        let failed = |_| Error::Example { name: "(a run)".to_owned(), message: "broke off".to_owned() };
+        handles.into_iter().try_for_each(|handle| handle.join().map_err(failed)?)
+    })?;
+    alone.into_iter().try_for_each(renew)?;
+    let mut data = Data::default();
+    for program in &programs {
+        let name = name(program);
+        collect(&name, &cache(program), &mut data)?;
         data.options.insert(name.clone(), describe(&name, program)?);
-        write(&cache.join("stamp"), &stamp)?;
     }
     Ok(data)
+}
+
+fn name(program: &Path) -> String {
+    program.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Where the outcome of a program is kept.
+fn cache(program: &Path) -> PathBuf {
+    cache_directory(program).join(name(program))
+}
+
+/// No key, column or sentence of an outcome speaks of time.
+fn has_no_clock(outcome: &Value) -> bool {
+    let silent = |sentence: &str| {
+        let words: Vec<&str> = sentence.split(|c: char| !c.is_alphanumeric()).collect();
+        let counts = |pair: &[&str]| pair[0].parse::<u64>().is_ok() && pair[1] == "s";
+        !words.windows(2).any(counts)
+            && !words.iter().any(|word| matches!(*word, "seconds" | "ms" | "speedup"))
+    };
+    match outcome {
+        Value::String(words) => silent(words),
+        Value::Array(entries) => entries.iter().all(has_no_clock),
+        Value::Object(entries) => entries.iter().all(|(key, entry)| silent(key) && has_no_clock(entry)),
+        _ => true,
+    }
 }
 
 /// Builds the examples and makes one run with arguments of its own; what it computed, under the run's name.
@@ -135,4 +184,24 @@ fn collect(name: &str, cache: &Path, data: &mut Data) -> Result<()> {
         data.insert(name, &figures, &file)?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn what_speaks_of_time_runs_alone() {
+        for outcome in [
+            json!({"table": {"columns": ["n", "seconds"], "rows": [[1, 2.0]]}}),
+            json!({"multigrid.seconds": 3.0}),
+            json!({"verdict": "1000 rows in 3 s"}),
+            json!({"findings": [{"finding": "speedup.fast"}]}),
+        ] {
+            assert!(!has_no_clock(&outcome), "{outcome}");
+        }
+        let outcome = json!({"order": 0.5, "table": {"columns": ["n", "steps"], "rows": [[1, 2]]}});
+        assert!(has_no_clock(&outcome));
+    }
 }

@@ -81,7 +81,8 @@ fn said(done: Result<PathBuf>) -> ExitCode {
 }
 
 fn renew(layout: &Layout) -> Result<PathBuf> {
-    let data = shown(layout, examples::gather(&layout.repository)?)?;
+    let committed = Data::read(&layout.generated()).unwrap_or_default();
+    let data = shown(layout, examples::gather(&layout.repository, &committed)?)?;
     data.write(&layout.generated())?;
     tables::renew(&labels::list(&layout.repository)?, &layout.repository)?;
     build(layout, &layout.data()?)
@@ -101,6 +102,6 @@ fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
 fn check(layout: &Layout) -> Result<PathBuf> {
     let committed = Data::read(&layout.generated())?;
     let output = build(layout, &layout.data()?)?;
-    check_fresh(layout, &committed, &examples::gather(&layout.repository)?)?;
+    check_fresh(layout, &committed, &examples::gather(&layout.repository, &committed)?)?;
     Ok(output)
 }
