@@ -60,6 +60,7 @@ chapters! {
     section_1_closures_in_the_plane: "section_1_closures_in_the_plane.md",
     section_1_plane_cost: "section_1_plane_cost.md",
     section_1_trace_constants: "section_1_trace_constants.md",
+    section_1_errors_and_boundaries: "section_1_errors_and_boundaries.md",
     section_2_singular_exponents: "section_2_singular_exponents.md",
     section_1_clamped_end: "section_1_clamped_end.md",
     section_2_strip: "section_2_strip.md",

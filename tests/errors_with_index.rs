@@ -2,7 +2,7 @@
 
 use signorini::edge::{EdgeTrace, radial_intervals};
 use signorini::interpolation::ElementMesh;
-use signorini::poincare::Zones;
+use signorini::poincare::{Places, Zones, growth};
 use signorini::sobolev::{
     BoundaryFunction, GramOperator, MeshFunctional, Partition, PiecewisePolynomial, PlaneFunction,
     PolygonalCurve, SingularFunction, Triangles,
@@ -59,6 +59,7 @@ fn entries_that_are_no_numbers_are_named() {
 #[test]
 fn entries_that_are_out_of_range_are_named() {
     use signorini::cone::ContactSet;
+    let zone = signorini::Estimate::new(1.0, 1e-9, signorini::Work::default()).unwrap();
     let set = ContactSet::new(vec![true, false, true]);
     let found = [
         (2, 0.5, Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(drop)),
@@ -74,6 +75,9 @@ fn entries_that_are_out_of_range_are_named() {
             PiecewisePolynomial::with_bubbles(two(), &[[0.0; 2]; 2], vec![vec![], vec![0.0; 24]]).map(drop),
         ),
         (1, 0.5, EdgeTrace::new(vec![0.0, 1.0], vec![0.0, 0.5], vec![0.0; 2], 0.0).map(drop)),
+        (2, 0.2, growth(0.5, &[(0.3, zone), (0.2, zone), (0.2, zone)]).map(drop)),
+        (1, -0.1, growth(0.3, &[(0.3, zone), (-0.1, zone)]).map(drop)),
+        (2, 1.5, Places::new(0.3, 1e-3, &[0.0, 0.5, 1.5], 1e-3).map(drop)),
         (2, 1.0, radial_intervals(&[0.0, 2.0, 1.0], &set).map(drop)),
     ];
     for (k, (index, value, result)) in found.into_iter().enumerate() {

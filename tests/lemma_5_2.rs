@@ -305,7 +305,7 @@ fn growth_is_measured_with_its_drift() {
     assert!((slope.value - END_SLOPE).abs() <= slope.error && slope.error < 1e-3, "{slope}");
     assert_eq!(growth(order(0.5), &zones[..1]), Ok(None));
     let backwards = [zones[1], zones[0]];
-    assert!(matches!(growth(order(0.5), &backwards), Err(Error::OutOfRange { .. })));
+    assert!(matches!(growth(order(0.5), &backwards), Err(Error::EntryOutOfRange { index: 1, .. })));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::scaling::last_exponent;
 use super::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
 use super::two_sided::two_sided;
 use super::zone::{Condition, Zone};
-use crate::error::{Given, Result};
+use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial};
 
@@ -65,7 +65,7 @@ impl Places {
     /// Zones (a, a+θ) at a = `fractions` × (1 − θ).
     ///
     /// # Errors
-    /// Those of [`two_sided`] and [`Zone::at`].
+    /// [`Error::EntryOutOfRange`] for a fraction outside [0, 1], and those of [`two_sided`] and [`Zone::at`].
     pub fn new(
         order: impl Given<FractionalOrder>,
         theta: f64,
@@ -75,8 +75,11 @@ impl Places {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         // Scaled to (0,1), the left piece (0,1/2) has its zone, of relative length 2ε, at an end.
         let short = Zone::end(2.0 * SHARE * theta)?;
-        let zones = fractions.iter().map(|fraction| Zone::at(fraction * (1.0 - theta), theta));
-        let zones = zones.collect::<Result<Vec<Zone>>>()?;
+        let zone = |(index, &value): (usize, &f64)| match (0.0..=1.0).contains(&value) {
+            true => Zone::at(value * (1.0 - theta), theta),
+            false => Err(Error::EntryOutOfRange { name: "fractions", index, value, range: "[0, 1]" }),
+        };
+        let zones = fractions.iter().enumerate().map(zone).collect::<Result<Vec<Zone>>>()?;
         let end = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
         let placed = |zone: Zone| -> Result<Placed> {
             let found = two_sided(order, zone, Condition::MeanZero, tolerance)?;

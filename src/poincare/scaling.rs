@@ -15,8 +15,8 @@ use crate::sobolev::FractionalOrder;
 /// from the two zones before, where there are three. `None` for fewer than two zones.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless each zone is shorter than the one before; [`Error::NotFinite`] when zones are
-/// too close together.
+/// [`Error::EntryOutOfRange`] unless each zone is shorter than the one before; [`Error::NotFinite`] when zones
+/// are too close together.
 ///
 /// ```
 /// use signorini::{Estimate, poincare::growth, sobolev::FractionalOrder};
@@ -28,8 +28,13 @@ use crate::sobolev::FractionalOrder;
 /// ```
 pub fn growth(order: impl Given<FractionalOrder>, zones: &[(f64, Estimate)]) -> Result<Option<Estimate>> {
     let order = order.given()?;
-    for pair in zones.windows(2) {
-        Error::require("theta", pair[1].0, "a shorter zone than before", pair[1].0 < pair[0].0)?;
+    let mut before = f64::INFINITY;
+    for (index, &(value, _)) in zones.iter().enumerate() {
+        if !(value > 0.0 && value < before) {
+            let range = "(0, infinity), each shorter than the one before";
+            return Err(Error::EntryOutOfRange { name: "theta", index, value, range });
+        }
+        before = value;
     }
     if order.offset() != 0.0 {
         return last_exponent(zones);

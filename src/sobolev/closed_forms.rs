@@ -6,6 +6,7 @@
 //! | [`jump`]: 0 on a cell, 1 on the next | (0, p + q) | ν < 1/2 |
 //! | [`hat`]: piecewise linear hat | an interval around it | 0 < ν < 1 |
 //! | [`log_power`]: \|ln x\|^α | (0, 1) | ν = 1/2, 0 < α < 1/2 |
+//! | [`cosine_on_circle`]: cos kφ | the unit circle | 0 < ν < 1 |
 //!
 //! Every value is the *squared* seminorm; all are sums of positive terms or differences of well separated
 //! ones.
@@ -172,6 +173,33 @@ pub fn hat(
     let partition = Partition::from_lengths(lengths)?;
     let value = diagonal_linear(&partition, &CellPairs::new(order), peak);
     Estimate::new(value, ROUNDING * value, Work::default())
+}
+
+/// |cos kφ|²_ν on the unit circle, with distances in the plane: 2π ∫ (1 − cos kθ) (2 sin θ/2)^{-1-2ν} dθ, by
+/// Cauchy's Beta integral 2π^{3/2} 4^{-ν} Γ(1−ν)/(ν Γ(3/2−ν)) [(1/2+ν) Π_{j=2}^k (j−1/2+ν)/(j−1/2−ν) − 1/2 + ν];
+/// 2π²k for ν = 1/2. Cost k products.
+///
+/// ```
+/// use signorini::sobolev::closed_forms;
+/// let squared = closed_forms::cosine_on_circle(3, 0.5)?;
+/// assert!((squared.value / (6.0 * std::f64::consts::PI.powi(2)) - 1.0).abs() < 1e-14);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::OutOfRange`] for an order outside (0, 1).
+pub fn cosine_on_circle(k: u32, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+    let order = order.given()?;
+    if k == 0 {
+        return Estimate::new(0.0, 0.0, Work::default());
+    }
+    let (nu, half, pi) = (order.value(), order.offset(), std::f64::consts::PI);
+    let gammas = libm::tgamma(order.complement()) / (nu * libm::tgamma(1.0 - half));
+    let product: f64 = (2..=k).map(|j| (f64::from(j) + half) / (f64::from(j) - 1.0 - half)).product();
+    let value = 2.0 * pi * pi.sqrt() * 4f64.powf(-nu) * gammas * ((0.5 + nu) * product + half);
+    // Each of the k quotients is rounded, and the bracket cancels for k = 1, ν → 0, to 2ν.
+    let rounding = (ROUNDING + f64::from(k) * f64::EPSILON) * (1.0 + 0.5 / nu);
+    Estimate::new(value, rounding * value, Work::default())
 }
 
 /// ||ln x|^α|²_{1/2} on (0, 1) = 2 ζ(1+2α) [Γ(1+α)²/cos(πα) − Γ(1+2α)].

@@ -2,7 +2,7 @@
 
 use super::cells::{Content, FieldCells, FieldEnergies};
 use super::fit::Difference;
-use super::patch::patch;
+use super::patch::{by_polynomials, patch};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::sum::RunningSum;
@@ -146,9 +146,15 @@ fn squared(
     for k in 0..difference.function.breaks().len() {
         let first = cells.parts.iter().position(|part| part.patch == Some(k)).unwrap_or(0);
         let count = cells.parts[first..].iter().take_while(|part| part.patch == Some(k)).count();
-        let function = patch(difference.function, difference.field, k, &cells.parts[first..first + count])?;
-        let rough =
-            Estimate::or_best(function.seminorm(order, Tolerance::new(1e-2)?.with_work(tolerance.work())))?;
+        let parts = &cells.parts[first..first + count];
+        let function = patch(difference.function, difference.field, k, parts)?;
+        let coarse = Tolerance::new(1e-2)?.with_work(tolerance.work());
+        let rough = match Estimate::or_best(function.seminorm(order, coarse)) {
+            Err(refused @ Error::ToleranceNotMet { .. }) => {
+                by_polynomials(difference, parts, order, tolerance)?.ok_or(refused)?
+            }
+            other => other?,
+        };
         patches.push((function, rough));
     }
     let share = |rough: &Estimate| rough.value * rough.value;
