@@ -15,8 +15,7 @@ use crate::sobolev::FractionalOrder;
 /// from the two zones before, where there are three. `None` for fewer than two zones.
 ///
 /// # Errors
-/// [`Error::EntryOutOfRange`] unless each zone is shorter than the one before; [`Error::NotFinite`] when zones
-/// are too close together.
+/// [`Error::EntryOutOfRange`] unless each zone is shorter than the last; [`Error::NotFinite`] if too little.
 ///
 /// ```
 /// use signorini::{Estimate, poincare::growth, sobolev::FractionalOrder};
@@ -28,13 +27,11 @@ use crate::sobolev::FractionalOrder;
 /// ```
 pub fn growth(order: impl Given<FractionalOrder>, zones: &[(f64, Estimate)]) -> Result<Option<Estimate>> {
     let order = order.given()?;
-    let mut before = f64::INFINITY;
     for (index, &(value, _)) in zones.iter().enumerate() {
-        if !(value > 0.0 && value < before) {
-            let range = "(0, infinity), each shorter than the one before";
+        if !(value > 0.0 && index.checked_sub(1).is_none_or(|k| value < zones[k].0)) {
+            let range = "(0, the one before)";
             return Err(Error::EntryOutOfRange { name: "theta", index, value, range });
         }
-        before = value;
     }
     if order.offset() != 0.0 {
         return last_exponent(zones);
