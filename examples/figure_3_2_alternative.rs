@@ -79,6 +79,8 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
         study.rows.iter().map(|r| (1.0 / r.n as f64, r.classification.total())).collect();
     let order = Exponent::fit(&totals).ok().filter(|_| !options.over_theta).map(|e| (e.value, e.uncertainty));
     let none = "no mesh was classified";
+    let no_share =
+        if last.is_some() { "the whole term is zero: no case carries a share of it" } else { none };
     let mut findings = vec![
         Finding::claim("cases", "every segment is in a case, for every theta").by_proof(page(section)),
         Finding::claim("carriers", "{count:segment} with the whole term, no more than transition points")
@@ -91,7 +93,7 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
             .at_most(ends, "one segment per transition point")
             .otherwise("u_h puts {count:segment} into another case, more than transition points"),
         Finding::remark("second.carries", "the second case alone carries {percent} % of the term")
-            .number_or(carried.filter(|share| share.is_finite()).map(|share| (share, CARRIES)), none)
+            .number_or(carried.filter(|share| share.is_finite()).map(|share| (share, CARRIES)), no_share)
             .at_least(0.5, "half of the term")
             .otherwise("the second case alone carries {percent} % of the term, the first or both the rest")
             .told(),

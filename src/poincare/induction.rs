@@ -119,18 +119,20 @@ pub fn closing_factor(order: impl Given<FractionalOrder>, start: f64, theta: f64
         "(0, theta_0], theta_0 < 1",
         0.0 < theta && theta <= start && start < 1.0,
     )?;
-    // Σ a^{2^i}; the terms below the rounding of the first are not seen.
-    let sum = |base: f64| {
-        let terms = std::iter::successors(Some(base), |a| Some(a * a));
-        terms.take_while(|&a| a > f64::EPSILON * base).sum::<f64>()
+    // Σ a^{2^i} by ln a, which doubles also where a itself is rounded to 1; the terms below the rounding of
+    // the first are not seen.
+    let sum = |exponent: f64| {
+        let last = exponent * start.ln() + f64::EPSILON.ln();
+        let logs = std::iter::successors(Some(exponent * start.ln()), |log| Some(2.0 * log));
+        logs.take_while(|&log| log > last).map(f64::exp).sum::<f64>()
     };
     let offset = order.offset();
     Ok(if offset == 0.0 {
         2.0 * theta.ln() / start.ln()
     } else if offset > 0.0 {
-        sum(start.powf(offset)).exp()
+        sum(offset).exp()
     } else {
-        theta.powf(offset) * sum(start.powf(-0.5 * offset)).exp()
+        theta.powf(offset) * sum(-0.5 * offset).exp()
     })
 }
 

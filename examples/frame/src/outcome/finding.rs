@@ -13,6 +13,7 @@
 //! Verdicts and the line "measured" are made from findings only. What is true by proof is marked so and is no
 //! evidence.
 
+use super::cell::not_finite;
 use serde_json::{Value, json};
 use std::fmt;
 
@@ -91,7 +92,8 @@ pub enum Relation {
 /// ```
 ///
 /// Words may hold `{value}`, `{uncertainty}` and `{bound}`, filled in when they are shown, and
-/// `{count:noun}`: "no noun", "1 noun", "2 nouns".
+/// `{count:noun}`: "no noun", "1 noun", "2 nouns". What is not finite is filled in as a word; in percent,
+/// `{percent} %`, it is "an infinite multiple".
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     key: String,
@@ -346,7 +348,9 @@ impl Finding {
         };
         let (value, uncertainty) = self.number.unwrap_or((f64::NAN, f64::NAN));
         let digits = |number: f64| if number.is_nan() { "?".to_owned() } else { short(number) };
+        let beyond = value.is_infinite();
         counted(words, value)
+            .replace("{percent} %", if beyond { "an infinite multiple" } else { "{percent} %" })
             .replace("{value}", &self.number.map_or("?".to_owned(), |(v, u)| significant(v, u, IN_WORDS)))
             .replace(
                 "{uncertainty}",
@@ -405,7 +409,14 @@ impl Finding {
                 put("value", value.into());
                 put("uncertainty", uncertainty.into());
             }
-            (None, Some(_)) => put("missing", "the number is not finite".into()),
+            (None, Some((value, _))) if value.is_infinite() => {
+                put("missing", "the number is infinite, or beyond the range of binary64".into());
+            }
+            (None, Some((value, _))) if value.is_nan() => put("missing", "undefined for these values".into()),
+            (None, Some((value, _))) => {
+                put("value", value.into());
+                put("missing", "the uncertainty is beyond the range of binary64".into());
+            }
             (None, None) => put("missing", self.missing.clone().into()),
         }
         if self.proof.is_none() {
@@ -415,7 +426,7 @@ impl Finding {
                 Relation::Within(t) => ("within", Some(t)),
             };
             put("relation", relation.into());
-            put("bound", self.bound.into());
+            put("bound", not_finite(self.bound).map_or(self.bound.into(), Value::from));
             if let Some(t) = tolerance {
                 put("tolerance", t.into());
             }
@@ -433,6 +444,7 @@ fn counted(words: &str, count: f64) -> String {
         0.0 => format!("no {noun}"),
         1.0 => format!("1 {noun}"),
         _ if count.is_nan() => format!("? {noun}s"),
+        _ if count.is_infinite() => format!("infinitely many {noun}s"),
         _ => format!("{count} {noun}s"),
     };
     format!("{before}{phrase}{after}")
@@ -440,6 +452,9 @@ fn counted(words: &str, count: f64) -> String {
 
 /// As few digits as identify a bound, at most six significant ones.
 fn short(value: f64) -> String {
+    if let Some(word) = not_finite(value) {
+        return word.to_owned();
+    }
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     if rounded == 0.0 || (1e-3..1e6).contains(&rounded.abs()) {
         rounded.to_string()
@@ -455,10 +470,7 @@ const IN_ALL: usize = 10;
 /// The value with the digits its uncertainty leaves it, two of them doubtful at most, and no more than
 /// `most`.
 fn significant(value: f64, uncertainty: f64, most: usize) -> String {
-    if !value.is_finite() || value == 0.0 {
-        return value.to_string();
-    }
-    if uncertainty == 0.0 {
+    if !value.is_finite() || value == 0.0 || uncertainty == 0.0 {
         return short(value);
     }
     let magnitude = value.abs().log10().floor();
@@ -536,6 +548,26 @@ mod tests {
         assert!(claim().with_number(0.2, 0.0).words().starts_with("it is not so that"));
         assert_eq!(claim().json()["relation"], "at least");
         assert_eq!(claim().without_number().json()["missing"], "no number was computed");
+    }
+
+    #[test]
+    fn what_is_not_finite_is_said_in_words() {
+        let moved = Finding::claim("moved", "it moves by {percent} % of r, {value}, at most {bound}");
+        for (value, uncertainty) in
+            [(f64::INFINITY, 0.0), (f64::NAN, 0.0), (1.0, f64::INFINITY), (2.0, f64::NAN)]
+        {
+            for bound in [0.25, f64::INFINITY, f64::NEG_INFINITY] {
+                let found = moved.clone().number(value, uncertainty).at_most(bound, "");
+                let said = format!("{} {} {}", found.words(), found.comparison(), found.json());
+                let plain = said.replace("infinit", "");
+                assert!(
+                    !plain.contains("inf") && !plain.contains("NaN") && !plain.contains("null"),
+                    "{said}"
+                );
+            }
+        }
+        let words = moved.number(f64::INFINITY, 0.0).at_most(0.25, "").words();
+        assert_eq!(words, "it is not so that it moves by an infinite multiple of r, infinite, at most 0.25");
     }
 
     #[test]

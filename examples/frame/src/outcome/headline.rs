@@ -116,7 +116,9 @@ impl Headline {
     /// `findings`, `values` by key, and the table as it is printed (`columns`, `rows`). Numbers carry all
     /// their digits.
     pub fn json(&self) -> String {
-        let values: Map<String, Value> = self.values.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
+        // What is not finite cannot be quoted: a page that does so fails by its key.
+        let finite = self.values.iter().filter(|(_, value)| value.is_finite());
+        let values: Map<String, Value> = finite.map(|(k, v)| (k.clone(), json!(v))).collect();
         let column = |c: &Column| json!({"key": c.key(), "title": c.title(), "meaning": c.meaning()});
         let columns: Vec<Value> = self.table.shown_columns().map(column).collect();
         json!({
@@ -185,8 +187,9 @@ mod tests {
         let found = Finding::claim("gamma", "much").number(0.291_557, 1e-9).at_most(0.5, "(5.1)");
         let mut headline = Headline::new("Lemma 5.2", "claim", table, vec![found]);
         headline.quote("gamma.one", 0.291_557);
+        headline.quote("gamma.none", f64::INFINITY);
         let json: Value = serde_json::from_str(&headline.json()).unwrap();
-        assert_eq!(json["values"]["gamma.one"], 0.291_557);
+        assert_eq!(json["values"], json!({"gamma.one": 0.291_557}));
         assert_eq!(json["rows"], json!([["0.292"]]));
         assert_eq!(json["columns"][0]["meaning"], "constant");
         assert_eq!(json["verdict"], "holds");
