@@ -35,7 +35,7 @@ example_frame::options! {
         Ok(())
     }
     memory(options) {
-        48.0 * options.elements.iter().copied().max().unwrap_or(0) as f64
+        28.0 * options.elements.iter().copied().max().unwrap_or(0) as f64
     }
 }
 

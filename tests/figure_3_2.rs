@@ -44,6 +44,19 @@ fn the_example_confirms_the_figure() {
 }
 
 #[test]
+fn a_term_that_is_zero_has_no_share_and_says_so() {
+    let options = figure_3_2_alternative::Options {
+        scene: Scene::Mesh(MeshScene::Free),
+        n: 8,
+        meshes: 2,
+        ..Default::default()
+    };
+    let headline = figure_3_2_alternative::run(&options).unwrap();
+    let share = headline.finding("second.carries").unwrap();
+    assert!(share.measured().is_none() && share.comparison().contains("term is zero"), "{share:?}");
+}
+
+#[test]
 fn classification_agrees_with_the_definition_point_by_point() {
     // Contact sets of random runs on 64 nodes, classified by looking at every point of a fine grid.
     let mut state = 2012_u64;

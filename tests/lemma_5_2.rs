@@ -369,6 +369,23 @@ fn induction_example_confirms_its_claim() {
     assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
 }
 
+/// Σ a^{2^i} by its terms; next to ν = 1/2, where a is rounded to 1, it ends all the same.
+#[test]
+fn the_closing_factor_ends_at_every_order() {
+    for (offset, start) in [(0.25, 0.5), (0.4, 0.1), (0.01, 0.9), (1e-6, 0.5)] {
+        let terms = std::iter::successors(Some(f64::powf(start, offset)), |a| Some(a * a));
+        let sum: f64 = terms.take(60).sum();
+        let above = closing_factor(order(0.5 + offset), start, start).unwrap();
+        // The exponent of a is rounded by 2^-53 next to 1/2, a sum of up to 60 terms by as many ulps.
+        assert!((above / sum.exp() - 1.0).abs() < 1e-8, "{offset} {start}: {above}");
+    }
+    for offset in [-1e-16, -1e-17, 1e-16, -1e-300, 1e-300, 5e-324] {
+        let order = FractionalOrder::from_offset(offset).unwrap();
+        let factor = closing_factor(order, 0.5, 0.25).unwrap();
+        assert!(factor > 1e20, "{offset}: {factor}");
+    }
+}
+
 /// The induction at default size, once.
 static CHAINS: LazyLock<Vec<induction::Chain>> =
     LazyLock::new(|| induction::compute(&induction::Options::default()).unwrap());

@@ -38,16 +38,20 @@ impl SceneStudy {
         self.scene.known_energy(self.cone, n).filter(|_| self.setting == Setting::default())
     }
 
-    /// About what the finest level takes, in bytes: elimination 100 log₂ N for each of N unknowns, multigrid
-    /// and its meshes 260 for each node.
+    /// About what the finest level takes, in bytes: elimination 100 log₂ N for each of N unknowns, the interior
+    /// point 250 log₂ N, multigrid and its meshes 260 for each node.
     pub fn bytes(&self) -> f64 {
         let n = self.n as f64 * 2f64.powi(self.levels.min(LEVELS) as i32 - 1);
         let nodes = (n + 1.0).powi(2);
         let unknowns = nodes * if self.scene.is_elastic() { 2.0 } else { 1.0 };
         let counted = unknowns.min(1e18) as usize;
         let solvers = self.solvers_for(n.min(1e18) as usize, counted);
-        let is_direct = solvers.iter().any(|solver| *solver != Solver::Multigrid);
-        if is_direct { 100.0 * unknowns * unknowns.log2() } else { 260.0 * nodes }
+        let per_unknown = |solver: &Solver| match solver {
+            Solver::Multigrid => 260.0 * nodes / unknowns,
+            Solver::InteriorPoint => 250.0 * unknowns.log2(),
+            _ => 100.0 * unknowns.log2(),
+        };
+        unknowns * solvers.iter().map(per_unknown).fold(0.0, f64::max)
     }
 
     /// Solves on every level, coarsest first, the active set before the second solver; `observe` hears of

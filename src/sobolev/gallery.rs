@@ -3,6 +3,7 @@
 
 use super::closed_forms;
 use super::functions::{Position, SingularFunction};
+use super::nearly_one::NearlyOne;
 use super::order::FractionalOrder;
 use super::partition::Partition;
 use super::piecewise::PiecewisePolynomial;
@@ -110,13 +111,19 @@ impl GalleryFunction {
             }
             Self::Samples(ref path) => return read_samples(path).map(Evaluated::Samples),
         };
-        closure.map(Evaluated::Closure)
+        let nearly = if let Self::Power(a) = self { NearlyOne::new(*a) } else { None };
+        Ok(match nearly {
+            Some(power) => Evaluated::NearlyOne(power, closure?),
+            None => Evaluated::Closure(closure?),
+        })
     }
 }
 
 /// A function of the gallery, ready to be measured.
 pub(super) enum Evaluated<'a> {
     Closure(SingularFunction<'a>),
+    /// Its norms of positive order by another road than its values.
+    NearlyOne(NearlyOne, SingularFunction<'a>),
     Samples(PiecewisePolynomial),
 }
 

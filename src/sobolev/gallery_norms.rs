@@ -20,6 +20,7 @@ impl GalleryFunction {
         match self.evaluated()? {
             Evaluated::Samples(u) => u.seminorm(order, tolerance),
             Evaluated::Closure(u) => u.seminorm(order, tolerance),
+            Evaluated::NearlyOne(u, _) => u.seminorm(order.given()?, tolerance.given()?),
         }
     }
 
@@ -51,6 +52,7 @@ impl GalleryFunction {
         match self.evaluated()? {
             Evaluated::Samples(u) => u.norm(order, tolerance),
             Evaluated::Closure(u) => u.norm(order, tolerance),
+            Evaluated::NearlyOne(u, _) => u.norm(order.given()?, tolerance.given()?),
         }
     }
 
@@ -77,7 +79,7 @@ impl GalleryFunction {
     pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         match self.evaluated()? {
             Evaluated::Samples(u) => u.lq_norm(q, tolerance),
-            Evaluated::Closure(u) => u.lq_norm(q, tolerance),
+            Evaluated::Closure(u) | Evaluated::NearlyOne(_, u) => u.lq_norm(q, tolerance),
         }
     }
 
@@ -114,7 +116,7 @@ impl GalleryFunction {
     ) -> Result<Estimate> {
         match self.evaluated()? {
             Evaluated::Samples(u) => u.dual_norm_in(of, order, tolerance),
-            Evaluated::Closure(u) => u.dual_norm_in(of, order, tolerance),
+            Evaluated::Closure(u) | Evaluated::NearlyOne(_, u) => u.dual_norm_in(of, order, tolerance),
         }
     }
 
@@ -135,7 +137,7 @@ impl GalleryFunction {
     /// [`Error::Incompatible`] for samples.
     pub fn function(&self) -> Result<SingularFunction<'_>> {
         match self.evaluated()? {
-            Evaluated::Closure(u) => Ok(u),
+            Evaluated::Closure(u) | Evaluated::NearlyOne(_, u) => Ok(u),
             Evaluated::Samples(_) => Err(Error::Incompatible {
                 what: "function",
                 given: self.to_string(),

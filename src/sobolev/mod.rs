@@ -28,6 +28,7 @@ mod gallery_norms;
 mod grading;
 mod gram;
 mod kernel;
+mod nearly_one;
 mod order;
 mod partition;
 mod piecewise;
