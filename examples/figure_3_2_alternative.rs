@@ -2,8 +2,7 @@
 //! consistency term.
 //!
 //! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256 --meshes 8`
-//! `cargo run --release --example figure_3_2_alternative -- --scene fat-cantor --tau 1.7 --n 256
-//! --over-theta`
+//! The same with `--over-theta` in place of `--meshes 8`: the finest mesh for θ = 1/2, 1/4, ...
 
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
