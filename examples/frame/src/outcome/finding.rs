@@ -412,7 +412,7 @@ impl Finding {
             (None, Some((value, _))) if value.is_infinite() => {
                 put("missing", "the number is infinite, or beyond the range of binary64".into());
             }
-            (None, Some((value, _))) if value.is_nan() => put("missing", "undefined for these values".into()),
+            (None, Some((value, _))) if value.is_nan() => put("missing", "the number is not finite".into()),
             (None, Some((value, _))) => {
                 put("value", value.into());
                 put("missing", "the uncertainty is beyond the range of binary64".into());
