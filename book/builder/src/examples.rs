@@ -71,10 +71,11 @@ fn cache(program: &Path) -> PathBuf {
 /// No key, column or sentence of an outcome speaks of time.
 fn has_no_clock(outcome: &Value) -> bool {
     let silent = |sentence: &str| {
-        let words: Vec<&str> = sentence.split(|c: char| !c.is_alphanumeric()).collect();
-        let counts = |pair: &[&str]| pair[0].parse::<u64>().is_ok() && pair[1] == "s";
-        !words.windows(2).any(counts)
-            && !words.iter().any(|word| matches!(*word, "seconds" | "ms" | "speedup"))
+        let words: Vec<&str> = sentence.split_whitespace().collect();
+        let counts =
+            |pair: &[&str]| pair[0].parse::<f64>().is_ok() && pair[1].trim_end_matches([',', '.']) == "s";
+        let mut parts = sentence.split(|c: char| !c.is_alphanumeric());
+        !words.windows(2).any(counts) && !parts.any(|word| matches!(word, "seconds" | "ms" | "speedup"))
     };
     match outcome {
         Value::String(words) => silent(words),
@@ -196,12 +197,12 @@ mod tests {
         for outcome in [
             json!({"table": {"columns": ["n", "seconds"], "rows": [[1, 2.0]]}}),
             json!({"multigrid.seconds": 3.0}),
-            json!({"verdict": "1000 rows in 3 s"}),
+            json!({"verdict": "1000 rows in 3.2 s, in the plane"}),
             json!({"findings": [{"finding": "speedup.fast"}]}),
         ] {
             assert!(!has_no_clock(&outcome), "{outcome}");
         }
-        let outcome = json!({"order": 0.5, "table": {"columns": ["n", "steps"], "rows": [[1, 2]]}});
+        let outcome = json!({"order": 0.5, "meaning": "C (1-s)^2, below 1 s^2", "table": {"columns": ["n", "steps"], "rows": [[1, 2]]}});
         assert!(has_no_clock(&outcome));
     }
 }
