@@ -61,16 +61,21 @@ fn what_an_example_refuses_is_said() {
 
 #[test]
 fn runs_that_take_too_much_are_stopped() {
-    let book = Book::serve(short());
-    for (mode, words) in [("wait", "longer than"), ("write", "wrote too much"), ("grow", "memory")] {
+    for (mode, words, limits) in [
+        ("wait", "longer than", short()),
+        ("write", "wrote too much", patient()),
+        ("grow", "memory", patient()),
+    ] {
         if mode == "grow" && !std::path::Path::new("/proc/self/status").exists() {
             continue;
         }
+        // On a busy machine a short limit would be met before the one that is asked about.
+        let book = Book::serve(limits);
         let start = Instant::now();
         let (status, found) = book.ask(&json!({"mode": mode}));
         assert_eq!(status, 503, "{mode}: {found}");
         assert!(found["error"].as_str().unwrap_or("").contains(words), "{mode}: {found}");
-        assert!(start.elapsed() < Duration::from_secs(10), "{mode}: {:?}", start.elapsed());
+        assert!(start.elapsed() < Duration::from_secs(100), "{mode}: {:?}", start.elapsed());
     }
 }
 
