@@ -22,6 +22,11 @@ fn named(result: Result<()>) -> (usize, f64) {
     }
 }
 
+/// A closed curve with two elements on every side.
+fn polygon(vertices: &[[f64; 2]]) -> Result<()> {
+    PolygonalCurve::closed(vertices, &vec![two(); vertices.len()]).map(drop)
+}
+
 fn two() -> Partition {
     Partition::uniform(2, 1.0).unwrap()
 }
@@ -46,6 +51,7 @@ fn entries_that_are_no_numbers_are_named() {
         (5, BoundaryFunction::linears(curve(), &values).map(drop)),
         (5, BoundaryFunction::constants(curve(), &values).map(drop)),
         (2, PlaneFunction::linears(triangles(), vec![0.0, 0.0, nan]).map(drop)),
+        (2, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, nan]])),
         (1, Zones::union(&[(0.1, 0.1), (nan, 0.1)]).map(drop)),
         (1, Zones::union(&[(0.1, 0.1), (0.5, nan)]).map(drop)),
         (1, EdgeTrace::new(vec![0.0, nan], vec![0.0; 2], vec![0.0; 2], 0.0).map(drop)),
@@ -77,6 +83,10 @@ fn entries_that_are_out_of_range_are_named() {
         (1, 0.5, EdgeTrace::new(vec![0.0, 1.0], vec![0.0, 0.5], vec![0.0; 2], 0.0).map(drop)),
         (2, 0.2, growth(0.5, &[(0.3, zone), (0.2, zone), (0.2, zone)]).map(drop)),
         (1, -0.1, growth(0.3, &[(0.3, zone), (-0.1, zone)]).map(drop)),
+        (1, 0.0, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])),
+        (2, 0.0, polygon(&[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 1.0]])),
+        (0, 0.0, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [2.0, 0.0]])),
+        (3, f64::INFINITY, polygon(&[[-1e308, 0.0], [0.0, 0.0], [0.0, 1.0], [1e308, 0.0]])),
         (2, 1.5, Places::new(0.3, 1e-3, &[0.0, 0.5, 1.5], 1e-3).map(drop)),
         (2, 1.0, radial_intervals(&[0.0, 2.0, 1.0], &set).map(drop)),
     ];

@@ -1,6 +1,8 @@
 //! Norms on polygonal curves: closed forms over corners, intervals, circles as limits of regular polygons.
 
-use signorini::sobolev::{BoundaryFunction, FractionalOrder, Partition, PiecewisePolynomial, PolygonalCurve};
+use signorini::sobolev::{
+    BoundaryFunction, DualOf, FractionalOrder, Partition, PiecewisePolynomial, PolygonalCurve,
+};
 use signorini::{Error, Estimate, Tolerance};
 use std::f64::consts::{PI, TAU};
 
@@ -164,15 +166,89 @@ fn dual_norms_of_jumps_agree_on_two_meshes() {
 }
 
 #[test]
+fn powers_have_their_closed_forms() {
+    let u = BoundaryFunction::interpolate(PolygonalCurve::graded(&SQUARE, 6, 2.5).unwrap(), |x| x[0] - 0.5);
+    let u = u.unwrap();
+    for q in [1.0, 2.0, 2.5, 40.0] {
+        // |x - 1/2| on two sides, 1/2 on the others
+        let exact: f64 = 2.0 * 0.5f64.powf(q) * (1.0 + 1.0 / (q + 1.0));
+        let found = u.lq_norm(q, 1e-12).unwrap();
+        let off = (found.value - exact.powf(1.0 / q)).abs();
+        assert!(off <= found.error && found.relative_error() < 1e-12, "{q}: {found}, off {off:e}");
+    }
+    assert_eq!(u.lq_norm(f64::INFINITY, 1e-12).unwrap().value, 0.5);
+    assert!(matches!(u.lq_norm(0.5, 1e-12), Err(Error::OutOfRange { .. })));
+}
+
+#[test]
+fn duals_of_interpolation_spaces_have_their_fourier_series() {
+    let triangle = [[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]];
+    let (lengths, total) = ([3.0, 5.0, 4.0], 12.0);
+    let mesh = |k: usize| Partition::two_sided_algebraic(3 + k, 1.0 + k as f64, 1.0).unwrap();
+    let meshes = [mesh(0), mesh(1), mesh(2)];
+    for (side, nu) in [(0, 0.3), (1, 0.3), (2, 0.3), (0, 0.5), (1, 0.75), (2, 0.95)] {
+        // 1 on a side: c_k = sin(pi k l/L)/(pi k), the square L sum |c_k|^2 (1 + (2 pi k/L)^2)^-nu
+        let term = |k: usize| {
+            let k = k as f64;
+            let c = (PI * k * lengths[side] / total).sin() / (PI * k);
+            2.0 * c * c * (1.0 + (TAU * k / total).powi(2)).powf(-nu)
+        };
+        let mean: f64 = lengths[side] / total;
+        let count = 2_000_000;
+        // sin^2 is 1/2 on average beyond
+        let last = count as f64 + 0.5;
+        let rest = (TAU / total).powf(-2.0 * nu) / (PI * PI) * last.powf(-1.0 - 2.0 * nu) / (1.0 + 2.0 * nu);
+        let sum: f64 = (1..=count).rev().map(term).sum::<f64>() + rest + mean * mean;
+        let exact = (total * sum).sqrt();
+        let curve = PolygonalCurve::closed(&triangle, &meshes).unwrap();
+        let values: Vec<f64> = (meshes.iter().enumerate())
+            .flat_map(|(k, mesh)| vec![f64::from(u8::from(k == side)); mesh.len()])
+            .collect();
+        let u = BoundaryFunction::constants(curve, &values).unwrap();
+        for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
+            let found = u.dual_norm_in(of, nu, 1e-9).unwrap();
+            let off = (found.value - exact).abs();
+            assert!(off <= found.error + 1e-11 * exact, "{side} {nu} {of:?}: {found}, off {off:e}");
+        }
+    }
+}
+
+#[test]
+fn duals_on_open_curves_know_the_arc_length_alone() {
+    let nodes = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
+    let bent = PolygonalCurve::open(&nodes, &[uniform(3), uniform(3)]).unwrap();
+    let values = [0.3, -1.0, 2.0, 0.0, 0.5, 1.0, -0.7];
+    let u = BoundaryFunction::linears(bent, &values).unwrap();
+    let straight = PiecewisePolynomial::linears(Partition::uniform(6, 2.0).unwrap(), &values).unwrap();
+    for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
+        let [a, b] =
+            [u.dual_norm_in(of, 0.4, 1e-9), straight.dual_norm_in(of, 0.4, 1e-9)].map(Result::unwrap);
+        assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
+    }
+    assert_eq!(u.dual_norm_in(DualOf::Slobodeckij, 0.4, 1e-3), u.dual_norm(0.4, 1e-3));
+}
+
+#[test]
+fn many_elements_of_a_closed_curve_are_a_matter_of_seconds() {
+    // The same function on 100 000 elements and on 8.
+    let of = |per_side: usize| {
+        let curve = PolygonalCurve::graded(&SQUARE, per_side, 1.0).unwrap();
+        BoundaryFunction::interpolate(curve, |x| x[0] + x[0] * 3.0 * x[1]).unwrap()
+    };
+    let [few, many] = [of(2), of(25_000)].map(|u| u.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8).unwrap());
+    assert!((few.value - many.value).abs() <= few.error + many.error, "{few} {many}");
+}
+
+#[test]
 fn faults_are_refused() {
     let mesh = || uniform(2);
     let crossed = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
     let meshes = [mesh(), mesh(), mesh(), mesh()];
     assert!(matches!(PolygonalCurve::closed(&crossed, &meshes), Err(Error::Edge { .. })));
     let spike = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.0], [0.5, 1.0]];
-    assert!(matches!(PolygonalCurve::open(&spike, &meshes[..3]), Err(Error::Edge { .. })));
+    assert!(matches!(PolygonalCurve::open(&spike, &meshes[..3]), Err(Error::EntryOutOfRange { .. })));
     let point = [[0.0, 0.0], [0.0, 0.0], [0.5, 1.0]];
-    assert!(matches!(PolygonalCurve::open(&point, &meshes[..2]), Err(Error::Edge { .. })));
+    assert!(matches!(PolygonalCurve::open(&point, &meshes[..2]), Err(Error::EntryOutOfRange { .. })));
     assert!(matches!(PolygonalCurve::closed(&SQUARE, &meshes[..3]), Err(Error::LengthMismatch { .. })));
     let bad = [[0.0, 0.0], [f64::NAN, 0.0], [0.5, 1.0]];
     assert!(matches!(PolygonalCurve::closed(&bad, &meshes[..3]), Err(Error::NotFinite { .. })));

@@ -108,7 +108,7 @@ fn piecewise_linears_and_steps_have_their_norms() {
     [0.05, 0.3, 0.5 - 1e-9].into_iter().for_each(|s| of(&step, &jumps, s));
     for (known, w) in [(&linear, &smooth), (&step, &jumps)] {
         let found = w.l2_norm(Tolerance::new(1e-11).unwrap()).unwrap();
-        assert!(off(found, known.l2_norm().unwrap().value) < 1e-12);
+        assert!(off(found, known.l2_norm(1e-12).unwrap().value) < 1e-12);
     }
     let error = seminorm(&jumps, 0.5, 1e-4).unwrap_err();
     assert!(matches!(error, Error::InfiniteNorm { .. }) && error.to_string().contains("s >= 1/2"), "{error}");

@@ -5,7 +5,7 @@
 //! there: no digits are lost towards a corner, whatever its angle.
 
 use crate::error::{Error, Result};
-use crate::numeric::check::require_length;
+use crate::numeric::check::{require_entry, require_finite_at, require_length};
 use crate::sobolev::partition::Partition;
 
 /// The boundary of a polygon, or an open polygonal curve, with elements on every side.
@@ -56,8 +56,8 @@ impl PolygonalCurve {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] with fewer than three vertices, [`Error::LengthMismatch`] unless there are
-    /// as many meshes, [`Error::NotFinite`], [`Error::Edge`] for a side that is a point, turns back on the
-    /// one before, or meets another one.
+    /// as many meshes; [`Error::NotFinite`] by the vertex, [`Error::EntryOutOfRange`] by the side for one of
+    /// length zero, by the vertex for sides that turn back; [`Error::Edge`] for a side that meets another.
     pub fn closed(vertices: &[[f64; 2]], meshes: &[Partition]) -> Result<Self> {
         Self::build(vertices, meshes, true)
     }
@@ -107,10 +107,8 @@ impl PolygonalCurve {
             let (value, range) = (vertices.len(), if closed { ">= 3" } else { ">= 2" });
             return Err(Error::CountOutOfRange { name: "vertices", value, range });
         }
-        for (index, &value) in vertices.iter().enumerate().flat_map(|(k, v)| v.iter().map(move |x| (k, x))) {
-            if !value.is_finite() {
-                return Err(Error::NotFinite { name: "vertex", index, value });
-            }
+        for (index, vertex) in vertices.iter().enumerate() {
+            vertex.iter().try_for_each(|&value| require_finite_at("vertex", index, value))?;
         }
         let count = if closed { vertices.len() } else { vertices.len() - 1 };
         require_length("meshes of the sides", meshes.len(), count)?;
@@ -118,10 +116,7 @@ impl PolygonalCurve {
         for (k, mesh) in meshes.iter().enumerate() {
             let (start, end) = (vertices[k], vertices[(k + 1) % vertices.len()]);
             let length = distance(start, end);
-            let nodes = [k, (k + 1) % vertices.len()];
-            if length == 0.0 || !length.is_finite() {
-                return Err(Error::Edge { nodes, reason: "is a side of length zero or beyond binary64" });
-            }
+            require_entry("length of a side", k, length, "(0, inf)", length > 0.0 && length.is_finite())?;
             let share = length / mesh.total();
             let mesh = Partition::from_lengths(mesh.lengths().iter().map(|h| h * share).collect())?;
             let direction = [(end[0] - start[0]) / length, (end[1] - start[1]) / length];
@@ -142,13 +137,17 @@ impl PolygonalCurve {
         let count = self.sides.len();
         for i in 0..count {
             for j in i + 1..count {
-                let meet = match self.relation(i, j) {
-                    Relation::Before(bend) | Relation::After(bend) => bend < 1e-28,
-                    _ => self.cross(i, j),
-                };
-                if meet {
-                    let nodes = [j, (j + 1) % self.vertices.len()];
-                    return Err(Error::Edge { nodes, reason: "meets another side or turns back on it" });
+                match self.relation(i, j) {
+                    Relation::Before(bend) | Relation::After(bend) => {
+                        let vertex = if j == i + 1 { j } else { i };
+                        let name = "angle between the sides at a vertex";
+                        require_entry(name, vertex, bend.sqrt(), "[1e-14, 2 pi)", bend >= 1e-28)?;
+                    }
+                    Relation::Apart if self.cross(i, j) => {
+                        let nodes = [j, (j + 1) % self.vertices.len()];
+                        return Err(Error::Edge { nodes, reason: "meets another side" });
+                    }
+                    _ => {}
                 }
             }
         }

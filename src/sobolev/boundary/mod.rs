@@ -1,5 +1,6 @@
 //! Norms on polygonal curves: Slobodeckij norms with the distance in the plane, and their dual norms.
 
+mod along;
 mod curve;
 mod dual;
 mod function;

@@ -12,8 +12,8 @@ use crate::numeric::check::require_values;
 /// use signorini::{Tolerance, sobolev::{FractionalOrder, PlaneFunction, Triangles}};
 /// let x = PlaneFunction::linears(Triangles::grid([1, 1], 1.0)?, vec![0.0, 1.0, 0.0, 1.0])?;
 /// let (order, asked) = (FractionalOrder::new(0.3)?, Tolerance::balanced());
-/// assert!((x.l2_norm()?.value - 1.0 / 3f64.sqrt()).abs() < 1e-14);
-/// assert!(x.norm(order, asked)?.value > x.l2_norm()?.value);
+/// assert!((x.l2_norm(asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-14);
+/// assert!(x.norm(order, asked)?.value > x.l2_norm(asked)?.value);
 /// // the gradient (1, 0) on both triangles has no seminorm: ||x||²_{1+s} = 1/3 + 1
 /// assert!((x.norm_with_gradient(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-8);
 /// let [along, across] = x.gradient()?;

@@ -70,7 +70,7 @@ impl PlaneFunction {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm()?];
+        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
@@ -89,19 +89,30 @@ impl PlaneFunction {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
         }
-        let mut parts = vec![self.l2_norm()?];
+        let mut parts = vec![self.l2_norm(tolerance)?];
         for part in self.gradient()? {
-            parts.push(part.l2_norm()?);
+            parts.push(part.l2_norm(tolerance)?);
             parts.push(part.seminorm_as_it_is(order, tolerance)?);
         }
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
-    /// The L² norm, exact to rounding: on a triangle the mean of w² is (Σ w_i² + (Σ w_i)²)/12.
+    /// The L² norm, exact to rounding, which meets every tolerance: on a triangle the mean of w² is
+    /// (Σ w_i² + (Σ w_i)²)/12, w_i the values at its corners.
+    ///
+    /// ```
+    /// use signorini::sobolev::{PlaneFunction, Triangles};
+    /// // x on the triangle (0, 0), (2, 0), (0, 1): ∫ x² = 8/12
+    /// let triangle = Triangles::new(vec![[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
+    /// let x = PlaneFunction::linears(triangle, vec![0.0, 2.0, 0.0])?;
+    /// assert!((x.l2_norm(1e-12)?.value.powi(2) - 2.0 / 3.0).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn l2_norm(&self) -> Result<Estimate> {
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let _: Tolerance = tolerance.given()?;
         let (unit, area) = (unit_of(self.values()), self.mesh().area());
         let mut sum = RunningSum::default();
         for (triangle, part) in self.mesh().areas().iter().enumerate() {
