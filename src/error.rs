@@ -1,6 +1,10 @@
 //! The one error type of the library. Every variant carries the offending value; a tolerance that is not met
 //! carries the best estimate.
 
+mod given;
+
+pub use given::Given;
+
 use crate::value::Estimate;
 use std::path::PathBuf;
 
@@ -232,18 +236,6 @@ pub enum Error {
 /// The best value of a quantity, as it stands in the message.
 fn value_of(best: &Option<Estimate>) -> String {
     best.map_or_else(String::new, |best| format!(" (best value {best})"))
-}
-
-/// A parameter given as itself or as the plain number it stands for: `u.norm(0.5, 1e-8)?`.
-///
-/// Implemented for orders and tolerances, and for `f64` in their place; a number outside their range is
-/// [`Error::OutOfRange`].
-pub trait Given<T> {
-    /// The parameter.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`].
-    fn given(self) -> Result<T>;
 }
 
 impl Error {

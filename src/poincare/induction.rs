@@ -16,6 +16,15 @@ const AT_THETA: f64 = 1e-12;
 /// One step from θ to θ².
 ///
 /// Returned by [`induction`].
+///
+/// ```
+/// use signorini::poincare::{InductionStep, induction};
+/// // θ = 0.1, 0.01, 1e-4: γ grows by less than the 1 + θ^{ν−1/2} of the proof
+/// for InductionStep { theta, factor, bound, share, .. } in induction(0.75, 0.1, 2, 1e-3)? {
+///     assert!(factor.value < bound && share.value < 1.0, "{theta}");
+/// }
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InductionStep {
     /// θ² after the step.

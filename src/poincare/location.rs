@@ -17,6 +17,15 @@ const RAMPS: [f64; 3] = [8.517, 17.728, 36.148];
 /// A zone at one place.
 ///
 /// Returned by [`Places`].
+///
+/// ```
+/// use signorini::poincare::{Placed, Places};
+/// // a zone of length 0.01 in the middle instead of at the end: by how much γ is smaller
+/// let places = Places::new(0.5, 0.01, &[0.0, 0.5], 1e-3)?;
+/// let Placed { start, gamma, ratio, repair, .. } = places.zones[1];
+/// assert!((start - 0.495).abs() < 1e-15 && ratio.value < 0.9 && gamma.value <= repair.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed {
     /// Its start a.

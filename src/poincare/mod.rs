@@ -11,6 +11,7 @@ mod bracket;
 mod constant;
 mod continuation;
 mod discrete;
+mod explicit_bound;
 mod extremal;
 mod induction;
 mod law;
@@ -32,6 +33,7 @@ mod zones;
 pub use arrangement::{MovedZone, ZoneCase, random_zones};
 pub use bracket::HalfBracket;
 pub use constant::{extremal, gamma, gamma_at_point, gamma_whole};
+pub use explicit_bound::ExplicitBound;
 pub use extremal::ExtremalFunction;
 pub use induction::{InductionStep, closing_factor, induction, scaling_defect};
 pub use law::LimitLaw;
@@ -43,8 +45,7 @@ pub use moments::{
     Moment, MomentBounds, StrongForm, half_order_moment, moment_extremal, moment_norm, moment_norm_beside,
 };
 pub use scaling::{
-    ExplicitBound, Scaling, ScalingPoint, growth, growth_limit, last_exponent, looseness_at_half,
-    printed_exponent_near_one,
+    Scaling, ScalingPoint, growth, growth_limit, last_exponent, looseness_at_half, printed_exponent_near_one,
 };
 pub use trial::{
     BothSides, NormChain, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,

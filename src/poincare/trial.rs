@@ -84,6 +84,16 @@ pub struct TruncatedFamily {
 /// it.
 ///
 /// Returned by [`TruncatedFamily`].
+///
+/// ```
+/// use signorini::poincare::{Condition, NormChain, TruncatedFamily, Zone, gamma};
+/// let zone = Zone::end((-64f64).exp())?;
+/// let constant = gamma(0.5, zone, Condition::Vanishing, 1e-3)?;
+/// let family = TruncatedFamily::new(0.4, &[(64.0, constant)], 1e-3)?;
+/// let NormChain { truncation, repaired, printed } = family.chain[0];
+/// assert!(truncation <= 1.0 && repaired <= 1.0 && printed > 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormChain {
     /// n |w|\_{1/2} over |u|\_{1/2}: at most one, since truncation lowers the seminorm.
@@ -194,6 +204,16 @@ pub fn mean_free_quotient(
 /// Both sides of a bound, with errors.
 ///
 /// Returned by [`cut_in_two`].
+///
+/// ```
+/// use signorini::poincare::{BothSides, cut_in_two};
+/// use signorini::sobolev::{Partition, PiecewisePolynomial};
+/// // sgn(x − 1/2) cut at its jump: no constant bounds the left side by the right one
+/// let sign = PiecewisePolynomial::constants(Partition::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+/// let BothSides { left, right } = cut_in_two(&sign, 1, 0.25, 1e-8)?;
+/// assert!((left.value - 1.0).abs() < 1e-14 && right.value == 0.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BothSides {
     /// What is bounded.

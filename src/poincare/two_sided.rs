@@ -12,6 +12,17 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::sobolev::FractionalOrder;
 
 /// γ between two bounds that do not use the eigenvalue itself.
+///
+/// ```
+/// use signorini::poincare::{Condition, TwoSided, Zone, two_sided};
+/// // how much is certain without the eigenvalue: the bounds over the constant of the whole interval
+/// let found: TwoSided = two_sided(0.5, Zone::end(1e-3)?, Condition::MeanZero, 1e-3)?;
+/// let [low, high] = [found.lower, found.upper].map(|bound| bound / found.whole.value);
+/// assert!(1.0 < low && low < high && high < 1.1 * low);
+/// // max(γ₁, N) ≤ γ
+/// assert!(found.dual_norm.value <= found.gamma.value + found.gamma.error);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TwoSided {
     /// γ with its error.

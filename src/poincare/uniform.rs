@@ -69,6 +69,15 @@ pub struct UniformLaw {
 /// γ² beside the law.
 ///
 /// Returned by [`UniformLaw::rest`].
+///
+/// ```
+/// use signorini::poincare::{Condition, LawRest, UniformLaw, Zone, gamma};
+/// let found = gamma(0.5, Zone::end(1e-12)?, Condition::MeanZero, 1e-8)?;
+/// let LawRest { square, rest, explained } = UniformLaw::new(0.5, 1e-8)?.rest(1e-12, found)?;
+/// // of γ² little is left, and two more terms explain nearly all of it
+/// assert!(rest.value < 0.1 * square.value && (explained.value - 1.0).abs() < 0.05);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LawRest {
     /// γ².

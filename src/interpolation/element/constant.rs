@@ -42,6 +42,16 @@ impl ErrorNorm {
 /// A best constant with the slope that attains it.
 ///
 /// Returned by [`element_extremal`].
+///
+/// ```
+/// use signorini::interpolation::{ElementExtremal, ErrorNorm, element_extremal};
+/// // where the worst function for ‖u − I u‖₀ is off most: in the middle of the element
+/// let worst: ElementExtremal = element_extremal(ErrorNorm::L2, 0.5, 1e-6)?;
+/// let errors = [0.25, 0.5, 0.75].map(|x| worst.error(x).map(f64::abs));
+/// let [left, middle, right] = errors;
+/// assert!(middle? > left?.max(right?) && worst.constant.value > 0.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElementExtremal {
     /// The constant.

@@ -47,6 +47,16 @@ pub(super) fn graded(q: f64) -> Result<Partition> {
 /// A function and its quotient ‖u‖\_{L^q}/‖u‖_ν: a lower bound of C(q).
 ///
 /// Returned by [`EmbeddingSpace::climb`].
+///
+/// ```
+/// use signorini::interpolation::{EmbeddingSpace, EmbeddingTrial};
+/// // ‖u‖_{L⁸} against ‖u‖_{1/2}: the function that was found has the quotient that was returned
+/// let space = EmbeddingSpace::for_exponents_up_to(0.5, 8.0)?;
+/// let EmbeddingTrial { quotient, function } = space.climb(8.0)?;
+/// let again = function.lq_norm(8.0, 1e-8)?.value / function.norm(0.5, 1e-8)?.value;
+/// assert!((again / quotient.value - 1.0).abs() < 1e-6);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmbeddingTrial {
     /// The quotient; its error is that of evaluating it.

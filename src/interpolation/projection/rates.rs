@@ -25,6 +25,15 @@ const CELLS: usize = 4;
 /// Rates and constants in one norm at one order.
 ///
 /// Returned by [`ProjectionStudy::rates`].
+///
+/// ```
+/// use signorini::interpolation::{ProjectionRates, ProjectionStudy};
+/// // half an order more in the dual norm, for one function and for the worst on each mesh
+/// for ProjectionRates { theory, function, supremum, .. } in ProjectionStudy::new()?.rates(0.5)? {
+///     assert!((function.value - theory).abs() < 0.1 && (supremum.rate.value - theory).abs() < 0.1);
+/// }
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProjectionRates {
     /// The exponent of h in (4.6) or (4.7): r or r + 1/2.

@@ -10,6 +10,14 @@ use std::f64::consts::PI;
 /// The rate of S(N), from four meshes.
 ///
 /// Returned by [`supremum_rate`].
+///
+/// ```
+/// use signorini::interpolation::{ProjectionNorm, SupremumRate, supremum_rate};
+/// let SupremumRate { rate, observed, .. } = supremum_rate(ProjectionNorm::L2, 0.25, 16, 8)?;
+/// // with the constant part taken out the exponent is nearer to r
+/// assert!((rate.value - 0.25).abs() < (observed.value - 0.25).abs());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SupremumRate {
     /// The exponent with the constant part B taken out. Its error: what the three coarser meshes say

@@ -14,6 +14,15 @@ const GAPS: [f64; 7] = [1e-6, 1e-2, 0.1, 0.4, 0.8, 1.3, 2.0];
 /// The largest ratios found.
 ///
 /// Returned by [`worst_ratios`].
+///
+/// ```
+/// use signorini::interpolation::{LocalConstants, WorstRatios, worst_ratios};
+/// let WorstRatios { l2, derivative } = worst_ratios(0.5, 5, 7)?;
+/// // functions tried at random stay below the best constants, by not much
+/// let best = LocalConstants::new(0.5, 1e-6)?;
+/// assert!(l2.value < best.l2.value && derivative.value < best.derivative.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorstRatios {
     /// ‖u − I u‖₀ / (h^{1+ν} |u|_{1+ν}).

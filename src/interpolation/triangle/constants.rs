@@ -25,6 +25,16 @@ const QUADRATURE: f64 = 3e-8;
 /// A best constant from below, extrapolated, and from above.
 ///
 /// Returned by [`TriangleConstants`].
+///
+/// ```
+/// use signorini::interpolation::{TriangleConstant, TriangleConstants, TriangleShape};
+/// let found = TriangleConstants::new(&TriangleShape::right_isosceles()?, 0.5, 10)?;
+/// let TriangleConstant { lower, value, upper, levels, .. } = found.l2;
+/// // the bounds of rising degrees climb to the value
+/// assert!(levels.windows(2).all(|pair| pair[0].1 <= pair[1].1));
+/// assert!(lower <= value.value + value.error && upper.is_some_and(|upper| value.value <= upper));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct TriangleConstant {
     /// Quotient of a function: a lower bound up to quadrature.

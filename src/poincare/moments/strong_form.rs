@@ -16,6 +16,14 @@ const QUADRATURE: f64 = 1e-10;
 /// Lower and upper bound of a moment.
 ///
 /// Returned by [`StrongForm::moment`].
+///
+/// ```
+/// use signorini::poincare::{Moment, MomentBounds, StrongForm};
+/// // sup ∫ w / |w|_{3/4} over functions that vanish beyond 0.3: to nine digits, from both sides
+/// let MomentBounds { lower, upper } = StrongForm::new(0.75)?.moment(0.3, Moment::Mass)?;
+/// assert!(0.0 < lower && lower <= upper && upper - lower < 1e-8 * lower);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MomentBounds {
     /// M is at least this.
