@@ -1,7 +1,7 @@
 //! The strip on the scenes of its accuracy tables: product, contact and exact error, over n and cones.
 //!
-//! `cargo bench --bench strip`; the errors that belong to these times are printed by the example
-//! `section_2_strip`.
+//! `cargo bench --package signorini-benches --bench strip`; the errors that belong to these times are printed by
+//! the example `section_2_strip`.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::cone::Cone;

@@ -5,8 +5,10 @@
 //!
 //! |u − u_h|²_a = ⟨A d, d⟩ + ⟨G v_h, v_h⟩,  d = v − P v_h,
 //!
-//! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode.
+//! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode, and so is d
+//! formed (module `difference`).
 
+use super::difference::{Interpolation, rounding};
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
@@ -18,7 +20,6 @@ use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
 use crate::strip::operator::elastic_defect::{aliased, halvings};
 use crate::strip::operator::load::EdgeLoad;
 use crate::strip::sides::Sides;
-use crate::strip::transfer::prolong;
 use realfft::num_complex::Complex;
 
 /// Relative rounding of the defects: those of low modes are rounded from double-double, the others keep
@@ -36,10 +37,11 @@ pub struct ExactElastic {
     /// G on N/2, N/4, ... cells.
     defects: Vec<Vec<EdgeMatrix>>,
     loads: Vec<Vec<f64>>,
-    /// u_x and u_y.
-    exact: [Vec<f64>; 2],
-    /// |u|_a.
-    norm: f64,
+    /// Modes of u_x and u_y.
+    exact: [Vec<Complex<f64>>; 2],
+    /// By how much their rounding moves an error.
+    rounding: f64,
+    interpolation: Interpolation,
 }
 
 impl ExactElastic {
@@ -89,7 +91,8 @@ impl ExactElastic {
             defects,
             loads: Vec::new(),
             exact: Default::default(),
-            norm: 0.0,
+            rounding: 0.0,
+            interpolation: Interpolation::new(Sides::Periodic.period(cells)),
         };
         exact.set_scene(scene)?;
         Ok(exact)
@@ -104,7 +107,8 @@ impl ExactElastic {
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Periodic);
         self.exact = displacement(&self.operator, &self.matrices[0], scene.values())?;
-        self.norm = self.operator.energy(scene.values())?.sqrt();
+        let largest = self.matrices[0].iter().map(|a| a.xx + a.yy).fold(0.0, f64::max);
+        self.rounding = self.exact.iter().map(|component| rounding(component, largest)).sum();
         Ok(())
     }
 
@@ -147,38 +151,37 @@ impl ExactElastic {
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         require_length("edge values", values.len(), cells)?;
-        let flat = |n: usize| EdgeOperator::new(n, Sides::Periodic, vec![1.0; n / 2 + 1]);
-        let coarse = flat(cells)?;
+        let coarse = EdgeOperator::new(cells, Sides::Periodic, vec![1.0; cells / 2 + 1])?;
         let discrete = displacement(&coarse, &self.matrices[level], values)?;
         let interior = match level {
             0 => 0.0,
-            _ => form(&coarse, &self.defects[level - 1], &discrete)?,
-        };
-        let mut difference = discrete;
-        for (component, exact) in difference.iter_mut().zip(&self.exact) {
-            for step in (0..level).rev() {
-                *component = prolong(component, self.cells >> step);
+            _ => {
+                let defects = &self.defects[level - 1];
+                coarse.mode_sum_of(|k| defects[k].form(discrete[0][k], discrete[1][k]))
             }
-            component.iter_mut().zip(exact).for_each(|(p, g)| *p = g - *p);
-        }
-        let edge = form(&flat(self.cells)?, &self.matrices[0], &difference)?;
+        };
+        let [x, y] = discrete.map(|component| self.interpolation.of(component));
+        let [exact_x, exact_y] = &self.exact;
+        let edge = self
+            .operator
+            .mode_sum_of(|k| self.matrices[0][k].form(exact_x[k] - x.mode(k), exact_y[k] - y.mode(k)));
         let square = edge + interior;
-        // d is known to ε|v| in each component, as in the scalar case.
-        let shift = 2.0 * f64::EPSILON * self.norm;
         let work = Work { points: 2 * self.cells as u64, ..Work::default() };
-        Estimate::new(square.sqrt(), shift + DEFECTS * square.sqrt(), work)
+        Estimate::new(square.sqrt(), self.rounding + DEFECTS * square.sqrt(), work)
     }
 }
 
-/// (u_x, u_y) from u_N = −u_y without tangential force.
-fn displacement(operator: &EdgeOperator, matrices: &[EdgeMatrix], normal: &[f64]) -> Result<[Vec<f64>; 2]> {
+/// Modes of (u_x, u_y) from u_N = −u_y without tangential force.
+fn displacement(
+    operator: &EdgeOperator,
+    matrices: &[EdgeMatrix],
+    normal: &[f64],
+) -> Result<[Vec<Complex<f64>>; 2]> {
     let modes = operator.modes(normal)?;
-    let x: Vec<Complex<f64>> = modes.iter().zip(matrices).map(|(u, a)| a.xy * u / a.xx).collect();
-    Ok([operator.with_modes(&x)?, normal.iter().map(|v| -v).collect()])
-}
-
-/// Σ over modes of v*M v.
-fn form(operator: &EdgeOperator, matrices: &[EdgeMatrix], v: &[Vec<f64>; 2]) -> Result<f64> {
-    let (x, y) = (operator.modes(&v[0])?, operator.modes(&v[1])?);
-    Ok(operator.mode_sum_of(|k| matrices[k].form(x[k], y[k])))
+    let mut x: Vec<Complex<f64>> = modes.iter().zip(matrices).map(|(u, a)| a.xy * u / a.xx).collect();
+    // A real displacement has real mean and real top mode.
+    if let [first, .., last] = &mut x[..] {
+        (first.im, last.im) = (0.0, 0.0);
+    }
+    Ok([x, modes.iter().map(|v| -v).collect()])
 }

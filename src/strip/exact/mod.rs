@@ -1,5 +1,6 @@
 //! Exact solutions of a strip and the energy norms of the errors against them.
 
+mod difference;
 mod elastic;
 mod grids;
 mod levels;

@@ -8,8 +8,10 @@
 //!
 //! the fine energy of the difference at the edge, and what the coarse mesh stores too much in the interior
 //! (module `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference
-//! of energies loses six and more digits at n = 2^18. Cost: one transform of length N per error.
+//! of energies loses six and more digits at n = 2^18. d is formed by modes (module `difference`): O(N) per error
+//! and one transform of the coarse length.
 
+use super::difference::{Interpolation, rounding};
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
 use super::reference::Reference;
 use crate::error::{Error, Result};
@@ -21,7 +23,7 @@ use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::load::EdgeLoad;
 use crate::strip::operator::scalar::scalar_symbol;
 use crate::strip::sides::Sides;
-use crate::strip::transfer::prolong;
+use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 
 /// Relative rounding of the defects and of the sum over modes: closed forms without cancellation, a few dozen
@@ -31,9 +33,11 @@ const DEFECTS: f64 = 1e-14;
 /// Exact edge data g, λ on a fine grid, its loads on all coarser grids, and errors against it.
 #[derive(Debug, Clone)]
 pub struct ExactEdge {
-    values: Vec<f64>,
-    /// |g|_a.
-    norm: f64,
+    /// ĝ.
+    modes: Vec<Complex<f64>>,
+    /// By how much rounding of ĝ moves an error.
+    rounding: f64,
+    interpolation: Interpolation,
     cells: usize,
     layers_per_cell: (usize, usize),
     reference: Reference,
@@ -77,8 +81,9 @@ impl ExactEdge {
             Reference::Harmonic => Vec::new(),
         };
         let mut exact = Self {
-            values: Vec::new(),
-            norm: 0.0,
+            modes: Vec::new(),
+            rounding: 0.0,
+            interpolation: Interpolation::new(Sides::Natural.period(cells)),
             cells,
             layers_per_cell: height,
             reference,
@@ -98,8 +103,8 @@ impl ExactEdge {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Natural);
-        self.values = scene.values().to_vec();
-        self.norm = self.operator.energy(scene.values())?.sqrt();
+        self.modes = self.operator.modes(scene.values())?;
+        self.rounding = rounding(&self.modes, self.operator.norm());
         Ok(())
     }
 
@@ -132,30 +137,27 @@ impl ExactEdge {
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
         require_length("edge values", values.len(), cells + 1)?;
-        let mut fine = values.to_vec();
-        for step in (0..level).rev() {
-            fine = prolong(&fine, (self.cells >> step) + 1);
-        }
-        let difference: Vec<f64> = self.values.iter().zip(&fine).map(|(g, p)| g - p).collect();
-        let edge = self.operator.energy(&difference)?;
-        let interior = self.interior(level, cells, values)?;
-        let square = edge + interior;
-        // d is known to ε|g|; by Cauchy and Schwarz that moves |u − u_h| by at most ε |g|_a.
-        let shift = f64::EPSILON * self.norm;
-        let work = Work { points: self.values.len() as u64, ..Work::default() };
-        Estimate::new(square.sqrt(), shift + DEFECTS * square.sqrt(), work)
-    }
-
-    /// ⟨G g_h, g_h⟩.
-    fn interior(&self, level: usize, cells: usize, values: &[f64]) -> Result<f64> {
-        let layers = self.layers(cells)? as f64;
         let coarse = EdgeOperator::new(cells, Sides::Natural, vec![1.0; cells + 1])?;
         let modes = coarse.modes(values)?;
+        let interior = self.interior(level, &coarse, &modes)?;
+        let interpolated = self.interpolation.of(modes);
+        let symbol = self.operator.symbol();
+        let edge =
+            self.operator.mode_sum_of(|k| symbol[k] * (self.modes[k] - interpolated.mode(k)).norm_sqr());
+        let square = edge + interior;
+        let work = Work { points: self.cells as u64 + 1, ..Work::default() };
+        Estimate::new(square.sqrt(), self.rounding + DEFECTS * square.sqrt(), work)
+    }
+
+    /// ⟨G g_h, g_h⟩ from the modes of g_h.
+    fn interior(&self, level: usize, coarse: &EdgeOperator, modes: &[Complex<f64>]) -> Result<f64> {
+        let cells = coarse.cells();
+        let layers = self.layers(cells)? as f64;
         Ok(match self.reference {
             Reference::Nested if level == 0 => 0.0,
-            Reference::Nested => coarse.mode_sum(&modes, |k| self.defects[level - 1][k]),
+            Reference::Nested => coarse.mode_sum(modes, |k| self.defects[level - 1][k]),
             Reference::Harmonic => {
-                coarse.mode_sum(&modes, |k| harmonic_defect(PI * k as f64 / cells as f64, layers))
+                coarse.mode_sum(modes, |k| harmonic_defect(PI * k as f64 / cells as f64, layers))
             }
         })
     }
