@@ -16,57 +16,85 @@ use crate::quadrature::Rule;
 const CLOSE: f64 = 5e-3;
 const SLOPES: usize = 8;
 
-/// Values P_0 ... and slopes of the orthonormal Legendre polynomials on (0, 1).
-pub(super) fn angular(count: usize, a: f64) -> (Vec<f64>, Vec<f64>) {
-    let (values, slopes) = (jacobi(0.0, count, 2.0 * a - 1.0), shifted_slopes(count, a));
-    let scaled = |list: Vec<f64>| {
-        list.into_iter().enumerate().map(|(k, x)| (2.0 * k as f64 + 1.0).sqrt() * x).collect()
-    };
-    (scaled(values), scaled(slopes))
+/// Values P_0 ... and slopes of the orthonormal Legendre polynomials on (0, 1), with room for other points.
+#[derive(Debug, Clone)]
+pub(super) struct Angular {
+    pub(super) values: Vec<f64>,
+    pub(super) slopes: Vec<f64>,
 }
 
-/// Slopes in a of P_k(2a − 1): P_k' = (k+1)/2 P_{k−1}^{(1,1)} in 2a − 1.
-fn shifted_slopes(count: usize, a: f64) -> Vec<f64> {
-    let inner = jacobi_of(1.0, 1.0, count.max(1) - 1, 2.0 * a - 1.0);
-    std::iter::once(0.0)
-        .chain(inner.iter().enumerate().map(|(k, x)| (k as f64 + 2.0) * x))
-        .take(count)
-        .collect()
+impl Angular {
+    /// Of degrees below `count`, at a.
+    pub(super) fn new(count: usize, a: f64) -> Self {
+        let mut angular = Self { values: vec![0.0; count], slopes: vec![0.0; count] };
+        angular.at(a);
+        angular
+    }
+
+    /// Takes the values and slopes at a: P_k' = (k+1)/2 P_{k−1}^{(1,1)} in 2a − 1, twice that in a.
+    pub(super) fn at(&mut self, a: f64) {
+        let x = 2.0 * a - 1.0;
+        fill_jacobi(0.0, 0.0, x, &mut self.values);
+        if let Some((first, inner)) = self.slopes.split_first_mut() {
+            *first = 0.0;
+            fill_jacobi(1.0, 1.0, x, inner);
+        }
+        for (k, (value, slope)) in self.values.iter_mut().zip(&mut self.slopes).enumerate() {
+            let unit = (2.0 * k as f64 + 1.0).sqrt();
+            *value *= unit;
+            *slope *= unit * (k as f64 + 1.0);
+        }
+    }
 }
 
-/// P_m^{(0,β)}(x) for m < count.
-fn jacobi(beta: f64, count: usize, x: f64) -> Vec<f64> {
-    jacobi_of(0.0, beta, count, x)
-}
-
-/// P_m^{(α,β)}(x) for m < count, by the recurrence.
-fn jacobi_of(alpha: f64, beta: f64, count: usize, x: f64) -> Vec<f64> {
-    let mut values = vec![1.0, 0.5 * (alpha - beta + (alpha + beta + 2.0) * x)];
-    for m in 2..count {
+/// values\[m\] ← P_m^{(α,β)}(x), by the recurrence.
+fn fill_jacobi(alpha: f64, beta: f64, x: f64, values: &mut [f64]) {
+    let (mut before, mut last) = (0.0, 1.0);
+    for (m, value) in values.iter_mut().enumerate() {
         let n = m as f64;
         let sum = 2.0 * n + alpha + beta;
-        let first = (sum - 1.0) * (sum * (sum - 2.0) * x + alpha * alpha - beta * beta);
-        let second = 2.0 * (n + alpha - 1.0) * (n + beta - 1.0) * sum;
-        let over = 2.0 * n * (n + alpha + beta) * (sum - 2.0);
-        values.push((first * values[m - 1] - second * values[m - 2]) / over);
+        let next = match m {
+            0 => 1.0,
+            1 => 0.5 * (alpha - beta + (alpha + beta + 2.0) * x),
+            _ => {
+                // The quotient first: it need not wait for the terms before.
+                let over = 1.0 / (2.0 * n * (n + alpha + beta) * (sum - 2.0));
+                let first = (sum - 1.0) * (sum * (sum - 2.0) * x + alpha * alpha - beta * beta);
+                let second = 2.0 * (n + alpha - 1.0) * (n + beta - 1.0) * sum;
+                (first * over) * last - (second * over) * before
+            }
+        };
+        (before, last) = (last, next);
+        *value = next;
     }
-    values.truncate(count);
-    values
 }
 
-/// R_km(τ) and its slope for m < count.
-fn radial(k: usize, count: usize, tau: f64) -> Vec<(f64, f64)> {
+/// values\[m\] ← R_km(τ).
+fn fill_radial(k: usize, tau: f64, values: &mut [f64]) {
+    fill_jacobi(0.0, 2.0 * k as f64 + 1.0, 2.0 * tau - 1.0, values);
+    let power = tau.powi(k as i32);
+    values.iter_mut().enumerate().for_each(|(m, value)| *value *= unit(k, m) * power);
+}
+
+/// slopes\[m\] ← R_km'(τ); values\[m\] ← R_km(τ).
+fn fill_radial_slopes(k: usize, tau: f64, values: &mut [f64], slopes: &mut [f64]) {
     let beta = 2.0 * k as f64 + 1.0;
-    let x = 2.0 * tau - 1.0;
-    let (values, inner) = (jacobi(beta, count, x), jacobi_of(1.0, beta + 1.0, count.max(1) - 1, x));
+    if let Some((first, inner)) = slopes.split_first_mut() {
+        *first = 0.0;
+        fill_jacobi(1.0, beta + 1.0, 2.0 * tau - 1.0, inner);
+    }
+    fill_jacobi(0.0, beta, 2.0 * tau - 1.0, values);
     let power = tau.powi(k as i32);
     let slope_of_power = if k == 0 { 0.0 } else { k as f64 * tau.powi(k as i32 - 1) };
-    let one = |m: usize| {
-        let unit = (2.0 * (m + k) as f64 + 2.0).sqrt();
-        let slope = if m == 0 { 0.0 } else { (m as f64 + beta + 1.0) * inner[m - 1] };
-        (unit * power * values[m], unit * (slope_of_power * values[m] + power * slope))
-    };
-    (0..count).map(one).collect()
+    for (m, (value, slope)) in values.iter_mut().zip(slopes).enumerate() {
+        *slope = unit(k, m) * (slope_of_power * *value + power * (m as f64 + beta + 1.0) * *slope);
+        *value *= unit(k, m) * power;
+    }
+}
+
+/// The factor of R_km.
+fn unit(k: usize, m: usize) -> f64 {
+    (2.0 * (m + k) as f64 + 2.0).sqrt()
 }
 
 /// The polynomials of a degree, in the order of [`Polynomials::index`].
@@ -81,7 +109,31 @@ impl Polynomials {
 
     /// R_km(τ) in that order.
     pub(super) fn radials(self, tau: f64) -> Vec<f64> {
-        (0..=self.0).flat_map(|k| radial(k, self.0 + 1 - k, tau)).map(|(value, _)| value).collect()
+        let mut values = vec![0.0; self.count()];
+        let mut rest = &mut values[..];
+        for k in 0..=self.0 {
+            let (these, others) = rest.split_at_mut(self.0 + 1 - k);
+            fill_radial(k, tau, these);
+            rest = others;
+        }
+        values
+    }
+
+    /// R_km(τ) and R_km'(τ) in that order.
+    fn radials_with_slopes(self, tau: f64) -> [Vec<f64>; 2] {
+        let (mut values, mut slopes) = (vec![0.0; self.count()], vec![0.0; self.count()]);
+        let mut rest = (&mut values[..], &mut slopes[..]);
+        for k in 0..=self.0 {
+            let (these, others) = rest.0.split_at_mut(self.0 + 1 - k);
+            let (their, other_slopes) = rest.1.split_at_mut(self.0 + 1 - k);
+            fill_radial_slopes(k, tau, these, their);
+            rest = (others, other_slopes);
+        }
+        [values, slopes]
+    }
+
+    fn count(self) -> usize {
+        (self.0 + 1) * (self.0 + 2) / 2
     }
 
     /// R_km(τ) − R_km(τ(1−ε)) without cancellation: where the two are close, the integral of the slope.
@@ -90,10 +142,9 @@ impl Polynomials {
             let (here, there) = (self.radials(tau), self.radials(tau * (1.0 - epsilon)));
             return Ok(here.iter().zip(there).map(|(a, b)| a - b).collect());
         }
-        let mut sum = vec![0.0; self.index().len()];
+        let mut sum = vec![0.0; self.count()];
         for (t, w) in Rule::gauss_legendre(SLOPES)?.iter() {
-            let at = tau * (1.0 - epsilon * t);
-            let slopes = (0..=self.0).flat_map(|k| radial(k, self.0 + 1 - k, at)).map(|(_, slope)| slope);
+            let [_, slopes] = self.radials_with_slopes(tau * (1.0 - epsilon * t));
             sum.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += tau * epsilon * w * slope);
         }
         Ok(sum)
@@ -102,7 +153,7 @@ impl Polynomials {
     /// All values at a point, seen from a corner.
     pub(super) fn values(self, shape: &TriangleShape, apex: usize, beta: Barycentric) -> Vec<f64> {
         let (tau, a) = collapsed(apex, beta);
-        let (p, _) = angular(self.0 + 1, a);
+        let p = Angular::new(self.0 + 1, a).values;
         let unit = shape.twice().sqrt();
         self.index().iter().zip(self.radials(tau)).map(|((k, _), r)| p[*k] * r / unit).collect()
     }
@@ -110,14 +161,15 @@ impl Polynomials {
     /// All gradients at a point other than the first corner, seen from that corner.
     pub(super) fn gradients(self, shape: &TriangleShape, beta: Barycentric) -> Vec<[f64; 2]> {
         let (tau, a) = collapsed(0, beta);
-        let (p, slopes) = angular(self.0 + 1, a);
+        let Angular { values: p, slopes } = Angular::new(self.0 + 1, a);
         let unit = shape.twice().sqrt();
         let [along, across] = directions(shape, 0, a);
-        let radials =
-            (0..=self.0).flat_map(|k| radial(k, self.0 + 1 - k, tau).into_iter().map(move |r| (k, r)));
-        radials
-            .map(|(k, (r, slope))| {
-                let (first, second) = (slope * p[k] / unit, r / tau * slopes[k] / unit);
+        let [radials, radial_slopes] = self.radials_with_slopes(tau);
+        self.index()
+            .iter()
+            .zip(radials.iter().zip(&radial_slopes))
+            .map(|((k, _), (r, slope))| {
+                let (first, second) = (slope * p[*k] / unit, r / tau * slopes[*k] / unit);
                 [0, 1].map(|c| first * along[c] + second * across[c])
             })
             .collect()
@@ -142,21 +194,50 @@ impl Powers {
     pub(super) fn values(self, apex: usize, beta: Barycentric) -> Vec<f64> {
         let (tau, a) = collapsed(apex, beta);
         let power = tau.powf(self.exponent);
-        angular(self.count, a).0.into_iter().map(|p| power * p).collect()
+        Angular::new(self.count, a).values.into_iter().map(|p| power * p).collect()
     }
 
     pub(super) fn gradients(self, shape: &TriangleShape, apex: usize, beta: Barycentric) -> Vec<[f64; 2]> {
+        let mut out = vec![[0.0; 2]; self.count];
+        self.fill_gradients(shape, apex, beta, &mut Angular::new(self.count, 0.5), &mut out);
+        out
+    }
+
+    /// As [`Powers::gradients`], without new room.
+    pub(super) fn fill_gradients(
+        self,
+        shape: &TriangleShape,
+        apex: usize,
+        beta: Barycentric,
+        angular: &mut Angular,
+        out: &mut [[f64; 2]],
+    ) {
         let (tau, a) = collapsed(apex, beta);
         let power = tau.powf(self.exponent - 1.0);
-        self.angular_gradients(shape, apex, a).into_iter().map(|g| g.map(|x| power * x)).collect()
+        self.fill_angular_gradients(shape, apex, a, angular, out);
+        out.iter_mut().for_each(|g| *g = g.map(|x| power * x));
     }
 
     /// τ^{1−μ} times the gradients.
     pub(super) fn angular_gradients(self, shape: &TriangleShape, apex: usize, a: f64) -> Vec<[f64; 2]> {
-        let (p, slopes) = angular(self.count, a);
+        let mut out = vec![[0.0; 2]; self.count];
+        self.fill_angular_gradients(shape, apex, a, &mut Angular::new(self.count, a), &mut out);
+        out
+    }
+
+    fn fill_angular_gradients(
+        self,
+        shape: &TriangleShape,
+        apex: usize,
+        a: f64,
+        angular: &mut Angular,
+        out: &mut [[f64; 2]],
+    ) {
+        angular.at(a);
         let [along, across] = directions(shape, apex, a);
-        let one = |(p, slope): (&f64, &f64)| [0, 1].map(|c| self.exponent * p * along[c] + slope * across[c]);
-        p.iter().zip(&slopes).map(one).collect()
+        for (out, (p, slope)) in out.iter_mut().zip(angular.values.iter().zip(&angular.slopes)) {
+            *out = [0, 1].map(|c| self.exponent * p * along[c] + slope * across[c]);
+        }
     }
 }
 

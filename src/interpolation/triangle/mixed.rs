@@ -5,7 +5,7 @@
 //! = 1, a = 0, there also ξ = 0) is smoothed by 1 − τ = t³, a = t³ and ξ of third order, what is singular at
 //! A (q = 0) by the third order of 1 − ξ. 14 points in each direction leave 1e-9 of the whole.
 
-use super::basis::Powers;
+use super::basis::{Angular, Powers};
 use super::shape::{TriangleShape, barycentric, dot};
 use crate::error::Result;
 use crate::quadrature::Rule;
@@ -70,8 +70,15 @@ pub(super) fn between(
             plain.iter().map(move |(c, w)| [xi, rest, c, v * w]).collect::<Vec<_>>()
         })
         .collect();
+    // τ and its weight
+    let radial: Vec<(f64, f64)> = graded
+        .iter()
+        .map(|&(rest, along)| (1.0 - rest, along * (1.0 - rest).powf(weight_power + powers.exponent - 1.0)))
+        .collect();
     let part = |&[xi, last, c, w]: &[f64; 4]| -> Mat<f64> {
-        let mut sum = Mat::zeros(powers.count, powers.count);
+        let mut sum = Mat::<f64>::zeros(powers.count, powers.count);
+        let mut room = Angular::new(powers.count, 0.5);
+        let (mut here, mut far) = (vec![[0.0; 2]; powers.count], vec![[0.0; 2]; powers.count]);
         // ε, q and the distance
         for (epsilon, q, distance) in [(xi, last, xi * c), (xi * c, 1.0 - xi * c, xi)] {
             let first = w * 2.0 * shape.twice().powi(2) * q;
@@ -90,16 +97,15 @@ pub(super) fn between(
                         .zip(angular(b))
                         .map(|(u, v)| [u[0] - there * v[0], u[1] - there * v[1]])
                         .collect();
-                    for &(rest, along) in &graded {
-                        let tau = 1.0 - rest;
-                        let weight = weight * along * tau.powf(weight_power + powers.exponent - 1.0);
+                    for &(tau, along) in &radial {
+                        let weight = weight * along;
                         let (x, y) = (barycentric(apex, tau, a), barycentric(apex, tau * q, b));
-                        let (here, far) =
-                            (powers.gradients(shape, other, x), powers.gradients(shape, other, y));
-                        for (j, (u, v)) in here.iter().zip(far).enumerate() {
+                        powers.fill_gradients(shape, other, x, &mut room, &mut here);
+                        powers.fill_gradients(shape, other, y, &mut room, &mut far);
+                        for (j, (u, v)) in here.iter().zip(&far).enumerate() {
                             let difference = [weight * (u[0] - v[0]), weight * (u[1] - v[1])];
-                            for (i, mine) in mine.iter().enumerate() {
-                                sum[(i, j)] += dot(*mine, difference);
+                            for (sum, mine) in sum.col_as_slice_mut(j).iter_mut().zip(&mine) {
+                                *sum += dot(*mine, difference);
                             }
                         }
                     }

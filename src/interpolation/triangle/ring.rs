@@ -90,10 +90,10 @@ pub(super) fn directions(
                     let kappa = epsilon * epsilon * ff + 2.0 * epsilon * c * ft + c * c * tt;
                     let root = (weight * (-(1.0 + order.value()) * kappa.ln()).exp()).sqrt();
                     legendre::fill_with_quotients(&mut here, &mut quotients, 2.0 * a - 1.0, 2.0 * b - 1.0);
-                    for k in 0..count {
-                        rows[(k, at)] = root * here[k];
-                        rows[(count + k, at)] = -2.0 * sign * distance * root * quotients[k];
-                    }
+                    let (values, differences) = rows.col_as_slice_mut(at).split_at_mut(count);
+                    let across = -2.0 * sign * distance * root;
+                    values.iter_mut().zip(&here).for_each(|(row, p)| *row = root * p);
+                    differences.iter_mut().zip(&quotients).for_each(|(row, q)| *row = across * q);
                     at += 1;
                 }
             }

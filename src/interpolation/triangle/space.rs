@@ -159,7 +159,7 @@ impl Space {
         let count = self.powers.count;
         let mut matrix = Mat::zeros(count, count);
         for (a, w) in Rule::gauss_legendre(count + 1)?.iter() {
-            let (p, _) = super::basis::angular(count, a);
+            let p = super::basis::Angular::new(count, a).values;
             let gradients = self.powers.angular_gradients(&self.shape, apex, a);
             for i in 0..count {
                 for j in 0..count {
