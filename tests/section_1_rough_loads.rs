@@ -267,6 +267,58 @@ fn random_signs_on_a_hundred_thousand_elements() {
     assert!(half.value < cosines.value && cosines.value < 3.0 * half.value, "{half} {cosines}");
 }
 
+/// ±1 on `count` elements of random lengths.
+fn random_signs(count: usize, random: &mut SplitMix) -> (Vec<f64>, Vec<f64>) {
+    let lengths = (0..count).map(|_| random.between(0.1, 1.0)).collect();
+    let values = (0..count).map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
+    (lengths, values)
+}
+
+fn constants(lengths: &[f64], values: &[f64]) -> PiecewisePolynomial {
+    PiecewisePolynomial::constants(Partition::from_lengths(lengths.to_vec()).unwrap(), values).unwrap()
+}
+
+/// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
+/// fewer elements, compared with one β, is the other road.
+#[test]
+fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
+    let mut random = SplitMix::new(23);
+    let (mut heard, mut sharpest) = (0, 1.0f64);
+    for case in 0..24 {
+        let (lengths, values) = random_signs(350 + random.below(400), &mut random);
+        // on long intervals one β is small and positive
+        let scale = [1e-3, 0.1][case % 2];
+        let lengths: Vec<f64> = lengths.iter().map(|h| scale * h).collect();
+        let nu = random.between(0.05, 0.8);
+        let find =
+            |u: &PiecewisePolynomial, t| Estimate::or_best(u.dual_norm(order(nu), tolerance(t))).unwrap();
+        let whole = find(&constants(&lengths, &values), 1e-7);
+        let cut = |h: &[f64]| h.iter().flat_map(|h| [0.25 * h, 0.45 * h, 0.3 * h]).collect::<Vec<f64>>();
+        let thrice: Vec<f64> = values.iter().flat_map(|&v| [v; 3]).collect();
+        for t in [1e-4, 1e-6, 1e-8] {
+            let pieces = find(&constants(&cut(&lengths), &thrice), t);
+            let apart = (pieces.value - whole.value).abs();
+            assert!(apart <= pieces.error + whole.error, "{case} {nu} {t:e}: {pieces} and {whole}");
+            let reach = (pieces.error + whole.error) / whole.value;
+            sharpest = sharpest.min(reach);
+            heard += usize::from(reach < 1e-5);
+        }
+    }
+    assert!(heard > 36 && sharpest < 1e-7, "{heard} of 72, {sharpest:e}");
+}
+
+#[test]
+fn random_signs_on_a_hundred_thousand_unequal_elements() {
+    let (lengths, values) = random_signs(100_000, &mut SplitMix::new(3));
+    let load = constants(&lengths, &values);
+    for (nu, sharper) in [(0.3, 1e-7), (0.5, 1e-9)] {
+        // reached at all is the point; two tolerances take other meshes and nodes
+        let [a, b] = [1e-8, sharper].map(|t| load.dual_norm(order(nu), tolerance(t)).unwrap());
+        assert!(a.relative_error() <= 1e-8, "{nu}: {a}");
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{nu}: {a} {b}");
+    }
+}
+
 #[test]
 fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
     // A step is a piecewise polynomial; at singularities sharper tolerances stay within wider ones.

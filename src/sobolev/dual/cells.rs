@@ -122,6 +122,15 @@ impl Cells {
         Self::of_coefficients(self.degree, self.lengths.clone(), values)
     }
 
+    /// θ f for θ constant on every element.
+    pub(super) fn times(&self, share: impl Fn(usize) -> f64) -> Result<Self> {
+        let mut values = self.values.clone();
+        for (i, f) in values.chunks_exact_mut(self.degree + 1).enumerate() {
+            f.iter_mut().for_each(|f| *f *= share(i));
+        }
+        Self::of_coefficients(self.degree, self.lengths.clone(), values)
+    }
+
     /// F = ∫_0^x f.
     pub(super) fn primitive(&self) -> Result<Self> {
         let stride = self.degree + 2;

@@ -68,9 +68,14 @@ pub(super) fn exact_form(
         sum.add(term);
         error += rounding;
     }
-    // ρ(τ) grows like τ² below
-    let rate = if beta > 0.0 { 1.0 + nu } else { complement };
-    let below = terms[0].0 * geometric(rate, step, step) / step;
+    // ρ(τ) grows like τ² below, where the weight turns from e^{νy}/β² to e^{-νy} at β = c e^{νy}
+    let below = if beta == 0.0 {
+        terms[0].0 * geometric(complement, step, step) / step
+    } else {
+        let lowest_form = step * load.form((0.5 * lowest).exp()).0;
+        let further = (1..).map(|k| k as f64 * step).take_while(|d| complement * d < 50.0);
+        further.map(|d| lowest_form * (-d).exp() * weight(lowest - d)).sum()
+    };
     sum.add(below);
     let end = nodes[nodes.len() - 1] + step;
     sum.add(geometric(nu, step, end) * load.square / c);
@@ -150,13 +155,16 @@ impl Cosines {
         Ok(())
     }
 
-    /// The dual form of a load without mean.
-    pub(super) fn form(&mut self, load: &[f64], [beta, c]: [f64; 2]) -> Result<f64> {
-        let mut waves = vec![0.0; load.len()];
-        self.transform(load, &mut waves)?;
+    /// Σ ⟨f, (β + cA^ν)^{-1} g⟩ over pairs of g and β, without the means.
+    pub(super) fn form(&mut self, f: &[f64], others: &[(&[f64], f64)], c: f64) -> Result<f64> {
+        let [mut waves, mut other] = [vec![0.0; f.len()], vec![0.0; f.len()]];
+        self.transform(f, &mut waves)?;
         let mut sum = RunningSum::default();
-        for k in 1..=self.cells {
-            sum.add(waves[k] * waves[k] / (beta * self.mass[k] + c * self.power[k]));
+        for &(g, beta) in others {
+            self.transform(g, &mut other)?;
+            for k in 1..=self.cells {
+                sum.add(waves[k] * other[k] / (beta * self.mass[k] + c * self.power[k]));
+            }
         }
         Ok(sum.value())
     }

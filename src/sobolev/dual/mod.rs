@@ -25,8 +25,10 @@
 
 mod cells;
 pub(crate) mod closure;
+mod comparison;
 mod cosines;
 mod functional;
+mod missed;
 mod on_mesh;
 mod regional;
 mod resolvent;

@@ -14,15 +14,12 @@
 //! Lengths are in units of the interval: 1 + A becomes L^{2ν} + A over L^{2ν} (L ≤ 1) or 1 + L^{-2ν} A.
 
 use super::cells::Cells;
-use super::cosines::{Cosines, exact_form, symbol_constant};
+use super::comparison::Comparison;
+use super::cosines::symbol_constant;
+use super::missed::Rough;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
-use crate::quadrature::Rule;
-use crate::sobolev::gram::GramOperator;
-use crate::sobolev::gram::dense::mass_linears;
 use crate::sobolev::order::FractionalOrder;
-use crate::sobolev::partition::Partition;
 use crate::sobolev::piecewise::PiecewisePolynomial;
 
 /// Equal elements at first and at most.
@@ -31,152 +28,20 @@ const MOST: usize = 1 << 20;
 /// Elements from which on a mesh is only halved if the tolerance is within reach, SPARE halvings granted.
 const LARGE: usize = 1 << 18;
 const SPARE: f64 = 0.0;
-/// Rounding of Q_h relative to ε M^{2ν}; measured below 0.02.
-const ROUNDING: f64 = 0.1;
 /// A over 1 on the shortest element; its root, the share of layers, is below the last digit.
 const NOTHING: f64 = 1e-40;
 /// Values that fall by the known factor up to this share of it are taken to their limit.
 const SAME_RATE: f64 = 0.35;
 
-/// m M + a A on equal elements.
-struct Regional {
-    operator: GramOperator,
-    mass: Vec<f64>,
-    off: Vec<f64>,
-    cosines: Cosines,
-    weights: [f64; 2],
-    symbol: f64,
-}
-
-impl System for Regional {
-    fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
-        let [m, a] = self.weights;
-        out.iter_mut().zip(self.operator.apply(x)?).for_each(|(o, y)| *o = a * y);
-        for i in 0..x.len() {
-            out[i] += m * self.mass[i] * x[i];
-            if i + 1 < x.len() {
-                out[i] += m * self.off[i] * x[i + 1];
-                out[i + 1] += m * self.off[i] * x[i];
-            }
-        }
-        Ok(())
-    }
-
-    fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()> {
-        let [m, a] = self.weights;
-        self.cosines.solve(r, out, [m, a * self.symbol])
-    }
-}
-
-/// One mesh: Q_h + R - R_h.
+/// One mesh: Q_h + R - R_h, and whether every element of f is cut into the same number of equal elements.
 #[derive(Debug, Clone, Copy)]
 struct Level {
     value: f64,
-    /// of the iteration, and of rounding
     error: f64,
-    steps: u64,
-    /// every element of f is cut into the same number of equal elements
     alike: bool,
 }
 
-/// f without mean on (0, 1).
-struct Rough<'a> {
-    u: &'a PiecewisePolynomial,
-    unit: f64,
-    mean: f64,
-    order: FractionalOrder,
-    weights: [f64; 2],
-    /// β and c of the form that is known twice, and R
-    comparison: [f64; 2],
-    exact: f64,
-}
-
 impl Rough<'_> {
-    fn cuts_alike(&self, cells: usize) -> bool {
-        let partition = self.u.partition();
-        partition.uniform_length().is_some() && cells.is_multiple_of(partition.len())
-    }
-
-    /// ∫ f φ_i on M equal elements of (0, 1).
-    fn load(&self, cells: usize) -> Result<Vec<f64>> {
-        let partition = self.u.partition();
-        let (count, total) = (partition.len(), partition.total());
-        let rule = Rule::gauss_legendre(self.u.degree() / 2 + 2)?;
-        let mut load = vec![0.0; cells + 1];
-        let mut add = |cell: usize, element: usize, [s0, s1]: [f64; 2], [t0, t1]: [f64; 2]| {
-            // the part (s0, s1) of a cell is the part (t0, t1) of an element
-            let h = (s1 - s0) / cells as f64;
-            for (x, w) in rule.iter() {
-                let value = self.u.pieces()[element].value(t0 + (t1 - t0) * x) / self.unit - self.mean;
-                let s = s0 + (s1 - s0) * x;
-                load[cell] += w * h * value * (1.0 - s);
-                load[cell + 1] += w * h * value * s;
-            }
-        };
-        if self.cuts_alike(cells) {
-            let parts = cells / count;
-            for cell in 0..cells {
-                let (element, part) = (cell / parts, (cell % parts) as f64);
-                add(cell, element, [0.0, 1.0], [part / parts as f64, (part + 1.0) / parts as f64]);
-            }
-            return Ok(load);
-        }
-        let (mut cell, mut from) = (0, 0.0f64);
-        for element in 0..count {
-            let [start, end] =
-                [element, element + 1].map(|i| partition.from_left()[i] / total * cells as f64);
-            let (length, mut at) = (end - start, 0.0f64);
-            loop {
-                let last = cell + 1 == cells;
-                let (to, reached) = ((end - cell as f64).clamp(from, 1.0), end <= (cell + 1) as f64 || last);
-                let until = if reached || length <= 0.0 { 1.0 } else { ((cell + 1) as f64 - start) / length };
-                let until = until.clamp(at, 1.0);
-                add(cell, element, [from, to], [at, until]);
-                if reached {
-                    from = to;
-                    if to >= 1.0 && !last {
-                        (cell, from) = (cell + 1, 0.0);
-                    }
-                    break;
-                }
-                (cell, from, at) = (cell + 1, 0.0, until);
-            }
-        }
-        Ok(load)
-    }
-
-    fn level(&self, cells: usize, goal: f64) -> Result<Level> {
-        let mesh = Partition::uniform(cells, 1.0)?;
-        let load = self.load(cells)?;
-        let (mass, off) = mass_linears(&mesh);
-        let mut system = Regional {
-            operator: GramOperator::linears(&mesh, self.order, Tolerance::reference())?,
-            mass,
-            off,
-            cosines: Cosines::new(cells, self.order),
-            weights: self.weights,
-            symbol: symbol_constant(self.order),
-        };
-        let missed = self.exact - system.cosines.form(&load, self.comparison)?;
-        let mut iteration = ConjugateGradients::new(load.len());
-        iteration.start(&mut system, &load)?;
-        let (mut x, mut value, mut last, mut steps) = (vec![0.0; load.len()], 0.0, f64::INFINITY, 0);
-        for _ in 0..200 {
-            let Step::Gain(gain) = iteration.step(&mut system, &mut x)? else { break };
-            steps += 1;
-            value += gain;
-            let settled = gain.max(0.2 * last) <= 1e-2 * goal * value;
-            last = gain;
-            if settled {
-                break;
-            }
-        }
-        let rounding = ROUNDING * f64::EPSILON * (cells as f64).powf(2.0 * self.order.value());
-        let error = if last.is_finite() { 2.0 * last } else { 0.0 };
-        let alike = self.cuts_alike(cells);
-        Ok(Level { value: value + missed, error: error + (rounding + 1e-14) * value, steps, alike })
-    }
-
     /// The factor by which the difference of two levels falls at the next.
     fn rate(&self) -> f64 {
         let nu = self.order.value();
@@ -191,7 +56,7 @@ impl Rough<'_> {
         // Where jumps lie between the nodes one difference may be small by chance.
         let plain = (c.value, (2.0 * last.abs()).max(before.abs()) + own);
         let rate = self.rate();
-        if !a.alike || ((before / last) / rate - 1.0).abs() > SAME_RATE {
+        if !a.alike || self.comparison.nodes.len() > 1 || ((before / last) / rate - 1.0).abs() > SAME_RATE {
             return Some(plain);
         }
         let corrections = [before, last].map(|difference| difference / (rate - 1.0));
@@ -226,19 +91,14 @@ impl PiecewisePolynomial {
         // 1 + A = (m + a A) / factor in units of the interval
         let scale = total.powf(2.0 * nu);
         let (weights, factor) = if total <= 1.0 { ([scale, 1.0], scale) } else { ([1.0, 1.0 / scale], 1.0) };
-        let symbol = symbol_constant(order) * weights[1];
         // Layers far thinner than every element: u is f.
-        if symbol * rest.shortest().powf(-2.0 * nu) < NOTHING {
+        if symbol_constant(order) * weights[1] * rest.shortest().powf(-2.0 * nu) < NOTHING {
             return finish(square, 4.0 * f64::EPSILON * square, Work::default());
         }
-        // What A lacks of c A^ν in the middle: 2 ∫ over the outside.
-        let lacking = 2.0 * 2f64.powf(2.0 * nu) / nu * weights[1];
-        // Near order 1 the exact form with β takes too many passes.
-        let beta = if order.complement() > 0.02 { (weights[0] - lacking).max(0.0) } else { 0.0 };
-        let comparison = [beta, symbol];
         let goal = (1e-2 * tolerance.relative()).max(f64::EPSILON);
-        let (exact, exact_error) = exact_form(rest, order, comparison, goal)?;
-        let rough = Rough { u: self, unit, mean, order, weights, comparison, exact };
+        let comparison = Comparison::new(order, weights, self.partition().len(), tolerance.relative());
+        let rough = Rough { u: self, unit, mean, order, weights, comparison };
+        let (exact, exact_error) = rough.comparison.exact(self.partition(), &rough.whole(), rest, goal)?;
         let mut first = match self.partition().uniform_length() {
             Some(_) => self.partition().len(),
             None => (2 * self.partition().len()).next_power_of_two(),
@@ -259,9 +119,10 @@ impl PiecewisePolynomial {
             (Vec::new(), None, Work::default());
         let mut count = first;
         while count <= MOST {
-            let level = rough.level(count, goal)?;
-            work += Work { points: count as u64, iterations: level.steps, ..Work::default() };
-            levels.push(level);
+            let missed = rough.missed(count, goal)?;
+            work += Work { points: count as u64, iterations: missed.steps, ..Work::default() };
+            let (value, alike) = (exact + missed.value, rough.cuts_alike(count));
+            levels.push(Level { value, error: missed.error, alike });
             if let Some((value, error)) = rough.limit(&levels) {
                 let found = finish(factor * value, factor * (error + exact_error), work)?;
                 if found.relative_error() <= tolerance.relative() {
