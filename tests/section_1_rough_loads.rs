@@ -284,9 +284,8 @@ fn constants(lengths: &[f64], values: &[f64]) -> PiecewisePolynomial {
 fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
     let mut random = SplitMix::new(23);
     let (mut heard, mut sharpest) = (0, 1.0f64);
-    for case in 0..24 {
+    for case in 0..10 {
         let (lengths, values) = random_signs(350 + random.below(400), &mut random);
-        // on long intervals one β is small and positive
         let scale = [1e-3, 0.1][case % 2];
         let lengths: Vec<f64> = lengths.iter().map(|h| scale * h).collect();
         let nu = random.between(0.05, 0.8);
@@ -304,7 +303,7 @@ fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
             heard += usize::from(reach < 1e-5);
         }
     }
-    assert!(heard > 36 && sharpest < 1e-7, "{heard} of 72, {sharpest:e}");
+    assert!(heard > 15 && sharpest < 1e-7, "{heard} of 30, {sharpest:e}");
 }
 
 #[test]

@@ -41,7 +41,9 @@ pub(super) fn exact_form(
     let sine = (PI * nu.min(complement)).sin() / PI;
     // Half width of the strip in which the integrand is analytic in y = ln s.
     let strip = if beta > 0.0 { PI * (complement / nu).min(1.0) } else { PI };
-    let step = 2.0 * PI * strip / (4.0 / goal).ln();
+    // Poles of the weight may meet one of the form: e^{-2π strip / step} has a larger factor then.
+    let factor = if beta > 0.0 { 64.0 } else { 4.0 };
+    let step = 2.0 * PI * strip / (factor / goal).ln();
     let lowest = (goal.ln() / (1.0 + complement) / step).floor() * step;
     let load = Load::new(Ends::Neumann, 1.0, cells, (0.5 * lowest).exp())?;
     let cosine = (PI * nu).cos();
@@ -178,5 +180,41 @@ impl Cosines {
             waves[k] /= beta * self.mass[k] + c * self.power[k];
         }
         self.transform(&waves, out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sobolev::{Partition, PiecewisePolynomial};
+
+    /// A step in the middle: Σ_{k odd} 8/(kπ)² / (β + c (kπ)^{2ν}), its tail without β by the midpoint rule.
+    fn step_by_cosines(nu: f64, [beta, c]: [f64; 2]) -> (f64, f64) {
+        const LAST: f64 = 400_000.0;
+        let term = |k: f64| 8.0 / (PI * k).powi(2) / (beta + c * (PI * k).powf(2.0 * nu));
+        let head: f64 = (0..LAST as u32 / 2).rev().map(|m| term(2.0 * f64::from(m) + 1.0)).sum();
+        let tail = 4.0 * (PI * LAST).powf(-1.0 - 2.0 * nu) / (1.0 + 2.0 * nu) / (PI * c);
+        (head + tail, tail * beta / (c * (PI * LAST).powf(2.0 * nu)) + 1e-13 * head)
+    }
+
+    #[test]
+    fn small_and_large_shifts_are_summed_with_both_ends() {
+        let halves = Partition::uniform(2, 1.0).unwrap();
+        let step = Cells::new(&PiecewisePolynomial::constants(halves, &[1.0, -1.0]).unwrap(), 1.0).unwrap();
+        for nu in [0.1, 0.3, 0.5, 0.7, 0.9] {
+            let order = FractionalOrder::new(nu).unwrap();
+            for c in [0.1, 1.0, 9.0] {
+                // the last puts the pole of the weight beside that of the first wave
+                for beta in [0.0, 1e-30, 1e-9, 1e-4, 1e-2, 0.1, 1.0, 30.0, c * PI.powf(2.0 * nu)] {
+                    let (value, own) = step_by_cosines(nu, [beta, c]);
+                    for goal in [1e-4, 1e-7, 1e-10] {
+                        let (found, error) = exact_form(step.clone(), order, [beta, c], goal).unwrap();
+                        let off = (found - value).abs();
+                        assert!(off <= error + own, "{nu} {beta:e} {c} {goal:e}: {found} {value}, {off:e}");
+                        assert!(error <= 4.0 * goal * found, "{nu} {beta:e} {c}: {error:e} for {goal:e}");
+                    }
+                }
+            }
+        }
     }
 }

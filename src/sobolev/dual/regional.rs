@@ -2,12 +2,12 @@
 //! that is known twice.
 //!
 //! Let Q = ⟨f, (1 + A)^{-1} f⟩ with A of |·|²_ν, Q_h the same over the piecewise linears on M equal elements,
-//! and R, R_h the two for the form of [`super::cosines`], R exact and R_h by one transform. At a jump of f
+//! and R, R_h the two for the forms of [`super::comparison`], R exact and R_h by transforms. At a jump of f
 //! both representers have the same singularity x^{2ν}, and near it both meshes are the same: what R_h misses
 //! is what Q_h misses, up to the next singularity x^{4ν} and the ends. So
 //!   Q ≈ Q_h + R - R_h,
-//! whose error falls like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), wherever the jumps lie
-//! between the nodes: the mesh need not be that of f. M is doubled; the error is that of the doubling, and
+//! whose error falls like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), and far from the ends with
+//! a small factor where R has several nodes, wherever the jumps lie: the mesh need not be that of f. M is doubled; the error is that of the doubling, and
 //! where every element of f is cut alike and three values fall by the known factor, of the limit they point
 //! to. Q_h is found by conjugate gradients with R_h's form as preconditioner (5 to 15 steps). The mean is
 //! split off: its representer is itself. Rounding of the product grows like M^{2ν} and ends the doubling.
@@ -131,6 +131,11 @@ impl PiecewisePolynomial {
                 if best.is_none_or(|best| found.error < best.error) {
                     best = Some(found);
                 } else if best.is_some_and(|best| found.error > 4.0 * best.error) {
+                    break;
+                }
+                // Rounding only grows.
+                let rounded = finish(factor * value, factor * missed.error, work)?;
+                if rounded.relative_error() > tolerance.relative() {
                     break;
                 }
                 // Large meshes are for those that may reach it.
