@@ -112,8 +112,9 @@ impl BoundaryFunction {
     /// pairs at 10 to 100 kernel values, some seconds for 2000 elements, 20 000 at most.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::TooLarge`] beyond 20 000
-    /// elements; [`Error::ToleranceNotMet`] when rounding exceeds the tolerance.
+    /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::CountOutOfRange`] beyond 20 000
+    /// elements, [`Error::TooLarge`] beyond memory; [`Error::ToleranceNotMet`] when rounding exceeds the
+    /// tolerance.
     #[doc(alias("Gagliardo", "Slobodeckij", "boundary element"))]
     pub fn seminorm(
         &self,

@@ -113,7 +113,7 @@ impl SingularFunction<'_> {
         self.lq_norm(2.0, tolerance)
     }
 
-    /// ||u||_{L^q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
+    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::SingularFunction};

@@ -30,13 +30,13 @@ impl PiecewisePolynomial {
         Estimate::new(sum.value(), MEAN_ROUNDING * absolute, Work::default())
     }
 
-    /// ||u||_{L^q}, 1 ≤ q ≤ ∞.
+    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞: the maximum of |u| at q = ∞.
     ///
     /// # Method
     ///
-    /// Mean = (1/|I|) ∫ u. ||u||_q = (∫ |u|^q)^{1/q}, 1 ≤ q < ∞, and q = ∞. On an element where u is linear
-    /// from a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)), by the power series of the quotient where a
-    /// ≈ b. Elements of higher degree are bisected until a Gauss rule and its two halves agree. Cost O(N).
+    /// On an element of length h where u is linear from a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)),
+    /// in 1 − a/b by expm1 where the two have one sign. Elements of higher degree are bisected until a Gauss
+    /// rule and its two halves agree. At q = ∞ the largest |u|, also inside elements. Cost O(N).
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{Partition, PiecewisePolynomial}};

@@ -60,7 +60,7 @@ impl PlaneFunction {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
-    /// The norm of order s.
+    /// The norm of order s: ||w||²_s = ||w||² + |w|²_s.
     ///
     /// # Errors
     /// As [`PlaneFunction::seminorm`].
@@ -74,7 +74,8 @@ impl PlaneFunction {
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
-    /// The norm of order 1 + s, s < 1/2, of a continuous piecewise linear function.
+    /// The norm of order 1 + s, s < 1/2, of a continuous piecewise linear function: its square is
+    /// ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for s ≥ 1/2 unless the gradient is constant, and for a function that jumps; as

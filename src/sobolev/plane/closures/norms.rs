@@ -60,7 +60,7 @@ impl SingularPlaneFunction<'_> {
         judged("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
 
-    /// The norm of order s.
+    /// The norm of order s: ||w||²_s = ||w||² + |w|²_s.
     ///
     /// ```
     /// use signorini::{Tolerance, sobolev::{FractionalOrder, SingularPlaneFunction, Triangles}};
