@@ -13,6 +13,7 @@
 //! | differences of ln Γ and ψ | `gamma` |
 //! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
+//! | loops dealt out over threads | `parallel` |
 //! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
 //!
 //! Plain `f64`; nothing here knows a norm, a mesh or a scene.
@@ -24,6 +25,7 @@ pub(crate) mod gamma;
 pub mod legendre;
 pub mod line;
 pub mod memory;
+pub(crate) mod parallel;
 pub(crate) mod pencil;
 pub mod random;
 pub mod scale;

@@ -5,10 +5,10 @@ use super::zone::{Condition, Zone};
 use super::zones::Zones;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
+use crate::numeric::parallel;
 use crate::numeric::random::SplitMix;
 use crate::numeric::search::golden_section;
 use crate::sobolev::FractionalOrder;
-use rayon::prelude::*;
 
 /// Most intervals of a random union.
 const MOST_INTERVALS: usize = 5;
@@ -111,12 +111,12 @@ pub fn random_zones(
     let tolerance = tolerance.given()?;
     let mut random = SplitMix::new(seed);
     let cases = (0..count).map(|_| ZoneCase::random(&mut random)).collect::<Result<Vec<_>>>()?;
-    let with_ratio = |case: ZoneCase| match case.over_end(tolerance) {
-        Ok(ratio) => Ok((case, Some(ratio))),
-        Err(Error::ToleranceNotMet { .. }) => Ok((case, None)),
+    let with_ratio = |case: &ZoneCase| match case.over_end(tolerance) {
+        Ok(ratio) => Ok((case.clone(), Some(ratio))),
+        Err(Error::ToleranceNotMet { .. }) => Ok((case.clone(), None)),
         Err(error) => Err(error),
     };
-    cases.into_par_iter().map(with_ratio).collect()
+    parallel::over(&cases, with_ratio).into_iter().collect()
 }
 
 /// A zone of one length, moved along the interval, and cut in two.
@@ -187,7 +187,7 @@ fn opening_gap(
         let zones = Zones::from_lengths(&[before, 0.5 * theta, gap, 0.5 * theta])?;
         Ok((gap, ZoneCase { order, zones, condition }.over_end(tolerance)?))
     };
-    GAPS.par_iter().map(opened).collect()
+    parallel::over(&GAPS, opened).into_iter().collect()
 }
 
 /// Places tried before the search, and the width to which the best one is searched.
@@ -204,7 +204,8 @@ fn best_place(
 ) -> Result<(f64, Estimate)> {
     let value = |share: f64| gamma(order, Zone::at(share * (1.0 - theta), theta)?, condition, tolerance);
     let shares = [0, 1, 2, 3, 4, 5, 6, 7, PLACES].map(|k| 0.5 * k as f64 / PLACES as f64);
-    let found = shares.par_iter().map(|&share| Ok(value(share)?.value)).collect::<Result<Vec<f64>>>()?;
+    let found = parallel::over(&shares, |&share| Ok(value(share)?.value));
+    let found = found.into_iter().collect::<Result<Vec<f64>>>()?;
     let best = (0..=PLACES).min_by(|&i, &j| found[i].total_cmp(&found[j])).unwrap_or(PLACES);
     let (low, high) = (shares[best.saturating_sub(1)], shares[(best + 1).min(PLACES)]);
     let searched = golden_section(low, high, PLACED, |share| value(share).map_or(f64::INFINITY, |g| g.value));

@@ -9,8 +9,8 @@
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::parallel;
 use crate::sobolev::FractionalOrder;
-use rayon::prelude::*;
 
 /// Orders below this may be continued.
 const SMALL: f64 = 1e-3;
@@ -60,7 +60,7 @@ impl Continuation {
                 result => result,
             }
         };
-        self.nodes.par_iter().map(at).collect()
+        parallel::over(&self.nodes, at).into_iter().collect()
     }
 
     /// The positive quantity at the order, given it at the points.

@@ -3,9 +3,9 @@
 use super::rough::{RoughFamily, RoughSlopes};
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
+use crate::numeric::parallel;
 use crate::numeric::random::SplitMix;
 use crate::sobolev::FractionalOrder;
-use rayon::prelude::*;
 
 /// Orders are drawn from [this, 1 − this], for steps from [this, 1/2 − this].
 const LEAST_ORDER: f64 = 0.01;
@@ -26,14 +26,14 @@ pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(
     let highest = if family == RoughFamily::Steps { 0.5 - LEAST_ORDER } else { 1.0 - LEAST_ORDER };
     let mut random = SplitMix::new(seed);
     let orders: Vec<f64> = (0..count).map(|_| random.between(LEAST_ORDER, highest)).collect();
-    let share = |(k, &nu): (usize, &f64)| -> Result<Estimate> {
-        let order = FractionalOrder::new(nu)?;
+    let share = |k: usize| -> Result<Estimate> {
+        let order = FractionalOrder::new(orders[k])?;
         let function = RoughSlopes::new(family, order, seed.wrapping_add(k as u64)).draw()?;
         let sorted = function.decreasing_rearrangement()?;
         let seminorm = |u: &crate::sobolev::PiecewisePolynomial| u.seminorm(order, Tolerance::balanced());
         seminorm(&sorted)?.over(seminorm(&function)?)
     };
-    let shares = orders.par_iter().enumerate().map(share).collect::<Result<Vec<_>>>()?;
+    let shares = parallel::map(orders.len(), &share).into_iter().collect::<Result<Vec<_>>>()?;
     let mean = shares.iter().map(|share| share.value).sum::<f64>() / f64::from(count.max(1));
     let zero = Estimate::new(0.0, 0.0, Default::default())?;
     Ok((Estimate::largest(shares).unwrap_or(zero), mean))

@@ -12,10 +12,10 @@
 //! those of the rest of the series, without 1. Cost: two thousand values of the basis per point.
 
 use crate::error::Result;
+use crate::numeric::parallel;
 use crate::numeric::{legendre, search::sign_change};
 use crate::poincare::slopes::kernel::exp_quotient;
 use crate::quadrature::{PowerWeightRule, Rule};
-use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// Degrees of the three families, and how many powers the zone sends back.
@@ -52,7 +52,7 @@ pub(super) fn collocate(nu: f64, p: f64) -> Result<Vec<Collocation>> {
     let outer = Rule::gauss_legendre(OUTER)?;
     let places: Vec<(f64, f64)> =
         (-LEFT..RIGHT).flat_map(|k| outer.iter().map(move |(t, w)| (f64::from(k) + t, w))).collect();
-    Ok(places.par_iter().map(|&(y, w)| basis.collocate(y, w, &inner)).collect())
+    Ok(parallel::over(&places, |&(y, w)| basis.collocate(y, w, &inner)))
 }
 
 /// The functions that v is made of.

@@ -13,10 +13,10 @@ use super::nodes::Nodes;
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre};
 use crate::error::Result;
 use crate::estimate::Work;
+use crate::numeric::parallel;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
 use faer::Mat;
-use rayon::prelude::*;
 
 /// Panels that touch, or nearly do, get up to 3/2 as many points.
 const CLOSE_POINTS: (usize, usize) = (3, 2);
@@ -39,16 +39,13 @@ pub(crate) fn seminorm_gram(
     let size = space.dimension();
     // One accumulator per thread; rows are dealt out in turn because they grow shorter.
     let threads = rayon::current_num_threads();
-    let parts: Vec<(Mat<f64>, Work)> = (0..threads)
-        .into_par_iter()
-        .map(|part| {
-            let (mut gram, mut work) = (Mat::zeros(size, size), Work::default());
-            for i in (part..space.panels.len()).step_by(threads) {
-                assembly.add_row(i, &mut gram, &mut work);
-            }
-            (gram, work)
-        })
-        .collect();
+    let parts: Vec<(Mat<f64>, Work)> = parallel::map(threads, &|part| {
+        let (mut gram, mut work) = (Mat::zeros(size, size), Work::default());
+        for i in (part..space.panels.len()).step_by(threads) {
+            assembly.add_row(i, &mut gram, &mut work);
+        }
+        (gram, work)
+    });
     let (mut gram, mut work) = (Mat::<f64>::zeros(size, size), Work::default());
     for (part, counted) in &parts {
         gram += part;

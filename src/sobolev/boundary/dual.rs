@@ -6,10 +6,10 @@ use super::function::BoundaryFunction;
 use super::pairs::CurvePairs;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::parallel;
 use crate::sobolev::order::FractionalOrder;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use rayon::prelude::*;
 
 /// Elements of the finest mesh at most: a second of kernel values, and a dense factorization.
 const MOST: usize = 1500;
@@ -99,22 +99,19 @@ fn supremum(curve: &PolygonalCurve, ends: &[[f64; 2]], order: FractionalOrder) -
     let n = curve.len();
     let nodes = n + usize::from(!curve.is_closed());
     let pairs = CurvePairs::new(curve, order, false, ENTRIES)?;
-    let rows: Vec<Vec<[[f64; 4]; 4]>> = (0..n)
-        .into_par_iter()
-        .map(|e| {
-            let form = |f: usize| {
-                let mut local = [[0.0; 4]; 4];
-                pairs.visit(e, f, &mut |w, s, t| {
-                    let difference = [1.0 - s, s, t - 1.0, -t];
-                    for (row, a) in local.iter_mut().zip(difference) {
-                        row.iter_mut().zip(difference).for_each(|(entry, b)| *entry += w * a * b);
-                    }
-                });
-                local
-            };
-            (e + 1..n).map(form).collect()
-        })
-        .collect();
+    let rows: Vec<Vec<[[f64; 4]; 4]>> = parallel::map(n, &|e| {
+        let form = |f: usize| {
+            let mut local = [[0.0; 4]; 4];
+            pairs.visit(e, f, &mut |w, s, t| {
+                let difference = [1.0 - s, s, t - 1.0, -t];
+                for (row, a) in local.iter_mut().zip(difference) {
+                    row.iter_mut().zip(difference).for_each(|(entry, b)| *entry += w * a * b);
+                }
+            });
+            local
+        };
+        (e + 1..n).map(form).collect()
+    });
     let mut matrix = Mat::<f64>::zeros(nodes, nodes);
     let mut load = Mat::<f64>::zeros(nodes, 1);
     for (e, row) in rows.iter().enumerate() {

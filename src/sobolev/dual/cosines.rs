@@ -13,9 +13,9 @@
 use super::cells::Cells;
 use super::resolvent::{Ends, Load, geometric};
 use crate::error::{Error, Result};
+use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::order::FractionalOrder;
-use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 use std::f64::consts::PI;
@@ -58,13 +58,10 @@ pub(super) fn exact_form(
     let free = if beta > 0.0 { ((beta / c).ln() - goal.ln()) / nu } else { 0.0 };
     let count = (((2.0 * load.settled.ln()).max(free) - lowest) / step).ceil().clamp(1.0, MOST_NODES);
     let nodes: Vec<f64> = (0..=count as usize).map(|k| lowest + k as f64 * step).collect();
-    let terms: Vec<(f64, f64)> = nodes
-        .par_iter()
-        .map(|&y| {
-            let (value, error) = load.form((0.5 * y).exp());
-            (step * weight(y) * value, step * weight(y) * error)
-        })
-        .collect();
+    let terms: Vec<(f64, f64)> = parallel::over(&nodes, |&y| {
+        let (value, error) = load.form((0.5 * y).exp());
+        (step * weight(y) * value, step * weight(y) * error)
+    });
     let (mut sum, mut error) = (RunningSum::default(), 0.0);
     for &(term, rounding) in &terms {
         sum.add(term);
@@ -124,19 +121,16 @@ impl Cosines {
         let (spectrum, scratch) = (forward.make_output_vec(), forward.make_scratch_vec());
         let exponent = 2.0 * order.value();
         let scale = (2.0 * PI * cells as f64).powf(exponent);
-        let sums: Vec<[f64; 2]> = (0..=cells)
-            .into_par_iter()
-            .map(|k| {
-                if k == 0 {
-                    return [1.0, 0.0];
-                }
-                let x = k as f64 / (2 * cells) as f64;
-                let half = if k == cells { 1.0 } else { 0.5 };
-                let p = 4.0 - exponent;
-                let sum = ((PI * x).sin() / PI).powi(4) * (hurwitz(p, x) + hurwitz(p, 1.0 - x));
-                [half * (2.0 + (2.0 * PI * x).cos()) / 3.0, half * scale * sum]
-            })
-            .collect();
+        let sums: Vec<[f64; 2]> = parallel::map(cells + 1, &|k| {
+            if k == 0 {
+                return [1.0, 0.0];
+            }
+            let x = k as f64 / (2 * cells) as f64;
+            let half = if k == cells { 1.0 } else { 0.5 };
+            let p = 4.0 - exponent;
+            let sum = ((PI * x).sin() / PI).powi(4) * (hurwitz(p, x) + hurwitz(p, 1.0 - x));
+            [half * (2.0 + (2.0 * PI * x).cos()) / 3.0, half * scale * sum]
+        });
         let (mass, power) = sums.iter().map(|s| (s[0], s[1])).unzip();
         Self { cells, forward, signal: vec![0.0; 2 * cells], spectrum, scratch, mass, power }
     }

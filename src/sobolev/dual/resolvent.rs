@@ -17,10 +17,10 @@
 use super::cells::{Cells, Run};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::piecewise::PiecewisePolynomial;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// τh from which e^{-τh} is nothing, and from which (τh)^{-2} is little.
@@ -124,18 +124,15 @@ fn power_form(load: &Load, order: FractionalOrder, goal: f64) -> (f64, f64, u64)
     let first = (goal.ln() / (1.0 + complement) / step).floor();
     let last = ((2.0 * load.settled.ln()).max(37.0) / step).ceil();
     let nodes: Vec<f64> = (0..=(last - first) as usize).map(|k| (first + k as f64) * step).collect();
-    let terms: Vec<(f64, f64)> = nodes
-        .par_iter()
-        .map(|&y| {
-            let (value, error) = load.form(tau(y));
-            let weight = if y > 0.0 {
-                (-nu * y).exp() / (1.0 + (-y).exp())
-            } else {
-                (complement * y).exp() / (1.0 + y.exp())
-            };
-            (step * weight * value, step * weight * error)
-        })
-        .collect();
+    let terms: Vec<(f64, f64)> = parallel::over(&nodes, |&y| {
+        let (value, error) = load.form(tau(y));
+        let weight = if y > 0.0 {
+            (-nu * y).exp() / (1.0 + (-y).exp())
+        } else {
+            (complement * y).exp() / (1.0 + y.exp())
+        };
+        (step * weight * value, step * weight * error)
+    });
     let (mut sum, mut error) = (RunningSum::default(), 0.0);
     for (term, rounding) in terms {
         sum.add(term);

@@ -14,11 +14,11 @@
 //! M¹ += δ M⁰, M² += 2δ M¹ + δ² M⁰. Cost O(m²) a cluster and a pair.
 
 use super::pair_sum::PairSum;
+use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::gram::cluster::ClusterTree;
 use crate::sobolev::kernel::chebyshev::Chebyshev;
 use crate::sobolev::partition::Partition;
-use rayon::prelude::*;
 
 /// Rounding of a pair, relative to its terms: the sums have some dozen terms each.
 const PAIR_ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -61,10 +61,7 @@ impl<'a> MomentTree<'a> {
         }
         let mut found = Self { tree, chebyshev, levels, moments: vec![0.0; 3 * m * count] };
         let mut moments = std::mem::take(&mut found.moments);
-        moments
-            .par_chunks_mut(3 * m)
-            .enumerate()
-            .for_each(|(c, moments)| found.of_leaf(c, partition, function, moments));
+        parallel::pieces(&mut moments, 3 * m, &|c, moments| found.of_leaf(c, partition, function, moments));
         for c in (0..count).rev() {
             found.of_parent(c, &mut moments);
         }

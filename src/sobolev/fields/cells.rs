@@ -7,13 +7,13 @@ use super::fit::{Difference, Fitted};
 use super::layout::{Part, layout};
 use super::samples::Sampled;
 use crate::error::Result;
+use crate::numeric::parallel;
 use crate::quadrature::Rule;
 use crate::sobolev::energy::{CellEnergies, PairSum, Samples};
 use crate::sobolev::kernel::power::{GaussRules, PowerKernel};
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::partition::Partition;
 use crate::sobolev::piecewise::{Cell, Piece, PolynomialPairs};
-use rayon::prelude::*;
 
 /// Points of a rule beyond the degree: half as many as a cluster has, and one.
 const MOMENT_POINTS: usize = 15;
@@ -39,18 +39,16 @@ impl FieldCells {
     pub(super) fn new(difference: &Difference, tolerance: f64) -> Result<Self> {
         let (function, field) = (difference.function, difference.field);
         let planned = layout(field.partition(), function.breaks())?;
-        let found: Vec<Vec<(Part, Content)>> = planned
-            .par_iter()
-            .with_min_len(TOGETHER)
-            .map(|part| {
-                if part.is_singular {
-                    return Ok(vec![(*part, Content::Singular(singular(difference, part, tolerance)?))]);
-                }
-                let smooth =
-                    |Fitted { part, piece, rest, noise }| (part, Content::Smooth { piece, rest, noise });
-                Ok(difference.fit(*part, 0.02 * tolerance)?.into_iter().map(smooth).collect())
-            })
-            .collect::<Result<_>>()?;
+        let found: Vec<Vec<(Part, Content)>> = parallel::map_together(planned.len(), TOGETHER, &|k| {
+            let part = &planned[k];
+            if part.is_singular {
+                return Ok(vec![(*part, Content::Singular(singular(difference, part, tolerance)?))]);
+            }
+            let smooth = |Fitted { part, piece, rest, noise }| (part, Content::Smooth { piece, rest, noise });
+            Ok(difference.fit(*part, 0.02 * tolerance)?.into_iter().map(smooth).collect())
+        })
+        .into_iter()
+        .collect::<Result<_>>()?;
         let (parts, contents): (Vec<Part>, Vec<Content>) = found.into_iter().flatten().unzip();
         let partition = Partition::from_lengths(parts.iter().map(|part| part.length).collect())?;
         let jump = |part: &Part| {

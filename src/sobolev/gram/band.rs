@@ -2,9 +2,13 @@
 //! off-diagonals.
 
 use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
+use crate::numeric::parallel;
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::partition::Partition;
 use rayon::prelude::*;
+
+/// Entries dealt out together.
+const TOGETHER: usize = 64;
 
 /// Rows worth a thread of their own.
 const PARALLEL: usize = 1 << 14;
@@ -20,14 +24,13 @@ impl Band {
     pub(crate) fn linears(partition: &Partition, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
-        let parallel = |count: usize, entry: &(dyn Fn(usize) -> f64 + Sync)| -> Vec<f64> {
-            (0..count).into_par_iter().with_min_len(64).map(entry).collect()
-        };
         Self {
-            diagonal: parallel(n + 1, &|i| diagonal_linear(partition, cells, i)),
+            diagonal: parallel::map_together(n + 1, TOGETHER, &|i| diagonal_linear(partition, cells, i)),
             off_diagonals: vec![
-                parallel(n, &|i| neighbours_linear(partition, cells, i)),
-                parallel(n - 1, &|i| -2.0 * cells.touching(lengths[i], lengths[i + 1]).product),
+                parallel::map_together(n, TOGETHER, &|i| neighbours_linear(partition, cells, i)),
+                parallel::map_together(n - 1, TOGETHER, &|i| {
+                    -2.0 * cells.touching(lengths[i], lengths[i + 1]).product
+                }),
             ],
         }
     }
@@ -37,13 +40,10 @@ impl Band {
         let lengths = partition.lengths();
         let n = lengths.len();
         Self {
-            diagonal: (0..n).into_par_iter().map(|i| diagonal_constant(partition, cells, i)).collect(),
-            off_diagonals: vec![
-                (0..n - 1)
-                    .into_par_iter()
-                    .map(|i| -2.0 * cells.touching_constants(lengths[i], lengths[i + 1]))
-                    .collect(),
-            ],
+            diagonal: parallel::map_together(n, TOGETHER, &|i| diagonal_constant(partition, cells, i)),
+            off_diagonals: vec![parallel::map_together(n - 1, TOGETHER, &|i| {
+                -2.0 * cells.touching_constants(lengths[i], lengths[i + 1])
+            })],
         }
     }
 

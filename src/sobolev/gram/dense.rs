@@ -2,12 +2,12 @@
 //! dense.
 
 use crate::error::{Error, Given, Result};
+use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::partition::Partition;
 use faer::Mat;
-use rayon::prelude::*;
 
 /// Gram matrix of |·|_ν for the indicator functions of the elements; N × N.
 ///
@@ -18,18 +18,15 @@ pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>)
     require_constants_finite(order)?;
     let cells = CellPairs::new(order);
     let n = partition.len();
-    let rows: Vec<Vec<f64>> = (0..n)
-        .into_par_iter()
-        .map(|i| {
-            let mut row = vec![diagonal_constant(partition, &cells, i)];
-            let mut gap = RunningSum::default();
-            for j in i + 1..n {
-                row.push(-2.0 * constants_on(partition, &cells, i, j, gap.value()));
-                gap.add(partition.lengths()[j]);
-            }
-            row
-        })
-        .collect();
+    let rows: Vec<Vec<f64>> = parallel::map(n, &|i| {
+        let mut row = vec![diagonal_constant(partition, &cells, i)];
+        let mut gap = RunningSum::default();
+        for j in i + 1..n {
+            row.push(-2.0 * constants_on(partition, &cells, i, j, gap.value()));
+            gap.add(partition.lengths()[j]);
+        }
+        row
+    });
     Ok(symmetric(&rows))
 }
 
@@ -65,7 +62,7 @@ pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>)
 pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> Mat<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
-    let far: Vec<FarRow> = (0..n).into_par_iter().map(|e| FarRow::new(partition, &cells, e)).collect();
+    let far: Vec<FarRow> = parallel::map(n, &|e| FarRow::new(partition, &cells, e));
     let mut rows: Vec<Vec<f64>> = (0..=n).map(|i| vec![0.0; n + 1 - i]).collect();
     for (e, far_row) in far.iter().enumerate() {
         // Cell e touches the nodes e (its far hat) and e + 1 (its near hat).

@@ -8,13 +8,13 @@
 
 use super::cluster::{Blocks, ClusterTree};
 use crate::error::Result;
+use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::kernel::chebyshev::Chebyshev;
 use crate::sobolev::kernel::power::PowerKernel;
 use crate::sobolev::partition::Partition;
-use rayon::prelude::*;
 
 /// A dense block between the unknowns of two leaves, or of one leaf with itself; it acts from both sides.
 struct NearBlock {
@@ -47,27 +47,19 @@ impl Hierarchical {
         let tree = ClusterTree::new(partition);
         let blocks = tree.blocks(partition);
         let chebyshev = Chebyshev::new(points);
-        let near = blocks
-            .near
-            .par_iter()
-            .map(|&(a, b)| near_block(partition, cells, &tree, a, b, linears))
-            .collect();
+        let near = parallel::over(&blocks.near, |&(a, b)| near_block(partition, cells, &tree, a, b, linears));
         // Polynomials of degree m − 1 times a hat.
         let rule = Rule::gauss_legendre(points / 2 + 1)?;
-        let leaf_moments = tree
-            .clusters
-            .par_iter()
-            .map(|cluster| match cluster.children {
-                Some(_) => Vec::new(),
-                None => moments(
-                    &partition.lengths()[cluster.first..cluster.end],
-                    cluster.length,
-                    &chebyshev,
-                    &rule,
-                    linears,
-                ),
-            })
-            .collect();
+        let leaf_moments = parallel::over(&tree.clusters, |cluster| match cluster.children {
+            Some(_) => Vec::new(),
+            None => moments(
+                &partition.lengths()[cluster.first..cluster.end],
+                cluster.length,
+                &chebyshev,
+                &rule,
+                linears,
+            ),
+        });
         Ok(Self { tree, blocks, near, leaf_moments, chebyshev, kernel })
     }
 
@@ -84,7 +76,7 @@ impl Hierarchical {
         let m = self.chebyshev.points.len();
         let clusters = &self.tree.clusters;
         let mut moments = vec![0.0; m * clusters.len()];
-        moments.par_chunks_mut(m).enumerate().for_each(|(c, values)| {
+        parallel::pieces(&mut moments, m, &|c, values| {
             let first = clusters[c].first;
             for (i, row) in self.leaf_moments[c].chunks_exact(m).enumerate() {
                 for (value, entry) in values.iter_mut().zip(row) {
@@ -122,7 +114,7 @@ impl Hierarchical {
         let clusters = &self.tree.clusters;
         let points = &self.chebyshev.points;
         let mut potentials = vec![0.0; m * clusters.len()];
-        potentials.par_chunks_mut(m).enumerate().for_each(|(target, potential)| {
+        parallel::pieces(&mut potentials, m, &|target, potential| {
             let here = &clusters[target];
             for &(source, gap) in &self.blocks.far[target] {
                 let there = &clusters[source];

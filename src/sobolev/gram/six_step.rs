@@ -13,6 +13,7 @@
 //! frequencies. Twiddles are products of two factors from tables of O(√n). Cost O(n log n), memory 6n
 //! numbers.
 
+use crate::numeric::parallel;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
@@ -147,7 +148,7 @@ impl SixStep {
         self.rows_there_and_back(&space.blocks, &mut space.pairs);
         self.columns_backward(&space.pairs, &mut space.blocks);
         let blocks = &space.blocks;
-        y.par_chunks_mut(2 * self.columns).enumerate().for_each(|(row, y)| {
+        parallel::pieces(y, 2 * self.columns, &|row, y| {
             for (block, y) in y.chunks_mut(2 * BLOCK).enumerate() {
                 let from = (block * self.rows + row) * BLOCK;
                 for (y, z) in y.chunks_mut(2).zip(&blocks[from..from + BLOCK]) {

@@ -7,6 +7,7 @@
 
 use super::circulant::Circulant;
 use crate::error::Result;
+use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::partition::Partition;
@@ -29,10 +30,9 @@ impl Toeplitz {
         let n = partition.len();
         let gaps = multiples(h, n);
         // pairs[k]: two cells with k cells between them; the touching pair counts in the band
-        let pairs: Vec<[[f64; 2]; 2]> = (0..n.saturating_sub(1))
-            .into_par_iter()
-            .map(|k| if k == 0 { [[0.0; 2]; 2] } else { cells.separate(h, h, gaps[k]) })
-            .collect();
+        let pairs: Vec<[[f64; 2]; 2]> = parallel::map(n.saturating_sub(1), &|k| {
+            if k == 0 { [[0.0; 2]; 2] } else { cells.separate(h, h, gaps[k]) }
+        });
         let at = |k: usize, a: usize, b: usize| pairs.get(k).map_or(0.0, |pair| pair[a][b]);
         // Node 0 has only the cell on its right, where its hat is the far one.
         let end_row: Vec<f64> = (0..=n)
@@ -57,10 +57,9 @@ impl Toeplitz {
     pub(crate) fn constants(partition: &Partition, cells: &CellPairs, h: f64) -> Result<Self> {
         let n = partition.len();
         let gaps = multiples(h, n);
-        let column: Vec<f64> = (0..n)
-            .into_par_iter()
-            .map(|k| if k < 2 { 0.0 } else { -2.0 * cells.separate_constants(h, h, gaps[k - 1]) })
-            .collect();
+        let column: Vec<f64> = parallel::map(n, &|k| {
+            if k < 2 { 0.0 } else { -2.0 * cells.separate_constants(h, h, gaps[k - 1]) }
+        });
         Ok(Self { circulant: Circulant::new(&column)?, end_row: Vec::new() })
     }
 

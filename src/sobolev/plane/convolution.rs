@@ -1,6 +1,6 @@
 //! Convolutions on a rectangle of cells by Fourier transforms on a torus of at least twice its size.
 
-use rayon::prelude::*;
+use crate::numeric::parallel;
 use rustfft::num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
@@ -29,20 +29,22 @@ impl Torus {
     pub(super) fn transform(&self, mut field: Vec<Complex64>, rows: usize) -> Spectrum {
         let [n, m] = self.size;
         let used = rows.min(m) * n;
-        field[..used].par_chunks_mut(n).for_each(|row| self.forward[0].process(row));
+        parallel::pieces(&mut field[..used], n, &|_, row| self.forward[0].process(row));
         let mut turned = turn(&field, n, m);
-        turned.par_chunks_mut(m).for_each(|column| self.forward[1].process(column));
+        parallel::pieces(&mut turned, m, &|_, column| self.forward[1].process(column));
         turned
     }
 
     /// The first `rows` rows of the inverse transform.
     pub(super) fn back(&self, mut spectrum: Spectrum, rows: usize) -> Vec<Complex64> {
         let [n, m] = self.size;
-        spectrum.par_chunks_mut(m).for_each(|column| self.backward[1].process(column));
+        parallel::pieces(&mut spectrum, m, &|_, column| self.backward[1].process(column));
         let mut field = turn(&spectrum, m, n);
-        field[..rows * n].par_chunks_mut(n).for_each(|row| self.backward[0].process(row));
         let over = 1.0 / (n * m) as f64;
-        field[..rows * n].par_iter_mut().for_each(|value| *value *= over);
+        parallel::pieces(&mut field[..rows * n], n, &|_, row| {
+            self.backward[0].process(row);
+            row.iter_mut().for_each(|value| *value *= over);
+        });
         field
     }
 
@@ -66,7 +68,7 @@ impl Torus {
 fn turn(field: &[Complex64], n: usize, m: usize) -> Vec<Complex64> {
     const BLOCK: usize = 32;
     let mut turned = vec![Complex64::default(); n * m];
-    turned.par_chunks_mut(BLOCK * m).enumerate().for_each(|(block, rows)| {
+    parallel::pieces(&mut turned, BLOCK * m, &|block, rows| {
         for j in (0..m).step_by(BLOCK) {
             for (i, row) in rows.chunks_mut(m).enumerate() {
                 let from = block * BLOCK + i;

@@ -12,8 +12,8 @@ use super::kernel::InversePower;
 use super::leaves::points;
 use super::tree::{Cluster, Tree};
 use crate::error::Result;
+use crate::numeric::parallel;
 use crate::numeric::scale::power_of_two;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// Triangles with the values at their corners, as the moments need them.
@@ -82,7 +82,7 @@ impl<'a> FarField<'a> {
         let leaf = |cluster: &Cluster| -> Result<Option<Moments>> {
             if cluster.children.is_none() { field.of_leaf(cluster, source).map(Some) } else { Ok(None) }
         };
-        let mut moments = tree.clusters.par_iter().map(leaf).collect::<Result<Vec<_>>>()?;
+        let mut moments = parallel::over(&tree.clusters, leaf).into_iter().collect::<Result<Vec<_>>>()?;
         for (index, cluster) in tree.clusters.iter().enumerate().rev() {
             if let Some(children) = cluster.children {
                 let parts = children.map(|child| (child, moments[child].as_ref()));

@@ -7,6 +7,7 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::require_values;
 use crate::numeric::memory::require_memory;
+use crate::numeric::parallel;
 use crate::sobolev::order::FractionalOrder;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
@@ -116,7 +117,7 @@ impl GridOperator {
         let width = self.torus.size()[0];
         let field = |first: usize, second: usize| {
             let mut field = self.torus.zeros();
-            field[..rows * width].par_chunks_mut(width).enumerate().for_each(|(j, line)| {
+            parallel::pieces(&mut field[..rows * width], width, &|j, line| {
                 for (i, value) in line[..columns].iter_mut().enumerate() {
                     let of = |a: usize| w[self.node(i + CORNERS[a][0], j + CORNERS[a][1])];
                     *value = Complex64::new(of(first), of(second));
@@ -128,7 +129,7 @@ impl GridOperator {
         let images = self.multiplied(&packed).map(|spectrum| self.torus.back(spectrum, rows));
         let mut image = vec![0.0; self.size()];
         // Row j of nodes is the bottom of row j of squares and the top of row j − 1.
-        image.par_chunks_mut(columns + 1).enumerate().for_each(|(j, line)| {
+        parallel::pieces(&mut image, columns + 1, &|j, line| {
             for (a, &[x, y]) in CORNERS.iter().enumerate().filter(|(_, [_, y])| (*y..rows + *y).contains(&j))
             {
                 let row = &images[a / 2][(j - y) * width..][..columns];
@@ -196,8 +197,7 @@ impl GridOperator {
             }
             (first * width, part)
         };
-        let starts: Vec<usize> = (0..rows).step_by(BAND).collect();
-        for (start, part) in starts.into_par_iter().map(band).collect::<Vec<_>>() {
+        for (start, part) in parallel::map(rows.div_ceil(BAND), &|k| band(k * BAND)) {
             image[start..].iter_mut().zip(part).for_each(|(entry, value)| *entry += value);
         }
     }
@@ -247,8 +247,8 @@ impl Offsets {
             };
             (1 - columns..columns).map(one).collect()
         };
-        let found = (1 - rows..rows).into_par_iter().map(row).collect::<Result<Vec<_>>>()?;
-        Ok(Self { squares, pairs: found.concat() })
+        let found = parallel::map((2 * rows - 1) as usize, &|k| row(k as i64 + 1 - rows));
+        Ok(Self { squares, pairs: found.into_iter().collect::<Result<Vec<_>>>()?.concat() })
     }
 
     /// Offsets and forms.

@@ -10,9 +10,9 @@ use super::simplex::{Corner, Simplex};
 use super::tree::Tree;
 use crate::error::Result;
 use crate::estimate::{Estimate, Work};
+use crate::numeric::parallel;
 use crate::numeric::sum::{RunningSum, compensated};
 use crate::sobolev::root::ENTRY_ROUNDING;
-use rayon::prelude::*;
 
 /// Triangles up to which all pairs are summed directly.
 const DIRECT: usize = 200;
@@ -67,21 +67,21 @@ impl PairSum {
         let count = self.simplices.len();
         if count <= DIRECT {
             let row = |i: usize| self.near(means, &[i], &(i..count).collect::<Vec<_>>());
-            let rows = (0..count).into_par_iter().map(row).collect::<Result<Vec<_>>>()?;
+            let rows = parallel::map(count, &row).into_iter().collect::<Result<Vec<_>>>()?;
             return settled(&rows, 0.0, 0.0);
         }
         let tree = Tree::new(&self.triangles);
         let pairs = tree.pairs();
         let leaf = |index: usize| &tree.order[tree.clusters[index].first..tree.clusters[index].end];
         let near = |[a, b]: &[usize; 2]| self.near(means, leaf(*a), leaf(*b));
-        let mut parts = pairs.near.par_iter().map(near).collect::<Result<Vec<_>>>()?;
+        let mut parts = parallel::over(&pairs.near, near).into_iter().collect::<Result<Vec<_>>>()?;
         let q = (-accuracy.ln() / FAR_GAIN).ceil() as usize;
         let q = q.clamp(FAR_POINTS.0, FAR_POINTS.1);
         let source = Source { triangles: &self.triangles, values: &self.values, areas: &self.areas };
         let mut far = [0.0; 2];
         for (sum, q) in far.iter_mut().zip([q - 1, q + 1]) {
             let field = FarField::new(&tree, &source, q, s)?;
-            let found: Vec<(f64, u64)> = pairs.far.par_iter().map(|[a, b]| field.pair(*a, *b)).collect();
+            let found: Vec<(f64, u64)> = parallel::over(&pairs.far, |[a, b]| field.pair(*a, *b));
             *sum = 2.0 * compensated(found.iter().map(|part| part.0));
             let points = found.iter().map(|part| part.1).sum();
             parts.push(([0.0; LEVELS], Work { points, pairs: found.len() as u64, ..Work::default() }));

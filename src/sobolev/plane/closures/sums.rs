@@ -13,11 +13,11 @@ use super::radial::{self, Approach};
 use super::side::Side;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
+use crate::numeric::parallel;
 use crate::numeric::sum::compensated;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::plane::kernel::InversePower;
 use crate::sobolev::root::ENTRY_ROUNDING;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Points of the rules, one after the other.
@@ -153,19 +153,20 @@ impl<'a> ClosureSum<'a> {
             }
             Ok(Found { value, change, error, level, work })
         };
-        let start = parts.par_iter().map(|part| evaluate(part, None)).collect::<Result<Vec<_>>>()?;
+        let start =
+            parallel::over(parts, |part| evaluate(part, None)).into_iter().collect::<Result<Vec<_>>>()?;
         let whole = compensated(start.iter().map(|found| found.value));
         // Nothing is refined where the radial rules do not reach the tolerance.
         let levels = if self.radial_error > self.accuracy { 2 } else { POINTS.len() };
         let share = 0.3 * self.accuracy * whole;
-        let refine = |(part, start): (&T, &Found)| -> Result<Found> {
-            let mut found = evaluate(part, Some(*start))?;
+        let refine = |k: usize| -> Result<Found> {
+            let (part, mut found) = (&parts[k], evaluate(&parts[k], Some(start[k]))?);
             while found.level + 1 < levels && found.error > share / (parts.len() as f64).sqrt() {
                 found = evaluate(part, Some(found))?;
             }
             Ok(found)
         };
-        let found = parts.par_iter().zip(&start).map(refine).collect::<Result<Vec<_>>>()?;
+        let found = parallel::map(parts.len(), &refine).into_iter().collect::<Result<Vec<_>>>()?;
         let value = compensated(found.iter().map(|found| found.value));
         let error = found.iter().map(|found| found.error).sum::<f64>();
         let work = found.iter().fold(Work::default(), |work, found| work + found.work);
