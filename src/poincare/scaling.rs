@@ -15,7 +15,8 @@ use crate::sobolev::FractionalOrder;
 /// from the two zones before, where there are three. `None` for fewer than two zones.
 ///
 /// # Errors
-/// [`Error::EntryOutOfRange`] unless each zone is shorter than the last; [`Error::NotFinite`] if too little.
+/// [`Error::EntryOutOfRange`] unless each zone is shorter than the last; [`Error::NotFinite`] for zones so
+/// close that their logarithms agree, and for constants that are not positive.
 ///
 /// ```
 /// use signorini::{Estimate, poincare::growth, sobolev::FractionalOrder};
