@@ -19,7 +19,7 @@ fn random(count: usize) -> Vec<f64> {
         .collect()
 }
 
-fn check(what: &str, operator: &GramOperator, matrix: &faer::Mat<f64>) {
+fn check(what: &str, operator: &GramOperator, matrix: &nalgebra::DMatrix<f64>) {
     let n = matrix.nrows();
     let x = random(n);
     let y = operator.apply(&x).unwrap();

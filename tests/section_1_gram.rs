@@ -1,6 +1,6 @@
 //! Section 1, (1.1): Gram matrices of |·|_ν against 40-digit references, entry by entry.
 
-use faer::Mat;
+use nalgebra::DMatrix;
 use serde_json::Value;
 use signorini::Error;
 use signorini::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears, mass_linears};
@@ -30,7 +30,7 @@ fn mesh_and_order(case: &Value) -> (Partition, FractionalOrder) {
     (Partition::from_nodes(&nodes).unwrap(), FractionalOrder::new(from_hex(&case["nu_hex"])).unwrap())
 }
 
-fn check_entries(case: &Value, key: &str, matrix: &Mat<f64>) {
+fn check_entries(case: &Value, key: &str, matrix: &DMatrix<f64>) {
     for (i, row) in case[key].as_array().unwrap().iter().enumerate() {
         for (j, entry) in row.as_array().unwrap().iter().enumerate() {
             let exact: f64 = entry.as_str().unwrap().parse().unwrap();
@@ -46,7 +46,7 @@ fn check_entries(case: &Value, key: &str, matrix: &Mat<f64>) {
     }
 }
 
-fn check_row_sums(what: &str, matrix: &Mat<f64>) {
+fn check_row_sums(what: &str, matrix: &DMatrix<f64>) {
     for i in 0..matrix.nrows() {
         let row: Vec<f64> = (0..matrix.ncols()).map(|j| matrix[(i, j)]).collect();
         let (sum, scale) = (row.iter().sum::<f64>(), row.iter().map(|a| a.abs()).sum::<f64>());

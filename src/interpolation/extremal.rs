@@ -9,13 +9,13 @@ use super::forms::{MAX_CELLS, without_constants};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::pencil::Factored;
-use faer::Mat;
+use nalgebra::DMatrix;
 
 /// Cells per element of the coarsest pair of meshes that is compared.
 const FEWEST: usize = 4;
 
 /// The seminorm |·|_r² and the form that is measured against it, on a mesh.
-pub(super) type Forms = (Mat<f64>, Mat<f64>);
+pub(super) type Forms = (DMatrix<f64>, DMatrix<f64>);
 
 /// The root of the largest quotient on `cells` cells per element.
 pub(super) fn extremal_on_cells(

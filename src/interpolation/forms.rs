@@ -13,10 +13,10 @@
 
 use super::elements::ElementMesh;
 use crate::error::{Error, Result};
+use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
 use crate::sobolev::{FractionalOrder, Partition, gram_linears, mass_linears};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// Largest number of cells for which dense matrices are built.
 pub(super) const MAX_CELLS: usize = 4096;
@@ -32,13 +32,13 @@ pub(super) fn hat_integrals(cells: &Partition, range: std::ops::Range<usize>) ->
 }
 
 /// Gram matrix of L².
-pub(super) fn mass_form(cells: &Partition) -> Mat<f64> {
+pub(super) fn mass_form(cells: &Partition) -> DMatrix<f64> {
     let (diagonal, off_diagonal) = mass_linears(cells);
     tridiagonal(&diagonal, &off_diagonal)
 }
 
-fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> Mat<f64> {
-    Mat::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
+fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
         0 => diagonal[i],
         1 => off_diagonal[i.min(j)],
         _ => 0.0,
@@ -46,7 +46,7 @@ fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> Mat<f64> {
 }
 
 /// |v|_r²: r = 0 is ‖v‖₀², r = 1 is ‖v'‖₀², between them the double integral of (1.1).
-pub(super) fn seminorm_form(cells: &Partition, r: f64) -> Result<Mat<f64>> {
+pub(super) fn seminorm_form(cells: &Partition, r: f64) -> Result<DMatrix<f64>> {
     Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
     if r == 0.0 {
         return Ok(mass_form(cells));
@@ -63,13 +63,13 @@ pub(super) fn seminorm_form(cells: &Partition, r: f64) -> Result<Mat<f64>> {
 }
 
 /// The form plus m mᵀ: positive definite.
-pub(super) fn without_constants(form: &Mat<f64>, cells: &Partition) -> Mat<f64> {
+pub(super) fn without_constants(form: &DMatrix<f64>, cells: &Partition) -> DMatrix<f64> {
     let m = hat_integrals(cells, 0..cells.len());
-    Mat::from_fn(m.len(), m.len(), |i, j| form[(i, j)] + m[i] * m[j])
+    DMatrix::from_fn(m.len(), m.len(), |i, j| form[(i, j)] + m[i] * m[j])
 }
 
 /// ‖v − π^h v‖₀².
-pub(super) fn projection_form(mesh: &ElementMesh) -> Mat<f64> {
+pub(super) fn projection_form(mesh: &ElementMesh) -> DMatrix<f64> {
     let mut form = mass_form(mesh.cells());
     for (e, range) in mesh.elements().iter().enumerate() {
         let m = hat_integrals(mesh.cells(), range.clone());
@@ -84,11 +84,11 @@ pub(super) fn projection_form(mesh: &ElementMesh) -> Mat<f64> {
 }
 
 /// ‖u − I^h u‖₀² for the slope v of u.
-pub(super) fn lagrange_form(mesh: &ElementMesh) -> Result<Mat<f64>> {
+pub(super) fn lagrange_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
     // The primitive is quadratic on a cell, its square of degree four.
     let rule = Rule::gauss_legendre(3)?;
     let lengths = mesh.cells().lengths();
-    let mut form = Mat::<f64>::zeros(lengths.len() + 1, lengths.len() + 1);
+    let mut form = DMatrix::<f64>::zeros(lengths.len() + 1, lengths.len() + 1);
     for (e, range) in mesh.elements().iter().enumerate() {
         let m = hat_integrals(mesh.cells(), range.clone());
         let nodes = range.start..=range.end;
@@ -123,13 +123,13 @@ pub(super) fn lagrange_form(mesh: &ElementMesh) -> Result<Mat<f64>> {
 }
 
 /// ‖v − π^h v‖²_{1/2,*} over the piecewise linears.
-pub(super) fn dual_projection_form(mesh: &ElementMesh) -> Result<Mat<f64>> {
+pub(super) fn dual_projection_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
     let cells = mesh.cells();
     let size = cells.len() + 1;
     let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
-    let broken = |_| Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
-    let factor = norm.llt(Side::Lower).map_err(broken)?;
+    let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
+    let factor = Cholesky::new(&norm).ok_or_else(broken)?;
     let load = projection_form(mesh);
-    let dual = load.transpose() * factor.solve(&load);
-    Ok(Mat::from_fn(size, size, |i, j| 0.5 * (dual[(i, j)] + dual[(j, i)])))
+    let dual = transpose_times(&load, &factor.solve(&load));
+    Ok(DMatrix::from_fn(size, size, |i, j| 0.5 * (dual[(i, j)] + dual[(j, i)])))
 }

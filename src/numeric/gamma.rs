@@ -1,6 +1,6 @@
 //! Differences of ln Γ and of ψ = (ln Γ)' over short distances, formed term by term so that nothing cancels.
 
-use faer::c64;
+use nalgebra::Complex;
 
 /// B_{2k} / (2k (2k−1)), k = 1, ..., 8: Stirling's series; the next term is below 1e-18 from |z| = 12 on.
 const STIRLING: [f64; 8] = [
@@ -18,24 +18,24 @@ const STIRLING: [f64; 8] = [
 const SHIFTED: f64 = 12.0;
 
 /// ln(a/b) for a = z + p/2, b = z − p/2: 2 artanh(p/(2z)), accurate for small p.
-fn log_ratio(z: c64, p: f64) -> c64 {
+fn log_ratio(z: Complex<f64>, p: f64) -> Complex<f64> {
     // |a/b|² = 1 + 2 p Re z / |b|²
     let b = z - 0.5 * p;
     let modulus = 0.5 * (2.0 * p * z.re / b.norm_sqr()).ln_1p();
     // a b̄ = |z|² − p²/4 − i p Im z
     let angle = (-p * z.im).atan2(z.norm_sqr() - 0.25 * p * p);
-    c64::new(modulus, angle)
+    Complex::new(modulus, angle)
 }
 
 /// e^z − 1.
-fn exp_m1(z: c64) -> c64 {
+fn exp_m1(z: Complex<f64>) -> Complex<f64> {
     let half = (0.5 * z.im).sin();
-    c64::new(z.re.exp_m1() - 2.0 * z.re.exp() * half * half, z.re.exp() * z.im.sin())
+    Complex::new(z.re.exp_m1() - 2.0 * z.re.exp() * half * half, z.re.exp() * z.im.sin())
 }
 
 /// ln Γ(z + p/2) − ln Γ(z − p/2), accurate relative to p; Re z > |p|/2.
-pub(crate) fn log_gamma_difference(mut z: c64, p: f64) -> c64 {
-    let mut difference = c64::new(0.0, 0.0);
+pub(crate) fn log_gamma_difference(mut z: Complex<f64>, p: f64) -> Complex<f64> {
+    let mut difference = Complex::new(0.0, 0.0);
     while z.re - 0.5 * p.abs() < SHIFTED {
         difference -= log_ratio(z, p);
         z += 1.0;

@@ -14,13 +14,14 @@
 //! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | loops dealt out over threads | `parallel` |
-//! | symmetric eigenproblems; extremal quotients of two quadratic forms | `eigen`, `pencil` |
+//! | dense matrices: products, Cholesky factors, eigenvectors | `dense` |
+//! | extremal quotients of two quadratic forms | `pencil` |
 //!
 //! Plain `f64`; nothing here knows a norm, a mesh or a scene.
 
 pub mod check;
 pub mod conjugate_gradients;
-pub(crate) mod eigen;
+pub(crate) mod dense;
 pub(crate) mod gamma;
 pub mod legendre;
 pub mod line;

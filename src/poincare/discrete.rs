@@ -19,7 +19,7 @@ use crate::error::Result;
 use crate::estimate::Work;
 use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
-use faer::Mat;
+use nalgebra::DMatrix;
 use std::ops::Range;
 
 /// What is asked of u, and where.
@@ -126,7 +126,7 @@ impl Discrete {
     }
 
     /// The mass matrix in the basis of the factorized matrix.
-    fn mass(&self, primitives: &Primitives) -> Mat<f64> {
+    fn mass(&self, primitives: &Primitives) -> DMatrix<f64> {
         let mass = mass_gram(&self.space, primitives);
         self.links.reduced(match &self.local {
             Some(local) => local.transformed(&self.space, mass),

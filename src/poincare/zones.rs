@@ -159,7 +159,7 @@ mod tests {
     use crate::poincare::{Condition, extremal, gamma, largest_mean};
     use crate::sobolev::{FractionalOrder, gram_linears, mass_linears};
     use crate::{numeric::pencil::Factored, sobolev::Partition};
-    use faer::Mat;
+    use nalgebra::DMatrix;
 
     const CONDITIONS: [Condition; 2] = [Condition::MeanZero, Condition::Vanishing];
 
@@ -226,7 +226,7 @@ mod tests {
             _ => 0.0,
         };
         let form = |entry: &dyn Fn(usize, usize) -> f64| {
-            Mat::from_fn(kept.len(), kept.len(), |i, j| {
+            DMatrix::from_fn(kept.len(), kept.len(), |i, j| {
                 entry(kept[i], kept[j])
                     + slope(i) * entry(pivot, kept[j])
                     + slope(j) * entry(kept[i], pivot)

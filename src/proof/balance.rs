@@ -34,10 +34,10 @@
 use super::constants::ProofConstants;
 use crate::edge::Traces;
 use crate::error::{Error, Result};
+use crate::numeric::dense::Cholesky;
 use crate::numeric::search::sign_change;
 use crate::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// Layers of the mesh at every end, and their ratio.
 const LAYERS: usize = 8;
@@ -49,16 +49,17 @@ const CORE: f64 = 1.0 / 16.0;
 
 /// Forms of one support: |·|²_ν and L² on the reference interval, and the two functionals.
 struct Forms {
-    seminorm: Mat<f64>,
-    mass: Mat<f64>,
-    functionals: Mat<f64>,
+    seminorm: DMatrix<f64>,
+    mass: DMatrix<f64>,
+    functionals: DMatrix<f64>,
 }
 
 impl Forms {
     /// From the forms of all basis functions, kept where they vanish off the support.
     fn restrict(&self, kept: &[usize]) -> Self {
-        let square = |m: &Mat<f64>| Mat::from_fn(kept.len(), kept.len(), |i, j| m[(kept[i], kept[j])]);
-        let functionals = Mat::from_fn(kept.len(), 2, |i, j| self.functionals[(kept[i], j)]);
+        let square =
+            |m: &DMatrix<f64>| DMatrix::from_fn(kept.len(), kept.len(), |i, j| m[(kept[i], kept[j])]);
+        let functionals = DMatrix::from_fn(kept.len(), 2, |i, j| self.functionals[(kept[i], j)]);
         Self { seminorm: square(&self.seminorm), mass: square(&self.mass), functionals }
     }
 
@@ -69,9 +70,9 @@ impl Forms {
             return Ok([[0.0; 2]; 2]);
         }
         let scale = h.powf(order.one_minus_twice());
-        let norm = Mat::from_fn(size, size, |i, j| h * self.mass[(i, j)] + scale * self.seminorm[(i, j)]);
-        let broken = |_| Error::NotPositiveDefinite { what: "Gram matrix of a trace", pivot: size };
-        let solved = norm.llt(Side::Lower).map_err(broken)?.solve(&self.functionals);
+        let norm = DMatrix::from_fn(size, size, |i, j| h * self.mass[(i, j)] + scale * self.seminorm[(i, j)]);
+        let broken = || Error::NotPositiveDefinite { what: "Gram matrix of a trace", pivot: size };
+        let solved = Cholesky::new(&norm).ok_or_else(broken)?.solve(&self.functionals);
         let product = |i: usize, j: usize| {
             h * h * (0..size).map(|k| self.functionals[(k, i)] * solved[(k, j)]).sum::<f64>()
         };
@@ -174,8 +175,8 @@ fn constants(
     let size = lengths.len();
     Ok(Forms {
         seminorm: gram_constants(partition, order)?,
-        mass: Mat::from_fn(size, size, |i, j| if i == j { lengths[i] } else { 0.0 }),
-        functionals: Mat::from_fn(size, 2, |i, j| {
+        mass: DMatrix::from_fn(size, size, |i, j| if i == j { lengths[i] } else { 0.0 }),
+        functionals: DMatrix::from_fn(size, 2, |i, j| {
             let [l, r] = density(i, j);
             0.5 * lengths[i] * (l + r)
         }),
@@ -189,8 +190,8 @@ fn linears(
 ) -> Forms {
     let lengths = partition.lengths();
     let size = lengths.len() + 1;
-    let mut mass = Mat::zeros(size, size);
-    let mut functionals = Mat::zeros(size, 2);
+    let mut mass = DMatrix::zeros(size, size);
+    let mut functionals = DMatrix::zeros(size, 2);
     for (i, &p) in lengths.iter().enumerate() {
         mass[(i, i)] += p / 3.0;
         mass[(i + 1, i + 1)] += p / 3.0;

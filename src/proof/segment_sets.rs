@@ -14,10 +14,10 @@
 use crate::cone::Cone;
 use crate::error::{Error, Given, Result};
 use crate::numeric::check::require_length;
+use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::numeric::random::SplitMix;
 use crate::sobolev::{FractionalOrder, Partition, gram_linears};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -25,7 +25,7 @@ use std::ops::Range;
 #[derive(Debug, Clone)]
 pub struct SegmentSets {
     nodes: Vec<f64>,
-    gram: Mat<f64>,
+    gram: DMatrix<f64>,
 }
 
 /// Contact or not, per cell, and the ratio of the set.
@@ -205,24 +205,24 @@ impl SegmentSets {
     }
 
     /// b_i' G⁻¹ b_j on the hats, under the constraints c' w = 0.
-    fn dual(&self, hats: &[usize], loads: Vec<Vec<f64>>, constraints: &[Vec<f64>]) -> Result<Mat<f64>> {
+    fn dual(&self, hats: &[usize], loads: Vec<Vec<f64>>, constraints: &[Vec<f64>]) -> Result<DMatrix<f64>> {
         let size = hats.len();
-        let matrix = Mat::from_fn(size, size, |i, j| self.gram[(hats[i], hats[j])]);
+        let matrix = DMatrix::from_fn(size, size, |i, j| self.gram[(hats[i], hats[j])]);
         let right: Vec<&Vec<f64>> = loads.iter().chain(constraints).collect();
-        let right = Mat::from_fn(size, right.len(), |i, j| right[j][i]);
+        let right = DMatrix::from_fn(size, right.len(), |i, j| right[j][i]);
         let indefinite =
             || Error::NotPositiveDefinite { what: "Gram matrix of a part of the segment", pivot: size };
-        let solution = matrix.llt(Side::Lower).map_err(|_| indefinite())?.solve(&right);
-        let forms = right.transpose() * &solution;
+        let solution = Cholesky::new(&matrix).ok_or_else(indefinite)?.solve(&right);
+        let forms = transpose_times(&right, &solution);
         let (n, all) = (loads.len(), right.ncols());
-        let free = forms.submatrix(0, 0, n, n).to_owned();
+        let free = forms.view((0, 0), (n, n)).into_owned();
         if all == n {
             return Ok(free);
         }
-        let mixed = forms.submatrix(n, 0, all - n, n).to_owned();
-        let fixed = forms.submatrix(n, n, all - n, all - n).to_owned();
-        let multipliers = fixed.llt(Side::Lower).map_err(|_| indefinite())?.solve(&mixed);
-        Ok(free - mixed.transpose() * multipliers)
+        let mixed = forms.view((n, 0), (all - n, n)).into_owned();
+        let fixed = forms.view((n, n), (all - n, all - n)).into_owned();
+        let multipliers = Cholesky::new(&fixed).ok_or_else(indefinite)?.solve(&mixed);
+        Ok(free - transpose_times(&mixed, &multipliers))
     }
 }
 

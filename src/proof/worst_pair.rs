@@ -26,10 +26,9 @@
 use crate::cone::Cone;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::dense::Cholesky;
 use crate::sobolev::{FractionalOrder, Partition, gram_constants};
-use faer::Mat;
-use faer::Side;
-use faer::linalg::solvers::Solve;
+use nalgebra::DMatrix;
 
 /// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of
 /// its part.
@@ -136,16 +135,16 @@ fn halved(partition: &Partition, halvings: u32) -> Result<Partition> {
 }
 
 /// b_i' G⁻¹ b_j, G the rows and columns `cells` of the Gram matrix.
-fn inverse_form(gram: &Mat<f64>, cells: &[usize], b: &[Vec<f64>; 2]) -> Result<[[f64; 2]; 2]> {
+fn inverse_form(gram: &DMatrix<f64>, cells: &[usize], b: &[Vec<f64>; 2]) -> Result<[[f64; 2]; 2]> {
     // Scaled to a unit diagonal: lengths range over many decades.
     let scale: Vec<f64> = cells.iter().map(|&k| gram[(k, k)].sqrt()).collect();
     let matrix =
-        Mat::from_fn(cells.len(), cells.len(), |i, j| gram[(cells[i], cells[j])] / (scale[i] * scale[j]));
-    let factor = matrix.llt(Side::Lower).map_err(|_| Error::NotPositiveDefinite {
+        DMatrix::from_fn(cells.len(), cells.len(), |i, j| gram[(cells[i], cells[j])] / (scale[i] * scale[j]));
+    let factor = Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite {
         what: "Gram matrix of a part of the segment",
         pivot: cells.len(),
     })?;
-    let right = Mat::from_fn(cells.len(), 2, |i, j| b[j][i] / scale[i]);
+    let right = DMatrix::from_fn(cells.len(), 2, |i, j| b[j][i] / scale[i]);
     let solution = factor.solve(&right);
     let form = |i: usize, j: usize| (0..cells.len()).map(|k| right[(k, i)] * solution[(k, j)]).sum::<f64>();
     Ok([[form(0, 0), form(0, 1)], [form(1, 0), form(1, 1)]])

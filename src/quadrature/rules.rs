@@ -1,8 +1,8 @@
 //! Gauss-Legendre and Gauss-Jacobi rules on (0, 1).
 
 use crate::error::{Error, Result};
-use crate::numeric::eigen::symmetric_eigen;
-use faer::Mat;
+use crate::numeric::dense::symmetric_eigen;
+use nalgebra::DMatrix;
 use std::sync::OnceLock;
 
 /// Points in (0, 1), increasing, with positive weights.
@@ -197,7 +197,7 @@ impl Recurrence {
 
     fn eigenvalues(&self) -> Option<Vec<f64>> {
         let n = self.diagonal.len();
-        let matrix = Mat::from_fn(n, n, |i, j| match i.abs_diff(j) {
+        let matrix = DMatrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
             0 => self.diagonal[i],
             1 => self.off_diagonal[i.min(j)],
             _ => 0.0,

@@ -15,11 +15,12 @@
 
 use super::wedge::{Medium, Side, Wedge};
 use crate::error::{Error, Result};
-use crate::numeric::eigen::general_eigenvalues;
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
-use faer::{Mat, c64};
+use faer::{Mat, Par, c64};
 
 /// Shifts that are tried: the one that gives the smallest matrix is far from all exponents.
 const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
@@ -176,4 +177,18 @@ fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
         values[k + 1] = if k == 0 { x } else { norm * (legendre[k + 1] - legendre[k - 1]) / (2.0 * odd) };
     }
     (values, slopes)
+}
+
+/// The eigenvalues of a square matrix, conjugates both, in no order. `None` where the iteration does not
+/// converge. Cost O(n³).
+fn general_eigenvalues(a: &Mat<f64>) -> Option<Vec<c64>> {
+    let size = a.nrows();
+    let (mut real, mut imaginary) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, 1));
+    let none = ComputeEigenvectors::No;
+    let mut memory = MemBuffer::new(evd_scratch::<f64>(size, none, none, Par::Seq, Default::default()));
+    let stack = MemStack::new(&mut memory);
+    let re = real.as_mut().col_mut(0).as_diagonal_mut();
+    let im = imaginary.as_mut().col_mut(0).as_diagonal_mut();
+    evd_real(a.as_ref(), re, im, None, None, Par::Seq, stack, Default::default()).ok()?;
+    Some((0..size).map(|i| c64::new(real[(i, 0)], imaginary[(i, 0)])).collect())
 }

@@ -5,11 +5,11 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::interpolation::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
 use crate::numeric::check::{require_finite, require_values};
+use crate::numeric::dense::Cholesky;
 use crate::numeric::scale::unit_of;
 use crate::quadrature::Rule;
 use crate::sobolev::Partition;
-use faer::linalg::solvers::{Llt, Solve};
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// Gauss points per cell: f is smooth on each.
 const POINTS: usize = 8;
@@ -40,7 +40,7 @@ pub(crate) struct DualNorm {
 /// to rounding.
 #[derive(Debug, Clone)]
 struct Solver {
-    factor: Llt<f64>,
+    factor: Cholesky,
     integrals: Vec<f64>,
 }
 
@@ -132,17 +132,18 @@ impl Solver {
         let total = cells.total();
         let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
         let size = integrals.len();
-        let fixed =
-            Mat::from_fn(size, size, |i, j| norm[(i, j)] + (integrals[i] / total) * (integrals[j] / total));
-        let broken = |_| Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
-        Ok(Self { factor: fixed.llt(Side::Lower).map_err(broken)?, integrals })
+        let fixed = DMatrix::from_fn(size, size, |i, j| {
+            norm[(i, j)] + (integrals[i] / total) * (integrals[j] / total)
+        });
+        let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
+        Ok(Self { factor: Cholesky::new(&fixed).ok_or_else(broken)?, integrals })
     }
 
     /// The squared dual norm of a load.
     fn squared(&self, load: &[f64]) -> f64 {
         let total: f64 = self.integrals.iter().sum();
         let mean = load.iter().sum::<f64>() / total;
-        let rest = Mat::from_fn(load.len(), 1, |i, _| load[i] - mean * self.integrals[i]);
+        let rest = DMatrix::from_fn(load.len(), 1, |i, _| load[i] - mean * self.integrals[i]);
         let representer = self.factor.solve(&rest);
         let of_rest: f64 = (0..load.len()).map(|i| rest[(i, 0)] * representer[(i, 0)]).sum();
         mean * total * mean + of_rest

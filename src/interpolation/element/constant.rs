@@ -5,7 +5,7 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
-use faer::Mat;
+use nalgebra::DMatrix;
 
 /// Which norm of the interpolation error e = u − I u is bounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,17 +23,17 @@ pub enum ErrorNorm {
 
 impl ErrorNorm {
     /// The form whose quotient with |v|²_ν is maximised, on the unit element.
-    pub(super) fn form(self, degrees: &[usize]) -> Result<Mat<f64>> {
+    pub(super) fn form(self, degrees: &[usize]) -> Result<DMatrix<f64>> {
         let mass = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
         let size = degrees.len();
         Ok(match self {
             ErrorNorm::L2 => primitive_gram(degrees),
-            ErrorNorm::Derivative => Mat::from_fn(size, size, mass),
+            ErrorNorm::Derivative => DMatrix::from_fn(size, size, mass),
             ErrorNorm::H1 { h } => {
                 // h² must stay finite beside 1.
                 Error::require("element length h", h, "(0, 1e150]", h > 0.0 && h <= 1e150)?;
                 let primitive = primitive_gram(degrees);
-                Mat::from_fn(size, size, |i, j| mass(i, j) + h * h * primitive[(i, j)])
+                DMatrix::from_fn(size, size, |i, j| mass(i, j) + h * h * primitive[(i, j)])
             }
         })
     }
@@ -151,7 +151,7 @@ pub fn element_extremal(
 }
 
 /// The vector scaled to |v|_ν = 1 and v(1) > 0.
-fn normalised(gram: &Mat<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64> {
+fn normalised(gram: &DMatrix<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64> {
     let size = vector.len();
     let energy: f64 =
         (0..size).map(|i| (0..size).map(|j| vector[i] * gram[(i, j)] * vector[j]).sum::<f64>()).sum();

@@ -8,21 +8,21 @@
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::dense::transpose_times;
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par};
+use nalgebra::DMatrix;
 
 /// Gram matrix of |·|_ν on (0, 1) for the φ_k of the given degrees (increasing, none zero), and its cost.
 pub(in crate::interpolation) fn seminorm_gram(
     order: FractionalOrder,
     degrees: &[usize],
-) -> Result<(Mat<f64>, Work)> {
+) -> Result<(DMatrix<f64>, Work)> {
     let top = degrees.last().copied().unwrap_or(1);
     let outer = Rule::gauss_jacobi(top, 1.0, order.one_minus_twice())?;
     let inner = Rule::gauss_legendre(top)?;
-    let mut quotients = Mat::<f64>::zeros(top * top, degrees.len());
+    let mut quotients = DMatrix::<f64>::zeros(top * top, degrees.len());
     let mut row = 0;
     for (r, w) in outer.iter() {
         for (s, v) in inner.iter() {
@@ -36,16 +36,16 @@ pub(in crate::interpolation) fn seminorm_gram(
             row += 1;
         }
     }
-    let mut gram = Mat::<f64>::zeros(degrees.len(), degrees.len());
-    // One thread: the product is small, and constants are asked for from parallel loops.
-    matmul(gram.as_mut(), Accum::Replace, quotients.transpose(), quotients.as_ref(), 1.0, Par::Seq);
-    Ok((gram, Work { points: (top * top) as u64, pairs: 1, ..Work::default() }))
+    Ok((
+        transpose_times(&quotients, &quotients),
+        Work { points: (top * top) as u64, pairs: 1, ..Work::default() },
+    ))
 }
 
 /// Gram matrix of L² for the primitives ∫₀^x φ_k: they vanish at both ends, since no degree is zero.
 ///
 /// ∫₀^x φ_k = [φ_{k+1}/√(2k+3) − φ_{k−1}/√(2k−1)] / (2√(2k+1)).
-pub(super) fn primitive_gram(degrees: &[usize]) -> Mat<f64> {
+pub(super) fn primitive_gram(degrees: &[usize]) -> DMatrix<f64> {
     let part = |k: usize, m: usize| -> f64 {
         let size = 0.5 / ((2.0 * k as f64 + 1.0) * (2.0 * m as f64 + 1.0)).sqrt();
         if m == k + 1 {
@@ -56,7 +56,7 @@ pub(super) fn primitive_gram(degrees: &[usize]) -> Mat<f64> {
             0.0
         }
     };
-    Mat::from_fn(degrees.len(), degrees.len(), |i, j| {
+    DMatrix::from_fn(degrees.len(), degrees.len(), |i, j| {
         let (k, l) = (degrees[i], degrees[j]);
         [k - 1, k + 1].into_iter().map(|m| part(k, m) * part(l, m)).sum()
     })
@@ -75,8 +75,8 @@ pub(super) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64,
 }
 
 /// Gram matrix of ‖v'‖₀² for degrees of one parity: 2 √((2j+1)(2k+1)) m(m+1), m = min(j, k).
-pub(in crate::interpolation) fn stiffness_gram(degrees: &[usize]) -> Mat<f64> {
-    Mat::from_fn(degrees.len(), degrees.len(), |i, j| {
+pub(in crate::interpolation) fn stiffness_gram(degrees: &[usize]) -> DMatrix<f64> {
+    DMatrix::from_fn(degrees.len(), degrees.len(), |i, j| {
         let [k, l, m] = [degrees[i], degrees[j], degrees[i.min(j)]].map(|d| d as f64);
         2.0 * ((2.0 * k + 1.0) * (2.0 * l + 1.0)).sqrt() * m * (m + 1.0)
     })

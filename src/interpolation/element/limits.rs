@@ -14,7 +14,7 @@ use super::legendre::odd_degrees;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::pencil::Factored;
-use faer::Mat;
+use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
 /// Odd polynomials in C_L2(0); its extremal function is analytic and 12 give 16 digits.
@@ -40,7 +40,7 @@ pub fn at_zero(norm: ErrorNorm) -> Result<Estimate> {
         let degrees = odd_degrees(count);
         let harmonic = |k: usize| (1..=k).rev().map(|j| 1.0 / j as f64).sum::<f64>();
         let seminorm =
-            Mat::from_fn(count, count, |i, j| if i == j { 4.0 * harmonic(degrees[i]) } else { 0.0 });
+            DMatrix::from_fn(count, count, |i, j| if i == j { 4.0 * harmonic(degrees[i]) } else { 0.0 });
         Ok(Factored::new(&seminorm)?.largest_eigenvalue(&norm.form(&degrees)?)?.0.sqrt())
     };
     let fine = value(COUNT)?;

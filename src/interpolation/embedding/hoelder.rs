@@ -5,10 +5,10 @@ use super::trial::graded;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::interpolation::forms::mass_form;
+use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
 use crate::sobolev::{FractionalOrder, Partition, gram_linears};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// N(0, θ) at the nodes θ of a mesh.
 ///
@@ -50,12 +50,12 @@ impl EndIncrements {
             + mass_form(partition)
             + primitive_form(partition)?;
         let broken =
-            |_| Error::NotPositiveDefinite { what: "Gram matrix of the norm of H^{3/2}", pivot: size };
-        let factor = norm.llt(Side::Lower).map_err(broken)?;
+            || Error::NotPositiveDefinite { what: "Gram matrix of the norm of H^{3/2}", pivot: size };
+        let factor = Cholesky::new(&norm).ok_or_else(broken)?;
         // Column k: the integrals of the hats over (0, θ_k), in units of θ_k to stay in range.
         let nodes = partition.from_left()[1..].to_vec();
         let lengths = partition.lengths();
-        let functionals = Mat::from_fn(size, nodes.len(), |i, k| {
+        let functionals = DMatrix::from_fn(size, nodes.len(), |i, k| {
             let left = if i > 0 && i - 1 <= k { lengths[i - 1] } else { 0.0 };
             let right = if i <= k { lengths[i] } else { 0.0 };
             0.5 * (left + right) / nodes[k]
@@ -100,11 +100,11 @@ impl EndIncrements {
 }
 
 /// min_c ‖∫₀^x v + c‖₀² as a form of the nodal values of v, exact: the primitive is quadratic on a cell.
-fn primitive_form(partition: &Partition) -> Result<Mat<f64>> {
+fn primitive_form(partition: &Partition) -> Result<DMatrix<f64>> {
     let rule = Rule::gauss_legendre(3)?;
     let (lengths, total) = (partition.lengths(), partition.total());
     let size = lengths.len() + 1;
-    let mut rows = Mat::<f64>::zeros(3 * lengths.len(), size);
+    let mut rows = DMatrix::<f64>::zeros(3 * lengths.len(), size);
     let mut weights = Vec::with_capacity(3 * lengths.len());
     for (i, &h) in lengths.iter().enumerate() {
         for (p, (t, w)) in rule.iter().enumerate() {
@@ -125,5 +125,5 @@ fn primitive_form(partition: &Partition) -> Result<Mat<f64>> {
             rows[(p, k)] = (rows[(p, k)] - mean) * w.sqrt();
         }
     }
-    Ok(rows.transpose() * &rows)
+    Ok(transpose_times(&rows, &rows))
 }

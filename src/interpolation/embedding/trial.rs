@@ -4,10 +4,10 @@ use super::upper::{check, critical_exponent};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::forms::mass_form;
+use crate::numeric::dense::{Cholesky, product};
 use crate::quadrature::Rule;
 use crate::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, gram_linears};
-use faer::linalg::solvers::{Llt, Solve};
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// Most steps of the ascent: some dozens do where the maximum is isolated.
 const STEPS: usize = 400;
@@ -87,8 +87,8 @@ pub struct EmbeddingTrial {
 pub struct EmbeddingSpace {
     order: FractionalOrder,
     partition: Partition,
-    norm: Mat<f64>,
-    factor: Llt<f64>,
+    norm: DMatrix<f64>,
+    factor: Cholesky,
 }
 
 impl EmbeddingSpace {
@@ -137,9 +137,8 @@ impl EmbeddingSpace {
         let partition = Partition::from_lengths(lengths)?;
         let norm = gram_linears(&partition, order) + mass_form(&partition);
         let pivot = partition.len();
-        let factor = norm
-            .llt(Side::Lower)
-            .map_err(|_| Error::NotPositiveDefinite { what: "Gram matrix of the norm", pivot })?;
+        let factor = Cholesky::new(&norm)
+            .ok_or(Error::NotPositiveDefinite { what: "Gram matrix of the norm", pivot })?;
         Ok(Self { order, partition, norm, factor })
     }
 
@@ -193,8 +192,8 @@ impl EmbeddingSpace {
     }
 
     /// (∫ |u|^{q−2} u φ_i, ∫ |u|^q).
-    fn load(&self, q: f64, values: &[f64], rule: &Rule) -> (Mat<f64>, f64) {
-        let mut load = Mat::zeros(values.len(), 1);
+    fn load(&self, q: f64, values: &[f64], rule: &Rule) -> (DMatrix<f64>, f64) {
+        let mut load = DMatrix::zeros(values.len(), 1);
         let mut power = 0.0;
         for (i, &h) in self.partition.lengths().iter().enumerate() {
             for (t, w) in rule.iter() {
@@ -209,8 +208,8 @@ impl EmbeddingSpace {
     }
 
     fn energy(&self, values: &[f64]) -> f64 {
-        let u = Mat::from_fn(values.len(), 1, |i, _| values[i]);
-        (u.transpose() * (&self.norm * &u))[(0, 0)]
+        let u = DMatrix::from_fn(values.len(), 1, |i, _| values[i]);
+        u.dot(&product(&self.norm, &u))
     }
 
     fn trial(&self, q: f64, values: &[f64]) -> Result<EmbeddingTrial> {

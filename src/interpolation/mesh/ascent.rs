@@ -4,9 +4,9 @@ use crate::error::{Error, Given, Result};
 use crate::interpolation::element::ErrorNorm;
 use crate::interpolation::elements::ElementMesh;
 use crate::interpolation::forms::{lagrange_form, projection_form, without_constants};
+use crate::numeric::dense::{Cholesky, product};
 use crate::sobolev::{FractionalOrder, PiecewisePolynomial, gram_linears};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// Steps at most. On one element the second eigenvalue is at most about 0.4 of the first and two dozen steps
 /// do; on a mesh of N elements the largest ones lie within O(N^{-2}) of each other.
@@ -51,36 +51,36 @@ pub fn ascend(
     if start.iter().all(|v| *v == start[0]) {
         return Ok(first);
     }
-    let broken = |_| Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: size };
+    let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: size };
     let gram = without_constants(&gram_linears(cells, order), cells);
-    let factor = gram.llt(Side::Lower).map_err(broken)?;
+    let factor = Cholesky::new(&gram).ok_or_else(broken)?;
     let form = error_form(norm, mesh)?;
-    let mut values = Mat::from_fn(size, 1, |i, _| start[i]);
+    let mut values = DMatrix::from_fn(size, 1, |i, _| start[i]);
     let mut quotient = 0.0;
     for _ in 0..STEPS {
-        let image = &form * &values;
-        let next = (values.transpose() * &image)[(0, 0)] / (values.transpose() * &gram * &values)[(0, 0)];
+        let image = product(&form, &values);
+        let next = values.dot(&image) / values.dot(&product(&gram, &values));
         if next <= quotient * (1.0 + RISE) {
             break;
         }
         quotient = next;
         values = factor.solve(&image);
         let largest = (0..size).map(|i| values[(i, 0)].abs()).fold(0.0, f64::max);
-        values *= faer::Scale(largest.recip());
+        values *= largest.recip();
     }
     let values: Vec<f64> = (0..size).map(|i| values[(i, 0)]).collect();
     PiecewisePolynomial::linears(cells.clone(), &values)
 }
 
 /// B: the squared error norm as a form of the nodal values of the slope.
-pub(super) fn error_form(norm: ErrorNorm, mesh: &ElementMesh) -> Result<Mat<f64>> {
+pub(super) fn error_form(norm: ErrorNorm, mesh: &ElementMesh) -> Result<DMatrix<f64>> {
     Ok(match norm {
         ErrorNorm::L2 => lagrange_form(mesh)?,
         ErrorNorm::Derivative => projection_form(mesh),
         ErrorNorm::H1 { h } => {
             // As on elements of length h: lengths of this mesh are in units of its longest element.
             let scale = h / mesh.h();
-            projection_form(mesh) + lagrange_form(mesh)? * faer::Scale(scale * scale)
+            projection_form(mesh) + lagrange_form(mesh)? * (scale * scale)
         }
     })
 }

@@ -5,10 +5,10 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::element::{
     ErrorNorm, converge, element_constant, odd_degrees, seminorm_gram, stiffness_gram,
 };
+use crate::numeric::dense::Cholesky;
 use crate::numeric::pencil::Factored;
 use crate::sobolev::FractionalOrder;
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 use std::f64::consts::FRAC_1_PI;
 
 /// The norm in which φ − π^h φ is measured.
@@ -88,10 +88,10 @@ pub fn dual_projection_constant(r: f64, tolerance: impl Given<Tolerance>) -> Res
     converge("projection constant in the dual norm", tolerance, |count| {
         let degrees = odd_degrees(count);
         let (half, mut work) = seminorm_gram(FractionalOrder::HALF, &degrees)?;
-        let broken = |_| Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: count };
-        let inverse = half.llt(Side::Lower).map_err(broken)?.solve(Mat::<f64>::identity(count, count));
+        let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: count };
+        let inverse = Cholesky::new(&half).ok_or_else(broken)?.solve(&DMatrix::identity(count, count));
         let form = if r == 0.0 {
-            Mat::identity(count, count)
+            DMatrix::identity(count, count)
         } else if r == 1.0 {
             stiffness_gram(&degrees)
         } else {

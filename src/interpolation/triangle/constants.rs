@@ -8,7 +8,7 @@ use super::upper::bounds;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::sobolev::FractionalOrder;
-use faer::Mat;
+use nalgebra::DMatrix;
 use std::sync::Arc;
 
 /// Powers r^μ with μ nearer to 1 or 2 than this would be polynomials to too many digits: μ is moved away (the
@@ -107,7 +107,7 @@ impl TriangleConstants {
 
     fn of(space: Space, forms: &Forms, degree: usize, angular: usize) -> Result<Self> {
         let space = Arc::new(space);
-        let one = |form: &Mat<f64>| settled(&space, &forms.seminorm, form, degree, angular);
+        let one = |form: &DMatrix<f64>| settled(&space, &forms.seminorm, form, degree, angular);
         Ok(Self { derivative: one(&forms.derivative)?, l2: one(&forms.l2)? })
     }
 
@@ -133,8 +133,8 @@ fn require_degree(degree: usize) -> Result<()> {
 /// All lower bounds of one constant, and their limit.
 fn settled(
     space: &Arc<Space>,
-    seminorm: &Mat<f64>,
-    form: &Mat<f64>,
+    seminorm: &DMatrix<f64>,
+    form: &DMatrix<f64>,
     degree: usize,
     angular: usize,
 ) -> Result<TriangleConstant> {

@@ -2,8 +2,8 @@
 
 use super::space::Space;
 use crate::error::{Error, Result};
-use crate::numeric::eigen::symmetric_eigen;
-use faer::Mat;
+use crate::numeric::dense::{product, symmetric_eigen, transpose_times};
+use nalgebra::DMatrix;
 use std::sync::Arc;
 
 /// Directions in which the scaled seminorm is below this part of its largest value are left out: what is left
@@ -34,17 +34,23 @@ impl TriangleExtremal {
 ///
 /// # Errors
 /// [`Error::NotPositiveDefinite`] when A is not.
-pub(super) fn largest_quotient(a: &Mat<f64>, b: &Mat<f64>, kept: &[usize]) -> Result<(f64, Vec<f64>)> {
+pub(super) fn largest_quotient(
+    a: &DMatrix<f64>,
+    b: &DMatrix<f64>,
+    kept: &[usize],
+) -> Result<(f64, Vec<f64>)> {
     let size = kept.len();
     let bad = || Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: size };
     let scale: Vec<f64> = kept.iter().map(|&i| a[(i, i)].sqrt().recip()).collect();
-    let part =
-        |form: &Mat<f64>| Mat::from_fn(size, size, |i, j| scale[i] * scale[j] * form[(kept[i], kept[j])]);
+    let part = |form: &DMatrix<f64>| {
+        DMatrix::from_fn(size, size, |i, j| scale[i] * scale[j] * form[(kept[i], kept[j])])
+    };
     let (values, vectors) = symmetric_eigen(&part(a)).ok_or_else(bad)?;
     let least = CUT * values.last().ok_or_else(bad)?;
     let from = values.iter().position(|value| *value > least).ok_or_else(bad)?;
-    let root = Mat::from_fn(size, size - from, |i, j| vectors[(i, from + j)] / values[from + j].sqrt());
-    let (found, inner) = symmetric_eigen(&(root.transpose() * part(b) * &root)).ok_or_else(bad)?;
+    let root = DMatrix::from_fn(size, size - from, |i, j| vectors[(i, from + j)] / values[from + j].sqrt());
+    let (found, inner) =
+        symmetric_eigen(&transpose_times(&root, &product(&part(b), &root))).ok_or_else(bad)?;
     let last = found.len() - 1;
     let entry = |i: usize| (0..=last).map(|j| root[(i, j)] * inner[(j, last)]).sum::<f64>();
     let mut vector = vec![0.0; a.nrows()];

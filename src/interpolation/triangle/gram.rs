@@ -7,20 +7,20 @@ use super::basis::Polynomials;
 use super::ring::{directions, nodes};
 use super::shape::TriangleShape;
 use crate::error::Result;
+use crate::numeric::dense::times_transpose;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par};
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 /// ∫∫ (w(x)−w(y)) (v(x)−v(y)) |x−y|^{-2-2s} over the triangle.
 pub(super) struct CornerGram {
     /// Polynomials with polynomials, seen from this corner.
-    pub(super) polynomials: Mat<f64>,
+    pub(super) polynomials: DMatrix<f64>,
     /// Polynomials with τ^{μ−1} P_k(a).
-    pub(super) mixed: Mat<f64>,
+    pub(super) mixed: DMatrix<f64>,
     /// Powers with powers.
-    pub(super) powers: Mat<f64>,
+    pub(super) powers: DMatrix<f64>,
 }
 
 /// One rule in τ with the radial functions and their differences.
@@ -34,10 +34,10 @@ impl Radial {
     }
 
     /// (R(τ) − R(τq), R(τq)) as matrices of functions by points.
-    fn at(&self, set: Polynomials, epsilon: f64) -> Result<[Mat<f64>; 2]> {
+    fn at(&self, set: Polynomials, epsilon: f64) -> Result<[DMatrix<f64>; 2]> {
         let size = set.index().len();
         let (mut differences, mut values) =
-            (Mat::zeros(size, self.points.len()), Mat::zeros(size, self.points.len()));
+            (DMatrix::zeros(size, self.points.len()), DMatrix::zeros(size, self.points.len()));
         for (j, (tau, _)) in self.points.iter().enumerate() {
             let (difference, value) =
                 (set.radial_differences(*tau, epsilon)?, set.radials(tau * (1.0 - epsilon)));
@@ -49,14 +49,12 @@ impl Radial {
         Ok([differences, values])
     }
 
-    fn product(&self, a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-        let weighted = Mat::from_fn(a.nrows(), a.ncols(), |i, j| self.points[j].1 * a[(i, j)]);
-        let mut product = Mat::zeros(a.nrows(), b.nrows());
-        matmul(product.as_mut(), Accum::Replace, weighted.as_ref(), b.transpose(), 1.0, Par::Seq);
-        product
+    fn product(&self, a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+        let weighted = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| self.points[j].1 * a[(i, j)]);
+        times_transpose(&weighted, b)
     }
 
-    fn sums(&self, a: &Mat<f64>) -> Vec<f64> {
+    fn sums(&self, a: &DMatrix<f64>) -> Vec<f64> {
         (0..a.nrows()).map(|i| (0..a.ncols()).map(|j| self.points[j].1 * a[(i, j)]).sum()).collect()
     }
 }
@@ -92,24 +90,24 @@ impl CornerGram {
             let polynomials = if is_first {
                 let [u, v] = plain.at(set, epsilon)?;
                 let (uu, uv, vv) = (plain.product(&u, &u), plain.product(&u, &v), plain.product(&v, &v));
-                Mat::from_fn(size, size, |i, j| {
+                DMatrix::from_fn(size, size, |i, j| {
                     let (k, l) = (angular[i], angular[j]);
                     let first = uu[(i, j)] * aa(k, l) + uv[(i, j)] * ad(k, l);
                     factor / shape.twice() * (first + uv[(j, i)] * ad(l, k) + vv[(i, j)] * dd(k, l))
                 })
             } else {
-                Mat::zeros(size, size)
+                DMatrix::zeros(size, size)
             };
             let [u, v] = singular.at(set, epsilon)?;
             let (u, v) = (singular.sums(&u), singular.sums(&v));
             let there = (1.0 - epsilon).powf(exponent - 1.0);
             let change = -((exponent - 1.0) * (-epsilon).ln_1p()).exp_m1();
-            let mixed = Mat::from_fn(size, count, |i, l| {
+            let mixed = DMatrix::from_fn(size, count, |i, l| {
                 let k = angular[i];
                 let first = u[i] * (change * aa(k, l) + there * ad(k, l));
                 factor / shape.twice().sqrt() * (first + v[i] * (change * ad(l, k) + there * dd(k, l)))
             });
-            let powers = Mat::from_fn(count, count, |k, l| {
+            let powers = DMatrix::from_fn(count, count, |k, l| {
                 let cross = change * there * (ad(k, l) + ad(l, k));
                 factor * over * (change * change * aa(k, l) + cross + there * there * dd(k, l))
             });
@@ -120,8 +118,8 @@ impl CornerGram {
     }
 
     fn zeros(size: usize, count: usize) -> Self {
-        let (polynomials, mixed) = (Mat::zeros(size, size), Mat::zeros(size, count));
-        Self { polynomials, mixed, powers: Mat::zeros(count, count) }
+        let (polynomials, mixed) = (DMatrix::zeros(size, size), DMatrix::zeros(size, count));
+        Self { polynomials, mixed, powers: DMatrix::zeros(count, count) }
     }
 
     fn plus(mut self, other: &Self) -> Self {

@@ -10,7 +10,7 @@ use super::shape::{TriangleShape, barycentric, dot};
 use crate::error::Result;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
-use faer::Mat;
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 /// Points in each direction.
@@ -52,7 +52,7 @@ pub(super) fn between(
     apex: usize,
     order: FractionalOrder,
     powers: Powers,
-) -> Result<Mat<f64>> {
+) -> Result<DMatrix<f64>> {
     let [f, t] = shape.frame(apex);
     let (ff, ft, tt) = (dot(f, f), dot(f, t), dot(t, t));
     let (s, other) = (order.value(), (apex + 1) % 3);
@@ -75,8 +75,8 @@ pub(super) fn between(
         .iter()
         .map(|&(rest, along)| (1.0 - rest, along * (1.0 - rest).powf(weight_power + powers.exponent - 1.0)))
         .collect();
-    let part = |&[xi, last, c, w]: &[f64; 4]| -> Mat<f64> {
-        let mut sum = Mat::<f64>::zeros(powers.count, powers.count);
+    let part = |&[xi, last, c, w]: &[f64; 4]| -> DMatrix<f64> {
+        let mut sum = DMatrix::<f64>::zeros(powers.count, powers.count);
         let mut room = Angular::new(powers.count, 0.5);
         let (mut here, mut far) = (vec![[0.0; 2]; powers.count], vec![[0.0; 2]; powers.count]);
         // ε, q and the distance
@@ -104,7 +104,7 @@ pub(super) fn between(
                         powers.fill_gradients(shape, other, y, &mut room, &mut far);
                         for (j, (u, v)) in here.iter().zip(&far).enumerate() {
                             let difference = [weight * (u[0] - v[0]), weight * (u[1] - v[1])];
-                            for (sum, mine) in sum.col_as_slice_mut(j).iter_mut().zip(&mine) {
+                            for (sum, mine) in sum.column_mut(j).iter_mut().zip(&mine) {
                                 *sum += dot(*mine, difference);
                             }
                         }
@@ -114,6 +114,6 @@ pub(super) fn between(
         }
         sum
     };
-    let zero = || Mat::zeros(powers.count, powers.count);
+    let zero = || DMatrix::zeros(powers.count, powers.count);
     Ok(outer.par_iter().map(part).reduce(zero, |a, b| a + b))
 }

@@ -9,11 +9,11 @@
 
 use super::shape::{TriangleShape, dot};
 use crate::error::Result;
+use crate::numeric::dense::times_transpose;
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par};
+use nalgebra::DMatrix;
 
 /// Quotient of neighbouring cells in ε.
 const SHRINK: f64 = 0.15;
@@ -64,7 +64,7 @@ pub(super) fn directions(
     order: FractionalOrder,
     count: usize,
     epsilon: f64,
-) -> Result<Mat<f64>> {
+) -> Result<DMatrix<f64>> {
     let [f, t] = shape.frame(apex);
     let (ff, ft, tt) = (dot(f, f), dot(f, t), dot(t, t));
     let (across, along) = (Rule::gauss_legendre(ACROSS.max(count + 2))?, Rule::gauss_legendre(count + MORE)?);
@@ -74,7 +74,7 @@ pub(super) fn directions(
         cuts.push(if next < 0.9 { next } else { 1.0 });
     }
     let size = 2 * (cuts.len() - 1) * across.points().len() * along.points().len();
-    let mut rows = Mat::<f64>::zeros(2 * count, size);
+    let mut rows = DMatrix::<f64>::zeros(2 * count, size);
     let (mut here, mut quotients) = (vec![0.0; count], vec![0.0; count]);
     let mut at = 0;
     for cell in cuts.windows(2) {
@@ -90,7 +90,8 @@ pub(super) fn directions(
                     let kappa = epsilon * epsilon * ff + 2.0 * epsilon * c * ft + c * c * tt;
                     let root = (weight * (-(1.0 + order.value()) * kappa.ln()).exp()).sqrt();
                     legendre::fill_with_quotients(&mut here, &mut quotients, 2.0 * a - 1.0, 2.0 * b - 1.0);
-                    let (values, differences) = rows.col_as_slice_mut(at).split_at_mut(count);
+                    let (values, differences) =
+                        rows.as_mut_slice()[2 * count * at..2 * count * (at + 1)].split_at_mut(count);
                     let across = -2.0 * sign * distance * root;
                     values.iter_mut().zip(&here).for_each(|(row, p)| *row = root * p);
                     differences.iter_mut().zip(&quotients).for_each(|(row, q)| *row = across * q);
@@ -99,8 +100,7 @@ pub(super) fn directions(
             }
         }
     }
-    let mut product = Mat::<f64>::zeros(2 * count, 2 * count);
-    matmul(product.as_mut(), Accum::Replace, rows.as_ref(), rows.transpose(), 1.0, Par::Seq);
+    let product = times_transpose(&rows, &rows);
     let unit = |k: usize| (2.0 * (k % count) as f64 + 1.0).sqrt();
-    Ok(Mat::from_fn(2 * count, 2 * count, |i, j| unit(i) * unit(j) * product[(i, j)]))
+    Ok(DMatrix::from_fn(2 * count, 2 * count, |i, j| unit(i) * unit(j) * product[(i, j)]))
 }

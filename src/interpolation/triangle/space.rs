@@ -9,9 +9,10 @@ use super::gram::CornerGram;
 use super::mixed::{between, corner_rule};
 use super::shape::{Barycentric, TriangleShape, barycentric};
 use crate::error::Result;
+use crate::numeric::dense::{product, times_transpose};
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
-use faer::Mat;
+use nalgebra::DMatrix;
 
 /// Points of each half in the rules for powers, beyond the degree.
 const MORE: usize = 16;
@@ -27,9 +28,9 @@ pub(super) struct Space {
 
 /// The matrices of |∇w|_s², ‖∇(w − Iw)‖² and ‖w − Iw‖².
 pub(super) struct Forms {
-    pub(super) seminorm: Mat<f64>,
-    pub(super) derivative: Mat<f64>,
-    pub(super) l2: Mat<f64>,
+    pub(super) seminorm: DMatrix<f64>,
+    pub(super) derivative: DMatrix<f64>,
+    pub(super) l2: DMatrix<f64>,
 }
 
 impl Space {
@@ -83,7 +84,7 @@ impl Space {
         let count = self.polynomials.index().len();
         let size = count + 3 * self.powers.count;
         let [derivative, l2] = self.masses(size)?;
-        let mut seminorm = Mat::<f64>::zeros(size, size);
+        let mut seminorm = DMatrix::<f64>::zeros(size, size);
         let inner = Polynomials(self.polynomials.0 - 1);
         for apex in 0..3 {
             let of = (self.powers.exponent, self.powers.count);
@@ -91,24 +92,24 @@ impl Space {
             let slopes = self.slopes(apex, inner)?;
             if apex == 0 {
                 for slope in &slopes {
-                    add(&mut seminorm, [0, 0], &(slope * &gram.polynomials * slope.transpose()));
+                    add(&mut seminorm, [0, 0], &between_slopes(slope, &gram.polynomials, slope));
                 }
             }
             let at = count + apex * self.powers.count;
             for (c, slope) in slopes.iter().enumerate() {
                 let angular = self.angular(apex, c)?;
-                add(&mut seminorm, [0, at], &(slope * &gram.mixed * angular.transpose()));
-                add(&mut seminorm, [at, at], &(&angular * &gram.powers * angular.transpose()));
+                add(&mut seminorm, [0, at], &between_slopes(slope, &gram.mixed, &angular));
+                add(&mut seminorm, [at, at], &between_slopes(&angular, &gram.powers, &angular));
             }
             let next = count + (apex + 1) % 3 * self.powers.count;
             let both = between(&self.shape, apex, order, self.powers)?;
             if at < next {
                 add(&mut seminorm, [at, next], &both);
             } else {
-                add(&mut seminorm, [next, at], &both.transpose().to_owned());
+                add(&mut seminorm, [next, at], &both.transpose());
             }
         }
-        let whole = Mat::from_fn(size, size, |i, j| seminorm[(i.min(j), i.max(j))]);
+        let whole = DMatrix::from_fn(size, size, |i, j| seminorm[(i.min(j), i.max(j))]);
         Ok(Forms { seminorm: whole, derivative, l2 })
     }
 
@@ -122,21 +123,22 @@ impl Space {
         let inner = Polynomials(self.polynomials.0 - 1);
         let second =
             Self::new(self.shape, self.polynomials.0 - 1, 1.0, 0).slopes(0, Polynomials(inner.0 - 1))?;
-        let mut seminorm = Mat::<f64>::zeros(size, size);
+        let mut seminorm = DMatrix::<f64>::zeros(size, size);
         for slope in self.slopes(0, inner)? {
             for second in &second {
-                let both = &slope * second;
-                add(&mut seminorm, [0, 0], &(&both * both.transpose()));
+                let both = product(&slope, second);
+                add(&mut seminorm, [0, 0], &times_transpose(&both, &both));
             }
         }
         Ok(Forms { seminorm, derivative, l2 })
     }
 
     /// Gradients of the polynomials in those of one degree less seen from a corner, by component.
-    fn slopes(&self, apex: usize, inner: Polynomials) -> Result<[Mat<f64>; 2]> {
+    fn slopes(&self, apex: usize, inner: Polynomials) -> Result<[DMatrix<f64>; 2]> {
         let n = self.polynomials.0 + 2;
         let (radial, across) = (Rule::gauss_jacobi(n, 0.0, 1.0)?, Rule::gauss_legendre(n)?);
-        let mut slopes = [(); 2].map(|()| Mat::zeros(self.polynomials.index().len(), inner.index().len()));
+        let mut slopes =
+            [(); 2].map(|()| DMatrix::zeros(self.polynomials.index().len(), inner.index().len()));
         for (tau, v) in radial.iter() {
             for (a, w) in across.iter() {
                 let beta = barycentric(0, tau, a);
@@ -155,9 +157,9 @@ impl Space {
     }
 
     /// τ^{1−μ} times a component of the gradients of the powers, in orthonormal Legendre polynomials of a.
-    fn angular(&self, apex: usize, component: usize) -> Result<Mat<f64>> {
+    fn angular(&self, apex: usize, component: usize) -> Result<DMatrix<f64>> {
         let count = self.powers.count;
-        let mut matrix = Mat::zeros(count, count);
+        let mut matrix = DMatrix::zeros(count, count);
         for (a, w) in Rule::gauss_legendre(count + 1)?.iter() {
             let p = super::basis::Angular::new(count, a).values;
             let gradients = self.powers.angular_gradients(&self.shape, apex, a);
@@ -171,7 +173,7 @@ impl Space {
     }
 
     /// ‖∇(w − Iw)‖² and ‖w − Iw‖².
-    fn masses(&self, size: usize) -> Result<[Mat<f64>; 2]> {
+    fn masses(&self, size: usize) -> Result<[DMatrix<f64>; 2]> {
         let rule = if self.powers.count == 0 {
             let n = self.polynomials.0 + 2;
             let (radial, across) = (Rule::gauss_jacobi(n, 0.0, 1.0)?, Rule::gauss_legendre(n)?);
@@ -182,7 +184,7 @@ impl Space {
             corner_rule(&self.shape, 0, self.polynomials.0 + MORE)?
         };
         let (mut slopes, mut values) =
-            (Mat::<f64>::zeros(size, 2 * rule.len()), Mat::<f64>::zeros(size, rule.len()));
+            (DMatrix::<f64>::zeros(size, 2 * rule.len()), DMatrix::<f64>::zeros(size, rule.len()));
         for (j, (beta, weight)) in rule.iter().enumerate() {
             let (gradients, errors) = (self.error_gradients(*beta), self.errors(*beta));
             for i in 0..size {
@@ -191,11 +193,16 @@ impl Space {
                 values[(i, j)] = weight.sqrt() * errors[i];
             }
         }
-        Ok([&slopes * slopes.transpose(), &values * values.transpose()])
+        Ok([times_transpose(&slopes, &slopes), times_transpose(&values, &values)])
     }
 }
 
-fn add(matrix: &mut Mat<f64>, at: [usize; 2], block: &Mat<f64>) {
+/// A G Bᵀ.
+fn between_slopes(a: &DMatrix<f64>, gram: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    times_transpose(&product(a, gram), b)
+}
+
+fn add(matrix: &mut DMatrix<f64>, at: [usize; 2], block: &DMatrix<f64>) {
     for i in 0..block.nrows() {
         for j in 0..block.ncols() {
             matrix[(at[0] + i, at[1] + j)] += block[(i, j)];

@@ -16,7 +16,7 @@ use crate::estimate::Work;
 use crate::numeric::parallel;
 use crate::quadrature::Rule;
 use crate::sobolev::FractionalOrder;
-use faer::Mat;
+use nalgebra::DMatrix;
 
 /// Panels that touch, or nearly do, get up to 3/2 as many points.
 const CLOSE_POINTS: (usize, usize) = (3, 2);
@@ -34,19 +34,19 @@ pub(crate) fn seminorm_gram(
     local: Option<&Local>,
     order: FractionalOrder,
     n: usize,
-) -> Result<(Mat<f64>, Work)> {
+) -> Result<(DMatrix<f64>, Work)> {
     let assembly = Assembly::new(space, local, order, n)?;
     let size = space.dimension();
     // One accumulator per thread; rows are dealt out in turn because they grow shorter.
     let threads = rayon::current_num_threads();
-    let parts: Vec<(Mat<f64>, Work)> = parallel::map(threads, &|part| {
-        let (mut gram, mut work) = (Mat::zeros(size, size), Work::default());
+    let parts: Vec<(DMatrix<f64>, Work)> = parallel::map(threads, &|part| {
+        let (mut gram, mut work) = (DMatrix::zeros(size, size), Work::default());
         for i in (part..space.panels.len()).step_by(threads) {
             assembly.add_row(i, &mut gram, &mut work);
         }
         (gram, work)
     });
-    let (mut gram, mut work) = (Mat::<f64>::zeros(size, size), Work::default());
+    let (mut gram, mut work) = (DMatrix::<f64>::zeros(size, size), Work::default());
     for (part, counted) in &parts {
         gram += part;
         work += *counted;
@@ -62,7 +62,7 @@ pub(crate) fn seminorm_gram(
         gram = local.finish(space, gram, &assembly.plain);
     }
     let nu = order.value();
-    Ok((Mat::from_fn(size, size, |i, j| gram[(i, j)] / nu), work))
+    Ok((DMatrix::from_fn(size, size, |i, j| gram[(i, j)] / nu), work))
 }
 
 /// What the blocks are computed from.
@@ -128,7 +128,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Adds the pairs (i, j), j ≥ i, each once: the caller symmetrizes.
-    fn add_row(&self, i: usize, gram: &mut Mat<f64>, work: &mut Work) {
+    fn add_row(&self, i: usize, gram: &mut DMatrix<f64>, work: &mut Work) {
         let space = self.space;
         if space.functions(i) == 0 {
             return;
@@ -152,7 +152,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    fn add(&self, gram: &mut Mat<f64>, i: usize, j: usize, block: &Block) {
+    fn add(&self, gram: &mut DMatrix<f64>, i: usize, j: usize, block: &Block) {
         let (row, column) = (self.space.first_of_panel(i), self.space.first_of_panel(j));
         for k in 0..self.space.functions(i) {
             for l in 0..self.space.functions(j) {

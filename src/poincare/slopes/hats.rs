@@ -4,7 +4,7 @@
 use super::kernel::{kernel, power_increment};
 use super::local::Local;
 use super::space::SlopeSpace;
-use faer::Mat;
+use nalgebra::DMatrix;
 
 impl Local {
     /// Cells of G whose steps are joined to hats, in order.
@@ -13,7 +13,7 @@ impl Local {
     }
 
     /// Tᵀ M T: the matrix of a form in the basis with hats.
-    pub(crate) fn transformed(&self, space: &SlopeSpace, mut matrix: Mat<f64>) -> Mat<f64> {
+    pub(crate) fn transformed(&self, space: &SlopeSpace, mut matrix: DMatrix<f64>) -> DMatrix<f64> {
         let size = matrix.nrows();
         for pair in self.steps(space).windows(2) {
             let (i, j) = (space.first[pair[0]], space.first[pair[1]]);
@@ -48,7 +48,7 @@ impl Local {
 
     /// Finishes ν times the Gram matrix assembled with the shifted kernel: hats, negligible entries, and what
     /// the last step lost.
-    pub(crate) fn finish(&self, space: &SlopeSpace, gram: Mat<f64>, rule: &[(f64, f64)]) -> Mat<f64> {
+    pub(crate) fn finish(&self, space: &SlopeSpace, gram: DMatrix<f64>, rule: &[(f64, f64)]) -> DMatrix<f64> {
         if !self.has_hats {
             return gram;
         }

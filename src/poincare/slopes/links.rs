@@ -7,7 +7,7 @@
 
 use super::local::Local;
 use super::space::SlopeSpace;
-use faer::Mat;
+use nalgebra::DMatrix;
 use std::ops::Range;
 
 /// Unknowns that others determine, each with its terms: x_k = Σ c x_j.
@@ -39,7 +39,7 @@ impl Links {
     }
 
     /// The matrix of a form on the unknowns that are left.
-    pub(crate) fn reduced(&self, mut matrix: Mat<f64>) -> Mat<f64> {
+    pub(crate) fn reduced(&self, mut matrix: DMatrix<f64>) -> DMatrix<f64> {
         if self.links.is_empty() {
             return matrix;
         }
@@ -57,7 +57,7 @@ impl Links {
             }
         }
         let kept = self.kept(size);
-        Mat::from_fn(kept.len(), kept.len(), |i, j| matrix[(kept[i], kept[j])])
+        DMatrix::from_fn(kept.len(), kept.len(), |i, j| matrix[(kept[i], kept[j])])
     }
 
     /// The vector of a functional on the unknowns that are left.

@@ -8,7 +8,7 @@
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre_primitives};
 use crate::error::Result;
 use crate::quadrature::Rule;
-use faer::Mat;
+use nalgebra::DMatrix;
 use std::ops::Range;
 
 /// Basis functions on their own cell, and the constants beside it.
@@ -145,10 +145,10 @@ fn mean_free(
 }
 
 /// ‖u‖₀² divided by the length of the interval, so that its entries stay of order one.
-pub(crate) fn mass_gram(space: &SlopeSpace, primitives: &Primitives) -> Mat<f64> {
+pub(crate) fn mass_gram(space: &SlopeSpace, primitives: &Primitives) -> DMatrix<f64> {
     let size = space.dimension();
     let total: f64 = space.cells.iter().map(|cell| cell.length).sum();
-    let mut mass = Mat::<f64>::zeros(size, size);
+    let mut mass = DMatrix::<f64>::zeros(size, size);
     for (c, cell) in space.cells.iter().enumerate() {
         let left = space.cell_left[c];
         for k in 0..cell.functions {

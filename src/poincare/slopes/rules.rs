@@ -6,9 +6,9 @@
 //! Stieltjes' procedure.
 
 use crate::error::{Error, Result};
-use crate::numeric::eigen::symmetric_eigen;
+use crate::numeric::dense::symmetric_eigen;
 use crate::quadrature::Rule;
-use faer::Mat;
+use nalgebra::DMatrix;
 
 /// Points and weights, as pairs.
 pub(crate) type Pairs = Vec<(f64, f64)>;
@@ -49,7 +49,7 @@ fn gauss_of_discrete(n: usize, measure: &[(f64, f64)]) -> Result<Pairs> {
     let mass: f64 = measure.iter().map(|&(_, w)| w).sum();
     let mut previous = vec![0.0; measure.len()];
     let mut current = vec![1.0 / mass.sqrt(); measure.len()];
-    let mut jacobi = Mat::<f64>::zeros(n, n);
+    let mut jacobi = DMatrix::<f64>::zeros(n, n);
     let mut below = 0.0;
     for k in 0..n {
         let moment = |f: &dyn Fn(usize) -> f64| -> f64 {

@@ -6,10 +6,10 @@ use super::function::BoundaryFunction;
 use super::pairs::CurvePairs;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::dense::Cholesky;
 use crate::numeric::parallel;
 use crate::sobolev::order::FractionalOrder;
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// Elements of the finest mesh at most: a second of kernel values, and a dense factorization.
 const MOST: usize = 1500;
@@ -112,8 +112,8 @@ fn supremum(curve: &PolygonalCurve, ends: &[[f64; 2]], order: FractionalOrder) -
         };
         (e + 1..n).map(form).collect()
     });
-    let mut matrix = Mat::<f64>::zeros(nodes, nodes);
-    let mut load = Mat::<f64>::zeros(nodes, 1);
+    let mut matrix = DMatrix::<f64>::zeros(nodes, nodes);
+    let mut load = DMatrix::<f64>::zeros(nodes, 1);
     for (e, row) in rows.iter().enumerate() {
         let (h, [i, j], [a, b]) = (curve.element_length(e), curve.nodes_of(e), ends[e]);
         let own = pairs.own(h);
@@ -131,7 +131,7 @@ fn supremum(curve: &PolygonalCurve, ends: &[[f64; 2]], order: FractionalOrder) -
         }
     }
     let factored =
-        matrix.llt(Side::Lower).map_err(|_| Error::NotPositiveDefinite { what: "form of H^nu", pivot: 0 })?;
+        Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite { what: "form of H^nu", pivot: 0 })?;
     let solution = factored.solve(&load);
-    Ok((load.transpose() * &solution)[(0, 0)].max(0.0).sqrt())
+    Ok(load.dot(&solution).max(0.0).sqrt())
 }

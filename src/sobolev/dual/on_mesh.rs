@@ -4,14 +4,14 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::check::require_values;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
+use crate::numeric::dense::{Cholesky, product};
 use crate::numeric::sum::RunningSum;
 use crate::sobolev::gram::GramOperator;
 use crate::sobolev::gram::dense::{gram_linears, mass_linears};
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::partition::Partition;
 use crate::sobolev::root::accept;
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use nalgebra::DMatrix;
 
 /// Dense Cholesky up to this many unknowns.
 const DENSE: usize = 300;
@@ -90,15 +90,14 @@ fn solve_dense(partition: &Partition, order: FractionalOrder, load: &[f64]) -> R
     };
     // Scaled to a unit diagonal: short and long elements alike.
     let scale: Vec<f64> = (0..n).map(|i| entry(i, i).sqrt().recip()).collect();
-    let matrix = Mat::from_fn(n, n, |i, j| entry(i, j) * scale[i] * scale[j]);
-    let rhs = Mat::from_fn(n, 1, |i, _| load[i] * scale[i]);
-    let factor = matrix
-        .llt(Side::Lower)
-        .map_err(|_| Error::NotPositiveDefinite { what: "M + A, scaled", pivot: n })?;
+    let matrix = DMatrix::from_fn(n, n, |i, j| entry(i, j) * scale[i] * scale[j]);
+    let rhs = DMatrix::from_fn(n, 1, |i, _| load[i] * scale[i]);
+    let factor =
+        Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite { what: "M + A, scaled", pivot: n })?;
     let mut x = factor.solve(&rhs);
-    let residual = &rhs - &matrix * &x;
+    let residual = &rhs - product(&matrix, &x);
     x += factor.solve(&residual);
-    let residual = &rhs - &matrix * &x;
+    let residual = &rhs - product(&matrix, &x);
     let value: f64 = (0..n).map(|i| rhs[(i, 0)] * x[(i, 0)]).sum();
     let absolute: f64 = (0..n).map(|i| (rhs[(i, 0)] * x[(i, 0)]).abs()).sum();
     let left: f64 = (0..n).map(|i| (residual[(i, 0)] * x[(i, 0)]).abs()).sum();

@@ -7,13 +7,13 @@ use crate::numeric::sum::RunningSum;
 use crate::sobolev::kernel::cells::CellPairs;
 use crate::sobolev::order::FractionalOrder;
 use crate::sobolev::partition::Partition;
-use faer::Mat;
+use nalgebra::DMatrix;
 
 /// Gram matrix of |·|_ν for the indicator functions of the elements; N × N.
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2: indicator functions are not in H^ν.
-pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>) -> Result<Mat<f64>> {
+pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>) -> Result<DMatrix<f64>> {
     let order = order.given()?;
     require_constants_finite(order)?;
     let cells = CellPairs::new(order);
@@ -59,7 +59,7 @@ pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>)
 /// # Ok::<(), signorini::Error>(())
 /// ```
 #[doc(alias("stiffness matrix", "Gram matrix", "fractional Laplacian"))]
-pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> Mat<f64> {
+pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> DMatrix<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
     let far: Vec<FarRow> = parallel::map(n, &|e| FarRow::new(partition, &cells, e));
@@ -194,8 +194,8 @@ pub(crate) fn neighbours_linear(partition: &Partition, cells: &CellPairs, i: usi
 }
 
 /// The symmetric matrix whose row i starts at its diagonal.
-fn symmetric(rows: &[Vec<f64>]) -> Mat<f64> {
-    Mat::from_fn(rows.len(), rows.len(), |i, j| {
+fn symmetric(rows: &[Vec<f64>]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), rows.len(), |i, j| {
         let (low, high) = (i.min(j), i.max(j));
         rows[low][high - low]
     })

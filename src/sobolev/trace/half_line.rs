@@ -6,7 +6,7 @@
 //! With p = 1 − 2ν the bracket is Re[(1 + 2it/p) e^G] − 1, G = ln Γ(1+p) − [ln Γ(1+p/2+it) − ln Γ(1−p/2+it)].
 
 use crate::numeric::gamma::log_gamma_difference;
-use faer::c64;
+use nalgebra::Complex;
 
 /// C for one order.
 #[derive(Debug, Clone, Copy)]
@@ -20,12 +20,12 @@ pub(crate) struct HalfLineSymbol {
 impl HalfLineSymbol {
     /// For p = 1 − 2ν in (0, 1).
     pub(crate) fn new(gap: f64) -> Self {
-        Self { gap, log_gamma: log_gamma_difference(c64::new(1.0 + 0.5 * gap, 0.0), gap).re }
+        Self { gap, log_gamma: log_gamma_difference(Complex::new(1.0 + 0.5 * gap, 0.0), gap).re }
     }
 
     /// ν C(t).
     pub(crate) fn at(&self, t: f64) -> f64 {
-        let g = self.log_gamma - log_gamma_difference(c64::new(1.0, t), self.gap);
+        let g = self.log_gamma - log_gamma_difference(Complex::new(1.0, t), self.gap);
         let half = (0.5 * g.im).sin();
         g.re.exp_m1() - g.re.exp() * (2.0 * half * half + 2.0 * t / self.gap * g.im.sin())
     }

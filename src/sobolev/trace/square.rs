@@ -4,12 +4,11 @@ use super::half_plane::require_trace;
 use super::increments::{EdgeFamily, Family, Increments, Parity};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
+use crate::numeric::dense::product;
 use crate::numeric::pencil::Factored;
 use crate::quadrature::Rule;
 use crate::sobolev::order::FractionalOrder;
-use faer::Mat;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Par};
+use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
 /// Ratio of the cells of the displacements, and points in a cell: value and judge.
@@ -89,7 +88,7 @@ impl SquareTrace {
             let kept: Vec<f64> = (first..=modes).step_by(2).map(|k| k as f64).collect();
             let n = kept.len();
             let energy = |k: f64| 0.5 * k * PI * (k * PI).tanh();
-            let energy = Mat::from_fn(n, n, |i, j| if i == j { energy(kept[i]) } else { 0.0 });
+            let energy = DMatrix::from_fn(n, n, |i, j| if i == j { energy(kept[i]) } else { 0.0 });
             let edge = cosine_edge(&kept)?;
             let (value, _) = Factored::new(&energy)?.largest_eigenvalue(&edge)?;
             found.push(Estimate::new(value, ROUNDING * value, Work::default())?);
@@ -110,10 +109,10 @@ fn require_degree(name: &'static str, value: usize) -> Result<()> {
 }
 
 /// ∫∫ (c_j(x)−c_j(y)) (c_k(x)−c_k(y)) (x−y)^{-2}, c_k = cos(kπx), for modes of one parity.
-fn cosine_edge(modes: &[f64]) -> Result<Mat<f64>> {
+fn cosine_edge(modes: &[f64]) -> Result<DMatrix<f64>> {
     let most = modes.last().copied().unwrap_or(1.0);
     let (cells, rule) = (2 * most as usize, Rule::gauss_legendre(10)?);
-    let mut edge = Mat::<f64>::zeros(modes.len(), modes.len());
+    let mut edge = DMatrix::<f64>::zeros(modes.len(), modes.len());
     // ∫ sin(jπz) sin(kπz) over (a/2, 1 − a/2), j ± k even
     let overlap =
         |m: f64, a: f64| if m == 0.0 { 1.0 - a } else { -(0.5 * m * PI * a).sin() * 2.0 / (m * PI) };
@@ -153,14 +152,14 @@ fn quotient(
     let (s, n, m) = (order.value(), x.count(), y.count());
     let of_x: Vec<Increments> = steps.iter().map(|&(a, _)| Increments::new(x, a)).collect::<Result<_>>()?;
     let count = steps.len();
-    let kernel = Mat::from_fn(count, count, |i, j| {
+    let kernel = DMatrix::from_fn(count, count, |i, j| {
         let ((a, v), (b, w)) = (steps[i], steps[j]);
         4.0 * v * w * a.hypot(b).powf(-2.0 - 2.0 * s)
     });
     // Both factors as matrices: displacement by pair of functions.
     let term = |left: fn(&Increments) -> &Vec<f64>, right: fn(&Increments) -> &Vec<f64>| {
-        let right = Mat::from_fn(count, m * m, |b, jl| right(&of_y[b])[jl]);
-        let left = Mat::from_fn(n * n, count, |ik, a| left(&of_x[a])[ik]);
+        let right = DMatrix::from_fn(count, m * m, |b, jl| right(&of_y[b])[jl]);
+        let left = DMatrix::from_fn(n * n, count, |ik, a| left(&of_x[a])[ik]);
         product(&left, &product(&kernel, &right))
     };
     let squares = [term(|x| &x.both, |y| &y.plain), term(|x| &x.moved, |y| &y.both)];
@@ -169,7 +168,7 @@ fn quotient(
     let dropped = usize::from(x.first == 0);
     let size = n * m - dropped;
     let place = |k: usize| ((k + dropped) / m, (k + dropped) % m);
-    let energy = Mat::from_fn(size, size, |p, q| {
+    let energy = DMatrix::from_fn(size, size, |p, q| {
         let ((i, j), (k, l)) = (place(p), place(q));
         let (here, there) = ((i * n + k, j * m + l), (k * n + i, l * m + j));
         squares[0][here] + squares[1][here] + mixed[here] + mixed[there]
@@ -178,7 +177,7 @@ fn quotient(
         |ik: usize| steps.iter().zip(&of_x).map(|(&(a, v), x)| 2.0 * v * a.powf(-2.0 * s) * x.both[ik]).sum();
     let rows: Vec<f64> = (0..n * n).map(row).collect();
     let at_edge = y.at_edge();
-    let edge = Mat::from_fn(size, size, |p, q| {
+    let edge = DMatrix::from_fn(size, size, |p, q| {
         let ((i, j), (k, l)) = (place(p), place(q));
         rows[i * n + k] * at_edge[j] * at_edge[l]
     });
@@ -196,12 +195,6 @@ fn graded(order: FractionalOrder, points: usize) -> Result<Vec<(f64, f64)>> {
         all.extend(rule.iter().map(|(t, w)| (low + (high - low) * t, (high - low) * w)));
     }
     Ok(all)
-}
-
-fn product(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-    let mut result = Mat::<f64>::zeros(a.nrows(), b.ncols());
-    matmul(result.as_mut(), Accum::Replace, a.as_ref(), b.as_ref(), 1.0, Par::Seq);
-    result
 }
 
 #[cfg(test)]

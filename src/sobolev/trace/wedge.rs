@@ -172,6 +172,18 @@ mod tests {
             let limit = WedgeTrace::quotient_at_one(angle, tau).unwrap();
             assert!((found.value * scale / limit - 1.0).abs() < 1e-3, "{angle} {tau}: {found} {limit}");
         }
+        // The rules come as close as 1 − s; the quotient goes to its limit like 1 − s.
+        for distance in [1e-3, 1e-5, 1e-8] {
+            let order = FractionalOrder::new(1.0 - distance).unwrap();
+            let scale = 0.5 * PI / order.complement();
+            for (angle, tau) in [(FRAC_PI_2, 0.0), (2.0, 1.0), (0.5, 0.3)] {
+                let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
+                let limit = WedgeTrace::quotient_at_one(angle, tau).unwrap();
+                let apart = (found.value * scale / limit - 1.0).abs();
+                let allowed = 3.0 * distance + found.error * scale / limit;
+                assert!(apart < allowed, "1 - s = {distance}, {angle} {tau}: {apart} > {allowed}");
+            }
+        }
         let [below, above] = [0.999e-3, 1.001e-3].map(|x| WedgeTrace::quotient_at_one(1.0, x / PI).unwrap());
         assert!((below / above - 1.0).abs() < 1e-8);
     }

@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::quadrature::Rule;
 use crate::sobolev::closed_forms;
 use crate::sobolev::order::FractionalOrder;
-use faer::Mat;
+use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
 /// How fine: degree, points of a rule, levels of rules graded to a singular point, first element.
@@ -31,7 +31,7 @@ type Points = Vec<(f64, f64)>;
 
 /// The quadratic form of the energy.
 pub(super) struct AngularForm {
-    pub(super) matrix: Mat<f64>,
+    pub(super) matrix: DMatrix<f64>,
     pub(super) linear: Vec<f64>,
     pub(super) constant: f64,
 }
@@ -90,9 +90,12 @@ impl WedgeElements {
         })
     }
 
-    /// An angle below every distance of two points of the rules.
+    /// An angle below every distance of two points of the rules, which come as close as 1−s near s = 1.
     pub(super) fn smallest(&self) -> f64 {
-        1e-8 * self.cuts[1]
+        let shortest = (0..self.cuts.len() - 1).map(|e| self.size(e)).fold(self.angle, f64::min);
+        let rules = [&self.plain, &self.same, &self.touching, &self.graded];
+        let nearest = rules.into_iter().flatten().map(|&(t, _)| t).fold(1.0, f64::min);
+        0.5 * nearest * shortest
     }
 
     fn size(&self, e: usize) -> f64 {
@@ -165,7 +168,8 @@ impl WedgeElements {
         let elements = self.cuts.len() - 1;
         let (last, count) = self.unknowns(elements - 1);
         let size = last + count;
-        let mut form = AngularForm { matrix: Mat::zeros(size, size), linear: vec![0.0; size], constant: 0.0 };
+        let mut form =
+            AngularForm { matrix: DMatrix::zeros(size, size), linear: vec![0.0; size], constant: 0.0 };
         form.matrix[(0, 0)] = self.first_energy()?;
         for e in 0..elements {
             for f in e..elements {
