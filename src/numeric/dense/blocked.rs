@@ -1,4 +1,4 @@
-//! By faer. What is small stays on one thread: on a few hundred rows threads would spend their time waiting for
+//! By faer. What is small stays on one thread: on some dozen rows threads would spend their time waiting for
 //! each other, and callers solve several problems at once.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -9,7 +9,7 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
 
-/// Rows from which the threads of the caller are used.
+/// Rows from which the threads of the caller are used, except for eigenvectors: a few hundred rows at most.
 const LARGE: usize = 200;
 
 fn threads(rows: usize) -> Par {

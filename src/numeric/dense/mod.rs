@@ -1,8 +1,8 @@
 //! Dense matrices: products, Cholesky factors, eigenvectors.
 //!
-//! Two libraries stand behind the same functions: faer, with blocked algorithms, where the feature `faer` is on
-//! (a part of `contact`), and nalgebra, which is built in less, where it is not. The matrices are nalgebra's either
-//! way: columns one after the other. Tests compare the two.
+//! Two libraries stand behind the same functions: faer, with blocked algorithms, where the feature `faer` is
+//! on (a part of `contact`), and nalgebra, which is built in less, where it is not. The matrices are
+//! nalgebra's either way: columns one after the other. Tests compare the two.
 
 #[cfg(feature = "faer")]
 mod blocked;
