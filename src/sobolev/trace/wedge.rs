@@ -15,8 +15,9 @@ const FINENESS: [Fineness; 2] = [
     Fineness { degree: 7, points: 11, levels: 3, first: 1e-4 },
     Fineness { degree: 9, points: 14, levels: 4, first: 1e-5 },
 ];
-/// Rounding of the matrix, relative to the energy.
+/// Rounding of the matrix, relative to the energy; and what 1 − s loses of its digits, in ε/(1−s).
 const ROUNDING: f64 = 1e-12;
+const LOST: f64 = 16.0 * f64::EPSILON;
 /// Smallest angle and largest τ: what the meshes resolve.
 const ANGLES: &str = "[0.1, pi]";
 const LARGEST_TAU: f64 = 100.0;
@@ -96,7 +97,7 @@ impl WedgeTrace {
         let edge = self.edge(tau);
         let [coarse, fine] = FINENESS.map(|fineness| self.least_energy(tau, fineness));
         let ((coarse, _), (fine, points)) = (coarse?, fine?);
-        let error = (fine - coarse).abs() + ROUNDING * fine;
+        let error = (fine - coarse).abs() + (ROUNDING + LOST / self.order.complement()) * fine;
         let work = Work { points, factorizations: 2, ..Work::default() };
         Estimate::new(edge / fine, edge / fine * error / fine, work)
     }
