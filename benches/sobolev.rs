@@ -3,8 +3,9 @@
 #![allow(missing_docs)] // criterion_group writes public items of its own
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use signorini::Tolerance;
-use signorini::sobolev::{FractionalOrder, GramOperator, Partition, SingularFunction, gram_linears};
+use fractional_sobolev::{
+    FractionalOrder, GramOperator, Partition, SingularFunction, Tolerance, gram_linears,
+};
 use std::hint::black_box;
 
 fn closures(c: &mut Criterion) {

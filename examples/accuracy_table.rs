@@ -9,7 +9,7 @@
 use cases::{Family, Row, families};
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
-use signorini::Tolerance;
+use fractional_sobolev::Tolerance;
 use std::process::ExitCode;
 
 #[path = "cases/accuracy/mod.rs"]
@@ -39,7 +39,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
         bar.inc(1);
         row
     };
-    Ok(all.iter().map(row).collect::<signorini::Result<_>>()?)
+    Ok(all.iter().map(row).collect::<fractional_sobolev::Result<_>>()?)
 }
 
 /// What decides: true errors against the promise and the tolerance, and what was refused.

@@ -4,9 +4,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
-use signorini::Estimate;
-use signorini::interpolation::limits::pointwise;
-use signorini::interpolation::{extremal_slopes, largest_share, mean_deviation};
+use fractional_sobolev::{
+    Estimate,
+    interpolation::{extremal_slopes, largest_share, limits::pointwise, mean_deviation},
+};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -8,9 +8,10 @@
 use cases::{ADMISSIBLE, INADMISSIBLE};
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use signorini::poincare::{Condition, UniformLaw, Zone, gamma};
-use signorini::sobolev::FractionalOrder;
-use signorini::{Error, Tolerance};
+use fractional_sobolev::{
+    FractionalOrder, Tolerance,
+    poincare::{Condition, UniformLaw, Zone, gamma},
+};
 use std::process::ExitCode;
 
 #[path = "cases/extremes.rs"]
@@ -45,7 +46,7 @@ pub struct Bad {
     /// What was asked.
     pub asked: &'static str,
     /// The answer.
-    pub answer: std::result::Result<f64, Error>,
+    pub answer: signorini::Result<f64>,
     /// Whether it is an error that names what is wrong.
     pub is_named: bool,
 }

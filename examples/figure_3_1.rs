@@ -6,7 +6,6 @@
 use example_frame::rates::{HALF_WIDTH, order_columns, orders_on_curves};
 use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use signorini::Error;
 use signorini::convergence::{Bound, StripGroup};
 use signorini::scenes::StripScene;
 use signorini::strip::{Levels, StripKind};
@@ -45,7 +44,7 @@ pub struct Computed {
 /// Solves all levels at every τ in both cones.
 pub fn compute(options: &Options) -> Result<Computed> {
     for &tau in &options.tau {
-        Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)?;
+        fractional_sobolev::Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)?;
     }
     let reference = (32 * options.levels.finest_cells()).min(1 << 22);
     let group = StripGroup::new(options.kind, options.levels, reference);

@@ -9,9 +9,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use signorini::poincare::{Condition, Zone, extremal, mean_free_quotient, peetre_tartar};
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    poincare::{Condition, Zone, extremal, mean_free_quotient, peetre_tartar},
+};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -62,7 +63,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
             let quotients = functions.iter().map(|(_, u)| of(u)).collect::<Result<Vec<Estimate>>>()?;
             let alpha = peetre_tartar(functions[k].0)?;
             let over = quotients.iter().map(|quotient| quotient.over(alpha));
-            let mut over = over.collect::<signorini::Result<Vec<Estimate>>>()?;
+            let mut over = over.collect::<fractional_sobolev::Result<Vec<Estimate>>>()?;
             let (attained, others) = (over.remove(k), Estimate::smallest(over));
             let (at, gamma) = ((nu.value(), theta), functions[k].0);
             rows.push(Row { at, gamma, alpha, quotient: quotients[k], attained, others });

@@ -9,12 +9,13 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use signorini::poincare::{
-    Condition, END_SLOPE, HalfBracket, INTERIOR_SLOPE, LawRest, Place, UniformLaw, gamma, growth,
-    last_exponent,
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    poincare::{
+        Condition, END_SLOPE, HalfBracket, INTERIOR_SLOPE, LawRest, Place, UniformLaw, gamma, growth,
+        last_exponent,
+    },
 };
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -61,7 +62,11 @@ pub fn compute(options: &Options) -> Result<Computed> {
     Ok(Computed {
         points,
         power: last_exponent(&rests)?,
-        beyond: options.log.iter().map(|&log| HalfBracket::new(log)).collect::<signorini::Result<_>>()?,
+        beyond: options
+            .log
+            .iter()
+            .map(|&log| HalfBracket::new(log))
+            .collect::<fractional_sobolev::Result<_>>()?,
         inside: growth(half, &inside)?,
     })
 }

@@ -9,9 +9,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use signorini::poincare::{InductionStep, induction, scaling_defect};
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    poincare::{InductionStep, induction, scaling_defect},
+};
 use std::f64::consts::SQRT_2;
 use std::process::ExitCode;
 

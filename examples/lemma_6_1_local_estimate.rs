@@ -5,9 +5,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use signorini::interpolation::{LocalConstants, WorstRatios, worst_ratios};
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    interpolation::{LocalConstants, WorstRatios, worst_ratios},
+};
 use std::process::ExitCode;
 
 example_frame::options! {

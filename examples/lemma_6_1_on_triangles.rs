@@ -4,8 +4,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use signorini::interpolation::{TriangleConstant, TriangleConstants, TriangleShape, kobayashi};
-use signorini::sobolev::FractionalOrder;
+use fractional_sobolev::{
+    FractionalOrder,
+    interpolation::{TriangleConstant, TriangleConstants, TriangleShape, kobayashi},
+};
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;
 

@@ -4,9 +4,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use signorini::interpolation::{TriangleConstants, TriangleShape, kobayashi};
-use signorini::sobolev::FractionalOrder;
-use signorini::{Error, Estimate};
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder,
+    interpolation::{TriangleConstants, TriangleShape, kobayashi},
+};
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;
 

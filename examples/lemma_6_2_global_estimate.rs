@@ -5,9 +5,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use signorini::interpolation::{InterpolationError, LocalConstants, MeshRatios, SampleSlope};
-use signorini::sobolev::{FractionalOrder, Partition};
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Partition, Tolerance,
+    interpolation::{InterpolationError, LocalConstants, MeshRatios, SampleSlope},
+};
 use std::process::ExitCode;
 
 /// Cells per element and largest number of elements for the best constant on a mesh.

@@ -6,11 +6,12 @@
 
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
-use signorini::interpolation::{
-    AliasedWave, ErrorNorm, all_waves_rate, element_constant, observed_rates, smooth_dual_error,
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    interpolation::{
+        AliasedWave, ErrorNorm, all_waves_rate, element_constant, observed_rates, smooth_dual_error,
+    },
 };
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
 /// Distance of a measured exponent from the theoretical one that counts as agreement.
@@ -61,7 +62,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
         return Err(Error::Option("2 to 20 meshes of 1 to 1024 elements".into()));
     }
     let elements: Vec<usize> = (0..count).map(|k| first << k).collect();
-    let series = |error: fn(usize) -> signorini::Result<Estimate>| {
+    let series = |error: fn(usize) -> fractional_sobolev::Result<Estimate>| {
         let meshes: Vec<_> = elements.iter().map(|&n| Ok((n, error(n)?))).collect::<Result<_>>()?;
         Result::Ok(Series {
             errors: meshes.iter().map(|mesh| mesh.1).collect(),

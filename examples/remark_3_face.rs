@@ -4,9 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
 use signorini::proof::FaceGaps;
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -8,11 +8,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, increasing, within};
-use signorini::poincare::{
-    Condition, NormChain, TruncatedFamily, Zone, gamma, last_exponent, truncated_slope,
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    poincare::{Condition, NormChain, TruncatedFamily, Zone, gamma, last_exponent, truncated_slope},
 };
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -51,7 +50,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
         constants.push((log, gamma(FractionalOrder::HALF, zone, Condition::Vanishing, options.tolerance)?));
     }
     let family = |&alpha| TruncatedFamily::new(alpha, &constants, Tolerance::balanced());
-    let families = options.alpha.iter().map(family).collect::<signorini::Result<Vec<_>>>()?;
+    let families = options.alpha.iter().map(family).collect::<fractional_sobolev::Result<Vec<_>>>()?;
     Ok(Computed { families, growth: last_exponent(&constants)?, constants })
 }
 

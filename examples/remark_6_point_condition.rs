@@ -8,9 +8,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use signorini::poincare::{Condition, END_SLOPE, Zone, gamma, gamma_at_point};
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    poincare::{Condition, END_SLOPE, Zone, gamma, gamma_at_point},
+};
 use std::process::ExitCode;
 
 example_frame::options! {

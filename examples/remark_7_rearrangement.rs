@@ -6,10 +6,13 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use signorini::interpolation::{RoughFamily, rearranged_shares};
-use signorini::poincare::{Condition, MovedZone, ZoneCase, random_zones};
-use signorini::sobolev::{FractionalOrder, sorted_share_of_orders, sorted_share_of_random};
-use signorini::{Estimate, Tolerance};
+use experiments::arrangement::{MovedZone, ZoneCase, random_zones};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    interpolation::{RoughFamily, rearranged_shares},
+    poincare::Condition,
+    sorted_share_of_orders, sorted_share_of_random,
+};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -16,9 +16,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use signorini::poincare::Places;
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, poincare::Places};
 use std::process::ExitCode;
 
 example_frame::options! {

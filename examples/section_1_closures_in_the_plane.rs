@@ -4,8 +4,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use signorini::sobolev::{FractionalOrder, SectorPower, SingularPlaneFunction, Triangles};
-use signorini::{Error, Estimate, Tolerance};
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, SectorPower, SingularPlaneFunction, Tolerance, Triangles,
+};
 use std::f64::consts::{PI, SQRT_2};
 use std::process::ExitCode;
 
@@ -50,7 +51,7 @@ fn shapes() -> [Shape; 4] {
 }
 
 /// |r^a sin(πφ/ω)|_s, times r²/(r² + δ²), on the polygon, its triangles cut or not.
-fn norm(o: &Options, shape: &Shape, gap: f64, cut: bool, delta: f64) -> signorini::Result<Estimate> {
+fn norm(o: &Options, shape: &Shape, gap: f64, cut: bool, delta: f64) -> fractional_sobolev::Result<Estimate> {
     let (a, b, star) = (gap - o.s.complement(), PI / shape.2, Triangles::star(&shape.1)?);
     let mesh = if cut { star.cut_at(0, 0.45)? } else { star };
     let w = SingularPlaneFunction::new(mesh, &[(0, if delta > 0.0 { a + 2.0 } else { a })], |at| {

@@ -4,8 +4,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed, within};
-use signorini::sobolev::{FractionalOrder, Partition, PiecewisePolynomial, SingularFunction};
-use signorini::{Error, Estimate, Tolerance};
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, Tolerance,
+};
 use std::f64::consts::PI;
 use std::process::ExitCode;
 

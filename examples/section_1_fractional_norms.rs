@@ -4,8 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
-use signorini::sobolev::{FractionalOrder, GalleryFunction};
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{Estimate, FractionalOrder, GalleryFunction, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

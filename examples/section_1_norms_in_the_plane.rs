@@ -4,11 +4,11 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use signorini::numeric::random::SplitMix;
-use signorini::sobolev::{
-    FractionalOrder, PlaneFunction, Triangles, coordinate_on_unit_square, gradient_limit, perimeter_limit,
+use experiments::SplitMix;
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, PlaneFunction, Tolerance, Triangles, coordinate_on_unit_square,
+    gradient_limit, perimeter_limit,
 };
-use signorini::{Error, Estimate, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

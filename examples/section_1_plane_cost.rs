@@ -4,11 +4,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
-use signorini::sobolev::{
-    FractionalOrder, GridOperator, PlaneFunction, PlanePosition, SingularPlaneFunction, Triangles,
-    coordinate_on_unit_square,
+use fractional_sobolev::{
+    Estimate, FractionalOrder, GridOperator, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance,
+    Triangles, coordinate_on_unit_square,
 };
-use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -4,8 +4,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use signorini::Estimate;
-use signorini::sobolev::{BoundaryFunction, FractionalOrder, Partition, PolygonalCurve, closed_forms};
+use fractional_sobolev::{
+    BoundaryFunction, Estimate, FractionalOrder, Partition, PolygonalCurve, closed_forms,
+};
 use std::f64::consts::{LN_2, PI, TAU};
 use std::process::ExitCode;
 
@@ -62,7 +63,8 @@ fn row(options: &Options, polygon: &str, n: usize) -> Result<Row> {
         ((c - a).hypot(d - b), d - b)
     };
     let elements = |k: usize| Partition::uniform(n * side(k).0.round() as usize, 1.0);
-    let meshes: Vec<Partition> = (0..points.len()).map(elements).collect::<signorini::Result<_>>()?;
+    let meshes: Vec<Partition> =
+        (0..points.len()).map(elements).collect::<fractional_sobolev::Result<_>>()?;
     let curve = PolygonalCurve::closed(&points, &meshes)?;
     let x = BoundaryFunction::interpolate(curve.clone(), |x| x[0])?;
     let coordinate = square(&x, options)?.times(2.0 * curve.length().powi(-2))?;

@@ -4,8 +4,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use signorini::Estimate;
-use signorini::sobolev::{FractionalOrder, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, SquareTrace, WedgeTrace, extension_profile, half_plane_trace,
+};
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
@@ -63,7 +64,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let row = |&order: &FractionalOrder| -> Result<Row> {
         let constant = half_plane_trace(order)?;
         let over = |found: Estimate| found.times(constant.value.powi(-2));
-        let all = |shape: WedgeTrace, modes: &[f64]| -> signorini::Result<Vec<Estimate>> {
+        let all = |shape: WedgeTrace, modes: &[f64]| -> fractional_sobolev::Result<Vec<Estimate>> {
             modes.iter().map(|&mu| over(shape.quotient(mu)?)).collect()
         };
         let half_plane = all(WedgeTrace::half_plane(order)?, &CORNER[..3])?;

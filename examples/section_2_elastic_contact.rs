@@ -3,7 +3,7 @@
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
 use example_frame::{Error, Finding, Headline, Result, contact};
-use signorini::Tolerance;
+use fractional_sobolev::Tolerance;
 use signorini::cone::{Cone, Judgement, NOISE};
 use signorini::contact::{Accuracy, Solver};
 use signorini::scenes::MeshScene::{Corner, Leaning, Raised, Taper};

@@ -5,7 +5,7 @@
 
 use example_frame::contact::{RoadsRow as Row, compressibility_chart, two_roads_table, worst};
 use example_frame::{Finding, Headline, Result, progress, within};
-use signorini::Tolerance;
+use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::contact::{Fallback, MOST_INCOMPRESSIBLE};
 use signorini::scenes::{HardCase, MeshScene};

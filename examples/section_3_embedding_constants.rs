@@ -5,11 +5,12 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use signorini::Estimate;
-use signorini::interpolation::{
-    EMBEDDING_GROWTH, EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound,
+use fractional_sobolev::{
+    Estimate, FractionalOrder,
+    interpolation::{
+        EMBEDDING_GROWTH, EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound,
+    },
 };
-use signorini::sobolev::FractionalOrder;
 use std::process::ExitCode;
 
 /// C(q)/√q lies between these for q = 2 ... 200: below its limit 0.16719..., above 1/√2 at q = 2.

@@ -6,12 +6,13 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use signorini::poincare::{Moment, StrongForm, half_order_moment, moment_extremal};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    poincare::{Moment, StrongForm, half_order_moment, moment_extremal},
+};
 use signorini::proof::{
     SegmentConstant, consistency_constant, half_sharpened, midpoint_bound, product_constant,
 };
-use signorini::sobolev::FractionalOrder;
-use signorini::{Estimate, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

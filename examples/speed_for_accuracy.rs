@@ -7,7 +7,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
-use signorini::Tolerance;
+use fractional_sobolev::Tolerance;
 use std::process::ExitCode;
 use std::time::Instant;
 use toolkit::{Case, cases};

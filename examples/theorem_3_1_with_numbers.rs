@@ -7,7 +7,6 @@ use example_frame::figures::{Axis, Chart, Series};
 pub use example_frame::shown::numbers::numbered_findings as findings;
 use example_frame::shown::numbers::numbered_table;
 use example_frame::{Headline, Result, progress, within};
-use signorini::Error;
 use signorini::cone::Cone;
 use signorini::proof::{NumberedRow, NumberedStudy, TheoremNumbers};
 use signorini::scenes::RoughTransition;
@@ -36,7 +35,12 @@ const CONSTANT: &str = "interpolation, right isosceles triangles with legs h";
 
 /// Both cones for every tau.
 pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
-    Error::require("above", options.above, "(0, 0.4]", options.above > 0.0 && options.above <= 0.4)?;
+    fractional_sobolev::Error::require(
+        "above",
+        options.above,
+        "(0, 0.4]",
+        options.above > 0.0 && options.above <= 0.4,
+    )?;
     let bar = progress(2 * options.tau.len() as u64);
     let mut studies = Vec::new();
     for &tau in &options.tau {

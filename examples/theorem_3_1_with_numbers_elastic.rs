@@ -6,7 +6,6 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::shown::numbers::{decided_by, effectivity, numbered_findings, numbered_table};
 use example_frame::{Finding, Headline, Result, progress, within};
-use signorini::Error;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::proof::{NumberedStudy, TheoremNumbers};
@@ -39,7 +38,12 @@ example_frame::options! {
 
 /// Both cones for every tau.
 pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
-    Error::require("above", options.above, "(0, 0.4]", options.above > 0.0 && options.above <= 0.4)?;
+    fractional_sobolev::Error::require(
+        "above",
+        options.above,
+        "(0, 0.4]",
+        options.above > 0.0 && options.above <= 0.4,
+    )?;
     let lame = Lame::new(options.lambda, options.mu)?;
     let bar = progress(2 * options.tau.len() as u64);
     let mut studies = Vec::new();

@@ -5,7 +5,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress, within};
-use signorini::estimate::Estimate;
+use fractional_sobolev::Estimate;
 use signorini::proof::{ExtrapolatedRow, ExtrapolatedStudy, FineForms, SolvedBody, TheoremNumbers};
 use signorini::scenes::LoadedBody;
 use std::process::ExitCode;

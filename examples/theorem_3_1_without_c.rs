@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table, progress, within};
-use signorini::Tolerance;
+use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::proof::{BoundProblem, BoundRow, BoundStudy, MeshShape, segment_versions};

@@ -7,8 +7,8 @@
 use example_frame::{
     Cell, Column, Finding, Format, Headline, Outcome, Output, Result, Role, Table, progress,
 };
+use fractional_sobolev::FractionalOrder;
 use signorini::cone::Cone;
-use signorini::sobolev::FractionalOrder;
 use std::process::ExitCode;
 use std::time::Instant;
 

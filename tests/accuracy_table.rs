@@ -5,7 +5,7 @@
 mod example;
 
 use example_frame::{Outcome, Verdict};
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{Estimate, Tolerance};
 
 fn outcome(rows: &[example::cases::Row], key: &str) -> Outcome {
     let found = example::findings(rows);

@@ -20,14 +20,16 @@ mod scene;
 mod stiffness;
 
 use count::Counts;
+use experiments::SplitMix;
+use fractional_sobolev::Tolerance;
 use meshes::grid;
 use program::Program;
 use scene::Scene;
+use signorini::Error;
+use signorini::ToolkitError;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{Accuracy, ContactSolution, Solver};
 use signorini::mesh::{ContactEdge, Part, Triangulation};
-use signorini::numeric::random::SplitMix;
-use signorini::{Error, Tolerance};
 
 fn variable(name: &str) -> Option<u64> {
     let text = std::env::var(name).ok()?;
@@ -106,12 +108,20 @@ fn every_solver_on_several_contact_edges() {
         attack(seed, &scene, Cone::Nodal, &mut counts);
         let midpoint = scene.problem().and_then(|problem| problem.solve(Cone::Midpoint, Solver::Auto));
         assert!(
-            matches!(midpoint, Err(Error::Incompatible { .. } | Error::Triangle { .. })),
+            matches!(
+                midpoint,
+                Err(Error::Toolkit(ToolkitError::Incompatible { .. })
+                    | Error::Toolkit(ToolkitError::Triangle { .. }))
+            ),
             "scene {seed}: {midpoint:?}"
         );
         let barrier =
             scene.problem().and_then(|problem| problem.solve_by_sizes(&vec![1.0; scene.mesh.chain.len()]));
-        let named = matches!(barrier, Err(Error::CountOutOfRange { .. } | Error::Triangle { .. }));
+        let named = matches!(
+            barrier,
+            Err(Error::Toolkit(ToolkitError::CountOutOfRange { .. })
+                | Error::Toolkit(ToolkitError::Triangle { .. }))
+        );
         assert!(named, "scene {seed}: the barrier takes several pieces for one");
     }
     println!("{} scenes of two contact edges, {} of three; {slanted} slanted", edges[2], edges[3]);

@@ -9,17 +9,19 @@
 
 use example_frame::Expression;
 use example_frame::contact::Material;
+use experiments::SplitMix;
+use fractional_sobolev::{
+    FractionalOrder, GalleryFunction, Tolerance,
+    interpolation::SampleSlope,
+    poincare::{Condition, Place},
+};
 use peak_alloc::PeakAlloc;
-use signorini::interpolation::SampleSlope;
+use signorini::Error;
+use signorini::ToolkitError;
 use signorini::mesh::parse_msh;
-use signorini::numeric::random::SplitMix;
-use signorini::numeric::text::pairs;
-use signorini::poincare::{Condition, Place};
 use signorini::proof::Resolution;
 use signorini::scenes::{MeshScene, Scene, StripScene};
-use signorini::sobolev::{FractionalOrder, GalleryFunction};
 use signorini::strip::{EdgeData, Levels, Sides};
-use signorini::{Error, Tolerance};
 use std::collections::BTreeSet;
 use std::fmt::{Debug, Display};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -113,7 +115,6 @@ fn grammars() -> Vec<Grammar> {
     vec![
         Grammar { name: "gmsh", seeds: [all(&GMSH), vec![crlf]].concat(), read: mesh },
         Grammar { name: "samples", seeds: all(&[EDGE, "0 0\n-1 0\n"]), read: samples },
-        Grammar { name: "rows", seeds: all(&[EDGE]), read: rows },
         Grammar { name: "scene", seeds: [scenes, strips].concat(), read: scene },
         Grammar { name: "order", seeds: all(&orders), read: order },
         Grammar { name: "tolerance", seeds: all(&["fast", "reference", "1e-9"]), read: word::<Tolerance> },
@@ -134,7 +135,7 @@ fn plain<T: FromStr<Err: Display> + Debug>(text: &str) -> Answer {
 }
 
 /// What is read is written so that the same is read again.
-fn word<T: FromStr<Err = Error> + Display + PartialEq + Debug>(text: &str) -> Answer {
+fn word<T: FromStr<Err: Display + Debug + PartialEq> + Display + PartialEq + Debug>(text: &str) -> Answer {
     if let Ok(found) = text.parse::<T>() {
         let written = found.to_string();
         if written.parse().as_ref() != Ok(&found) {
@@ -224,14 +225,12 @@ fn mesh(text: &str) -> Answer {
     with_line(text, read.map(|mesh| format!("{} triangles", mesh.triangles().len())))
 }
 
-fn rows(text: &str) -> Answer {
-    with_line(text, pairs(text, "samples").map(|rows| format!("{} rows", rows.len())))
-}
-
 /// The number of rows is a fault of no line.
 fn samples(text: &str) -> Answer {
     match EdgeData::from_samples(text, Sides::Natural) {
-        Err(error @ (Error::CountOutOfRange { .. } | Error::EmptyContact { .. })) => kind(Err(error)),
+        Err(error @ (Error::Toolkit(ToolkitError::CountOutOfRange { .. }) | Error::EmptyContact { .. })) => {
+            kind(Err(error))
+        }
         Err(error) => with_line(text, Err(error)),
         data => edge(data),
     }

@@ -1,9 +1,9 @@
 //! (6.2): |v(x) − v̄| ≤ h^{1/2} ‖v'‖₀, its best constant at every point.
 
-use signorini::Estimate;
-use signorini::interpolation::limits::pointwise;
-use signorini::interpolation::{extremal_slopes, largest_share, mean_deviation};
-use signorini::quadrature::Rule;
+use fractional_sobolev::{
+    Estimate, Rule,
+    interpolation::{extremal_slopes, largest_share, limits::pointwise, mean_deviation},
+};
 
 #[allow(dead_code)]
 #[path = "../examples/equation_6_2_mean.rs"]

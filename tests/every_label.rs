@@ -99,7 +99,8 @@ fn faults(row: &[String], values: &Value) -> Vec<String> {
     }
     for name in directives(test, "test") {
         let (file, function) = name.split_once("::").unwrap_or((name, ""));
-        if !read(&format!("tests/{file}.rs")).contains(&format!("fn {function}(")) {
+        let source = [read(&format!("tests/{file}.rs")), read(&format!("toolkit/tests/{file}.rs"))].concat();
+        if !source.contains(&format!("fn {function}(")) {
             faults.push(format!("{label}: no test {name}"));
         }
     }

@@ -8,8 +8,8 @@
 //! is missing. `SIGNORINI_FUZZ=100000 cargo test --release --test hostile_command_lines -- --nocapture random`
 //! takes as many, `SIGNORINI_SEED=7` other ones.
 
+use experiments::SplitMix;
 use serde_json::Value;
-use signorini::numeric::random::SplitMix;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};

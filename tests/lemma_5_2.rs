@@ -2,12 +2,13 @@
 //! cases.
 
 use example_frame::{Outcome, Verdict};
-use signorini::poincare::{
-    Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, closing_factor, end_limit, extremal,
-    gamma, gamma_at_point, gamma_whole, growth, interior_limit, largest_mean, printed_growth, two_sided,
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, Tolerance,
+    poincare::{
+        Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, closing_factor, end_limit, extremal,
+        gamma, gamma_at_point, gamma_whole, growth, interior_limit, largest_mean, printed_growth, two_sided,
+    },
 };
-use signorini::sobolev::FractionalOrder;
-use signorini::{Error, Estimate, Tolerance};
 use std::sync::LazyLock;
 
 #[path = "../examples/lemma_5_2_induction.rs"]
@@ -32,7 +33,7 @@ fn constant(nu: f64, zone: Zone, tolerance: f64) -> f64 {
 #[test]
 fn constants_agree_with_the_reference_and_keep_their_promise() {
     let rows: serde_json::Value =
-        serde_json::from_str(include_str!("reference/gamma_reference.json")).unwrap();
+        serde_json::from_str(include_str!("../toolkit/tests/reference/gamma_reference.json")).unwrap();
     for (index, row) in rows.as_array().unwrap().iter().enumerate() {
         let (nu, exact) = (number(row, "nu_decimal"), number(row, "gamma"));
         let zone = Zone::end(number(row, "theta_decimal")).unwrap();
@@ -54,7 +55,7 @@ const LOCATION: f64 = 1e-9;
 
 #[test]
 fn constants_of_zones_inside_agree_with_the_reference() {
-    let text = include_str!("reference/limits_reference.json");
+    let text = include_str!("../toolkit/tests/reference/limits_reference.json");
     let rows: serde_json::Value = serde_json::from_str(text).unwrap();
     for row in rows["location"].as_array().unwrap() {
         let (nu, theta, exact) = (number(row, "nu"), number(row, "theta"), number(row, "gamma"));
@@ -72,7 +73,7 @@ const LIMIT: f64 = 1e-10;
 
 #[test]
 fn limits_agree_with_the_reference() {
-    let text = include_str!("reference/limits_reference.json");
+    let text = include_str!("../toolkit/tests/reference/limits_reference.json");
     let rows: serde_json::Value = serde_json::from_str(text).unwrap();
     for row in rows["gamma0"].as_array().unwrap() {
         let (nu, exact) = (number(row, "nu"), number(row, "gamma0"));

@@ -1,9 +1,10 @@
 //! The law of the Poincaré constant at one half: two proved bounds enclose it, and what is left is predicted.
 
 use example_frame::{Outcome, Verdict};
-use signorini::poincare::{Condition, END_SLOPE, HalfBracket, Zone, gamma};
-use signorini::sobolev::FractionalOrder;
-use signorini::{Error, Tolerance};
+use fractional_sobolev::{
+    Error, FractionalOrder, Tolerance,
+    poincare::{Condition, END_SLOPE, HalfBracket, Zone, gamma},
+};
 
 #[path = "../examples/lemma_5_2_exact_law.rs"]
 #[allow(dead_code)]

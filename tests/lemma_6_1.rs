@@ -4,13 +4,14 @@
 #[path = "../examples/lemma_6_1_local_estimate.rs"]
 mod example;
 
-use serde_json::Value;
-use signorini::interpolation::{
-    ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, ascend, element_constant,
-    element_extremal, limits, longest_element, power_slope,
+use fractional_sobolev::{
+    Error, FractionalOrder, Partition, Tolerance,
+    interpolation::{
+        ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, ascend, element_constant,
+        element_extremal, limits, longest_element, power_slope,
+    },
 };
-use signorini::sobolev::{FractionalOrder, Partition};
-use signorini::{Error, Tolerance};
+use serde_json::Value;
 
 /// Asked by the reference comparison: best constants to nine digits.
 const REFERENCE_TOLERANCE: f64 = 1e-9;
@@ -30,7 +31,10 @@ fn order(nu: f64) -> FractionalOrder {
     FractionalOrder::new(nu).unwrap()
 }
 
-fn ratio(error: &InterpolationError, norm: ErrorNorm) -> signorini::Result<signorini::Estimate> {
+fn ratio(
+    error: &InterpolationError,
+    norm: ErrorNorm,
+) -> fractional_sobolev::Result<fractional_sobolev::Estimate> {
     match norm {
         ErrorNorm::L2 => error.l2_ratio(),
         ErrorNorm::Derivative => error.derivative_ratio(),
@@ -40,7 +44,9 @@ fn ratio(error: &InterpolationError, norm: ErrorNorm) -> signorini::Result<signo
 
 #[test]
 fn best_constants_agree_with_the_reference() {
-    let data: Value = serde_json::from_str(include_str!("reference/interpolation_reference.json")).unwrap();
+    let data: Value =
+        serde_json::from_str(include_str!("../toolkit/tests/reference/interpolation_reference.json"))
+            .unwrap();
     let number = |row: &Value, key: &str| row[key].as_str().unwrap().parse::<f64>().unwrap();
     for row in data.as_array().unwrap() {
         for (norm, key) in NORMS.into_iter().zip(["C_L2", "C_H1"]) {
@@ -159,7 +165,7 @@ fn the_extremal_function_attains_its_constant() {
             let extremal = element_extremal(norm, order(nu), Tolerance::balanced()).unwrap();
             // interpolated on a graded mesh with cubics: a slope of another kind, other quadrature
             let partition = Partition::two_sided(12, 0.4, 1.0).unwrap();
-            let slope = signorini::sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
+            let slope = fractional_sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
                 extremal.slope(x.min(1.0)).unwrap()
             })
             .unwrap();
@@ -229,8 +235,8 @@ fn one_function_breaks_the_second_line_on_a_long_element() {
     let longest = longest_element(nu, Tolerance::balanced()).unwrap().value;
     let found = |h: f64| {
         let extremal = element_extremal(ErrorNorm::H1 { h }, nu, Tolerance::balanced()).unwrap();
-        let partition = signorini::sobolev::Partition::two_sided(12, 0.4, 1.0).unwrap();
-        let slope = signorini::sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
+        let partition = fractional_sobolev::Partition::two_sided(12, 0.4, 1.0).unwrap();
+        let slope = fractional_sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
             extremal.slope(x.min(1.0)).unwrap()
         })
         .unwrap();

@@ -5,9 +5,10 @@
 mod example;
 
 use example_frame::Outcome;
-use signorini::Tolerance;
-use signorini::interpolation::{TriangleConstants, TriangleShape, kobayashi};
-use signorini::sobolev::{FractionalOrder, PlaneFunction, Triangles};
+use fractional_sobolev::{
+    FractionalOrder, PlaneFunction, Tolerance, Triangles,
+    interpolation::{TriangleConstants, TriangleShape, kobayashi},
+};
 
 fn order(s: f64) -> FractionalOrder {
     FractionalOrder::new(s).unwrap()

@@ -4,12 +4,13 @@
 #[path = "../examples/lemma_6_2_global_estimate.rs"]
 mod example;
 
-use signorini::interpolation::{
-    ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, SampleSlope, ascend,
-    element_constant, longest_element, mesh_constant, mesh_constant_on_cells,
+use fractional_sobolev::{
+    Error, FractionalOrder, Partition, Tolerance,
+    interpolation::{
+        ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, SampleSlope, ascend,
+        element_constant, longest_element, mesh_constant, mesh_constant_on_cells,
+    },
 };
-use signorini::sobolev::{FractionalOrder, Partition};
-use signorini::{Error, Tolerance};
 
 /// Share of the best constant on a mesh that the optimiser has to reach.
 const OPTIMISER_SHARE: f64 = 0.999;
@@ -113,7 +114,7 @@ fn samples_and_cells_agree() {
     let mesh = ElementMesh::uniform(5, 4).unwrap();
     let elements = Partition::uniform(5, 1.0).unwrap();
     let nodes = mesh.cells().nodes();
-    let slope = signorini::sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &nodes).unwrap();
+    let slope = fractional_sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &nodes).unwrap();
     let cells = InterpolationError::on_elements(&slope, &mesh, order(0.3), Tolerance::balanced()).unwrap();
     let closed = InterpolationError::of_sample(SampleSlope::Power(1.0), &elements, order(0.3)).unwrap();
     for (a, b) in [
@@ -124,7 +125,7 @@ fn samples_and_cells_agree() {
         let (a, b) = (a.unwrap(), b.unwrap());
         assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
     }
-    let cells = signorini::sobolev::PiecewisePolynomial::interpolate(mesh.cells().clone(), 8, |x| {
+    let cells = fractional_sobolev::PiecewisePolynomial::interpolate(mesh.cells().clone(), 8, |x| {
         (3.0 * std::f64::consts::PI * x).cos()
     })
     .unwrap();

@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use signorini::Error;
+use signorini::ToolkitError;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Form, Lame};
@@ -56,7 +57,7 @@ fn gmsh_faults_are_named() {
     else {
         panic!("an inverted triangle, and its line");
     };
-    assert!(matches!(*cause, Error::Triangle { triangle: 0, .. }), "{cause}");
+    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 0, .. })), "{cause}");
     assert!(matches!(parse_msh(""), Err(Error::Syntax { .. })));
     assert!(matches!(read_msh(std::path::Path::new("no/such/file.msh")), Err(Error::File { .. })));
 }
@@ -106,7 +107,7 @@ fn problems_that_hang_in_the_air_are_errors() {
     let values = load(&mesh);
     assert!(matches!(
         ContactProblem::new(mesh.clone(), elastic(), &values),
-        Err(Error::CountOutOfRange { name: "Dirichlet edges", .. })
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "Dirichlet edges", .. }))
     ));
     assert!(ContactProblem::new(mesh.clone(), Form::LAPLACE, &values[..16]).is_err());
     assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &values[..16]).is_ok());
@@ -121,13 +122,16 @@ fn problems_that_hang_in_the_air_are_errors() {
 
     let bent = mapped_grid(4, 2, Sides::HANGING, |[x, y]| [x, y - 0.2 * (1.0 - y) * x * x]).unwrap();
     let values = load(&bent);
-    assert!(matches!(ContactProblem::new(bent, elastic(), &values), Err(Error::Edge { .. })));
+    assert!(matches!(
+        ContactProblem::new(bent, elastic(), &values),
+        Err(Error::Toolkit(ToolkitError::Edge { .. }))
+    ));
 
     let none = unit_square(2, Sides { bottom: Part::Neumann, ..Sides::HANGING }).unwrap();
     let values = load(&none);
     assert!(matches!(
         ContactProblem::new(none, elastic(), &values),
-        Err(Error::CountOutOfRange { name: "contact edges", .. })
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "contact edges", .. }))
     ));
 }
 
@@ -150,6 +154,33 @@ fn a_loose_piece_is_found_by_its_pivot() {
     for (form, values) in [(elastic(), &load[..]), (Form::LAPLACE, &load[..2 * count])] {
         let problem = ContactProblem::new(mesh.clone(), form, values).unwrap();
         let failed = problem.solve(Cone::Nodal, Solver::ActiveSet);
-        assert!(matches!(failed, Err(Error::NotPositiveDefinite { .. })));
+        assert!(matches!(failed, Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. }))));
     }
+}
+
+#[test]
+fn a_bad_entry_of_an_edge_is_named_by_its_index() {
+    use signorini::cone::ContactSet;
+    use signorini::edge::{EdgeTrace, radial_intervals};
+    let trace = |x: Vec<f64>, y: Vec<f64>| EdgeTrace::new(x, y, vec![0.0; 2], 0.0).map(drop);
+    let set = ContactSet::new(vec![true, false, true]);
+    let not_finite = trace(vec![0.0, f64::NAN], vec![0.0; 2]);
+    assert!(matches!(not_finite, Err(Error::Toolkit(ToolkitError::NotFinite { index: 1, .. }))));
+    let found = [
+        (1, 0.5, trace(vec![0.0, 1.0], vec![0.0, 0.5])),
+        (2, 1.0, radial_intervals(&[0.0, 2.0, 1.0], &set).map(drop)),
+    ];
+    for (at, bad, result) in found {
+        let named = matches!(result, Err(Error::Toolkit(ToolkitError::EntryOutOfRange { index, value, .. }))
+            if index == at && value == bad);
+        assert!(named, "{at}");
+    }
+}
+
+#[test]
+fn a_segment_constant_refused_carries_its_best_value() {
+    use signorini::proof::worst_ratio;
+    let ratio = |asked: f64| worst_ratio(Cone::Nodal, 1.75, 0.2, 0.3, asked);
+    let (met, best) = (ratio(0.02).unwrap(), ratio(1e-12).unwrap_err().best().unwrap());
+    assert!((best.value - met.value).abs() <= best.error + met.error, "{best} {met}");
 }

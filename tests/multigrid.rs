@@ -1,15 +1,17 @@
 //! Contact by multigrid against the direct solver: the same solution, an honest estimate of the error, few
 //! steps.
 
+use experiments::SplitMix;
+use fractional_sobolev::Tolerance;
+use signorini::Error;
+use signorini::ToolkitError;
 use signorini::cone::Cone;
 use signorini::contact::{
     Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, MultigridSolution, Solver,
 };
 use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Sides, Triangulation, mapped_grid, unit_square};
-use signorini::numeric::random::SplitMix;
 use signorini::scenes::{HardCase, MeshScene};
-use signorini::{Error, Tolerance};
 
 /// J of two roads at the tolerance 1e-12: it differs by the square of the error, and by rounding.
 const ENERGIES: f64 = 1e-11;
@@ -209,7 +211,7 @@ fn what_multigrid_cannot_do_is_said() {
     let other = Hierarchy::refined(unit_square(2, Sides::HANGING).unwrap(), 2).unwrap();
     let accuracy = Accuracy::default();
     let refused = problem.solve_by_multigrid(Cone::Nodal, Some(&other), accuracy, |_| Ok(()));
-    assert!(matches!(refused, Err(Error::LengthMismatch { .. })));
+    assert!(matches!(refused, Err(Error::Toolkit(ToolkitError::LengthMismatch { .. }))));
     let shares = [0.0, -1.0, 2.0, f64::NAN].map(Accuracy::OfDiscretisation);
     for accuracy in shares {
         assert!(problem.solve_by_multigrid(Cone::Nodal, None, accuracy, |_| Ok(())).is_err());
@@ -256,7 +258,7 @@ fn a_body_that_is_not_held_is_an_error() {
     let problem = ContactProblem::new(mesh, Form::LAPLACE, &load).unwrap();
     let found = problem.solve_by_multigrid(Cone::Nodal, Some(&hierarchy), Accuracy::default(), |_| Ok(()));
     assert!(
-        matches!(found, Err(Error::NotPositiveDefinite { .. })),
+        matches!(found, Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. }))),
         "{:?}",
         found.map(|f| f.solution.status)
     );

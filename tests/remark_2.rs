@@ -4,9 +4,10 @@
 #[path = "../examples/remark_2_dual_norm_counterexample.rs"]
 mod example;
 
-use signorini::Tolerance;
-use signorini::interpolation::{AliasedWave, ErrorNorm, all_waves_mean, element_constant};
-use signorini::sobolev::FractionalOrder;
+use fractional_sobolev::{
+    FractionalOrder, Tolerance,
+    interpolation::{AliasedWave, ErrorNorm, all_waves_mean, element_constant},
+};
 
 /// Required of the exponents.
 const EXPONENT_TOLERANCE: f64 = 0.02;

@@ -5,9 +5,8 @@
 mod example;
 
 use example_frame::Outcome;
-use signorini::Tolerance;
+use fractional_sobolev::{FractionalOrder, Tolerance};
 use signorini::proof::FaceGaps;
-use signorini::sobolev::FractionalOrder;
 
 #[test]
 fn the_nodal_quotient_grows_and_the_mean_quotient_falls() {

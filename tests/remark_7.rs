@@ -2,9 +2,10 @@
 //! numbers turn both.
 
 use example_frame::{Outcome, Verdict};
-use signorini::Tolerance;
-use signorini::poincare::{Condition, Zone, gamma, trial_quotient, truncated_logarithm};
-use signorini::sobolev::FractionalOrder;
+use fractional_sobolev::{
+    FractionalOrder, Tolerance,
+    poincare::{Condition, Zone, gamma, trial_quotient, truncated_logarithm},
+};
 
 #[path = "../examples/remark_7_zone_location.rs"]
 #[allow(dead_code)]

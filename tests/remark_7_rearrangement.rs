@@ -5,12 +5,13 @@
 mod example;
 
 use example_frame::{Outcome, Verdict};
-use signorini::Tolerance;
-use signorini::interpolation::{RoughFamily, rearranged_shares};
-use signorini::poincare::{
-    Condition, Zone, ZoneCase, Zones, gamma, gamma_at_point, largest_mean, random_zones,
+use experiments::arrangement::{ZoneCase, random_zones};
+use fractional_sobolev::{
+    FractionalOrder, Tolerance,
+    interpolation::{RoughFamily, rearranged_shares},
+    poincare::{Condition, Zone, Zones, gamma, gamma_at_point, largest_mean},
+    sorted_share_of_orders, sorted_share_of_random,
 };
-use signorini::sobolev::{FractionalOrder, sorted_share_of_orders, sorted_share_of_random};
 
 #[test]
 fn the_example_confirms_the_theorem_and_planted_faults_turn_it() {

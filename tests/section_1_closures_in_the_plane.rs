@@ -7,10 +7,12 @@ mod example;
 mod plane_polar;
 
 use example_frame::Outcome;
+use experiments::SplitMix;
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance,
+    Triangles,
+};
 use plane_polar::Star;
-use signorini::numeric::random::SplitMix;
-use signorini::sobolev::{FractionalOrder, PlaneFunction, PlanePosition, SingularPlaneFunction, Triangles};
-use signorini::{Error, Estimate, Tolerance};
 use std::f64::consts::PI;
 
 /// Two roads.
@@ -42,7 +44,7 @@ fn power(a: f64, b: f64) -> impl Fn(&PlanePosition<'_>) -> f64 + Sync {
     move |at| at.radius(0).powf(a) * (b * at.angle(0)).sin()
 }
 
-fn seminorm(w: &SingularPlaneFunction<'_>, s: f64, tolerance: f64) -> signorini::Result<Estimate> {
+fn seminorm(w: &SingularPlaneFunction<'_>, s: f64, tolerance: f64) -> fractional_sobolev::Result<Estimate> {
     w.seminorm(FractionalOrder::new(s)?, Tolerance::new(tolerance)?)
 }
 
@@ -136,7 +138,7 @@ fn norms_of_order_one_and_more_take_the_gradient() {
     let sum = l2(&w) + gradient.iter().map(half).sum::<f64>();
     assert!((norm * norm / sum - 1.0).abs() < 1e-6);
     // ∫ r^{2p} sin²(pφ) by Gauss rules in polar coordinates, sector by sector.
-    let rule = signorini::quadrature::Rule::gauss_legendre(30).unwrap();
+    let rule = fractional_sobolev::Rule::gauss_legendre(30).unwrap();
     let octant = |k: usize| {
         rule.integrate(|t| {
             let phi = 0.25 * PI * (k as f64 + t);

@@ -9,8 +9,7 @@ mod errors;
 mod polygons;
 
 use example_frame::{Finding, Outcome};
-use signorini::sobolev::{FractionalOrder, closed_forms};
-use signorini::{Estimate, Tolerance};
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, closed_forms};
 use std::f64::consts::PI;
 
 fn outcome(findings: &[Finding], key: &str) -> Outcome {

@@ -5,7 +5,7 @@
 mod example;
 
 use example_frame::Outcome;
-use signorini::Estimate;
+use fractional_sobolev::Estimate;
 
 #[test]
 fn the_norm_has_its_closed_form_and_its_limits() {

@@ -6,7 +6,7 @@
 mod example;
 
 use example_frame::{Outcome, Verdict};
-use signorini::sobolev::{FractionalOrder, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
+use fractional_sobolev::{FractionalOrder, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
 
 /// C(s) with sixteen digits, by mpmath.
 const CONSTANTS: [(f64, f64); 9] = [

@@ -10,6 +10,7 @@ use example_frame::contact::{Load, Own, OwnOptions};
 use example_frame::{Headline, Outcome, Table, Verdict};
 use section_2_own_body::{Computed, Options};
 use signorini::Error;
+use signorini::ToolkitError;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Fallback, Solver};
 use signorini::fem::{Field, Form, Frame, Lame, stiffness};
@@ -56,7 +57,7 @@ fn both_formats_of_gmsh_hold_the_same_body() {
     let out_of_plane = L_SHAPE_2.replacen("\n1 0 0 0\n", "\n1 0 0 0.5\n", 1);
     let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else { panic!("not in a plane") };
     assert!(out_of_plane.lines().nth(line - 1).is_some_and(|line| !line.is_empty()), "line {line}");
-    assert!(matches!(*cause, Error::Node { .. }), "{cause}");
+    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Node { .. })), "{cause}");
 }
 
 #[test]
@@ -75,7 +76,7 @@ fn clockwise_surfaces_are_turned_and_single_triangles_are_not() {
     let Err(Error::AtLine { cause, .. }) = parse_msh(&text(["1 2 3", "1 4 3"])) else {
         panic!("is inverted")
     };
-    assert!(matches!(*cause, Error::Triangle { triangle: 1, .. }), "{cause}");
+    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 1, .. })), "{cause}");
 }
 
 #[test]
@@ -168,7 +169,10 @@ fn two_contact_edges_have_two_normals() {
         assert!(rest[2 * node].abs() < SUMS && rest[2 * node + 1].abs() < SUMS, "{node}");
     }
     // What one chain needs is refused, what elimination can do it does.
-    assert!(matches!(problem.solve(Cone::Midpoint, Solver::ActiveSet), Err(Error::Incompatible { .. })));
+    assert!(matches!(
+        problem.solve(Cone::Midpoint, Solver::ActiveSet),
+        Err(Error::Toolkit(ToolkitError::Incompatible { .. }))
+    ));
     assert!(problem.contact_partition().is_err() && problem.solve_after(&by_sets).is_err());
     let cycles = problem.solve_by_multigrid(Cone::Nodal, None, Default::default(), |_| Ok(())).unwrap();
     assert_eq!((cycles.fallback, cycles.solution.energy), (Some(Fallback::SeveralEdges), by_sets.energy));
@@ -180,7 +184,10 @@ fn contact_edges_that_meet_are_refused() {
     let bent = GROOVE.replace("\"free\"", "\"contact\"");
     let mesh = parse_msh(&bent).unwrap();
     let none = vec![0.0; 2 * mesh.nodes().len()];
-    assert!(matches!(ContactProblem::new(mesh, elastic(), &none), Err(Error::Edge { .. })));
+    assert!(matches!(
+        ContactProblem::new(mesh, elastic(), &none),
+        Err(Error::Toolkit(ToolkitError::Edge { .. }))
+    ));
 }
 
 #[test]

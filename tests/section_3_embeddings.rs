@@ -4,12 +4,13 @@
 #[path = "../examples/section_3_embedding_constants.rs"]
 mod example;
 
-use signorini::Tolerance;
-use signorini::interpolation::{
-    EmbeddingSpace, EndIncrements, RoughFamily, RoughSlopes, SampleSlope, critical_exponent,
-    embedding_upper_bound,
+use fractional_sobolev::{
+    FractionalOrder, Partition, Tolerance,
+    interpolation::{
+        EmbeddingSpace, EndIncrements, RoughFamily, RoughSlopes, SampleSlope, critical_exponent,
+        embedding_upper_bound,
+    },
 };
-use signorini::sobolev::{FractionalOrder, Partition};
 
 /// C(q)/√q for q = 2 ... 200 at ν = 1/2.
 const GROWTH: [f64; 2] = [0.167, 0.708];

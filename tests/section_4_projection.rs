@@ -7,13 +7,14 @@ mod example;
 #[path = "../examples/remark_4_saturation.rs"]
 mod saturation;
 
-use signorini::interpolation::{
-    ElementMesh, ProjectionNorm, SampleSlope, dual_projection_constant, projection_constant,
-    projection_norm_on_cells, sample_projection_dual_error, sample_projection_error, wave_constant,
+use fractional_sobolev::{
+    Error, FractionalOrder, Partition, Tolerance,
+    interpolation::{
+        ElementMesh, ProjectionNorm, SampleSlope, dual_projection_constant, projection_constant,
+        projection_norm_on_cells, sample_projection_dual_error, sample_projection_error, wave_constant,
+    },
+    poincare::{Condition, Zone, gamma},
 };
-use signorini::poincare::{Condition, Zone, gamma};
-use signorini::sobolev::{FractionalOrder, Partition};
-use signorini::{Error, Tolerance};
 use std::sync::LazyLock;
 
 /// Required of the measured rates.
@@ -105,7 +106,7 @@ fn both_estimates_hold_for_given_functions() {
 fn projections_are_means() {
     let mesh = ElementMesh::uniform(8, 4).unwrap();
     let function =
-        signorini::sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &mesh.cells().nodes())
+        fractional_sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &mesh.cells().nodes())
             .unwrap();
     let projection = mesh.projection(&function).unwrap();
     assert!((projection.value(3, 0.1).unwrap() - 3.5 / 8.0).abs() < 1e-15);

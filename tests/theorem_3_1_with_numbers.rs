@@ -6,10 +6,9 @@
 mod example;
 
 use example_frame::Outcome;
-use signorini::Tolerance;
+use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance, closed_forms};
 use signorini::proof::{NumberedStudy, TheoremNumbers};
 use signorini::scenes::{EdgeDatum, RoughTransition};
-use signorini::sobolev::{FractionalOrder, SectorPower, closed_forms};
 
 fn order(s: f64) -> FractionalOrder {
     FractionalOrder::new(s).unwrap()

@@ -6,11 +6,10 @@
 mod example;
 
 use example_frame::Outcome;
-use signorini::Tolerance;
+use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
 use signorini::fem::Lame;
 use signorini::proof::TheoremNumbers;
 use signorini::scenes::{EdgeDatum, RoughTransition};
-use signorini::sobolev::{FractionalOrder, SectorPower};
 use std::f64::consts::PI;
 
 fn order(s: f64) -> FractionalOrder {

@@ -6,14 +6,12 @@
 mod example;
 
 use example_frame::Outcome;
-use signorini::Tolerance;
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
-use signorini::estimate::Estimate;
 use signorini::fem::Lame;
 use signorini::proof::{ExtrapolatedStudy, FineForms, FineNorms, SolvedBody, TheoremNumbers};
 use signorini::scenes::{ClosedForm, EdgeDatum, LoadedBody, RoughTransition};
-use signorini::sobolev::FractionalOrder;
 use std::f64::consts::TAU;
 
 #[test]

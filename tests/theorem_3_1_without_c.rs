@@ -5,11 +5,11 @@
 mod example;
 
 use example_frame::Outcome;
+use fractional_sobolev::Rule;
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::fem::{Form, Lame};
 use signorini::proof::{BoundStudy, BoundWithoutC, MeshShape, half_plane_korn};
-use signorini::quadrature::Rule;
 use signorini::scenes::ClosedForm;
 use std::f64::consts::PI;
 

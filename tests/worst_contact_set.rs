@@ -5,7 +5,7 @@
 mod example;
 
 use example_frame::{Outcome, Verdict};
-use signorini::Tolerance;
+use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::proof::worst_ratio;
 

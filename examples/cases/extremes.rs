@@ -1,14 +1,14 @@
 //! What `extremes` plants: hard input with its value found another way, and input that has no answer.
 
+use fractional_sobolev::{
+    FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms,
+    poincare::{Condition, UniformLaw, Zone, gamma, gamma_at_point},
+};
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::mesh::{Part, Sides, unit_square};
-use signorini::poincare::{Condition, UniformLaw, Zone, gamma, gamma_at_point};
 use signorini::scenes::{MeshScene, Setting};
-use signorini::sobolev::{
-    FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, closed_forms,
-};
-use signorini::{Error, Result, Tolerance};
+use signorini::{Error, Result, ToolkitError};
 
 /// A value and the same value found another way.
 pub type Pair = (f64, f64);
@@ -55,7 +55,7 @@ pub const ADMISSIBLE: [Hard; 14] = [
 
 /// Input that has no answer.
 pub const INADMISSIBLE: [Bad; 8] = [
-    ("order NaN", "any norm", || FractionalOrder::new(f64::NAN).map(FractionalOrder::value), out_of_range),
+    ("order NaN", "any norm", || Ok(FractionalOrder::new(f64::NAN)?.value()), out_of_range),
     (
         "a step, order 1/2",
         "seminorm",
@@ -84,13 +84,13 @@ pub const INADMISSIBLE: [Bad; 8] = [
             let torn = SingularFunction::new(&[0.0, 1.0], |x: f64| if x > 0.5 { f64::NAN } else { x })?;
             Ok(torn.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
         },
-        |error| matches!(error, Error::NotFinite { .. }),
+        |error| matches!(error, Error::Toolkit(ToolkitError::NotFinite { .. })),
     ),
     (
         "a node given twice",
         "any norm",
-        || Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(|mesh| mesh.nodes()[0]),
-        |error| matches!(error, Error::EntryOutOfRange { .. }),
+        || Ok(Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0])?.nodes()[0]),
+        |error| matches!(error, Error::Toolkit(ToolkitError::EntryOutOfRange { .. })),
     ),
     (
         "a zone of length 0, order 1/2",
@@ -111,17 +111,17 @@ pub const INADMISSIBLE: [Bad; 8] = [
             };
             Ok(MeshScene::Block.on(unit_square(4, sides)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
         },
-        |error| matches!(error, Error::CountOutOfRange { .. }),
+        |error| matches!(error, Error::Toolkit(ToolkitError::CountOutOfRange { .. })),
     ),
 ];
 
 /// A parameter outside its range.
 fn out_of_range(error: &Error) -> bool {
-    matches!(error, Error::OutOfRange { .. })
+    matches!(error, Error::Toolkit(ToolkitError::OutOfRange { .. }))
 }
 
 fn infinite(error: &Error) -> bool {
-    matches!(error, Error::InfiniteNorm { .. })
+    matches!(error, Error::Toolkit(ToolkitError::InfiniteNorm { .. }))
 }
 
 /// |x|_ν on (0, L), height H: H L^{1/2 − ν} / √((1−ν)(3−2ν)).

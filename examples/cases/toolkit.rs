@@ -1,12 +1,13 @@
 //! What `speed_for_accuracy` measures: the numerical functions of the toolkit, each beside a value found
 //! another way.
 
-use signorini::interpolation::{ErrorNorm, dual_projection_constant, element_constant};
-use signorini::numeric::scale::largest;
-use signorini::poincare::{Condition, Zone, gamma};
-use signorini::sobolev::{FractionalOrder, GramOperator, Partition, PiecewisePolynomial};
-use signorini::sobolev::{SingularFunction, closed_forms, gram_linears};
-use signorini::{Estimate, Result, Tolerance, Work};
+use experiments::largest;
+use fractional_sobolev::{
+    Estimate, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, Result, SingularFunction,
+    Tolerance, Work, closed_forms, gram_linears,
+    interpolation::{ErrorNorm, dual_projection_constant, element_constant},
+    poincare::{Condition, Zone, gamma},
+};
 
 /// A name, the value found another way, and what is asked.
 pub type Case<'a> = (&'static str, f64, Box<dyn Fn(Tolerance) -> Result<Estimate> + 'a>);

@@ -5,7 +5,7 @@
 
 use super::contact_set::ContactSet;
 use super::kind::Cone;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// What the ends of an edge do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -85,7 +85,11 @@ impl EdgeCone {
     pub fn apply_transposed(self, multiplier: &[f64]) -> Result<Vec<f64>> {
         let expected = self.constraints();
         if multiplier.len() != expected {
-            return Err(Error::LengthMismatch { name: "multiplier", given: multiplier.len(), expected });
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
+                name: "multiplier",
+                given: multiplier.len(),
+                expected,
+            }));
         }
         Ok(match self.cone {
             Cone::Nodal => multiplier.to_vec(),
@@ -129,7 +133,11 @@ impl EdgeCone {
             _ => 2 * set.len(),
         };
         if given != self.constraints() {
-            return Err(Error::LengthMismatch { name: "contact set", given, expected: self.constraints() });
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
+                name: "contact set",
+                given,
+                expected: self.constraints(),
+            }));
         }
         Ok(ContactSet::new(match self.cone {
             // Old nodes and, between two active ones, the new node.

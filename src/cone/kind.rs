@@ -1,6 +1,6 @@
 //! Which of the two cones.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -35,11 +35,11 @@ impl FromStr for Cone {
         match text {
             "nodal" => Ok(Cone::Nodal),
             "midpoint" => Ok(Cone::Midpoint),
-            _ => Err(Error::UnknownName {
+            _ => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "cone",
                 given: text.to_owned(),
                 expected: "nodal or midpoint",
-            }),
+            })),
         }
     }
 }

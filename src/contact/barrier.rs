@@ -18,7 +18,7 @@ use super::active_set::EdgeOutcome;
 use super::edge_problem::{EdgeProblem, EdgeState};
 use super::units::unit_for;
 use crate::cone::{Cone, ContactSet, Status};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_entry, require_finite, require_length};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
@@ -59,7 +59,12 @@ struct Change {
 pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
     if problem.cone != Cone::Nodal {
         let given = problem.cone.to_string();
-        return Err(Error::Incompatible { what: "cone", given, with: "the barrier", expected: "nodal" });
+        return Err(Error::Toolkit(ToolkitError::Incompatible {
+            what: "cone",
+            given,
+            with: "the barrier",
+            expected: "nodal",
+        }));
     }
     let nothing = ContactSet::empty(problem.load.len());
     problem.check(&nothing)?;
@@ -162,7 +167,10 @@ impl<'a> Iterate<'a> {
             (false, false) => self.problem.stiffness[(i, j)],
         };
         let factor = Mat::from_fn(size, size, entry).llt(Side::Lower).map_err(|_| {
-            Error::NotPositiveDefinite { what: "condensed stiffness with the barrier", pivot: size }
+            Error::Toolkit(ToolkitError::NotPositiveDefinite {
+                what: "condensed stiffness with the barrier",
+                pivot: size,
+            })
         })?;
         let predicted = self.change(&factor, balance, |i| -self.force[i] * self.gap[i]);
         let (now, then) =

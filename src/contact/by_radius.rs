@@ -7,7 +7,7 @@
 use super::problem::ContactProblem;
 use super::solution::{ContactSolution, gap_of, sizes};
 use crate::cone::{Evidence, Judgement};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, distance};
 use crate::numeric::check::require_values;
 use crate::numeric::scale::largest;
@@ -27,7 +27,11 @@ impl ContactProblem {
     ) -> Result<Vec<Judgement>> {
         require_values("displacement", &solution.displacement, self.unknowns())?;
         if let Some(pair) = bounds.windows(2).find(|pair| pair[0] >= pair[1] || pair[1].is_nan()) {
-            return Err(Error::OutOfRange { name: "radius", value: pair[1], range: "increasing radii" });
+            return Err(Error::Toolkit(ToolkitError::OutOfRange {
+                name: "radius",
+                value: pair[1],
+                range: "increasing radii",
+            }));
         }
         let u = self.to_frame(&solution.displacement);
         let cone = self.edge_cone(solution.cone);

@@ -13,8 +13,8 @@ use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, g
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone};
 use crate::error::Result;
-use crate::estimate::Work;
 use crate::fem::{Condensation, Reduced};
+use fractional_sobolev::Work;
 use std::time::Instant;
 
 /// Iterate and everything needed to correct it.

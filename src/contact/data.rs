@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::fem::{Cubature, Field, surface_load, volume_load};
 use crate::mesh::{Part, Point};
 use crate::numeric::check::require_values;
-use crate::quadrature::Rule;
+use fractional_sobolev::Rule;
 
 /// Gauss points per boundary edge for surface loads.
 const EDGE_POINTS: usize = 5;

@@ -19,7 +19,7 @@
 
 use super::edge_problem::EdgeProblem;
 use crate::cone::{ContactSet, EdgeCone};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use faer::linalg::solvers::Solve;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Mat, Par, Side};
@@ -93,7 +93,9 @@ impl<'a> Iterate<'a> {
         if n > 0 {
             let part = Mat::from_fn(n, n, |i, j| problem.stiffness[(free[i], free[j])]);
             let what = "condensed stiffness on the contact edge";
-            let factor = part.llt(Side::Lower).map_err(|_| Error::NotPositiveDefinite { what, pivot: n })?;
+            let factor = part
+                .llt(Side::Lower)
+                .map_err(|_| Error::Toolkit(ToolkitError::NotPositiveDefinite { what, pivot: n }))?;
             let mut w = Mat::from_fn(n, 1, |i, _| problem.load[free[i]]);
             factor.solve_in_place(&mut w);
             free.iter().enumerate().for_each(|(i, &node)| displacement[node] = w[(i, 0)]);

@@ -7,7 +7,7 @@
 //! Cost: one dense Cholesky factorization with the number of free amplitudes.
 
 use crate::cone::{Cone, ContactSet, Coordinates, EdgeCone, Ends};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
@@ -105,7 +105,7 @@ impl EdgeProblem<'_> {
             ("contact set", set.constraints(), constraints),
         ] {
             if given != expected {
-                return Err(Error::LengthMismatch { name, given, expected });
+                return Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected }));
             }
         }
         Ok(())
@@ -137,9 +137,11 @@ impl EdgeProblem<'_> {
             right[(row, 0)] += s * residual[i];
         }
         if free.count > 0 {
-            let factor = reduced.llt(Side::Lower).map_err(|_| Error::NotPositiveDefinite {
-                what: "condensed stiffness on the contact edge",
-                pivot: free.count,
+            let factor = reduced.llt(Side::Lower).map_err(|_| {
+                Error::Toolkit(ToolkitError::NotPositiveDefinite {
+                    what: "condensed stiffness on the contact edge",
+                    pivot: free.count,
+                })
             })?;
             factor.solve_in_place(&mut right);
         }

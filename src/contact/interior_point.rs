@@ -9,9 +9,9 @@ use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, f
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, Status};
 use crate::error::Result;
-use crate::estimate::Work;
 use crate::numeric::scale::largest;
 use clarabel::algebra::CscMatrix;
+use fractional_sobolev::Work;
 use std::time::Instant;
 
 pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {

@@ -6,12 +6,12 @@
 
 use super::operator::Operator;
 use crate::cone::{Cone, EdgeCone, Ends};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Frame, Frames, consistent_load};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
 use crate::numeric::check::require_values;
 use crate::numeric::sum::careful_dot;
-use crate::sobolev::Partition;
+use fractional_sobolev::Partition;
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -66,11 +66,11 @@ impl ContactProblem {
         let held = mesh.nodes_on(Part::Dirichlet);
         let reaction = matches!(form, Form::Scalar { reaction } if reaction > 0.0);
         if !reaction && !held.contains(&true) {
-            return Err(Error::CountOutOfRange {
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "Dirichlet edges",
                 value: 0,
                 range: "[1, inf), unless there is a reaction term",
-            });
+            }));
         }
         require_values("volume load", volume, mesh.nodes().len() * c)?;
         let frames = if c == 2 { frames_of(&edge)? } else { Frames::all(Frame::cartesian()) };
@@ -113,7 +113,7 @@ impl ContactProblem {
     /// As for [`Partition::from_lengths`]; [`Error::CountOutOfRange`] for an edge in several pieces.
     pub fn contact_partition(&self) -> Result<Partition> {
         self.edge.require_one_piece()?;
-        Partition::from_lengths(self.edge.segment_lengths())
+        Ok(Partition::from_lengths(self.edge.segment_lengths())?)
     }
 
     /// # Errors
@@ -123,7 +123,12 @@ impl ContactProblem {
             return Ok(());
         }
         let (given, with) = (cone.to_string(), "a contact edge in several pieces");
-        Err(Error::Incompatible { what: "cone", given, with, expected: "the nodal cone" })
+        Err(Error::Toolkit(ToolkitError::Incompatible {
+            what: "cone",
+            given,
+            with,
+            expected: "the nodal cone",
+        }))
     }
 
     /// The cone on the contact edge.

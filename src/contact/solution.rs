@@ -10,11 +10,11 @@ use super::problem::ContactProblem;
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Judgement, Margins, Status};
 use crate::error::Result;
-use crate::estimate::Work;
 use crate::mesh::Point;
 use crate::numeric::check::require_values;
 use crate::numeric::scale::largest;
 use crate::numeric::sum::{careful_dot, compensated};
+use fractional_sobolev::Work;
 
 /// A solution judged worse than this did not converge, whatever its solver says.
 pub(super) const ACCEPTED: f64 = 1e-8;

@@ -6,8 +6,8 @@ use super::solution::ContactSolution;
 use super::solver::Solver;
 use super::{condensed, interior_point};
 use crate::cone::{Cone, ContactSet};
-use crate::error::{Error, Result};
-use crate::estimate::Tolerance;
+use crate::error::{Error, Result, ToolkitError};
+use fractional_sobolev::Tolerance;
 
 impl ContactProblem {
     /// The discrete solution in the given cone by the given solver, judged. The active set starts without
@@ -93,7 +93,11 @@ impl ContactProblem {
         self.edge.require_one_piece()?;
         if self.edge().is_closed() {
             let range = "2 for the barrier on the edge";
-            return Err(Error::CountOutOfRange { name: "ends of the contact edge", value: 0, range });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "ends of the contact edge",
+                value: 0,
+                range,
+            }));
         }
         condensed::solve_by_sizes(self, sizes)
     }

@@ -1,6 +1,6 @@
 //! The solvers, by name.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -58,11 +58,11 @@ impl FromStr for Solver {
             "edge-interior-point" => Ok(Solver::EdgeInteriorPoint),
             "multigrid" => Ok(Solver::Multigrid),
             "auto" => Ok(Solver::Auto),
-            _ => Err(Error::UnknownName {
+            _ => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "solver",
                 given: text.to_owned(),
                 expected: "active-set, interior-point, edge-interior-point, multigrid or auto",
-            }),
+            })),
         }
     }
 }

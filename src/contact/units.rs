@@ -9,10 +9,10 @@ use super::multigrid::MultigridSolution;
 use super::problem::ContactProblem;
 use super::solution::ContactSolution;
 use crate::error::Result;
-use crate::estimate::Estimate;
 use crate::fem::Form;
 use crate::numeric::check::require_values;
 use crate::numeric::scale::{largest, power_of_two};
+use fractional_sobolev::Estimate;
 
 /// Roots of energies from its reciprocal to this need no unit of their own.
 const PLAIN: f64 = 1e60;

@@ -5,10 +5,10 @@
 
 use super::level_loop::Level;
 use super::strip_levels::strip_levels;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::{StripCase, StripScene};
 use crate::strip::{EdgeData, StripProblem};
+use fractional_sobolev::{Estimate, Work};
 
 /// The levels of a case at every position.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,11 +51,11 @@ impl CaseStudy {
         let first: EdgeData = build(&sources[0])?;
         let finest = case.levels.finest_cells();
         if first.cells() < finest {
-            return Err(Error::LengthMismatch {
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
                 name: "cells of the scene (lower the finest of --levels, or give finer samples): the edge",
                 given: first.cells(),
                 expected: finest,
-            });
+            }));
         }
         let mut problem = StripProblem::new(case.kind, &first, case.reference, case.levels.coarsest_cells())?;
         let mut studies = Vec::new();
@@ -130,12 +130,16 @@ impl CaseStudy {
 /// [`Error::LengthMismatch`] for studies of different lengths; [`Error::CountOutOfRange`] without any.
 pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
     let Some(first) = studies.first() else {
-        return Err(Error::CountOutOfRange { name: "studies", value: 0, range: "[1, inf)" });
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "studies",
+            value: 0,
+            range: "[1, inf)",
+        }));
     };
     for study in studies {
         if study.len() != first.len() {
             let (name, given, expected) = ("study", study.len(), first.len());
-            return Err(Error::LengthMismatch { name, given, expected });
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected }));
         }
     }
     let count = studies.len() as f64;
@@ -145,7 +149,7 @@ pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
             let mean = (errors().map(|e| e.value * e.value).sum::<f64>() / count).sqrt();
             let bound = errors().map(|e| e.error).fold(0.0, f64::max);
             let work = errors().fold(Work::default(), |w, e| w + e.work);
-            Estimate::new(mean, bound, work)
+            Ok(Estimate::new(mean, bound, work)?)
         })
         .collect()
 }

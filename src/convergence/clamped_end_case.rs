@@ -6,10 +6,10 @@
 use super::clamped_end::{EndRun, Start};
 use crate::cone::Cone;
 use crate::error::Result;
-use crate::estimate::{Estimate, Work};
 use crate::mesh::Outline;
 use crate::scenes::ClampedEnd;
 use crate::singular::ContactZone;
+use fractional_sobolev::{Estimate, Work};
 use std::f64::consts::LN_10;
 
 /// A scene with all its solutions.

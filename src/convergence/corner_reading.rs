@@ -16,11 +16,11 @@
 use crate::cone::{Cone, ContactSet};
 use crate::contact::{ContactProblem, ContactSolution, Solver};
 use crate::edge::radial_intervals;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, gradients, stresses};
 use crate::mesh::{Hierarchy, Point, Triangulation, distance, doubled_area, middle};
 use crate::scenes::{BodyCorner, MeshScene, Setting};
+use fractional_sobolev::{Estimate, Work};
 use std::f64::consts::PI;
 
 /// The outermost shell, in units of the squares of the scenes.
@@ -56,7 +56,11 @@ impl CornerReading {
     /// [`Error::ToleranceNotMet`] when a solver did not converge or the stress vanishes at the corner.
     pub fn of(scene: MeshScene, setting: &Setting, cells: usize) -> Result<Option<Self>> {
         if !(2..=64).contains(&cells) {
-            return Err(Error::CountOutOfRange { name: "cells of a shell", value: cells, range: "[2, 64]" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "cells of a shell",
+                value: cells,
+                range: "[2, 64]",
+            }));
         }
         let found = scene.regularity(setting)?;
         let is_read = |corner: &&BodyCorner| {

@@ -1,7 +1,7 @@
 //! Families of scenes on a strip: a scene, or one at several positions whose errors are averaged.
 
 use super::subject::FamilyScene;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::{StripScene, TransitionPowers};
 use crate::strip::{EdgeData, Sides, StripKind};
 
@@ -31,7 +31,11 @@ impl SceneFamily<'static> {
         positions: usize,
     ) -> Result<Self> {
         if positions == 0 || positions > 1024 {
-            return Err(Error::CountOutOfRange { name: "positions", value: positions, range: "[1, 1024]" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "positions",
+                value: positions,
+                range: "[1, 1024]",
+            }));
         }
         let sides = kind.sides();
         let scene = FamilyScene::Named(source.clone());

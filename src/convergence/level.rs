@@ -1,7 +1,7 @@
 //! One level of a rate study, and why it may not enter a fit.
 
 use super::level_loop::{Facts, Level};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 
 /// Why a level is left out of every fit and bound.
@@ -96,7 +96,11 @@ impl RateLevel {
     /// [`Error::CountOutOfRange`] without any level.
     pub fn mean(levels: &[RateLevel]) -> Result<RateLevel> {
         let Some(first) = levels.first() else {
-            return Err(Error::CountOutOfRange { name: "positions", value: 0, range: "[1, inf)" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "positions",
+                value: 0,
+                range: "[1, inf)",
+            }));
         };
         let count = levels.len() as f64;
         let terms: Option<Vec<f64>> = levels.iter().map(|level| level.consistency).collect();
@@ -128,7 +132,7 @@ impl RateLevel {
 mod tests {
     use super::*;
     use crate::cone::Status;
-    use crate::estimate::{Estimate, Work};
+    use fractional_sobolev::{Estimate, Work};
 
     fn level(cells: usize, status: Status, kkt: f64, error_bound: f64) -> RateLevel {
         let facts = Facts { cells, unknowns: 4160.0, contact_runs: 2, inner_iterations: vec![], status, kkt };

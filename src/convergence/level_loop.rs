@@ -2,7 +2,7 @@
 
 use crate::cone::{Cone, Status};
 use crate::error::Result;
-use crate::estimate::Estimate;
+use fractional_sobolev::Estimate;
 use std::time::Instant;
 
 /// One problem on nested levels, coarsest first.

@@ -13,11 +13,11 @@ use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use crate::cone::Cone;
 use crate::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Form;
 use crate::mesh::{Hierarchy, Triangulation};
 use crate::scenes::{MeshScene, Setting, body_regularity};
+use fractional_sobolev::{Estimate, Tolerance, Work};
 
 /// Uniform refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 1;
@@ -101,12 +101,12 @@ impl MeshRates {
             return self.scene.on_with(mesh, &self.setting);
         }
         if self.scene != MeshScene::Corner {
-            return Err(Error::Incompatible {
+            return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "scene",
                 given: self.scene.to_string(),
                 with: "a constant load",
                 expected: "corner",
-            });
+            }));
         }
         let load = vec![-1.0; mesh.nodes().len()];
         ContactProblem::new(mesh, Form::LAPLACE, &load)
@@ -115,7 +115,11 @@ impl MeshRates {
     fn check(&self) -> Result<()> {
         let (coarsest, levels) = (self.coarsest, self.levels);
         if coarsest < 2 {
-            return Err(Error::CountOutOfRange { name: "coarsest n", value: coarsest, range: "[2, inf)" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "coarsest n",
+                value: coarsest,
+                range: "[2, inf)",
+            }));
         }
         let finest = u32::try_from(levels.saturating_add(REFERENCE_DEPTH - 1))
             .ok()
@@ -123,7 +127,11 @@ impl MeshRates {
         let reference = finest.and_then(|factor| coarsest.checked_mul(factor));
         if levels < 2 || reference.is_none_or(|n| n > LARGEST_REFERENCE) {
             let range = "[2, levels whose reference has at most 4096 squares along each side]";
-            return Err(Error::CountOutOfRange { name: "levels", value: levels, range });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "levels",
+                value: levels,
+                range,
+            }));
         }
         Ok(())
     }
@@ -167,7 +175,7 @@ impl LevelProblem for Reference {
         let finest = self.hierarchy.levels().len() - 1;
         let (coarse, fine) = ((level, &solution.displacement[..]), (finest, &self.solution[..]));
         let error = self.problem.nested_energy_error(&self.hierarchy, coarse, fine)?;
-        Estimate::new(error / self.norm, ROUNDING + 2.0 * ALGEBRAIC, Work::default())
+        Ok(Estimate::new(error / self.norm, ROUNDING + 2.0 * ALGEBRAIC, Work::default())?)
     }
 
     fn facts(&self, level: usize, (problem, solution): &Self::Solution) -> Facts {

@@ -1,6 +1,6 @@
 //! Observed orders of convergence.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// ln(e_{k−1}/e_k) / ln(h_{k−1}/h_k) between successive levels; `None` for the first, and where an error is
 /// not positive.
@@ -9,11 +9,11 @@ use crate::error::{Error, Result};
 /// [`Error::LengthMismatch`] unless there is one error per mesh size.
 pub fn observed_orders(mesh_sizes: &[f64], errors: &[f64]) -> Result<Vec<Option<f64>>> {
     if mesh_sizes.len() != errors.len() {
-        return Err(Error::LengthMismatch {
+        return Err(Error::Toolkit(ToolkitError::LengthMismatch {
             name: "errors",
             given: errors.len(),
             expected: mesh_sizes.len(),
-        });
+        }));
     }
     let order = |k: usize| {
         let k0 = k.checked_sub(1)?;

@@ -6,9 +6,9 @@
 
 use super::level_loop::{Facts, Level, LevelProblem, solve_levels};
 use crate::cone::Cone;
-use crate::error::{Error, Result};
-use crate::estimate::Estimate;
+use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeOperator, EdgeSolution, Levels, StripProblem, solve_contact};
+use fractional_sobolev::Estimate;
 
 /// A problem on a strip with its levels.
 #[derive(Debug, Clone, Copy)]
@@ -36,7 +36,11 @@ impl<'a> StripLevels<'a> {
 
     fn cells(&self, level: usize) -> Result<usize> {
         let range = "the levels of the strip";
-        self.levels.cells().nth(level).ok_or(Error::CountOutOfRange { name: "level", value: level, range })
+        self.levels.cells().nth(level).ok_or(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "level",
+            value: level,
+            range,
+        }))
     }
 }
 

@@ -14,7 +14,7 @@ use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use crate::cone::Cone;
 use crate::edge::{consistency_terms, edge_norm};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, EdgeOperator, Levels, Reference, StripKind, StripProblem};
 
 /// The reference grid is this much finer than the finest level that counts.
@@ -40,7 +40,11 @@ impl RateStrip {
         let finest = levels.cells().max().unwrap_or(0);
         if !reference_cells.is_power_of_two() || reference_cells <= finest || reference_cells > 1 << 22 {
             let range = "the powers of two above the finest level, at most 2^22";
-            return Err(Error::CountOutOfRange { name: "reference cells", value: reference_cells, range });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "reference cells",
+                value: reference_cells,
+                range,
+            }));
         }
         Ok(Self { kind, levels, reference_cells, problem: None, operators: Vec::new() })
     }

@@ -10,9 +10,9 @@ use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use crate::cone::Cone;
 use crate::contact::{ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result};
-use crate::estimate::Estimate;
+use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::{MeshTransition, TransitionPowers};
+use fractional_sobolev::Estimate;
 
 /// Where the transition lies.
 const POSITIONS: [f64; 2] = [1.0 / 3.0, 2.0 / 3.0];
@@ -54,7 +54,11 @@ impl TransitionRates {
         let cells = finest.filter(|&n| self.coarsest > 0 && self.levels > 0 && n <= LARGEST);
         let Some(cells) = cells else {
             let range = "[1, levels whose finest mesh has at most 1024 squares along each side]";
-            return Err(Error::CountOutOfRange { name: "levels", value: self.levels, range });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "levels",
+                value: self.levels,
+                range,
+            }));
         };
         let of_cone = |&cone: &Cone| {
             let mut members: Vec<Vec<RateLevel>> = Vec::new();

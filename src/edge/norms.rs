@@ -7,9 +7,8 @@
 //! norms on a grid of N cells grow like (ln N)^{1/2}.
 
 use crate::error::Result;
-use crate::estimate::Tolerance;
-use crate::sobolev::{FractionalOrder, GramOperator, Partition};
 use crate::strip::{EdgeData, Sides};
+use fractional_sobolev::{FractionalOrder, GramOperator, Partition, Tolerance};
 
 /// Norm and seminorms of the data of a scene on its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,7 +62,7 @@ pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
 mod tests {
     use super::*;
     use crate::scenes::TransitionPowers;
-    use crate::sobolev::SingularFunction;
+    use fractional_sobolev::SingularFunction;
 
     #[test]
     fn the_grid_gives_the_norm_of_the_powers() {

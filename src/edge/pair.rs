@@ -21,7 +21,7 @@
 //! of its own contact problem on a strip, and every inequality of the proof applies to it with its continuous
 //! norms.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, Sides};
 
 /// Which functions stand for u_N' and σ_N.
@@ -157,7 +157,7 @@ impl ContactPair {
     pub fn segments(&self, n: usize) -> Result<impl Iterator<Item = Segment<'_>>> {
         if n == 0 || !self.cells().is_multiple_of(n) {
             let range = "the divisors of the number of fine cells";
-            return Err(Error::CountOutOfRange { name: "segments", value: n, range });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "segments", value: n, range }));
         }
         let width = self.cells() / n;
         Ok((0..n).map(move |i| self.segment(i * width, width)))

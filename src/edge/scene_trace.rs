@@ -12,7 +12,7 @@
 use super::trace::EdgeTrace;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::Solver;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::{MeshScene, Scene, StripScene};
 use crate::strip::{
     EdgeData, EdgeOperator, ExactEdge, Reference, Sides, StripKind, StripProblem, solve_contact,
@@ -97,12 +97,12 @@ fn strip_data(source: &StripScene, n: usize, tau: f64) -> Result<EdgeData> {
 fn mesh_trace(scene: MeshScene, squares: usize, cone: Cone) -> Result<EdgeTrace> {
     let problem = scene.problem(squares)?;
     if problem.edge().is_closed() {
-        return Err(Error::Incompatible {
+        return Err(Error::Toolkit(ToolkitError::Incompatible {
             what: "scene",
             given: scene.to_string(),
             with: "a trace on a segment",
             expected: "a scene whose contact edge has two ends",
-        });
+        }));
     }
     let solution = problem.solve(cone, Solver::ActiveSet)?;
     let arc = problem.edge().arc().to_vec();

@@ -6,9 +6,7 @@
 use super::pair::Segment;
 use super::seminorm::SeminormForm;
 use crate::error::Result;
-use crate::estimate::Estimate;
-use crate::quadrature::Rule;
-use crate::sobolev::linear_power;
+use fractional_sobolev::{Estimate, Rule};
 
 /// The norms of one segment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -231,4 +229,22 @@ fn free_cells(segment: &Segment<'_>) -> usize {
     let left = segment.pressures.iter().take_while(is_free).count();
     let right = segment.pressures.iter().rev().take_while(is_free).count();
     left.max(right)
+}
+
+/// ∫₀¹ |a(1−t) + bt|^q dt for |a|, |b| ≤ 1.
+fn linear_power(a: f64, b: f64, q: f64) -> f64 {
+    if a * b <= 0.0 {
+        let (a, b) = (a.abs(), b.abs());
+        if a + b == 0.0 {
+            return 0.0;
+        }
+        return (a.powf(q) * a + b.powf(q) * b) / ((q + 1.0) * (a + b));
+    }
+    let (small, large) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
+    // large^q (1 − r^{q+1}) / ((q+1)(1−r)) with r = small/large, by expm1 and log1p in 1 − r
+    let gap = (large - small) / large;
+    if gap == 0.0 {
+        return large.powf(q);
+    }
+    large.powf(q) * -((q + 1.0) * (-gap).ln_1p()).exp_m1() / ((q + 1.0) * gap)
 }

@@ -13,10 +13,8 @@
 //! O(K²).
 
 use super::pair::{Segment, Traces};
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
-use crate::quadrature::Rule;
-use crate::sobolev::{FractionalOrder, GramOperator, Partition};
+use crate::error::{Error, Result, ToolkitError};
+use fractional_sobolev::{Estimate, FractionalOrder, Given, GramOperator, Partition, Rule, Tolerance, Work};
 
 /// Relative rounding of the fast product, against Σ a_ii x_i².
 const PRODUCT: f64 = 1e-13;
@@ -39,10 +37,10 @@ impl SeminormForm {
     pub fn new(traces: Traces, order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
         let order = order.given()?;
         if traces == Traces::Constants && !order.is_below_half() {
-            return Err(Error::InfiniteNorm {
+            return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
                 order: order.value(),
                 why: "a jump is not in H^nu for nu >= 1/2",
-            });
+            }));
         }
         let partition = Partition::uniform(cells, 1.0)?;
         let operator = match traces {
@@ -64,12 +62,16 @@ impl SeminormForm {
     /// [`Error::LengthMismatch`] for a segment of another number of cells.
     pub fn squared(&self, segment: &Segment<'_>, ends: &[[f64; 2]]) -> Result<Estimate> {
         if ends.len() != self.cells || segment.traces != self.traces {
-            return Err(Error::LengthMismatch { name: "cells", given: ends.len(), expected: self.cells });
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
+                name: "cells",
+                given: ends.len(),
+                expected: self.cells,
+            }));
         }
         let x = segment.coefficients(ends);
         let is_constant = x.iter().all(|&v| v == x[0]);
         let Some(operator) = self.operator.as_ref().filter(|_| !is_constant) else {
-            return Estimate::new(0.0, 0.0, Work::default());
+            return Ok(Estimate::new(0.0, 0.0, Work::default())?);
         };
         let mean = x.iter().sum::<f64>() / x.len() as f64;
         let product = operator.apply(&x)?;
@@ -77,7 +79,7 @@ impl SeminormForm {
         let form: f64 = product.iter().zip(&x).map(|(y, v)| y * (v - mean)).sum();
         let size: f64 = operator.diagonal().iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
         let scale = segment.length().powf(self.order.one_minus_twice());
-        Estimate::new(scale * form.max(0.0), scale * PRODUCT * size, Work::default())
+        Ok(Estimate::new(scale * form.max(0.0), scale * PRODUCT * size, Work::default())?)
     }
 }
 
@@ -105,7 +107,10 @@ pub fn seminorm_by_quadrature(
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     if segment.traces == Traces::Constants && !order.is_below_half() {
-        return Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" });
+        return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
+            order: order.value(),
+            why: "a jump is not in H^nu for nu >= 1/2",
+        }));
     }
     let ends = if which == SegmentTrace::Stress { segment.pressures } else { segment.slopes };
     // Constants have seminorm zero: without the first value nearly constant traces keep their digits.

@@ -6,7 +6,7 @@
 //! | −σ_N dΓ | point forces `force` ≥ 0 at the nodes, so that ∫ σ_N v dΓ = −Σ λᵢ v(xᵢ) |
 //! | contact set {u_N = 0} | closed intervals between nodes where u_N = 0, single points included |
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_entry, require_finite, require_length};
 
 /// A closed interval [start, end] of the contact edge; a single point when both agree.
@@ -52,11 +52,11 @@ impl EdgeTrace {
     /// when u_N exceeds `rounding`, or when fewer than two nodes are given ([`Error::CountOutOfRange`]).
     pub fn new(nodes: Vec<f64>, displacement: Vec<f64>, force: Vec<f64>, rounding: f64) -> Result<Self> {
         if nodes.len() < 2 {
-            return Err(Error::CountOutOfRange {
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "nodes of the contact edge",
                 value: nodes.len(),
                 range: "n >= 2",
-            });
+            }));
         }
         for (name, values) in [("displacement", &displacement), ("force", &force)] {
             require_length(name, values.len(), nodes.len())?;

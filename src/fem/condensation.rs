@@ -17,7 +17,7 @@ use super::front::{Front, Update};
 use super::matrix::BlockMatrix;
 use super::ordering::Ordering;
 use super::pool::Pool;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Point;
 use crate::numeric::memory::require_memory;
 use faer::Mat;
@@ -137,7 +137,7 @@ fn check_lengths(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool]) ->
         [("points", points.len(), matrix.nodes()), ("prescribed", prescribed.len(), matrix.unknowns())]
     {
         if given != expected {
-            return Err(Error::LengthMismatch { name, given, expected });
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected }));
         }
     }
     Ok(())

@@ -8,7 +8,7 @@
 
 use crate::error::Result;
 use crate::mesh::{Point, doubled_area};
-use crate::quadrature::Rule;
+use fractional_sobolev::Rule;
 
 /// Cuts toward a singular point: what is left has 4^{−40} of the area, below rounding for every r^p with p >
 /// −0.7.

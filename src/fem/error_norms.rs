@@ -3,7 +3,7 @@
 use super::cubature::Cubature;
 use super::field::Field;
 use super::form::{Element, Form};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, Triangulation};
 
 /// ∇u: row c is the gradient of component c; a scalar function has second row 0.
@@ -37,7 +37,11 @@ pub fn error_norms(
     exact.require(c)?;
     let expected = mesh.nodes().len() * c;
     if values.len() != expected {
-        return Err(Error::LengthMismatch { name: "nodal values", given: values.len(), expected });
+        return Err(Error::Toolkit(ToolkitError::LengthMismatch {
+            name: "nodal values",
+            given: values.len(),
+            expected,
+        }));
     }
     let [mut l2, mut h1, mut energy] = [0.0; 3];
     for (t, corners) in mesh.triangles().iter().enumerate() {
@@ -61,7 +65,11 @@ pub fn error_norms(
             }
             let slopes: f64 = difference.iter().flatten().map(|d| d * d).sum();
             if !slopes.is_finite() {
-                return Err(Error::NotFinite { name: "gradient", index: t, value: slopes });
+                return Err(Error::Toolkit(ToolkitError::NotFinite {
+                    name: "gradient",
+                    index: t,
+                    value: slopes,
+                }));
             }
             l2 += weight * square;
             h1 += weight * slopes;

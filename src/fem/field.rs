@@ -1,6 +1,6 @@
 //! Data and exact solutions given as functions of the point.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Point;
 
 /// A function on the plane with as many components as the form has.
@@ -37,7 +37,11 @@ impl Field<'_> {
             Field::Vector(f) => f(point),
         };
         match value.into_iter().find(|v| !v.is_finite()) {
-            Some(value) => Err(Error::NotFiniteAt { name: "a load or a given function", point, value }),
+            Some(value) => Err(Error::Toolkit(ToolkitError::NotFiniteAt {
+                name: "a load or a given function",
+                point,
+                value,
+            })),
             None => Ok(value),
         }
     }
@@ -61,10 +65,10 @@ impl Field<'_> {
         if self.components() == components {
             return Ok(());
         }
-        Err(Error::LengthMismatch {
+        Err(Error::Toolkit(ToolkitError::LengthMismatch {
             name: "components of a field",
             given: self.components(),
             expected: components,
-        })
+        }))
     }
 }

@@ -9,7 +9,7 @@
 //! A (λ g_i g_j' + μ g_j g_i' + μ (g_i·g_j) I); the scalar one A g_i·g_j + c A (1 + δ_ij)/12. Both are
 //! invariant under scaling of lengths, except for the reaction term.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, doubled_area};
 
 /// Lamé's constants of the plane problem.
@@ -108,7 +108,11 @@ impl Form {
                 Error::require("reaction", *reaction, "[0, inf)", admissible).map(|_| ())
             }
             Form::Elastic { materials } if materials.is_empty() => {
-                Err(Error::CountOutOfRange { name: "materials", value: 0, range: "[1, inf)" })
+                Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                    name: "materials",
+                    value: 0,
+                    range: "[1, inf)",
+                }))
             }
             Form::Elastic { .. } => Ok(()),
         }

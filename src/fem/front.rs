@@ -7,7 +7,7 @@
 //! The columns (L₁₁; L₂₁) are kept as one column-major panel; only lower triangles are touched.
 
 use super::ordering::Ordering;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
@@ -93,9 +93,11 @@ impl Front {
             cholesky_in_place(top.rb_mut(), Default::default(), par, stack, Default::default())
                 .map_err(|_| self.pivots.start)
                 .and_then(|_| vanishing_pivot(ordering, &self.pivots, |j| top[(j, j)]).map_or(Ok(()), Err))
-                .map_err(|position| Error::NotPositiveDefinite {
-                    what: "stiffness matrix",
-                    pivot: ordering.unknowns[position] as usize,
+                .map_err(|position| {
+                    Error::Toolkit(ToolkitError::NotPositiveDefinite {
+                        what: "stiffness matrix",
+                        pivot: ordering.unknowns[position] as usize,
+                    })
                 })?;
             solve_lower_triangular_in_place(top.rb(), bottom.rb_mut().transpose_mut(), par);
             matmul(

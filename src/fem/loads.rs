@@ -5,7 +5,7 @@ use super::field::Field;
 use super::form::Element;
 use crate::error::Result;
 use crate::mesh::{Part, Point, Triangulation, distance};
-use crate::quadrature::Rule;
+use fractional_sobolev::Rule;
 
 /// The load of the P1 function with the given nodal values: consistent mass matrix times values.
 pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! Stresses and gradients of P1 functions: one constant per triangle.
 
 use super::form::{Element, Form};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, Triangulation};
 use crate::numeric::check::require_length;
 
@@ -51,11 +51,13 @@ pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Resu
     require_length("nodal values", displacement.len(), 2 * mesh.nodes().len())?;
     (0..mesh.triangles().len())
         .map(|t| {
-            let material = form.material(mesh.region(t)).ok_or_else(|| Error::Incompatible {
-                what: "form",
-                given: "scalar".to_owned(),
-                with: "stresses",
-                expected: "elastic",
+            let material = form.material(mesh.region(t)).ok_or_else(|| {
+                Error::Toolkit(ToolkitError::Incompatible {
+                    what: "form",
+                    given: "scalar".to_owned(),
+                    with: "stresses",
+                    expected: "elastic",
+                })
             })?;
             let element = Element::new(mesh.corners(t));
             let along = |axis: usize| {

@@ -1,7 +1,7 @@
 //! What a triangulation given from outside must satisfy.
 
 use super::geometry::{BoundaryEdge, Point, distance, doubled_area};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// A triangle whose area is below this multiple of its squared diameter has no usable shape: 2^10 roundings.
 const FLATNESS: f64 = 1024.0 * f64::EPSILON;
@@ -9,11 +9,15 @@ const FLATNESS: f64 = 1024.0 * f64::EPSILON;
 /// Finite coordinates, node numbers in range, positive areas, no node without triangle.
 pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> Result<()> {
     if triangles.is_empty() {
-        return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "[1, inf)" });
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "triangles",
+            value: 0,
+            range: "[1, inf)",
+        }));
     }
     for (index, point) in nodes.iter().enumerate() {
         if let Some(&value) = point.iter().find(|x| !x.is_finite()) {
-            return Err(Error::NotFinite { name: "node coordinate", index, value });
+            return Err(Error::Toolkit(ToolkitError::NotFinite { name: "node coordinate", index, value }));
         }
     }
     let mut used = vec![false; nodes.len()];
@@ -42,19 +46,19 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         }
     }
     match used.iter().position(|&used| !used) {
-        Some(node) => Err(Error::Node { node, reason: "belongs to no triangle" }),
+        Some(node) => Err(Error::Toolkit(ToolkitError::Node { node, reason: "belongs to no triangle" })),
         None => Ok(()),
     }
 }
 
 fn bad_triangle(triangle: usize, reason: &'static str, value: f64) -> Error {
-    Error::Triangle { triangle, reason, value }
+    Error::Toolkit(ToolkitError::Triangle { triangle, reason, value })
 }
 
 /// Every edge in one or two triangles; the labels are exactly the edges in one, turned to have the domain on
 /// the left.
 pub(super) fn boundary(labels: &mut [BoundaryEdge], triangles: &[[usize; 3]]) -> Result<()> {
-    let bad = |nodes, reason| Err(Error::Edge { nodes, reason });
+    let bad = |nodes, reason| Err(Error::Toolkit(ToolkitError::Edge { nodes, reason }));
     let mut sides: Vec<([usize; 2], [usize; 2])> = triangles
         .iter()
         .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
@@ -113,15 +117,30 @@ mod tests {
 
     #[test]
     fn faults_are_named() {
-        assert!(matches!(two_triangles(0.0, &AROUND), Err(Error::Triangle { triangle: 1, .. })));
-        assert!(matches!(two_triangles(-1.0, &AROUND), Err(Error::Triangle { triangle: 1, .. })));
-        assert!(matches!(two_triangles(1.0, &AROUND[..3]), Err(Error::Edge { nodes: [3, 0], .. })));
+        assert!(matches!(
+            two_triangles(0.0, &AROUND),
+            Err(Error::Toolkit(ToolkitError::Triangle { triangle: 1, .. }))
+        ));
+        assert!(matches!(
+            two_triangles(-1.0, &AROUND),
+            Err(Error::Toolkit(ToolkitError::Triangle { triangle: 1, .. }))
+        ));
+        assert!(matches!(
+            two_triangles(1.0, &AROUND[..3]),
+            Err(Error::Toolkit(ToolkitError::Edge { nodes: [3, 0], .. }))
+        ));
         let inner = [AROUND[0], AROUND[1], AROUND[2], AROUND[3], [0, 2]];
-        assert!(matches!(two_triangles(1.0, &inner), Err(Error::Edge { nodes: [0, 2], .. })));
+        assert!(matches!(
+            two_triangles(1.0, &inner),
+            Err(Error::Toolkit(ToolkitError::Edge { nodes: [0, 2], .. }))
+        ));
         assert!(two_triangles(f64::NAN, &AROUND).is_err());
         for size in [1e-160, 1e160] {
             let mesh = two_triangles(1.0, &AROUND).unwrap().mapped(|point| point.map(|x| size * x));
-            assert!(matches!(mesh, Err(Error::Triangle { triangle: 0, .. })), "{size:e}");
+            assert!(
+                matches!(mesh, Err(Error::Toolkit(ToolkitError::Triangle { triangle: 0, .. }))),
+                "{size:e}"
+            );
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use super::geometry::{Part, Point, distance};
 use super::triangulation::Triangulation;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -47,11 +47,15 @@ impl ContactEdge {
         let whole = Self::in_pieces(mesh)?;
         match whole.starts[..] {
             [_] => Ok(whole),
-            [_, second, ..] => Err(Error::Edge {
+            [_, second, ..] => Err(Error::Toolkit(ToolkitError::Edge {
                 nodes: [whole.nodes[second], whole.nodes[second + 1]],
                 reason: "belongs to a second piece of the contact edge, which must be in one piece",
-            }),
-            [] => Err(Error::CountOutOfRange { name: "contact edges", value: 0, range: "[1, inf)" }),
+            })),
+            [] => Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "contact edges",
+                value: 0,
+                range: "[1, inf)",
+            })),
         }
     }
 
@@ -73,7 +77,11 @@ impl ContactEdge {
         let edges: Vec<[usize; 2]> =
             mesh.boundary().iter().filter(|edge| edge.part == Part::Contact).map(|edge| edge.nodes).collect();
         if edges.is_empty() {
-            return Err(Error::CountOutOfRange { name: "contact edges", value: 0, range: "[1, inf)" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "contact edges",
+                value: 0,
+                range: "[1, inf)",
+            }));
         }
         let chains = chains(&edges)?;
         let (mut nodes, mut arc, mut starts) = (Vec::new(), Vec::new(), Vec::new());
@@ -101,9 +109,11 @@ impl ContactEdge {
     pub(crate) fn require_one_piece(&self) -> Result<()> {
         match self.starts.len() {
             1 => Ok(()),
-            value => {
-                Err(Error::CountOutOfRange { name: "pieces of the contact edge", value, range: "[1, 1]" })
-            }
+            value => Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "pieces of the contact edge",
+                value,
+                range: "[1, 1]",
+            })),
         }
     }
 
@@ -188,11 +198,11 @@ impl ContactEdge {
             // Written so that a closed chain (length zero, normal not a number) fails, too.
             let straight = off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + rounded;
             if !straight {
-                return Err(Error::Edge {
+                return Err(Error::Toolkit(ToolkitError::Edge {
                     nodes: [self.nodes[piece.start + i - 1], self.nodes[piece.start + i]],
                     reason: "leaves the line of the contact edge, which must be straight: a free edge between \
                              two contact edges gives each its own normal",
-                });
+                }));
             }
         }
         Ok(normal)
@@ -202,8 +212,9 @@ impl ContactEdge {
 /// Chains of edges that follow each other: those with a first node in the order of their first edges, or one
 /// that closes (`true`). Cost: O(N log N).
 fn chains(edges: &[[usize; 2]]) -> Result<Vec<(Vec<usize>, bool)>> {
-    let pinched =
-        |&nodes: &[usize; 2]| Error::Edge { nodes, reason: "touches another piece of the contact edge" };
+    let pinched = |&nodes: &[usize; 2]| {
+        Error::Toolkit(ToolkitError::Edge { nodes, reason: "touches another piece of the contact edge" })
+    };
     let (mut after, mut ends) = (BTreeMap::new(), BTreeSet::new());
     for edge in edges {
         if after.insert(edge[0], edge[1]).is_some() || !ends.insert(edge[1]) {
@@ -219,10 +230,10 @@ fn chains(edges: &[[usize; 2]]) -> Result<Vec<(Vec<usize>, bool)>> {
     let mut nodes = follow(&mut after, closed[0]);
     nodes.pop();
     if !found.is_empty() || !after.is_empty() {
-        return Err(Error::Edge {
+        return Err(Error::Toolkit(ToolkitError::Edge {
             nodes: *closed,
             reason: "belongs to a closed contact edge beside another one",
-        });
+        }));
     }
     found.push((nodes, true));
     Ok(found)

@@ -3,7 +3,7 @@
 //! Edges (a, b), a < b, lie in buckets by a; buckets are short, so a search in one costs a few comparisons.
 //! Cost: O(triangles).
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// Numbered edges.
 pub(super) struct Edges {
@@ -54,7 +54,7 @@ impl Edges {
             .iter()
             .position(|&partner| partner == a.max(b))
             .map(|k| start + k)
-            .ok_or(Error::Edge { nodes: [a, b], reason: "belongs to no triangle" })
+            .ok_or(Error::Toolkit(ToolkitError::Edge { nodes: [a, b], reason: "belongs to no triangle" }))
     }
 
     /// The ends of every edge, in order.

@@ -8,7 +8,7 @@ use super::bisection::bisect;
 use super::edges::Edges;
 use super::geometry::{BoundaryEdge, Part, Point, distance, middle};
 use super::triangulation::Triangulation;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::memory::require_memory;
 
 /// A node this near to a point, in mesh sizes, is the point: far above rounding, far below any element.
@@ -58,11 +58,11 @@ impl Hierarchy {
     pub fn refine(&mut self) -> Result<()> {
         let coarse = self.finest();
         if coarse.triangles().len() > 1 << 30 {
-            return Err(Error::CountOutOfRange {
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "triangles to refine",
                 value: coarse.triangles().len(),
                 range: "[1, 2^30]",
-            });
+            }));
         }
         require_memory("triangles", 4 * coarse.triangles().len(), BYTES_OF_TRIANGLE)?;
         let (fine, parents) = red(coarse)?;
@@ -102,11 +102,11 @@ impl Hierarchy {
         let finest = self.finest();
         let nearest = finest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
         if nearest > SAME_POINT * finest.mesh_size() {
-            return Err(Error::OutOfRange {
+            return Err(Error::Toolkit(ToolkitError::OutOfRange {
                 name: "distance of the point from the nodes",
                 value: nearest,
                 range: "rounding: refinement is toward a node",
-            });
+            }));
         }
         for _ in 0..times {
             // The nearest node of this level is the point itself: nodes are never moved.
@@ -188,15 +188,19 @@ impl Hierarchy {
     /// [`Error::LengthMismatch`].
     pub fn prolong(&self, from: usize, to: usize, components: usize, values: &[f64]) -> Result<Vec<f64>> {
         if from > to || to >= self.levels.len() {
-            return Err(Error::CountOutOfRange {
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "target level",
                 value: to,
                 range: "[source level, finest level]",
-            });
+            }));
         }
         let expected = self.levels[from].nodes().len() * components;
         if values.len() != expected {
-            return Err(Error::LengthMismatch { name: "nodal values", given: values.len(), expected });
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
+                name: "nodal values",
+                given: values.len(),
+                expected,
+            }));
         }
         let mut values = values.to_vec();
         for parents in &self.parents[from..to] {

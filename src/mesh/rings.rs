@@ -12,7 +12,7 @@
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::f64::consts::PI;
 
 /// Radii below this have areas that binary64 does not hold with all digits.
@@ -47,7 +47,11 @@ pub enum Outline {
 pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
         let range = "multiples of 4 in [4, 512]";
-        return Err(Error::CountOutOfRange { name: "angles of a ring", value: angles, range });
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "angles of a ring",
+            value: angles,
+            range,
+        }));
     }
     Error::require("logarithmic step of the rings", step, "[1e-3, 2]", (1e-3..=2.0).contains(&step))?;
     let admissible = (SMALLEST..=0.5).contains(&smallest);
@@ -55,11 +59,11 @@ pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) ->
     let rings = (-smallest.ln() / step).ceil() as usize + 1;
     let count = rings * (angles + 1) + 1;
     if count > MOST {
-        return Err(Error::CountOutOfRange {
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "nodes of all rings",
             value: count,
             range: "[1, 4000000]",
-        });
+        }));
     }
     let around: Vec<Point> = (0..=angles).map(|j| direction(outline, j, angles)).collect();
     let mut nodes = Vec::with_capacity(count);

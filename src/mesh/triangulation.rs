@@ -7,7 +7,7 @@
 
 use super::check;
 use super::geometry::{BoundaryEdge, Part, Point, distance};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// A conforming triangulation with labelled boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,11 +57,11 @@ impl Triangulation {
     /// [`Error::LengthMismatch`] unless there is one number per triangle.
     pub fn with_regions(mut self, regions: Vec<u32>) -> Result<Self> {
         if regions.len() != self.triangles.len() {
-            return Err(Error::LengthMismatch {
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
                 name: "regions",
                 given: regions.len(),
                 expected: self.triangles.len(),
-            });
+            }));
         }
         self.regions = regions;
         Ok(self)

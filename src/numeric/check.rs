@@ -1,28 +1,24 @@
 //! What input must be: as long as expected, and finite.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// Fails unless `given` is `expected`.
 ///
-/// ```
-/// use signorini::numeric::check::{require_finite, require_finite_at, require_length, require_values};
-/// assert!(require_length("nodal values", 3, 4).is_err());
-/// assert!(require_finite("nodal values", &[0.0, f64::NAN]).is_err());
-/// assert!(require_finite_at("nodal values", 7, 1.0).is_ok());
-/// assert!(require_values("nodal values", &[0.0, 1.0], 2).is_ok());
-/// ```
-///
 /// # Errors
 /// [`Error::LengthMismatch`] under `name`.
-pub fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
-    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
+pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
+    if given == expected {
+        Ok(())
+    } else {
+        Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected }))
+    }
 }
 
 /// Fails unless every value is finite.
 ///
 /// # Errors
 /// [`Error::NotFinite`] under `name`, with the first index at which it is not.
-pub fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
+pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
     values.iter().enumerate().try_for_each(|(index, &value)| require_finite_at(name, index, value))
 }
 
@@ -30,15 +26,19 @@ pub fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::NotFinite`] under `name`.
-pub fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<()> {
-    if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { name, index, value }) }
+pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<()> {
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(Error::Toolkit(ToolkitError::NotFinite { name, index, value }))
+    }
 }
 
 /// Fails unless there are `expected` values, all finite.
 ///
 /// # Errors
 /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-pub fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
+pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
     require_length(name, values.len(), expected)?;
     require_finite(name, values)
 }
@@ -52,11 +52,15 @@ pub(crate) fn require_entry(
     admissible: bool,
 ) -> Result<()> {
     require_not_nan(name, index, value)?;
-    if admissible { Ok(()) } else { Err(Error::EntryOutOfRange { name, index, value, range }) }
+    if admissible {
+        Ok(())
+    } else {
+        Err(Error::Toolkit(ToolkitError::EntryOutOfRange { name, index, value, range }))
+    }
 }
 
 fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<()> {
-    if value.is_nan() { Err(Error::NotFinite { name, index, value }) } else { Ok(()) }
+    if value.is_nan() { Err(Error::Toolkit(ToolkitError::NotFinite { name, index, value })) } else { Ok(()) }
 }
 
 #[cfg(test)]
@@ -67,8 +71,14 @@ mod tests {
     fn what_is_wrong_is_named() {
         assert!(require_values("gap", &[1.0, 2.0], 2).is_ok());
         let short = require_values("gap", &[1.0], 2);
-        assert_eq!(short, Err(Error::LengthMismatch { name: "gap", given: 1, expected: 2 }));
+        assert_eq!(
+            short,
+            Err(Error::Toolkit(ToolkitError::LengthMismatch { name: "gap", given: 1, expected: 2 }))
+        );
         let infinite = require_finite("gap", &[1.0, f64::INFINITY]);
-        assert_eq!(infinite, Err(Error::NotFinite { name: "gap", index: 1, value: f64::INFINITY }));
+        assert_eq!(
+            infinite,
+            Err(Error::Toolkit(ToolkitError::NotFinite { name: "gap", index: 1, value: f64::INFINITY }))
+        );
     }
 }

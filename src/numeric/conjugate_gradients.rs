@@ -9,7 +9,7 @@ use super::sum::pairwise_dot;
 use crate::error::Result;
 
 /// A matrix and its preconditioner.
-pub trait System {
+pub(crate) trait System {
     /// out ← A x.
     ///
     /// # Errors
@@ -27,7 +27,7 @@ pub trait System {
 ///
 /// Returned by [`ConjugateGradients::step`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Step {
+pub(crate) enum Step {
     /// The energy of the error fell by this, ρ²/κ.
     Gain(f64),
     /// κ is not positive, or not a number: A is not positive definite along the direction, or the residual is
@@ -36,31 +36,9 @@ pub enum Step {
 }
 
 /// The state of an iteration.
-///
-/// ```
-/// use signorini::Result;
-/// use signorini::numeric::conjugate_gradients::{ConjugateGradients, System};
-/// /// A = diag(1, 2), preconditioned by its inverse.
-/// struct Diagonal;
-/// impl System for Diagonal {
-///     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
-///         out.copy_from_slice(&[x[0], 2.0 * x[1]]);
-///         Ok(())
-///     }
-///     fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()> {
-///         out.copy_from_slice(&[r[0], r[1] / 2.0]);
-///         Ok(())
-///     }
-/// }
-/// let (mut x, mut iteration) = ([0.0; 2], ConjugateGradients::new(2));
-/// iteration.start(&mut Diagonal, &[3.0, 4.0])?;
-/// iteration.step(&mut Diagonal, &mut x)?;
-/// assert!(x == [3.0, 2.0] && iteration.rho() == 0.0);
-/// # Ok::<(), signorini::Error>(())
-/// ```
 #[doc(alias("CG", "PCG"))]
 #[derive(Debug, Clone)]
-pub struct ConjugateGradients {
+pub(crate) struct ConjugateGradients {
     /// b − A x.
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -71,7 +49,7 @@ pub struct ConjugateGradients {
 
 impl ConjugateGradients {
     /// For n unknowns.
-    pub fn new(n: usize) -> Self {
+    pub(crate) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self { residual: zeros(), direction: zeros(), image: zeros(), corrected: zeros(), rho: 0.0 }
     }
@@ -80,7 +58,7 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// Those of the preconditioner.
-    pub fn start(&mut self, system: &mut impl System, residual: &[f64]) -> Result<()> {
+    pub(crate) fn start(&mut self, system: &mut impl System, residual: &[f64]) -> Result<()> {
         self.residual.copy_from_slice(residual);
         self.rho = self.precondition(system)?;
         self.direction.copy_from_slice(&self.corrected);
@@ -88,7 +66,7 @@ impl ConjugateGradients {
     }
 
     /// ρ = rᵀB r ≥ 0.
-    pub fn rho(&self) -> f64 {
+    pub(crate) fn rho(&self) -> f64 {
         self.rho
     }
 
@@ -96,7 +74,7 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// Those of the system.
-    pub fn step(&mut self, system: &mut impl System, x: &mut [f64]) -> Result<Step> {
+    pub(crate) fn step(&mut self, system: &mut impl System, x: &mut [f64]) -> Result<Step> {
         system.apply(&self.direction, &mut self.image)?;
         let curvature = pairwise_dot(&self.direction, &self.image);
         // The negation catches NaN.

@@ -2,101 +2,16 @@
 
 /// P_{k+1}(x) from P_k(x) and P_{k−1}(x); the latter does not matter for k = 0.
 #[inline]
-pub fn next(k: usize, x: f64, current: f64, previous: f64) -> f64 {
+pub(crate) fn next(k: usize, x: f64, current: f64, previous: f64) -> f64 {
     let k = k as f64;
     ((2.0 * k + 1.0) * x * current - k * previous) / (k + 1.0)
 }
 
 /// P_0(x), P_1(x), ... into all places of `values`.
-pub fn fill(values: &mut [f64], x: f64) {
+pub(crate) fn fill(values: &mut [f64], x: f64) {
     let (mut previous, mut current) = (0.0, 1.0);
     for (k, value) in values.iter_mut().enumerate() {
         *value = current;
         (previous, current) = (current, next(k, x, current, previous));
-    }
-}
-
-/// Σ c_k P_k(x).
-///
-/// ```
-/// use signorini::numeric::legendre;
-/// // P_2(x) = (3x² − 1)/2
-/// let [c, x] = [[0.0, 0.0, 1.0], [0.5, 0.25, 0.0]];
-/// assert_eq!(legendre::series(c, x[0]), -0.125);
-/// assert_eq!(legendre::series_with_slope(c, x[0]), (-0.125, 1.5));
-/// let (mut values, mut quotients) = ([0.0; 3], [0.0; 3]);
-/// legendre::fill(&mut values, x[0]);
-/// assert_eq!(values[2], legendre::next(1, x[0], values[1], values[0]));
-/// // (P_2(1/4) − P_2(1/2))/(1/4 − 1/2) = 3/2 · 3/4, and without a difference also at a = b
-/// assert!((legendre::difference_quotients(3, x[0], x[1])[2] - 1.125).abs() < 1e-15);
-/// legendre::fill_with_quotients(&mut values, &mut quotients, 0.5, 0.5);
-/// assert!((quotients[2] - 1.5).abs() < 1e-15);
-/// ```
-pub fn series(coefficients: impl IntoIterator<Item = f64>, x: f64) -> f64 {
-    let (mut previous, mut current, mut sum) = (0.0, 1.0, 0.0);
-    for (k, c) in coefficients.into_iter().enumerate() {
-        sum += c * current;
-        (previous, current) = (current, next(k, x, current, previous));
-    }
-    sum
-}
-
-/// (Σ c_k P_k(x), Σ c_k P_k'(x)), by P'\_{k+1} = (2k+1) P_k + P'\_{k−1}.
-pub fn series_with_slope(coefficients: impl IntoIterator<Item = f64>, x: f64) -> (f64, f64) {
-    let (mut previous, mut current) = (0.0, 1.0);
-    let (mut previous_slope, mut slope) = (0.0, 0.0);
-    let (mut sum, mut derivative) = (0.0, 0.0);
-    for (k, c) in coefficients.into_iter().enumerate() {
-        sum += c * current;
-        derivative += c * slope;
-        let next_slope = (2 * k + 1) as f64 * current + previous_slope;
-        (previous_slope, slope) = (slope, next_slope);
-        (previous, current) = (current, next(k, x, current, previous));
-    }
-    (sum, derivative)
-}
-
-/// (P_k(b) − P_k(a))/(b − a) for k < `count`, as [`fill_with_quotients`].
-pub fn difference_quotients(count: usize, a: f64, b: f64) -> Vec<f64> {
-    let mut quotients = vec![0.0; count];
-    fill_with_quotients(&mut vec![0.0; count], &mut quotients, a, b);
-    quotients
-}
-
-/// P_k(a) and (P_k(b) − P_k(a))/(b − a) into all places, from the recurrence itself and so without a
-/// difference: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
-pub fn fill_with_quotients(values: &mut [f64], quotients: &mut [f64], a: f64, b: f64) {
-    let (mut previous, mut quotient) = (0.0, 0.0);
-    let (mut before, mut current) = (0.0, 1.0);
-    for (k, (value, place)) in values.iter_mut().zip(quotients).enumerate() {
-        (*value, *place) = (current, quotient);
-        let n = k as f64;
-        let following = ((2.0 * n + 1.0) * (b * quotient + current) - n * previous) / (n + 1.0);
-        (previous, quotient) = (quotient, following);
-        (before, current) = (current, next(k, a, current, before));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn low_degrees_slopes_and_quotients() {
-        let (a, b) = (-0.3, 0.7);
-        let mut values = [0.0; 4];
-        fill(&mut values, a);
-        let exact = [1.0, a, 0.5 * (3.0 * a * a - 1.0), 0.5 * (5.0 * a * a - 3.0) * a];
-        assert!(values.iter().zip(exact).all(|(v, e)| (v - e).abs() < 1e-15));
-        let c = [0.2, -1.0, 0.5, 2.0];
-        let (sum, slope) = series_with_slope(c, a);
-        assert!((sum - series(c, a)).abs() < 1e-15);
-        let exact_slope = -1.0 + 0.5 * 3.0 * a + 2.0 * 0.5 * (15.0 * a * a - 3.0);
-        assert!((slope - exact_slope).abs() < 1e-14);
-        let mut others = [0.0; 4];
-        fill(&mut others, b);
-        for (k, q) in difference_quotients(4, a, b).into_iter().enumerate() {
-            assert!((q - (others[k] - values[k]) / (b - a)).abs() < 1e-14, "{k}");
-        }
     }
 }

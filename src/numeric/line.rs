@@ -1,18 +1,9 @@
 //! The regression line y = a + s x, and slopes in doubly logarithmic coordinates.
 
 /// Slope of the regression line and its standard error; 0 for the latter with two points.
-///
-/// ```
-/// use signorini::numeric::line::Line;
-/// let line = Line::through(&[(0.0, 1.0), (1.0, 3.0), (2.0, 5.0)]);
-/// assert!(line.slope == 2.0 && line.intercept == 1.0 && line.error < 1e-12);
-/// // the error of a method over h: the exponent is the rate
-/// let rate = Line::through_logarithms(&[(0.1, 0.03), (0.05, 0.0075), (0.025, 0.001875)]);
-/// assert!((rate.slope - 2.0).abs() < 1e-12);
-/// ```
 #[doc(alias("linear regression", "least squares"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
+pub(crate) struct Line {
     /// s.
     pub slope: f64,
     /// a.
@@ -23,7 +14,7 @@ pub struct Line {
 
 impl Line {
     /// Through points (x, y) with at least two different x; otherwise the slope is not a number.
-    pub fn through(points: &[(f64, f64)]) -> Self {
+    pub(crate) fn through(points: &[(f64, f64)]) -> Self {
         let count = points.len() as f64;
         let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / count;
         let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
@@ -35,7 +26,7 @@ impl Line {
     }
 
     /// Through (ln x, ln y): the slope is the exponent of a power law. All coordinates must be positive.
-    pub fn through_logarithms(points: &[(f64, f64)]) -> Self {
+    pub(crate) fn through_logarithms(points: &[(f64, f64)]) -> Self {
         Self::through(&points.iter().map(|(x, y)| (x.ln(), y.ln())).collect::<Vec<_>>())
     }
 }

@@ -1,6 +1,6 @@
 //! What is asked for must fit into memory: checked before anything is allocated.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::sync::OnceLock;
 
 /// Bytes that are never asked about.
@@ -10,7 +10,7 @@ const SMALL: f64 = (1u64 << 28) as f64;
 const UNKNOWN: f64 = (8u64 << 30) as f64;
 
 /// Bytes of physical memory: what `/proc/meminfo` says, 8 GiB on systems without it. Read once.
-pub fn physical() -> f64 {
+pub(crate) fn physical() -> f64 {
     static BYTES: OnceLock<f64> = OnceLock::new();
     *BYTES.get_or_init(|| {
         let text = std::fs::read_to_string("/proc/meminfo").unwrap_or_default();
@@ -26,21 +26,19 @@ fn total_of(text: &str) -> Option<f64> {
 
 /// Fails when `count` pieces of `bytes` bytes each exceed the machine's memory.
 ///
-/// ```
-/// use signorini::numeric::memory::{physical, require_memory};
-/// assert!(physical() > 0.0);
-/// assert!(require_memory("nodes", 1000, 8).is_ok());
-/// assert!(require_memory("entries", 1 << 60, 8).is_err());
-/// ```
-///
 /// # Errors
 /// [`Error::TooLarge`] under `name`.
-pub fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<()> {
+pub(crate) fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<()> {
     let needed = count as f64 * bytes as f64;
     if needed <= SMALL || needed <= physical() {
         return Ok(());
     }
-    Err(Error::TooLarge { name, count, needed: needed / 1e9, available: physical() / 1e9 })
+    Err(Error::Toolkit(ToolkitError::TooLarge {
+        name,
+        count,
+        needed: needed / 1e9,
+        available: physical() / 1e9,
+    }))
 }
 
 #[cfg(test)]
@@ -51,7 +49,9 @@ mod tests {
     fn what_cannot_fit_is_refused_with_both_sizes() {
         assert!(require_memory("elements", 1000, 24).is_ok());
         let refused = require_memory("elements", usize::MAX, usize::MAX).unwrap_err();
-        let Error::TooLarge { name: "elements", count: usize::MAX, needed, available } = refused else {
+        let Error::Toolkit(ToolkitError::TooLarge { name: "elements", count: usize::MAX, needed, available }) =
+            refused
+        else {
             panic!("{refused:?}");
         };
         assert!(needed > 1e20 && available > 0.1);

@@ -1,27 +1,20 @@
 //! Numbers nobody has chosen, the same on every machine: SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 
 /// A sequence of numbers with a seed.
-///
-/// ```
-/// use signorini::numeric::random::SplitMix;
-/// let (mut a, mut b) = (SplitMix::new(7), SplitMix::new(7));
-/// assert!((0..100).all(|_| a.uniform() == b.uniform())); // one seed, one sequence, on every machine
-/// assert!((2.0..3.0).contains(&a.between(2.0, 3.0)) && a.below(6) < 6);
-/// ```
 #[doc(alias("random number generator"))]
 #[derive(Debug, Clone)]
-pub struct SplitMix {
+pub(crate) struct SplitMix {
     state: u64,
 }
 
 impl SplitMix {
     /// The sequence of a seed.
-    pub const fn new(seed: u64) -> Self {
+    pub(crate) const fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
     /// Uniform in [0, 1).
-    pub fn uniform(&mut self) -> f64 {
+    pub(crate) fn uniform(&mut self) -> f64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.state;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -30,12 +23,14 @@ impl SplitMix {
     }
 
     /// Uniform in [low, high).
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.uniform()
     }
 
+    #[cfg(test)]
     /// One of 0, ..., `count` − 1; 0 for no count.
-    pub fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.uniform() * count as f64) as usize
     }
 }

@@ -3,36 +3,18 @@
 
 /// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x
 /// = 0.
-///
-/// ```
-/// use signorini::numeric::scale::{largest, power_below, power_between, power_of_two, unit_of};
-/// assert_eq!((power_of_two(3.0), power_of_two(0.3), power_of_two(0.0)), (2.0, 0.25, 1.0));
-/// assert_eq!((unit_of(&[0.1, -5.0]), power_below(&[0.1, -5.0])), (4.0, 4.0));
-/// assert_eq!(largest(&[0.1, -5.0]), 5.0);
-/// assert!((0.5..=2.0).contains(&(power_between(2.0, 8.0) / 4.0)));
-/// ```
-pub fn power_of_two(x: f64) -> f64 {
+pub(crate) fn power_of_two(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { libm::ldexp(1.0, libm::ilogb(x).max(-1000)) }
 }
 
-/// [`power_of_two`] of the largest absolute value; 1 when all are zero.
-pub fn unit_of<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
-    power_of_two(largest(values))
-}
-
 /// The power of two below the largest absolute value; 1 when all are zero, subnormal, or one is not finite.
-pub fn power_below(values: &[f64]) -> f64 {
+pub(crate) fn power_below(values: &[f64]) -> f64 {
     let power = f64::from_bits(largest(values).to_bits() & f64::INFINITY.to_bits());
     if power.is_normal() { power } else { 1.0 }
 }
 
-/// A power of two within a factor 2 of √(ab), a and b > 0.
-pub fn power_between(a: f64, b: f64) -> f64 {
-    libm::ldexp(1.0, (libm::ilogb(a) + libm::ilogb(b)) / 2)
-}
-
 /// max |v|; NaN does not count.
-pub fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
+pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     values.into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
@@ -43,12 +25,7 @@ mod tests {
     #[test]
     fn units_are_powers_of_two_near_what_they_measure() {
         assert_eq!([0.0, 3.0, -0.3, 1e-310].map(power_of_two), [1.0, 2.0, 0.25, 2f64.powi(-1000)]);
-        assert_eq!(unit_of(&[1.0, -9.0]), 8.0);
         assert_eq!(power_below(&[]), 1.0);
         assert_eq!(power_below(&[5.0, f64::INFINITY]), 1.0);
-        for (a, b) in [(1e-300, 1e300), (3.0, 5.0), (1e-8, 1.0)] {
-            let quotient = power_between(a, b) / (a.sqrt() * b.sqrt());
-            assert!((0.4..2.1).contains(&quotient), "{a} {b}: {quotient}");
-        }
     }
 }

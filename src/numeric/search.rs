@@ -4,17 +4,7 @@
 /// true in (low, high).
 ///
 /// Halves until the bracket is at most `width` wide or holds no number between its ends.
-///
-/// ```
-/// use signorini::numeric::search::{golden_section, sign_change, smallest_on_grid};
-/// let (below, above) = sign_change(1.0, 2.0, 1e-12, |x| x * x > 2.0);
-/// assert!(below < 2f64.sqrt() && 2f64.sqrt() < above);
-/// // the least value of (x − 0.3)²: a bracket first, then golden sections
-/// let f = |x: f64| (x - 0.3).powi(2);
-/// let (index, (low, high)) = smallest_on_grid(0.0, 1.0, 10, f);
-/// assert!(index == 3 && (golden_section(low, high, 1e-9, f) - 0.3).abs() < 1e-6);
-/// ```
-pub fn sign_change(
+pub(crate) fn sign_change(
     mut low: f64,
     mut high: f64,
     width: f64,
@@ -31,7 +21,7 @@ pub fn sign_change(
 }
 
 /// Where f is smallest on (low, high), to `width`: golden sections; f should have one minimum there.
-pub fn golden_section(low: f64, high: f64, width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn golden_section(low: f64, high: f64, width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let ratio = 0.5 * (5f64.sqrt() - 1.0);
     let (mut a, mut b) = (low, high);
     while b - a > width {
@@ -47,7 +37,7 @@ pub fn golden_section(low: f64, high: f64, width: f64, mut f: impl FnMut(f64) ->
 /// The index k of the smallest f at low + k (high − low)/steps, 0 ≤ k ≤ steps, and its neighbours' places: a
 /// bracket for
 /// [`golden_section`] when k is inside.
-pub fn smallest_on_grid(
+pub(crate) fn smallest_on_grid(
     low: f64,
     high: f64,
     steps: usize,

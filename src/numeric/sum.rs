@@ -5,14 +5,14 @@ use super::scale::power_below;
 /// A running sum with Neumaier's compensation (ZAMM 54, 1974): error about 1 ulp of Σ|terms| ε² n, whatever
 /// the count.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct RunningSum {
+pub(crate) struct RunningSum {
     sum: f64,
     carry: f64,
 }
 
 impl RunningSum {
     /// One more term.
-    pub fn add(&mut self, term: f64) {
+    pub(crate) fn add(&mut self, term: f64) {
         let next = self.sum + term;
         self.carry +=
             if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
@@ -20,33 +20,21 @@ impl RunningSum {
     }
 
     /// The sum so far.
-    pub fn value(&self) -> f64 {
+    pub(crate) fn value(&self) -> f64 {
         self.sum + self.carry
     }
 }
 
 /// The compensated sum of all terms.
-///
-/// ```
-/// use signorini::numeric::sum::{RunningSum, careful_dot, compensated, pairwise_dot, pairwise_sum};
-/// let terms = [1e100, 1.0, -1e100];
-/// assert!(terms.iter().sum::<f64>() == 0.0 && compensated(terms) == 1.0);
-/// let mut running = RunningSum::default();
-/// terms.into_iter().for_each(|term| running.add(term));
-/// assert_eq!(running.value(), 1.0);
-/// assert_eq!(pairwise_sum(0, 1000, |k| k as f64), 499_500.0);
-/// let (a, b) = ([1e200, 1.0], [1e-200, 2.0]);
-/// assert!(pairwise_dot(&a, &b) == 3.0 && (careful_dot(&a, &b) - 3.0).abs() < 1e-15);
-/// ```
 #[doc(alias("Kahan", "Neumaier"))]
-pub fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
+pub(crate) fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
     let mut sum = RunningSum::default();
     terms.into_iter().for_each(|term| sum.add(term));
     sum.value()
 }
 
 /// Σ_{start ≤ k < end} term(k) by halving: rounding grows like the logarithm of the number of terms.
-pub fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64 + Copy) -> f64 {
+pub(crate) fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64 + Copy) -> f64 {
     const LEAF: usize = 64;
     if end.saturating_sub(start) <= LEAF {
         return (start..end).map(term).sum();
@@ -56,12 +44,12 @@ pub fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64 + Copy
 }
 
 /// Σ a_i b_i over the length of a by halving: fast, for iterations. b must not be shorter.
-pub fn pairwise_dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn pairwise_dot(a: &[f64], b: &[f64]) -> f64 {
     pairwise_sum(0, a.len(), |i| a[i] * b[i])
 }
 
 /// Σ a_i b_i, compensated; terms neither overflow nor underflow unless the result does.
-pub fn careful_dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn careful_dot(a: &[f64], b: &[f64]) -> f64 {
     let (p, q) = (power_below(a), power_below(b));
     compensated(a.iter().zip(b).map(|(a, b)| (a / p) * (b / q))) * p * q
 }

@@ -15,7 +15,7 @@ const QUOTED: usize = 40;
 ///
 /// # Errors
 /// [`Error::File`] with what the system said, or for more than 2^30 bytes.
-pub fn read_text(path: &Path) -> Result<String> {
+pub(crate) fn read_text(path: &Path) -> Result<String> {
     let failed = |error: std::io::Error| Error::file(path, error);
     let mut bytes = Vec::new();
     File::open(path).map_err(failed)?.take(LONGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
@@ -31,19 +31,9 @@ pub fn read_text(path: &Path) -> Result<String> {
 /// Two finite numbers per line, between blanks or commas; `#` begins a comment, lines without a word are
 /// passed over. Each pair with its line, from 1.
 ///
-/// ```
-/// use signorini::numeric::text::{pairs, quoted, read_text};
-/// let rows = pairs("# x, y\n0, 1\n0.5 2\n", "samples")?;
-/// assert_eq!(rows, [(2, [0.0, 1.0]), (3, [0.5, 2.0])]); // with their lines
-/// assert!(pairs("0, one", "samples").is_err());
-/// assert!(quoted("one").contains("one"));
-/// assert!(read_text("no such file".as_ref()).is_err());
-/// # Ok::<(), signorini::Error>(())
-/// ```
-///
 /// # Errors
 /// [`Error::Syntax`] with the line that is anything else.
-pub fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>> {
+pub(crate) fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>> {
     let mut pairs = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let content = line.split('#').next().unwrap_or("");
@@ -69,7 +59,7 @@ pub fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>>
 }
 
 /// The beginning of a word between quotation marks, without control characters.
-pub fn quoted(word: &str) -> String {
+pub(crate) fn quoted(word: &str) -> String {
     let more = if word.chars().nth(QUOTED).is_some() { "..." } else { "" };
     let shown: String = word.chars().take(QUOTED).flat_map(char::escape_debug).collect();
     format!("'{shown}{more}'")

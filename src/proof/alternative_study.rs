@@ -6,7 +6,7 @@ use super::section::Section;
 use super::theta::ThetaRule;
 use crate::cone::Cone;
 use crate::edge::EdgeTrace;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::Scene;
 use std::fmt;
 use std::str::FromStr;
@@ -83,7 +83,7 @@ impl AlternativeCase {
     }
 
     fn check(&self) -> Result<()> {
-        let count = |name, value, range| Error::CountOutOfRange { name, value, range };
+        let count = |name, value, range| Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range });
         if !(1..=MESHES).contains(&self.meshes) {
             return Err(count("meshes", self.meshes, "[1, 16]"));
         }
@@ -159,11 +159,11 @@ impl FromStr for Against {
         match text {
             "reference" => Ok(Against::Reference),
             "itself" => Ok(Against::Itself),
-            _ => Err(Error::UnknownName {
+            _ => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "solution to classify on",
                 given: text.to_owned(),
                 expected: "reference or itself",
-            }),
+            })),
         }
     }
 }

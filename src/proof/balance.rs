@@ -33,11 +33,10 @@
 
 use super::constants::ProofConstants;
 use crate::edge::Traces;
-use crate::error::{Error, Result};
-use crate::numeric::dense::Cholesky;
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::search::sign_change;
-use crate::sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
-use nalgebra::DMatrix;
+use fractional_sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
+use nalgebra::{Cholesky, DMatrix};
 
 /// Layers of the mesh at every end, and their ratio.
 const LAYERS: usize = 8;
@@ -71,8 +70,10 @@ impl Forms {
         }
         let scale = h.powf(order.one_minus_twice());
         let norm = DMatrix::from_fn(size, size, |i, j| h * self.mass[(i, j)] + scale * self.seminorm[(i, j)]);
-        let broken = || Error::NotPositiveDefinite { what: "Gram matrix of a trace", pivot: size };
-        let solved = Cholesky::new(&norm).ok_or_else(broken)?.solve(&self.functionals);
+        let broken = || {
+            Error::Toolkit(ToolkitError::NotPositiveDefinite { what: "Gram matrix of a trace", pivot: size })
+        };
+        let solved = Cholesky::new(norm).ok_or_else(broken)?.solve(&self.functionals);
         let product = |i: usize, j: usize| {
             h * h * (0..size).map(|k| self.functionals[(k, i)] * solved[(k, j)]).sum::<f64>()
         };

@@ -5,7 +5,7 @@ use super::resolution::Resolution;
 use super::section::Section;
 use super::theta::ThetaRule;
 use crate::edge::{ContactPair, Traces};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::StripScene;
 use crate::strip::{Levels, Sides};
 
@@ -106,14 +106,18 @@ impl ProofCase {
         let cells = self.resolution.cells(finest);
         if cells > LARGEST || cells < 2 * finest {
             let range = "[2 per segment, 2^20]";
-            return Err(Error::CountOutOfRange { name: "cells of the finest edge", value: cells, range });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "cells of the finest edge",
+                value: cells,
+                range,
+            }));
         }
         if !(1..=POSITIONS).contains(&self.positions) {
-            return Err(Error::CountOutOfRange {
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "positions",
                 value: self.positions,
                 range: "[1, 64]",
-            });
+            }));
         }
         Ok(())
     }

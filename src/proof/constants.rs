@@ -1,13 +1,14 @@
 //! The explicit constants of one τ, frozen once made: collect the zones, compute, then ask.
 
 use super::step::TwoLaws;
-use crate::error::{Error, Result};
-use crate::estimate::Tolerance;
-use crate::interpolation::{
-    ErrorNorm, critical_exponent, element_constant, embedding_upper_bound, limits, projection_constant,
+use crate::error::{Error, Result, ToolkitError};
+use fractional_sobolev::{
+    FractionalOrder, Tolerance,
+    interpolation::{
+        ErrorNorm, critical_exponent, element_constant, embedding_upper_bound, limits, projection_constant,
+    },
+    poincare::{Condition, Zone, gamma, gamma_at_point},
 };
-use crate::poincare::{Condition, Zone, gamma, gamma_at_point};
-use crate::sobolev::FractionalOrder;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -53,7 +54,7 @@ impl ProofConstants {
         Error::require("tau", tau, "(3/2, 5/2)", tau > 1.5 && tau < 2.5)?;
         let order = FractionalOrder::from_offset(tau - 2.0)?;
         let tolerance = Tolerance::balanced();
-        let upper = |e: crate::Estimate| e.value + e.error;
+        let upper = |e: fractional_sobolev::Estimate| e.value + e.error;
         let (q, embedding) = if tau < 2.0 {
             let q = critical_exponent(order)?;
             (q, embedding_upper_bound(order, q)?.value)
@@ -111,11 +112,11 @@ impl ProofConstants {
             return Ok(self.factors.printed);
         }
         let range = "the zones these constants were made for";
-        self.gammas.get(&theta.to_bits()).copied().ok_or(Error::OutOfRange {
+        self.gammas.get(&theta.to_bits()).copied().ok_or(Error::Toolkit(ToolkitError::OutOfRange {
             name: "theta",
             value: theta,
             range,
-        })
+        }))
     }
 
     /// γ for a zone of at least this share of the segment: its length rounded down to a power of 1/2.

@@ -1,6 +1,6 @@
 //! Exponents of h with their uncertainty.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::line::Line;
 
 /// An exponent of h by least squares, with its uncertainty.
@@ -25,11 +25,11 @@ impl Exponent {
             points.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| (p.0.ln(), p.1.ln())).collect();
         if logs.len() < 3 {
             let range = "[3, inf)";
-            return Err(Error::CountOutOfRange {
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "positive values of a fit",
                 value: logs.len(),
                 range,
-            });
+            }));
         }
         let Line { slope: value, error, .. } = Line::through(&logs);
         let half = logs.len() / 2;

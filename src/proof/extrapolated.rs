@@ -9,10 +9,10 @@ use super::fine_norms::{FineForms, FineNorms};
 use super::with_numbers::TheoremNumbers;
 use crate::cone::Cone;
 use crate::contact::{ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Hierarchy;
 use crate::scenes::{LoadedBody, body_regularity};
+use fractional_sobolev::{Estimate, Work};
 
 /// n on the coarsest mesh.
 const COARSEST: usize = 4;
@@ -69,7 +69,7 @@ impl SolvedBody {
     pub fn new(body: LoadedBody, finest: u32) -> Result<Self> {
         if !(5..=10).contains(&finest) {
             let (name, value) = ("finest level", finest as usize);
-            return Err(Error::CountOutOfRange { name, value, range: "[5, 10]" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[5, 10]" }));
         }
         let times = finest as usize - COARSEST.ilog2() as usize;
         let hierarchy = Hierarchy::refined(body.mesh(COARSEST)?, times)?;
@@ -132,12 +132,12 @@ impl ExtrapolatedStudy {
     pub fn new(numbers: TheoremNumbers, solved: &SolvedBody, cone: Cone, norms: FineNorms) -> Result<Self> {
         let body = solved.body;
         let Some(place) = body.cones().iter().position(|&known| known == cone) else {
-            return Err(Error::Incompatible {
+            return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "body",
                 given: body.to_string(),
                 with: "the midpoint cone",
                 expected: "displacements given on all of the boundary but the contact edge",
-            });
+            }));
         };
         let numbers = body.lame()?.map_or(numbers, |lame| numbers.elastic(lame));
         let up = |estimate: Estimate| estimate.value + estimate.error;

@@ -7,9 +7,8 @@
 //! r^{1−ν} and |∇u|_ν ~ r^{−ν}, while Iu = −1 on all of T: the nodal quotient grows like r^{2ν−1}, the other
 //! falls like r^{1+2ν}.
 
-use crate::error::{Given, Result};
-use crate::estimate::{Estimate, Tolerance};
-use crate::sobolev::{FractionalOrder, PlaneFunction, Triangles, root_of_squares};
+use crate::error::Result;
+use fractional_sobolev::{Estimate, FractionalOrder, Given, PlaneFunction, Tolerance, Triangles};
 
 /// Both quotients for one size of the gaps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +40,7 @@ impl FaceGaps {
         let pressure = PlaneFunction::constants(face.mesh.clone(), face.pressure.clone())?;
         let gap = PlaneFunction::linears(face.mesh.clone(), face.gap.clone())?;
         let [x, y] = gap.gradient()?;
-        let slope = root_of_squares(&[x.seminorm(order, tolerance)?, y.seminorm(order, tolerance)?])?;
+        let slope = x.seminorm(order, tolerance)?.hypot(y.seminorm(order, tolerance)?)?;
         let pressure = pressure.seminorm(order, tolerance)?;
         // Iu = −1.
         let [nodal, mean] = [-contact, contact * opening / face.mesh.area()];

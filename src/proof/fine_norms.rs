@@ -12,10 +12,9 @@
 //! away from the finest. An estimate, not a bound.
 
 use crate::contact::{ContactProblem, ContactSolution};
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{gradients, recovered_gradients};
-use crate::sobolev::{FractionalOrder, GramOperator, GridOperator, Partition};
+use fractional_sobolev::{Estimate, FractionalOrder, GramOperator, GridOperator, Partition, Tolerance, Work};
 
 /// Of the kernels.
 const ACCURACY: f64 = 1e-6;
@@ -122,7 +121,7 @@ impl FineNorms {
     pub fn extrapolated(tau: f64, smoothness: f64, squares: &[[f64; 3]; 3]) -> Result<Self> {
         if tau >= smoothness {
             let why = "the solution is rougher at one of its corners or transitions";
-            return Err(Error::InfiniteNorm { order: tau, why });
+            return Err(Error::Toolkit(ToolkitError::InfiniteNorm { order: tau, why }));
         }
         let ratio = (2.0 * (smoothness.min(SMOOTHEST) - tau)).exp2();
         let one = |k: usize| -> Result<Estimate> {
@@ -130,7 +129,7 @@ impl FineNorms {
             let limit = |before: f64, last: f64| last + (last - before) / (ratio - 1.0);
             let (before, last) = (limit(coarse, middle), limit(middle, fine));
             let error = (last - before).abs() + TRUST * (last - fine).abs();
-            Estimate::new(last.max(0.0), error, Work::default())?.sqrt()
+            Ok(Estimate::new(last.max(0.0), error, Work::default())?.sqrt()?)
         };
         Ok(Self { body: one(0)?, pressure: one(1)?, slope: one(2)? })
     }

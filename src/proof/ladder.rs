@@ -6,7 +6,7 @@ use super::line::Line;
 use super::profile::{LevelProfile, ProofProfile};
 use super::step::{Step, TwoLaws};
 use super::theta::printed_exponent;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// A rung over all meshes.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +51,7 @@ impl ProofProfile {
         let levels: Vec<&LevelProfile> = self.levels.iter().filter(positive).collect();
         let Some(finest) = levels.last().filter(|_| levels.len() > 2) else {
             let (name, value) = ("meshes with a positive consistency term", levels.len());
-            return Err(Error::CountOutOfRange { name, value, range: "[3, inf)" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[3, inf)" }));
         };
         let fit = |value: &dyn Fn(&LevelProfile) -> f64| {
             Exponent::fit(&levels.iter().map(|l| (l.h(), value(l))).collect::<Vec<_>>())

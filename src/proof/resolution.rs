@@ -1,6 +1,6 @@
 //! How finely a pair is resolved.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -41,10 +41,12 @@ impl FromStr for Resolution {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        let unknown = || Error::UnknownName {
-            what: "resolution",
-            given: text.to_owned(),
-            expected: "segment:K (2^K cells per segment, K from 1 to 16) or edge:K (2^K cells in all, K up to 20)",
+        let unknown = || {
+            Error::Toolkit(ToolkitError::UnknownName {
+                what: "resolution",
+                given: text.to_owned(),
+                expected: "segment:K (2^K cells per segment, K from 1 to 16) or edge:K (2^K cells in all, K up to 20)",
+            })
         };
         let (name, power) = text.split_once(':').ok_or_else(unknown)?;
         match (name, power.parse()) {

@@ -10,7 +10,7 @@
 //! | κ̄(ν), [`midpoint_bound`] | midpoint cone, every E | max_e B(e) D(1−e) |
 //!
 //! B, A, D are the moments of 1, x and e − x of functions that vanish beyond (0, e), x the distance from the
-//! free end: [`crate::poincare::moment_norm`].
+//! free end: [`fractional_sobolev::poincare::moment_norm`].
 //!
 //! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far as it can be: at least ∫_n^1 t^{−1−2ν}
 //! dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|², and
@@ -31,11 +31,12 @@
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 
 use crate::cone::Cone;
-use crate::error::{Given, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::error::Result;
 use crate::numeric::search::golden_section;
-use crate::poincare::{Moment, MomentBounds, StrongForm, moment_norm, moment_norm_beside};
-use crate::sobolev::FractionalOrder;
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Given, Tolerance, Work,
+    poincare::{Moment, MomentBounds, StrongForm, moment_norm, moment_norm_beside},
+};
 
 /// A constant and the measure of the contact set at which it is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,7 +79,8 @@ pub fn half_sharpened(order: FractionalOrder) -> f64 {
 /// K(ν), the best constant in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ K |σ|_ν |w|_ν for functions of disjoint supports.
 ///
 /// ```
-/// use signorini::{Tolerance, proof::{half_sharpened, product_constant}, sobolev::FractionalOrder};
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
+/// use signorini::proof::{half_sharpened, product_constant};
 /// let sharp = product_constant(FractionalOrder::HALF, Tolerance::fast())?;
 /// assert!(sharp.value.value < half_sharpened(FractionalOrder::HALF));
 /// # Ok::<(), signorini::Error>(())
@@ -120,7 +122,8 @@ pub fn midpoint_bound(
 /// nodal cone, A(b) B(1−b) for the midpoint cone.
 ///
 /// ```
-/// use signorini::{Tolerance, cone::Cone, proof::one_gap_ratio, sobolev::FractionalOrder};
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
+/// use signorini::{cone::Cone, proof::one_gap_ratio};
 /// let ratio = |cone, gap| one_gap_ratio(cone, FractionalOrder::HALF, gap, Tolerance::fast());
 /// let (nodal, midpoint) = (ratio(Cone::Nodal, 0.3)?, ratio(Cone::Midpoint, 0.7)?);
 /// assert!((nodal.value - midpoint.value).abs() <= nodal.error + midpoint.error);
@@ -156,7 +159,7 @@ fn product(
     );
     let value = first.value * second.value;
     let error = value * (first.relative_error() + second.relative_error());
-    Estimate::new(value, error, first.work + second.work)
+    Ok(Estimate::new(value, error, first.work + second.work)?)
 }
 
 /// Where the maximum is looked for, how far a golden section goes, and the half width of the polynomial that

@@ -12,12 +12,11 @@
 //! is a lower bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost O(N³).
 
 use crate::cone::Cone;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::require_length;
-use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::numeric::random::SplitMix;
-use crate::sobolev::{FractionalOrder, Partition, gram_linears};
-use nalgebra::DMatrix;
+use fractional_sobolev::{FractionalOrder, Given, Partition, gram_linears};
+use nalgebra::{Cholesky, DMatrix};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -69,7 +68,11 @@ impl SegmentSets {
     /// [`Error::CountOutOfRange`].
     pub fn new(order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
         if !(4..=1024).contains(&cells) {
-            return Err(Error::CountOutOfRange { name: "cells", value: cells, range: "4 to 1024" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "cells",
+                value: cells,
+                range: "4 to 1024",
+            }));
         }
         let partition = Partition::uniform(cells, 1.0)?;
         Ok(Self { nodes: partition.nodes(), gram: gram_linears(&partition, order.given()?) })
@@ -210,10 +213,14 @@ impl SegmentSets {
         let matrix = DMatrix::from_fn(size, size, |i, j| self.gram[(hats[i], hats[j])]);
         let right: Vec<&Vec<f64>> = loads.iter().chain(constraints).collect();
         let right = DMatrix::from_fn(size, right.len(), |i, j| right[j][i]);
-        let indefinite =
-            || Error::NotPositiveDefinite { what: "Gram matrix of a part of the segment", pivot: size };
-        let solution = Cholesky::new(&matrix).ok_or_else(indefinite)?.solve(&right);
-        let forms = transpose_times(&right, &solution);
+        let indefinite = || {
+            Error::Toolkit(ToolkitError::NotPositiveDefinite {
+                what: "Gram matrix of a part of the segment",
+                pivot: size,
+            })
+        };
+        let solution = Cholesky::new(matrix).ok_or_else(indefinite)?.solve(&right);
+        let forms = right.tr_mul(&solution);
         let (n, all) = (loads.len(), right.ncols());
         let free = forms.view((0, 0), (n, n)).into_owned();
         if all == n {
@@ -221,8 +228,8 @@ impl SegmentSets {
         }
         let mixed = forms.view((n, 0), (all - n, n)).into_owned();
         let fixed = forms.view((n, n), (all - n, all - n)).into_owned();
-        let multipliers = Cholesky::new(&fixed).ok_or_else(indefinite)?.solve(&mixed);
-        Ok(free - transpose_times(&mixed, &multipliers))
+        let multipliers = Cholesky::new(fixed).ok_or_else(indefinite)?.solve(&mixed);
+        Ok(free - mixed.tr_mul(&multipliers))
     }
 }
 
@@ -242,8 +249,8 @@ fn runs(contact: &[bool], state: bool) -> Vec<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimate::Tolerance;
     use crate::proof::{consistency_constant, worst_ratio};
+    use fractional_sobolev::Tolerance;
 
     fn sets(nu: f64) -> SegmentSets {
         SegmentSets::new(FractionalOrder::new(nu).unwrap(), 40).unwrap()

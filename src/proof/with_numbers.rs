@@ -5,7 +5,7 @@
 //!
 //! |u − u_h|₁² ≤ C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + b²,
 //!
-//! C(s) of [`crate::interpolation::TriangleConstants`], value plus error; the sum over triangles of
+//! C(s) of [`fractional_sobolev::interpolation::TriangleConstants`], value plus error; the sum over triangles of
 //! |∇u|²_{s,T} is at most that over a half disc that holds Ω. c(ν) = K(ν) of [`super::product_constant`] for
 //! the nodal cone and half of it for the midpoint cone, value plus error: for any contact set. b = 0 for the
 //! nodal cone; for the midpoint cone b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T ≤ (θ/π) P(ν)² h^{2τ−2} |σ_N|_ν², θ =
@@ -25,11 +25,12 @@ use super::segment_constants::product_constant;
 use super::without_c::half_plane_korn;
 use crate::cone::Cone;
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance};
 use crate::fem::Lame;
-use crate::interpolation::{TriangleConstants, TriangleShape, kobayashi, projection_constant};
 use crate::scenes::{EdgeDatum, RoughLevel, RoughTransition};
-use crate::sobolev::FractionalOrder;
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Tolerance,
+    interpolation::{TriangleConstants, TriangleShape, kobayashi, projection_constant},
+};
 use std::f64::consts::PI;
 
 /// Degree of the polynomials for C(s).
@@ -147,7 +148,8 @@ impl NumberedStudy {
         let (tau, asked) = (numbers.tau, Tolerance::new(ACCURACY)?);
         let norm = up(scene.body_seminorm(tau, asked)?);
         let both = |part: [f64; 2]| -> Result<[f64; 2]> {
-            let one = |datum| Ok(up(scene.edge_seminorm(datum, part, numbers.order, asked)?));
+            let one =
+                |datum| -> Result<f64> { Ok(up(scene.edge_seminorm(datum, part, numbers.order, asked)?)) };
             Ok([one(EdgeDatum::Pressure)?, one(EdgeDatum::Slope)?])
         };
         let edge = both([0.0, 1.0])?;

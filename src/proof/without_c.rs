@@ -26,7 +26,7 @@
 //! Proofs: `book/src/theorem_3_1_without_c.md`. Cost: none.
 
 use crate::cone::Cone;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Lame};
 use crate::numeric::search::sign_change;
 use std::f64::consts::{FRAC_PI_2, GOLDEN_RATIO, PI};
@@ -103,12 +103,12 @@ impl BoundWithoutC {
                 (2.0 * mu + 2.0 * lambda.max(0.0), lambda.hypot(lambda + 2.0 * mu), korn)
             }
             _ => {
-                return Err(Error::Incompatible {
+                return Err(Error::Toolkit(ToolkitError::Incompatible {
                     what: "form",
                     given: format!("{form:?}"),
                     with: "the bound without C",
                     expected: "the Laplacian, or elasticity with one material",
-                });
+                }));
             }
         };
         let theta = 1.0 / (PI * shape.height).tanh();

@@ -25,11 +25,10 @@
 use super::contact_cost::{CostRow, contact_cost};
 use super::without_c::{BoundRow, MeshShape};
 use crate::cone::Cone;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::{StripCase, StripScene};
-use crate::sobolev::{FractionalOrder, SingularFunction};
 use crate::strip::{Levels, Reference, StripKind};
+use fractional_sobolev::{Estimate, FractionalOrder, SingularFunction, Tolerance, Work};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Terms of the series of |u|₂².
@@ -50,7 +49,7 @@ pub(super) fn strip_bounds(
 ) -> Result<Vec<BoundRow>> {
     if gaps > levels.coarsest_cells() / 4 {
         let range = "[1, a quarter of the cells of the coarsest mesh]: one transition in a segment at most";
-        return Err(Error::CountOutOfRange { name: "gaps", value: gaps, range });
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "gaps", value: gaps, range }));
     }
     let (kind, source, reference) =
         (StripKind::Scalar, StripScene::Transitions { gaps }, Reference::Harmonic);
@@ -86,7 +85,7 @@ fn second_seminorm(gaps: usize) -> Result<Estimate> {
     let rest = 4.1 / (PI * PI * TERMS as f64);
     let sum: f64 = (1..=TERMS).rev().map(term).sum();
     let work = Work { points: TERMS as u64, ..Work::default() };
-    Estimate::new(9.0 * PI / 16.0 * (sum + 0.5 * rest), 9.0 * PI / 32.0 * rest, work)?.sqrt()
+    Ok(Estimate::new(9.0 * PI / 16.0 * (sum + 0.5 * rest), 9.0 * PI / 32.0 * rest, work)?.sqrt()?)
 }
 
 /// J₂(z) = (1/π) ∫_0^π cos(2t − z sin t) dt; the trapezoid rule with more than z + 40 cells is exact to

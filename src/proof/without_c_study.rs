@@ -5,10 +5,9 @@ use super::without_c::{BoundRow, BoundWithoutC, MeshShape, half_plane_korn};
 use super::without_c_strip::strip_bounds;
 use crate::cone::Cone;
 use crate::error::Result;
-use crate::estimate::Tolerance;
 use crate::scenes::{ClosedForm, ClosedFormLevel};
-use crate::sobolev::FractionalOrder;
 use crate::strip::Levels;
+use fractional_sobolev::{FractionalOrder, Tolerance};
 use std::fmt;
 
 /// The three constants c, K, κ of a segment at ν = 1/2 for the bounds of the nodal and of the midpoint cone; K

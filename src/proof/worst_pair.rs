@@ -24,11 +24,9 @@
 //! [`super::consistency_constant`] the maximum. Cost: O(cells³) per set.
 
 use crate::cone::Cone;
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
-use crate::numeric::dense::Cholesky;
-use crate::sobolev::{FractionalOrder, Partition, gram_constants};
-use nalgebra::DMatrix;
+use crate::error::{Error, Result, ToolkitError};
+use fractional_sobolev::{Estimate, FractionalOrder, Given, Partition, Tolerance, Work, gram_constants};
+use nalgebra::{Cholesky, DMatrix};
 
 /// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of
 /// its part.
@@ -70,7 +68,7 @@ pub fn worst_ratio(
         change = (value - before).abs();
         before = value;
         if change <= tolerance.relative() * value {
-            return Estimate::new(value, change, work);
+            return Ok(Estimate::new(value, change, work)?);
         }
     }
     let why = "the cells were halved as often as the matrices can hold";
@@ -131,7 +129,7 @@ fn lower_bound(cone: Cone, order: FractionalOrder, left: f64, right: f64, halvin
 fn halved(partition: &Partition, halvings: u32) -> Result<Partition> {
     let parts = 1usize << halvings;
     let cut = |&length: &f64| std::iter::repeat_n(length / parts as f64, parts);
-    Partition::from_lengths(partition.lengths().iter().flat_map(cut).collect())
+    Ok(Partition::from_lengths(partition.lengths().iter().flat_map(cut).collect())?)
 }
 
 /// b_i' G⁻¹ b_j, G the rows and columns `cells` of the Gram matrix.
@@ -140,10 +138,10 @@ fn inverse_form(gram: &DMatrix<f64>, cells: &[usize], b: &[Vec<f64>; 2]) -> Resu
     let scale: Vec<f64> = cells.iter().map(|&k| gram[(k, k)].sqrt()).collect();
     let matrix =
         DMatrix::from_fn(cells.len(), cells.len(), |i, j| gram[(cells[i], cells[j])] / (scale[i] * scale[j]));
-    let factor = Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite {
+    let factor = Cholesky::new(matrix).ok_or(Error::Toolkit(ToolkitError::NotPositiveDefinite {
         what: "Gram matrix of a part of the segment",
         pivot: cells.len(),
-    })?;
+    }))?;
     let right = DMatrix::from_fn(cells.len(), 2, |i, j| b[j][i] / scale[i]);
     let solution = factor.solve(&right);
     let form = |i: usize, j: usize| (0..cells.len()).map(|k| right[(k, i)] * solution[(k, j)]).sum::<f64>();

@@ -2,7 +2,7 @@
 
 use super::strip::StripScene;
 use crate::cone::Cone;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{Levels, Reference, StripKind};
 
 /// Largest number of positions of a transition.
@@ -36,7 +36,11 @@ impl StripCase {
     pub fn sources(&self) -> Result<Vec<StripScene>> {
         let count = self.positions;
         if !(1..=POSITIONS).contains(&count) {
-            return Err(Error::CountOutOfRange { name: "positions", value: count, range: "[1, 1024]" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "positions",
+                value: count,
+                range: "[1, 1024]",
+            }));
         }
         let StripScene::Transition { position } = self.source else {
             return Ok(vec![self.source.clone()]);

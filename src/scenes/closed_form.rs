@@ -14,9 +14,9 @@
 
 use crate::contact::ContactProblem;
 use crate::error::Result;
-use crate::estimate::{Estimate, Work};
 use crate::fem::{Cubature, ErrorNorms, Field, Form, Lame, error_norms};
 use crate::mesh::{Part, Point, Sides, mapped_grid, unit_square};
+use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
 use std::fmt;
 
@@ -188,7 +188,7 @@ impl ClosedForm {
             Ok(sum)
         };
         let (coarse, fine) = (integral(POINTS[1])?, integral(POINTS[2])?);
-        Estimate::new(fine, fine - coarse, work)?.sqrt()
+        Ok(Estimate::new(fine, fine - coarse, work)?.sqrt()?)
     }
 }
 

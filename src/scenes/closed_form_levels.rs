@@ -4,8 +4,8 @@
 use super::closed_form::ClosedForm;
 use crate::cone::Cone;
 use crate::contact::{ContactSolution, Solver};
-use crate::error::{Error, Result};
-use crate::estimate::Estimate;
+use crate::error::{Error, Result, ToolkitError};
+use fractional_sobolev::Estimate;
 
 /// n = 2 to this power on the coarsest mesh.
 const COARSEST: u32 = 2;
@@ -45,7 +45,7 @@ impl ClosedForm {
     pub fn levels(&self, cone: Cone, finest: u32, mut report: impl FnMut()) -> Result<Vec<ClosedFormLevel>> {
         if !(COARSEST..=11).contains(&finest) {
             let (name, value) = ("finest level", finest as usize);
-            return Err(Error::CountOutOfRange { name, value, range: "[2, 11]" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[2, 11]" }));
         }
         let mut coarse: Option<ContactSolution> = None;
         let mut levels = Vec::new();

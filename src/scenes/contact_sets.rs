@@ -6,7 +6,7 @@
 //! construction stops where a gap would have no free node or a contact piece no cell, so that the discrete
 //! scene is never degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// Most generations of a Cantor set; no grid of at most 2^26 cells holds as many.
 const LARGEST_DEPTH: usize = 64;
@@ -24,7 +24,11 @@ pub(crate) struct Gap {
 /// side.
 pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
     if count == 0 || count > cells / 4 {
-        return Err(Error::CountOutOfRange { name: "gaps", value: count, range: "[1, cells / 4]" });
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "gaps",
+            value: count,
+            range: "[1, cells / 4]",
+        }));
     }
     let node = |place: f64| (place * cells as f64 / count as f64).round() as usize;
     Ok((0..count)
@@ -67,7 +71,7 @@ pub(crate) fn check_depth(depth: usize) -> Result<()> {
     if (1..=LARGEST_DEPTH).contains(&depth) {
         Ok(())
     } else {
-        Err(Error::CountOutOfRange { name: "depth", value: depth, range: "[1, 64]" })
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "depth", value: depth, range: "[1, 64]" }))
     }
 }
 

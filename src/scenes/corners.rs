@@ -7,7 +7,7 @@
 
 use crate::cone::Cone;
 use crate::contact::{ContactProblem, ContactSolution};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Lame};
 use crate::mesh::{Part, Point};
 use crate::singular::{CornerRegularity, Medium, Side, Sides, Wedge};
@@ -83,14 +83,17 @@ pub(super) fn regularity_with_ends(
         for (node, k, other) in [(start, 0, end), (end, 1, start)] {
             let slot = &mut sides.entry(node).or_default()[k];
             if slot.replace((other, side)).is_some() {
-                return Err(Error::Node { node, reason: "is where several pieces of the boundary touch" });
+                return Err(Error::Toolkit(ToolkitError::Node {
+                    node,
+                    reason: "is where several pieces of the boundary touch",
+                }));
             }
         }
     }
     let mut corners: Vec<BodyCorner> = Vec::new();
     for (node, ends) in sides {
         let [Some((next, mut first)), Some((last, second))] = ends else {
-            return Err(Error::Node { node, reason: "ends the boundary" });
+            return Err(Error::Toolkit(ToolkitError::Node { node, reason: "ends the boundary" }));
         };
         let place = mesh.nodes()[node];
         let angle = opening(place, mesh.nodes()[next], mesh.nodes()[last]);
@@ -185,8 +188,9 @@ fn medium(problem: &ContactProblem, node: usize) -> Result<Medium> {
             let (lambda, mu) = (material.lambda(), material.mu());
             Ok(Medium::PlaneStrain(0.5 * lambda / (lambda + mu)))
         }
-        _ => {
-            Err(Error::Node { node, reason: "lies between two materials, whose exponents are not computed" })
-        }
+        _ => Err(Error::Toolkit(ToolkitError::Node {
+            node,
+            reason: "lies between two materials, whose exponents are not computed",
+        })),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::contact_sets::Gap;
 use super::pressure::contact_forces;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, Sides};
 
 /// Where a scene is built.
@@ -64,7 +64,11 @@ impl SceneGaps {
     pub(super) fn pair(&self, grid: Grid) -> Result<EdgeData> {
         let Grid { tau, cells, sides } = grid;
         if self.gaps.is_empty() {
-            return Err(Error::CountOutOfRange { name: "gaps on this grid", value: 0, range: "[1, inf)" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "gaps on this grid",
+                value: 0,
+                range: "[1, inf)",
+            }));
         }
         let exponent = tau - 1.0 + 0.5 * self.dimension;
         let h = 1.0 / cells as f64;

@@ -7,10 +7,10 @@
 use super::mesh::{MeshScene, Setting};
 use crate::cone::Cone;
 use crate::contact::{Accuracy, ContactProblem, Fallback, Solver};
-use crate::error::{Given, Result};
-use crate::estimate::Tolerance;
+use crate::error::Result;
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Hierarchy, Sides, mapped_grid};
+use fractional_sobolev::{Given, Tolerance};
 use std::f64::consts::PI;
 use std::fmt;
 

@@ -2,9 +2,9 @@
 
 use crate::cone::Cone;
 use crate::contact::{Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, Solver};
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Hierarchy;
+use fractional_sobolev::{Estimate, Tolerance};
 use std::fmt;
 
 /// Unknowns up to which elimination is one of two solvers: n = 1024, some 4 GB.
@@ -93,7 +93,11 @@ pub(super) fn solve_levels(
     mut observe: impl FnMut(&StudyProgress) -> Result<()> + Send,
 ) -> Result<Vec<SceneRun>> {
     if !(1..=LEVELS).contains(&levels) {
-        return Err(Error::CountOutOfRange { name: "levels", value: levels, range: "[1, 12]" });
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "levels",
+            value: levels,
+            range: "[1, 12]",
+        }));
     }
     let mut runs: Vec<SceneRun> = Vec::new();
     for number in 0..levels {

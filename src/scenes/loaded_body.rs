@@ -8,7 +8,7 @@
 
 use crate::cone::Cone;
 use crate::contact::ContactProblem;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Part, Sides, Triangulation, unit_square};
 use std::fmt;
@@ -57,7 +57,11 @@ impl LoadedBody {
     /// [`Error::CountOutOfRange`] unless n is even and 2 ≤ n ≤ 16384.
     pub fn mesh(self, n: usize) -> Result<Triangulation> {
         if n < 2 || !n.is_multiple_of(2) {
-            return Err(Error::CountOutOfRange { name: "squares", value: n, range: "even, at least 2" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "squares",
+                value: n,
+                range: "even, at least 2",
+            }));
         }
         let side = if self.is_held_all_around() { Part::Dirichlet } else { Part::Neumann };
         unit_square(n, Sides { bottom: Part::Contact, right: side, top: Part::Dirichlet, left: side })

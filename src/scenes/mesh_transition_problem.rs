@@ -5,10 +5,9 @@
 use super::mesh_transition::{MeshTransition, SLOPE};
 use crate::contact::ContactProblem;
 use crate::error::Result;
-use crate::estimate::{Estimate, Work};
 use crate::fem::{Cubature, Field, Form, error_norms};
 use crate::mesh::{Part, Point, Sides, Triangulation, distance, unit_square};
-use crate::quadrature::Rule;
+use fractional_sobolev::{Estimate, Rule, Work};
 
 /// Points along each side of a triangle's rule, below p = 1 and from there on; for the error the coarser one
 /// says how exact the finer is.
@@ -54,7 +53,7 @@ impl MeshTransition {
         };
         let [coarse, fine] = self.points();
         let [coarse, fine] = [norm(coarse)?.energy, norm(fine)?.energy];
-        Estimate::new(fine, fine - coarse, Work::default())
+        Ok(Estimate::new(fine, fine - coarse, Work::default())?)
     }
 
     fn points(&self) -> [usize; 2] {

@@ -4,7 +4,7 @@
 //! A name is `NAME[:PARAMETER[:PARAMETER]]`, parameters in the order of the fields. Those left out have their
 //! defaults; the name of a file cannot be left out, and no parameter is empty.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -204,7 +204,9 @@ pub(super) fn read<S: Registered>(text: &str, all: Vec<S>, expected: &'static st
     all.into_iter()
         .find_map(|mut scene| (scene.parts().name == name).then_some(scene))
         .and_then(|mut scene| scene.parts().set(rest).map(|()| scene))
-        .ok_or_else(|| Error::UnknownName { what: "scene", given: text.to_owned(), expected })
+        .ok_or_else(|| {
+            Error::Toolkit(ToolkitError::UnknownName { what: "scene", given: text.to_owned(), expected })
+        })
 }
 
 #[cfg(test)]
@@ -221,7 +223,9 @@ mod tests {
         S: Registered + Clone + PartialEq + fmt::Debug + fmt::Display + FromStr<Err = Error>,
     {
         let refused = |text: &str| match text.parse::<S>() {
-            Err(Error::UnknownName { given, expected, .. }) => given == text && expected == names,
+            Err(Error::Toolkit(ToolkitError::UnknownName { given, expected, .. })) => {
+                given == text && expected == names
+            }
             _ => false,
         };
         let mut known = BTreeSet::new();

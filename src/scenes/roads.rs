@@ -6,9 +6,9 @@ use super::manufactured;
 use super::mesh::MeshScene;
 use crate::cone::Cone;
 use crate::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result};
-use crate::estimate::Tolerance;
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Cubature, Field, error_norms};
+use fractional_sobolev::Tolerance;
 use std::fmt;
 use std::time::Instant;
 
@@ -99,7 +99,11 @@ pub fn manufactured_by_every_road(
     mut report: impl FnMut(usize, Road) -> Result<()>,
 ) -> Result<Vec<RoadRow>> {
     if !(2..=9).contains(&levels) {
-        return Err(Error::CountOutOfRange { name: "levels", value: levels, range: "[2, 9]" });
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "levels",
+            value: levels,
+            range: "[2, 9]",
+        }));
     }
     let rule = Cubature::new(POINTS)?.singular_at(&[[manufactured::TRANSITION, 0.0]]);
     let exact = Field::Scalar(&manufactured::exact);

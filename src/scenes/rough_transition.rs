@@ -13,11 +13,12 @@
 //! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for
 //! ν < p − 1/2. For p = 3/2 no load would be left.
 
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Lame};
 use crate::mesh::Point;
-use crate::sobolev::{FractionalOrder, Position, SectorPower, SingularFunction};
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Given, Position, SectorPower, SingularFunction, Tolerance, Work,
+};
 use std::f64::consts::PI;
 
 /// a: no node of uniform dyadic meshes.
@@ -128,21 +129,24 @@ impl RoughTransition {
         let material = self.lame.map(Self::moduli);
         if tau == 2.0 {
             if q <= 0.0 {
-                return Err(Error::InfiniteNorm { order: 2.0, why: "r^p is in H^2 only for p > 1" });
+                return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
+                    order: 2.0,
+                    why: "r^p is in H^2 only for p > 1",
+                }));
             }
             let shape = material.map_or(1.0, |(alpha, double)| {
                 (alpha * alpha + (1.0 + alpha).powi(2) + 1.0 - q + q * q).sqrt() / double
             });
             let value = shape * p * (q * PI * radius.powf(2.0 * q)).sqrt();
-            return Estimate::new(value, ROUNDING * value, Work::default());
+            return Ok(Estimate::new(value, ROUNDING * value, Work::default())?);
         }
         let order = FractionalOrder::new(tau - 1.0)?;
-        match material {
-            None => SectorPower::harmonic_gradient(p, radius, order, tolerance),
+        Ok(match material {
+            None => SectorPower::harmonic_gradient(p, radius, order, tolerance)?,
             Some((alpha, double)) => {
-                SectorPower::elastic_gradient(p, alpha, radius, order, tolerance)?.times(double.recip())
+                SectorPower::elastic_gradient(p, alpha, radius, order, tolerance)?.times(double.recip())?
             }
-        }
+        })
     }
 
     /// σ_N before the transition, over r^{p−1}.
@@ -169,7 +173,7 @@ impl RoughTransition {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         if order.value() >= self.power - 0.5 {
             let why = "r^(p-1) on one side of a point is in H^nu only for nu < p - 1/2";
-            return Err(Error::InfiniteNorm { order: order.value(), why });
+            return Err(Error::Toolkit(ToolkitError::InfiniteNorm { order: order.value(), why }));
         }
         let size = if datum == EdgeDatum::Pressure { self.pressure() } else { self.slope() };
         let value = |distance: f64| {
@@ -178,11 +182,11 @@ impl RoughTransition {
         };
         if !(from < TRANSITION && TRANSITION < to) {
             let whole = SingularFunction::new(&[from, to], |x| value(x - TRANSITION))?;
-            return whole.seminorm(order, tolerance);
+            return Ok(whole.seminorm(order, tolerance)?);
         }
         let breaks = [from, TRANSITION, to];
         let at = |at: Position| value(if at.anchor() == 1 { at.offset() } else { at.x() - TRANSITION });
-        SingularFunction::from_positions(&breaks, at)?.seminorm(order, tolerance)
+        Ok(SingularFunction::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
     }
 
     /// The segment with the transition inside, of n equal ones.

@@ -4,7 +4,7 @@
 use super::rough_transition::{RoughTransition, TRANSITION};
 use crate::cone::Cone;
 use crate::contact::{ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Cubature, ErrorNorms, Field, error_norms};
 use crate::mesh::{Part, Sides, unit_square};
 
@@ -89,7 +89,7 @@ impl RoughTransition {
     pub fn levels(&self, cone: Cone, finest: u32) -> Result<Vec<RoughLevel>> {
         if !(2..=11).contains(&finest) {
             let (name, value) = ("finest level", finest as usize);
-            return Err(Error::CountOutOfRange { name, value, range: "[2, 11]" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[2, 11]" }));
         }
         let mut coarse: Option<ContactSolution> = None;
         let mut levels = Vec::new();

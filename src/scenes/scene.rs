@@ -2,7 +2,7 @@
 
 use super::mesh::MeshScene;
 use super::strip::StripScene;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 use std::sync::LazyLock;
@@ -51,10 +51,12 @@ impl FromStr for Scene {
 
     fn from_str(text: &str) -> Result<Self> {
         let mesh = text.parse().map(Scene::Mesh);
-        mesh.or_else(|_: Error| text.parse().map(Scene::Strip)).map_err(|_: Error| Error::UnknownName {
-            what: "scene",
-            given: text.to_owned(),
-            expected: Scene::names(),
+        mesh.or_else(|_: Error| text.parse().map(Scene::Strip)).map_err(|_: Error| {
+            Error::Toolkit(ToolkitError::UnknownName {
+                what: "scene",
+                given: text.to_owned(),
+                expected: Scene::names(),
+            })
         })
     }
 }

@@ -17,7 +17,7 @@ use super::contact_sets::{cantor, check_depth, fat_cantor, generated_gaps, many_
 use super::gap_data::{Grid, SceneGaps};
 use super::registry::registry;
 use super::tau_range::TauRange;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::text::read_text;
 use crate::strip::{EdgeData, Sides};
 use std::f64::consts::LN_2;
@@ -171,7 +171,12 @@ impl StripScene {
         let form = self.form();
         let Data::Powers(gaps) = form.data else {
             let (what, with, expected) = ("scene", "a logarithm", "a scene whose data are powers");
-            return Err(Error::Incompatible { what, given: self.to_string(), with, expected });
+            return Err(Error::Toolkit(ToolkitError::Incompatible {
+                what,
+                given: self.to_string(),
+                with,
+                expected,
+            }));
         };
         sides.check_cells(cells)?;
         (form.tau)(sides).check(2.0)?;

@@ -14,13 +14,13 @@
 //! double ones keep half the digits, their mean all. Cost: O((5N)³).
 
 use super::wedge::{Medium, Side, Wedge};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::legendre;
-use crate::quadrature::Rule;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Par, c64};
+use fractional_sobolev::Rule;
 
 /// Shifts that are tried: the one that gives the smallest matrix is far from all exponents.
 const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
@@ -46,7 +46,11 @@ impl Wedge {
     /// negative or not finite; [`Error::Solver`] when the eigenvalues do not converge.
     pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<ArcExponent>> {
         if !(2..=DEGREES).contains(&degree) {
-            return Err(Error::CountOutOfRange { name: "degree", value: degree, range: "[2, 200]" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "degree",
+                value: degree,
+                range: "[2, 200]",
+            }));
         }
         Error::require("height", height, "[0, inf)", height >= 0.0 && height.is_finite())?;
         let (a, b) = self.pencil(degree)?;

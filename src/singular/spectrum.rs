@@ -4,7 +4,7 @@ use super::mode::Mode;
 use super::wedge::Wedge;
 use super::zeros::{SAME, Zero, count_in_strip, zeros_in_strip};
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use fractional_sobolev::{Estimate, Work};
 
 /// Exponents are sought below this.
 pub const LARGEST: f64 = 3.0;

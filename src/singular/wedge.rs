@@ -22,7 +22,7 @@
 
 use super::factor::{Factor, Fields};
 use super::real::Real;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use qd::Quad;
 use std::fmt;
 use std::str::FromStr;
@@ -84,10 +84,12 @@ impl FromStr for Sides {
             all.into_iter().find(|side| letter.eq_ignore_ascii_case(&side.letter().to_string()))
         };
         let sides = text.split_once('-').and_then(|(a, b)| Some(Sides(side(a)?, side(b)?)));
-        sides.ok_or_else(|| Error::UnknownName {
-            what: "pair of sides",
-            given: text.to_owned(),
-            expected: "two of D (clamped), N (free), C (contact, closed), O (contact, open), as in D-N",
+        sides.ok_or_else(|| {
+            Error::Toolkit(ToolkitError::UnknownName {
+                what: "pair of sides",
+                given: text.to_owned(),
+                expected: "two of D (clamped), N (free), C (contact, closed), O (contact, open), as in D-N",
+            })
         })
     }
 }

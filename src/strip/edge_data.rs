@@ -5,7 +5,7 @@
 //! [`crate::scenes`] builds pairs of given regularity.
 
 use super::sides::{Sides, check_cells};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_finite, require_length};
 use crate::numeric::text::pairs;
 
@@ -69,7 +69,11 @@ impl EdgeData {
             Sides::Periodic => (values.len(), "the numbers 2^k, k >= 1"),
         };
         if !cells.is_power_of_two() || cells < 2 {
-            return Err(Error::CountOutOfRange { name: "lines of samples", value: values.len(), range });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "lines of samples",
+                value: values.len(),
+                range,
+            }));
         }
         let forces = (0..densities.len())
             .map(|i| {

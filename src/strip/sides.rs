@@ -1,7 +1,7 @@
 //! What the sides of the strip do, and the checks that edge data pass.
 
 use crate::cone::Ends;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 
 /// What the sides x = 0 and x = 1 of the strip do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -55,6 +55,6 @@ pub(crate) fn check_cells(cells: usize, sides: Sides) -> Result<()> {
     if admissible && cells <= 1 << 26 {
         Ok(())
     } else {
-        Err(Error::CountOutOfRange { name: "cells", value: cells, range })
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "cells", value: cells, range }))
     }
 }

@@ -4,6 +4,7 @@ use super::compare::{Outcome, compare, is_hard};
 use super::program::{Answer, Program};
 use super::scene::Scene;
 use signorini::Error;
+use signorini::ToolkitError;
 use signorini::cone::Cone;
 use signorini::contact::ContactSolution;
 use std::collections::BTreeMap;
@@ -131,8 +132,9 @@ fn reason(error: &Error, scene: &Scene, program: &Program, answer: &Answer) -> b
     let size = answer.energy_size.max(answer.energy.abs()).log2();
     let is_beyond = size + f64::from(scene.displacement_unit() + scene.force_unit()) > HUGE;
     match error {
-        Error::NotPositiveDefinite { .. } | Error::NotFinite { .. } => is_hard(program) || is_beyond,
-        Error::Triangle { .. } => scene.units[2].abs() > SQUARES,
+        Error::Toolkit(ToolkitError::NotPositiveDefinite { .. })
+        | Error::Toolkit(ToolkitError::NotFinite { .. }) => is_hard(program) || is_beyond,
+        Error::Toolkit(ToolkitError::Triangle { .. }) => scene.units[2].abs() > SQUARES,
         _ => false,
     }
 }

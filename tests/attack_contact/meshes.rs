@@ -1,8 +1,8 @@
 //! Random meshes: jittered, graded and slanted grids, polygons cut from a point inside, rings.
 
 use super::scene::decades;
+use experiments::SplitMix;
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Point, Triangulation};
-use signorini::numeric::random::SplitMix;
 
 /// Most constraints of a scene.
 const MOST: usize = 12;

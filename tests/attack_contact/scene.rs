@@ -1,10 +1,10 @@
 //! Random scenes of at most twelve contact constraints, and the problem of the library for one of them.
 
 use super::meshes::{Mesh, annulus, fan, grid, grid_in_pieces};
+use experiments::SplitMix;
 use signorini::contact::ContactProblem;
 use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Point, Triangulation};
-use signorini::numeric::random::SplitMix;
 use signorini::{Error, Result};
 
 /// The material, before it is scaled.

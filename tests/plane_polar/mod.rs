@@ -3,7 +3,7 @@
 //! With r = R(φ)ρ, r' = R(φ')ρ', v = ln(ρ/ρ') > 0 and κ = e^{-v} R(φ')/R(φ) one radius integrates to
 //! R(φ)^{2a+2−2s}/(2a+2−2s); left are φ, φ' = φ ± ψ and v, on cells that shrink towards v = ψ = 0.
 
-use signorini::quadrature::Rule;
+use fractional_sobolev::Rule;
 use std::f64::consts::PI;
 
 /// Rings towards the singular point, and their ratio.

@@ -28,7 +28,11 @@ pub fn program(examples: &Path, name: &str) -> Result<String, String> {
 /// # Errors
 /// In words, when there is no such file, or no test of that name in it.
 pub fn test(tests: &Path, file: &str, function: Option<&str>) -> Result<String, String> {
-    let source = std::fs::read_to_string(tests.join(file).with_extension("rs"));
+    // The toolkit has tests of its own.
+    let directories = [tests.to_owned(), tests.with_file_name("toolkit").join("tests")];
+    let read =
+        |directory: &std::path::PathBuf| std::fs::read_to_string(directory.join(file).with_extension("rs"));
+    let source = read(&directories[0]).or_else(|_| read(&directories[1]));
     let source = source.map_err(|_| "unknown test file".to_owned())?;
     let Some(function) = function else { return Ok(file.to_owned()) };
     let head = format!("fn {function}(");

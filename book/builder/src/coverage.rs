@@ -17,7 +17,7 @@ const PICTURES: [&str; 3] = ["{{idea:", "{{figure:", "{{slider:"];
 const COMMAND: &str = "--example ";
 
 /// Directories whose files pages name.
-const DIRECTORIES: [&str; 4] = ["src/", "tests/", "examples/", "book/"];
+const DIRECTORIES: [&str; 5] = ["src/", "tests/", "examples/", "book/", "toolkit/"];
 
 /// Faults of the pages against the programs and files of a repository.
 ///

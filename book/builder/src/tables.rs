@@ -35,7 +35,7 @@ fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
     let groups = groups(labels);
     if !labels.is_empty() {
         let all: Vec<&Label> = groups.iter().flat_map(|(_, members)| members).copied().collect();
-        table("README.md", None, readme_table(&all));
+        table("README.md", None, readme_table(&all, repository));
         table("src/with_contact.md", None, contents_table(&all));
         for (group, members) in &groups {
             table("book/src/lemma_cards.md", Some(group), cards_table(members));
@@ -70,7 +70,7 @@ fn link(text: &str, target: &str) -> String {
     if text.is_empty() { String::new() } else { format!("[{text}]({target})") }
 }
 
-fn readme_table(labels: &[&Label]) -> String {
+fn readme_table(labels: &[&Label], repository: &Path) -> String {
     let mut text = "| paper | example | test | page | room |\n| --- | --- | --- | --- | --- |\n".to_owned();
     for label in labels {
         let Label { example, page, room, .. } = label;
@@ -82,13 +82,19 @@ fn readme_table(labels: &[&Label]) -> String {
             label.label,
             label.words,
             link(example, &format!("examples/{example}.rs")),
-            link(file, &format!("tests/{file}.rs")),
+            link(file, &test_file(file, repository)),
             function.replace('_', " "),
             link(page, &format!("book/src/{page}.md")),
             link(room.strip_prefix("src/").unwrap_or(room), room),
         );
     }
     text
+}
+
+/// The file of a test: the toolkit has tests of its own.
+fn test_file(name: &str, repository: &Path) -> String {
+    let own = format!("toolkit/tests/{name}.rs");
+    if repository.join(&own).exists() { own } else { format!("tests/{name}.rs") }
 }
 
 fn contents_table(labels: &[&Label]) -> String {

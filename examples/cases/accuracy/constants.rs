@@ -1,18 +1,21 @@
 //! Poincaré constants, moments, and constants of interpolation.
 
 use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
-use signorini::interpolation::{ErrorNorm, InterpolationError, ProjectionNorm, SampleSlope};
-use signorini::interpolation::{element_constant, extremal_slopes, limits, mean_deviation};
-use signorini::interpolation::{power_slope, projection_norm_on_mesh};
-use signorini::numeric::random::SplitMix;
-use signorini::poincare::{Condition, Moment, StrongForm, Zone, end_limit, gamma, gamma_at_point};
-use signorini::poincare::{half_order_moment, moment_norm};
-use signorini::sobolev::{FractionalOrder, Partition};
-use signorini::{Estimate, Result, Work};
+use experiments::SplitMix;
+use fractional_sobolev::{
+    Estimate, FractionalOrder, Partition, Result, Work,
+    interpolation::{
+        ErrorNorm, InterpolationError, ProjectionNorm, SampleSlope, element_constant, extremal_slopes,
+        limits, mean_deviation, power_slope, projection_norm_on_mesh,
+    },
+    poincare::{
+        Condition, Moment, StrongForm, Zone, end_limit, gamma, gamma_at_point, half_order_moment, moment_norm,
+    },
+};
 
-const GAMMA: &str = include_str!("../../../tests/reference/gamma_reference.json");
-const LIMITS: &str = include_str!("../../../tests/reference/limits_reference.json");
-const ELEMENTS: &str = include_str!("../../../tests/reference/interpolation_reference.json");
+const GAMMA: &str = include_str!("../../../toolkit/tests/reference/gamma_reference.json");
+const LIMITS: &str = include_str!("../../../toolkit/tests/reference/limits_reference.json");
+const ELEMENTS: &str = include_str!("../../../toolkit/tests/reference/interpolation_reference.json");
 
 /// All of them.
 pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {

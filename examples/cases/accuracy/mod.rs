@@ -1,10 +1,9 @@
 //! What `accuracy_table` asks: every family of public functions of the toolkit beside values computed another
 //! way, over its range of parameters.
 
+use experiments::SplitMix;
+use fractional_sobolev::{Error, Estimate, FractionalOrder, Result, Tolerance, Work};
 use serde_json::Value;
-use signorini::numeric::random::SplitMix;
-use signorini::sobolev::FractionalOrder;
-use signorini::{Error, Estimate, Result, Tolerance, Work};
 use std::time::Instant;
 
 mod constants;

@@ -1,13 +1,14 @@
 //! Norms on intervals: closures, functions on meshes, dual norms, fast products.
 
 use super::{Ask, Family, ask, draw, formula, number, order, order_of, printed, rows};
-use signorini::numeric::random::SplitMix;
-use signorini::numeric::scale::largest;
-use signorini::sobolev::{DualOf, FractionalOrder, GramOperator, Partition, PiecewisePolynomial};
-use signorini::sobolev::{SingularFunction, closed_forms, gram_linears};
-use signorini::{Estimate, Result, Tolerance, Work};
+use experiments::SplitMix;
+use experiments::largest;
+use fractional_sobolev::{
+    DualOf, Estimate, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, Result,
+    SingularFunction, Tolerance, Work, closed_forms, gram_linears,
+};
 
-const REFERENCE: &str = include_str!("../../../tests/reference/closed_forms.json");
+const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/closed_forms.json");
 
 /// All of them.
 pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {

@@ -1,13 +1,14 @@
 //! Norms in the plane.
 
 use super::{Family, ask, draw, number, order, order_of, rows};
+use experiments::SplitMix;
+use fractional_sobolev::{
+    Error, Estimate, GridOperator, PlaneFunction, Result, SingularPlaneFunction, Triangles, Work,
+    coordinate_on_unit_square,
+};
 use serde_json::Value;
-use signorini::numeric::random::SplitMix;
-use signorini::sobolev::coordinate_on_unit_square;
-use signorini::sobolev::{GridOperator, PlaneFunction, SingularPlaneFunction, Triangles};
-use signorini::{Error, Estimate, Result, Work};
 
-const REFERENCE: &str = include_str!("../../../tests/reference/plane_reference.json");
+const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/plane_reference.json");
 
 /// All of them.
 pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
@@ -45,7 +46,7 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let products = draw(each.min(8), || {
         let (order, n) = (order(random, 0.05, 0.95)?, 1 + random.below(16));
         let x: Vec<f64> = (0..(n + 1) * (n + 1)).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
-        let product = move |t: signorini::Tolerance| {
+        let product = move |t: fractional_sobolev::Tolerance| {
             let form = GridOperator::new([n, n], 1.0 / n as f64, order, t)?;
             let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
             Estimate::new(squared, t.relative() * squared, Work::default())

@@ -2,12 +2,12 @@
 
 use crate::describe::{Cost, describe};
 use crate::files::{require_writable, write_whole};
+use crate::memory::physical;
 use crate::progress::SignOfLife;
 use crate::{Error, Headline, Result};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Args, Command, Parser};
 use signorini::Error as LibraryError;
-use signorini::numeric::memory::physical;
 use std::any::TypeId;
 use std::io::Write;
 use std::path::{Path, PathBuf};

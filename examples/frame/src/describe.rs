@@ -6,11 +6,12 @@
 
 use crate::HasOutput;
 use clap::{Arg, ArgAction, Args, Command, Parser};
+use fractional_sobolev::{
+    FractionalOrder, GalleryFunction, Tolerance,
+    interpolation::SampleSlope,
+    poincare::{Condition, Place},
+};
 use serde_json::{Value, json};
-use signorini::Tolerance;
-use signorini::interpolation::SampleSlope;
-use signorini::poincare::{Condition, Place};
-use signorini::sobolev::{FractionalOrder, GalleryFunction};
 use std::any::TypeId;
 
 /// How long a run takes at default size on two cores.
@@ -49,7 +50,6 @@ enum Kind {
     /// fast, balanced, reference or a number.
     Tolerance,
     /// COARSEST-FINEST.
-    #[cfg(feature = "contact")]
     Levels,
     /// One of these words.
     Choice(Vec<String>),
@@ -67,7 +67,6 @@ impl Kind {
             Kind::Integer => "integer",
             Kind::Order => "order",
             Kind::Tolerance => "tolerance",
-            #[cfg(feature = "contact")]
             Kind::Levels => "levels",
             Kind::Choice(_) => "choice",
             Kind::Named(_) => "named",
@@ -187,13 +186,10 @@ fn kind(argument: &Arg) -> Option<Kind> {
         (TypeId::of::<SampleSlope>(), Kind::Named(words(&["power", "step", "cosine", "constant"]))),
     ];
     let found = known.into_iter().find(|(known, _)| id == *known).map(|(_, kind)| kind);
-    #[cfg(feature = "contact")]
-    let found = found.or_else(|| contact(|known| id == known));
-    found
+    found.or_else(|| contact(|known| id == known))
 }
 
 /// Types of the contact rooms.
-#[cfg(feature = "contact")]
 fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
     use signorini::cone::Cone;
     use signorini::contact::Solver;
@@ -231,7 +227,7 @@ fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
     known.into_iter().find(|(known, _)| is(*known)).map(|(_, kind)| kind)
 }
 
-#[cfg(all(test, feature = "contact"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use signorini::cone::Cone;

@@ -20,3 +20,9 @@ pub enum Error {
     #[error("{0}")]
     Option(String),
 }
+
+impl From<fractional_sobolev::Error> for Error {
+    fn from(error: fractional_sobolev::Error) -> Self {
+        Self::Library(error.into())
+    }
+}

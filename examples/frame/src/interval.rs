@@ -27,7 +27,7 @@ impl OnTheLine for u32 {
     }
 }
 
-impl OnTheLine for signorini::sobolev::FractionalOrder {
+impl OnTheLine for fractional_sobolev::FractionalOrder {
     fn place(&self) -> f64 {
         self.value()
     }
@@ -76,7 +76,7 @@ fn ends(interval: &str) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use signorini::sobolev::FractionalOrder;
+    use fractional_sobolev::FractionalOrder;
 
     #[test]
     fn brackets_decide_about_the_ends() {

@@ -17,7 +17,6 @@
 //! Exit codes: 0 every claim holds, 1 one is refuted or undecided, 2 bad input (one clear line on stderr).
 
 mod command;
-#[cfg(feature = "contact")]
 pub mod contact;
 mod describe;
 mod error;
@@ -25,14 +24,12 @@ mod expression;
 pub mod figures;
 mod files;
 mod interval;
+mod memory;
 mod outcome;
-#[cfg(feature = "contact")]
 pub mod poincare;
 mod progress;
-#[cfg(feature = "contact")]
 pub mod rates;
 mod seconds;
-#[cfg(feature = "contact")]
 pub mod shown;
 
 pub use command::{HasOutput, Output, announce_memory, main};

@@ -3,9 +3,10 @@
 
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Cell, Column, Format, Headline, Output, Result, Table};
-use signorini::Tolerance;
-use signorini::poincare::{Condition, ScalingPoint, Zone, extremal, gamma, printed_growth};
-use signorini::sobolev::FractionalOrder;
+use fractional_sobolev::{
+    FractionalOrder, Tolerance,
+    poincare::{Condition, ScalingPoint, Zone, extremal, gamma, printed_growth},
+};
 
 /// Points per cell of the graded mesh: the pictures resolve every scale between θ and 1.
 const PER_CELL: usize = 6;
@@ -20,7 +21,7 @@ const NEAREST: f64 = 1e-8;
 ///
 /// ```
 /// use example_frame::poincare::extremal_chart;
-/// use signorini::{Tolerance, sobolev::FractionalOrder};
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// let chart = extremal_chart(&[FractionalOrder::HALF], 1e-2, Tolerance::fast())?;
 /// assert!(chart.svg()?.contains("γ = 0.8428"));
 /// # Ok::<(), example_frame::Error>(())

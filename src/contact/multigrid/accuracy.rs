@@ -1,7 +1,7 @@
 //! What is asked of the multigrid solver and what it answers.
 
 use super::super::solution::ContactSolution;
-use crate::estimate::{Estimate, Tolerance};
+use fractional_sobolev::{Estimate, Tolerance};
 use std::fmt;
 
 /// How exact a discrete solution is to be.

@@ -7,7 +7,7 @@
 use super::super::operator::Operator;
 use super::super::problem::ContactProblem;
 use super::link::Link;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{ContactEdge, Grid, Hierarchy, Part, Triangulation};
 
 /// A grid of at most so many nodes is not made coarser.
@@ -64,7 +64,7 @@ fn check(problem: &ContactProblem, hierarchy: &Hierarchy) -> Result<()> {
         return Ok(());
     }
     let name = "nodes of the finest mesh of the hierarchy (the mesh of the problem)";
-    Err(Error::LengthMismatch { name, given: given.len(), expected: expected.len() })
+    Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given: given.len(), expected: expected.len() }))
 }
 
 /// The problem on a coarser mesh.

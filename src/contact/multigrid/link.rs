@@ -1,7 +1,7 @@
 //! The contact edges of two consecutive levels.
 
 use crate::cone::{Cone, ContactSet};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::ContactEdge;
 use std::collections::HashMap;
 
@@ -17,8 +17,10 @@ impl Link {
         let places: HashMap<usize, usize> =
             coarse.nodes().iter().enumerate().map(|(k, &node)| (node, k)).collect();
         let place = |node: u32| {
-            let outside =
-                Error::Node { node: node as usize, reason: "is the parent of a contact node, and is none" };
+            let outside = Error::Toolkit(ToolkitError::Node {
+                node: node as usize,
+                reason: "is the parent of a contact node, and is none",
+            });
             places.get(&(node as usize)).copied().ok_or(outside)
         };
         let pairs = fine.nodes().iter().map(|&node| {

@@ -15,9 +15,9 @@ use super::level::Level;
 use super::newton::{Goal, Guess, Outcome, STEPS, Stage};
 use super::sparse_level::SparseLevel;
 use crate::cone::Cone;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Stencils;
+use fractional_sobolev::{Estimate, Work};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -133,7 +133,11 @@ impl<'a> Job<'a> {
             outcome = Some(here);
         }
         let Some(outcome) = outcome else {
-            return Err(Error::CountOutOfRange { name: "levels", value: levels.len(), range: "[2, inf)" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "levels",
+                value: levels.len(),
+                range: "[2, inf)",
+            }));
         };
         let unknowns = node_major(&levels[last], x);
         self.conclude(

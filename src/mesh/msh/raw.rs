@@ -1,7 +1,7 @@
 //! What the sections of a `.msh` file hold, by the tags of the file, and the triangulation they make.
 
 use super::lines::{Lines, at, fault};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::geometry::{BoundaryEdge, Part, Point, doubled_area};
 use crate::mesh::triangulation::Triangulation;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -98,7 +98,7 @@ impl Raw {
         let places: Vec<(usize, [f64; 3])> = tags.iter().map(|tag| self.nodes[tag]).collect();
         if let Some(node) = places.iter().position(|(_, place)| place[2] != places[0].1[2]) {
             let reason = "has another z: the body must lie in a plane z = const";
-            return Err(at(places[node].0, Error::Node { node, reason }));
+            return Err(at(places[node].0, Error::Toolkit(ToolkitError::Node { node, reason })));
         }
         let nodes: Vec<Point> = places.iter().map(|&(_, [x, y, _])| [x, y]).collect();
         self.turn_clockwise_surfaces(&mut triangles, &nodes);
@@ -120,9 +120,11 @@ impl Raw {
     /// The line that gives the node, edge or triangle which is not usable; node k has the k-th tag.
     fn line_of(&self, cause: &Error, tags: &[u64]) -> Option<usize> {
         match *cause {
-            Error::Triangle { triangle, .. } => Some(self.triangles.get(triangle)?.line),
-            Error::Node { node, .. } => Some(self.nodes.get(tags.get(node)?)?.0),
-            Error::Edge { nodes: [a, b], .. } => {
+            Error::Toolkit(ToolkitError::Triangle { triangle, .. }) => {
+                Some(self.triangles.get(triangle)?.line)
+            }
+            Error::Toolkit(ToolkitError::Node { node, .. }) => Some(self.nodes.get(tags.get(node)?)?.0),
+            Error::Toolkit(ToolkitError::Edge { nodes: [a, b], .. }) => {
                 let ends = [*tags.get(a)?, *tags.get(b)?];
                 let label = self.lines.iter().rfind(|edge| edge.has(ends)).map(|edge| edge.line);
                 label.or_else(|| self.triangles.iter().rfind(|t| t.has(ends)).map(|t| t.line))
@@ -156,11 +158,11 @@ impl Raw {
             "clamped" | "fixed" | "dirichlet" => Ok(Some(Part::Dirichlet)),
             "free" | "neumann" => Ok(Some(Part::Neumann)),
             "contact" => Ok(Some(Part::Contact)),
-            _ => Err(Error::UnknownName {
+            _ => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "boundary part",
                 given: name.chars().take(40).collect(),
                 expected: "clamped (fixed, dirichlet), contact or free (neumann)",
-            }),
+            })),
         }
     }
 

@@ -10,8 +10,7 @@
 
 use super::difference::{Interpolation, rounding};
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::numeric::check::require_length;
 use crate::strip::edge_data::EdgeData;
@@ -20,6 +19,7 @@ use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
 use crate::strip::operator::elastic_defect::{aliased, halvings};
 use crate::strip::operator::load::EdgeLoad;
 use crate::strip::sides::Sides;
+use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
 
 /// Relative rounding of the defects: those of low modes are rounded from double-double, the others keep
@@ -53,12 +53,12 @@ impl ExactElastic {
     /// numbers of layers are powers of two.
     pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
         if scene.sides() != Sides::Periodic {
-            return Err(Error::Incompatible {
+            return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
                 with: "the elastic strip",
                 expected: "periodic sides",
-            });
+            }));
         }
         let cells = scene.cells();
         power_of_two(cells)?;
@@ -167,7 +167,7 @@ impl ExactElastic {
             .mode_sum_of(|k| self.matrices[0][k].form(exact_x[k] - x.mode(k), exact_y[k] - y.mode(k)));
         let square = edge + interior;
         let work = Work { points: 2 * self.cells as u64, ..Work::default() };
-        Estimate::new(square.sqrt(), self.rounding + DEFECTS * square.sqrt(), work)
+        Ok(Estimate::new(square.sqrt(), self.rounding + DEFECTS * square.sqrt(), work)?)
     }
 }
 

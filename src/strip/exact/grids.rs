@@ -1,6 +1,6 @@
 //! The grids N, N/2, N/4, ... below the grid of the exact data, their layers and their loads.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::strip::operator::scalar::check_layers;
 use crate::strip::sides::Sides;
 use crate::strip::transfer::restrict;
@@ -8,18 +8,22 @@ use crate::strip::transfer::restrict;
 /// How often `fine` is halved to give `cells`, less than `levels` times.
 pub(crate) fn level_of(fine: usize, cells: usize, levels: usize) -> Result<usize> {
     let level = (0..levels).find(|&level| fine >> level == cells);
-    level.ok_or(Error::CountOutOfRange {
+    level.ok_or(Error::Toolkit(ToolkitError::CountOutOfRange {
         name: "cells",
         value: cells,
         range: "the halvings of the reference grid",
-    })
+    }))
 }
 
 pub(crate) fn power_of_two(cells: usize) -> Result<()> {
     if cells.is_power_of_two() && cells >= 2 {
         Ok(())
     } else {
-        Err(Error::CountOutOfRange { name: "cells", value: cells, range: "the powers of two from 2" })
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "cells",
+            value: cells,
+            range: "the powers of two from 2",
+        }))
     }
 }
 
@@ -27,11 +31,11 @@ pub(crate) fn power_of_two(cells: usize) -> Result<()> {
 pub(crate) fn layers_on(cells: usize, height: (usize, usize)) -> Result<usize> {
     let (up, down) = height;
     if down == 0 || !(cells * up).is_multiple_of(down) {
-        return Err(Error::CountOutOfRange {
+        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "cells",
             value: cells,
             range: "the numbers n with n·height whole",
-        });
+        }));
     }
     let layers = cells * up / down;
     check_layers(layers)?;

@@ -1,6 +1,6 @@
 //! Levels of a study, by name.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -19,15 +19,19 @@ impl Levels {
     pub fn new(coarsest: u32, finest: u32) -> Result<Self> {
         for (name, value) in [("coarsest level", coarsest), ("finest level", finest)] {
             if !(1..=22).contains(&value) {
-                return Err(Error::CountOutOfRange { name, value: value as usize, range: "[1, 22]" });
+                return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                    name,
+                    value: value as usize,
+                    range: "[1, 22]",
+                }));
             }
         }
         if coarsest > finest {
-            return Err(Error::CountOutOfRange {
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "coarsest level",
                 value: coarsest as usize,
                 range: "[1, finest level]",
-            });
+            }));
         }
         Ok(Self { coarsest, finest })
     }
@@ -41,7 +45,7 @@ impl Levels {
         if value >= least {
             Ok(())
         } else {
-            Err(Error::CountOutOfRange { name: "number of levels", value, range })
+            Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "number of levels", value, range }))
         }
     }
 
@@ -82,10 +86,12 @@ impl FromStr for Levels {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        let unknown = || Error::UnknownName {
-            what: "levels",
-            given: text.to_owned(),
-            expected: "COARSEST-FINEST, powers of two, for example 3-14",
+        let unknown = || {
+            Error::Toolkit(ToolkitError::UnknownName {
+                what: "levels",
+                given: text.to_owned(),
+                expected: "COARSEST-FINEST, powers of two, for example 3-14",
+            })
         };
         let (coarsest, finest) = text.split_once('-').ok_or_else(unknown)?;
         let number = |word: &str| word.trim().parse().map_err(|_| unknown());

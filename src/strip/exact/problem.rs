@@ -3,14 +3,14 @@
 use super::elastic::ExactElastic;
 use super::reference::Reference;
 use super::scalar::ExactEdge;
-use crate::error::{Error, Result};
-use crate::estimate::Estimate;
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::load::EdgeLoad;
 use crate::strip::operator::scalar::ScalarStrip;
 use crate::strip::sides::Sides;
+use fractional_sobolev::Estimate;
 use std::fmt;
 use std::str::FromStr;
 
@@ -49,11 +49,11 @@ impl FromStr for StripKind {
         match text {
             "scalar" => Ok(StripKind::Scalar),
             "elastic" => Ok(StripKind::Elastic),
-            _ => Err(Error::UnknownName {
+            _ => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "kind",
                 given: text.to_owned(),
                 expected: "scalar or elastic",
-            }),
+            })),
         }
     }
 }
@@ -77,12 +77,12 @@ impl StripProblem {
         Ok(match kind {
             StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
             StripKind::Elastic if reference != Reference::Nested => {
-                return Err(Error::Incompatible {
+                return Err(Error::Toolkit(ToolkitError::Incompatible {
                     what: "reference",
                     given: reference.to_string(),
                     with: "the elastic strip",
                     expected: "nested",
-                });
+                }));
             }
             StripKind::Elastic => {
                 Self::Elastic(ExactElastic::new(scene, (1, 1), Lame::new(1.0, 1.0)?, coarsest)?)

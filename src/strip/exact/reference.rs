@@ -1,6 +1,6 @@
 //! What the discrete solutions are compared with, by name.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -29,11 +29,11 @@ impl FromStr for Reference {
         match text {
             "nested" => Ok(Reference::Nested),
             "harmonic" => Ok(Reference::Harmonic),
-            _ => Err(Error::UnknownName {
+            _ => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "reference",
                 given: text.to_owned(),
                 expected: "nested or harmonic",
-            }),
+            })),
         }
     }
 }

@@ -14,8 +14,7 @@
 use super::difference::{Interpolation, rounding};
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
 use super::reference::Reference;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::require_length;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::defect::{halving, harmonic_defect, harmonic_symbol};
@@ -23,6 +22,7 @@ use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::load::EdgeLoad;
 use crate::strip::operator::scalar::scalar_symbol;
 use crate::strip::sides::Sides;
+use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 
@@ -56,12 +56,12 @@ impl ExactEdge {
     /// and the height gives a whole number of layers on it.
     pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
-            return Err(Error::Incompatible {
+            return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
                 with: "the scalar strip",
                 expected: "natural sides",
-            });
+            }));
         }
         let cells = scene.cells();
         power_of_two(cells)?;
@@ -146,7 +146,7 @@ impl ExactEdge {
             self.operator.mode_sum_of(|k| symbol[k] * (self.modes[k] - interpolated.mode(k)).norm_sqr());
         let square = edge + interior;
         let work = Work { points: self.cells as u64 + 1, ..Work::default() };
-        Estimate::new(square.sqrt(), self.rounding + DEFECTS * square.sqrt(), work)
+        Ok(Estimate::new(square.sqrt(), self.rounding + DEFECTS * square.sqrt(), work)?)
     }
 
     /// ⟨G g_h, g_h⟩ from the modes of g_h.

@@ -12,7 +12,7 @@ use super::edge::EdgeOperator;
 use super::load::{EdgeLoad, mass_row};
 use super::scalar::check_layers;
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::numeric::check::{require_finite, require_length};
 use crate::strip::sides::{Sides, check_cells};
@@ -89,7 +89,11 @@ impl ElasticStrip {
         check_cells(cells, Sides::Periodic)?;
         check_layers(layers)?;
         if !layers.is_power_of_two() {
-            return Err(Error::CountOutOfRange { name: "layers", value: layers, range: "the powers of two" });
+            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+                name: "layers",
+                value: layers,
+                range: "the powers of two",
+            }));
         }
         let matrices = edge_matrices(cells, layers, lame);
         let symbol = matrices.iter().map(|a| a.normal()).collect();

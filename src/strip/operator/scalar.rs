@@ -14,7 +14,7 @@
 
 use super::edge::EdgeOperator;
 use super::load::{EdgeLoad, mass_row};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_finite, require_length};
 use crate::strip::sides::{Sides, check_cells};
 use realfft::num_complex::Complex;
@@ -141,7 +141,11 @@ pub(crate) fn check_layers(layers: usize) -> Result<()> {
     if (1..=1 << 26).contains(&layers) {
         Ok(())
     } else {
-        Err(Error::CountOutOfRange { name: "layers", value: layers, range: "[1, 2^26]" })
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange {
+            name: "layers",
+            value: layers,
+            range: "[1, 2^26]",
+        }))
     }
 }
 

@@ -14,14 +14,14 @@
 use super::inner::FaceSolver;
 use super::solution::EdgeSolution;
 use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
-use crate::error::{Error, Given, Result};
-use crate::estimate::Tolerance;
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::require_finite;
 use crate::numeric::scale::largest;
 use crate::numeric::sum::pairwise_dot;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::load::EdgeLoad;
 use crate::strip::transfer::prolong;
+use fractional_sobolev::{Given, Tolerance};
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -133,7 +133,11 @@ impl<'a> Iteration<'a> {
         } else if start.values.len() == self.operator.sides().nodes(cells / 2) {
             self.values = prolong(&start.values, nodes);
         } else {
-            return Err(Error::LengthMismatch { name: "start", given: start.values.len(), expected: nodes });
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
+                name: "start",
+                given: start.values.len(),
+                expected: nodes,
+            }));
         }
         self.values.iter_mut().for_each(|v| *v /= scale);
         self.active = match (start.cone == self.cone.kind(), start.values.len() == nodes) {

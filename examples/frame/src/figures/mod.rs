@@ -19,7 +19,6 @@ mod view;
 pub use chart::Chart;
 pub use floor::Floor;
 pub use picture::BodyPicture;
-#[cfg(feature = "contact")]
 pub(crate) use picture::short;
 pub use series::{Axis, Series};
 

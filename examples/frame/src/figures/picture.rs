@@ -9,7 +9,7 @@ use super::floor::Floor;
 use super::scale::power_of_ten;
 use super::view::{MARGIN, TOP, View, WIDTH};
 use crate::Result;
-use signorini::Error;
+use fractional_sobolev::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -70,12 +70,12 @@ impl BodyPicture<'_> {
     /// Writes `directory/name.svg` and returns its path.
     ///
     /// # Errors
-    /// As [`BodyPicture::svg`], and [`Error::File`] when the file cannot be written.
+    /// As [`BodyPicture::svg`], and [`signorini::Error::File`] when the file cannot be written.
     pub fn save(&self, directory: &Path, name: &str) -> Result<PathBuf> {
         save_svg(&self.svg()?, directory, name)
     }
 
-    fn check(&self) -> signorini::Result<()> {
+    fn check(&self) -> fractional_sobolev::Result<()> {
         if self.values.len() != self.triangles.len() {
             let (given, expected) = (self.values.len(), self.triangles.len());
             return Err(Error::LengthMismatch { name: "values per triangle", given, expected });

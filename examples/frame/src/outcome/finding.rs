@@ -156,23 +156,23 @@ impl Finding {
         self
     }
 
-    /// The number of an [`signorini::Estimate`] with its error.
+    /// The number of an [`fractional_sobolev::Estimate`] with its error.
     #[must_use]
-    pub fn estimate(self, estimate: signorini::Estimate) -> Self {
+    pub fn estimate(self, estimate: fractional_sobolev::Estimate) -> Self {
         self.number(estimate.value, estimate.error)
     }
 
     /// The largest of several estimates; without any there is no number.
     #[must_use]
-    pub fn largest(self, estimates: impl IntoIterator<Item = signorini::Estimate>) -> Self {
-        let largest = signorini::Estimate::largest(estimates);
+    pub fn largest(self, estimates: impl IntoIterator<Item = fractional_sobolev::Estimate>) -> Self {
+        let largest = fractional_sobolev::Estimate::largest(estimates);
         self.number_or(largest.map(|e| (e.value, e.error)), "nothing was computed")
     }
 
     /// The smallest of several estimates; without any there is no number.
     #[must_use]
-    pub fn smallest(self, estimates: impl IntoIterator<Item = signorini::Estimate>) -> Self {
-        let smallest = signorini::Estimate::smallest(estimates);
+    pub fn smallest(self, estimates: impl IntoIterator<Item = fractional_sobolev::Estimate>) -> Self {
+        let smallest = fractional_sobolev::Estimate::smallest(estimates);
         self.number_or(smallest.map(|e| (e.value, e.error)), "nothing was computed")
     }
 
@@ -194,7 +194,7 @@ impl Finding {
 
     /// The number of an estimate that may not exist; `why` says why it does not.
     #[must_use]
-    pub fn estimate_or(self, estimate: Option<signorini::Estimate>, why: impl Into<String>) -> Self {
+    pub fn estimate_or(self, estimate: Option<fractional_sobolev::Estimate>, why: impl Into<String>) -> Self {
         self.number_or(estimate.map(|e| (e.value, e.error)), why)
     }
 

@@ -157,7 +157,7 @@ impl RatePlan {
 
 fn check(taus: &[f64]) -> Result<()> {
     for &tau in taus {
-        signorini::Error::require("tau", tau, "(3/2, 5/2]", tau > 1.5 && tau <= 2.5)?;
+        fractional_sobolev::Error::require("tau", tau, "(3/2, 5/2]", tau > 1.5 && tau <= 2.5)?;
     }
     Ok(())
 }

@@ -7,7 +7,7 @@
 
 use serde_json::{Value, json};
 use signorini::convergence::{Flag, LevelKey, LevelMemory, RateLevel};
-use signorini::error::{Error, Result};
+use signorini::{Error, Result};
 use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
 use std::io::Write;

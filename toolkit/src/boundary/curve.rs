@@ -1,0 +1,299 @@
+//! Polygonal curves with a mesh on every side, and distances on them.
+//!
+//! Points are known by their side and the distance from its ends. Two points of sides that meet at distances
+//! σ, τ from the common vertex are √((σ−τ)² + στ |a−b|²) apart, a and b the directions of the sides from
+//! there: no digits are lost towards a corner, whatever its angle.
+
+use crate::error::{Error, Result};
+use crate::numeric::check::{require_entry, require_finite_at, require_length};
+use crate::partition::Partition;
+
+/// The boundary of a polygon, or an open polygonal curve, with elements on every side.
+#[doc(alias("polygon", "boundary mesh", "BEM"))]
+#[derive(Debug, Clone, PartialEq)]
+pub struct PolygonalCurve {
+    vertices: Vec<[f64; 2]>,
+    closed: bool,
+    sides: Vec<Side>,
+    /// side and place in it of every element
+    elements: Vec<(usize, usize)>,
+}
+
+/// A side with its direction and mesh.
+#[derive(Debug, Clone, PartialEq)]
+struct Side {
+    start: [f64; 2],
+    direction: [f64; 2],
+    mesh: Partition,
+}
+
+/// How two elements lie to each other, with what distances need.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Relation {
+    /// on one side: distances along it
+    Same,
+    /// the first side ends where the second begins, |a − b|²
+    Before(f64),
+    /// the second side ends where the first begins
+    After(f64),
+    Apart,
+}
+
+impl PolygonalCurve {
+    /// The boundary of the polygon with these vertices, in either orientation; side k, from vertex k on, has
+    /// the elements of `meshes[k]`, scaled to its length.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Partition, PolygonalCurve};
+    /// let triangle = [[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]];
+    /// let graded = Partition::algebraic(3, 2.0, 1.0)?;
+    /// let meshes = [Partition::uniform(2, 1.0)?, graded, Partition::uniform(1, 1.0)?];
+    /// let curve = PolygonalCurve::closed(&triangle, &meshes)?;
+    /// assert!(curve.len() == 6 && curve.is_closed() && (curve.length() - 12.0).abs() < 1e-14);
+    /// assert_eq!(curve.nodes()[1], [1.5, 0.0]);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] with fewer than three vertices, [`Error::LengthMismatch`] unless there are
+    /// as many meshes; [`Error::NotFinite`] by the vertex, [`Error::EntryOutOfRange`] by the side for one of
+    /// length zero, by the vertex for sides that turn back; [`Error::Edge`] for a side that meets another.
+    pub fn closed(vertices: &[[f64; 2]], meshes: &[Partition]) -> Result<Self> {
+        Self::build(vertices, meshes, true)
+    }
+
+    /// As [`PolygonalCurve::closed`] without the side from the last vertex to the first: part of a boundary.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Partition, PolygonalCurve};
+    /// let corner = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
+    /// let mesh = Partition::uniform(4, 1.0)?;
+    /// let curve = PolygonalCurve::open(&corner, &[mesh.clone(), mesh])?;
+    /// assert!(curve.len() == 8 && curve.nodes().len() == 9 && !curve.is_empty());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`PolygonalCurve::closed`], two vertices being enough.
+    pub fn open(vertices: &[[f64; 2]], meshes: &[Partition]) -> Result<Self> {
+        Self::build(vertices, meshes, false)
+    }
+
+    /// The closed curve with `count` elements on every side, on either half of it graded towards the corners
+    /// like (i/n)^β; β = 1 for equal ones. `count` is even.
+    ///
+    /// ```
+    /// use fractional_sobolev::PolygonalCurve;
+    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let curve = PolygonalCurve::graded(&square, 4, 2.0)?;
+    /// assert_eq!(curve.nodes()[1], [0.125, 0.0]);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`PolygonalCurve::closed`] and [`Partition::algebraic`]; [`Error::CountOutOfRange`] for an odd
+    /// count.
+    pub fn graded(vertices: &[[f64; 2]], count: usize, exponent: f64) -> Result<Self> {
+        if !count.is_multiple_of(2) {
+            return Err(Error::CountOutOfRange { name: "elements of a side", value: count, range: "even" });
+        }
+        let mesh = Partition::two_sided_algebraic(count / 2, exponent, 1.0)?;
+        Self::closed(vertices, &vec![mesh; vertices.len()])
+    }
+
+    fn build(vertices: &[[f64; 2]], meshes: &[Partition], closed: bool) -> Result<Self> {
+        let least = if closed { 3 } else { 2 };
+        if vertices.len() < least {
+            let (value, range) = (vertices.len(), if closed { ">= 3" } else { ">= 2" });
+            return Err(Error::CountOutOfRange { name: "vertices", value, range });
+        }
+        for (index, vertex) in vertices.iter().enumerate() {
+            vertex.iter().try_for_each(|&value| require_finite_at("vertex", index, value))?;
+        }
+        let count = if closed { vertices.len() } else { vertices.len() - 1 };
+        require_length("meshes of the sides", meshes.len(), count)?;
+        let mut sides: Vec<Side> = Vec::with_capacity(count);
+        for (k, mesh) in meshes.iter().enumerate() {
+            let (start, end) = (vertices[k], vertices[(k + 1) % vertices.len()]);
+            let length = distance(start, end);
+            require_entry("length of a side", k, length, "(0, inf)", length > 0.0 && length.is_finite())?;
+            let share = length / mesh.total();
+            let mesh = Partition::from_lengths(mesh.lengths().iter().map(|h| h * share).collect())?;
+            let direction = [(end[0] - start[0]) / length, (end[1] - start[1]) / length];
+            sides.push(Side { start, direction, mesh });
+        }
+        let elements = sides
+            .iter()
+            .enumerate()
+            .flat_map(|(k, side)| (0..side.mesh.len()).map(move |e| (k, e)))
+            .collect();
+        let curve = Self { vertices: vertices.to_vec(), closed, sides, elements };
+        curve.require_simple()?;
+        Ok(curve)
+    }
+
+    /// Sides that follow each other do not turn back, others do not meet.
+    fn require_simple(&self) -> Result<()> {
+        let count = self.sides.len();
+        for i in 0..count {
+            for j in i + 1..count {
+                match self.relation(i, j) {
+                    Relation::Before(bend) | Relation::After(bend) => {
+                        let vertex = if j == i + 1 { j } else { i };
+                        let name = "angle between the sides at a vertex";
+                        require_entry(name, vertex, bend.sqrt(), "[1e-14, 2 pi)", bend >= 1e-28)?;
+                    }
+                    Relation::Apart if self.cross(i, j) => {
+                        let nodes = [j, (j + 1) % self.vertices.len()];
+                        return Err(Error::Edge { nodes, reason: "meets another side" });
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn cross(&self, i: usize, j: usize) -> bool {
+        let end = |k: usize| self.vertices[(k + 1) % self.vertices.len()];
+        let ([a, b], [c, d]) = ([self.vertices[i], end(i)], [self.vertices[j], end(j)]);
+        let turn = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
+            (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+        };
+        let apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
+        let sides = |p, q, r, s| turn(p, q, r) * turn(p, q, s);
+        !apart(0) && !apart(1) && sides(a, b, c, d) <= 0.0 && sides(c, d, a, b) <= 0.0
+    }
+
+    /// The curve with every element cut in halves.
+    pub(super) fn halved(&self) -> Result<Self> {
+        let halves = |side: &Side| {
+            let lengths = side.mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
+            Ok(Side { mesh: Partition::from_lengths(lengths)?, ..side.clone() })
+        };
+        let sides: Vec<Side> = self.sides.iter().map(halves).collect::<Result<_>>()?;
+        let elements = sides
+            .iter()
+            .enumerate()
+            .flat_map(|(k, side)| (0..side.mesh.len()).map(move |e| (k, e)))
+            .collect();
+        Ok(Self { sides, elements, ..self.clone() })
+    }
+
+    /// Number of elements.
+    pub fn len(&self) -> usize {
+        self.elements.len()
+    }
+
+    /// Never true: a curve has at least one element.
+    pub fn is_empty(&self) -> bool {
+        self.elements.is_empty()
+    }
+
+    /// The last side ends where the first begins.
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// Length of the curve.
+    pub fn length(&self) -> f64 {
+        self.sides.iter().map(|side| side.mesh.total()).sum()
+    }
+
+    /// The nodes in turn: as many as elements on a closed curve, one more on an open one; rounded.
+    pub fn nodes(&self) -> Vec<[f64; 2]> {
+        let mut nodes: Vec<[f64; 2]> = Vec::with_capacity(self.len() + 1);
+        for side in &self.sides {
+            let before = side.mesh.from_left()[..side.mesh.len()].iter();
+            nodes.extend(before.map(|&t| side.at(t)));
+        }
+        if !self.closed {
+            nodes.extend(self.vertices.last());
+        }
+        nodes
+    }
+
+    /// Length of an element.
+    pub(super) fn element_length(&self, e: usize) -> f64 {
+        let (side, cell) = self.elements[e];
+        self.sides[side].mesh.lengths()[cell]
+    }
+
+    /// The place of the point at distance t from the left end of an element, as [`PolygonalCurve::apart`]
+    /// wants it.
+    pub(super) fn place(&self, e: usize, t: f64) -> Place {
+        let (side, cell) = self.elements[e];
+        let mesh = &self.sides[side].mesh;
+        let rest = mesh.lengths()[cell] - t;
+        Place { side, from_start: mesh.from_left()[cell] + t, to_end: mesh.from_right()[cell + 1] + rest }
+    }
+
+    /// How the sides of two elements lie.
+    pub(super) fn relation_of(&self, e: usize, f: usize) -> Relation {
+        self.relation(self.elements[e].0, self.elements[f].0)
+    }
+
+    fn relation(&self, i: usize, j: usize) -> Relation {
+        let count = self.sides.len();
+        let follows = |i: usize, j: usize| j == i + 1 || self.closed && i + 1 == count && j == 0;
+        // Directions from the common vertex.
+        let bend = |i: usize, j: usize| {
+            let (a, b) = (self.sides[i].direction, self.sides[j].direction);
+            (a[0] + b[0]).powi(2) + (a[1] + b[1]).powi(2)
+        };
+        if i == j {
+            Relation::Same
+        } else if follows(i, j) {
+            Relation::Before(bend(i, j))
+        } else if follows(j, i) {
+            Relation::After(bend(j, i))
+        } else {
+            Relation::Apart
+        }
+    }
+
+    /// The distance of two places in the plane.
+    pub(super) fn apart(&self, relation: Relation, x: Place, y: Place) -> f64 {
+        let around = |s: f64, t: f64, bend: f64| (s - t).hypot((s * t * bend).sqrt());
+        match relation {
+            // From the end that is nearer: short elements lie there.
+            Relation::Same if x.from_start + y.from_start <= x.to_end + y.to_end => {
+                (x.from_start - y.from_start).abs()
+            }
+            Relation::Same => (x.to_end - y.to_end).abs(),
+            Relation::Before(bend) => around(x.to_end, y.from_start, bend),
+            Relation::After(bend) => around(x.from_start, y.to_end, bend),
+            Relation::Apart => {
+                distance(self.sides[x.side].at(x.from_start), self.sides[y.side].at(y.from_start))
+            }
+        }
+    }
+
+    /// The common node of two elements that follow each other, first e then f.
+    pub(super) fn follows(&self, e: usize, f: usize) -> bool {
+        f == e + 1 || self.closed && e + 1 == self.len() && f == 0
+    }
+
+    /// Places where a function is asked for: the nodes at both ends of an element.
+    pub(super) fn nodes_of(&self, e: usize) -> [usize; 2] {
+        [e, if self.closed { (e + 1) % self.len() } else { e + 1 }]
+    }
+}
+
+/// A point of a side by its distances to both ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    side: usize,
+    from_start: f64,
+    to_end: f64,
+}
+
+impl Side {
+    fn at(&self, t: f64) -> [f64; 2] {
+        [self.start[0] + t * self.direction[0], self.start[1] + t * self.direction[1]]
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

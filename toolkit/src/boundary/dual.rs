@@ -1,0 +1,137 @@
+//! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linears, and its limit on halved
+//! meshes.
+
+use super::curve::PolygonalCurve;
+use super::function::BoundaryFunction;
+use super::pairs::CurvePairs;
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::dense::Cholesky;
+use crate::numeric::parallel;
+use crate::order::FractionalOrder;
+use nalgebra::DMatrix;
+
+/// Elements of the finest mesh at most: a second of kernel values, and a dense factorization.
+const MOST: usize = 1500;
+/// Asked of the entries.
+const ENTRIES: f64 = 1e-13;
+/// Rounding of the factorization, relative.
+const ROUNDING: f64 = 1e-12;
+
+impl BoundaryFunction {
+    /// sup ∫_Γ f v / ||v||_ν over v ∈ H^ν(Γ): the norm of H^{−ν}(Γ), in which normal derivatives and boundary
+    /// densities are measured.
+    ///
+    /// # Method
+    ///
+    /// On a mesh the supremum over continuous piecewise linears is √(bᵀ(M+A)⁻¹b), a lower bound, by one dense
+    /// factorization. Every element is halved until 1500 elements; with d_k the steps of the values, which
+    /// shrink by a factor r, the limit is taken as v_k + d_k r/(1−r) and its error as its last change, or as
+    /// its distance to v_k where there is no other. Elements that shrink towards corners and jumps of f
+    /// give more digits.
+    ///
+    /// ```
+    /// use fractional_sobolev::{BoundaryFunction, FractionalOrder, PolygonalCurve, Tolerance};
+    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let one = BoundaryFunction::interpolate(PolygonalCurve::graded(&square, 2, 1.0)?, |_| 1.0)?;
+    /// let found = one.dual_norm(FractionalOrder::HALF, Tolerance::balanced())?;
+    /// assert!((found.value - 2.0).abs() < 1e-8); // attained by 1 itself: the L² norm
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for more than 1500 elements, [`Error::NotPositiveDefinite`],
+    /// [`Error::ToleranceNotMet`] with the best value.
+    #[doc(alias("boundary element", "H-1/2"))]
+    pub fn dual_norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        if self.curve().len() > MOST {
+            let (name, range) = ("elements of a dual norm", "<= 1500");
+            return Err(Error::CountOutOfRange { name, value: self.curve().len(), range });
+        }
+        let (mut curve, mut ends) = (self.curve().clone(), self.ends().to_vec());
+        let (mut values, mut limits): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+        let (mut best, mut work): (Option<Estimate>, Work) = (None, Work::default());
+        loop {
+            values.push(supremum(&curve, &ends, order)?);
+            work +=
+                Work { factorizations: 1, pairs: (curve.len() * curve.len() / 2) as u64, ..Work::default() };
+            if let Some(found) = limit(&values, &mut limits, work)? {
+                if found.value == 0.0 || found.relative_error() <= tolerance.relative() {
+                    return Ok(found);
+                }
+                best = Some(best.filter(|best| best.error <= found.error).unwrap_or(found));
+            }
+            if 2 * curve.len() > MOST {
+                let why = "meshes of 1500 elements do not suffice: grade them towards corners and jumps";
+                return Err(Error::best_of("dual norm", tolerance.relative(), best, why));
+            }
+            curve = curve.halved()?;
+            ends = ends.iter().flat_map(|&[a, b]| [[a, 0.5 * (a + b)], [0.5 * (a + b), b]]).collect();
+        }
+    }
+}
+
+/// The limit of values on halved meshes; none before the third, unless they do not change.
+fn limit(values: &[f64], limits: &mut Vec<f64>, work: Work) -> Result<Option<Estimate>> {
+    let [.., a, b, c] = values[..] else { return Ok(None) };
+    let (first, second) = (b - a, c - b);
+    let rounding = ROUNDING * c;
+    let ratio = second / first;
+    let is_settled = second.abs() <= rounding;
+    let found = if is_settled { c } else { c + second * ratio / (1.0 - ratio) };
+    let shrinks = ratio > 0.0 && ratio < 0.9;
+    if !(is_settled || shrinks) {
+        return Estimate::new(c, 10.0 * second.abs() + rounding, work).map(Some);
+    }
+    let change =
+        limits.last().map_or((found - c).abs(), |last| (found - last).abs().max(0.05 * (found - c).abs()));
+    limits.push(found);
+    Estimate::new(found, change + rounding, work).map(Some)
+}
+
+/// √(bᵀ(M+A)⁻¹b) on one mesh.
+fn supremum(curve: &PolygonalCurve, ends: &[[f64; 2]], order: FractionalOrder) -> Result<f64> {
+    let n = curve.len();
+    let nodes = n + usize::from(!curve.is_closed());
+    let pairs = CurvePairs::new(curve, order, false, ENTRIES)?;
+    let rows: Vec<Vec<[[f64; 4]; 4]>> = parallel::map(n, &|e| {
+        let form = |f: usize| {
+            let mut local = [[0.0; 4]; 4];
+            pairs.visit(e, f, &mut |w, s, t| {
+                let difference = [1.0 - s, s, t - 1.0, -t];
+                for (row, a) in local.iter_mut().zip(difference) {
+                    row.iter_mut().zip(difference).for_each(|(entry, b)| *entry += w * a * b);
+                }
+            });
+            local
+        };
+        (e + 1..n).map(form).collect()
+    });
+    let mut matrix = DMatrix::<f64>::zeros(nodes, nodes);
+    let mut load = DMatrix::<f64>::zeros(nodes, 1);
+    for (e, row) in rows.iter().enumerate() {
+        let (h, [i, j], [a, b]) = (curve.element_length(e), curve.nodes_of(e), ends[e]);
+        let own = pairs.own(h);
+        for (k, l, mass) in [(i, i, 3.0), (j, j, 3.0), (i, j, 6.0), (j, i, 6.0)] {
+            matrix[(k, l)] += h / mass + if k == l { own } else { -own };
+        }
+        load[(i, 0)] += h * (2.0 * a + b) / 6.0;
+        load[(j, 0)] += h * (a + 2.0 * b) / 6.0;
+        for (f, local) in (e + 1..).zip(row) {
+            let [k, l] = curve.nodes_of(f);
+            let places = [i, j, k, l];
+            for (row, values) in places.iter().zip(local) {
+                places.iter().zip(values).for_each(|(column, value)| matrix[(*row, *column)] += value);
+            }
+        }
+    }
+    let factored =
+        Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite { what: "form of H^nu", pivot: 0 })?;
+    let solution = factored.solve(&load);
+    Ok(load.dot(&solution).max(0.0).sqrt())
+}

@@ -1,0 +1,153 @@
+//! ∫∫ f(x, y) |x−y|^{-1-2ν} over two elements of a polygonal curve, for f = (u(x)−u(y))² of piecewise linears
+//! or constants.
+//!
+//! - one element twice: 2 h^{1-2ν} / ((2−2ν)(3−2ν)) times the squared difference of its values;
+//! - neighbours of lengths p, q, straight on or over a corner: the integrand is homogeneous about the common
+//!   point, so that over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq (Duffy) the integral in ξ is
+//!   1/(3−2ν), or 1/(1−2ν) for constants, and pq times a smooth integral in η is left: its integrand is
+//!   singular at η q = p e^{±iω} only, ω the angle, and cut until no piece is longer than its distance to
+//!   these;
+//! - others: cut until no piece is longer than the distance to the other, then Gauss rules whose order the
+//!   quotient of the two decides.
+
+use super::curve::{Place, PolygonalCurve, Relation};
+use crate::error::Result;
+use crate::kernel::power::PowerKernel;
+use crate::order::FractionalOrder;
+use crate::quadrature::Rule;
+
+/// Points of a rule at most: enough for pieces as long as their distance.
+const MOST_POINTS: usize = 16;
+
+/// The rules for one order.
+pub(super) struct CurvePairs<'a> {
+    curve: &'a PolygonalCurve,
+    kernel: PowerKernel,
+    rules: Vec<Rule>,
+    digits: f64,
+    /// 3 − 2ν, or 1 − 2ν for constants
+    radial: f64,
+}
+
+/// A part (start, length) of an element.
+type Part = (f64, f64);
+
+impl<'a> CurvePairs<'a> {
+    pub(super) fn new(
+        curve: &'a PolygonalCurve,
+        order: FractionalOrder,
+        constants: bool,
+        target: f64,
+    ) -> Result<Self> {
+        let kernel = PowerKernel::new(order);
+        Ok(Self {
+            curve,
+            kernel,
+            rules: (1..=MOST_POINTS).map(Rule::gauss_legendre).collect::<Result<_>>()?,
+            digits: (1.0 - target.log10()).clamp(3.0, 17.0),
+            radial: if constants { kernel.one_minus } else { kernel.three_minus },
+        })
+    }
+
+    /// Of linears with values differing by one at the ends of an element of length h.
+    pub(super) fn own(&self, h: f64) -> f64 {
+        2.0 * self.kernel.scaling(h) / (self.kernel.two_minus * self.kernel.three_minus)
+    }
+
+    /// Visits (w, s, t) with s, t local coordinates on e ≠ f: both orders of x and y are counted in w.
+    pub(super) fn visit(&self, e: usize, f: usize, visit: &mut impl FnMut(f64, f64, f64)) {
+        if self.curve.follows(e, f) {
+            self.touching(e, f, visit);
+        } else if self.curve.follows(f, e) {
+            self.touching(f, e, &mut |w, s, t| visit(w, t, s));
+        } else {
+            let lengths = [e, f].map(|k| self.curve.element_length(k));
+            let relation = self.curve.relation_of(e, f);
+            self.separate([e, f], relation, [(0.0, lengths[0]), (0.0, lengths[1])], &mut |w, s, t| {
+                visit(w, s / lengths[0], t / lengths[1]);
+            });
+        }
+    }
+
+    /// e ends where f begins.
+    fn touching(&self, e: usize, f: usize, visit: &mut impl FnMut(f64, f64, f64)) {
+        let (p, q) = (self.curve.element_length(e), self.curve.element_length(f));
+        let bend = match self.curve.relation_of(e, f) {
+            Relation::Before(bend) => bend,
+            _ => 4.0,
+        };
+        // cos ω = 1 − |a−b|²/2
+        let cosine = 1.0 - 0.5 * bend;
+        let sine = (bend * (1.0 - 0.25 * bend)).max(0.0).sqrt();
+        for (fixed, moving, is_first) in [(p, q, true), (q, p, false)] {
+            let singular = [fixed * cosine, fixed * sine];
+            self.cut(0.0, moving, singular, &mut |start, length| {
+                let nearest = singular[0].clamp(start, start + length);
+                let rule = self.rule(length / (singular[0] - nearest).hypot(singular[1]));
+                for (x, w) in rule.iter() {
+                    let moved = start + length * x;
+                    let distance = (fixed - moved).hypot((fixed * moved * bend).sqrt());
+                    let weight = 2.0 * w * length * (fixed / distance) * distance.powf(-self.kernel.twice)
+                        / self.radial;
+                    let share = moved / moving;
+                    if is_first { visit(weight, 0.0, share) } else { visit(weight, 1.0 - share, 1.0) }
+                }
+            });
+        }
+    }
+
+    /// Pieces no longer than their distance to a point of the plane.
+    fn cut(&self, start: f64, length: f64, singular: [f64; 2], with: &mut impl FnMut(f64, f64)) {
+        let nearest = singular[0].clamp(start, start + length);
+        if length <= (singular[0] - nearest).hypot(singular[1]) {
+            with(start, length);
+        } else {
+            let half = 0.5 * length;
+            self.cut(start, half, singular, with);
+            self.cut(start + half, half, singular, with);
+        }
+    }
+
+    fn separate(
+        &self,
+        pair: [usize; 2],
+        relation: Relation,
+        parts: [Part; 2],
+        visit: &mut impl FnMut(f64, f64, f64),
+    ) {
+        let place = |k: usize, t: f64| -> Place { self.curve.place(pair[k], t) };
+        let middle = |k: usize| place(k, parts[k].0 + 0.5 * parts[k].1);
+        let (p, q) = (parts[0].1, parts[1].1);
+        let gap = self.curve.apart(relation, middle(0), middle(1)) - 0.5 * (p + q);
+        if p.max(q) > 1.0001 * gap {
+            let longer = usize::from(q > p);
+            let (start, half) = (parts[longer].0, 0.5 * parts[longer].1);
+            for start in [start, start + half] {
+                let mut parts = parts;
+                parts[longer] = (start, half);
+                self.separate(pair, relation, parts, visit);
+            }
+            return;
+        }
+        let (first, second) = (self.rule(p / gap), self.rule(q / gap));
+        for (x, v) in first.iter() {
+            let s = parts[0].0 + p * x;
+            let here = place(0, s);
+            for (y, w) in second.iter() {
+                let t = parts[1].0 + q * y;
+                let distance = self.curve.apart(relation, here, place(1, t));
+                let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
+                visit(2.0 * v * w * kernel, s, t);
+            }
+        }
+    }
+
+    /// For pieces of this length over their distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²), and one point
+    /// for the linears.
+    fn rule(&self, ratio: f64) -> &Rule {
+        let z = 2.0 / ratio.max(1e-8);
+        let rho = z + z.hypot(1.0);
+        let points = (self.digits / (2.0 * rho.log10())).ceil() as usize + 1;
+        &self.rules[points.min(MOST_POINTS) - 1]
+    }
+}

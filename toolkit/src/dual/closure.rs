@@ -1,0 +1,196 @@
+//! Dual norms of functions with declared breaks: of a piecewise polynomial, and of what it leaves.
+//!
+//! Every arm is cut at R/2^k towards its break, and f interpolated by a polynomial of degree p at Gauss points
+//! on each piece: with a singularity at the break no nearer than the piece is long, the difference falls like
+//! (3 + √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual norm of the difference is at most its L²
+//! norm, which is integrated at other points; within the last piece, layer by layer as far as f can be asked,
+//! and beyond as a geometric series.
+
+use super::functional::DualOf;
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, SPENT, Tolerance};
+use crate::functions::{Arm, SingularFunction};
+use crate::numeric::legendre;
+use crate::order::FractionalOrder;
+use crate::partition::Partition;
+use crate::piecewise::PiecewisePolynomial;
+use crate::quadrature::Rule;
+
+/// Degrees, one after the other, until the difference is small enough.
+const DEGREES: [usize; 3] = [6, 12, 18];
+/// Layers of the last piece that are looked at.
+const LOOKED_AT: usize = 24;
+
+/// A piecewise polynomial, and the square of the L² norm of what it leaves.
+#[derive(Default)]
+pub(crate) struct Interpolant {
+    lengths: Vec<f64>,
+    ends: Vec<[f64; 2]>,
+    bubbles: Vec<Vec<f64>>,
+    left: f64,
+}
+
+impl SingularFunction<'_> {
+    /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||, as
+    /// [`PiecewisePolynomial::dual_norm`]: dual to [`SingularFunction::norm`].
+    ///
+    /// The function is replaced by a piecewise polynomial graded to its breaks; the L² norm of the difference
+    /// bounds the dual norm of the difference and is part of the error. Functions of
+    /// [`SingularFunction::from_positions`] keep their digits at singularities that those of
+    /// [`SingularFunction::new`] lose. Cost: some dozens of pieces per break, then as for them.
+    ///
+    /// ```
+    /// use fractional_sobolev::{DualOf, SingularFunction};
+    /// let log = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1))?;
+    /// let found = log.dual_norm(0.5, 1e-6)?;
+    /// assert!(found.value < log.l2_norm(1e-4)?.value);
+    /// assert!(log.dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-6)?.value < found.value);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] for a value of the function.
+    #[doc(alias("H-1/2", "negative norm"))]
+    pub fn dual_norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
+    }
+
+    /// The dual norm to any of the norms that [`DualOf`] names.
+    ///
+    /// # Errors
+    /// As [`SingularFunction::dual_norm`].
+    pub fn dual_norm_in(
+        &self,
+        of: DualOf,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let (scale, unit) = self.of_moderate_size(tolerance)?;
+        let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
+        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
+        let mut best: Option<Estimate> = None;
+        for degree in DEGREES {
+            let goal = 1e-4 * tolerance.relative() * size;
+            let mut pieces = Interpolant::default();
+            for arm in unit.arms() {
+                match pieces.add(&unit, &arm, degree, goal * goal) {
+                    Err(_) if best.is_some() && unit.work_left() == 0 => {
+                        return Err(Error::best_of("dual norm", tolerance.relative(), best, SPENT));
+                    }
+                    other => other?,
+                }
+            }
+            let (u, left) = pieces.finish()?;
+            let found = Estimate::or_best(u.dual_norm_in(of, order, inner))?;
+            let found = Estimate::new(found.value, found.error + left, found.work)?.times(scale)?;
+            if found.relative_error() <= tolerance.relative() || found.value == 0.0 {
+                return Ok(found);
+            }
+            // What is left no longer falls, or is not what limits.
+            let stuck = best.is_some_and(|best| found.error > 0.5 * best.error);
+            if best.is_none_or(|best| found.error < best.error) {
+                best = Some(found);
+            }
+            if stuck {
+                break;
+            }
+        }
+        let why = "what a piecewise polynomial leaves of the function, or its own dual norm";
+        Err(Error::best_of("dual norm", tolerance.relative(), best, why))
+    }
+}
+
+impl Interpolant {
+    /// The polynomial, and the L² norm of what it leaves.
+    pub(crate) fn finish(self) -> Result<(PiecewisePolynomial, f64)> {
+        let partition = Partition::from_lengths(self.lengths)?;
+        Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, self.left.sqrt()))
+    }
+
+    /// ∫ of a square that is left on a piece pushed.
+    pub(crate) fn leave(&mut self, square: f64) {
+        self.left += square;
+    }
+
+    /// Appends an arm, from left to right.
+    pub(crate) fn add(&mut self, u: &SingularFunction, arm: &Arm, degree: usize, goal: f64) -> Result<()> {
+        let radius = |k: usize| arm.length * 0.5f64.powi(k as i32);
+        let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
+        let middle = |k: usize| u.at(arm, 0.75 * radius(k));
+        let (mut layers, mut small) = (1, 0);
+        // Until two layers in a row vary by less than counts.
+        while layers < deepest && small < 2 {
+            let variation = middle(layers)? - middle(layers + 1)?;
+            small = if radius(layers) * variation * variation <= goal { small + 1 } else { 0 };
+            layers += 1;
+        }
+        let mut cells: Vec<[f64; 2]> = (0..layers).map(|k| [radius(k + 1), radius(k)]).collect();
+        cells.push([0.0, radius(layers)]);
+        if arm.sign > 0.0 {
+            cells.reverse();
+        }
+        for [from, to] in cells {
+            let length = to - from;
+            let at = |t: f64| u.at(arm, if arm.sign > 0.0 { from + length * t } else { to - length * t });
+            if from == 0.0 {
+                let value = middle(layers)?;
+                self.push(length, [value, value], Vec::new());
+                self.left += within(arm, layers, value, &middle)?;
+            } else {
+                self.interpolate(length, degree, &at)?;
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn push(&mut self, length: f64, ends: [f64; 2], bubbles: Vec<f64>) {
+        self.lengths.push(length);
+        self.ends.push(ends);
+        self.bubbles.push(bubbles);
+    }
+
+    fn interpolate(&mut self, length: f64, degree: usize, f: &impl Fn(f64) -> Result<f64>) -> Result<()> {
+        let mut coefficients = vec![0.0; degree + 1];
+        let mut values = vec![0.0; degree + 1];
+        for (t, w) in Rule::gauss_legendre(degree + 1)?.iter() {
+            let value = f(t)?;
+            legendre::fill(&mut values, 2.0 * t - 1.0);
+            for (k, (sum, p)) in coefficients.iter_mut().zip(&values).enumerate() {
+                *sum += (2 * k + 1) as f64 * w * value * p;
+            }
+        }
+        let at = |t: f64| legendre::series(coefficients.iter().copied(), 2.0 * t - 1.0);
+        let ends = [at(0.0), at(1.0)];
+        let mut bubbles = vec![0.0; degree - 1];
+        for (t, w) in Rule::gauss_legendre(degree)?.iter() {
+            let rest = (at(t) - ends[0] * (1.0 - t) - ends[1] * t) / (t * (1.0 - t));
+            legendre::fill(&mut values, 2.0 * t - 1.0);
+            for (k, (sum, p)) in bubbles.iter_mut().zip(&values).enumerate() {
+                *sum += (2 * k + 1) as f64 * w * rest * p;
+            }
+        }
+        for (t, w) in Rule::gauss_legendre(degree + 4)?.iter() {
+            self.left += w * length * (f(t)? - at(t)).powi(2);
+        }
+        self.push(length, ends, bubbles);
+        Ok(())
+    }
+}
+
+/// ∫ (f - value)² within the last piece of an arm.
+fn within(arm: &Arm, layers: usize, value: f64, middle: &impl Fn(usize) -> Result<f64>) -> Result<f64> {
+    let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
+    let (mut sum, mut last, mut ratio) = (0.0, 0.0, 0.0f64);
+    for k in layers..(layers + LOOKED_AT).min(deepest + 1).max(layers + 1) {
+        let share = arm.length * 0.5f64.powi(k as i32 + 1) * (middle(k)? - value).powi(2);
+        ratio = if last > 0.0 { share / last } else { 0.5 };
+        (sum, last) = (sum + share, share);
+    }
+    // the rules of one point are doubled for safety
+    Ok(2.0 * (sum + last * ratio / (1.0 - ratio.min(0.999))))
+}

@@ -1,0 +1,264 @@
+//! The one error type of the library. Every variant carries the offending value; a tolerance that is not met
+//! carries the best estimate.
+
+mod given;
+
+pub use given::Given;
+
+use crate::value::Estimate;
+use std::path::PathBuf;
+
+/// Result with the library's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Why a question has no answer, or none that can be trusted.
+///
+/// How an iteration ended (converged, stalled, cycled) is not an error but a status in its result.
+///
+/// ```
+/// use fractional_sobolev::{Error, Estimate, Work};
+/// let best = Estimate::new(2.0, 1e-3, Work::default())?;
+/// let refused = Error::not_met("seminorm", 1e-6, best, "rounding");
+/// assert_eq!(refused.best(), Some(best)); // what was reached is not thrown away
+/// assert_eq!(Error::out_of_reach("seminorm", 1e-6, 1.0, "rounding").best(), None);
+/// assert!(Error::require("theta", 0.5, "(0, 1)", true).is_ok());
+/// assert!(Error::require("theta", f64::NAN, "(0, 1)", true).is_err());
+/// assert!(Error::file("samples.txt", "no such file").to_string().contains("samples.txt"));
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter lies outside the range in which the formula holds.
+    #[error("{name} = {value:?} is outside {range}")]
+    OutOfRange {
+        /// What the parameter is called.
+        name: &'static str,
+        /// The value that was given.
+        value: f64,
+        /// The admissible set, as text.
+        range: &'static str,
+    },
+    /// An entry of a list lies outside the range in which the formula holds.
+    #[error("{name} at index {index} = {value:?} is outside {range}")]
+    EntryOutOfRange {
+        /// What the entry is called.
+        name: &'static str,
+        /// Its position, from 0.
+        index: usize,
+        /// The value that was given.
+        value: f64,
+        /// The admissible set, as text.
+        range: &'static str,
+    },
+    /// A count (cells, nodes, levels, ...) is not admissible.
+    #[error("{name} = {value} is outside {range}")]
+    CountOutOfRange {
+        /// What is counted.
+        name: &'static str,
+        /// The count that was given.
+        value: usize,
+        /// The admissible set, as text.
+        range: &'static str,
+    },
+    /// A count that asks for more than the machine's memory.
+    #[error("{name} = {count} takes {needed:.3e} GB: this machine has {available:.1} GB")]
+    TooLarge {
+        /// What is counted.
+        name: &'static str,
+        /// The count that was given.
+        count: usize,
+        /// What it would take, in 10^9 bytes.
+        needed: f64,
+        /// The physical memory, in 10^9 bytes.
+        available: f64,
+    },
+    /// A name that is none of the known ones.
+    #[error("unknown {what} '{given}': expected {expected}")]
+    UnknownName {
+        /// What is named.
+        what: &'static str,
+        /// The name that was given.
+        given: String,
+        /// The known names, as text.
+        expected: &'static str,
+    },
+    /// A choice that is known but does not fit another one.
+    #[error("{what} {given} and {with} do not go together: expected {expected}")]
+    Incompatible {
+        /// What is chosen.
+        what: &'static str,
+        /// The choice.
+        given: String,
+        /// What it does not fit, as text.
+        with: &'static str,
+        /// The choices that fit, as text.
+        expected: &'static str,
+    },
+    /// A value (data, load, function value) is NaN or infinite.
+    #[error("{name} is not finite: {value} at index {index}")]
+    NotFinite {
+        /// What the value is.
+        name: &'static str,
+        /// Its position.
+        index: usize,
+        /// The value.
+        value: f64,
+    },
+    /// A function of the plane is NaN or infinite at a point where it is asked for.
+    #[error("{name} is not finite: {value} at ({:?}, {:?})", point[0], point[1])]
+    NotFiniteAt {
+        /// What the function is.
+        name: &'static str,
+        /// The point.
+        point: [f64; 2],
+        /// The value.
+        value: f64,
+    },
+    /// Two arrays that must agree in length do not.
+    #[error("{name} has length {given}, expected {expected}")]
+    LengthMismatch {
+        /// Which array.
+        name: &'static str,
+        /// Its length.
+        given: usize,
+        /// The length it should have.
+        expected: usize,
+    },
+    /// The norm asked for is infinite.
+    #[error("the norm is infinite: {why} (order {order})")]
+    InfiniteNorm {
+        /// Order of the Sobolev norm.
+        order: f64,
+        /// The reason, as text.
+        why: &'static str,
+    },
+    /// The tolerance could not be met; carries what was reached and why more is not to be had.
+    #[error("{what}: relative error {reached:.1e} reached, {asked:e} asked{}: {why}", value_of(best))]
+    ToleranceNotMet {
+        /// The quantity.
+        what: &'static str,
+        /// The relative tolerance asked for.
+        asked: f64,
+        /// The estimated relative error reached.
+        reached: f64,
+        /// The best estimate of the quantity; `None` where no value was reached at all.
+        best: Option<Estimate>,
+        /// Why more is not to be had, as text.
+        why: &'static str,
+    },
+    /// A matrix that should be positive definite is not, to working accuracy.
+    #[error("{what} is not positive definite: pivot {pivot}")]
+    NotPositiveDefinite {
+        /// Which matrix.
+        what: &'static str,
+        /// Where the factorization broke down.
+        pivot: usize,
+    },
+    /// A solver of another library refused the problem.
+    #[error("solver: {reason}")]
+    Solver {
+        /// What it said.
+        reason: String,
+    },
+    /// A triangle of a mesh is not usable.
+    #[error("triangle {triangle} {reason} {value:?}")]
+    Triangle {
+        /// Its number, from 0.
+        triangle: usize,
+        /// What is wrong.
+        reason: &'static str,
+        /// The number that shows it.
+        value: f64,
+    },
+    /// An edge of a mesh is not usable.
+    #[error("edge {}-{} {reason}", nodes[0], nodes[1])]
+    Edge {
+        /// Its end nodes.
+        nodes: [usize; 2],
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// A node of a mesh is not usable.
+    #[error("node {node} {reason}")]
+    Node {
+        /// Its number, from 0.
+        node: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// A text does not follow its format.
+    #[error("{format}, line {line}: {reason}")]
+    Syntax {
+        /// The format.
+        format: &'static str,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A file could not be read or written.
+    #[error("{}: {reason}", path.display())]
+    File {
+        /// The path.
+        path: PathBuf,
+        /// What the system said.
+        reason: String,
+    },
+}
+
+/// The best value of a quantity, as it stands in the message.
+fn value_of(best: &Option<Estimate>) -> String {
+    best.map_or_else(String::new, |best| format!(" (best value {best})"))
+}
+
+impl Error {
+    /// The best estimate of `what` misses the tolerance that was asked, for the reason given.
+    pub fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
+        Error::ToleranceNotMet { what, asked, reached: best.relative_error(), best: Some(best), why }
+    }
+
+    /// Nothing of `what` was reached that could be called a value: the relative uncertainty, and why.
+    pub fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
+        Error::ToleranceNotMet { what, asked, reached, best: None, why }
+    }
+
+    /// [`Error::not_met`] with the best of several tries, if there is one.
+    pub(crate) fn best_of(what: &'static str, asked: f64, best: Option<Estimate>, why: &'static str) -> Self {
+        best.map_or(Self::out_of_reach(what, asked, f64::INFINITY, why), |best| {
+            Self::not_met(what, asked, best, why)
+        })
+    }
+
+    /// The best estimate of the quantity that a refusal names; `None` for all other errors.
+    pub fn best(&self) -> Option<Estimate> {
+        match self {
+            Error::ToleranceNotMet { best, .. } => *best,
+            _ => None,
+        }
+    }
+
+    /// The same refusal about a quantity that is made of the one refused.
+    pub(crate) fn carry(self, quantity: &'static str, of: impl FnOnce(Estimate) -> Result<Estimate>) -> Self {
+        match self {
+            Error::ToleranceNotMet { asked, best: Some(best), why, .. } => match of(best) {
+                Ok(best) => Self::not_met(quantity, asked, best, why),
+                Err(error) => error,
+            },
+            other => other,
+        }
+    }
+
+    /// The parameter `name` if it satisfies `admissible`. NaN is never admissible.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
+    pub fn require(name: &'static str, value: f64, range: &'static str, admissible: bool) -> Result<f64> {
+        if admissible && !value.is_nan() { Ok(value) } else { Err(Error::OutOfRange { name, value, range }) }
+    }
+
+    /// The file `path` with the reason the system gave.
+    pub fn file(path: impl Into<PathBuf>, reason: impl std::fmt::Display) -> Self {
+        Error::File { path: path.into(), reason: reason.to_string() }
+    }
+}

@@ -1,0 +1,33 @@
+//! Parameters as themselves or as plain numbers.
+
+#[cfg(doc)]
+use super::Error;
+use super::Result;
+
+/// A parameter given as itself or as the plain number it stands for: `u.norm(0.5, 1e-8)?`.
+///
+/// Implemented for orders and tolerances, and for `f64` in their place; a number outside their range is
+/// [`Error::OutOfRange`].
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Given, Result, SingularFunction, Tolerance};
+/// // a function of one's own that takes what the toolkit takes
+/// fn energy(
+///     u: &SingularFunction,
+///     order: impl Given<FractionalOrder>,
+///     tolerance: impl Given<Tolerance>,
+/// ) -> Result<f64> {
+///     Ok(u.seminorm(order.given()?, tolerance)?.value.powi(2))
+/// }
+/// let x = SingularFunction::new(&[0.0, 1.0], |x| x)?; // |x|² = 1 at order 1/2
+/// assert!((energy(&x, 0.5, 1e-8)? - energy(&x, FractionalOrder::HALF, Tolerance::fast())?).abs() < 1e-4);
+/// assert!(energy(&x, 1.5, 1e-8).is_err());
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+pub trait Given<T> {
+    /// The parameter.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`].
+    fn given(self) -> Result<T>;
+}

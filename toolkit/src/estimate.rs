@@ -1,0 +1,318 @@
+//! The speed-accuracy knob: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
+//!
+//! A tolerance τ is *relative*: the value v returned for the exact value v* should satisfy |v − v*| ≤ τ |v*|.
+//! The `error` of an estimate is *absolute*: an honest estimate of |v − v*|, never below the rounding of v
+//! itself.
+
+use crate::error::{Error, Given, Result};
+pub use crate::value::{Estimate, Work};
+use std::fmt;
+use std::str::FromStr;
+
+/// Requested relative accuracy, in [1e-15, 0.1], and how much work it may take.
+#[doc(alias("accuracy", "precision", "relative tolerance"))]
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct Tolerance {
+    relative: f64,
+    work: u64,
+}
+
+/// Why a norm that ran into its limit of work is not known better.
+pub(crate) const SPENT: &str = "the limit of work is reached (Tolerance::with_work)";
+
+impl Tolerance {
+    /// Evaluations of functions and kernels that an integral may take unless [`Tolerance::with_work`] says
+    /// otherwise: about ten seconds of a cheap function.
+    pub const WORK: u64 = 1 << 28;
+
+    /// A number between 1e-15 and 0.1.
+    ///
+    /// ```
+    /// use fractional_sobolev::Tolerance;
+    /// assert!(Tolerance::new(1e-6)? < Tolerance::fast());
+    /// assert!("reference".parse::<Tolerance>()? == Tolerance::reference());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
+    pub fn new(relative: f64) -> Result<Self> {
+        let admissible = (1e-15..=0.1).contains(&relative);
+        Error::require("tolerance", relative, "[1e-15, 0.1]", admissible).map(Self::of)
+    }
+
+    const fn of(relative: f64) -> Self {
+        Self { relative, work: Self::WORK }
+    }
+
+    /// The same accuracy, and at most so many evaluations of functions given by closures and of the kernel
+    /// between their values. Each integral that a norm is made of counts by itself.
+    ///
+    /// ```
+    /// use fractional_sobolev::{SingularFunction, Tolerance};
+    /// let wave = SingularFunction::new(&[0.0, 1.0], |x: f64| (300.0 * x).cos())?;
+    /// let few = Tolerance::fast().with_work(1000); // not one value per wave
+    /// assert!(wave.seminorm(0.5, Tolerance::fast()).is_ok() && wave.seminorm(0.5, few).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    pub const fn with_work(self, evaluations: u64) -> Self {
+        Self { relative: self.relative, work: evaluations }
+    }
+
+    /// How many evaluations an integral may take.
+    ///
+    /// ```
+    /// assert_eq!(fractional_sobolev::Tolerance::fast().work(), fractional_sobolev::Tolerance::WORK);
+    /// ```
+    pub const fn work(self) -> u64 {
+        self.work
+    }
+
+    /// 1e-4: enough for a picture.
+    pub const fn fast() -> Self {
+        Self::of(1e-4)
+    }
+
+    /// 1e-8: enough for a table.
+    pub const fn balanced() -> Self {
+        Self::of(1e-8)
+    }
+
+    /// 1e-12: as far as binary64 carries comfortably.
+    pub const fn reference() -> Self {
+        Self::of(1e-12)
+    }
+
+    /// The relative tolerance as a number.
+    ///
+    /// ```
+    /// assert_eq!(fractional_sobolev::Tolerance::balanced().relative(), 1e-8);
+    /// ```
+    pub const fn relative(self) -> f64 {
+        self.relative
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self::balanced()
+    }
+}
+
+impl TryFrom<f64> for Tolerance {
+    type Error = Error;
+
+    /// As [`Tolerance::new`].
+    fn try_from(relative: f64) -> Result<Self> {
+        Self::new(relative)
+    }
+}
+
+impl Given<Self> for Tolerance {
+    fn given(self) -> Result<Self> {
+        Ok(self)
+    }
+}
+
+impl Given<Tolerance> for f64 {
+    fn given(self) -> Result<Tolerance> {
+        Tolerance::new(self)
+    }
+}
+
+impl fmt::Display for Tolerance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:e}", self.relative)
+    }
+}
+
+impl FromStr for Tolerance {
+    type Err = Error;
+
+    /// `fast`, `balanced`, `reference` or a number.
+    fn from_str(text: &str) -> Result<Self> {
+        match text {
+            "fast" => Ok(Self::fast()),
+            "balanced" => Ok(Self::balanced()),
+            "reference" => Ok(Self::reference()),
+            _ => match text.parse() {
+                Ok(relative) => Self::new(relative),
+                Err(_) => Err(Error::UnknownName {
+                    what: "tolerance",
+                    given: text.to_owned(),
+                    expected: "fast, balanced, reference or a number in [1e-15, 0.1]",
+                }),
+            },
+        }
+    }
+}
+
+impl Estimate {
+    /// A value with its absolute error; the error is raised to the rounding of the value.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the value or the error is NaN or infinite: no NaN leaves the library as an
+    /// answer.
+    pub fn new(value: f64, error: f64, work: Work) -> Result<Self> {
+        for (index, number) in [value, error].into_iter().enumerate() {
+            if !number.is_finite() {
+                return Err(Error::NotFinite { name: "estimate (value, error)", index, value: number });
+            }
+        }
+        Ok(Self { value, error: error.abs().max(value.abs() * f64::EPSILON), work })
+    }
+
+    /// What was found, be it above the tolerance: the best estimate of a refusal is as good an answer for a
+    /// caller who reads its error.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
+    /// let order = FractionalOrder::new(0.25)?;
+    /// let refused = gamma(order, Zone::end(0.5)?, Condition::MeanZero, Tolerance::new(1e-15)?);
+    /// assert!(refused.is_err());
+    /// let best = Estimate::or_best(refused)?;
+    /// assert!(best.relative_error() < 1e-11);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those that carry no value.
+    pub fn or_best(found: Result<Self>) -> Result<Self> {
+        found.or_else(|error| error.best().ok_or(error))
+    }
+
+    /// (distance to a value found another way, what that value may itself be off by), both relative to it;
+    /// absolute where it is 0.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Estimate, Work};
+    /// let of = |value, error| Estimate::new(value, error, Work::default());
+    /// let (a, b) = (of(4.0, 4e-6)?, of(2.0, 0.0)?);
+    /// assert!((a.sqrt()?.error - 1e-6).abs() < 1e-12 && (a.over(b)?.error - 2e-6).abs() < 1e-12);
+    /// assert_eq!((b.recip()?.value, a.times(3.0)?.value, a.off(3.5)?.value), (0.5, 12.0, 0.5));
+    /// assert_eq!(a.relative_distance(&b).0, 1.0);
+    /// assert_eq!(Estimate::largest([a, b]).map(|e| e.value), Some(4.0));
+    /// assert_eq!(Estimate::smallest([a, b]).map(|e| e.value), Some(2.0));
+    /// assert!(of(f64::NAN, 0.0).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    pub fn relative_distance(&self, exact: &Self) -> (f64, f64) {
+        let size = if exact.value == 0.0 { 1.0 } else { exact.value.abs() };
+        ((self.value - exact.value).abs() / size, exact.error / size)
+    }
+
+    /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] when the value is negative beyond its error.
+    pub fn sqrt(self) -> Result<Self> {
+        if self.value < -self.error {
+            return Err(Error::OutOfRange { name: "radicand", value: self.value, range: "[0, inf)" });
+        }
+        let root = self.value.max(0.0).sqrt();
+        let error = if self.value > self.error { self.error / (2.0 * root) } else { self.error.sqrt() };
+        Self::new(root, error, self.work)
+    }
+
+    /// √(self² + other²) without overflow.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Estimate, Work};
+    /// let of = |value, error| Estimate::new(value, error, Work::default());
+    /// let root = of(3e200, 1e190)?.hypot(of(4e200, 1e190)?)?;
+    /// assert!(root.value == 5e200 && (root.error / 1.4e190 - 1.0).abs() < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] where the result overflows.
+    pub fn hypot(self, other: Self) -> Result<Self> {
+        let value = self.value.hypot(other.value);
+        let weight = |part: f64| if value > 0.0 { (part / value).abs() } else { 1.0 };
+        let error = self.error * weight(self.value) + other.error * weight(other.value);
+        Self::new(value, error, self.work + other.work)
+    }
+
+    /// The quotient of two estimates, relative errors added; both works count.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the divisor is zero or the quotient beyond the range of binary64.
+    pub fn over(self, divisor: Self) -> Result<Self> {
+        let value = self.value / divisor.value;
+        let error = self.error / divisor.value.abs() + value.abs() * divisor.error / divisor.value.abs();
+        Self::new(value, error, self.work + divisor.work)
+    }
+
+    /// The estimate times a number that is known.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when the product is not finite.
+    pub fn times(self, factor: f64) -> Result<Self> {
+        Self::new(self.value * factor, self.error * factor, self.work)
+    }
+
+    /// How far the value is from a number that is known, with the same error.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when that number is not finite.
+    pub fn off(self, exact: f64) -> Result<Self> {
+        Self::new((self.value - exact).abs(), self.error, self.work)
+    }
+
+    /// 1/v with error e/v².
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for zero.
+    pub fn recip(self) -> Result<Self> {
+        Self::new(1.0, 0.0, Work::default())?.over(self)
+    }
+
+    /// The largest of several: the true largest value lies within the error returned. `None` of none.
+    pub fn largest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        estimates.into_iter().reduce(|a, b| {
+            let value = a.value.max(b.value);
+            let high = (a.value + a.error).max(b.value + b.error) - value;
+            let low = value - (a.value - a.error).max(b.value - b.error);
+            Self { value, error: high.max(low), work: a.work + b.work }
+        })
+    }
+
+    /// The smallest of several: the true smallest value lies within the error returned. `None` of none.
+    pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let negated = |e: Self| Self { value: -e.value, ..e };
+        Self::largest(estimates.into_iter().map(negated)).map(negated)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerance_is_read_from_presets_and_numbers() {
+        assert_eq!("fast".parse(), Ok(Tolerance::fast()));
+        assert_eq!("1e-9".parse(), Tolerance::new(1e-9));
+        for bad in ["0", "nan", "1", "tight"] {
+            assert!(bad.parse::<Tolerance>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn quotients_and_largest_values_carry_their_errors() {
+        let of = |value, error| Estimate::new(value, error, Work::default()).unwrap();
+        let quotient = of(1.0, 0.1).over(of(-4.0, 0.4)).unwrap();
+        assert!(quotient.value == -0.25 && (quotient.error - 0.05).abs() < 1e-15);
+        assert!(of(1.0, 0.1).over(of(0.0, 0.0)).is_err());
+        let largest = Estimate::largest([of(1.0, 0.5), of(1.2, 0.1), of(0.3, 0.1)]).unwrap();
+        // The true values may be as large as 1.5 and the largest is at least 1.1.
+        assert!(largest.value == 1.2 && (largest.error - 0.3).abs() < 1e-15);
+    }
+
+    #[test]
+    fn square_root_of_an_estimate_carries_its_error() {
+        let root = Estimate::new(4.0, 4e-6, Work::default()).unwrap().sqrt().unwrap();
+        assert!(root.value == 2.0 && (root.error - 1e-6).abs() < 1e-20);
+        assert!(Estimate::new(-1.0, 0.1, Work::default()).unwrap().sqrt().is_err());
+        assert!(Estimate::new(f64::NAN, 0.0, Work::default()).is_err());
+    }
+}

@@ -1,0 +1,196 @@
+//! All cells of u − u_h with their near pairs.
+//!
+//! Pairs within a patch are left out: they are the seminorm of [`super::patch`]. A singular cell meets others
+//! at a distance no shorter than itself, by [`super::samples`]; all other pairs are pairs of polynomials.
+
+use super::fit::{Difference, Fitted};
+use super::layout::{Part, layout};
+use super::samples::Sampled;
+use crate::energy::{CellEnergies, PairSum, Samples};
+use crate::error::Result;
+use crate::kernel::power::{GaussRules, PowerKernel};
+use crate::numeric::parallel;
+use crate::order::FractionalOrder;
+use crate::partition::Partition;
+use crate::piecewise::{Cell, Piece, PolynomialPairs};
+use crate::quadrature::Rule;
+
+/// Points of a rule beyond the degree: half as many as a cluster has, and one.
+const MOMENT_POINTS: usize = 15;
+/// Parts fitted by one thread.
+const TOGETHER: usize = 256;
+
+/// What is known of u − u_h on a cell.
+pub(super) enum Content {
+    Smooth { piece: Piece, rest: f64, noise: f64 },
+    Singular(Sampled),
+}
+
+/// The cells, left to right.
+pub(super) struct FieldCells {
+    pub(super) parts: Vec<Part>,
+    pub(super) contents: Vec<Content>,
+    pub(super) partition: Partition,
+    /// of u − u_h, at the nodes between the cells
+    pub(super) jumps: Vec<f64>,
+}
+
+impl FieldCells {
+    pub(super) fn new(difference: &Difference, tolerance: f64) -> Result<Self> {
+        let (function, field) = (difference.function, difference.field);
+        let planned = layout(field.partition(), function.breaks())?;
+        let found: Vec<Vec<(Part, Content)>> = parallel::map_together(planned.len(), TOGETHER, &|k| {
+            let part = &planned[k];
+            if part.is_singular {
+                return Ok(vec![(*part, Content::Singular(singular(difference, part, tolerance)?))]);
+            }
+            let smooth = |Fitted { part, piece, rest, noise }| (part, Content::Smooth { piece, rest, noise });
+            Ok(difference.fit(*part, 0.02 * tolerance)?.into_iter().map(smooth).collect())
+        })
+        .into_iter()
+        .collect::<Result<_>>()?;
+        let (parts, contents): (Vec<Part>, Vec<Content>) = found.into_iter().flatten().unzip();
+        let partition = Partition::from_lengths(parts.iter().map(|part| part.length).collect())?;
+        let jump = |part: &Part| {
+            let at_node = part.from == 0.0 && part.element > 0;
+            if at_node { -field.jump(part.element) } else { 0.0 }
+        };
+        let jumps = parts.iter().map(jump).collect();
+        Ok(Self { parts, contents, partition, jumps })
+    }
+
+    /// The first node at which u − u_h jumps outside of all patches.
+    pub(super) fn jumps_apart(&self) -> bool {
+        (1..self.parts.len()).any(|k| self.jumps[k] != 0.0 && !self.is_inside_patch(k))
+    }
+
+    fn is_inside_patch(&self, node: usize) -> bool {
+        let [before, after] = [self.parts[node - 1].patch, self.parts[node].patch];
+        before.is_some() && before == after
+    }
+
+    fn degree(&self) -> usize {
+        let degree = |content: &Content| match content {
+            Content::Smooth { piece, .. } => piece.degree(),
+            Content::Singular(_) => 0,
+        };
+        self.contents.iter().map(degree).max().unwrap_or(0)
+    }
+}
+
+fn singular(difference: &Difference, part: &Part, tolerance: f64) -> Result<Sampled> {
+    let mirrored = part.right == 0.0;
+    let k = part.gap + usize::from(mirrored);
+    let closest = (64.0 * f64::EPSILON * difference.function.blur(k)).max(1e-290) / part.length;
+    Sampled::new(closest, mirrored, tolerance, |delta| difference.near_break(part, mirrored, delta))
+}
+
+/// The cells with the rules for their degrees.
+pub(super) struct FieldEnergies<'a> {
+    cells: &'a FieldCells,
+    pub(super) pairs: Vec<PolynomialPairs>,
+    rules: Vec<Rule>,
+    gauss: GaussRules,
+    kernel: PowerKernel,
+}
+
+impl<'a> FieldEnergies<'a> {
+    pub(super) fn new(cells: &'a FieldCells, order: FractionalOrder, target: f64) -> Result<Self> {
+        let (degrees, target) = (0..=cells.degree(), 0.1 * target);
+        let pairs = |d: usize| PolynomialPairs::new(order, d.max(1), target);
+        Ok(Self {
+            cells,
+            pairs: degrees.clone().map(pairs).collect::<Result<_>>()?,
+            rules: degrees.map(|d| Rule::gauss_legendre(d + MOMENT_POINTS)).collect::<Result<_>>()?,
+            gauss: GaussRules::to(cells.degree().max(1), target),
+            kernel: PowerKernel::new(order),
+        })
+    }
+
+    fn length(&self, e: usize) -> f64 {
+        self.cells.partition.lengths()[e]
+    }
+
+    /// A singular cell against another one to the right of it, or to the left.
+    fn sampled(&self, e: usize, sampled: &Sampled, f: usize, gap: f64) -> PairSum {
+        let (h, other, is_right) = (self.length(e), self.length(f), f > e);
+        let mut sum = PairSum::default();
+        for (&(t, w), &value) in sampled.points.iter().zip(&sampled.values) {
+            let from_end = gap + h * if is_right { 1.0 - t } else { t };
+            let mut add = |distance: f64, weight: f64, there: f64| {
+                // w h · weight · t^{-1-2ν}, in an order that does not overflow
+                let kernel = self.kernel.scaling(distance) * (h / distance) * (weight / distance);
+                sum.value += 2.0 * w * kernel * (value - there).powi(2);
+                sum.points += 1;
+            };
+            match &self.cells.contents[f] {
+                Content::Smooth { piece, .. } => self.gauss.graded(from_end, other, |s, weight| {
+                    let local = if is_right { s / other } else { 1.0 - s / other };
+                    add(from_end + s, weight, piece.value(local));
+                }),
+                Content::Singular(there) => {
+                    for (&(s, weight), &value) in there.points.iter().zip(&there.values) {
+                        let s = other * if is_right { s } else { 1.0 - s };
+                        add(from_end + s, weight * other, value);
+                    }
+                }
+            }
+        }
+        sum
+    }
+}
+
+impl Samples for FieldEnergies<'_> {
+    fn level(&self, cell: usize) -> f64 {
+        match &self.cells.contents[cell] {
+            Content::Smooth { piece, .. } => piece.left,
+            Content::Singular(sampled) => sampled.values[0],
+        }
+    }
+
+    fn sample(&self, cell: usize, shift: f64, visit: &mut dyn FnMut(f64, f64, f64)) {
+        match &self.cells.contents[cell] {
+            Content::Smooth { piece, .. } => {
+                for (t, w) in self.rules[piece.degree()].iter() {
+                    visit(t, w, piece.value_above(shift, t));
+                }
+            }
+            Content::Singular(sampled) => {
+                for (&(t, w), value) in sampled.points.iter().zip(&sampled.values) {
+                    visit(t, w, value - shift);
+                }
+            }
+        }
+    }
+}
+
+impl CellEnergies for FieldEnergies<'_> {
+    fn near(&self, e: usize, f: usize, gap: f64) -> PairSum {
+        let patch = self.cells.parts[e].patch;
+        if patch.is_some() && patch == self.cells.parts[f].patch {
+            return PairSum::default();
+        }
+        match (&self.cells.contents[e], &self.cells.contents[f]) {
+            (Content::Singular(sampled), _) => self.sampled(e, sampled, f, gap),
+            (_, Content::Singular(sampled)) => self.sampled(f, sampled, e, gap),
+            (Content::Smooth { piece: left, .. }, Content::Smooth { piece: right, .. }) => {
+                let pairs = &self.pairs[left.degree().max(right.degree())];
+                let [left, right] =
+                    [(e, left), (f, right)].map(|(k, piece)| Cell { length: self.length(k), piece });
+                match f - e {
+                    0 => pairs.own(left),
+                    1 => pairs.touching(left, right, self.cells.jumps[f]),
+                    _ => pairs.separate(left, right, gap),
+                }
+            }
+        }
+    }
+
+    fn leaf(&self) -> usize {
+        1
+    }
+
+    fn may_cut(&self, node: usize) -> bool {
+        !self.cells.is_inside_patch(node)
+    }
+}

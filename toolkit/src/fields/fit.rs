@@ -1,0 +1,96 @@
+//! A polynomial for u − u_h on a cell away from the breaks, of the degree that its coefficients ask for.
+
+use super::layout::Part;
+use crate::error::Result;
+use crate::functions::SingularFunction;
+use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
+
+/// Degrees in turn.
+const DEGREES: [usize; 5] = [5, 8, 12, 16, 20];
+/// Rounding of bubbles, in units of that of the values.
+const NOISE: f64 = 8.0;
+/// Halvings of a cell at most.
+const DEEPEST: usize = 30;
+
+/// A polynomial, what its last coefficients leave, and the rounding of the values it was made from.
+pub(super) struct Fitted {
+    pub(super) part: Part,
+    pub(super) piece: Piece,
+    pub(super) rest: f64,
+    pub(super) noise: f64,
+}
+
+/// u − u_h on a part, at local coordinates t of the part.
+pub(super) struct Difference<'a> {
+    pub(super) function: &'a SingularFunction<'a>,
+    pub(super) field: &'a PiecewisePolynomial,
+}
+
+impl Difference<'_> {
+    /// (u, u − u_h).
+    pub(super) fn at(&self, part: &Part, t: f64) -> Result<(f64, f64)> {
+        let from_left = part.left + part.length * t;
+        let from_right = part.right + part.length * (1.0 - t);
+        let value = if from_left <= from_right {
+            self.function.value_at(part.gap, from_left, None)?
+        } else {
+            self.function.value_at(part.gap + 1, -from_right, None)?
+        };
+        let local = part.from * (1.0 - t) + part.to * t;
+        Ok((value, value - self.field.pieces()[part.element].value(local)))
+    }
+
+    /// u − u_h at the distance `share` of the length of a singular part from its break.
+    pub(super) fn near_break(&self, part: &Part, mirrored: bool, share: f64) -> Result<f64> {
+        let offset = part.length * share;
+        let (k, offset) = if mirrored { (part.gap + 1, -offset) } else { (part.gap, offset) };
+        let t = if mirrored { 1.0 - share } else { share };
+        let local = part.from * (1.0 - t) + part.to * t;
+        Ok(self.function.value_at(k, offset, None)? - self.field.pieces()[part.element].value(local))
+    }
+
+    /// The polynomials of a part and, where it has to be cut, of its halves: to `tolerance` of their size.
+    pub(super) fn fit(&self, part: Part, tolerance: f64) -> Result<Vec<Fitted>> {
+        let mut found = Vec::new();
+        self.fit_into(part, tolerance, DEEPEST, &mut found)?;
+        Ok(found)
+    }
+
+    fn fit_into(&self, part: Part, tolerance: f64, depth: usize, found: &mut Vec<Fitted>) -> Result<()> {
+        let [(first, left), (last, right)] = [self.at(&part, 0.0)?, self.at(&part, 1.0)?];
+        let (middle, _) = self.at(&part, 0.5)?;
+        // Rounded values at rounded places.
+        let place =
+            part.left.min(part.right).max(self.function.blur(part.gap)).max(self.function.blur(part.gap + 1))
+                / part.length;
+        let steep = (last - middle).abs().max((middle - first).abs());
+        let size = first.abs().max(last.abs()).max(middle.abs());
+        let noise = f64::EPSILON * (size + 2.0 * (1.0 + place) * steep);
+        for degree in DEGREES {
+            let piece = Piece { left, right, bubbles: self.bubbles(&part, degree, [left, right])? };
+            let count = piece.bubbles.len();
+            let rest = piece.bubbles[count - 2..].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+            let whole = piece.bubbles.iter().fold(0.25 * (right - left).abs(), |most, c| most.max(c.abs()));
+            let is_last = degree == DEGREES[DEGREES.len() - 1] && depth == 0;
+            if rest <= tolerance * whole || rest <= NOISE * noise || is_last {
+                let rest = if rest <= NOISE * noise { 0.0 } else { rest };
+                found.push(Fitted { part, piece, rest, noise });
+                return Ok(());
+            }
+        }
+        for half in part.halves() {
+            self.fit_into(half, tolerance, depth - 1, found)?;
+        }
+        Ok(())
+    }
+
+    fn bubbles(&self, part: &Part, degree: usize, ends: [f64; 2]) -> Result<Vec<f64>> {
+        // A value that is no number is reported where it is asked for again.
+        let value = |t: f64| self.at(part, t).map_or(f64::NAN, |(_, e)| e);
+        let bubbles = bubbles_of(degree, ends, value)?;
+        if bubbles.iter().any(|c| !c.is_finite()) {
+            self.at(part, 0.5)?;
+        }
+        Ok(bubbles)
+    }
+}

@@ -1,0 +1,137 @@
+//! The cells on which u − u_h is smooth, and those at the breaks of u.
+//!
+//! The elements of the field are cut at the breaks, and further until no cell is longer than its distance to
+//! the nearest break. The two pieces beside a break are halved: the half at the break is singular, the other
+//! one as long as its distance to it. The halves of one break make its *patch*.
+
+use crate::error::{Error, Result};
+use crate::numeric::sum::RunningSum;
+use crate::partition::Partition;
+
+/// A node and a break are one point when they differ by this, relative to the larger of the ends.
+const SAME: f64 = 4.0 * f64::EPSILON;
+
+/// A part of an element of the field, between two breaks.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    pub(super) element: usize,
+    /// in local coordinates of the element
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) length: f64,
+    /// between the breaks `gap` and `gap` + 1, with the distances of its ends to these
+    pub(super) gap: usize,
+    pub(super) left: f64,
+    pub(super) right: f64,
+    /// the break in whose patch it lies
+    pub(super) patch: Option<usize>,
+    /// the break is one of its ends
+    pub(super) is_singular: bool,
+}
+
+impl Part {
+    /// Two halves.
+    pub(super) fn halves(self) -> [Self; 2] {
+        let (half, middle) = (0.5 * self.length, 0.5 * (self.from + self.to));
+        [
+            Self { to: middle, length: half, right: self.right + half, ..self },
+            Self { from: middle, length: half, left: self.left + half, ..self },
+        ]
+    }
+
+    /// The cells of the part, left to right.
+    fn refine(self, cells: &mut Vec<Self>) {
+        let [first, second] = self.halves();
+        match (self.left == 0.0, self.right == 0.0) {
+            (true, false) => {
+                let patch = Some(self.gap);
+                cells.extend([Self { patch, is_singular: true, ..first }, Self { patch, ..second }]);
+            }
+            (false, true) => {
+                let patch = Some(self.gap + 1);
+                cells.extend([Self { patch, ..first }, Self { patch, is_singular: true, ..second }]);
+            }
+            (false, false) if self.length <= 1.01 * self.left.min(self.right) => cells.push(self),
+            _ => {
+                first.refine(cells);
+                second.refine(cells);
+            }
+        }
+    }
+}
+
+/// The cells of all elements, left to right.
+pub(super) fn layout(partition: &Partition, breaks: &[f64]) -> Result<Vec<Part>> {
+    let size = breaks.iter().fold(0.0_f64, |most, c| most.max(c.abs())).max(partition.total());
+    let end = partition.left() + partition.total();
+    let last = breaks[breaks.len() - 1];
+    let same = (breaks[0] - partition.left()).abs().max((last - end).abs()) <= 16.0 * SAME * size;
+    Error::require(
+        "left end of the field",
+        partition.left(),
+        "that of the function, as the right one",
+        same,
+    )?;
+    let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); partition.len()];
+    let mut is_break = vec![false; partition.len() + 1];
+    for (k, &c) in breaks.iter().enumerate() {
+        let node = match k {
+            0 => Some(0),
+            _ if k + 1 == breaks.len() => Some(partition.len()),
+            _ => node_at(partition, c - partition.left(), SAME * size),
+        };
+        match node {
+            Some(node) => is_break[node] = true,
+            None => {
+                let offset = c - partition.left();
+                let element = partition.from_left().partition_point(|&x| x < offset) - 1;
+                cuts[element].push(offset - partition.from_left()[element]);
+            }
+        }
+    }
+    let mut gaps: Vec<Vec<Part>> = Vec::new();
+    for (element, offsets) in cuts.iter().enumerate() {
+        let h = partition.lengths()[element];
+        let ends: Vec<f64> = std::iter::once(0.0).chain(offsets.iter().copied()).chain([h]).collect();
+        for (k, pair) in ends.windows(2).enumerate() {
+            if k > 0 || is_break[element] {
+                gaps.push(Vec::new());
+            }
+            let gap = gaps.len() - 1;
+            let (from, to) = (pair[0] / h, pair[1] / h);
+            let (length, left, right) = (pair[1] - pair[0], 0.0, 0.0);
+            let part = Part { element, from, to, length, gap, left, right, patch: None, is_singular: false };
+            gaps[gap].push(part);
+        }
+    }
+    // Two breaks may lie closer than nodes are known.
+    let expected = breaks.len() - 1;
+    if gaps.len() != expected {
+        let (name, given) = ("breaks that are nodes of the field or lie between them", gaps.len());
+        return Err(Error::LengthMismatch { name, given, expected });
+    }
+    let mut cells = Vec::new();
+    for parts in &mut gaps {
+        let (mut left, mut right) = (RunningSum::default(), RunningSum::default());
+        for part in parts.iter_mut() {
+            part.left = left.value();
+            left.add(part.length);
+        }
+        for part in parts.iter_mut().rev() {
+            part.right = right.value();
+            right.add(part.length);
+        }
+        parts.iter().for_each(|part| part.refine(&mut cells));
+    }
+    Ok(cells)
+}
+
+/// The inner node at a distance from the left end; of several that are as good as there, the one between the
+/// shortest elements, to which the mesh is graded.
+fn node_at(partition: &Partition, offset: f64, tolerance: f64) -> Option<usize> {
+    let nodes = partition.from_left();
+    let first = nodes.partition_point(|&x| x < offset - tolerance).max(1);
+    let end = nodes.partition_point(|&x| x <= offset + tolerance).min(partition.len());
+    let around = |k: &usize| partition.lengths()[k - 1] + partition.lengths()[*k];
+    (first..end).min_by(|a, b| around(a).total_cmp(&around(b)))
+}

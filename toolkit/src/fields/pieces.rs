@@ -1,0 +1,192 @@
+//! L^q norms and dual norms of u − u_h: cell by cell away from the breaks, and the patches of the breaks.
+
+use super::cells::{Content, FieldCells};
+use super::fit::Difference;
+use super::norms::{FieldError, LIMIT, l2};
+use super::patch::patch;
+use crate::dual::DualOf;
+use crate::dual::closure::Interpolant;
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::functions::SingularFunction;
+use crate::order::FractionalOrder;
+use crate::partition::Partition;
+use crate::piecewise::PiecewisePolynomial;
+use crate::root::{accept, scaled};
+
+/// Asked of the cells over what is asked of a dual norm: an error that oscillates has a dual norm much smaller
+/// than its L² norm, and what the cells leave counts by the latter.
+const OF_CELLS: f64 = 1e-3;
+/// Least that is asked of the cells.
+const LEAST: f64 = 1e-14;
+/// Degree of the polynomials in a patch.
+const DEGREE: usize = 18;
+
+/// A piece of u − u_h, from left to right.
+enum Part<'a> {
+    /// length, polynomial by ends and bubbles, and how far it may be off
+    Cell(f64, [f64; 2], &'a [f64], f64),
+    Patch(SingularFunction<'a>),
+}
+
+impl FieldError<'_> {
+    /// ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ what is between the points of a patch is judged as for
+    /// [`SingularFunction::lq_norm`].
+    ///
+    /// ```
+    /// use fractional_sobolev::{Partition, PiecewisePolynomial, SingularFunction};
+    /// // x² and its interpolant on 10 elements: at most h²/4, h² ∫ t(1-t) = h²/6 on average
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
+    /// let mesh = Partition::uniform(10, 1.0)?;
+    /// let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
+    /// let field = PiecewisePolynomial::linears(mesh, &values)?;
+    /// assert!((u.minus(&field).lq_norm(f64::INFINITY, 1e-6)?.value - 0.0025).abs() < 1e-8);
+    /// assert!((u.minus(&field).lq_norm(1.0, 1e-6)?.value - 0.01 / 6.0).abs() < 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`FieldError::l2_norm`].
+    pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
+        Error::require("q", q, "[1, inf]", q >= 1.0)?;
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
+        let field = self.field.scaled_by(1.0 / scale);
+        let difference = Difference { function: &unit, field: &field };
+        let cells = FieldCells::new(&difference, 0.1 * tolerance.relative())?;
+        let (mut lengths, mut ends, mut bubbles) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut found, mut left) = (Vec::new(), Vec::new());
+        for part in parts(&cells, &difference)? {
+            match part {
+                Part::Cell(length, pair, inside, off) => {
+                    lengths.push(length);
+                    ends.push(pair);
+                    bubbles.push(inside.to_vec());
+                    left.push((length, off));
+                }
+                Part::Patch(function) => found.push(Estimate::or_best(function.lq_norm(q, tolerance))?),
+            }
+        }
+        if !lengths.is_empty() {
+            let smooth =
+                PiecewisePolynomial::with_bubbles(Partition::from_lengths(lengths)?, &ends, bubbles)?;
+            found.push(Estimate::or_best(smooth.lq_norm(q, tolerance))?);
+        }
+        let largest = found.iter().map(|e| e.value).fold(0.0, f64::max);
+        let worst = left.iter().map(|(_, off)| *off).fold(0.0, f64::max);
+        // Minkowski: errors of parts, and what polynomials leave, add up at most.
+        let join = |of: &mut dyn Iterator<Item = (f64, f64)>, size: f64| match size {
+            0.0 => 0.0,
+            _ if q == f64::INFINITY => size,
+            _ => size * of.map(|(weight, v)| weight * (v / size).powf(q)).sum::<f64>().powf(1.0 / q),
+        };
+        let value = join(&mut found.iter().map(|e| (1.0, e.value)), largest);
+        let beyond = join(&mut left.iter().copied(), worst);
+        let error = found.iter().map(|e| e.error).sum::<f64>() + beyond + 16.0 * f64::EPSILON * value;
+        let work = found.iter().fold(Work::default(), |sum, e| sum + e.work);
+        accept("L^q norm", scaled(scale, Estimate::new(value, error, work)?)?, tolerance, LIMIT)
+    }
+
+    /// The norm dual to [`FieldError::norm`], sup ∫ (u − u_h) v / ||v||_ν, as [`SingularFunction::dual_norm`].
+    ///
+    /// ```
+    /// use fractional_sobolev::{DualOf, Partition, PiecewisePolynomial, SingularFunction};
+    /// // the means of a smooth function on n elements: of order h in L², h^{3/2} in the dual norm
+    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| (3.0 * x).sin())?;
+    /// let error = |n: usize| {
+    ///     let h = 1.0 / n as f64;
+    ///     let means: Vec<f64> = (0..n).map(|k| {
+    ///         let middle = 3.0 * h * (k as f64 + 0.5);
+    ///         middle.sin() * (1.5 * h).sin() / (1.5 * h)
+    ///     }).collect();
+    ///     let field = PiecewisePolynomial::constants(Partition::uniform(n, 1.0)?, &means)?;
+    ///     let sines = u.minus(&field).dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-4)?;
+    ///     let found = u.minus(&field).dual_norm(0.5, 1e-4)?;
+    ///     assert!(sines.value < u.minus(&field).l2_norm(1e-4)?.value);
+    ///     Ok::<f64, fractional_sobolev::Error>(found.value)
+    /// };
+    /// assert!(((error(64)? / error(128)?).log2() - 1.5).abs() < 0.1);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] with the best value, [`Error::NotFinite`] for a value of the function,
+    /// [`Error::OutOfRange`] unless both live on the same interval.
+    #[doc(alias("H-1/2", "negative norm"))]
+    pub fn dual_norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
+    }
+
+    /// The dual norm to any of the norms that [`DualOf`] names.
+    ///
+    /// # Errors
+    /// As [`FieldError::dual_norm`].
+    pub fn dual_norm_in(
+        &self,
+        of: DualOf,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
+        let field = self.field.scaled_by(1.0 / scale);
+        let difference = Difference { function: &unit, field: &field };
+        let asked = (OF_CELLS * tolerance.relative()).max(LEAST);
+        let cells = FieldCells::new(&difference, asked)?;
+        let goal = asked * l2(&cells)?.value;
+        let mut pieces = Interpolant::default();
+        for part in parts(&cells, &difference)? {
+            match part {
+                Part::Cell(length, ends, bubbles, off) => {
+                    pieces.push(length, ends, bubbles.to_vec());
+                    pieces.leave(length * off * off);
+                }
+                Part::Patch(function) => {
+                    for arm in function.arms() {
+                        pieces.add(&function, &arm, DEGREE, goal * goal)?;
+                    }
+                }
+            }
+        }
+        let (u, left) = pieces.finish()?;
+        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
+        let found = Estimate::or_best(u.dual_norm_in(of, order, inner))?;
+        let found = Estimate::new(found.value, found.error + left, found.work)?;
+        accept("dual norm", scaled(scale, found)?, tolerance, LIMIT)
+    }
+}
+
+/// u − u_h from left to right: cells away from the breaks, and one patch per break.
+fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<Part<'a>>> {
+    let mut found = Vec::with_capacity(cells.parts.len());
+    let mut last = None;
+    for (k, (part, content)) in cells.parts.iter().zip(&cells.contents).enumerate() {
+        match (part.patch, content) {
+            (Some(at), _) => {
+                if last != Some(at) {
+                    let rest = &cells.parts[k..];
+                    let count = rest.iter().take_while(|part| part.patch == Some(at)).count();
+                    found.push(Part::Patch(patch(
+                        difference.function,
+                        difference.field,
+                        at,
+                        &rest[..count],
+                    )?));
+                }
+                last = Some(at);
+            }
+            (None, Content::Smooth { piece, rest, noise }) => {
+                let ends = [piece.left, piece.right];
+                found.push(Part::Cell(part.length, ends, &piece.bubbles, 0.25 * rest.abs() + noise));
+            }
+            (None, Content::Singular(_)) => {
+                return Err(Error::CountOutOfRange { name: "cell at no break", value: k, range: "none" });
+            }
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,292 @@
+//! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
+
+use super::arm::Arm;
+use super::budget::Budget;
+use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
+use crate::numeric::check::{require_entry, require_finite, require_finite_at};
+use crate::numeric::scale::power_of_two;
+
+/// Points of an arm at which the size of a function is looked at.
+const SAMPLES: usize = 16;
+
+/// A point of the interval, known by its distance to the nearest break point.
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Position, SingularFunction, Tolerance};
+/// // (x − 1/2) on both sides of the break 1/2, exact however close to it
+/// let f = |at: Position| if at.anchor() == 1 { at.offset() } else { at.x() - 0.5 };
+/// let u = SingularFunction::from_positions(&[0.0, 0.5, 1.0], f)?;
+/// assert!((u.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value - 1.0).abs() < 1e-4);
+/// assert!(u.breaks().len() == 3 && u.length() == 1.0);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Position<'a> {
+    breaks: &'a [f64],
+    x: f64,
+    anchor: usize,
+    offset: f64,
+    /// ln of the distance where that is not a number of binary64
+    depth: Option<f64>,
+}
+
+impl Position<'_> {
+    /// The coordinate, rounded.
+    pub fn x(&self) -> f64 {
+        self.x
+    }
+
+    /// Index of the break point this position is given from: the nearest one.
+    pub fn anchor(&self) -> usize {
+        self.anchor
+    }
+
+    /// x minus the coordinate of that break point, exact; a zero with the right sign where it underflows.
+    pub fn offset(&self) -> f64 {
+        self.offset
+    }
+
+    /// |x − c_k| for any break point c_k, with all its digits: |offset| for the nearest one, for the others
+    /// the sum of offset and the distance of two breaks. One formula then serves all breaks.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance};
+    /// // ln|x - 3/10|, its square root at the left end
+    /// let u = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| {
+    ///     at.distance_to(0).sqrt() * at.log_distance_to(1)
+    /// })?;
+    /// let found = u.seminorm(FractionalOrder::new(0.4)?, Tolerance::fast())?;
+    /// assert!(found.relative_error() <= 1e-4);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// NaN where there is no break k, which the norms report.
+    pub fn distance_to(&self, k: usize) -> f64 {
+        if k == self.anchor { self.offset.abs() } else { self.from(k).abs() }
+    }
+
+    /// ln of [`Position::distance_to`], also where the distance underflows.
+    pub fn log_distance_to(&self, k: usize) -> f64 {
+        if k == self.anchor { self.log_distance() } else { self.from(k).abs().ln() }
+    }
+
+    /// x − c_k.
+    fn from(&self, k: usize) -> f64 {
+        self.breaks.get(k).map_or(f64::NAN, |other| (self.breaks[self.anchor] - other) + self.offset)
+    }
+
+    /// ln |offset|, also where the offset underflows: as far as −10^{300}.
+    pub fn log_distance(&self) -> f64 {
+        self.depth.unwrap_or_else(|| self.offset.abs().ln())
+    }
+}
+
+/// A real function on an interval whose singular points are declared.
+///
+/// # Method
+///
+/// The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
+/// break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
+/// the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
+/// (`log_energy`). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
+/// that takes a [`Position`] sees the distance itself, or its logarithm.
+#[doc(alias(
+    "Gagliardo",
+    "Slobodeckij",
+    "Gagliardo seminorm",
+    "fractional Sobolev",
+    "H1/2",
+    "H^s",
+    "closure"
+))]
+pub struct SingularFunction<'a> {
+    breaks: Vec<f64>,
+    function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
+    pub(super) sight: Sight,
+    pub(super) budget: Budget,
+}
+
+/// What the closure sees of a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Sight {
+    Coordinate,
+    Offset,
+    LogDistance,
+}
+
+impl std::fmt::Debug for SingularFunction<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SingularFunction").field("breaks", &self.breaks).finish_non_exhaustive()
+    }
+}
+
+impl<'a> SingularFunction<'a> {
+    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::NotFinite`], [`Error::EntryOutOfRange`]
+    /// unless they increase strictly and lie at least 1e-290 and 1e-290 of the interval apart.
+    pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
+    }
+
+    /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance, closed_forms};
+    /// // |ln x|^(1/4): the distance from the break 0 is exact, the one from 1 enters by ln(1 - t)
+    /// let u = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.offset().ln()).powf(0.25),
+    ///     _ => (-at.offset().ln_1p()).powf(0.25),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.25)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SingularFunction::new`].
+    pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(f), Sight::Offset)
+    }
+
+    /// As [`SingularFunction::from_positions`] for a function that is right also where offsets underflow, by
+    /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln
+    /// x|^α at ν = 1/2.
+    ///
+    /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
+    /// are.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance, closed_forms};
+    /// // |ln x|^0.45, nearly not in H^{1/2}: what lies below x = 1e-300 counts
+    /// let u = SingularFunction::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.log_distance()).powf(0.45),
+    ///     _ => (-at.offset().ln_1p()).powf(0.45),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SingularFunction::new`].
+    pub fn from_log_distances(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Box::new(f), Sight::LogDistance)
+    }
+
+    pub(super) fn build(
+        breaks: &[f64],
+        function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
+        sight: Sight,
+    ) -> Result<Self> {
+        if breaks.len() < 2 {
+            return Err(Error::CountOutOfRange {
+                name: "break points",
+                value: breaks.len(),
+                range: ">= 2, the ends of the interval among them",
+            });
+        }
+        let total = breaks[breaks.len() - 1] - breaks[0];
+        require_finite("break point", breaks)?;
+        for (k, pair) in breaks.windows(2).enumerate() {
+            let length = pair[1] - pair[0];
+            let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
+            let range = "numbers above the break before by 1e-290, and by 1e-290 of the interval";
+            require_entry("break point", k + 1, pair[1], range, admissible)?;
+        }
+        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited() })
+    }
+
+    /// The break points.
+    pub fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    /// Length of the interval.
+    pub fn length(&self) -> f64 {
+        self.breaks[self.breaks.len() - 1] - self.breaks[0]
+    }
+
+    /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and
+    /// powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
+    ///
+    /// What is asked of u/S counts against the work that the tolerance allows.
+    pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
+        let mut largest = 0.0_f64;
+        for arm in self.arms() {
+            for k in 0..SAMPLES {
+                let t = (arm.depth * (k as f64 + 0.5) / SAMPLES as f64).min(0.1 + 0.3 * k as f64);
+                largest = largest.max(self.at(&arm, arm.delta(t))?.abs());
+                // Deeper, what counts in L² is u √δ; where it is no number it may never be asked for.
+                let deep = arm.depth * (k as f64 + 0.5) / SAMPLES as f64;
+                let value = self.at(&arm, arm.delta(deep)).map_or(0.0, f64::abs);
+                largest = largest.max(value * (-0.5 * deep).exp());
+            }
+        }
+        let scale = power_of_two(largest);
+        let unit = move |at: Position| (self.function)(at) / scale;
+        Ok((
+            scale,
+            SingularFunction {
+                breaks: self.breaks.clone(),
+                function: Box::new(unit),
+                sight: self.sight,
+                budget: Budget::of(tolerance),
+            },
+        ))
+    }
+
+    /// The arms, from left to right.
+    pub(crate) fn arms(&self) -> Vec<Arm> {
+        let mut arms = Vec::with_capacity(2 * self.breaks.len());
+        for (i, pair) in self.breaks.windows(2).enumerate() {
+            let length = 0.5 * (pair[1] - pair[0]);
+            arms.push(self.arm(i, 1.0, length));
+            arms.push(self.arm(i + 1, -1.0, length));
+        }
+        arms
+    }
+
+    fn arm(&self, anchor: usize, sign: f64, length: f64) -> Arm {
+        let start = self.breaks[anchor];
+        let smallest = 1e-300f64.max(1e-300 * length);
+        // Where x = c + δ is rounded, δ has no digits below an ulp of c and few above it.
+        let blurred = match self.sight {
+            Sight::Coordinate => start.abs() * 4.0 * f64::EPSILON,
+            Sight::Offset | Sight::LogDistance => 0.0,
+        };
+        let depth = (length / smallest.max(16.0 * blurred).min(0.5 * length)).ln();
+        Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
+    }
+
+    /// The value at distance δ from the anchor of an arm.
+    pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
+        let offset = arm.sign * delta;
+        self.value_at(arm.anchor, offset, None)
+    }
+
+    /// The value at δ = R e^{-t} for any t.
+    pub(crate) fn at_depth(&self, arm: &Arm, t: f64) -> Result<f64> {
+        let offset = arm.sign * arm.delta(t);
+        let depth = Some(arm.length.ln() - t);
+        self.value_at(arm.anchor, offset, depth)
+    }
+
+    /// True when the function can be evaluated at any depth.
+    pub(crate) fn is_known_at_any_depth(&self) -> bool {
+        self.sight == Sight::LogDistance
+    }
+
+    /// The value at an offset from a break, the ln of its size where it underflows.
+    pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
+        self.budget.spend(1)?;
+        let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
+        let value = (self.function)(at);
+        require_finite_at("function value near break", anchor, value)?;
+        Ok(value)
+    }
+}

@@ -1,0 +1,269 @@
+//! |u|²_ν of a function with break points, in logarithmic coordinates along its arms.
+//!
+//! Of two points the deeper one (larger t) is the outer variable:
+//! |u|²_ν = 2 Σ_a ∫₀^∞ ℓ_a(t) dt,  ℓ_a(t) = δ Σ_b ∫₀^t ε (u(x)−u(y))² |x−y|^{-1-2ν} dt′,
+//! x = c_a ± δ(t), y = c_b ± ε(t′).
+//!
+//! On the own arm t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with the
+//! difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0 and
+//! decays as its break point allows ([`super::arm_integral`]). Distances keep their digits: δ(e^s − 1) on one
+//! arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
+
+use super::arm::Arm;
+use super::arm_integral::ArmIntegral;
+use super::deep_tail::DeepTail;
+use super::function::SingularFunction;
+use super::level::{Density, Level, LevelValue};
+use super::resolution::missed;
+use crate::error::Result;
+use crate::kernel::power::PowerKernel;
+use crate::order::FractionalOrder;
+use crate::quadrature::{PowerWeightRule, Rule};
+
+/// Where a point of an arm is so deep that other breaks are as good as infinitely far in t.
+const NEAR_DEPTH: f64 = 3.0;
+
+/// Values of u on one cell of one arm.
+struct CellSamples {
+    t: Vec<f64>,
+    /// w h ε
+    weight: Vec<f64>,
+    epsilon: Vec<f64>,
+    value: Vec<f64>,
+}
+
+/// The double integral at one level of accuracy.
+pub(crate) struct LogEnergy<'a> {
+    function: &'a SingularFunction<'a>,
+    arms: Vec<Arm>,
+    samples: Vec<Vec<CellSamples>>,
+    kernel: PowerKernel,
+    rule: Rule,
+    near: PowerWeightRule,
+    /// away from the other breaks, whose distance is e^t δ: fewer points, not so close to s = 0, lose fewer
+    /// digits
+    near_deep: PowerWeightRule,
+    level: Level,
+    /// S in which all lengths are measured: the longest arm
+    unit: f64,
+    points: u64,
+}
+
+/// The outer point.
+#[derive(Clone, Copy)]
+struct Outer {
+    arm: usize,
+    t: f64,
+    delta: f64,
+    value: f64,
+}
+
+impl<'a> LogEnergy<'a> {
+    pub(crate) fn new(
+        function: &'a SingularFunction<'a>,
+        order: FractionalOrder,
+        level: Level,
+    ) -> Result<Self> {
+        let arms = function.arms();
+        let kernel = PowerKernel::new(order);
+        Ok(Self {
+            function,
+            samples: arms.iter().map(|_| Vec::new()).collect(),
+            unit: arms.iter().map(|arm| arm.length).fold(0.0, f64::max),
+            arms,
+            kernel,
+            rule: Rule::gauss_legendre(level.points)?,
+            near: PowerWeightRule::new(level.points + 6, kernel.two_minus)?,
+            near_deep: PowerWeightRule::new(level.points / 2 + 3, kernel.two_minus)?,
+            level,
+            points: 0,
+        })
+    }
+
+    /// The squared seminorm to about the relative `tolerance`, as far as this level allows.
+    pub(crate) fn compute(mut self, tolerance: f64) -> Result<LevelValue> {
+        let shortest = self.arms.iter().map(|arm| arm.length).fold(f64::INFINITY, f64::min);
+        let spread = (self.unit / shortest).ln();
+        let order = 0.5 * self.kernel.twice;
+        let integral = ArmIntegral::new(self.level, tolerance, spread, order)?;
+        let (mut value, mut tail, mut rounding) = (0.0, 0.0, 0.0);
+        for arm in 0..self.arms.len() {
+            let depth = self.arms[arm].depth;
+            let end = self.tail(arm)?;
+            let found = integral.integrate(depth, value, end.as_ref(), |t| self.density(arm, t))?;
+            value += found.limit.value;
+            tail += found.limit.error;
+            rounding = found.rounding.hypot(rounding);
+        }
+        let factor = 2.0 * self.kernel.scaling(self.unit);
+        let (missed, points) = missed(self.function, self.level, self.kernel)?;
+        Ok(LevelValue {
+            value: factor * value,
+            tail: factor * tail,
+            rounding: factor * rounding,
+            missed,
+            points: self.points + points,
+        })
+    }
+
+    /// The end of an arm below 1e-300, for functions that are known there.
+    fn tail(&self, arm: usize) -> Result<Option<DeepTail<'a>>> {
+        if !self.function.is_known_at_any_depth() {
+            return Ok(None);
+        }
+        let anchor = self.arms[arm].anchor;
+        let other = (0..self.arms.len()).find(|&b| b != arm && self.arms[b].anchor == anchor);
+        let other = other.map(|other| self.arms[other]);
+        DeepTail::new(self.function, self.arms[arm], other, self.kernel, self.level, self.unit).map(Some)
+    }
+
+    /// ℓ_a(t) in units of S.
+    fn density(&mut self, arm: usize, t: f64) -> Result<Density> {
+        let delta = self.arms[arm].delta(t);
+        let x = Outer { arm, t, delta, value: self.function.at(&self.arms[arm], delta)? };
+        let h = self.level.width;
+        let (mut sum, before) = (Density::default(), self.points);
+        for other in 0..self.arms.len() {
+            // Full cells; on the own arm they stop between h/2 and 3h/2 from t.
+            let reach = if other == arm { (t / h - 0.5).floor() } else { (t / h).floor() };
+            let available = (self.arms[other].depth / h).floor().max(1.0);
+            let cells = reach.max(0.0).min(available) as usize;
+            self.prepare(other, cells)?;
+            sum = sum + self.full_cells(x, other, cells);
+            let from = cells as f64 * h;
+            sum = sum
+                + if other == arm {
+                    self.near_piece(x, t - from)?
+                } else if reach > available {
+                    self.blurred_rest(x, other)?
+                } else {
+                    self.partial_cell(x, other, from)?
+                };
+        }
+        self.function.spend(self.points - before)?;
+        Ok(sum)
+    }
+
+    /// Samples of the first `cells` cells of an arm.
+    fn prepare(&mut self, arm: usize, cells: usize) -> Result<()> {
+        let h = self.level.width;
+        while self.samples[arm].len() < cells {
+            let from = self.samples[arm].len() as f64 * h;
+            let cell = self.sample(arm, from, h)?;
+            self.samples[arm].push(cell);
+        }
+        Ok(())
+    }
+
+    fn sample(&self, arm: usize, from: f64, width: f64) -> Result<CellSamples> {
+        let geometry = &self.arms[arm];
+        let t: Vec<f64> = self.rule.points().iter().map(|p| from + width * p).collect();
+        let epsilon: Vec<f64> = t.iter().map(|&t| geometry.delta(t)).collect();
+        let value = epsilon.iter().map(|&e| self.function.at(geometry, e)).collect::<Result<_>>()?;
+        let weight = epsilon.iter().zip(self.rule.weights()).map(|(e, w)| w * width * e).collect();
+        Ok(CellSamples { t, weight, epsilon, value })
+    }
+
+    fn full_cells(&mut self, x: Outer, other: usize, cells: usize) -> Density {
+        self.points += (cells * self.level.points) as u64;
+        self.samples[other][..cells]
+            .iter()
+            .fold(Density::default(), |sum, cell| sum + self.against(x, other, cell))
+    }
+
+    fn partial_cell(&mut self, x: Outer, other: usize, from: f64) -> Result<Density> {
+        if x.t <= from {
+            return Ok(Density::default());
+        }
+        let cell = self.sample(other, from, x.t - from)?;
+        self.points += self.level.points as u64;
+        Ok(self.against(x, other, &cell))
+    }
+
+    /// The rest of an arm whose function cannot be evaluated closer to its break: as if constant there.
+    fn blurred_rest(&mut self, x: Outer, other: usize) -> Result<Density> {
+        let arm = &self.arms[other];
+        let from = (arm.depth / self.level.width).floor().max(1.0) * self.level.width;
+        let end = arm.delta(from);
+        let cell = CellSamples {
+            t: vec![from],
+            weight: vec![end],
+            epsilon: vec![0.5 * end],
+            value: vec![self.function.at(arm, end)?],
+        };
+        Ok(self.against(x, other, &cell))
+    }
+
+    /// Σ weight (u(x)−u(y))² δ |x−y|^{-1-2ν} over a cell.
+    fn against(&self, x: Outer, other: usize, cell: &CellSamples) -> Density {
+        let (mut sum, mut rounding) = (0.0, 0.0);
+        let (mut last_distance, mut last_power) = (f64::NAN, 0.0);
+        for i in 0..cell.t.len() {
+            let distance = self.distance(x, other, cell.t[i], cell.epsilon[i]);
+            if distance != last_distance {
+                // δ |x−y|^{-2ν} in units of S, without overflow
+                last_power = (x.delta / distance).powf(self.kernel.twice);
+                last_distance = distance;
+            }
+            let difference = x.value - cell.value[i];
+            let weight = cell.weight[i] / distance * last_power;
+            sum += weight * difference * difference;
+            rounding += weight * difference.abs() * (x.value.abs() + cell.value[i].abs());
+        }
+        let scale = self.kernel.scaling(x.delta / self.unit);
+        // Independent roundings add as squares do: the sum of n like terms, divided by √n.
+        Density {
+            value: sum * scale,
+            rounding: rounding / (cell.t.len() as f64).sqrt() * scale * f64::EPSILON,
+        }
+    }
+
+    fn distance(&self, x: Outer, other: usize, t: f64, epsilon: f64) -> f64 {
+        let (a, b) = (&self.arms[x.arm], &self.arms[other]);
+        if x.arm == other {
+            // Full cells of the own arm end h/2 before x.
+            epsilon - x.delta
+        } else if a.anchor == b.anchor {
+            x.delta + epsilon
+        } else if x.arm / 2 == other / 2 {
+            a.length * -((-x.t).exp_m1() + (-t).exp_m1())
+        } else {
+            // Arms of one break or one interval are treated above; between others lies at least half an
+            // interval.
+            let (left, left_delta, right, right_delta) =
+                if a.anchor < b.anchor { (a, x.delta, b, epsilon) } else { (b, epsilon, a, x.delta) };
+            self.between(left.anchor, right.anchor) - left.sign * left_delta + right.sign * right_delta
+        }
+    }
+
+    /// Sum of the interval lengths between two breaks.
+    fn between(&self, left: usize, right: usize) -> f64 {
+        (left..right).map(|k| 2.0 * self.arms[2 * k].length).sum()
+    }
+
+    /// The own arm on t − s, 0 < s < `reach`.
+    fn near_piece(&mut self, x: Outer, reach: f64) -> Result<Density> {
+        let arm = self.arms[x.arm];
+        let (mut sum, mut rounding) = (0.0, 0.0);
+        let rule = if x.t - reach > NEAR_DEPTH { &self.near_deep } else { &self.near };
+        for (node, w) in rule.iter() {
+            let s = reach * node;
+            // From δ itself, so that δ and ε keep their quotient e^s however deep they lie.
+            let y = x.delta * s.exp();
+            let value = self.function.at(&arm, y)?;
+            let quotient = (x.value - value) / s;
+            let stretch = s.exp_m1() / s;
+            // δ ε (u−v)² (δ (e^s−1))^{-1-2ν} = δ^{1-2ν} s^{1-2ν} e^s q² ((e^s−1)/s)^{-1-2ν}
+            let weight = w * s.exp() / stretch * stretch.powf(-self.kernel.twice);
+            sum += weight * quotient * quotient;
+            let blur = arm.blur * quotient.abs() / x.delta;
+            let size = f64::EPSILON * (x.value.abs() + value.abs());
+            rounding += (weight * quotient * (size + blur) / s).abs();
+        }
+        self.points += (self.level.points + 6) as u64;
+        // ∫₀^reach s^{1-2ν} f ds = reach^{2-2ν} Σ w f
+        let count = self.level.points as f64;
+        let scale = reach.powf(self.kernel.two_minus) * self.kernel.scaling(x.delta / self.unit);
+        Ok(Density { value: sum * scale, rounding: rounding / count.sqrt() * scale })
+    }
+}

@@ -1,0 +1,294 @@
+//! Functions with many waves between their breaks, as piecewise polynomials.
+//!
+//! Each half of an interval between breaks is halved until a polynomial p of degree d agrees with the
+//! function on every cell K: ε_K = max |u − p| at points between those of p. Where that takes many cells of
+//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many cells
+//! in each of two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`], O(cells)).
+//!
+//! The error is | |u|_ν − |p|_ν | ≤ |u − p|_ν, bounded in [`super::resolution`].
+//!
+//! Cells that shrink geometrically towards a point mean that u is not smooth there: such functions are left
+//! to the rules in logarithmic coordinates. Cost: 3d values of u per cell.
+
+use super::arm::Arm;
+use super::function::SingularFunction;
+use super::resolution::of_residual;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
+use crate::kernel::power::PowerKernel;
+use crate::order::FractionalOrder;
+use crate::partition::Partition;
+use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
+use crate::quadrature::Rule;
+
+/// Fewer cells than these are no waves.
+const MANY: usize = 32;
+/// More cells of one arm than the finest rules in logarithmic coordinates resolve.
+const BEYOND_RULES: usize = 512;
+/// Cells at most: 3 d values and some 100 numbers each.
+const MOST: usize = 1 << 17;
+/// Halvings of an arm at most.
+const DEEPEST: u32 = 40;
+/// A cell has none of GRADED times its length within REACH times its length, unless cells are graded.
+const GRADED: f64 = 8.0;
+const REACH: f64 = 64.0;
+/// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
+const UNSEEN: f64 = 2.0;
+/// Rounds of cells, each for a tenth of what the one before left, or less.
+const ROUNDS: usize = 4;
+/// What rounding leaves of values of size 1.
+const FLOOR: f64 = 64.0 * f64::EPSILON;
+
+/// Why waves are not resolved.
+const TOO_MANY: &str = "the function has more structure between its breaks than 100000 cells resolve";
+/// Why they are not resolved closely enough.
+const LIMIT: &str = "rounding of the values is all that shorter cells show";
+
+/// What the cells say of a function.
+pub(super) enum Waves {
+    /// Few cells, or cells that shrink towards a point.
+    None,
+    /// Resolved by so many cells that rules in logarithmic coordinates would not do.
+    Resolved(Box<Resolved>),
+    /// More than anything here resolves.
+    TooMany,
+}
+
+/// A function with its polynomials.
+pub(super) struct Resolved {
+    u: PiecewisePolynomial,
+    degree: usize,
+    /// ε of every cell
+    residuals: Vec<f64>,
+    points: u64,
+}
+
+/// A cell of an arm, δ from its break: its ends, polynomial and residual.
+struct Cell {
+    near: f64,
+    far: f64,
+    /// u at both ends, from left to right
+    ends: [f64; 2],
+    bubbles: Vec<f64>,
+    residual: f64,
+    /// what the rounding of x and of u leaves of residuals
+    noise: f64,
+}
+
+/// Polynomials of one degree and what they are compared with.
+struct Fit {
+    degree: usize,
+    accuracy: f64,
+    between: Rule,
+}
+
+impl SingularFunction<'_> {
+    /// |u|_ν of a function of size 1 with many waves; `None` for all others.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
+    pub(super) fn seminorm_of_waves(
+        &self,
+        order: FractionalOrder,
+        tolerance: Tolerance,
+    ) -> Result<Option<Estimate>> {
+        let asked = tolerance.relative();
+        let mut best: Option<Estimate> = None;
+        // A cell of about a wave: |e|_ν/|u|_ν is about ε (D/6)^ν.
+        let mut accuracy = 0.1 * asked * 0.03f64.powf(order.value());
+        for _ in 0..ROUNDS {
+            let waves = match self.waves(accuracy.max(FLOOR)) {
+                Err(_) if best.is_some() && self.work_left() == 0 => {
+                    return Err(Error::best_of("seminorm", asked, best, SPENT));
+                }
+                other => other?,
+            };
+            let resolved = match (waves, &best) {
+                (Waves::Resolved(resolved), _) => resolved,
+                (Waves::None, None) => return Ok(None),
+                (Waves::TooMany, None) => {
+                    return Err(Error::out_of_reach("seminorm", asked, f64::INFINITY, TOO_MANY));
+                }
+                _ => break,
+            };
+            let found = resolved.seminorm(order, tolerance)?;
+            if found.relative_error() <= asked {
+                return Ok(Some(found));
+            }
+            let gained = best.is_none_or(|best| found.error < 0.5 * best.error);
+            accuracy = (0.3 * accuracy * asked / found.relative_error()).min(0.1 * accuracy);
+            if best.is_none_or(|best| found.error < best.error) {
+                best = Some(found);
+            }
+            if !gained || accuracy < FLOOR {
+                break;
+            }
+        }
+        Err(Error::best_of("seminorm", asked, best, LIMIT))
+    }
+
+    /// The L² norm of a function of size 1 with many waves.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`].
+    pub(super) fn l2_norm_of_waves(&self, tolerance: Tolerance) -> Result<Option<Estimate>> {
+        match self.waves((0.1 * tolerance.relative()).max(FLOOR))? {
+            Waves::Resolved(resolved) => resolved.l2_norm(tolerance).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// Polynomials that agree with u to the given accuracy.
+    fn waves(&self, accuracy: f64) -> Result<Waves> {
+        let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
+        let fit = Fit { degree, accuracy, between: Rule::gauss_legendre(2 * degree)? };
+        let (mut cells, mut slack) = (Vec::new(), Vec::new());
+        let mut is_smooth = true;
+        for arm in self.arms() {
+            let Some((mut found, all)) = self.cells_of(&arm, &fit, MOST - cells.len().min(MOST))? else {
+                return Ok(if is_smooth { Waves::TooMany } else { Waves::None });
+            };
+            is_smooth &= all;
+            if arm.sign < 0.0 {
+                found.reverse();
+            }
+            let at_break = if arm.sign < 0.0 { found.len() - 1 } else { 0 };
+            slack.push(found[at_break].slack(&arm, degree));
+            cells.push(found);
+        }
+        let count: usize = cells.iter().map(Vec::len).sum();
+        if count < MANY {
+            return Ok(Waves::None);
+        }
+        let mut flat: Vec<Cell> = Vec::with_capacity(count);
+        for (k, arm) in cells.into_iter().enumerate() {
+            let start = flat.len();
+            flat.extend(arm);
+            // Where two arms meet: in the middle of an interval the value is the same, at a break its limits.
+            if k > 0 {
+                let (left, right) = (flat[start - 1].ends[1], flat[start].ends[0]);
+                if k % 2 == 1 || (left - right).abs() <= slack[k - 1] + slack[k] {
+                    let mean = 0.5 * (left + right);
+                    flat[start - 1].ends[1] = mean;
+                    flat[start].ends[0] = mean;
+                }
+            }
+        }
+        if !is_smooth || is_graded(&flat) {
+            return Ok(if count > BEYOND_RULES * self.breaks().len() { Waves::TooMany } else { Waves::None });
+        }
+        let lengths: Vec<f64> = flat.iter().map(|cell| cell.far - cell.near).collect();
+        let ends: Vec<[f64; 2]> = flat.iter().map(|cell| cell.ends).collect();
+        let residuals = flat.iter().map(|cell| cell.residual).collect();
+        let points = 3 * (degree * count) as u64;
+        let bubbles = flat.into_iter().map(|cell| cell.bubbles).collect();
+        let u = PiecewisePolynomial::with_bubbles(Partition::from_lengths(lengths)?, &ends, bubbles)?;
+        Ok(Waves::Resolved(Box::new(Resolved { u, degree, residuals, points })))
+    }
+
+    /// The cells of an arm from its break on, and whether all are resolved; `None` beyond `most`.
+    fn cells_of(&self, arm: &Arm, fit: &Fit, most: usize) -> Result<Option<(Vec<Cell>, bool)>> {
+        let mut cells = Vec::new();
+        let mut is_resolved = true;
+        // Nearest to the break on top.
+        let mut stack = vec![(0.0, arm.length, 0)];
+        while let Some((near, far, halvings)) = stack.pop() {
+            let cell = self.cell(arm, fit, near, far)?;
+            let is_fitted = cell.residual <= fit.accuracy.max(cell.noise);
+            if is_fitted || halvings == DEEPEST {
+                is_resolved &= is_fitted;
+                cells.push(cell);
+                if cells.len() > most {
+                    return Ok(None);
+                }
+            } else {
+                let middle = 0.5 * (near + far);
+                stack.extend([(middle, far, halvings + 1), (near, middle, halvings + 1)]);
+            }
+        }
+        Ok(Some((cells, is_resolved)))
+    }
+
+    fn cell(&self, arm: &Arm, fit: &Fit, near: f64, far: f64) -> Result<Cell> {
+        let least = arm.delta(arm.depth);
+        let value = |delta: f64| self.at(arm, delta.max(least));
+        let local = |t: f64| if arm.sign > 0.0 { near + (far - near) * t } else { far - (far - near) * t };
+        let ends = [value(local(0.0))?, value(local(1.0))?];
+        let fault = std::cell::RefCell::new(None);
+        let seen = |t: f64| {
+            value(local(t)).unwrap_or_else(|error| {
+                fault.borrow_mut().get_or_insert(error);
+                0.0
+            })
+        };
+        let bubbles = bubbles_of(fit.degree, ends, seen)?;
+        let piece = Piece { left: ends[0], right: ends[1], bubbles };
+        let (mut residual, mut low, mut high) = (0.0_f64, ends[0].min(ends[1]), ends[0].max(ends[1]));
+        for &t in fit.between.points() {
+            let found = seen(t);
+            residual = residual.max((found - piece.value(t)).abs());
+            (low, high) = (low.min(found), high.max(found));
+        }
+        let residual = UNSEEN * residual;
+        let slope = (high - low) / (far - near);
+        let noise = FLOOR * (low.abs().max(high.abs()) + slope * (arm.start.abs() + far));
+        match fault.into_inner() {
+            Some(error) => Err(error),
+            None => Ok(Cell { near, far, ends, bubbles: piece.bubbles, residual, noise }),
+        }
+    }
+}
+
+impl Cell {
+    /// How far the value at the break may be off its limit: what it is not evaluated close enough, and what x
+    /// is rounded.
+    fn slack(&self, arm: &Arm, degree: usize) -> f64 {
+        let size = self.ends[0].abs().max(self.ends[1].abs()).max(1.0);
+        let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);
+        FLOOR * size + slope * (arm.delta(arm.depth) + 16.0 * f64::EPSILON * arm.start.abs())
+    }
+}
+
+/// Whether cells shrink geometrically somewhere.
+fn is_graded(cells: &[Cell]) -> bool {
+    let length = |k: usize| cells[k].far - cells[k].near;
+    let sees_long = |from: usize, others: &mut dyn Iterator<Item = usize>| {
+        let own = length(from);
+        let mut distance = 0.0;
+        for k in others {
+            if length(k) >= GRADED * own {
+                return true;
+            }
+            distance += length(k);
+            if distance > REACH * own {
+                break;
+            }
+        }
+        false
+    };
+    (0..cells.len()).any(|k| sees_long(k, &mut (0..k).rev()) || sees_long(k, &mut (k + 1..cells.len())))
+}
+
+impl Resolved {
+    fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        let found = Estimate::or_best(self.u.seminorm(order, tolerance))?;
+        let work = Work { points: found.work.points + self.points, ..found.work };
+        Estimate::new(found.value, found.error + self.error(order), work)
+    }
+
+    fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
+        let found = self.u.l2_norm(tolerance)?;
+        let squares = self.residuals.iter().zip(self.u.partition().lengths());
+        let error = squares.map(|(e, h)| h * e * e).sum::<f64>().sqrt();
+        Estimate::new(found.value, found.error + error, found.work)
+    }
+
+    /// The bound of |e|_ν.
+    fn error(&self, order: FractionalOrder) -> f64 {
+        let (kernel, total) = (PowerKernel::new(order), self.u.partition().total());
+        let squares = self.residuals.iter().zip(self.u.partition().lengths()).map(|(residual, &length)| {
+            of_residual(kernel, self.degree, residual + 4.0 * f64::EPSILON, length, total)
+        });
+        squares.sum::<f64>().sqrt()
+    }
+}

@@ -1,0 +1,74 @@
+//! The entries of a Gram matrix that come from single elements, neighbours and the exterior: at most two
+//! off-diagonals.
+
+use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
+use crate::kernel::cells::CellPairs;
+use crate::numeric::parallel;
+use crate::partition::Partition;
+use rayon::prelude::*;
+
+/// Entries dealt out together.
+const TOGETHER: usize = 64;
+
+/// Rows worth a thread of their own.
+const PARALLEL: usize = 1 << 14;
+
+/// A symmetric band matrix: diagonal and off-diagonals.
+pub(crate) struct Band {
+    pub(crate) diagonal: Vec<f64>,
+    off_diagonals: Vec<Vec<f64>>,
+}
+
+impl Band {
+    /// For hats: everything but the pairs of cells that do not touch.
+    pub(crate) fn linears(partition: &Partition, cells: &CellPairs) -> Self {
+        let lengths = partition.lengths();
+        let n = lengths.len();
+        Self {
+            diagonal: parallel::map_together(n + 1, TOGETHER, &|i| diagonal_linear(partition, cells, i)),
+            off_diagonals: vec![
+                parallel::map_together(n, TOGETHER, &|i| neighbours_linear(partition, cells, i)),
+                parallel::map_together(n - 1, TOGETHER, &|i| {
+                    -2.0 * cells.touching(lengths[i], lengths[i + 1]).product
+                }),
+            ],
+        }
+    }
+
+    /// For indicator functions.
+    pub(crate) fn constants(partition: &Partition, cells: &CellPairs) -> Self {
+        let lengths = partition.lengths();
+        let n = lengths.len();
+        Self {
+            diagonal: parallel::map_together(n, TOGETHER, &|i| diagonal_constant(partition, cells, i)),
+            off_diagonals: vec![parallel::map_together(n - 1, TOGETHER, &|i| {
+                -2.0 * cells.touching_constants(lengths[i], lengths[i + 1])
+            })],
+        }
+    }
+
+    /// Band × x.
+    pub(crate) fn times(&self, x: &[f64]) -> Vec<f64> {
+        (0..x.len())
+            .into_par_iter()
+            .with_min_len(PARALLEL)
+            .map(|i| {
+                let mut y = self.diagonal[i] * x[i];
+                for (k, off) in self.off_diagonals.iter().enumerate() {
+                    let step = k + 1;
+                    if let (Some(a), Some(x)) = (off.get(i), x.get(i + step)) {
+                        y += a * x;
+                    }
+                    if i >= step {
+                        y += off[i - step] * x[i - step];
+                    }
+                }
+                y
+            })
+            .collect()
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        8 * (self.diagonal.len() + self.off_diagonals.iter().map(Vec::len).sum::<usize>())
+    }
+}

@@ -1,0 +1,201 @@
+//! Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linears,
+//! dense.
+
+use crate::error::{Error, Given, Result};
+use crate::kernel::cells::CellPairs;
+use crate::numeric::parallel;
+use crate::numeric::sum::RunningSum;
+use crate::order::FractionalOrder;
+use crate::partition::Partition;
+use nalgebra::DMatrix;
+
+/// Gram matrix of |·|_ν for the indicator functions of the elements; N × N.
+///
+/// # Errors
+/// [`Error::InfiniteNorm`] for ν ≥ 1/2: indicator functions are not in H^ν.
+pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>) -> Result<DMatrix<f64>> {
+    let order = order.given()?;
+    require_constants_finite(order)?;
+    let cells = CellPairs::new(order);
+    let n = partition.len();
+    let rows: Vec<Vec<f64>> = parallel::map(n, &|i| {
+        let mut row = vec![diagonal_constant(partition, &cells, i)];
+        let mut gap = RunningSum::default();
+        for j in i + 1..n {
+            row.push(-2.0 * constants_on(partition, &cells, i, j, gap.value()));
+            gap.add(partition.lengths()[j]);
+        }
+        row
+    });
+    Ok(symmetric(&rows))
+}
+
+/// Gram matrix of |·|_ν for the hat functions of all N + 1 nodes.
+///
+/// # Method
+///
+/// a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the
+/// paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in closed
+/// form or by rules exact to rounding (`kernel::cells`); only the entries of neighbouring
+/// hats mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row sums, so
+/// that the row sums are a check. Cost O(N²); the entries of separate hats cost about 16 kernel values.
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Partition, gram_constants, gram_linears, mass_constants, mass_linears};
+/// let mesh = Partition::uniform(2, 1.0)?;
+/// let a = gram_linears(&mesh, FractionalOrder::HALF);
+/// // the identity, whose squared seminorm is one; constants are in the kernel
+/// let x = [0.0, 0.5, 1.0];
+/// let row = |i: usize| (0..3).map(|j| a[(i, j)] * x[j]).sum::<f64>();
+/// let squared: f64 = (0..3).map(|i| row(i) * x[i]).sum();
+/// assert!((squared - 1.0).abs() < 1e-14);
+/// assert!((a[(0, 0)] + a[(0, 1)] + a[(0, 2)]).abs() < 1e-14);
+/// let b = gram_constants(&mesh, FractionalOrder::new(0.25)?)?;
+/// assert!((b[(0, 0)] + b[(0, 1)]).abs() < 1e-13);
+/// assert_eq!(mass_constants(&mesh), [0.5, 0.5]);
+/// let (diagonal, beside) = mass_linears(&mesh);
+/// assert!((diagonal.iter().sum::<f64>() + 2.0 * beside.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[doc(alias("stiffness matrix", "Gram matrix", "fractional Laplacian"))]
+pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> DMatrix<f64> {
+    let cells = CellPairs::new(order);
+    let n = partition.len();
+    let far: Vec<FarRow> = parallel::map(n, &|e| FarRow::new(partition, &cells, e));
+    let mut rows: Vec<Vec<f64>> = (0..=n).map(|i| vec![0.0; n + 1 - i]).collect();
+    for (e, far_row) in far.iter().enumerate() {
+        // Cell e touches the nodes e (its far hat) and e + 1 (its near hat).
+        for (offset, values) in far_row.values.iter().enumerate() {
+            let node = e + 2 + offset;
+            rows[e][node - e] += values[1];
+            rows[e + 1][node - e - 1] += values[0];
+        }
+    }
+    for i in 0..=n {
+        rows[i][0] = diagonal_linear(partition, &cells, i);
+        if i < n {
+            rows[i][1] += neighbours_linear(partition, &cells, i);
+        }
+    }
+    symmetric(&rows)
+}
+
+/// Gram matrix of L² for piecewise constants: the element lengths.
+#[doc(alias("mass matrix"))]
+pub fn mass_constants(partition: &Partition) -> Vec<f64> {
+    partition.lengths().to_vec()
+}
+
+/// Gram matrix of L² for hat functions: (diagonal, off-diagonal) of a tridiagonal matrix.
+#[doc(alias("mass matrix"))]
+pub fn mass_linears(partition: &Partition) -> (Vec<f64>, Vec<f64>) {
+    let lengths = partition.lengths();
+    let mut diagonal = vec![0.0; lengths.len() + 1];
+    for (i, &h) in lengths.iter().enumerate() {
+        diagonal[i] += h / 3.0;
+        diagonal[i + 1] += h / 3.0;
+    }
+    (diagonal, lengths.iter().map(|h| h / 6.0).collect())
+}
+
+pub(crate) fn require_constants_finite(order: FractionalOrder) -> Result<()> {
+    if order.is_below_half() {
+        return Ok(());
+    }
+    Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
+}
+
+/// ∫\_{cell i} ∫\_{cell j} |x−y|^{-1-2ν} for i < j with the lengths between them summing to `gap`.
+pub(crate) fn constants_on(partition: &Partition, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
+    let (p, q) = (partition.lengths()[i], partition.lengths()[j]);
+    if j == i + 1 { cells.touching_constants(p, q) } else { cells.separate_constants(p, q, gap) }
+}
+
+/// 2 ∫\_{cell} ∫\_{outside} |x−y|^{-1-2ν}.
+pub(crate) fn diagonal_constant(partition: &Partition, cells: &CellPairs, i: usize) -> f64 {
+    let h = partition.lengths()[i];
+    let outside = [partition.from_left()[i], partition.from_right()[i + 1]];
+    let touching = |x: f64| if x > 0.0 { cells.touching_constants(h, x) } else { 0.0 };
+    2.0 * (touching(outside[0]) + touching(outside[1]))
+}
+
+/// What cell e contributes to the entries of its two hats with the hats of nodes e + 2, e + 3, ...
+pub(crate) struct FarRow {
+    /// `values[k]` = contributions of (node e + 1, node e) with node e + 2 + k
+    pub(crate) values: Vec<[f64; 2]>,
+}
+
+impl FarRow {
+    pub(crate) fn new(partition: &Partition, cells: &CellPairs, e: usize) -> Self {
+        let lengths = partition.lengths();
+        let n = lengths.len();
+        let mut values = vec![[0.0; 2]; n.saturating_sub(e + 1)];
+        if e + 1 < n {
+            // Only the hats that vanish at the common node are apart.
+            values[0][1] -= 2.0 * cells.touching(lengths[e], lengths[e + 1]).product;
+        }
+        let mut gap = RunningSum::default();
+        for f in e + 2..n {
+            gap.add(lengths[f - 1]);
+            let [near, far] = cells.separate(lengths[e], lengths[f], gap.value());
+            let k = f - e - 2;
+            for b in 0..2 {
+                values[k + b][0] -= 2.0 * near[b];
+                values[k + b][1] -= 2.0 * far[b];
+            }
+        }
+        Self { values }
+    }
+}
+
+/// a(φ_i, φ_i).
+pub(crate) fn diagonal_linear(partition: &Partition, cells: &CellPairs, i: usize) -> f64 {
+    let lengths = partition.lengths();
+    let left = (i > 0).then(|| lengths[i - 1]);
+    let right = lengths.get(i).copied();
+    let mut sum = left.map_or(0.0, |h| cells.own(h)) + right.map_or(0.0, |h| cells.own(h));
+    if let (Some(p), Some(q)) = (left, right) {
+        sum += 2.0 * cells.touching(p, q).difference_squared;
+    }
+    let beyond = [
+        (left, if i > 0 { partition.from_left()[i - 1] } else { 0.0 }, right),
+        (right, partition.from_right().get(i + 1).copied().unwrap_or(0.0), left),
+    ];
+    for (cell, rest, other) in beyond {
+        let Some(p) = cell else { continue };
+        if rest > 0.0 {
+            // On its own side the hat vanishes where the rest begins ...
+            sum += 2.0 * cells.touching_square_constant(p, rest);
+            // ... and the other cell of the hat lies between its peak and that rest.
+            if let Some(q) = other {
+                sum += 2.0 * cells.weighted_against_constant(q, rest, p)[0];
+            }
+        }
+    }
+    sum
+}
+
+/// a(φ_i, φ_{i+1}) without the pair of cells i − 1, i + 1, which counts among the separate cells.
+pub(crate) fn neighbours_linear(partition: &Partition, cells: &CellPairs, i: usize) -> f64 {
+    let lengths = partition.lengths();
+    let h = lengths[i];
+    let mut sum = -cells.own(h);
+    // Left of the shared cell: the cell of φ_i alone, then the rest, where both hats vanish. Right: mirrored.
+    let left = (i > 0).then(|| (lengths[i - 1], partition.from_left()[i - 1]));
+    let right = lengths.get(i + 1).map(|&q| (q, partition.from_right()[i + 2]));
+    for (q, rest) in [left, right].into_iter().flatten() {
+        sum += 2.0 * cells.touching(q, h).first;
+        if rest > 0.0 {
+            sum += 2.0 * cells.weighted_against_constant(h, rest, q)[1];
+        }
+    }
+    sum
+}
+
+/// The symmetric matrix whose row i starts at its diagonal.
+fn symmetric(rows: &[Vec<f64>]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), rows.len(), |i, j| {
+        let (low, high) = (i.min(j), i.max(j));
+        rows[low][high - low]
+    })
+}

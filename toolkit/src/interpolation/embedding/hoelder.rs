@@ -1,0 +1,128 @@
+//! C(α), the best constant of H^{3/2}(0,1) ⊂ C^{0,α}: |u(x) − u(y)| ≤ C(α) |x − y|^α ‖u‖_{3/2}, 0 < α < 1;
+//! (E3).
+
+use super::trial::graded;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::interpolation::forms::mass_form;
+use crate::numeric::dense::{Cholesky, transpose_times};
+use crate::quadrature::Rule;
+use crate::{FractionalOrder, Partition, gram_linears};
+use nalgebra::DMatrix;
+
+/// N(0, θ) at the nodes θ of a mesh.
+///
+/// # Method
+///
+/// For a fixed pair of points the best constant is the norm of the functional v ↦ ∫\_y^x v on the slopes v =
+/// u', by one solve: N(x, y)² = ℓᵀ K⁻¹ ℓ with K the matrix of min_c ‖u + c‖₀² + ‖v‖₀² + |v|²_{1/2}. Over
+/// pairs (0, θ), θ the nodes of a mesh geometric to 0, and piecewise linear v this is a lower bound of C(α) =
+/// sup N(x, y)/|x − y|^α.
+/// Upper bound, Hölder: |∫ v| ≤ |x−y|^{1−1/q} ‖v‖_q, so C(α) ≤ C(q) with q = 1/(1−α).
+/// Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) →
+/// 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Partition, interpolation::{EndIncrements, embedding_upper_bound}};
+/// let (lower, theta) = EndIncrements::for_exponents_up_to(4.0)?.constant(0.5)?;
+/// // C(1/2) ≤ C(q) with q = 1/(1 − 1/2)
+/// let upper = embedding_upper_bound(FractionalOrder::HALF, 2.0)?;
+/// assert!(lower.value <= upper.value && theta <= 1.0);
+/// let coarse = EndIncrements::new(&Partition::geometric(10, 0.5, 1.0)?)?;
+/// assert_eq!(coarse.increments().count(), 11);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct EndIncrements {
+    nodes: Vec<f64>,
+    norms: Vec<f64>,
+}
+
+impl EndIncrements {
+    /// On the nodes of a partition of (0, 1), which should be geometric to 0.
+    ///
+    /// # Errors
+    /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding.
+    pub fn new(partition: &Partition) -> Result<Self> {
+        let size = partition.len() + 1;
+        let norm = gram_linears(partition, FractionalOrder::HALF)
+            + mass_form(partition)
+            + primitive_form(partition)?;
+        let broken =
+            || Error::NotPositiveDefinite { what: "Gram matrix of the norm of H^{3/2}", pivot: size };
+        let factor = Cholesky::new(&norm).ok_or_else(broken)?;
+        // Column k: the integrals of the hats over (0, θ_k), in units of θ_k to stay in range.
+        let nodes = partition.from_left()[1..].to_vec();
+        let lengths = partition.lengths();
+        let functionals = DMatrix::from_fn(size, nodes.len(), |i, k| {
+            let left = if i > 0 && i - 1 <= k { lengths[i - 1] } else { 0.0 };
+            let right = if i <= k { lengths[i] } else { 0.0 };
+            0.5 * (left + right) / nodes[k]
+        });
+        let solved = factor.solve(&functionals);
+        let norms = (0..nodes.len())
+            .map(|k| (0..size).map(|i| functionals[(i, k)] * solved[(i, k)]).sum::<f64>().sqrt())
+            .collect();
+        Ok(Self { nodes, norms })
+    }
+
+    /// On a mesh that serves every α up to 1 − 1/q.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 2 ≤ q ≤ 1000.
+    pub fn for_exponents_up_to(q: f64) -> Result<Self> {
+        Self::new(&graded(q)?)
+    }
+
+    /// The nodes θ and N(0, θ)/θ.
+    pub fn increments(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.nodes.iter().copied().zip(self.norms.iter().copied())
+    }
+
+    /// max over θ of N(0, θ)/θ^α, a lower bound of C(α), and the θ where it is attained.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < α < 1.
+    pub fn constant(&self, alpha: f64) -> Result<(Estimate, f64)> {
+        Error::require("alpha", alpha, "(0, 1)", alpha > 0.0 && alpha < 1.0)?;
+        let (mut largest, mut place) = (0.0, 1.0);
+        for (theta, norm) in self.increments() {
+            let value = norm * theta.powf(1.0 - alpha);
+            if value > largest {
+                (largest, place) = (value, theta);
+            }
+        }
+        let work = Work { points: self.nodes.len() as u64, factorizations: 1, ..Work::default() };
+        // Rounding of the solve; what the trial space misses is not part of a lower bound's error.
+        Ok((Estimate::new(largest, 1e-12 * largest, work)?, place))
+    }
+}
+
+/// min_c ‖∫₀^x v + c‖₀² as a form of the nodal values of v, exact: the primitive is quadratic on a cell.
+fn primitive_form(partition: &Partition) -> Result<DMatrix<f64>> {
+    let rule = Rule::gauss_legendre(3)?;
+    let (lengths, total) = (partition.lengths(), partition.total());
+    let size = lengths.len() + 1;
+    let mut rows = DMatrix::<f64>::zeros(3 * lengths.len(), size);
+    let mut weights = Vec::with_capacity(3 * lengths.len());
+    for (i, &h) in lengths.iter().enumerate() {
+        for (p, (t, w)) in rule.iter().enumerate() {
+            weights.push(h * w);
+            for k in 0..=i + 1 {
+                let before = if k > 0 { 0.5 * lengths[k - 1] } else { 0.0 };
+                rows[(3 * i + p, k)] = match k {
+                    _ if k < i => before + 0.5 * lengths[k],
+                    _ if k == i => before + h * t * (1.0 - 0.5 * t),
+                    _ => 0.5 * h * t * t,
+                };
+            }
+        }
+    }
+    for k in 0..size {
+        let mean = weights.iter().enumerate().map(|(p, w)| w * rows[(p, k)]).sum::<f64>() / total;
+        for (p, w) in weights.iter().enumerate() {
+            rows[(p, k)] = (rows[(p, k)] - mean) * w.sqrt();
+        }
+    }
+    Ok(transpose_times(&rows, &rows))
+}

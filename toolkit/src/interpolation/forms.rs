@@ -1,0 +1,135 @@
+//! Quadratic forms of continuous piecewise linears on the cells of an [`ElementMesh`]; v ↔ its values at the
+//! cell nodes.
+//!
+//! | form | matrix |
+//! | --- | --- |
+//! | ‖v − π^h v‖₀² = ‖(u − I^h u)'‖₀² | E = M − Σ_e m_e m_eᵀ / h_e |
+//! | ‖u − I^h u‖₀² | from the primitive of v − π^h v at Gauss points, exact |
+//! | \|v\|_r², 0 ≤ r ≤ 1, with the constants made positive | A_r + m mᵀ |
+//! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + M)⁻¹ E: the dual norm of ‖·‖\_{1/2} on the piecewise linears |
+//!
+//! m_e are the integrals of the hats over element e, m those over the interval. Dense, for meshes of some
+//! hundred cells. The forms with π^h vanish on constants, so m mᵀ changes no extremal quotient.
+
+use super::elements::ElementMesh;
+use crate::error::{Error, Result};
+use crate::numeric::dense::{Cholesky, transpose_times};
+use crate::quadrature::Rule;
+use crate::{FractionalOrder, Partition, gram_linears, mass_linears};
+use nalgebra::DMatrix;
+
+/// Largest number of cells for which dense matrices are built.
+pub(super) const MAX_CELLS: usize = 4096;
+
+/// Integrals of the hats over the cells of a range, for all nodes.
+pub(super) fn hat_integrals(cells: &Partition, range: std::ops::Range<usize>) -> Vec<f64> {
+    let mut integrals = vec![0.0; cells.len() + 1];
+    for i in range {
+        integrals[i] += 0.5 * cells.lengths()[i];
+        integrals[i + 1] += 0.5 * cells.lengths()[i];
+    }
+    integrals
+}
+
+/// Gram matrix of L².
+pub(super) fn mass_form(cells: &Partition) -> DMatrix<f64> {
+    let (diagonal, off_diagonal) = mass_linears(cells);
+    tridiagonal(&diagonal, &off_diagonal)
+}
+
+fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
+        0 => diagonal[i],
+        1 => off_diagonal[i.min(j)],
+        _ => 0.0,
+    })
+}
+
+/// |v|_r²: r = 0 is ‖v‖₀², r = 1 is ‖v'‖₀², between them the double integral of (1.1).
+pub(super) fn seminorm_form(cells: &Partition, r: f64) -> Result<DMatrix<f64>> {
+    Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
+    if r == 0.0 {
+        return Ok(mass_form(cells));
+    }
+    if r < 1.0 {
+        return Ok(gram_linears(cells, FractionalOrder::new(r)?));
+    }
+    let mut diagonal = vec![0.0; cells.len() + 1];
+    for (i, h) in cells.lengths().iter().enumerate() {
+        diagonal[i] += 1.0 / h;
+        diagonal[i + 1] += 1.0 / h;
+    }
+    Ok(tridiagonal(&diagonal, &cells.lengths().iter().map(|h| -1.0 / h).collect::<Vec<_>>()))
+}
+
+/// The form plus m mᵀ: positive definite.
+pub(super) fn without_constants(form: &DMatrix<f64>, cells: &Partition) -> DMatrix<f64> {
+    let m = hat_integrals(cells, 0..cells.len());
+    DMatrix::from_fn(m.len(), m.len(), |i, j| form[(i, j)] + m[i] * m[j])
+}
+
+/// ‖v − π^h v‖₀².
+pub(super) fn projection_form(mesh: &ElementMesh) -> DMatrix<f64> {
+    let mut form = mass_form(mesh.cells());
+    for (e, range) in mesh.elements().iter().enumerate() {
+        let m = hat_integrals(mesh.cells(), range.clone());
+        let h = mesh.length(e);
+        for i in range.start..=range.end {
+            for j in range.start..=range.end {
+                form[(i, j)] -= m[i] * m[j] / h;
+            }
+        }
+    }
+    form
+}
+
+/// ‖u − I^h u‖₀² for the slope v of u.
+pub(super) fn lagrange_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
+    // The primitive is quadratic on a cell, its square of degree four.
+    let rule = Rule::gauss_legendre(3)?;
+    let lengths = mesh.cells().lengths();
+    let mut form = DMatrix::<f64>::zeros(lengths.len() + 1, lengths.len() + 1);
+    for (e, range) in mesh.elements().iter().enumerate() {
+        let m = hat_integrals(mesh.cells(), range.clone());
+        let nodes = range.start..=range.end;
+        let total = mesh.length(e);
+        for i in range.clone() {
+            let h = lengths[i];
+            let from_left = mesh.cells().distance(range.start, i);
+            for (t, w) in rule.iter() {
+                let fraction = (from_left + h * t) / total;
+                let row: Vec<f64> = nodes
+                    .clone()
+                    .map(|k| {
+                        let before = if k > range.start { 0.5 * lengths[k - 1] } else { 0.0 };
+                        let primitive = match k {
+                            _ if k < i => m[k],
+                            _ if k == i => before + h * t * (1.0 - 0.5 * t),
+                            _ if k == i + 1 => 0.5 * h * t * t,
+                            _ => 0.0,
+                        };
+                        primitive - fraction * m[k]
+                    })
+                    .collect();
+                for (a, x) in nodes.clone().zip(&row) {
+                    for (b, y) in nodes.clone().zip(&row) {
+                        form[(a, b)] += h * w * x * y;
+                    }
+                }
+            }
+        }
+    }
+    Ok(form)
+}
+
+/// ‖v − π^h v‖²_{1/2,*} over the piecewise linears.
+pub(super) fn dual_projection_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
+    let cells = mesh.cells();
+    let size = cells.len() + 1;
+    let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
+    let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
+    let factor = Cholesky::new(&norm).ok_or_else(broken)?;
+    let load = projection_form(mesh);
+    let dual = transpose_times(&load, &factor.solve(&load));
+    Ok(DMatrix::from_fn(size, size, |i, j| 0.5 * (dual[(i, j)] + dual[(j, i)])))
+}

@@ -1,0 +1,207 @@
+//! Double integrals of |x − y|^{-1-2ν} over two elements (cells) of lengths p, q at distance d, against hat
+//! functions.
+//!
+//! Every integrand below has one sign, so every value has full relative accuracy, whatever p, q, d ≥ 1e-303
+//! of each other. Coordinates s, t run from the ends that face each other, so that |x − y| = d + s + t.
+//!
+//! - separate cells (d > 0): the inner integral in closed form ([`PowerKernel::hats`]), the outer one by
+//!   Gauss rules on pieces that grow away from the other cell; a tensor rule when both cells are shorter than
+//!   d;
+//! - touching cells (d = 0): the integrand is homogeneous of degree m = 1 − 2ν (quadratic numerator), so over
+//!   the two triangles of the rectangle (Duffy 1982) the radial integral is 1/(m + 2) = 1/(3 − 2ν) and one
+//!   closed 1D integral is left: ∫₀^p∫₀^q f(s,t) = pq/(m+2) [∫₀¹ f(p, qη) dη + ∫₀¹ f(pη, q) dη].
+//!
+//! Everything is computed in units of a power of two S near the geometric mean of the smallest and the
+//! largest scale of the integral, so that t^{-2ν} stays inside binary64 over 300 decades of t, and scaled
+//! back by S^{1-2ν}.
+
+use super::power::{PowerKernel, gauss_for, graded_gauss};
+use crate::numeric::scale::power_between;
+use crate::order::FractionalOrder;
+
+/// The integrals over pairs of cells for one order ν.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CellPairs {
+    kernel: PowerKernel,
+}
+
+/// Two touching cells of lengths p and q; each value is ∫∫ f (s+t)^{-1-2ν} over both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Touching {
+    /// f = (s/p)(t/q)
+    pub(crate) product: f64,
+    /// f = (s/p − t/q)²
+    pub(crate) difference_squared: f64,
+    /// f = (t/q)(s/p − t/q)
+    pub(crate) first: f64,
+    /// f = (s/p)(t/q − s/p)
+    pub(crate) second: f64,
+}
+
+impl CellPairs {
+    pub(crate) fn new(order: FractionalOrder) -> Self {
+        Self { kernel: PowerKernel::new(order) }
+    }
+
+    /// f(lengths / S) S^{1-2ν} for S a power of two near √(low high).
+    fn scaled<const N: usize, T: Scale>(
+        &self,
+        [low, high]: [f64; 2],
+        lengths: [f64; N],
+        f: impl FnOnce([f64; N]) -> T,
+    ) -> T {
+        let scale = power_between(low, high);
+        f(lengths.map(|length| length / scale)).times(self.kernel.scaling(scale))
+    }
+
+    /// ∫∫ λ_a(s) μ_b(t) (d+s+t)^{-1-2ν}, index 0 for the hat that is 1 at the facing end, 1 at the other; d >
+    /// 0.
+    pub(crate) fn separate(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
+        self.scaled([d, d.max(p).max(q)], [p, q, d], |[p, q, d]| {
+            if p <= d && q <= d {
+                self.far(p, q, d)
+            } else if p <= q {
+                self.near(p, q, d)
+            } else {
+                let [[a, b], [c, e]] = self.near(q, p, d);
+                [[a, c], [b, e]]
+            }
+        })
+    }
+
+    fn far(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
+        let (s_points, s_weights) = gauss_for(p / d);
+        let (t_points, t_weights) = gauss_for(q / d);
+        let mut sums = [[0.0; 2]; 2];
+        for (&s, &v) in s_points.iter().zip(s_weights) {
+            let start = d + p * s;
+            let (mut near, mut far) = (0.0, 0.0);
+            for (&t, &w) in t_points.iter().zip(t_weights) {
+                let value = w * self.kernel.at(start + q * t);
+                near += (1.0 - t) * value;
+                far += t * value;
+            }
+            sums[0][0] += v * (1.0 - s) * near;
+            sums[0][1] += v * (1.0 - s) * far;
+            sums[1][0] += v * s * near;
+            sums[1][1] += v * s * far;
+        }
+        sums.map(|row| row.map(|sum| p * q * sum))
+    }
+
+    /// p ≤ q: outer integral over p.
+    fn near(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
+        let mut sums = [[0.0; 2]; 2];
+        graded_gauss(d, p, |s, w| {
+            // w and s/p may both be tiny, the hats huge: their product is formed in this order.
+            let [near, far] = self.kernel.hats(d + s, q).map(|hat| w * hat);
+            let (left, right) = ((p - s) / p, s / p);
+            sums[0][0] += left * near;
+            sums[0][1] += left * far;
+            sums[1][0] += right * near;
+            sums[1][1] += right * far;
+        });
+        sums
+    }
+
+    /// ∫∫ (d+s+t)^{-1-2ν}, d > 0: two constants.
+    pub(crate) fn separate_constants(&self, p: f64, q: f64, d: f64) -> f64 {
+        let (p, q) = (p.min(q), p.max(q));
+        self.scaled([d, d.max(q)], [p, q, d], |[p, q, d]| {
+            let mut sum = 0.0;
+            if q <= d {
+                // The closed inner integral costs two powers, a short rule less.
+                let (points, weights) = gauss_for(q / d);
+                graded_gauss(d, p, |s, v| {
+                    let inner: f64 =
+                        points.iter().zip(weights).map(|(&t, &w)| w * self.kernel.at(d + s + q * t)).sum();
+                    sum += v * q * inner;
+                });
+            } else {
+                graded_gauss(d, p, |s, w| sum += w * self.kernel.whole(d + s, q));
+            }
+            sum
+        })
+    }
+
+    /// ∫∫ (s+t)^{-1-2ν} for ν < 1/2: two constants on touching cells.
+    pub(crate) fn touching_constants(&self, p: f64, q: f64) -> f64 {
+        self.scaled([p, q], [p, q], |[p, q]| {
+            (p * self.kernel.whole(p, q) + q * self.kernel.whole(q, p)) / self.kernel.one_minus
+        })
+    }
+
+    /// The quadratic integrals over two touching cells.
+    pub(crate) fn touching(&self, p: f64, q: f64) -> Touching {
+        self.scaled([p, q], [p, q], |[p, q]| {
+            // [(1-η)², 2η(1-η), η²] along the far side of each triangle
+            let along_q = self.kernel.squares(p, q);
+            let along_p = self.kernel.squares(q, p);
+            let scale = 1.0 / self.kernel.three_minus;
+            let far_q = 0.5 * along_q[1] + along_q[2];
+            let far_p = 0.5 * along_p[1] + along_p[2];
+            Touching {
+                product: scale * (p * far_q + q * far_p),
+                difference_squared: scale * (p * along_q[0] + q * along_p[0]),
+                first: scale * (p * 0.5 * along_q[1] - q * (along_p[0] + 0.5 * along_p[1])),
+                second: scale * (q * 0.5 * along_p[1] - p * (along_q[0] + 0.5 * along_q[1])),
+            }
+        })
+    }
+
+    /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat that vanishes at the common point against a
+    /// constant.
+    pub(crate) fn touching_square_constant(&self, p: f64, q: f64) -> f64 {
+        self.scaled([p, q], [p, q], |[p, q]| {
+            let along_q = self.kernel.whole(p, q);
+            let along_p = self.kernel.squares(q, p)[2];
+            (p * along_q + q * along_p) / self.kernel.three_minus
+        })
+    }
+
+    /// ∫_0^p w(s) ∫_0^q (d+s+t)^{-1-2ν} dt ds, d > 0, for w = (1 − s/p)² and w = (s/p)(1 − s/p).
+    pub(crate) fn weighted_against_constant(&self, p: f64, q: f64, d: f64) -> [f64; 2] {
+        self.scaled([d, d.max(p)], [p, q, d], |[p, q, d]| {
+            let mut sums = [0.0; 2];
+            graded_gauss(d, p, |s, w| {
+                let value = w * self.kernel.whole(d + s, q) * ((p - s) / p);
+                sums[0] += value * ((p - s) / p);
+                sums[1] += value * (s / p);
+            });
+            sums
+        })
+    }
+
+    /// ∫∫ (x−y)² / p² |x−y|^{-1-2ν} over one cell twice: 2 p^{1-2ν} / ((2−2ν)(3−2ν)).
+    pub(crate) fn own(&self, p: f64) -> f64 {
+        2.0 * self.kernel.scaling(p) / (self.kernel.two_minus * self.kernel.three_minus)
+    }
+}
+
+/// Values that scale together.
+trait Scale {
+    fn times(self, factor: f64) -> Self;
+}
+
+impl Scale for f64 {
+    fn times(self, factor: f64) -> Self {
+        self * factor
+    }
+}
+
+impl<T: Scale, const N: usize> Scale for [T; N] {
+    fn times(self, factor: f64) -> Self {
+        self.map(|value| value.times(factor))
+    }
+}
+
+impl Scale for Touching {
+    fn times(self, factor: f64) -> Self {
+        Self {
+            product: self.product * factor,
+            difference_squared: self.difference_squared * factor,
+            first: self.first * factor,
+            second: self.second * factor,
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! What input must be: as long as expected, and finite.
+
+use crate::error::{Error, Result};
+
+/// Fails unless `given` is `expected`.
+///
+/// # Errors
+/// [`Error::LengthMismatch`] under `name`.
+pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
+    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
+}
+
+/// Fails unless every value is finite.
+///
+/// # Errors
+/// [`Error::NotFinite`] under `name`, with the first index at which it is not.
+pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
+    values.iter().enumerate().try_for_each(|(index, &value)| require_finite_at(name, index, value))
+}
+
+/// Fails unless the value with this index is finite.
+///
+/// # Errors
+/// [`Error::NotFinite`] under `name`.
+pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<()> {
+    if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { name, index, value }) }
+}
+
+/// Fails unless there are `expected` values, all finite.
+///
+/// # Errors
+/// [`Error::LengthMismatch`], [`Error::NotFinite`].
+pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
+    require_length(name, values.len(), expected)?;
+    require_finite(name, values)
+}
+
+/// Fails unless the entry with this index satisfies `admissible`.
+pub(crate) fn require_entry(
+    name: &'static str,
+    index: usize,
+    value: f64,
+    range: &'static str,
+    admissible: bool,
+) -> Result<()> {
+    require_not_nan(name, index, value)?;
+    if admissible { Ok(()) } else { Err(Error::EntryOutOfRange { name, index, value, range }) }
+}
+
+fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<()> {
+    if value.is_nan() { Err(Error::NotFinite { name, index, value }) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        assert!(require_values("gap", &[1.0, 2.0], 2).is_ok());
+        let short = require_values("gap", &[1.0], 2);
+        assert_eq!(short, Err(Error::LengthMismatch { name: "gap", given: 1, expected: 2 }));
+        let infinite = require_finite("gap", &[1.0, f64::INFINITY]);
+        assert_eq!(infinite, Err(Error::NotFinite { name: "gap", index: 1, value: f64::INFINITY }));
+    }
+}

@@ -1,0 +1,96 @@
+//! Text files from outside: read whole but not without bound, and quoted in errors so that an error stays one
+//! short line whatever the file holds.
+
+use crate::error::{Error, Result};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// Longest file that is read: 2^30 bytes. A device that never ends is refused there.
+const LONGEST: u64 = 1 << 30;
+/// Characters of a word that are quoted.
+const QUOTED: usize = 40;
+
+/// The text of a file; bytes that are no UTF-8 become U+FFFD, so that what reads it names their line.
+///
+/// # Errors
+/// [`Error::File`] with what the system said, or for more than 2^30 bytes.
+pub(crate) fn read_text(path: &Path) -> Result<String> {
+    let failed = |error: std::io::Error| Error::file(path, error);
+    let mut bytes = Vec::new();
+    File::open(path).map_err(failed)?.take(LONGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(Error::file(path, "more than 2^30 bytes"));
+    }
+    Ok(match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => String::from_utf8_lossy(error.as_bytes()).into_owned(),
+    })
+}
+
+/// Two finite numbers per line, between blanks or commas; `#` begins a comment, lines without a word are
+/// passed over. Each pair with its line, from 1.
+///
+/// # Errors
+/// [`Error::Syntax`] with the line that is anything else.
+pub(crate) fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>> {
+    let mut pairs = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let content = line.split('#').next().unwrap_or("");
+        let mut words =
+            content.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty());
+        let fault = |what: &str| Error::Syntax {
+            format,
+            line: index + 1,
+            reason: format!("expected two numbers, found {}{what}", quoted(content.trim())),
+        };
+        let number = |word: &str| word.parse::<f64>().map_err(|_| fault(""));
+        let pair = match [words.next(), words.next(), words.next()] {
+            [None, ..] => continue,
+            [Some(first), Some(second), None] => [number(first)?, number(second)?],
+            _ => return Err(fault("")),
+        };
+        if !pair.iter().all(|value| value.is_finite()) {
+            return Err(fault(", which is not finite"));
+        }
+        pairs.push((index + 1, pair));
+    }
+    Ok(pairs)
+}
+
+/// The beginning of a word between quotation marks, without control characters.
+pub(crate) fn quoted(word: &str) -> String {
+    let more = if word.chars().nth(QUOTED).is_some() { "..." } else { "" };
+    let shown: String = word.chars().take(QUOTED).flat_map(char::escape_debug).collect();
+    format!("'{shown}{more}'")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_are_read_and_any_other_line_is_named() {
+        let read = pairs("# x, u\r\n0 1\r\n\n 0.5,2 # middle\r\n", "samples").unwrap();
+        assert_eq!(read, [(2, [0.0, 1.0]), (4, [0.5, 2.0])]);
+        for bad in ["0", "0 1 2", "0 x", "0 nan", "0 1 x", "0 inf", "\u{fffd} 1"] {
+            let refused = pairs(&format!("0 0\n{bad}\n"), "samples");
+            assert!(matches!(refused, Err(Error::Syntax { line: 2, .. })), "{bad}: {refused:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_quoted_is_short_and_plain() {
+        assert_eq!(quoted("a\u{1b}[2J\n"), r"'a\u{1b}[2J\n'");
+        assert_eq!(quoted(&"x".repeat(1 << 20)).len(), QUOTED + 5);
+    }
+
+    #[test]
+    fn directories_and_devices_without_end_are_refused() {
+        assert!(matches!(read_text(&std::env::temp_dir()), Err(Error::File { .. })));
+        let endless = Path::new("/dev/zero");
+        if endless.exists() {
+            assert!(matches!(read_text(endless), Err(Error::File { .. })));
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! The order ν of a fractional Sobolev space, 0 < ν < 1.
+
+use crate::error::{Error, Given, Result};
+use std::fmt;
+use std::str::FromStr;
+
+/// A fractional order 0 < ν < 1 that also knows ν − 1/2.
+///
+/// # Method
+///
+/// Formulas switch character at ν = 1/2 (traces, logarithms), and most of them hold 1 − 2ν in an exponent or
+/// a denominator. The offset δ = ν − 1/2 is therefore kept beside ν: orders such as 1/2 + 1e-20, whose ν
+/// rounds to 1/2, are admissible.
+#[doc(alias("H1/2", "Sobolev order", "nu", "fractional order"))]
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct FractionalOrder {
+    value: f64,
+    offset: f64,
+}
+
+impl FractionalOrder {
+    /// ν = 1/2, the order of traces.
+    pub const HALF: Self = Self { value: 0.5, offset: 0.0 };
+
+    /// The order ν itself.
+    ///
+    /// ```
+    /// use fractional_sobolev::FractionalOrder;
+    /// assert_eq!(FractionalOrder::new(0.5)?, FractionalOrder::HALF);
+    /// assert!(FractionalOrder::new(1.0).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < ν < 1.
+    pub fn new(nu: f64) -> Result<Self> {
+        let value = Error::require("nu", nu, "(0, 1)", nu > 0.0 && nu < 1.0)?;
+        // Exact for ν ≥ 1/4 (Sterbenz); below, δ ≤ −1/4 loses half an ulp and no formula cancels there.
+        let offset = value - 0.5;
+        Ok(Self { value, offset })
+    }
+
+    /// The order 1/2 + δ, with δ kept to full relative accuracy.
+    ///
+    /// ```
+    /// use fractional_sobolev::FractionalOrder;
+    /// let order = FractionalOrder::from_offset(-1e-20)?; // 1/2 − 1e-20 is no binary64 number
+    /// assert!(order.value() == 0.5 && order.offset() == -1e-20 && order.is_below_half());
+    /// assert!(order.complement() == 0.5 && order.one_minus_twice() == 2e-20);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless −1/2 < δ < 1/2.
+    pub fn from_offset(delta: f64) -> Result<Self> {
+        let value = 0.5 + delta;
+        let admissible = value > 0.0 && value < 1.0;
+        let offset = Error::require("nu - 1/2", delta, "(-1/2, 1/2)", admissible)?;
+        Ok(Self { value, offset })
+    }
+
+    /// ν.
+    pub const fn value(self) -> f64 {
+        self.value
+    }
+
+    /// ν − 1/2.
+    pub const fn offset(self) -> f64 {
+        self.offset
+    }
+
+    /// 1 − ν, exact for ν ≥ 1/2.
+    pub const fn complement(self) -> f64 {
+        1.0 - self.value
+    }
+
+    /// 1 − 2ν = −2(ν − 1/2): positive where indicator functions have a finite seminorm.
+    pub const fn one_minus_twice(self) -> f64 {
+        -2.0 * self.offset
+    }
+
+    /// ν < 1/2, the range in which piecewise constants belong to H^ν.
+    pub fn is_below_half(self) -> bool {
+        self.offset < 0.0
+    }
+}
+
+impl TryFrom<f64> for FractionalOrder {
+    type Error = Error;
+
+    fn try_from(nu: f64) -> Result<Self> {
+        Self::new(nu)
+    }
+}
+
+impl Given<Self> for FractionalOrder {
+    fn given(self) -> Result<Self> {
+        Ok(self)
+    }
+}
+
+impl Given<FractionalOrder> for f64 {
+    fn given(self) -> Result<FractionalOrder> {
+        FractionalOrder::new(self)
+    }
+}
+
+impl From<FractionalOrder> for f64 {
+    fn from(order: FractionalOrder) -> f64 {
+        order.value
+    }
+}
+
+impl fmt::Display for FractionalOrder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.offset != self.value - 0.5 && self.value >= 0.25 {
+            write!(f, "1/2{:+e}", self.offset)
+        } else if self.value < 1e-4 {
+            write!(f, "{:e}", self.value)
+        } else {
+            write!(f, "{}", self.value)
+        }
+    }
+}
+
+impl FromStr for FractionalOrder {
+    type Err = Error;
+
+    /// A number in (0, 1), `1/2`, or `1/2` with a signed offset such as `1/2+1e-20`.
+    fn from_str(text: &str) -> Result<Self> {
+        let text = text.trim();
+        match text.strip_prefix("1/2") {
+            Some("") => Ok(Self::HALF),
+            Some(offset) if offset.starts_with(['+', '-']) => {
+                offset.parse().map_or_else(|_| Err(unreadable(text)), Self::from_offset)
+            }
+            _ => text.parse().map_or_else(|_| Err(unreadable(text)), Self::new),
+        }
+    }
+}
+
+fn unreadable(text: &str) -> Error {
+    Error::UnknownName {
+        what: "order nu",
+        given: text.to_owned(),
+        expected: "a number in (0, 1), 1/2, or 1/2+offset",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn orders_are_read_and_keep_their_offset() {
+        let half: FractionalOrder = "1/2".parse().unwrap();
+        assert_eq!((half.value(), half.offset()), (0.5, 0.0));
+        let near: FractionalOrder = "1/2-1e-20".parse().unwrap();
+        assert_eq!((near.value(), near.offset()), (0.5, -1e-20));
+        assert!(near.is_below_half() && !half.is_below_half());
+        assert_eq!(near.to_string(), "1/2-1e-20");
+        assert_eq!(near.to_string().parse(), Ok(near));
+        assert_eq!("0.3".parse(), FractionalOrder::new(0.3));
+        assert_eq!(FractionalOrder::new(0.25).unwrap().one_minus_twice(), 0.5);
+    }
+
+    #[test]
+    fn orders_outside_the_open_interval_are_errors() {
+        for bad in ["0", "1", "-0.1", "nan", "inf", "1/2+0.5", "1/2 0.1", "half", ""] {
+            assert!(bad.parse::<FractionalOrder>().is_err(), "{bad}");
+        }
+        assert!(FractionalOrder::try_from(f64::NAN).is_err());
+    }
+}

@@ -1,0 +1,300 @@
+//! Partitions of an interval given by the *lengths* of their elements.
+
+use super::grading::{algebraic_lengths, geometric_lengths, require_length_of_interval};
+use crate::error::{Error, Result};
+use crate::numeric::check::{require_entry, require_finite};
+use crate::numeric::memory::require_memory;
+use crate::numeric::scale::power_between;
+use crate::numeric::sum::RunningSum;
+
+/// Longest admissible quotient of the interval's length by an element's length.
+///
+/// Scaled by its own size, every integral over two elements then stays inside the range of binary64.
+const LARGEST_RATIO: f64 = 1e303;
+
+/// Of one element: its length, its distances, and what their sums take on the way.
+const BYTES: usize = 48;
+
+/// Elements of an interval, left to right.
+///
+/// # Method
+///
+/// Distances between elements are sums of lengths, never differences of coordinates: an element of length
+/// 1e-300 may sit beside one of length 1 anywhere in the interval, and every distance keeps full relative
+/// accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
+/// relative error about 1 ulp whatever the count.
+///
+/// ```
+/// use fractional_sobolev::Partition;
+/// let mesh = Partition::from_nodes(&[0.0, 0.25, 1.0])?;
+/// assert_eq!(mesh.lengths(), Partition::from_lengths(vec![0.25, 0.75])?.lengths());
+/// assert!(mesh.len() == 2 && !mesh.is_empty() && mesh.total() == 1.0 && mesh.left() == 0.0);
+/// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
+/// assert_eq!((mesh.distance(0, 2), mesh.uniform_length()), (1.0, None));
+/// // graded to both ends, and to a point inside
+/// assert_eq!(Partition::two_sided(1, 0.5, 1.0)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+/// let graded = Partition::graded_to_points(&[0.0, 0.3, 1.0], 20, 0.5)?;
+/// assert!(graded.lengths().iter().any(|&h| h < 1e-6));
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[doc(alias("mesh", "grid", "graded mesh", "interval"))]
+#[derive(Debug, Clone, PartialEq)]
+pub struct Partition {
+    left: f64,
+    lengths: Vec<f64>,
+    /// distance of node i from the left end
+    from_left: Vec<f64>,
+    /// distance of node i from the right end
+    from_right: Vec<f64>,
+}
+
+impl Partition {
+    /// The partition with the given element lengths, left end at 0.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] without elements, [`Error::EntryOutOfRange`] for a length that is not positive
+    /// and finite, [`Error::OutOfRange`] for a total length that overflows, or when the total length exceeds
+    /// 1e303 times the shortest element.
+    pub fn from_lengths(lengths: Vec<f64>) -> Result<Self> {
+        Self::at(0.0, lengths)
+    }
+
+    /// The partition with the given nodes; lengths are their differences.
+    ///
+    /// # Errors
+    /// As [`Partition::from_lengths`]; [`Error::EntryOutOfRange`] unless nodes increase; [`Error::NotFinite`].
+    pub fn from_nodes(nodes: &[f64]) -> Result<Self> {
+        require_finite("node", nodes)?;
+        for (k, pair) in nodes.windows(2).enumerate() {
+            require_entry("node", k + 1, pair[1], "numbers above the node before", pair[0] < pair[1])?;
+        }
+        let left = nodes.first().copied().unwrap_or(0.0);
+        Self::at(left, nodes.windows(2).map(|pair| pair[1] - pair[0]).collect())
+    }
+
+    /// `count` elements of equal length on (0, length).
+    ///
+    /// # Errors
+    /// As [`Partition::from_lengths`]; [`Error::TooLarge`] for more elements than memory holds.
+    pub fn uniform(count: usize, length: f64) -> Result<Self> {
+        require_memory("elements", count, BYTES)?;
+        require_length_of_interval(length)?;
+        Self::from_lengths(vec![length / count.max(1) as f64; count])
+    }
+
+    /// Nodes 0, L σ^{m}, ..., L σ, L: lengths shrink by σ towards the left end, where the first element has
+    /// length L σ^m.
+    ///
+    /// ```
+    /// use fractional_sobolev::Partition;
+    /// let mesh = Partition::geometric(3, 0.5, 1.0)?;
+    /// assert_eq!(mesh.nodes(), [0.0, 0.125, 0.25, 0.5, 1.0]);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Partition::uniform`]; [`Error::OutOfRange`] unless 0 < σ < 1.
+    pub fn geometric(layers: usize, ratio: f64, length: f64) -> Result<Self> {
+        require_memory("layers", layers, BYTES)?;
+        Self::from_lengths(geometric_lengths(layers, ratio, length)?)
+    }
+
+    /// Nodes L (i/n)^β, i = 0, ..., n, β > 0: short elements at the left end for β > 1, as powers x^a want
+    /// them. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
+    ///
+    /// ```
+    /// use fractional_sobolev::Partition;
+    /// assert_eq!(Partition::algebraic(4, 2.0, 16.0)?.nodes(), [0.0, 1.0, 4.0, 9.0, 16.0]);
+    /// assert_eq!(Partition::two_sided_algebraic(2, 2.0, 8.0)?.nodes(), [0.0, 1.0, 4.0, 7.0, 8.0]);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Partition::uniform`]; [`Error::OutOfRange`] unless 0 < β < ∞.
+    pub fn algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
+        require_memory("elements", count, BYTES)?;
+        Self::from_lengths(algebraic_lengths(count, exponent, length)?)
+    }
+
+    /// As [`Partition::algebraic`] from both ends: `count` elements on either half.
+    ///
+    /// # Errors
+    /// As [`Partition::algebraic`].
+    pub fn two_sided_algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
+        require_memory("elements", count, 2 * BYTES)?;
+        let mut lengths = algebraic_lengths(count, exponent, 0.5 * length)?;
+        let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
+        lengths.extend(mirrored);
+        Self::from_lengths(lengths)
+    }
+
+    /// Geometric from both ends towards the middle: the shortest elements, L/2 σ^m, lie at the two ends.
+    ///
+    /// # Errors
+    /// As [`Partition::geometric`].
+    pub fn two_sided(layers: usize, ratio: f64, length: f64) -> Result<Self> {
+        require_memory("layers", layers, 2 * BYTES)?;
+        let mut lengths = geometric_lengths(layers, ratio, 0.5 * length)?;
+        let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
+        lengths.extend(mirrored);
+        Self::from_lengths(lengths)
+    }
+
+    /// Geometric towards the ends of the interval and towards every given break point in it.
+    ///
+    /// # Errors
+    /// As [`Partition::two_sided`], on each part between neighbouring points.
+    pub fn graded_to_points(points: &[f64], layers: usize, ratio: f64) -> Result<Self> {
+        let coarse = Self::from_nodes(points)?;
+        require_memory("layers", layers, 2 * BYTES * coarse.len())?;
+        let mut lengths = Vec::with_capacity(2 * (layers + 1) * coarse.len());
+        for &length in &coarse.lengths {
+            lengths.extend(Self::two_sided(layers, ratio, length)?.lengths);
+        }
+        Self::at(coarse.left, lengths)
+    }
+
+    /// (λ, the partition in units of λ), λ a power of two: where lengths lie beyond 1e-100 ... 1e100, the one
+    /// between the shortest and the longest, so that squares and powers of them are numbers of binary64; else
+    /// 1.
+    pub(crate) fn of_moderate_lengths(&self) -> Result<(f64, Self)> {
+        let shortest = self.lengths.iter().copied().fold(f64::INFINITY, f64::min);
+        if shortest >= 1e-100 && self.total() <= 1e100 {
+            return Ok((1.0, self.clone()));
+        }
+        let unit = power_between(shortest, self.total());
+        let lengths = self.lengths.iter().map(|length| length / unit).collect();
+        Ok((unit, Self::at(0.0, lengths)?))
+    }
+
+    fn at(left: f64, lengths: Vec<f64>) -> Result<Self> {
+        if lengths.is_empty() {
+            return Err(Error::CountOutOfRange { name: "elements", value: 0, range: ">= 1" });
+        }
+        for (index, &length) in lengths.iter().enumerate() {
+            require_entry("element length", index, length, "(0, inf)", length > 0.0 && length.is_finite())?;
+        }
+        let from_left = running_sums(lengths.iter().copied());
+        let mut from_right = running_sums(lengths.iter().rev().copied());
+        from_right.reverse();
+        let total = from_left[lengths.len()];
+        Error::require("total length", total, "finite", total.is_finite())?;
+        let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
+        let admissible = shortest >= f64::MIN_POSITIVE && total / shortest <= LARGEST_RATIO;
+        let range = "[2.3e-308, inf) and at least 1e-303 of the interval";
+        Error::require("shortest element length", shortest, range, admissible)?;
+        Ok(Self { left, lengths, from_left, from_right })
+    }
+
+    /// Number of elements.
+    pub fn len(&self) -> usize {
+        self.lengths.len()
+    }
+
+    /// Never true: a partition has at least one element.
+    pub fn is_empty(&self) -> bool {
+        self.lengths.is_empty()
+    }
+
+    /// Element lengths, left to right.
+    pub fn lengths(&self) -> &[f64] {
+        &self.lengths
+    }
+
+    /// Length of the interval.
+    pub fn total(&self) -> f64 {
+        self.from_left[self.lengths.len()]
+    }
+
+    /// Coordinate of the left end.
+    pub fn left(&self) -> f64 {
+        self.left
+    }
+
+    /// Distances of the nodes 0..=len from the left end.
+    pub fn from_left(&self) -> &[f64] {
+        &self.from_left
+    }
+
+    /// Distances of the nodes 0..=len from the right end.
+    pub fn from_right(&self) -> &[f64] {
+        &self.from_right
+    }
+
+    /// Coordinates of the nodes, rounded: for evaluation and plotting, not for distances.
+    pub fn nodes(&self) -> Vec<f64> {
+        self.from_left.iter().map(|d| self.left + d).collect()
+    }
+
+    /// Distance between the nodes i and j, as a sum of lengths. Cost O(|i − j|).
+    pub fn distance(&self, i: usize, j: usize) -> f64 {
+        let (low, high) = (i.min(j), i.max(j));
+        let mut sum = RunningSum::default();
+        self.lengths[low..high].iter().for_each(|&h| sum.add(h));
+        sum.value()
+    }
+
+    /// The common length, when all lengths agree to the last digit.
+    pub fn uniform_length(&self) -> Option<f64> {
+        let first = self.lengths[0];
+        self.lengths.iter().all(|&h| h == first).then_some(first)
+    }
+}
+
+fn running_sums(lengths: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut sum = RunningSum::default();
+    let mut sums = vec![0.0];
+    for length in lengths {
+        sum.add(length);
+        sums.push(sum.value());
+    }
+    sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_sums_of_lengths() {
+        let partition = Partition::from_lengths(vec![1.0, 1e-300, 2e-300, 1.0]).unwrap();
+        assert_eq!(partition.distance(1, 3), 3e-300);
+        assert_eq!(partition.total(), 2.0);
+        assert_eq!(partition.from_right()[3], 1.0);
+        let many = Partition::uniform(1_000_000, 1.0).unwrap();
+        assert!((many.total() - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn constructors_have_the_nodes_they_promise() {
+        let geometric = Partition::geometric(3, 0.5, 8.0).unwrap();
+        assert_eq!(geometric.nodes(), [0.0, 1.0, 2.0, 4.0, 8.0]);
+        let two = Partition::two_sided(2, 0.5, 8.0).unwrap();
+        assert_eq!(two.nodes(), [0.0, 1.0, 2.0, 4.0, 6.0, 7.0, 8.0]);
+        let graded = Partition::graded_to_points(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
+        assert_eq!(graded.len(), 8);
+        assert_eq!(graded.total(), 1.0);
+        for exponent in [0.5, 1.0, 3.0, 20.0] {
+            let mesh = Partition::algebraic(1000, exponent, 2.0).unwrap();
+            for (i, x) in mesh.nodes().into_iter().enumerate() {
+                let exact = 2.0 * (i as f64 / 1000.0).powf(exponent);
+                assert!((x - exact).abs() <= 1e-14 * exact, "{exponent} {i}: {x:e} {exact:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn bad_partitions_are_errors() {
+        assert!(Partition::from_nodes(&[0.0, 1.0, 1.0]).is_err());
+        assert!(Partition::from_nodes(&[0.0, f64::NAN, 1.0]).is_err());
+        assert!(Partition::from_nodes(&[0.0, f64::INFINITY]).is_err());
+        assert!(Partition::from_nodes(&[]).is_err());
+        assert!(Partition::uniform(0, 1.0).is_err());
+        assert!(Partition::from_lengths(vec![1e-300, 1e300]).is_err());
+        assert!(Partition::geometric(3, 1.0, 1.0).is_err());
+        for exponent in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e5] {
+            assert!(Partition::algebraic(3, exponent, 1.0).is_err(), "{exponent}");
+        }
+        assert!(Partition::algebraic(0, 2.0, 1.0).is_err());
+    }
+}

@@ -1,0 +1,80 @@
+//! The cells of a piecewise polynomial as the moments want them.
+
+use super::pairs::{Cell, PolynomialPairs};
+use super::polynomial::PiecewisePolynomial;
+use crate::energy::{CellEnergies, PairSum, Samples, energy};
+use crate::error::Result;
+use crate::estimate::{Estimate, Tolerance};
+use crate::order::FractionalOrder;
+use crate::quadrature::Rule;
+
+/// Elements of a leaf up to this degree, above which a pair of cells costs as much as one of clusters.
+const LOW_DEGREE: usize = 2;
+const LEAF: usize = 4;
+/// Points of a rule beyond the degree: half as many as a cluster has, and one.
+const MOMENT_POINTS: usize = 15;
+/// Asked of the interpolated kernel, over the tolerance of the root.
+const SHARE: f64 = 0.2;
+
+/// A piecewise polynomial with rules for its degrees.
+pub(crate) struct PolynomialCells<'a> {
+    u: &'a PiecewisePolynomial,
+    pairs: Vec<PolynomialPairs>,
+    rules: Vec<Rule>,
+}
+
+impl<'a> PolynomialCells<'a> {
+    /// Rules to the relative accuracy `target`.
+    pub(crate) fn new(u: &'a PiecewisePolynomial, order: FractionalOrder, target: f64) -> Result<Self> {
+        let degrees = 0..=u.degree();
+        Ok(Self {
+            u,
+            pairs: degrees
+                .clone()
+                .map(|d| PolynomialPairs::new(order, d.max(1), 0.1 * target))
+                .collect::<Result<_>>()?,
+            rules: degrees.map(|d| Rule::gauss_legendre(d + MOMENT_POINTS)).collect::<Result<_>>()?,
+        })
+    }
+
+    fn cell(&self, e: usize) -> Cell<'_> {
+        Cell { length: self.u.partition().lengths()[e], piece: &self.u.pieces()[e] }
+    }
+}
+
+impl Samples for PolynomialCells<'_> {
+    fn level(&self, cell: usize) -> f64 {
+        self.u.pieces()[cell].left
+    }
+
+    fn sample(&self, cell: usize, shift: f64, visit: &mut dyn FnMut(f64, f64, f64)) {
+        let piece = &self.u.pieces()[cell];
+        for (t, w) in self.rules[piece.degree()].iter() {
+            visit(t, w, piece.value_above(shift, t));
+        }
+    }
+}
+
+impl CellEnergies for PolynomialCells<'_> {
+    fn near(&self, e: usize, f: usize, gap: f64) -> PairSum {
+        let (left, right) = (self.cell(e), self.cell(f));
+        let pairs = &self.pairs[left.piece.degree().max(right.piece.degree())];
+        match f - e {
+            0 => pairs.own(left),
+            1 => pairs.touching(left, right, self.u.jump(f)),
+            _ => pairs.separate(left, right, gap),
+        }
+    }
+
+    fn leaf(&self) -> usize {
+        if self.u.degree() <= LOW_DEGREE { LEAF } else { 1 }
+    }
+}
+
+impl PiecewisePolynomial {
+    /// |u|²_ν by moments, far pairs to the tolerance.
+    pub(super) fn by_moments(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        let target = SHARE * tolerance.relative();
+        energy(self.partition(), &PolynomialCells::new(self, order, target)?, order, target)
+    }
+}

@@ -1,0 +1,184 @@
+//! ∫∫ (u(x)−u(y))² |x−y|^{-1-2ν} over pairs of elements for polynomials of any degree, as sums of squares.
+//!
+//! - own element: x − y = hζ gives 2 h^{1-2ν} ∫₀¹ ζ^{1-2ν} ∫ q² dt dζ with the difference quotient q, a
+//!   polynomial computed as the mean of u' over (t, t+ζ);
+//! - touching elements, jump J: u(x)−u(y) = J + ξD in Duffy's coordinates, D from quotients that hold the
+//!   common value exactly;
+//! - separate elements: Gauss rules on pieces that grow away from the other element.
+
+use super::polynomial::Piece;
+use crate::energy::PairSum;
+use crate::error::Result;
+use crate::kernel::power::{GaussRules, PowerKernel};
+use crate::numeric::scale::power_between;
+use crate::order::FractionalOrder;
+use crate::quadrature::{PowerWeightRule, Rule};
+
+/// An element with its polynomial.
+#[derive(Clone, Copy)]
+pub(crate) struct Cell<'a> {
+    pub(crate) length: f64,
+    pub(crate) piece: &'a Piece,
+}
+
+/// The rules for polynomials up to one degree.
+pub(crate) struct PolynomialPairs {
+    kernel: PowerKernel,
+    rules: GaussRules,
+    /// of ∫∫ over one element twice, for the slope of the linear part and the bubbles
+    own: Vec<Vec<f64>>,
+    /// weights t^{1-2ν} and t^{2-2ν}
+    quotient_rule: PowerWeightRule,
+    square_rule: PowerWeightRule,
+}
+
+/// Rounding of the form of one element, relative to its terms.
+const OWN_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+impl PolynomialPairs {
+    /// For polynomials up to `degree`; integrals of the kernel to the relative accuracy `target`.
+    pub(crate) fn new(order: FractionalOrder, degree: usize, target: f64) -> Result<Self> {
+        let kernel = PowerKernel::new(order);
+        let points = 2 * degree + 1;
+        let mut pairs = Self {
+            kernel,
+            rules: GaussRules::to(degree, target),
+            own: Vec::new(),
+            quotient_rule: PowerWeightRule::new(points, kernel.two_minus)?,
+            square_rule: PowerWeightRule::new(points, kernel.three_minus)?,
+        };
+        pairs.own = pairs.own_form(degree, &Rule::gauss_legendre(degree + 1)?);
+        Ok(pairs)
+    }
+
+    /// The form of one element of length one, for its slope and its bubbles.
+    fn own_form(&self, degree: usize, inner: &Rule) -> Vec<Vec<f64>> {
+        let unit = |k: usize| Piece {
+            left: 0.0,
+            right: if k == 0 { 1.0 } else { 0.0 },
+            bubbles: (1..degree).map(|j| if j == k { 1.0 } else { 0.0 }).collect(),
+        };
+        let basis: Vec<Piece> = (0..degree).map(unit).collect();
+        let mut form = vec![vec![0.0; degree]; degree];
+        for (zeta, w) in self.quotient_rule.iter() {
+            for (tau, v) in inner.iter() {
+                let t = (1.0 - zeta) * tau;
+                let quotient = |piece: &Piece| inner.integrate(|r| piece.slope(t + r * zeta));
+                let quotients: Vec<f64> = basis.iter().map(quotient).collect();
+                let weight = 2.0 * w * v * (1.0 - zeta);
+                for (row, a) in form.iter_mut().zip(&quotients) {
+                    row.iter_mut().zip(&quotients).for_each(|(entry, b)| *entry += weight * a * b);
+                }
+            }
+        }
+        form
+    }
+
+    /// Over one element twice.
+    pub(crate) fn own(&self, cell: Cell) -> PairSum {
+        let slope = cell.piece.right - cell.piece.left;
+        let coefficients = || std::iter::once(&slope).chain(&cell.piece.bubbles);
+        let (mut value, mut size) = (0.0, 0.0);
+        for (a, row) in coefficients().zip(&self.own) {
+            let along: f64 = coefficients().zip(row).map(|(b, entry)| b * entry).sum();
+            let absolute: f64 = coefficients().zip(row).map(|(b, entry)| (b * entry).abs()).sum();
+            value += a * along;
+            size += a.abs() * absolute;
+        }
+        let factor = self.kernel.scaling(cell.length);
+        PairSum { value: factor * value, rounding: factor * OWN_ROUNDING * size, points: 1 }
+    }
+
+    /// Over two neighbours, both orders; `jump` = value of the right one minus value of the left one at the
+    /// common node.
+    pub(crate) fn touching(&self, left: Cell, right: Cell, jump: f64) -> PairSum {
+        let (p, q) = (left.length, right.length);
+        let scale = power_between(p, q);
+        let (a, b) = (p / scale, q / scale);
+        let mut sum = PairSum::default();
+        // Triangle s = ξ, t = ξη (in units of the elements) and its mirror image s = ξη, t = ξ.
+        for mirrored in [false, true] {
+            let (x, length) = if mirrored { (b, a) } else { (a, b) };
+            // The element along which ξ runs alone has the same quotients for every η.
+            let along: Vec<f64> = self
+                .square_rule
+                .iter()
+                .map(
+                    |(xi, _)| {
+                        if mirrored { right.piece.quotient_left(xi) } else { left.piece.quotient_right(xi) }
+                    },
+                )
+                .collect();
+            // η from 0 to 1 runs over (0, length); the kernel's singularity lies at −x.
+            self.rules.graded(x, length, |eta_length, w| {
+                let eta = eta_length / length;
+                let kernel = w * (x / (x + eta_length)) * (x + eta_length).powf(-self.kernel.twice);
+                // u(x) − u(y) over ξ, up to its sign
+                let difference = |xi: f64, alone: f64| {
+                    let t = xi * eta;
+                    alone
+                        - eta
+                            * if mirrored {
+                                left.piece.quotient_right(t)
+                            } else {
+                                right.piece.quotient_left(t)
+                            }
+                };
+                let pairs = self.square_rule.iter().zip(&along);
+                let mut radial: f64 = pairs.map(|((xi, w), &alone)| w * difference(xi, alone).powi(2)).sum();
+                if jump != 0.0 {
+                    let sign = if mirrored { 2.0 } else { -2.0 };
+                    // Both rules have the Gauss points.
+                    let points = self.quotient_rule.iter().zip(&along);
+                    let linear: f64 = points.map(|((xi, w), &alone)| w * difference(xi, alone)).sum();
+                    radial += sign * jump * linear + jump * jump / self.kernel.one_minus;
+                }
+                sum.value += kernel * radial;
+                sum.points += 1;
+            });
+        }
+        sum.value *= 2.0 * self.kernel.scaling(scale);
+        sum
+    }
+
+    /// Over two elements at distance d > 0, both orders.
+    pub(crate) fn separate(&self, left: Cell, right: Cell, d: f64) -> PairSum {
+        let (p, q) = (left.length, right.length);
+        let largest = p.max(q).max(d);
+        let scale = power_between(d, largest);
+        let [p, q, d] = [p, q, d].map(|x| x / scale);
+        let size = left.piece.size().max(right.piece.size());
+        let mut sum = PairSum::default();
+        let mut add = |distance: f64, weight: f64, difference: f64| {
+            let weight = weight * distance.powf(-self.kernel.twice);
+            sum.value += weight * difference * difference;
+            sum.rounding += weight * difference.abs();
+            sum.points += 1;
+        };
+        if p <= d && q <= d {
+            let (t_points, t_weights) = self.rules.simple(q / d);
+            let values: Vec<f64> = t_points.iter().map(|&t| right.piece.value(t)).collect();
+            let (s_points, s_weights) = self.rules.simple(p / d);
+            for (&s, &v) in s_points.iter().zip(s_weights) {
+                let value = left.piece.value(1.0 - s);
+                for ((&t, &w), &other) in t_points.iter().zip(t_weights).zip(&values) {
+                    let distance = d + p * s + q * t;
+                    add(distance, v * p * (w * q / distance), other - value);
+                }
+            }
+        } else {
+            self.rules.graded(d, p, |s, v| {
+                let value = left.piece.value(1.0 - s / p);
+                self.rules.graded(d + s, q, |t, w| {
+                    let distance = d + s + t;
+                    add(distance, v * (w / distance), right.piece.value(t / q) - value);
+                });
+            });
+        }
+        let factor = 2.0 * self.kernel.scaling(scale);
+        // Each value carries a few roundings of its size.
+        sum.rounding *= factor * 8.0 * f64::EPSILON * size;
+        sum.value *= factor;
+        sum
+    }
+}

@@ -1,0 +1,299 @@
+//! Piecewise polynomials on a [`Partition`].
+
+use crate::error::{Error, Result};
+use crate::numeric::check::{require_finite_at, require_length, require_values};
+use crate::numeric::legendre;
+use crate::partition::Partition;
+use crate::quadrature::Rule;
+use std::ops::Range;
+
+/// Highest polynomial degree on an element.
+const MAX_DEGREE: usize = 20;
+
+/// Jumps below this multiple of the values on both sides are rounding, not jumps.
+const JUMP_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A polynomial on one element.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Piece {
+    pub(crate) left: f64,
+    pub(crate) right: f64,
+    pub(crate) bubbles: Vec<f64>,
+}
+
+/// A polynomial on every element of a partition.
+///
+/// On an element of length h, with t ∈ (0, 1) from left to right,
+/// u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
+/// then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
+#[doc(alias("Gagliardo", "Slobodeckij", "fractional Sobolev", "H1/2", "P1", "P0", "finite element"))]
+#[derive(Debug, Clone, PartialEq)]
+pub struct PiecewisePolynomial {
+    partition: Partition,
+    pieces: Vec<Piece>,
+}
+
+impl PiecewisePolynomial {
+    /// Piecewise constant, one value per element.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn constants(partition: Partition, values: &[f64]) -> Result<Self> {
+        require_length("values of elements", values.len(), partition.len())?;
+        let ends: Vec<[f64; 2]> = values.iter().map(|&v| [v, v]).collect();
+        Self::discontinuous_linears(partition, &ends)
+    }
+
+    /// Continuous piecewise linear, one value per node.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance};
+    /// let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
+    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::reference())?;
+    /// assert!((found.value - 1.0).abs() < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn linears(partition: Partition, values: &[f64]) -> Result<Self> {
+        require_values("values of nodes", values, partition.len() + 1)?;
+        let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        Self::discontinuous_linears(partition, &ends)
+    }
+
+    /// Piecewise linear with two values per element, at its left and right end.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn discontinuous_linears(partition: Partition, ends: &[[f64; 2]]) -> Result<Self> {
+        let none = vec![Vec::new(); ends.len()];
+        Self::with_bubbles(partition, ends, none)
+    }
+
+    /// Values at the element ends and coefficients c_k of t(1−t) P_k(2t−1), any number per element.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::EntryOutOfRange`] beyond degree 20.
+    pub fn with_bubbles(partition: Partition, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
+        require_length("end values", ends.len(), partition.len())?;
+        require_length("bubble coefficients", bubbles.len(), partition.len())?;
+        let mut pieces = Vec::with_capacity(ends.len());
+        for (index, (&[left, right], bubbles)) in ends.iter().zip(bubbles).enumerate() {
+            for &value in [left, right].iter().chain(&bubbles) {
+                require_finite_at("value", index, value)?;
+            }
+            if bubbles.len() + 1 > MAX_DEGREE {
+                let (name, value) = ("polynomial degree", (bubbles.len() + 1) as f64);
+                return Err(Error::EntryOutOfRange { name, index, value, range: "1 ..= 20" });
+            }
+            pieces.push(Piece { left, right, bubbles });
+        }
+        Ok(Self { partition, pieces })
+    }
+
+    /// Polynomials of the given degree that agree with f at the nodes and whose bubbles are the L²(t(1−t))
+    /// projection of the rest; continuous. f is called with the distance from the left end.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
+    pub fn interpolate(partition: Partition, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
+        if degree == 0 || degree > MAX_DEGREE {
+            return Err(Error::CountOutOfRange { name: "polynomial degree", value: degree, range: "1..=20" });
+        }
+        let nodes: Vec<f64> = partition.from_left().iter().map(|&x| f(x)).collect();
+        let mut ends = Vec::new();
+        let mut bubbles = Vec::new();
+        for (i, pair) in nodes.windows(2).enumerate() {
+            let (start, h) = (partition.from_left()[i], partition.lengths()[i]);
+            ends.push([pair[0], pair[1]]);
+            bubbles.push(bubbles_of(degree, [pair[0], pair[1]], |t| f(start + h * t))?);
+        }
+        Self::with_bubbles(partition, &ends, bubbles)
+    }
+
+    /// The partition.
+    pub fn partition(&self) -> &Partition {
+        &self.partition
+    }
+
+    /// Highest degree of a piece (bubbles are counted whether zero or not).
+    pub fn degree(&self) -> usize {
+        self.pieces.iter().map(Piece::degree).max().unwrap_or(0)
+    }
+
+    /// Value at local coordinate t ∈ [0, 1] of an element.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] when there is no such element; [`Error::OutOfRange`] for t outside [0, 1].
+    pub fn value(&self, element: usize, t: f64) -> Result<f64> {
+        Error::require("local coordinate", t, "[0, 1]", (0.0..=1.0).contains(&t))?;
+        let piece = self.pieces.get(element).ok_or(Error::CountOutOfRange {
+            name: "element",
+            value: element,
+            range: "below the number of elements",
+        })?;
+        Ok(piece.value(t))
+    }
+
+    /// The part on the given elements.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for an empty range or one that leaves the partition.
+    pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
+        if elements.is_empty() || elements.end > self.pieces.len() {
+            return Err(Error::CountOutOfRange {
+                name: "end of the element range",
+                value: elements.end,
+                range: "a nonempty range of elements",
+            });
+        }
+        Ok(Self {
+            partition: Partition::from_lengths(self.partition.lengths()[elements.clone()].to_vec())?,
+            pieces: self.pieces[elements].to_vec(),
+        })
+    }
+
+    /// The elementwise derivative.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] when a slope overflows.
+    pub fn derivative(&self) -> Result<Self> {
+        let mut ends = Vec::with_capacity(self.pieces.len());
+        let mut bubbles = Vec::with_capacity(self.pieces.len());
+        for (piece, &h) in self.pieces.iter().zip(self.partition.lengths()) {
+            let at = |t: f64| piece.slope(t) / h;
+            let pair = [at(0.0), at(1.0)];
+            ends.push(pair);
+            bubbles.push(bubbles_of(piece.bubbles.len(), pair, at)?);
+        }
+        Self::with_bubbles(self.partition.clone(), &ends, bubbles)
+    }
+
+    /// True when neighbouring pieces agree at their common node to 64 ulps of the larger of their values.
+    pub fn is_continuous(&self) -> bool {
+        (1..self.pieces.len()).all(|node| self.jump(node) == 0.0)
+    }
+
+    /// Jump across the inner node 1 ≤ i < N; zero when it is rounding.
+    pub(crate) fn jump(&self, node: usize) -> f64 {
+        let (a, b) = (&self.pieces[node - 1], &self.pieces[node]);
+        let jump = b.left - a.right;
+        let scale = a.size().max(b.size());
+        if jump.abs() <= JUMP_ROUNDING * scale { 0.0 } else { jump }
+    }
+
+    /// c u.
+    pub(crate) fn scaled_by(&self, factor: f64) -> Self {
+        let scaled = |piece: &Piece| Piece {
+            left: factor * piece.left,
+            right: factor * piece.right,
+            bubbles: piece.bubbles.iter().map(|c| factor * c).collect(),
+        };
+        Self { partition: self.partition.clone(), pieces: self.pieces.iter().map(scaled).collect() }
+    }
+
+    pub(crate) fn on(self, partition: Partition) -> Self {
+        Self { partition, ..self }
+    }
+
+    pub(crate) fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+}
+
+impl Piece {
+    pub(crate) fn value(&self, t: f64) -> f64 {
+        self.value_above(0.0, t)
+    }
+
+    /// u(t) − c, formed before it is rounded where u is nearly constant.
+    pub(crate) fn value_above(&self, c: f64, t: f64) -> f64 {
+        (self.left - c) * (1.0 - t) + (self.right - c) * t + t * (1.0 - t) * self.bubble_sum(t).0
+    }
+
+    pub(crate) fn degree(&self) -> usize {
+        if self.bubbles.is_empty() { usize::from(self.left != self.right) } else { self.bubbles.len() + 1 }
+    }
+
+    /// (u(t) − u_L)/t.
+    pub(crate) fn quotient_left(&self, t: f64) -> f64 {
+        self.right - self.left + (1.0 - t) * self.bubble_sum(t).0
+    }
+
+    /// (u(1−s) − u_R)/s.
+    pub(crate) fn quotient_right(&self, s: f64) -> f64 {
+        self.left - self.right + (1.0 - s) * self.bubble_sum(1.0 - s).0
+    }
+
+    /// du/dt.
+    pub(crate) fn slope(&self, t: f64) -> f64 {
+        let (sum, derivative) = self.bubble_sum(t);
+        self.right - self.left + (1.0 - 2.0 * t) * sum + t * (1.0 - t) * derivative
+    }
+
+    /// Bound of |u| and of the terms it is summed from.
+    pub(crate) fn size(&self) -> f64 {
+        let bubbles: f64 = self.bubbles.iter().map(|c| 0.25 * c.abs()).sum();
+        self.left.abs().max(self.right.abs()) + bubbles
+    }
+
+    /// Σ c_k P_k(2t−1) and its derivative in t.
+    fn bubble_sum(&self, t: f64) -> (f64, f64) {
+        let (sum, slope) = legendre::series_with_slope(self.bubbles.iter().copied(), 2.0 * t - 1.0);
+        (sum, 2.0 * slope)
+    }
+}
+
+/// Coefficients of (f − linear part)/(t(1−t)) in P_0 ... P_{degree−2}: exact when f is a polynomial of that
+/// degree.
+pub(crate) fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
+    let count = degree.saturating_sub(1);
+    let mut coefficients = vec![0.0; count];
+    if count == 0 {
+        return Ok(coefficients);
+    }
+    let mut values = vec![0.0; count];
+    for (t, w) in Rule::gauss_legendre(count + 1)?.iter() {
+        let value = (f(t) - left * (1.0 - t) - right * t) / (t * (1.0 - t));
+        legendre::fill(&mut values, 2.0 * t - 1.0);
+        for (k, (coefficient, legendre)) in coefficients.iter_mut().zip(&values).enumerate() {
+            *coefficient += (2.0 * k as f64 + 1.0) * w * value * legendre;
+        }
+    }
+    Ok(coefficients)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_are_reproduced_with_their_derivative() {
+        let partition = Partition::from_lengths(vec![0.3, 1e-9, 0.7]).unwrap();
+        let cubic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - 4.0 * x));
+        let u = PiecewisePolynomial::interpolate(partition, 3, cubic).unwrap();
+        let v = u.derivative().unwrap();
+        assert!(u.is_continuous());
+        for (element, start, h) in [(0, 0.0, 0.3), (2, 0.3 + 1e-9, 0.7)] {
+            for t in [0.0, 0.2, 0.7, 1.0] {
+                let x = start + h * t;
+                assert!((u.value(element, t).unwrap() - cubic(x)).abs() < 1e-15 * 8.0);
+                let slope = 2.0 - x * (6.0 - 12.0 * x);
+                assert!((v.value(element, t).unwrap() - slope).abs() < 1e-13, "{element} {t}");
+            }
+        }
+    }
+
+    #[test]
+    fn wrong_counts_and_values_are_errors() {
+        let partition = || Partition::uniform(2, 1.0).unwrap();
+        assert!(PiecewisePolynomial::constants(partition(), &[1.0]).is_err());
+        assert!(PiecewisePolynomial::linears(partition(), &[1.0, f64::NAN, 0.0]).is_err());
+        let u = PiecewisePolynomial::constants(partition(), &[1.0, 2.0]).unwrap();
+        assert!(!u.is_continuous());
+        assert!(u.restrict(1..1).is_err() && u.restrict(0..3).is_err());
+        assert!(u.value(2, 0.5).is_err() && u.value(0, 1.5).is_err());
+        assert!(PiecewisePolynomial::interpolate(partition(), 21, |x| x).is_err());
+    }
+}

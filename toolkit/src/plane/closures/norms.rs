@@ -1,0 +1,147 @@
+//! Norms of order s, 0 and 1 + s of functions given by closures.
+
+use super::function::SingularPlaneFunction;
+use super::piece::View;
+use super::sums::{ClosureSum, Quantity};
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, SPENT, Tolerance};
+use crate::numeric::scale::power_of_two;
+use crate::order::FractionalOrder;
+use crate::root::{accept, root_of_squares, scaled, scaled_root};
+
+/// What ends the accuracy.
+const LIMIT: &str =
+    "the rules have no more points: it is not as smooth as declared, or what is left is rounding";
+
+/// The estimate, unless it misses the tolerance.
+fn judged(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Estimate> {
+    accept(what, found, tolerance, if found.work.points > tolerance.work() { SPENT } else { LIMIT })
+}
+
+impl SingularPlaneFunction<'_> {
+    /// The seminorm |w|_s.
+    ///
+    /// # Method
+    ///
+    /// ```text
+    /// |w|²_s = ∫∫ (w(x)−w(y))² / |x−y|^{2+2s},  ||w||²_s = ||w||² + |w|²_s,
+    /// ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
+    /// ```
+    ///
+    /// Finite at a corner with w = w₀ + r^a (…) exactly for a > s − 1, and for functions that jump across an
+    /// edge exactly for s < 1/2. |w(·/l)|_s = l^{1−s}|w|_s; (1−s)|w|²_s → (π/2)||∇w||² as s → 1 where that is
+    /// finite; as s → 0 |w|_s tends to the integral with s = 0. Cost: pairs of triangles times n⁴, n the
+    /// points that the tolerance needs, about 9 for 1e-8; n³ to n⁴ values of the closure for a pair. A
+    /// singularity along an edge has no rule of its own: [`Error::ToleranceNotMet`] says how far the others
+    /// come.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SingularPlaneFunction, Tolerance, Triangles, coordinate_on_unit_square};
+    /// let square = Triangles::grid([1, 1], 1.0)?;
+    /// let x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?;
+    /// let order = FractionalOrder::new(0.7)?;
+    /// let norm = x.seminorm(order, Tolerance::balanced())?;
+    /// let exact = coordinate_on_unit_square(order)?.sqrt()?;
+    /// assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps and s ≥
+    /// 1/2; [`Error::OutOfRange`] for triangles that touch without a common node or are too close for their
+    /// length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        judged("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
+    }
+
+    /// The norm of order s: ||w||²_s = ||w||² + |w|²_s.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SingularPlaneFunction, Tolerance, Triangles};
+    /// let (order, asked) = (FractionalOrder::new(0.3)?, Tolerance::balanced());
+    /// let on_square = |f: fn(f64) -> f64| {
+    ///     SingularPlaneFunction::new(Triangles::grid([1, 1], 1.0)?, &[], move |at| f(at.x()[0]))
+    /// };
+    /// let (x, one, zero) = (on_square(|x| x)?, on_square(|_| 1.0)?, on_square(|_| 0.0)?);
+    /// let (l2, full) = (x.l2_norm(asked)?.value, x.norm(order, asked)?.value);
+    /// assert!((l2 - 1.0 / 3f64.sqrt()).abs() < 1e-8 && full > l2);
+    /// // of order 1 + s: the gradient (1, 0) adds its L² norm, one
+    /// let both = x.norm_with_gradient([&one, &zero], order, asked)?.value;
+    /// assert!((both.powi(2) - 4.0 / 3.0).abs() < 1e-7 && x.mesh().area() == 1.0);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SingularPlaneFunction::seminorm`].
+    pub fn norm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_as_it_is(tolerance)?];
+        judged("norm", root_of_squares(&parts)?, tolerance)
+    }
+
+    /// The norm of order 1 + s, given both derivatives.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] where w jumps or the gradient has no norm of order s; as
+    /// [`SingularPlaneFunction::seminorm`].
+    pub fn norm_with_gradient(
+        &self,
+        gradient: [&SingularPlaneFunction<'_>; 2],
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        if self.jumps() {
+            let why = "a function that jumps has no gradient in L^2";
+            return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
+        }
+        let mut parts = vec![self.l2_as_it_is(tolerance)?];
+        for part in gradient {
+            parts.push(part.l2_as_it_is(tolerance)?);
+            parts.push(part.seminorm_as_it_is(order, tolerance)?);
+        }
+        judged("norm", root_of_squares(&parts)?, tolerance)
+    }
+
+    /// The L² norm.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
+    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
+        judged("L2 norm", self.l2_as_it_is(tolerance)?, tolerance)
+    }
+
+    fn view(&self) -> View<'_> {
+        View { function: self, extent: power_of_two(self.mesh().extent()), unit: self.unit() }
+    }
+
+    fn l2_as_it_is(&self, tolerance: Tolerance) -> Result<Estimate> {
+        let view = self.view();
+        let sum = ClosureSum::new(view, FractionalOrder::HALF, tolerance, Quantity::Square)?;
+        scaled(view.extent, scaled_root(view.unit, sum.square()?)?)
+    }
+
+    fn seminorm_as_it_is(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        let infinite = |why| Err(Error::InfiniteNorm { order: order.value(), why });
+        if self.corners().all.iter().any(|corner| corner.exponent + order.complement() <= f64::EPSILON) {
+            return infinite("r^a times a smooth angular part is in H^s near a corner only for a > s - 1");
+        }
+        if self.jumps() && !order.is_below_half() {
+            return infinite("a function that jumps across an edge is not in H^s for s >= 1/2");
+        }
+        let view = self.view();
+        let sum = ClosureSum::new(view, order, tolerance, Quantity::Seminorm)?;
+        let root = scaled_root(view.unit, sum.seminorm()?)?;
+        scaled(view.extent.powf(order.complement()), root)
+    }
+}

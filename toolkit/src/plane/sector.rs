@@ -1,0 +1,253 @@
+//! Corner singularities w = r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω.
+
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::order::FractionalOrder;
+use crate::quadrature::Rule;
+use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
+use std::f64::consts::PI;
+
+/// What stands beside r^a.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Part {
+    /// sin(bφ).
+    Sine,
+    /// The vector (cos(bφ), sin(bφ)).
+    Rotation,
+    /// e^{iaφ} − e^{i(a−2)φ}.
+    Bend,
+}
+
+/// r^a sin(bφ) on a sector.
+///
+/// # Method
+///
+/// F(x, y) = (w(x)−w(y))² |x−y|^{-2-2s} is homogeneous of degree 2a − 2 − 2s about the corner. As for
+/// simplices (`means`) one radius can be taken to be R; with the other R e^{-u} and ψ the angle
+/// between x and y,
+///
+/// |w|²_s = R^{2a+2−2s} / (a+1−s) ∫₀^ω ∫₀^∞ e^{-(1-s)u} J(u, ψ) (4 sinh²(u/2) + 4 sin²(ψ/2))^{-1-s} du dψ,
+/// J = (1−τ)² P(ψ) + 2τ Q(ψ), τ = e^{-au}, L = ω − ψ,
+/// P = ∫₀^L sin²(bφ) + sin²(b(φ+ψ)) dφ,  Q = ∫₀^L (sin(b(φ+ψ)) − sin(bφ))² dφ = 2 sin²(bψ/2) (L + cos(bω)
+/// sin(bL)/b): nothing cancels. It is finite exactly for a > s − 1. At u = ψ = 0 the integrand is ξ^{-2s}
+/// times an analytic function of polar kind: Duffy's coordinates and a Gauss-Jacobi rule in ξ; elsewhere
+/// Gauss rules on cells that grow away from it.
+///
+/// The gradient of the harmonic r^p sin(pφ) is p r^{p−1} (cos, sin) of (p−1)φ in fixed directions: both
+/// components together have P = 2L and Q = 4 sin²((p−1)ψ/2) L, a = p − 1, times p².
+///
+/// An elastic displacement with zero shear on y = 0 (Westergaard) is v = (α Re z^p − y Im pz^q, (1+α) Im z^p
+/// − y Re pz^q), q = p − 1. The conformal and the other part of ∇v give, with
+/// W = r^q (e^{iqφ} − e^{i(q−2)φ}) = 2iy z^{q−1},
+///
+/// |∇v|_s² = p² (2α² |r^q e^{iqφ}|_s² + 2(1 + 2α) |r^q sin qφ|_s² + ½ q² |W|_s²).
+///
+/// W has P = ∫₀^L 4 sin²φ + 4 sin²(φ+ψ) dφ, Q = 4 ((S² + T²) L − 2 S T cos ω sin L), S = sin(qψ/2), T =
+/// sin((q−2)ψ/2).
+#[doc(alias("corner singularity", "L-shape"))]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectorPower {
+    part: Part,
+    exponent: f64,
+    frequency: f64,
+    angle: f64,
+    radius: f64,
+}
+
+/// Points in each direction, and those of the rule that judges.
+const POINTS: [usize; 2] = [16, 22];
+/// What ends the accuracy.
+const LIMIT: &str = "the rules have no more points, and rounding of a + 1 - s grows as it falls";
+/// Largest cells.
+const CELL: f64 = 0.5;
+/// Widest sector: beyond, both sides come close to each other.
+const WIDEST: f64 = 1.75 * PI;
+/// e^{-40} is nothing.
+const NOTHING: f64 = 40.0;
+
+impl SectorPower {
+    /// r^a sin(bφ) for r < R, 0 < φ < ω.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
+    /// // The corner singularity of the L-shape.
+    /// let w = SectorPower::new(2.0 / 3.0, 2.0 / 3.0, 1.5 * std::f64::consts::PI, 1.0)?;
+    /// let norm = w.seminorm(FractionalOrder::new(0.9)?, Tolerance::reference())?;
+    /// assert!(norm.relative_error() < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless −1 < a ≤ 20, 0 < b ≤ 20, 0 < ω ≤ 7π/4, R > 0.
+    pub fn new(exponent: f64, frequency: f64, angle: f64, radius: f64) -> Result<Self> {
+        Error::require("exponent a", exponent, "(-1, 20]", exponent > -1.0 && exponent <= 20.0)?;
+        Error::require("frequency b", frequency, "(0, 20]", frequency > 0.0 && frequency <= 20.0)?;
+        Error::require("angle", angle, "(0, 7 pi/4]", angle > 0.0 && angle <= WIDEST)?;
+        Error::require("radius", radius, "(0, inf)", radius > 0.0 && radius.is_finite())?;
+        Ok(Self { part: Part::Sine, exponent, frequency, angle, radius })
+    }
+
+    /// |∇(r^p sin(pφ))|_s on the half disc 0 < φ < π, r < R; scales like R^{p−s}.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
+    /// // p = 2: the gradient of 2xy, 2(y, x), on the half disc
+    /// let s = FractionalOrder::new(0.5)?;
+    /// let norm = SectorPower::harmonic_gradient(2.0, 1.0, s, Tolerance::reference())?;
+    /// assert!(norm.relative_error() < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SectorPower::new`] and [`SectorPower::seminorm`], with a = p − 1.
+    pub fn harmonic_gradient(
+        power: f64,
+        radius: f64,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let gradient = Self { part: Part::Rotation, ..Self::new(power - 1.0, 1.0, PI, radius)? };
+        let gradient = Self { frequency: (power - 1.0).abs(), ..gradient };
+        scaled(power.abs(), gradient.seminorm(order, tolerance)?)
+    }
+
+    /// |∇v|_s on the half disc 0 < φ < π, r < R, for the elastic v above; scales like R^{p−s}. α = μ/(λ+μ),
+    /// and the displacement of a body is v/(2μ).
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
+    /// // p = 2, α = 1: v = (x² − 3y², 2xy), ∇v has x² twice with 4 and y² with 36 and 4.
+    /// let (s, asked) = (FractionalOrder::new(0.5)?, Tolerance::reference());
+    /// let norm = SectorPower::elastic_gradient(2.0, 1.0, 1.0, s, asked)?;
+    /// let y = SectorPower::new(1.0, 1.0, std::f64::consts::PI, 1.0)?.seminorm(s, asked)?;
+    /// let both = SectorPower::harmonic_gradient(2.0, 1.0, s, asked)?;
+    /// let exact = (2.0 * both.value.powi(2) + 32.0 * y.value.powi(2)).sqrt();
+    /// assert!((norm.value / exact - 1.0).abs() < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SectorPower::harmonic_gradient`]; [`Error::OutOfRange`] unless α > 0.
+    pub fn elastic_gradient(
+        power: f64,
+        alpha: f64,
+        radius: f64,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        Error::require("alpha", alpha, "(0, inf)", alpha > 0.0 && alpha.is_finite())?;
+        let q = power - 1.0;
+        let one = Self::new(q, 1.0, PI, radius)?;
+        let part = |part, frequency, weight: f64| {
+            let seminorm = Self { part, frequency, ..one }.seminorm(order, tolerance)?;
+            scaled(power.abs() * weight.sqrt(), seminorm)
+        };
+        let rotation = part(Part::Rotation, q.abs(), 2.0 * alpha * alpha)?;
+        let sine = part(Part::Sine, q.abs(), 2.0 * (1.0 + 2.0 * alpha))?;
+        let bend = part(Part::Bend, (q - 2.0).abs().max(1.0), 0.5 * q * q)?;
+        accept("seminorm", root_of_squares(&[rotation, sine, bend])?, tolerance, LIMIT)
+    }
+
+    /// |w|_s; scales like R^{a+1−s}.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] for a ≤ s − 1, [`Error::ToleranceNotMet`].
+    pub fn seminorm(
+        &self,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let gap = self.exponent + order.complement();
+        if gap <= 0.0 {
+            let why = "r^a times a smooth angular part is in H^s near a corner only for a > s - 1";
+            return Err(Error::InfiniteNorm { order: order.value(), why });
+        }
+        let [value, judge] = POINTS.map(|n| self.integral(order, n));
+        let ((value, points), (judge, more)) = (value?, judge?);
+        let work = Work { points: points + more, ..Work::default() };
+        // What the rounding of a does where a + 1 − s is small.
+        let rounding = value * (ENTRY_ROUNDING + f64::EPSILON / gap);
+        let squared = Estimate::new(judge / gap, ((judge - value).abs() + rounding) / gap, work)?;
+        accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance, LIMIT)
+    }
+
+    /// The double integral with n points in each direction, and how many points that is.
+    fn integral(&self, order: FractionalOrder, n: usize) -> Result<(f64, u64)> {
+        let near = self.angle.min(1.0);
+        let (plain, power) = (Rule::gauss_legendre(n)?, 2.0 * order.complement() - 1.0);
+        let weighted = Rule::gauss_jacobi(n, 0.0, power)?;
+        let (mut sum, mut points) = (0.0, 0);
+        let cells = (near / CELL).max(self.frequency * near / PI).ceil();
+        // The square next to the singular point in Duffy's coordinates: the part ξ < near/cells, then the
+        // rest.
+        let inner = near / cells;
+        for (xi, v) in weighted.iter() {
+            for (t, w) in plain.iter() {
+                let size = inner * xi;
+                let scale = size * xi.powf(-power);
+                let both = self.density(order, size, size * t) + self.density(order, size * t, size);
+                sum += inner * v * w * scale * both;
+                points += 2;
+            }
+        }
+        let mut rectangle = |u: [f64; 2], psi: [f64; 2]| {
+            for (s, v) in plain.iter() {
+                for (t, w) in plain.iter() {
+                    let at = [u[0] + (u[1] - u[0]) * s, psi[0] + (psi[1] - psi[0]) * t];
+                    sum += v * w * (u[1] - u[0]) * (psi[1] - psi[0]) * self.density(order, at[0], at[1]);
+                    points += 1;
+                }
+            }
+        };
+        let decay = 2.0 * (1.0 + self.exponent.min(0.0));
+        let depth = NOTHING / decay + 2.0;
+        let grown = |end: f64, most: f64| {
+            let mut cuts = vec![0.0, inner];
+            while cuts[cuts.len() - 1] < end {
+                let last = cuts[cuts.len() - 1];
+                cuts.push((last + last.min(most)).min(end));
+            }
+            cuts
+        };
+        let widest = CELL.min(1.0 / self.frequency);
+        let (us, psis) = (grown(depth, 1.0 / (1.0 + self.exponent.abs())), grown(self.angle, widest));
+        for (i, u) in us.windows(2).enumerate() {
+            for (j, psi) in psis.windows(2).enumerate() {
+                if (i, j) != (0, 0) && psi[1] > psi[0] {
+                    rectangle([u[0], u[1]], [psi[0], psi[1]]);
+                }
+            }
+        }
+        Ok((sum, points))
+    }
+
+    fn density(&self, order: FractionalOrder, u: f64, psi: f64) -> f64 {
+        let (b, s) = (self.frequency, order.value());
+        let rest = self.angle - psi;
+        let (tau, one_minus) = ((-self.exponent * u).exp(), -(-self.exponent * u).exp_m1());
+        let half = (0.5 * b * psi).sin();
+        // P of sin(bφ).
+        let sines = |b: f64| {
+            let ends = (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
+            rest - ends / (4.0 * b)
+        };
+        let (p, q) = match self.part {
+            Part::Rotation => (2.0 * rest, 4.0 * half * half * rest),
+            Part::Sine => {
+                let q = 2.0 * half * half * (rest + (b * self.angle).cos() * (b * rest).sin() / b);
+                (sines(b), q)
+            }
+            Part::Bend => {
+                let [first, second] = [0.0, 2.0].map(|k| (0.5 * (self.exponent - k) * psi).sin());
+                let mixed = 2.0 * first * second * self.angle.cos() * rest.sin();
+                (4.0 * sines(1.0), 4.0 * ((first * first + second * second) * rest - mixed))
+            }
+        };
+        let distance = 4.0 * ((0.5 * u).sinh().powi(2) + (0.5 * psi).sin().powi(2));
+        let weight = (-order.complement() * u - (1.0 + s) * distance.ln()).exp();
+        weight * (one_minus * one_minus * p + 2.0 * tau * q)
+    }
+}

@@ -1,0 +1,198 @@
+//! Triangulations as the plane norms need them: nodes and triangles, nothing about boundaries.
+
+use super::geometry::{Point, twice_area};
+use crate::error::{Error, Result};
+use crate::numeric::check::require_finite_at;
+use crate::numeric::memory::require_memory;
+use std::collections::HashMap;
+
+/// Of one square of a grid: a node, two triangles, and three edges in the table that checks them.
+const BYTES_OF_SQUARE: usize = 300;
+
+/// A triangulation of a polygon.
+///
+/// # Method
+///
+/// Triangles touch along whole edges or at nodes that they share by number, and do not overlap. Either
+/// orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
+#[doc(alias("mesh", "triangulation"))]
+#[derive(Debug, Clone, PartialEq)]
+pub struct Triangles {
+    nodes: Vec<[f64; 2]>,
+    triangles: Vec<[usize; 3]>,
+    areas: Vec<f64>,
+}
+
+impl Triangles {
+    /// A triangulation from its nodes and from three node numbers for each triangle.
+    ///
+    /// ```
+    /// use fractional_sobolev::Triangles;
+    /// let corners = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let square = Triangles::new(corners, vec![[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!(square.area(), 1.0);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate,
+    /// [`Error::Triangle`] for a node number out of range or no area, [`Error::Edge`] for an edge of more
+    /// than two triangles.
+    pub fn new(nodes: Vec<[f64; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self> {
+        if triangles.is_empty() {
+            return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "n >= 1" });
+        }
+        for (index, node) in nodes.iter().enumerate() {
+            node.iter().try_for_each(|&x| require_finite_at("coordinate", index, x))?;
+        }
+        let mut edges: HashMap<[usize; 2], usize> = HashMap::new();
+        let mut areas = Vec::with_capacity(triangles.len());
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(&node) = corners.iter().find(|&&node| node >= nodes.len()) {
+                return Err(Error::Triangle { triangle, reason: "has no node", value: node as f64 });
+            }
+            let [a, b, c] = *corners;
+            let twice = twice_area(nodes[a], nodes[b], nodes[c]).abs();
+            if !(twice >= f64::MIN_POSITIVE && twice.is_finite()) {
+                return Err(Error::Triangle { triangle, reason: "has twice the area", value: twice });
+            }
+            areas.push(0.5 * twice);
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                let ends = [a.min(b), a.max(b)];
+                let count = edges.entry(ends).or_insert(0);
+                *count += 1;
+                if *count > 2 {
+                    return Err(Error::Edge { nodes: ends, reason: "belongs to more than two triangles" });
+                }
+            }
+        }
+        Ok(Self { nodes, triangles, areas })
+    }
+
+    /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, GridOperator, Tolerance, Triangles, coordinate_on_unit_square};
+    /// let order = FractionalOrder::HALF;
+    /// let form = GridOperator::new([8, 8], 0.125, order, Tolerance::balanced())?;
+    /// let x: Vec<f64> = Triangles::grid([8, 8], 0.125)?.nodes().iter().map(|p| p[0]).collect();
+    /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
+    /// assert!((squared / coordinate_on_unit_square(order)?.value - 1.0).abs() < 1e-7);
+    /// assert!(form.size() == 81 && form.bytes() > 81 * 8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
+    /// [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
+    pub fn grid(squares: [usize; 2], h: f64) -> Result<Self> {
+        Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
+        let [columns, rows] = squares;
+        if columns == 0 || rows == 0 {
+            return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
+        }
+        require_memory("squares", columns.saturating_mul(rows), BYTES_OF_SQUARE)?;
+        let node = |i: usize, j: usize| j * (columns + 1) + i;
+        let places = (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * h, j as f64 * h]));
+        let pair = |i: usize, j: usize| {
+            let [a, b, c, d] = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        };
+        let triangles = (0..rows).flat_map(|j| (0..columns).flat_map(move |i| pair(i, j))).collect();
+        Self::new(places.collect(), triangles)
+    }
+
+    /// The polygon with corners 0, P_1, ..., P_m as triangles 0 P_k P_{k+1}: node 0 is the origin.
+    ///
+    /// # Errors
+    /// As [`Triangles::new`].
+    pub fn star(points: &[[f64; 2]]) -> Result<Self> {
+        let nodes = std::iter::once([0.0; 2]).chain(points.iter().copied()).collect();
+        Self::new(nodes, (1..points.len()).map(|k| [0, k, k + 1]).collect())
+    }
+
+    /// The same polygon, every triangle at a node cut in three: the part of it next to that node, `share` < 1
+    /// of its sides, and two of what is left.
+    ///
+    /// ```
+    /// use fractional_sobolev::Triangles;
+    /// let wedge = Triangles::star(&[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]])?;
+    /// assert_eq!(wedge.cut_at(0, 0.5)?.areas(), [0.125, 0.25, 0.125, 0.125, 0.25, 0.125]);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < share < 1; as [`Triangles::new`].
+    pub fn cut_at(&self, node: usize, share: f64) -> Result<Self> {
+        Error::require("share", share, "(0, 1)", share > 0.0 && share < 1.0)?;
+        let (mut nodes, mut triangles) = (self.nodes.clone(), Vec::new());
+        let mut middles: HashMap<usize, usize> = HashMap::new();
+        for corners in &self.triangles {
+            let Some(at) = corners.iter().position(|&corner| corner == node) else {
+                triangles.push(*corners);
+                continue;
+            };
+            let ends = [corners[(at + 1) % 3], corners[(at + 2) % 3]];
+            let [p, q] = ends.map(|end| {
+                *middles.entry(end).or_insert_with(|| {
+                    let (a, b) = (self.nodes[node], self.nodes[end]);
+                    nodes.push([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
+                    nodes.len() - 1
+                })
+            });
+            triangles.extend([[node, p, q], [p, ends[0], ends[1]], [p, ends[1], q]]);
+        }
+        Self::new(nodes, triangles)
+    }
+
+    /// The same triangulation with its nodes moved.
+    ///
+    /// ```
+    /// use fractional_sobolev::Triangles;
+    /// let sheared = Triangles::grid([2, 2], 0.5)?.mapped(|[x, y]| [x + y, y])?;
+    /// assert!(sheared.nodes()[8] == [2.0, 1.0] && sheared.triangles().len() == 8);
+    /// assert!((sheared.area() - 1.0).abs() < 1e-15);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Triangles::new`] for the moved nodes.
+    pub fn mapped(&self, map: impl FnMut([f64; 2]) -> [f64; 2]) -> Result<Self> {
+        Self::new(self.nodes.iter().copied().map(map).collect(), self.triangles.clone())
+    }
+
+    /// The coordinates of the nodes.
+    pub fn nodes(&self) -> &[[f64; 2]] {
+        &self.nodes
+    }
+
+    /// The nodes of the triangles.
+    pub fn triangles(&self) -> &[[usize; 3]] {
+        &self.triangles
+    }
+
+    /// The area of every triangle.
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// The area of the whole.
+    pub fn area(&self) -> f64 {
+        self.areas.iter().sum()
+    }
+
+    pub(super) fn corners(&self, triangle: usize) -> [Point; 3] {
+        self.triangles[triangle].map(|node| self.nodes[node])
+    }
+
+    /// A size of the whole: the larger side of the smallest upright rectangle around it.
+    pub(super) fn extent(&self) -> f64 {
+        let span = |k: usize| {
+            let of = |node: &usize| self.nodes[*node][k];
+            let ends = self.triangles.iter().flatten().map(of);
+            ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+        };
+        let ((left, right), (bottom, top)) = (span(0), span(1));
+        (right - left).max(top - bottom)
+    }
+}

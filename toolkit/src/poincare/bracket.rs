@@ -1,0 +1,139 @@
+//! The law γ_θ(1/2)² ~ (3/(2π²)) ln(1/θ) between two bounds whose constants are all explicit.
+
+use super::constant::gamma_whole;
+use crate::FractionalOrder;
+use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
+use crate::numeric::search::{golden_section, sign_change};
+use crate::quadrature::Rule;
+use std::f64::consts::PI;
+
+/// ζ(3), Apéry's constant.
+const ZETA_3: f64 = 1.202_056_903_159_594_3;
+/// Panels in ln r, and points of the rule on each: the integrand is smooth between its double zeros.
+const PANELS: usize = 64;
+const POINTS: usize = 12;
+/// Shortest and longest r: beyond them the integrand is below the rounding of the rest.
+const SHORTEST: f64 = 1e-30;
+const LONGEST: f64 = 120.0;
+/// The upper bound is raised by this part for the rounding of quadrature and search.
+const ROUNDED_UP: f64 = 1e-9;
+
+/// Bounds of γ_θ(1/2)² at one L = ln(1/θ).
+///
+/// # Method
+///
+/// With t = −ln x, v(t) = u(e^{−t}), L = ln(1/θ) and W(r) = ∫₀^∞ (v(t+r) − v(t))² dt,
+///
+/// |u|²_{1/2} = 2 ∫₀^∞ W(r) / (4 sinh²(r/2)) dr.
+///
+/// **Below**, the ramp v = 1 − min(t, L)/L vanishes on the zone. W = r²/L − 2r³/(3L²) for r ≤ L and L/3
+/// beyond, so ‖u‖₀² = 1 − 2/L + 2(1 − θ)/L² and |u|² ≤ 2π²/(3L) − 8ζ(3)/L² + 4θ/(1−θ)² (1/L + 2/L²).
+///
+/// **Above**, γ² ≤ γ₁² + N², N the dual norm of D(u) = mean u − mean_(0,θ) u = ∫ e^{−t} (v(t) − v(t+L)) dt.
+/// For r ≤ 2L let k ≥ 1 be the integer nearest to L/r. Cauchy-Schwarz along t, t + r, ..., t + kr gives W(r)
+/// ≥ (r/k) Δ², Δ the difference of the means of v over (0, r) and (kr, kr + r). Δ and D(u) differ by the
+/// functional ∫ (1_{(0,r)}/r − e^{−t}) v dt twice, here and shifted, whose norm in L²(0,1) is ((e^r − 1)/r² −
+/// 1)^{1/2}, and by a shift of at most r/2 of a mean, of norm (e^{r/2} − 1)^{1/2}. All three see u − mean u
+/// alone, so that with |u| = 1
+///
+/// |Δ| ≥ D(u) − C(r),  C(r) = γ₁ [2 ((e^r − 1)/r² − 1)^{1/2} + (e^{r/2} − 1)^{1/2}],
+/// 1 ≥ ∫₀^{2L} (N − C(r))₊² r² / (2 sinh²(r/2)) dr / (L + r/2),
+///
+/// which bounds N, since the right side grows with it. ∫₀^∞ r²/(2 sinh²(r/2)) dr = 2π²/3 gives the law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HalfBracket {
+    /// L = ln(1/θ).
+    pub log: f64,
+    /// Square of the quotient of the ramp.
+    pub lower: f64,
+    /// γ₁² + N², N bounded by the inequality along chains.
+    pub upper: f64,
+}
+
+impl HalfBracket {
+    /// Both bounds; L may pass ln of the largest number. Cost: some thousand evaluations per bisection step.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 1 ≤ L ≤ 1e15; those of [`gamma_whole`].
+    ///
+    /// ```
+    /// use fractional_sobolev::poincare::HalfBracket;
+    /// let law = 3.0 / (2.0 * std::f64::consts::PI.powi(2));
+    /// let bracket = HalfBracket::new(1e10)?;
+    /// assert!(bracket.upper / (law * bracket.log) < 1.001 && bracket.lower / (law * bracket.log) > 0.999);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    pub fn new(log: f64) -> Result<Self> {
+        Error::require("L", log, "[1, 1e15]", (1.0..=1e15).contains(&log))?;
+        let whole = gamma_whole(FractionalOrder::HALF, Tolerance::balanced())?;
+        let whole = whole.value + whole.error;
+        let dual = Chains::new(whole, log)?.dual_norm() * (1.0 + ROUNDED_UP);
+        Ok(Self { log, lower: ramp(log), upper: whole * whole + dual * dual })
+    }
+}
+
+/// A lower bound of (‖u‖₀/|u|_{1/2})² for the ramp.
+fn ramp(log: f64) -> f64 {
+    let theta = (-log).exp();
+    let norm = 1.0 - 2.0 / log + 2.0 * (1.0 - theta) / (log * log);
+    let tail = 4.0 * theta / (1.0 - theta).powi(2) * (1.0 + 2.0 / log) / log;
+    norm / (2.0 * PI * PI / (3.0 * log) - 8.0 * ZETA_3 / (log * log) + tail)
+}
+
+/// The inequality along chains of steps r.
+struct Chains {
+    whole: f64,
+    log: f64,
+    rule: Rule,
+    /// Where C(r) is least.
+    least: f64,
+}
+
+impl Chains {
+    fn new(whole: f64, log: f64) -> Result<Self> {
+        let rule = Rule::gauss_legendre(POINTS)?;
+        let least = golden_section(0.1f64.ln(), 4f64.ln(), 1e-6, |s| loss(whole, s.exp())).exp();
+        Ok(Self { whole, log, rule, least })
+    }
+
+    /// L ∫ (N − C)₊² r²/(2 sinh²(r/2)) dr / (L + r/2) over the r ≤ 2L where N > C(r).
+    fn energy(&self, dual: f64) -> f64 {
+        let longest = LONGEST.min(2.0 * self.log);
+        let room = |s: f64| dual - loss(self.whole, s.exp());
+        let middle = self.least.min(longest).ln();
+        if room(middle) <= 0.0 {
+            return 0.0;
+        }
+        let (_, first) = sign_change(SHORTEST.ln(), middle, 0.0, |s| room(s) > 0.0);
+        let (last, _) = sign_change(middle, longest.ln(), 0.0, |s| room(s) <= 0.0);
+        let width = (last - first) / PANELS as f64;
+        let panel = |k: usize| {
+            let start = first + k as f64 * width;
+            width * self.rule.integrate(|z| self.density(dual, (start + width * z).exp()))
+        };
+        (0..PANELS).map(panel).sum()
+    }
+
+    /// The integrand times r, for the variable ln r.
+    fn density(&self, dual: f64, r: f64) -> f64 {
+        let above = (dual - loss(self.whole, r)).max(0.0);
+        let quotient = r / (0.5 * r).sinh();
+        above * above * 0.5 * quotient * quotient * self.log / (self.log + 0.5 * r) * r
+    }
+
+    /// The N at which the inequality becomes an equality.
+    fn dual_norm(&self) -> f64 {
+        let mut high = 1.0 + self.log.sqrt();
+        while self.energy(high) < self.log {
+            high *= 2.0;
+        }
+        sign_change(0.0, high, 0.0, |dual| self.energy(dual) >= self.log).1
+    }
+}
+
+/// C(r).
+fn loss(whole: f64, r: f64) -> f64 {
+    let window = (r.exp_m1() / (r * r) - 1.0).max(0.0);
+    whole * (2.0 * window.sqrt() + (0.5 * r).exp_m1().sqrt())
+}

@@ -1,0 +1,162 @@
+//! The function for which the Poincaré constant of (5.4) is attained, for plots and for checks.
+
+use super::discrete::Discrete;
+use super::slopes::space::{SlopeSpace, legendre_primitives};
+use crate::error::Result;
+use crate::{Partition, PiecewisePolynomial};
+
+/// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
+const ONE_NODE: f64 = 1e-10;
+/// Nodes of the graded cells this close to a given one, likewise, make way for it.
+const MAKES_WAY: f64 = 1e-5;
+
+/// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
+///
+/// Returned by [`super::extremal`].
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, extremal, trial_quotient}};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
+/// let (gamma, u) = extremal(order, Zone::end(0.01)?, Condition::MeanZero, asked)?;
+/// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(x)).abs() < 1e-9));
+/// // its interpolant nearly has the quotient γ
+/// let quotient = trial_quotient(&u.interpolate(3, 1, &[0.01])?, order, asked)?;
+/// assert!((quotient.value / gamma.value - 1.0).abs() < 1e-2);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct ExtremalFunction {
+    /// One function of a slope space; several with their weights where the order is continued from larger
+    /// ones.
+    terms: Vec<(f64, SlopeFunction)>,
+}
+
+impl ExtremalFunction {
+    pub(crate) fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
+        Self { terms: vec![(1.0, SlopeFunction::new(discrete, coefficients))] }
+    }
+
+    /// Σ w_k u_k for functions of orders close to each other, their signs made to agree.
+    pub(crate) fn combined(weights: &[f64], functions: Vec<Self>) -> Self {
+        let first = functions.first().map_or(Vec::new(), |u| u.profile(1));
+        let agrees = |u: &Self| first.iter().map(|&(x, value)| value * u.value(x)).sum::<f64>() >= 0.0;
+        let mut terms = Vec::new();
+        for (&weight, function) in weights.iter().zip(functions) {
+            let weight = if agrees(&function) { weight } else { -weight };
+            terms.extend(function.terms.into_iter().map(|(inner, u)| (weight * inner, u)));
+        }
+        Self { terms }
+    }
+
+    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture
+    /// that resolves all scales.
+    pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
+        match self.terms.as_slice() {
+            [] => Vec::new(),
+            [(weight, only)] => only.profile(per_cell).into_iter().map(|(x, u)| (x, weight * u)).collect(),
+            [(_, first), ..] => first.profile(per_cell).iter().map(|&(x, _)| (x, self.value(x))).collect(),
+        }
+    }
+
+    /// The interpolant of a degree on the graded cells, each cut into `pieces`, with additional nodes at
+    /// `breaks`. Nodes closer than 1e-10 of their position (or of their distance from 1, or than 1e-5 to a
+    /// break) are left out.
+    ///
+    /// # Errors
+    /// As for [`PiecewisePolynomial::interpolate`].
+    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<PiecewisePolynomial> {
+        let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
+        let mut nodes: Vec<f64> = self.profile(pieces).into_iter().map(|(x, _)| x).collect();
+        nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
+        nodes.extend(breaks.iter().filter(|&&b| b < 1.0 - ONE_NODE));
+        nodes.sort_by(f64::total_cmp);
+        nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
+        nodes.push(1.0);
+        PiecewisePolynomial::interpolate(Partition::from_nodes(&nodes)?, degree, |x| self.value(x))
+    }
+
+    /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.
+    pub fn value(&self, x: f64) -> f64 {
+        self.terms.iter().map(|(weight, u)| weight * u.value(x)).sum()
+    }
+}
+
+/// A function of one slope space.
+#[derive(Debug, Clone)]
+struct SlopeFunction {
+    space: SlopeSpace,
+    unit: f64,
+    coefficients: Vec<f64>,
+    /// Values at the left ends of the cells, and at 1.
+    nodes: Vec<f64>,
+}
+
+impl SlopeFunction {
+    fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
+        let space = discrete.space.clone();
+        let beside = &discrete.primitives.beside;
+        // Value at a node: the right constants of the cells before it, the left constants of those after it.
+        let sum = |range: std::ops::Range<usize>, side: fn(&(f64, f64)) -> f64| -> f64 {
+            range.map(|i| coefficients[i] * side(&beside[i])).sum()
+        };
+        let nodes: Vec<f64> = space
+            .first
+            .iter()
+            .map(|&split| sum(0..split, |c| c.1) + sum(split..coefficients.len(), |c| c.0))
+            .collect();
+        let mut function = Self { space, unit: discrete.unit, coefficients, nodes };
+        let largest =
+            function.nodes.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+        if largest < 0.0 {
+            function.nodes.iter_mut().for_each(|value| *value = -*value);
+            function.coefficients.iter_mut().for_each(|value| *value = -*value);
+        }
+        function
+    }
+
+    fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
+        let mut points = Vec::new();
+        for (index, cell) in self.space.cells.iter().enumerate() {
+            for k in 0..per_cell.max(1) {
+                let xi = k as f64 / per_cell.max(1) as f64;
+                let x = self.space.cell_left[index] + cell.left_distance(xi);
+                points.push((x * self.unit, self.in_cell(index, xi)));
+            }
+        }
+        points.push((1.0, self.nodes[self.nodes.len() - 1]));
+        points
+    }
+
+    fn value(&self, x: f64) -> f64 {
+        let cells = &self.space.cells;
+        if x <= 0.0 {
+            return self.nodes[0];
+        }
+        if x >= 1.0 {
+            return self.nodes[cells.len()];
+        }
+        let (index, xi) = if x < 0.5 {
+            let position = x / self.unit;
+            let index = self.space.cell_left.partition_point(|&left| left <= position) - 1;
+            (index, cells[index].coordinate(position - self.space.cell_left[index]))
+        } else {
+            let position = (1.0 - x) / self.unit;
+            let index = self.space.cell_right.partition_point(|&right| right > position);
+            let index = index.min(cells.len() - 1);
+            let from_right = position - self.space.cell_right[index];
+            (index, 1.0 - cells[index].mirrored().coordinate(from_right))
+        };
+        self.in_cell(index, xi.clamp(0.0, 1.0))
+    }
+
+    fn in_cell(&self, cell: usize, xi: f64) -> f64 {
+        let functions = self.space.cells[cell].functions;
+        if functions == 0 {
+            return self.nodes[cell];
+        }
+        let first = self.space.first[cell];
+        let primitives = legendre_primitives(functions, xi);
+        let inner: f64 = (1..functions).map(|k| self.coefficients[first + k] * primitives[k]).sum();
+        (1.0 - xi) * self.nodes[cell] + xi * self.nodes[cell + 1] + inner
+    }
+}

@@ -1,0 +1,88 @@
+//! The law of γ_θ(ν) as θ → 0 at fixed ν, where one is known.
+
+use super::constant::gamma_at_point;
+use super::limits::interior_limit;
+use super::mellin::end_limit;
+use super::uniform::UniformLaw;
+use super::zone::{Condition, Place};
+use crate::FractionalOrder;
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Tolerance};
+
+/// So near below 1/2 the power law needs lengths out of reach, and the law through 1/2 is used.
+const NEAR_HALF: f64 = 0.01;
+
+/// γ_θ as θ → 0 at fixed ν; not uniform in ν.
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, LimitLaw, Place, Zone, gamma}};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// if let Some(law) = LimitLaw::new(order, Place::End, Condition::MeanZero, asked)? {
+///     let found = gamma(order, Zone::end(1e-9)?, Condition::MeanZero, asked)?;
+///     assert!((law.gamma(1e-9)?.value / found.value - 1.0).abs() < 1e-2);
+/// }
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum LimitLaw {
+    /// B θ^{ν−1/2}.
+    Power {
+        /// The order ν < 1/2.
+        order: FractionalOrder,
+        /// B.
+        factor: Estimate,
+    },
+    /// γ₀, the constant of the point.
+    Constant(Estimate),
+    /// The law through ν = 1/2.
+    Uniform(Box<UniformLaw>),
+}
+
+impl LimitLaw {
+    /// The law for zones at a place; `None` where none is known: for vanishing functions when ν ≤ 1/2, and at
+    /// or near 1/2 for a zone inside.
+    ///
+    /// # Errors
+    /// Those of [`gamma_at_point`], [`end_limit`] and [`UniformLaw::new`].
+    pub fn new(
+        order: impl Given<FractionalOrder>,
+        place: Place,
+        condition: Condition,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Option<Self>> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let uniform = || UniformLaw::new(order, tolerance).map(|law| Some(Self::Uniform(Box::new(law))));
+        let power = |factor: Estimate| Some(Self::Power { order, factor });
+        if order.offset() > 0.0 {
+            return match gamma_at_point(order, place.point(), tolerance) {
+                Ok(limit) => Ok(Some(Self::Constant(limit))),
+                // so close to 1/2 that the point is out of reach of f64
+                Err(Error::ToleranceNotMet { .. }) if place == Place::End => uniform(),
+                Err(Error::ToleranceNotMet { .. }) => Ok(None),
+                Err(error) => Err(error),
+            };
+        }
+        match (place, condition) {
+            (_, Condition::Vanishing) => Ok(None),
+            (Place::End, _) if order.offset() < -NEAR_HALF => end_limit(order, tolerance).map(power),
+            (Place::End, _) => uniform(),
+            (_, _) if order.is_below_half() => interior_limit(order).map(power),
+            _ => Ok(None),
+        }
+    }
+
+    /// γ_θ by the law.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] where the law through 1/2 does not reach: θ near 1.
+    pub fn gamma(&self, theta: f64) -> Result<Estimate> {
+        match self {
+            Self::Power { order, factor } => {
+                let power = theta.powf(order.offset());
+                Estimate::new(factor.value * power, factor.error * power, factor.work)
+            }
+            Self::Constant(limit) => Ok(*limit),
+            Self::Uniform(law) => law.gamma(theta),
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Remark 7: one length of the zone at several places, and what the printed cut of the interval would need.
+
+use super::constant::gamma;
+use super::scaling::last_exponent;
+use super::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
+use super::two_sided::two_sided;
+use super::zone::{Condition, Zone};
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Tolerance};
+use crate::{FractionalOrder, Partition, PiecewisePolynomial};
+
+/// ε/θ: where the odd extremal function starts to differ from zero.
+const SHARE: f64 = 1e-3;
+/// ln(1/ε) of the odd ramps, ε the inner radius relative to the half of the interval: 2e-4, 2e-8, 2e-16.
+const RAMPS: [f64; 3] = [8.517, 17.728, 36.148];
+
+/// A zone at one place.
+///
+/// Returned by [`Places`].
+///
+/// ```
+/// use fractional_sobolev::poincare::{Placed, Places};
+/// // a zone of length 0.01 in the middle instead of at the end: by how much γ is smaller
+/// let places = Places::new(0.5, 0.01, &[0.0, 0.5], 1e-3)?;
+/// let Placed { start, gamma, ratio, repair, .. } = places.zones[1];
+/// assert!((start - 0.495).abs() < 1e-15 && ratio.value < 0.9 && gamma.value <= repair.value);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// Its start a.
+    pub start: f64,
+    /// γ.
+    pub gamma: Estimate,
+    /// γ over that of (0, θ).
+    pub ratio: Estimate,
+    /// (γ₁² + N²)^{1/2}.
+    pub repair: Estimate,
+    /// γ over that.
+    pub share: Estimate,
+}
+
+/// Zones of one length at several places, and the printed step for odd functions.
+///
+/// # Method
+///
+/// The printed proof cuts the interval inside the zone and uses Lemma 5.2 on both pieces, as if the mean over
+/// each part of the zone were zero. With u odd about the middle of a zone in the middle, the mean over the
+/// zone is zero whatever u is on the left half, and both sides of the step are those of the left half scaled
+/// to (0,1).
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::Places};
+/// // a zone of length 0.01 at the left end and in the middle
+/// let found = Places::new(FractionalOrder::HALF, 0.01, &[0.0, 0.5], Tolerance::fast())?;
+/// assert!(found.zones[1].gamma.value < found.zones[0].gamma.value);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Places {
+    /// The order ν.
+    pub order: FractionalOrder,
+    /// The zones.
+    pub zones: Vec<Placed>,
+    /// The left side of the step over its right side with γ_θ as the constant, for an odd extremal function.
+    pub step: Estimate,
+    /// ν < 1/2: both sides for sgn(x − 1/2), without a constant; the right one is zero.
+    pub sign: Option<BothSides>,
+    /// ν = 1/2: the exponent of ln(1/ε) in the constant that odd ramps in ln|x − 1/2| need.
+    pub ramps: Option<Estimate>,
+}
+
+impl Places {
+    /// Zones (a, a+θ) at a = `fractions` × (1 − θ).
+    ///
+    /// # Errors
+    /// [`Error::EntryOutOfRange`] for a fraction outside [0, 1], and those of [`two_sided`] and [`Zone::at`].
+    pub fn new(
+        order: impl Given<FractionalOrder>,
+        theta: f64,
+        fractions: &[f64],
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        // Scaled to (0,1), the left piece (0,1/2) has its zone, of relative length 2ε, at an end.
+        let short = Zone::end(2.0 * SHARE * theta)?;
+        let zone = |(index, &value): (usize, &f64)| match (0.0..=1.0).contains(&value) {
+            true => Zone::at(value * (1.0 - theta), theta),
+            false => Err(Error::EntryOutOfRange { name: "fractions", index, value, range: "[0, 1]" }),
+        };
+        let zones = fractions.iter().enumerate().map(zone).collect::<Result<Vec<Zone>>>()?;
+        let end = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        let placed = |zone: Zone| -> Result<Placed> {
+            let found = two_sided(order, zone, Condition::MeanZero, tolerance)?;
+            let (gamma, repair) = (found.gamma, found.simple_bound()?);
+            let (ratio, share) = (gamma.over(end)?, gamma.over(repair)?);
+            Ok(Placed { start: zone.start(), gamma, ratio, repair, share })
+        };
+        let step = gamma(order, short, Condition::Vanishing, tolerance)?.over(end)?;
+        let zones = zones.into_iter().map(placed).collect::<Result<Vec<Placed>>>()?;
+        let sign = order.is_below_half().then(|| sign(order)).transpose()?;
+        let ramps = if order.offset() == 0.0 { ramps(order)? } else { None };
+        Ok(Self { order, zones, step, sign, ramps })
+    }
+}
+
+fn sign(order: FractionalOrder) -> Result<BothSides> {
+    let sign = PiecewisePolynomial::constants(Partition::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+    cut_in_two(&sign, 1, order, Tolerance::balanced())
+}
+
+fn ramps(order: FractionalOrder) -> Result<Option<Estimate>> {
+    let quotient = |log: f64| -> Result<(f64, Estimate)> {
+        Ok((log, trial_quotient(&truncated_logarithm(1.0, log)?, order, Tolerance::balanced())?))
+    };
+    last_exponent(&RAMPS.into_iter().map(quotient).collect::<Result<Vec<_>>>()?)
+}

@@ -1,0 +1,73 @@
+//! How large the mean of a function may be beside its seminorm: the second part of the constant of Lemma 5.2.
+
+use super::constant::{constraint, continued, refine_until};
+use super::discrete::{Constraint, Discrete};
+use super::mesh::MeshModel;
+use super::rounding::ROUNDING;
+use super::zone::{Condition, Zone};
+use super::zones::Zones;
+use crate::FractionalOrder;
+use crate::error::{Given, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+
+/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]. For mean zero on E it is what 1_E/|E| − 1
+/// has as a functional in the dual of the seminorm; dual norms to (1.1) are in [`crate::dual`].
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma, gamma_whole, largest_mean}};
+/// let (order, zone, asked) = (FractionalOrder::HALF, Zone::end(0.01)?, Tolerance::balanced());
+/// let [n, g] = [largest_mean, gamma].map(|f| f(order, zone, Condition::MeanZero, asked).map(|e| e.value));
+/// let (n, g, whole) = (n?, g?, gamma_whole(order, asked)?.value);
+/// assert!(n.max(whole) <= g && g <= n.hypot(whole));
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// As for [`gamma`].
+///
+/// [`gamma`]: super::gamma
+#[doc(alias("H-1/2", "dual norm"))]
+pub fn largest_mean(
+    order: impl Given<FractionalOrder>,
+    zone: impl Into<Zones>,
+    condition: Condition,
+    tolerance: impl Given<Tolerance>,
+) -> Result<Estimate> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
+    let constraint = constraint(&zone.into(), condition)?;
+    if constraint.is_whole() {
+        return Estimate::new(0.0, 0.0, Work::default());
+    }
+    continued(order, &constraint, tolerance, |order, tolerance| {
+        refine_until(order, &constraint, tolerance, |model| {
+            let discrete = Discrete::new(order, &constraint, model)?;
+            Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
+        })
+    })
+}
+
+/// N², ‖r‖₀² and ⟨T²r, r⟩ for a zone (0,θ), r the mean-free representer of the dual norm, T the operator of
+/// ‖·‖₀².
+pub(crate) struct DualMoments {
+    pub(crate) square: Estimate,
+    pub(crate) representer: Estimate,
+    pub(crate) image: Estimate,
+}
+
+pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
+    let constraint = Constraint::on_zones(&Zone::end(theta)?.into(), Condition::MeanZero);
+    let moments = |model: &MeshModel| -> Result<([f64; 3], Work)> {
+        let discrete = Discrete::new(order, &constraint, model)?;
+        let dual = discrete.dual_norm()?;
+        let scale = discrete.factor * discrete.factor;
+        let square = dual.square * scale;
+        Ok(([square, square * dual.rayleigh * scale, square * dual.image * scale * scale], discrete.work))
+    };
+    let model = MeshModel::new(order, tolerance.relative());
+    let both = rayon::join(|| moments(&model), || moments(&model.varied()));
+    let ((fine, work), (coarse, more)) = (both.0?, both.1?);
+    let estimate = |k: usize| {
+        Estimate::new(fine[k], (fine[k] - coarse[k]).abs() + 2.0 * ROUNDING * fine[k], work + more)
+    };
+    Ok(DualMoments { square: estimate(0)?, representer: estimate(1)?, image: estimate(2)? })
+}

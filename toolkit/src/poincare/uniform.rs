@@ -1,0 +1,188 @@
+//! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
+
+use super::constant::{gamma, gamma_whole};
+use super::limits::END_SLOPE;
+use super::mean::{DualMoments, dual_moments};
+use super::mellin;
+use super::slopes::kernel::exp_quotient;
+use super::zone::{Condition, Zone};
+use crate::FractionalOrder;
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+
+/// Lengths at which the constants are read off: remainders below 1e-12 relative, and N² still of order one.
+const SHORT: f64 = 1e-22;
+const SHORTER: f64 = 1e-44;
+
+/// Length at which the law is compared with the constant: the remainder is well above the other errors there.
+const COMPARED: f64 = 1e-3;
+
+/// Steps of Newton's method, which converges quadratically: a handful would do.
+const NEWTON: usize = 20;
+
+/// 1 − 2ν from which the limit B(ν) has more digits than the quotient of two values of N².
+const NEAR_HALF: f64 = 1e-6;
+
+/// γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
+///
+/// # Method
+///
+/// With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves
+/// λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (expand the resolvent of the rank-one perturbation; T is the operator
+/// of ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
+///
+/// N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence
+/// λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
+///
+/// A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the
+/// analytic continuation, here (and just below 1/2) from two values of N. The remainders of N² and ‖r‖₀² are
+/// of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, UniformLaw, Zone, gamma}};
+/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// let law = UniformLaw::new(order, asked)?;
+/// let found = gamma(order, Zone::end(1e-30)?, Condition::MeanZero, asked)?;
+/// let by_law = law.gamma(1e-30)?;
+/// assert!((by_law.value - found.value).abs() <= by_law.error + found.error);
+/// assert!((law.rest(1e-30, found)?.explained.value - 1.0).abs() < 1e-2);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UniformLaw {
+    order: FractionalOrder,
+    /// A: the slope of γ² against ln(1/θ) at ν = 1/2.
+    pub slope: Estimate,
+    /// c.
+    pub constant: Estimate,
+    /// d.
+    pub correction: Estimate,
+    /// e.
+    pub second_correction: Estimate,
+    /// γ₁², the norm of T: the terms of the resolvent fall at least by this over λ.
+    whole_square: f64,
+    /// |λ − γ²| at the length [`COMPARED`].
+    remainder: f64,
+}
+
+/// γ² beside the law.
+///
+/// Returned by [`UniformLaw::rest`].
+///
+/// ```
+/// use fractional_sobolev::poincare::{Condition, LawRest, UniformLaw, Zone, gamma};
+/// let found = gamma(0.5, Zone::end(1e-12)?, Condition::MeanZero, 1e-8)?;
+/// let LawRest { square, rest, explained } = UniformLaw::new(0.5, 1e-8)?.rest(1e-12, found)?;
+/// // of γ² little is left, and two more terms explain nearly all of it
+/// assert!(rest.value < 0.1 * square.value && (explained.value - 1.0).abs() < 0.05);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LawRest {
+    /// γ².
+    pub square: Estimate,
+    /// γ² − s.
+    pub rest: Estimate,
+    /// The rest over d/γ² + e/γ⁴: one, up to the next term, of relative order 1/γ⁴.
+    pub explained: Estimate,
+}
+
+impl UniformLaw {
+    /// The law for 0.4 ≤ ν ≤ 0.6.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] when the dual norms cannot be had
+    /// to the tolerance.
+    pub fn new(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+        let (order, tolerance) = (order.given()?, tolerance.given()?);
+        Error::require("nu", order.value(), "[0.4, 0.6]", order.offset().abs() <= 0.1)?;
+        let p = order.one_minus_twice();
+        let growth = |theta: f64| exp_quotient(p, -theta.ln());
+        let near = dual_moments(order, SHORT, tolerance)?;
+        let slope = if order.offset() == 0.0 {
+            Estimate::new(END_SLOPE, 0.0, Work::default())?
+        } else if p > NEAR_HALF {
+            let limit = mellin::reached(order, Tolerance::reference())?;
+            Estimate::new(p * limit.value * limit.value, 2.0 * p * limit.value * limit.error, limit.work)?
+        } else {
+            let far = dual_moments(order, SHORTER, tolerance)?;
+            let span = growth(SHORTER) - growth(SHORT);
+            let error = (near.square.error + far.square.error) / span;
+            Estimate::new((far.square.value - near.square.value) / span, error, far.square.work)?
+        };
+        let DualMoments { square, representer, image } = near;
+        let constant = Estimate::new(
+            square.value - slope.value * growth(SHORT),
+            square.error + slope.error * growth(SHORT),
+            square.work,
+        )?;
+        let mut law = Self {
+            order,
+            slope,
+            constant,
+            correction: representer,
+            second_correction: image,
+            whole_square: gamma_whole(order, tolerance)?.value.powi(2),
+            remainder: 0.0,
+        };
+        let compared = gamma(order, Zone::end(COMPARED)?, Condition::MeanZero, tolerance)?;
+        law.remainder = (law.square(COMPARED)? - compared.value * compared.value).abs();
+        Ok(law)
+    }
+
+    /// γ_θ by the law. Its error adds those of the constants, the terms of the resolvent beyond the second,
+    /// and the remainder seen at θ = 1e-3, scaled by its order.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2 and λ > γ₁².
+    pub fn gamma(&self, theta: f64) -> Result<Estimate> {
+        Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
+        let lambda = self.square(theta)?;
+        let above = lambda > self.whole_square;
+        Error::require("theta", theta, "short enough for the law", above)?;
+        let growth = exp_quotient(self.order.one_minus_twice(), -theta.ln());
+        let known = self.slope.error * growth
+            + self.constant.error
+            + self.correction.error / lambda
+            + self.second_correction.error / (lambda * lambda);
+        let ratio = self.whole_square / lambda;
+        let neglected = self.second_correction.value * ratio / (lambda * lambda) / (1.0 - ratio);
+        let p = self.order.one_minus_twice();
+        let decay = (1.0 - p.abs()).min(4.0 * self.order.value() - 1.0);
+        let logarithms = (1.0 - theta.ln()) / (1.0 - COMPARED.ln());
+        let remainder = self.remainder * (theta / COMPARED).powf(decay) * logarithms;
+        let work = self.slope.work + self.constant.work;
+        Estimate::new(lambda, known + neglected + remainder, work)?.sqrt()
+    }
+
+    /// What the leading part s of the law leaves of γ², for a constant found another way.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2.
+    pub fn rest(&self, theta: f64, gamma: Estimate) -> Result<LawRest> {
+        Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
+        let growth = exp_quotient(self.order.one_minus_twice(), -theta.ln());
+        let (value, error) = (gamma.value * gamma.value, 2.0 * gamma.value * gamma.error);
+        let leading = self.slope.value * growth + self.constant.value;
+        let known = self.slope.error * growth + self.constant.error + f64::EPSILON * value;
+        let rest = Estimate::new(value - leading, error + known, gamma.work)?;
+        let (d, e) = (self.correction, self.second_correction);
+        let next = (d.value + e.value / value) / value;
+        let next = Estimate::new(next, (d.error + e.error / value) / value + next * error / value, d.work)?;
+        Ok(LawRest { square: Estimate::new(value, error, gamma.work)?, rest, explained: rest.over(next)? })
+    }
+
+    /// The root λ, by Newton's method from λ = s + d/s: the corrections are a few hundredths.
+    fn square(&self, theta: f64) -> Result<f64> {
+        let s =
+            self.slope.value * exp_quotient(self.order.one_minus_twice(), -theta.ln()) + self.constant.value;
+        let (d, e) = (self.correction.value, self.second_correction.value);
+        let mut lambda = s + d / s;
+        for _ in 0..NEWTON {
+            let residual = lambda - s - d / lambda - e / (lambda * lambda);
+            lambda -= residual / (1.0 + d / (lambda * lambda) + 2.0 * e / lambda.powi(3));
+        }
+        Error::require("theta", theta, "short enough for the law to be positive", lambda > 0.0 && s > 0.0)?;
+        Ok(lambda)
+    }
+}

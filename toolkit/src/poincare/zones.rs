@@ -1,0 +1,300 @@
+//! Zones that are unions of intervals.
+
+use super::zone::Zone;
+use crate::error::{Error, Result};
+use crate::numeric::check::{require_entry, require_finite, require_finite_at};
+use std::fmt;
+
+/// Shortest length that is admitted, as for [`Zone`].
+const SHORTEST: f64 = 1e-300;
+/// Intervals there may be: every one adds some hundred unknowns.
+const MOST: usize = 32;
+/// A gap between given positions that is no longer than this, relative to them, is rounding.
+const TOUCHING: f64 = 4.0 * f64::EPSILON;
+
+/// A union E ⊂ (0,1) of disjoint intervals with gaps between them.
+///
+/// Kept as lengths, so that short intervals close to each other keep their digits wherever they are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Zones {
+    /// Gap, interval, gap, ..., interval, gap; the first and the last gap may be empty.
+    lengths: Vec<f64>,
+}
+
+impl From<Zone> for Zones {
+    fn from(zone: Zone) -> Self {
+        Self { lengths: vec![zone.start(), zone.length(), zone.rest()] }
+    }
+}
+
+impl Zones {
+    /// The intervals (a, a + ℓ) for pairs (a, ℓ), in any order.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, Zones, gamma}};
+    /// let found = |zone: Zones| gamma(FractionalOrder::HALF, zone, Condition::MeanZero, Tolerance::fast());
+    /// let apart = found(Zones::union(&[(0.2, 0.05), (0.7, 0.05)])?)?;
+    /// assert!(apart.value < found(Zone::end(0.1)?.into())?.value);
+    /// assert!(Zones::union(&[(0.2, 0.05), (0.22, 0.05)]).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for none and for more than 32 intervals; [`Error::EntryOutOfRange`] for
+    /// lengths that are no admissible ones, intervals that overlap or touch, or that reach beyond (0,1);
+    /// [`Error::NotFinite`].
+    pub fn union(intervals: &[(f64, f64)]) -> Result<Self> {
+        require_count(intervals.len())?;
+        for (k, &(start, length)) in intervals.iter().enumerate() {
+            require_finite_at("start of interval", k, start)?;
+            require_finite_at("length of interval", k, length)?;
+        }
+        let mut sorted = intervals.to_vec();
+        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut lengths, mut end) = (Vec::new(), 0.0);
+        for (k, &(start, length)) in sorted.iter().enumerate() {
+            let gap = start - end;
+            if k > 0 {
+                let apart = gap > TOUCHING * start;
+                require_entry("start of interval", k, start, "beyond the interval before", apart)?;
+            }
+            lengths.extend([gap, length]);
+            end = start + length;
+        }
+        Self::closed(lengths, |last: (f64, f64)| (1.0 - last.0) - last.1, sorted[sorted.len() - 1])
+    }
+
+    /// Gap, interval, gap, interval, ..., interval from the left end on; what is left to 1 is the last gap.
+    ///
+    /// ```
+    /// use fractional_sobolev::poincare::Zones;
+    /// // (1/2, 1/2 + 1e-12) and (1/2 + 3e-12, 1/2 + 4e-12)
+    /// let pair = Zones::from_lengths(&[0.5, 1e-12, 2e-12, 1e-12])?;
+    /// assert!(pair.count() == 2 && pair.length() == 2e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Zones::union`]; [`Error::LengthMismatch`] for an odd number of lengths.
+    pub fn from_lengths(lengths: &[f64]) -> Result<Self> {
+        require_count(lengths.len() / 2)?;
+        if lengths.len() % 2 == 1 {
+            let expected = lengths.len() + 1;
+            return Err(Error::LengthMismatch { name: "gaps and intervals", given: expected - 1, expected });
+        }
+        require_finite("length", lengths)?;
+        Self::closed(lengths.to_vec(), |sum: f64| 1.0 - sum, lengths.iter().sum())
+    }
+
+    /// Checks the lengths and adds the last gap.
+    fn closed<T: Copy>(mut lengths: Vec<f64>, rest: impl Fn(T) -> f64, of: T) -> Result<Self> {
+        for (k, &length) in lengths.iter().enumerate() {
+            let name = if k % 2 == 0 { "gap" } else { "interval" };
+            let admissible = (SHORTEST..=1.0).contains(&length) || (k == 0 && length == 0.0);
+            require_entry(name, k / 2, length, "[1e-300, 1]; {0} as the first gap", admissible)?;
+        }
+        let rest = rest(of);
+        Error::require("end of the last interval", 1.0 - rest, "(0, 1]", rest >= -f64::EPSILON)?;
+        lengths.push(if rest <= f64::EPSILON { 0.0 } else { rest });
+        Ok(Self { lengths })
+    }
+
+    /// The measure θ of the zone.
+    pub fn length(&self) -> f64 {
+        self.lengths.iter().skip(1).step_by(2).sum()
+    }
+
+    /// Number of intervals.
+    pub fn count(&self) -> usize {
+        self.lengths.len() / 2
+    }
+
+    /// The intervals as pairs (a, ℓ); positions are rounded.
+    pub fn intervals(&self) -> Vec<(f64, f64)> {
+        let pairs = self.lengths.chunks_exact(2);
+        let located = pairs.scan(0.0, |end, pair| {
+            let start = *end + pair[0];
+            *end = start + pair[1];
+            Some((start, pair[1]))
+        });
+        located.collect()
+    }
+
+    /// The mirror image under x → 1 − x.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { lengths: self.lengths.iter().rev().copied().collect() }
+    }
+
+    /// The lengths that are not zero, and which of them belong to the zone.
+    pub(crate) fn parts(&self) -> (Vec<f64>, Vec<usize>) {
+        let first = usize::from(self.lengths[0] > 0.0);
+        let parts = self.lengths.iter().copied().filter(|&length| length > 0.0).collect();
+        (parts, (0..self.count()).map(|k| first + 2 * k).collect())
+    }
+}
+
+impl fmt::Display for Zones {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, (start, length)) in self.intervals().into_iter().enumerate() {
+            let joined = if k == 0 { "" } else { " u " };
+            write!(f, "{joined}({start:e}, {start:e}+{length:e})")?;
+        }
+        Ok(())
+    }
+}
+
+fn require_count(count: usize) -> Result<()> {
+    if (1..=MOST).contains(&count) {
+        return Ok(());
+    }
+    Err(Error::CountOutOfRange { name: "intervals of a zone", value: count, range: "[1, 32]" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Partition;
+    use crate::estimate::{Estimate, Tolerance};
+    use crate::numeric::pencil::Factored;
+    use crate::poincare::{Condition, extremal, gamma, largest_mean};
+    use crate::{FractionalOrder, gram_linears, mass_linears};
+    use nalgebra::DMatrix;
+
+    const CONDITIONS: [Condition; 2] = [Condition::MeanZero, Condition::Vanishing];
+
+    fn found(nu: f64, zones: impl Into<Zones>, condition: Condition) -> Estimate {
+        gamma(FractionalOrder::new(nu).unwrap(), zones, condition, Tolerance::new(1e-6).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn bad_unions_are_refused() {
+        let overlapping =
+            [&[(0.1, 0.2), (0.2, 0.2)][..], &[(0.1, 0.1), (0.2, 0.1)], &[(0.1, 0.2), (0.1, 0.2)]];
+        let outside = [&[(0.5, 0.6)][..], &[(-0.1, 0.2)], &[(0.1, 0.0)], &[(0.1, f64::NAN)], &[]];
+        for bad in overlapping.into_iter().chain(outside) {
+            assert!(Zones::union(bad).is_err(), "{bad:?}");
+        }
+        for bad in [&[][..], &[0.5], &[0.1, 0.2, 0.0, 0.1], &[0.5, 0.6], &[0.1, -0.1, 0.1, 0.3]] {
+            assert!(Zones::from_lengths(bad).is_err(), "{bad:?}");
+        }
+        let whole = Zones::union(&[(0.0, 1.0)]).unwrap();
+        assert!(gamma(FractionalOrder::HALF, whole, Condition::Vanishing, Tolerance::fast()).is_err());
+    }
+
+    #[test]
+    fn one_interval_has_the_bits_of_the_zone() {
+        for (a, theta) in [(0.0, 0.3), (0.25, 1e-9), (0.75, 0.25)] {
+            for condition in CONDITIONS {
+                let single = found(0.3, Zone::at(a, theta).unwrap(), condition);
+                assert_eq!(found(0.3, Zones::union(&[(a, theta)]).unwrap(), condition), single);
+            }
+        }
+    }
+
+    /// A conforming value on continuous piecewise linear functions of a mesh that is graded to the ends of
+    /// the intervals: the constant is a sum of basis functions there and no slope appears.
+    fn with_linears(nu: f64, zones: &Zones, condition: Condition) -> f64 {
+        let order = FractionalOrder::new(nu).unwrap();
+        let mut points = vec![0.0, 1.0];
+        points.extend(zones.intervals().iter().flat_map(|&(a, length)| [a, a + length]));
+        points.sort_by(f64::total_cmp);
+        points.dedup();
+        let partition = Partition::graded_to_points(&points, 14, 0.5).unwrap();
+        let nodes = partition.nodes();
+        let inside =
+            |x: f64| zones.intervals().iter().any(|&(a, length)| x > a - 1e-12 && x < a + length + 1e-12);
+        let (size, gram) = (nodes.len(), gram_linears(&partition, order));
+        let (diagonal, beside) = mass_linears(&partition);
+        let mut mean = vec![0.0; size];
+        for (k, pair) in nodes.windows(2).enumerate() {
+            if inside(0.5 * (pair[0] + pair[1])) {
+                let half = 0.5 * (pair[1] - pair[0]);
+                mean[k] += half;
+                mean[k + 1] += half;
+            }
+        }
+        // u = Σ x_k φ_k: one node of the zone is expressed by the others, or all are left out
+        let vanishes = condition == Condition::Vanishing;
+        let pivot = (0..size).max_by(|&i, &j| mean[i].total_cmp(&mean[j])).unwrap();
+        let kept: Vec<usize> =
+            (0..size).filter(|&k| if vanishes { !inside(nodes[k]) } else { k != pivot }).collect();
+        let slope = |k: usize| if vanishes { 0.0 } else { -mean[kept[k]] / mean[pivot] };
+        let mass = |i: usize, j: usize| match i.abs_diff(j) {
+            0 => diagonal[i],
+            1 => beside[i.min(j)],
+            _ => 0.0,
+        };
+        let form = |entry: &dyn Fn(usize, usize) -> f64| {
+            DMatrix::from_fn(kept.len(), kept.len(), |i, j| {
+                entry(kept[i], kept[j])
+                    + slope(i) * entry(pivot, kept[j])
+                    + slope(j) * entry(kept[i], pivot)
+                    + slope(i) * slope(j) * entry(pivot, pivot)
+            })
+        };
+        let factored = Factored::new(&form(&|i, j| gram[(i, j)])).unwrap();
+        factored.largest_eigenvalue(&form(&mass)).unwrap().0.sqrt()
+    }
+
+    #[test]
+    fn unions_agree_with_piecewise_linears() {
+        // Linears on cells that double have an error of some per cent, and from below.
+        let three = [[(0.0, 0.05), (0.3, 0.02), (0.9, 0.1)], [(0.4, 0.01), (0.45, 0.02), (0.5, 0.01)]];
+        for intervals in [&[(0.1, 0.2), (0.6, 0.1)][..], &three[0], &three[1]] {
+            let zones = Zones::union(intervals).unwrap();
+            for nu in [0.2, 0.5, 0.8] {
+                for condition in CONDITIONS {
+                    let (sharp, rough) =
+                        (found(nu, zones.clone(), condition), with_linears(nu, &zones, condition));
+                    let share = rough / sharp.value;
+                    assert!(share < 1.0 + 1e-6 && share > 0.96, "{zones}, {nu}, {condition}: {share}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn mirror_images_agree_and_short_gaps_close() {
+        for nu in [0.1, 0.5, 0.9] {
+            for condition in CONDITIONS {
+                let far = [[0.1, 1e-5, 0.6, 1e-4], [0.2, 1e-9, 0.5, 1e-10]];
+                for lengths in [[0.1, 0.05, 0.2, 1e-3], [0.3, 1e-8, 5e-8, 2e-8], far[0], far[1]] {
+                    let zones = Zones::from_lengths(&lengths).unwrap();
+                    let (one, other) =
+                        (found(nu, zones.clone(), condition), found(nu, zones.mirrored(), condition));
+                    let apart = (one.value - other.value).abs();
+                    assert!(apart <= one.error + other.error, "{zones}, {nu}, {condition}: {apart:e}");
+                }
+                let single = found(nu, Zone::at(0.3, 0.2).unwrap(), condition);
+                let split = Zones::from_lengths(&[0.3, 0.1, 1e-9, 0.1 - 1e-9]).unwrap();
+                let apart = (found(nu, split, condition).value / single.value - 1.0).abs();
+                assert!(apart < 2e-6, "{nu}, {condition}: {apart:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_extremal_function_meets_its_condition_and_the_dual_norm_is_below() {
+        let zones = Zones::union(&[(0.1, 0.02), (0.3, 0.1), (0.8, 0.05)]).unwrap();
+        let (order, tolerance) = (FractionalOrder::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
+        for condition in CONDITIONS {
+            let (value, function) = extremal(order, zones.clone(), condition, tolerance).unwrap();
+            let norm = largest_mean(order, zones.clone(), condition, tolerance).unwrap();
+            assert!(norm.value > 0.0 && norm.value < value.value);
+            let mean: f64 = zones
+                .intervals()
+                .iter()
+                .map(|&(a, length)| {
+                    let at = |k: u32| function.value(a + length * (f64::from(k) + 0.5) / 4000.0);
+                    let values: Vec<f64> = (0..4000).map(at).collect();
+                    if condition == Condition::Vanishing {
+                        assert!(values.iter().all(|u| u.abs() < 1e-9), "{zones}");
+                    }
+                    values.iter().sum::<f64>() / 4000.0 * length
+                })
+                .sum();
+            assert!(mean.abs() < 1e-6, "{condition}: {mean:e}");
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! A corner: the wedge 0 < θ < ω, trace on its edge θ = 0.
+
+use super::angular_kernel::AngularKernel;
+use super::half_line::HalfLineSymbol;
+use super::half_plane::require_trace;
+use super::wedge_elements::{Fineness, WedgeElements};
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Work};
+use crate::numeric::pencil::Factored;
+use crate::order::FractionalOrder;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Two finenesses: the second is returned, the first judges it.
+const FINENESS: [Fineness; 2] = [
+    Fineness { degree: 7, points: 11, levels: 3, first: 1e-4 },
+    Fineness { degree: 9, points: 14, levels: 4, first: 1e-5 },
+];
+/// Rounding of the matrix, relative to the energy; and what 1 − s loses of its digits, in ε/(1−s).
+const ROUNDING: f64 = 1e-12;
+const LOST: f64 = 16.0 * f64::EPSILON;
+/// Smallest angle and largest τ: what the meshes resolve.
+const ANGLES: &str = "[0.1, pi]";
+const LARGEST_TAU: f64 = 100.0;
+
+/// Quotients edge/wedge of the squared seminorms, mode by mode.
+///
+/// # Method
+///
+/// w = r^{s−1+iτ} ψ(θ), ψ(0) = 1. Per unit of ln r the edge has C(τ), the symbol of the half line, and the
+/// wedge
+///
+/// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
+///
+/// whose minimum over ψ is computed by finite elements (`wedge_elements`). The best constant of the
+/// wedge is the supremum of C(τ)/min E_τ over τ; as τ → ∞ the quotient tends to that of the half-plane,
+/// from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
+/// at π/2; there the quotient is the closed form for *every* τ, a second road to it.
+#[derive(Debug, Clone, Copy)]
+pub struct WedgeTrace {
+    order: FractionalOrder,
+    angle: f64,
+    mirrored: bool,
+}
+
+impl WedgeTrace {
+    /// The corner of angle ω, in radians.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, WedgeTrace, half_plane_trace};
+    /// let s = FractionalOrder::new(0.75)?;
+    /// let corner = WedgeTrace::corner(s, std::f64::consts::FRAC_PI_2)?.quotient(1.0)?;
+    /// // A right angle does no harm.
+    /// assert!(corner.value < 0.7 * half_plane_trace(s)?.value.powi(2));
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 1/2 < s and 0.1 ≤ ω ≤ π.
+    pub fn corner(order: impl Given<FractionalOrder>, angle: f64) -> Result<Self> {
+        let order = order.given()?;
+        require_trace(order)?;
+        Error::require("angle", angle, ANGLES, (0.1..=PI).contains(&angle))?;
+        Ok(Self { order, angle, mirrored: false })
+    }
+
+    /// The half-plane with even boundary values.
+    ///
+    /// ```
+    /// use fractional_sobolev::{FractionalOrder, WedgeTrace, half_plane_trace};
+    /// let s = FractionalOrder::new(0.75)?;
+    /// let flat = WedgeTrace::half_plane(s)?.quotient(2.0)?;
+    /// assert!(flat.value <= half_plane_trace(s)?.value.powi(2) + flat.error);
+    /// // s = 1, the mode τ → ∞ of any corner: 2π
+    /// let deep = WedgeTrace::quotient_at_one(1.0, 100.0)?;
+    /// assert!((deep / std::f64::consts::TAU - 1.0).abs() < 0.01);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for s ≤ 1/2.
+    pub fn half_plane(order: impl Given<FractionalOrder>) -> Result<Self> {
+        let order = order.given()?;
+        require_trace(order)?;
+        Ok(Self { order, angle: FRAC_PI_2, mirrored: true })
+    }
+
+    /// |f|²_{s−1/2}/|w|²_s for the boundary values r^{s−1+iτ} and the least energy: a lower bound of the
+    /// square of the best constant.
+    ///
+    /// The finite elements do not reach the least energy: up to the rules the value lies below the quotient.
+    /// Cost: 1e6 operations.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 ≤ τ ≤ 100.
+    pub fn quotient(&self, tau: f64) -> Result<Estimate> {
+        Error::require("tau", tau, "[0, 100]", (0.0..=LARGEST_TAU).contains(&tau))?;
+        let edge = self.edge(tau);
+        let [coarse, fine] = FINENESS.map(|fineness| self.least_energy(tau, fineness));
+        let ((coarse, _), (fine, points)) = (coarse?, fine?);
+        let error = (fine - coarse).abs() + (ROUNDING + LOST / self.order.complement()) * fine;
+        let work = Work { points, factorizations: 2, ..Work::default() };
+        Estimate::new(edge / fine, edge / fine * error / fine, work)
+    }
+
+    /// The same quotient for s = 1, ‖∇w‖² on the wedge: 2(πτ coth(πτ) − 1)/(τ tanh(ωτ)).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0.1 ≤ ω ≤ π and 0 ≤ τ ≤ 100.
+    pub fn quotient_at_one(angle: f64, tau: f64) -> Result<f64> {
+        Error::require("angle", angle, ANGLES, (0.1..=PI).contains(&angle))?;
+        Error::require("tau", tau, "[0, 100]", (0.0..=LARGEST_TAU).contains(&tau))?;
+        let x = PI * tau;
+        if x < 1e-3 {
+            // x coth x − 1 = x²/3 − x⁴/45 + ...
+            return Ok(2.0 * PI * PI / (3.0 * angle) * (1.0 - x * x / 15.0 + (angle * tau).powi(2) / 3.0));
+        }
+        Ok(2.0 * (x / x.tanh() - 1.0) / (tau * (angle * tau).tanh()))
+    }
+
+    /// The symbol of the edge.
+    fn edge(&self, tau: f64) -> f64 {
+        let (nu, s) = (self.order.offset(), self.order.value());
+        let half = HalfLineSymbol::new(2.0 * self.order.complement()).at(tau) / nu;
+        if !self.mirrored {
+            return half;
+        }
+        // Pairs on different sides: 2 ∫ (cosh((1−s)u) − cos(τu)) (2cosh(u/2))^{-2s} du, even in u.
+        let step = PI * PI / (36.0 + PI * tau);
+        // The terms fall like e^{−(2s−1)u}.
+        let terms = (36.0 / (step * (2.0 * nu).max(1e-4))).ceil() as usize;
+        let across = |k: usize| {
+            let u = k as f64 * step;
+            let difference = (0.5 * (1.0 - s) * u).sinh().powi(2) + (0.5 * tau * u).sin().powi(2);
+            difference * (2.0 * (0.5 * u).cosh()).powf(-2.0 * s)
+        };
+        half + 8.0 * step * (1..=terms).map(across).sum::<f64>()
+    }
+
+    /// min E_τ and how many unknowns it took.
+    fn least_energy(&self, tau: f64, fineness: Fineness) -> Result<(f64, u64)> {
+        let first = fineness.first / (1.0 + tau);
+        let elements = WedgeElements::new(self.order, self.angle, Fineness { first, ..fineness })?;
+        let kernel = AngularKernel::new(self.order, tau, elements.smallest());
+        let form = elements.form(&kernel, self.mirrored)?;
+        let best = Factored::new(&form.matrix)?.solve(&form.linear);
+        let gain: f64 = best.iter().zip(&form.linear).map(|(x, b)| x * b).sum();
+        Ok((form.constant - gain, best.len() as u64))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::half_plane_trace;
+
+    #[test]
+    fn the_half_plane_has_its_constant_in_every_mode() {
+        for (s, tau) in [(0.55, 0.0), (0.6, 8.0), (0.75, 0.5), (0.9, 2.0), (0.97, 0.0)] {
+            let order = FractionalOrder::new(s).unwrap();
+            let exact = half_plane_trace(order).unwrap().value.powi(2);
+            let found = WedgeTrace::half_plane(order).unwrap().quotient(tau).unwrap();
+            let error = (found.value - exact).abs();
+            assert!(error < found.error && error < 5e-6 * exact, "{s} {tau}: {found} {exact}");
+        }
+    }
+
+    #[test]
+    fn near_one_the_corner_is_that_of_the_dirichlet_integral() {
+        let order = FractionalOrder::new(1.0 - 1e-5).unwrap();
+        let scale = 0.5 * PI / order.complement();
+        for (angle, tau) in [(FRAC_PI_2, 0.0), (1.0, 1.5)] {
+            let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
+            let limit = WedgeTrace::quotient_at_one(angle, tau).unwrap();
+            assert!((found.value * scale / limit - 1.0).abs() < 1e-3, "{angle} {tau}: {found} {limit}");
+        }
+        // The rules come as close as 1 − s; the quotient goes to its limit like 1 − s.
+        for distance in [1e-3, 1e-5, 1e-8] {
+            let order = FractionalOrder::new(1.0 - distance).unwrap();
+            let scale = 0.5 * PI / order.complement();
+            for (angle, tau) in [(FRAC_PI_2, 0.0), (2.0, 1.0), (0.5, 0.3)] {
+                let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
+                let limit = WedgeTrace::quotient_at_one(angle, tau).unwrap();
+                let apart = (found.value * scale / limit - 1.0).abs();
+                let allowed = 3.0 * distance + found.error * scale / limit;
+                assert!(apart < allowed, "1 - s = {distance}, {angle} {tau}: {apart} > {allowed}");
+            }
+        }
+        let [below, above] = [0.999e-3, 1.001e-3].map(|x| WedgeTrace::quotient_at_one(1.0, x / PI).unwrap());
+        assert!((below / above - 1.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn what_the_meshes_do_not_resolve_is_an_error() {
+        let order = FractionalOrder::new(0.75).unwrap();
+        assert!(WedgeTrace::corner(order, 0.01).is_err() && WedgeTrace::corner(order, f64::NAN).is_err());
+        assert!(WedgeTrace::corner(FractionalOrder::HALF, 1.0).is_err());
+        assert!(WedgeTrace::half_plane(order).unwrap().quotient(1e4).is_err());
+    }
+}

@@ -1,0 +1,74 @@
+//! A number with its error and its work: plain data, below the errors, since a refusal carries the best one.
+
+use std::fmt;
+use std::ops::{Add, AddAssign};
+
+/// What an estimate cost, in counts that do not depend on the machine.
+///
+/// ```
+/// use fractional_sobolev::Work;
+/// let work = Work { points: 3, pairs: 4, ..Work::default() };
+/// assert_eq!((work + work).total(), 14);
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Evaluations of a function or a kernel.
+    pub points: u64,
+    /// Pairs of cells of a double integral.
+    pub pairs: u64,
+    /// Steps of an iteration.
+    pub iterations: u64,
+    /// Matrix factorizations or dense eigenproblems.
+    pub factorizations: u64,
+}
+
+impl Work {
+    /// All counts together: only for comparing a function with itself.
+    pub fn total(&self) -> u64 {
+        self.points + self.pairs + self.iterations + self.factorizations
+    }
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            points: self.points + other.points,
+            pairs: self.pairs + other.pairs,
+            iterations: self.iterations + other.iterations,
+            factorizations: self.factorizations + other.factorizations,
+        }
+    }
+}
+
+impl AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+/// A number with an honest absolute error estimate and the work it took.
+#[doc(alias("error bound", "interval"))]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value; finite.
+    pub value: f64,
+    /// Estimated absolute error; at least the rounding of `value`.
+    pub error: f64,
+    /// What it cost.
+    pub work: Work,
+}
+
+impl Estimate {
+    /// error / |value|, or the absolute error when the value is zero.
+    pub fn relative_error(&self) -> f64 {
+        if self.value == 0.0 { self.error } else { self.error / self.value.abs() }
+    }
+}
+
+impl fmt::Display for Estimate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:.12e} ± {:.1e}", self.value, self.error)
+    }
+}

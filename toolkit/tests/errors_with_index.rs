@@ -1,0 +1,100 @@
+//! A bad entry of a list is named by its index and its value, wherever the toolkit takes lists.
+
+use fractional_sobolev::{
+    BoundaryFunction, Error, GramOperator, MeshFunctional, Partition, PiecewisePolynomial, PlaneFunction,
+    PolygonalCurve, Result, SingularFunction, Triangles,
+    interpolation::ElementMesh,
+    poincare::{Places, Zones, growth},
+};
+
+/// (index, value) that the error names, in its fields and in its words.
+fn named(result: Result<()>) -> (usize, f64) {
+    let error = result.unwrap_err();
+    let text = error.to_string();
+    match error {
+        Error::NotFinite { index, value, .. } | Error::EntryOutOfRange { index, value, .. } => {
+            assert!(text.contains(&format!("index {index}")) && text.contains(&value.to_string()), "{text}");
+            (index, value)
+        }
+        other => panic!("{other}"),
+    }
+}
+
+/// A closed curve with two elements on every side.
+fn polygon(vertices: &[[f64; 2]]) -> Result<()> {
+    PolygonalCurve::closed(vertices, &vec![two(); vertices.len()]).map(drop)
+}
+
+fn two() -> Partition {
+    Partition::uniform(2, 1.0).unwrap()
+}
+
+#[test]
+fn entries_that_are_no_numbers_are_named() {
+    let nan = f64::NAN;
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let curve = || PolygonalCurve::graded(&square, 2, 1.0).unwrap();
+    let triangles = || Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]]).unwrap();
+    let mut values = [0.0; 8];
+    values[5] = nan;
+    let found = [
+        (1, Partition::from_nodes(&[0.0, nan, 1.0]).map(drop)),
+        (1, Partition::from_lengths(vec![1.0, nan]).map(drop)),
+        (2, PiecewisePolynomial::linears(two(), &[0.0, 1.0, nan]).map(drop)),
+        (0, PiecewisePolynomial::constants(two(), &[nan, 1.0]).map(drop)),
+        (1, PiecewisePolynomial::discontinuous_linears(two(), &[[0.0, 1.0], [nan, 1.0]]).map(drop)),
+        (1, MeshFunctional::new(two(), &[0.0, nan, 1.0]).map(drop)),
+        (2, GramOperator::linears(&two(), 0.5, 1e-8).unwrap().apply(&[0.0, 0.0, nan]).map(drop)),
+        (1, SingularFunction::new(&[0.0, nan, 1.0], |x| x).map(drop)),
+        (5, BoundaryFunction::linears(curve(), &values).map(drop)),
+        (5, BoundaryFunction::constants(curve(), &values).map(drop)),
+        (2, PlaneFunction::linears(triangles(), vec![0.0, 0.0, nan]).map(drop)),
+        (2, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, nan]])),
+        (1, Zones::union(&[(0.1, 0.1), (nan, 0.1)]).map(drop)),
+        (1, Zones::union(&[(0.1, 0.1), (0.5, nan)]).map(drop)),
+    ];
+    for (k, (index, result)) in found.into_iter().enumerate() {
+        let (at, value) = named(result);
+        assert!(at == index && value.is_nan(), "case {k}: {at}, {value}");
+    }
+}
+
+#[test]
+fn entries_that_are_out_of_range_are_named() {
+    let zone = fractional_sobolev::Estimate::new(1.0, 1e-9, fractional_sobolev::Work::default()).unwrap();
+    let found = [
+        (2, 0.5, Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(drop)),
+        (1, -1.0, Partition::from_lengths(vec![1.0, -1.0, 1.0]).map(drop)),
+        (2, 0.2, Partition::graded_to_points(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
+        (2, 0.2, SingularFunction::new(&[0.0, 0.3, 0.2, 1.0], |x| x).map(drop)),
+        (1, 0.3, Zones::union(&[(0.1, 0.3), (0.3, 0.1)]).map(drop)),
+        (1, -0.2, Zones::from_lengths(&[0.1, 0.1, 0.1, -0.2]).map(drop)),
+        (1, 0.0, ElementMesh::new(two(), &[2, 0]).map(drop)),
+        (
+            1,
+            25.0,
+            PiecewisePolynomial::with_bubbles(two(), &[[0.0; 2]; 2], vec![vec![], vec![0.0; 24]]).map(drop),
+        ),
+        (2, 0.2, growth(0.5, &[(0.3, zone), (0.2, zone), (0.2, zone)]).map(drop)),
+        (1, -0.1, growth(0.3, &[(0.3, zone), (-0.1, zone)]).map(drop)),
+        (1, 0.0, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])),
+        (2, 0.0, polygon(&[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 1.0]])),
+        (0, 0.0, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [2.0, 0.0]])),
+        (3, f64::INFINITY, polygon(&[[-1e308, 0.0], [0.0, 0.0], [0.0, 1.0], [1e308, 0.0]])),
+        (2, 1.5, Places::new(0.3, 1e-3, &[0.0, 0.5, 1.5], 1e-3).map(drop)),
+    ];
+    for (k, (index, value, result)) in found.into_iter().enumerate() {
+        assert_eq!(named(result), (index, value), "case {k}");
+    }
+}
+
+#[test]
+fn lengths_of_lists_are_named_with_what_was_expected() {
+    let short = PiecewisePolynomial::linears(two(), &[0.0]).unwrap_err();
+    assert_eq!(short.to_string(), "values of nodes has length 1, expected 3");
+    assert!(matches!(
+        MeshFunctional::new(two(), &[0.0]),
+        Err(Error::LengthMismatch { given: 1, expected: 3, .. })
+    ));
+    assert!(matches!(Partition::uniform(3, -1.0), Err(Error::OutOfRange { value: -1.0, .. })));
+}

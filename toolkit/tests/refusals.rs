@@ -1,0 +1,100 @@
+//! Where a tolerance is refused the error carries the best estimate of the quantity that was asked for, not of
+//! its square or of a part of it, and says why more is not to be had.
+
+use fractional_sobolev::{
+    DualOf, Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, Result, SingularFunction,
+    Tolerance,
+    interpolation::{ErrorNorm, dual_projection_constant, element_constant},
+    poincare::{Condition, Zone, extremal, gamma, gamma_at_point, largest_mean},
+};
+
+const SHARPEST: f64 = 1e-15;
+
+fn order(nu: f64) -> FractionalOrder {
+    FractionalOrder::new(nu).unwrap()
+}
+
+/// Refused at `asked`, and the best estimate encloses what a tolerance that can be met gives.
+fn assert_carries(what: &str, asked: f64, met: f64, of: impl Fn(Tolerance) -> Result<Estimate>) {
+    let exact = of(Tolerance::new(met).unwrap()).unwrap_or_else(|e| panic!("{what} at {met:e}: {e}"));
+    assert_encloses(what, of(Tolerance::new(asked).unwrap()), exact.value, exact.error);
+}
+
+fn assert_encloses(what: &str, found: Result<Estimate>, exact: f64, uncertain: f64) {
+    let refused = found.expect_err(what);
+    let Error::ToleranceNotMet { asked, reached, best: Some(best), why, .. } = refused else {
+        panic!("{what}: {refused:?}");
+    };
+    let off = (best.value - exact).abs();
+    assert!(off <= best.error + uncertain, "{what}: {best} is {off:e} off {exact:e} +- {uncertain:e}");
+    assert!(reached > asked && reached == best.relative_error(), "{what}: {reached:e}");
+    assert!(!why.is_empty());
+    assert_eq!(Estimate::or_best(Err(refused)), Ok(best));
+}
+
+#[test]
+fn closures_carry_the_norm_and_not_its_square() {
+    let root = SingularFunction::new(&[0.0, 1.0], |x: f64| 3e100 * x.sqrt()).unwrap();
+    assert_carries("seminorm", SHARPEST, 1e-10, |t| root.seminorm(order(0.75), t));
+    assert_carries("norm", SHARPEST, 1e-10, |t| root.norm(order(0.75), t));
+    assert_encloses("L^3", root.lq_norm(3.0, Tolerance::new(SHARPEST).unwrap()), 3e100 * 0.4f64.cbrt(), 1e86);
+    assert_encloses("mean", root.mean(Tolerance::new(SHARPEST).unwrap()), 2e100, 1e86);
+    let slope = SingularFunction::from_positions(&[0.0, 1.0], |p| p.x().powf(-0.2)).unwrap();
+    let whole = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(0.8) / 0.8).unwrap();
+    assert_carries("norm of order 1 + nu", SHARPEST, 1e-9, |t| {
+        whole.norm_with_derivative(&slope, order(0.2), t)
+    });
+}
+
+#[test]
+fn a_jump_that_is_not_declared_has_an_honest_best_value() {
+    for at in [0.2, 0.3, 0.37, 0.62, 0.9] {
+        let jumps = |x: f64| if x < at { 0.0 } else { 1.0 };
+        let u = SingularFunction::new(&[0.0, 1.0], jumps).unwrap();
+        let declared = SingularFunction::new(&[0.0, at, 1.0], jumps).unwrap();
+        let exact = declared.seminorm(order(0.25), Tolerance::new(1e-6).unwrap()).unwrap();
+        let found = u.seminorm(order(0.25), Tolerance::new(1e-6).unwrap());
+        assert_encloses(&format!("jump at {at}"), found, exact.value, exact.error);
+    }
+}
+
+#[test]
+fn piecewise_functions_and_dual_norms_carry_theirs() {
+    // Values that differ by few ulps on elements that shrink fast.
+    let partition = Partition::geometric(40, 0.1, 2.0).unwrap();
+    let values: Vec<f64> = (0..=partition.len()).map(|k| 1e-200 * (1.0 + 1e-9 * k as f64)).collect();
+    let u = PiecewisePolynomial::linears(partition, &values).unwrap();
+    let found = Estimate::or_best(u.seminorm(order(0.9), Tolerance::new(SHARPEST).unwrap())).unwrap();
+    assert!(found.relative_error() < 1e-13, "{found}");
+    let signs = |n: usize| {
+        let values: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 5.0 } else { -5.0 }).collect();
+        PiecewisePolynomial::constants(Partition::uniform(n, 1.0).unwrap(), &values).unwrap()
+    };
+    // The square of a functional's dual norm is what is computed inside.
+    for (of, asked, met) in [(DualOf::Slobodeckij, 1e-13, 1e-3), (DualOf::Interpolation, SHARPEST, 1e-12)] {
+        assert_carries("dual norm", asked, met, |t| signs(50).dual_norm_in(of, order(0.5), t));
+    }
+}
+
+#[test]
+fn constants_carry_theirs() {
+    let zone = || Zone::end(0.25).unwrap();
+    assert_carries("gamma", SHARPEST, 1e-11, |t| gamma(order(0.4), zone(), Condition::MeanZero, t));
+    let attained = |t| extremal(order(0.4), zone(), Condition::MeanZero, t).map(|found| found.0);
+    assert_carries("gamma with its function", SHARPEST, 1e-11, attained);
+    assert_carries("dual norm", SHARPEST, 1e-11, |t| {
+        largest_mean(order(0.4), zone(), Condition::MeanZero, t)
+    });
+    assert_carries("element", SHARPEST, 1e-12, |t| element_constant(ErrorNorm::L2, order(0.3), t));
+    assert_carries("projection", SHARPEST, 1e-10, |t| dual_projection_constant(0.3, t));
+    let near = gamma_at_point(FractionalOrder::from_offset(1e-6).unwrap(), 0.0, Tolerance::fast());
+    assert!(matches!(near, Err(Error::ToleranceNotMet { best: None, .. })), "{near:?}");
+}
+
+#[test]
+fn the_message_names_value_and_reason() {
+    let error =
+        gamma(order(0.4), Zone::end(0.25).unwrap(), Condition::MeanZero, Tolerance::new(SHARPEST).unwrap());
+    let text = error.unwrap_err().to_string();
+    assert!(text.contains("best value") && text.contains("rounding"), "{text}");
+}

@@ -1,0 +1,263 @@
+//! Norms on polygonal curves: closed forms over corners, intervals, circles as limits of regular polygons.
+
+use fractional_sobolev::{
+    BoundaryFunction, DualOf, Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial,
+    PolygonalCurve, Tolerance,
+};
+use std::f64::consts::{PI, TAU};
+
+const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+
+fn order(nu: f64) -> FractionalOrder {
+    FractionalOrder::new(nu).unwrap()
+}
+
+fn uniform(count: usize) -> Partition {
+    Partition::uniform(count, 1.0).unwrap()
+}
+
+/// A regular polygon in the unit circle, one element on every side.
+fn regular(count: usize) -> PolygonalCurve {
+    let vertex = |k: usize| {
+        let (sine, cosine) = (TAU * k as f64 / count as f64).sin_cos();
+        [cosine, sine]
+    };
+    let vertices: Vec<[f64; 2]> = (0..count).map(vertex).collect();
+    PolygonalCurve::closed(&vertices, &vec![uniform(1); count]).unwrap()
+}
+
+/// ∫∫ τ² d^{-1-2ν} over the unit square, d the distance of points at σ, τ from a corner of the angle ω, in
+/// polar coordinates: d = ρ √(1 − sin 2θ cos ω), ρ up to 1/max(cos θ, sin θ).
+fn over_corner(angle: f64, nu: f64) -> f64 {
+    let steps = 40_000;
+    let value = |theta: f64| {
+        let reach = 1.0 / theta.cos().max(theta.sin());
+        let d = (1.0 - (2.0 * theta).sin() * angle.cos()).sqrt();
+        theta.sin().powi(2) * d.powf(-1.0 - 2.0 * nu) * reach.powf(3.0 - 2.0 * nu) / (3.0 - 2.0 * nu)
+    };
+    // Simpson's rule on either side of the kink at π/4.
+    let half = |from: f64| {
+        let h = 0.25 * PI / steps as f64;
+        let weight = |k: usize| if k == 0 || k == steps { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+        (0..=steps).map(|k| weight(k) * value(from + k as f64 * h)).sum::<f64>() * h / 3.0
+    };
+    half(0.0) + half(0.25 * PI)
+}
+
+#[test]
+fn corners_of_every_angle() {
+    for angle in [0.02, 0.3, 1.0, 0.5 * PI, 2.0, 3.0, 3.3, 5.0, 6.2] {
+        for nu in [0.1, 0.5, 0.9] {
+            let end = [f64::cos(angle), f64::sin(angle)];
+            for count in [1, 5] {
+                let meshes = [uniform(count), Partition::algebraic(count, 2.0, 1.0).unwrap()];
+                let curve = PolygonalCurve::open(&[[1.0, 0.0], [0.0, 0.0], end], &meshes).unwrap();
+                let values: Vec<f64> = (0..=2 * count)
+                    .map(|k| k.saturating_sub(count) as f64 / count as f64)
+                    .map(|t| t * t)
+                    .collect();
+                let u = BoundaryFunction::linears(curve, &values).unwrap();
+                let found = u.seminorm(order(nu), Tolerance::new(1e-10).unwrap()).unwrap();
+                // u = τ on the second leg alone.
+                let own = 2.0 / ((2.0 - 2.0 * nu) * (3.0 - 2.0 * nu));
+                let exact = (own + 2.0 * over_corner(angle, nu)).sqrt();
+                assert!((found.value / exact - 1.0).abs() < 1e-8, "{angle} {nu} {count}: {found} {exact}");
+            }
+        }
+    }
+}
+
+#[test]
+fn straight_curves_are_intervals() {
+    let (first, second) = (Partition::algebraic(20, 3.0, 1.0).unwrap(), uniform(13));
+    let lengths: Vec<f64> =
+        first.lengths().iter().map(|h| 3.0 * h).chain(second.lengths().iter().map(|h| 2.0 * h)).collect();
+    let direction = [0.6, 0.8];
+    let at = |t: f64| [1.0 + t * direction[0], -2.0 + t * direction[1]];
+    let curve = PolygonalCurve::open(&[at(0.0), at(3.0), at(5.0)], &[first, second]).unwrap();
+    let values: Vec<f64> = (0..34).map(|k| f64::sin(f64::from(k * k))).collect();
+    let steps: Vec<f64> = (0..33).map(|k| f64::sin(f64::from(k * k))).collect();
+    let mesh = Partition::from_lengths(lengths).unwrap();
+    let on_curve = BoundaryFunction::linears(curve.clone(), &values).unwrap();
+    let flat = PiecewisePolynomial::linears(mesh.clone(), &values).unwrap();
+    for nu in [0.1, 0.5, 0.95] {
+        for tolerance in [1e-3, 1e-8, 1e-12] {
+            let tolerance = Tolerance::new(tolerance).unwrap();
+            let found = on_curve.norm(order(nu), tolerance).unwrap();
+            let exact = flat.norm(order(nu), Tolerance::reference()).unwrap();
+            assert!((found.value - exact.value).abs() <= found.error + exact.error, "{nu}: {found} {exact}");
+        }
+    }
+    let on_curve = BoundaryFunction::constants(curve, &steps).unwrap();
+    let flat = PiecewisePolynomial::constants(mesh, &steps).unwrap();
+    for nu in [0.1, 0.49] {
+        let found = on_curve.seminorm(order(nu), Tolerance::balanced()).unwrap();
+        let exact = flat.seminorm(order(nu), Tolerance::reference()).unwrap();
+        assert!((found.value - exact.value).abs() <= found.error + exact.error, "{nu}: {found} {exact}");
+    }
+}
+
+#[test]
+fn vertices_on_a_side_change_nothing() {
+    let wave = |x: [f64; 2]| (3.0 * x[0]).sin() + x[1] * x[1];
+    let plain = PolygonalCurve::graded(&SQUARE, 6, 1.0).unwrap();
+    let vertices = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.5]];
+    let meshes = [uniform(3), uniform(3), uniform(6), uniform(6), uniform(3), uniform(3)];
+    let cut = PolygonalCurve::closed(&vertices, &meshes).unwrap();
+    for nu in [0.2, 0.5, 0.8] {
+        let norms = [&plain, &cut].map(|curve| {
+            let u = BoundaryFunction::interpolate(curve.clone(), wave).unwrap();
+            let dual = Estimate::or_best(u.dual_norm(order(nu), Tolerance::fast())).unwrap();
+            (u.seminorm(order(nu), Tolerance::balanced()).unwrap(), dual)
+        });
+        let [(one, dual), (other, same)] = norms;
+        assert!((one.value - other.value).abs() <= one.error + other.error, "{nu}: {one} {other}");
+        assert!((dual.value / same.value - 1.0).abs() < 1e-9, "{nu}: {dual} {same}");
+    }
+}
+
+#[test]
+fn regular_polygons_become_the_circle() {
+    // |cos kθ|²_{1/2} = 2π² k on the unit circle, its square in L² π: of the eigenfunction the dual norm is
+    // π/||u||.
+    for k in [1, 3] {
+        let wave = |x: [f64; 2]| (f64::from(k) * x[1].atan2(x[0])).cos();
+        let exact = (2.0 * PI * PI * f64::from(k)).sqrt();
+        let off = |count: usize| {
+            let u = BoundaryFunction::interpolate(regular(count), wave).unwrap();
+            u.seminorm(FractionalOrder::HALF, Tolerance::balanced()).unwrap().value / exact - 1.0
+        };
+        let (coarse, fine) = (off(150), off(300));
+        assert!(fine.abs() < 2e-3 && (coarse / fine - 4.0).abs() < 0.2, "{k}: {coarse:e} {fine:e}");
+        assert!((fine - coarse / 4.0).abs() < 2e-5);
+        let dual = PI / (PI + exact * exact).sqrt();
+        let off = |count: usize| {
+            let u = BoundaryFunction::interpolate(regular(count), wave).unwrap();
+            let found = u.dual_norm(FractionalOrder::HALF, Tolerance::new(1e-6).unwrap()).unwrap();
+            found.value / dual - 1.0
+        };
+        let (coarse, fine) = (off(48), off(96));
+        assert!((fine - coarse / 4.0).abs() < 1e-3 * f64::from(k * k), "{k}: {coarse:e} {fine:e}");
+        assert!(fine.abs() < 4e-3 * f64::from(k * k), "{k}: {fine:e}");
+    }
+}
+
+#[test]
+fn dual_norms_of_jumps_agree_on_two_meshes() {
+    // One on the lower side, minus one on the upper one.
+    let found = [(4, 1.0), (8, 3.0)].map(|(count, exponent)| {
+        let curve = PolygonalCurve::graded(&SQUARE, count, exponent).unwrap();
+        let sign = |e: usize| {
+            if e < count {
+                1.0
+            } else if (2 * count..3 * count).contains(&e) {
+                -1.0
+            } else {
+                0.0
+            }
+        };
+        let values: Vec<f64> = (0..4 * count).map(sign).collect();
+        let u = BoundaryFunction::constants(curve, &values).unwrap();
+        Estimate::or_best(u.dual_norm(FractionalOrder::HALF, Tolerance::balanced())).unwrap()
+    });
+    let [one, other] = found;
+    assert!((one.value - other.value).abs() <= one.error + other.error, "{one} {other}");
+    assert!(one.relative_error() < 1e-3 && other.relative_error() < 1e-3, "{one} {other}");
+}
+
+#[test]
+fn powers_have_their_closed_forms() {
+    let u = BoundaryFunction::interpolate(PolygonalCurve::graded(&SQUARE, 6, 2.5).unwrap(), |x| x[0] - 0.5);
+    let u = u.unwrap();
+    for q in [1.0, 2.0, 2.5, 40.0] {
+        // |x - 1/2| on two sides, 1/2 on the others
+        let exact: f64 = 2.0 * 0.5f64.powf(q) * (1.0 + 1.0 / (q + 1.0));
+        let found = u.lq_norm(q, 1e-12).unwrap();
+        let off = (found.value - exact.powf(1.0 / q)).abs();
+        assert!(off <= found.error && found.relative_error() < 1e-12, "{q}: {found}, off {off:e}");
+    }
+    assert_eq!(u.lq_norm(f64::INFINITY, 1e-12).unwrap().value, 0.5);
+    assert!(matches!(u.lq_norm(0.5, 1e-12), Err(Error::OutOfRange { .. })));
+}
+
+#[test]
+fn duals_of_interpolation_spaces_have_their_fourier_series() {
+    let triangle = [[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]];
+    let (lengths, total) = ([3.0, 5.0, 4.0], 12.0);
+    let mesh = |k: usize| Partition::two_sided_algebraic(3 + k, 1.0 + k as f64, 1.0).unwrap();
+    let meshes = [mesh(0), mesh(1), mesh(2)];
+    for (side, nu) in [(0, 0.3), (1, 0.3), (2, 0.3), (0, 0.5), (1, 0.75), (2, 0.95)] {
+        // 1 on a side: c_k = sin(pi k l/L)/(pi k), the square L sum |c_k|^2 (1 + (2 pi k/L)^2)^-nu
+        let term = |k: usize| {
+            let k = k as f64;
+            let c = (PI * k * lengths[side] / total).sin() / (PI * k);
+            2.0 * c * c * (1.0 + (TAU * k / total).powi(2)).powf(-nu)
+        };
+        let mean: f64 = lengths[side] / total;
+        let count = 2_000_000;
+        // sin^2 is 1/2 on average beyond
+        let last = count as f64 + 0.5;
+        let rest = (TAU / total).powf(-2.0 * nu) / (PI * PI) * last.powf(-1.0 - 2.0 * nu) / (1.0 + 2.0 * nu);
+        let sum: f64 = (1..=count).rev().map(term).sum::<f64>() + rest + mean * mean;
+        let exact = (total * sum).sqrt();
+        let curve = PolygonalCurve::closed(&triangle, &meshes).unwrap();
+        let values: Vec<f64> = (meshes.iter().enumerate())
+            .flat_map(|(k, mesh)| vec![f64::from(u8::from(k == side)); mesh.len()])
+            .collect();
+        let u = BoundaryFunction::constants(curve, &values).unwrap();
+        for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
+            let found = u.dual_norm_in(of, nu, 1e-9).unwrap();
+            let off = (found.value - exact).abs();
+            assert!(off <= found.error + 1e-11 * exact, "{side} {nu} {of:?}: {found}, off {off:e}");
+        }
+    }
+}
+
+#[test]
+fn duals_on_open_curves_know_the_arc_length_alone() {
+    let nodes = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
+    let bent = PolygonalCurve::open(&nodes, &[uniform(3), uniform(3)]).unwrap();
+    let values = [0.3, -1.0, 2.0, 0.0, 0.5, 1.0, -0.7];
+    let u = BoundaryFunction::linears(bent, &values).unwrap();
+    let straight = PiecewisePolynomial::linears(Partition::uniform(6, 2.0).unwrap(), &values).unwrap();
+    for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
+        let [a, b] =
+            [u.dual_norm_in(of, 0.4, 1e-9), straight.dual_norm_in(of, 0.4, 1e-9)].map(Result::unwrap);
+        assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
+    }
+    assert_eq!(u.dual_norm_in(DualOf::Slobodeckij, 0.4, 1e-3), u.dual_norm(0.4, 1e-3));
+}
+
+#[test]
+fn many_elements_of_a_closed_curve_are_a_matter_of_seconds() {
+    // The same function on 100 000 elements and on 8.
+    let of = |per_side: usize| {
+        let curve = PolygonalCurve::graded(&SQUARE, per_side, 1.0).unwrap();
+        BoundaryFunction::interpolate(curve, |x| x[0] + x[0] * 3.0 * x[1]).unwrap()
+    };
+    let [few, many] = [of(2), of(25_000)].map(|u| u.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8).unwrap());
+    assert!((few.value - many.value).abs() <= few.error + many.error, "{few} {many}");
+}
+
+#[test]
+fn faults_are_refused() {
+    let mesh = || uniform(2);
+    let crossed = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+    let meshes = [mesh(), mesh(), mesh(), mesh()];
+    assert!(matches!(PolygonalCurve::closed(&crossed, &meshes), Err(Error::Edge { .. })));
+    let spike = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.0], [0.5, 1.0]];
+    assert!(matches!(PolygonalCurve::open(&spike, &meshes[..3]), Err(Error::EntryOutOfRange { .. })));
+    let point = [[0.0, 0.0], [0.0, 0.0], [0.5, 1.0]];
+    assert!(matches!(PolygonalCurve::open(&point, &meshes[..2]), Err(Error::EntryOutOfRange { .. })));
+    assert!(matches!(PolygonalCurve::closed(&SQUARE, &meshes[..3]), Err(Error::LengthMismatch { .. })));
+    let bad = [[0.0, 0.0], [f64::NAN, 0.0], [0.5, 1.0]];
+    assert!(matches!(PolygonalCurve::closed(&bad, &meshes[..3]), Err(Error::NotFinite { .. })));
+    assert!(PolygonalCurve::closed(&SQUARE[..2], &meshes[..2]).is_err());
+    assert!(PolygonalCurve::graded(&SQUARE, 3, 1.0).is_err());
+    let curve = PolygonalCurve::closed(&SQUARE, &meshes).unwrap();
+    assert!(BoundaryFunction::linears(curve.clone(), &[0.0; 9]).is_err());
+    assert!(BoundaryFunction::constants(curve.clone(), &[f64::INFINITY; 8]).is_err());
+    let zero = BoundaryFunction::constants(curve, &[0.0; 8]).unwrap();
+    assert_eq!(zero.seminorm(order(0.7), Tolerance::fast()).unwrap().value, 0.0);
+    assert_eq!(zero.dual_norm(order(0.7), Tolerance::fast()).unwrap().value, 0.0);
+}

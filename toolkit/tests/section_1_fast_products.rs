@@ -1,0 +1,118 @@
+//! Fast products with Gram matrices against the dense matrices, and against each other.
+
+use fractional_sobolev::{FractionalOrder, GramOperator, Partition, Tolerance, gram_constants, gram_linears};
+
+/// Asked of the operators.
+const ASKED: f64 = 1e-12;
+/// Required of the product, relative to its largest entry and, entry by entry, to |A| |x|.
+const PRODUCT_TOLERANCE: f64 = 1e-10;
+
+fn random(count: usize) -> Vec<f64> {
+    // A linear congruential sequence (Knuth's MMIX constants), fixed seed.
+    let mut state = 0x2012_2400_u64;
+    (0..count)
+        .map(|_| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        })
+        .collect()
+}
+
+fn check(what: &str, operator: &GramOperator, matrix: &nalgebra::DMatrix<f64>) {
+    let n = matrix.nrows();
+    let x = random(n);
+    let y = operator.apply(&x).unwrap();
+    let (mut largest, mut worst, mut worst_entry) = (0.0f64, 0.0f64, 0.0f64);
+    for i in 0..n {
+        let (mut exact, mut absolute) = (0.0, 0.0);
+        for j in 0..n {
+            exact += matrix[(i, j)] * x[j];
+            absolute += (matrix[(i, j)] * x[j]).abs();
+        }
+        largest = largest.max(exact.abs());
+        worst = worst.max((y[i] - exact).abs());
+        worst_entry = worst_entry.max((y[i] - exact).abs() / absolute);
+    }
+    println!("{what}: {:.1e} of the largest, {worst_entry:.1e} of |A||x| entry by entry", worst / largest);
+    assert!(worst <= PRODUCT_TOLERANCE * largest, "{what}: {worst:e} against {largest:e}");
+    if !operator.is_uniform() {
+        assert!(worst_entry <= PRODUCT_TOLERANCE, "{what}: {worst_entry:e} of |A||x| in one entry");
+    }
+}
+
+/// Ratio of a geometric mesh of n elements that reaches `smallest`.
+fn geometric(n: usize, smallest: f64) -> Partition {
+    Partition::geometric(n - 1, smallest.powf(1.0 / (n - 1) as f64), 1.0).unwrap()
+}
+
+fn meshes(n: usize) -> Vec<(&'static str, Partition)> {
+    let ratio = 1e-30f64.powf(2.0 / n as f64);
+    vec![
+        ("uniform", Partition::uniform(n, 1.0).unwrap()),
+        ("geometric to 1e-30", geometric(n, 1e-30)),
+        ("two-sided to 1e-30", Partition::two_sided(n / 2, ratio, 1.0).unwrap()),
+        ("strongly graded", Partition::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
+        ("geometric to 1e-250", geometric(n / 4, 1e-250)),
+    ]
+}
+
+#[test]
+fn hats_agree_with_the_dense_matrix() {
+    for (name, partition) in meshes(2000) {
+        for nu in ["0.1", "1/2", "0.9"] {
+            let order: FractionalOrder = nu.parse().unwrap();
+            let operator = GramOperator::linears(&partition, order, Tolerance::new(ASKED).unwrap()).unwrap();
+            check(&format!("P1 {name} nu {nu}"), &operator, &gram_linears(&partition, order));
+        }
+    }
+}
+
+#[test]
+fn indicators_agree_with_the_dense_matrix() {
+    for (name, partition) in meshes(1000) {
+        for nu in ["1e-6", "0.25", "0.499999"] {
+            let order: FractionalOrder = nu.parse().unwrap();
+            let operator =
+                GramOperator::constants(&partition, order, Tolerance::new(ASKED).unwrap()).unwrap();
+            let matrix = gram_constants(&partition, order).unwrap();
+            check(&format!("P0 {name} nu {nu}"), &operator, &matrix);
+        }
+    }
+}
+
+#[test]
+fn both_fast_methods_agree_on_a_large_uniform_mesh() {
+    let partition = Partition::uniform(20_000, 1.0).unwrap();
+    let order = FractionalOrder::new(0.6).unwrap();
+    let tolerance = Tolerance::new(ASKED).unwrap();
+    let fourier = GramOperator::linears(&partition, order, tolerance).unwrap();
+    let tree = GramOperator::linears_hierarchical(&partition, order, tolerance).unwrap();
+    let x = random(20_001);
+    let (a, b) = (fourier.apply(&x).unwrap(), tree.apply(&x).unwrap());
+    let largest = a.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let worst = a.iter().zip(&b).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+    assert!(worst <= PRODUCT_TOLERANCE * largest, "{worst:e} against {largest:e}");
+}
+
+#[test]
+fn wrong_vectors_are_errors() {
+    let partition = Partition::uniform(4, 1.0).unwrap();
+    let operator = GramOperator::linears(&partition, FractionalOrder::HALF, Tolerance::balanced()).unwrap();
+    assert!(operator.apply(&[0.0; 4]).is_err());
+    assert!(operator.apply(&[0.0, f64::NAN, 0.0, 0.0, 0.0]).is_err());
+}
+
+#[test]
+fn one_and_two_elements_work() {
+    for n in [1, 2, 3] {
+        let partition = Partition::uniform(n, 1.0).unwrap();
+        let matrix = gram_linears(&partition, FractionalOrder::HALF);
+        for operator in [
+            GramOperator::linears(&partition, FractionalOrder::HALF, Tolerance::balanced()).unwrap(),
+            GramOperator::linears_hierarchical(&partition, FractionalOrder::HALF, Tolerance::balanced())
+                .unwrap(),
+        ] {
+            check(&format!("{n} elements"), &operator, &matrix);
+        }
+    }
+}

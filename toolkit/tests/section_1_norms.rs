@@ -1,0 +1,66 @@
+//! Norms, means and L^q norms of closures, norms of order 1 + nu, and piecewise linears on many elements,
+//! each against a closed form.
+
+use fractional_sobolev::{
+    FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms,
+};
+
+/// Asked of every quadrature; the true error is at most this by the contract of an estimate.
+const ASKED: f64 = 1e-10;
+
+fn asked() -> Tolerance {
+    Tolerance::new(ASKED).unwrap()
+}
+
+#[track_caller]
+fn assert_close(what: &str, value: f64, expected: f64, tolerance: f64) {
+    let error = (value / expected - 1.0).abs();
+    assert!(error <= tolerance, "{what}: {value:.17e} against {expected:.17e}, off by {error:e}");
+}
+
+#[test]
+fn means_and_lebesgue_norms_of_powers_are_beta_integrals() {
+    for a in [-0.3, 0.001, 0.5, 3.0, 40.0] {
+        let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
+        assert_close(&format!("mean of x^{a}"), u.mean(asked()).unwrap().value, 1.0 / (a + 1.0), ASKED);
+        for q in [1.0_f64, 1.5, 2.0, 3.0, 7.25] {
+            if a * q <= -1.0 {
+                assert!(u.lq_norm(q, asked()).is_err(), "x^{a} is not in L^{q}");
+                continue;
+            }
+            let norm = u.lq_norm(q, asked()).unwrap().value;
+            assert_close(&format!("L^{q} norm of x^{a}"), norm, (a * q + 1.0).powf(-1.0 / q), ASKED);
+        }
+    }
+}
+
+#[test]
+fn order_above_one_adds_the_derivative() {
+    // u = x^2, u' = 2 x: |u|_0^2 = 1/5, |u'|_0^2 = 4/3 and |u'|_nu^2 = 4 |x|_nu^2.
+    let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x * x).unwrap();
+    let slope = SingularFunction::new(&[0.0, 1.0], |x: f64| 2.0 * x).unwrap();
+    for nu in [1e-6, 0.01, 0.25, 0.5, 0.75, 0.99] {
+        let order = FractionalOrder::new(nu).unwrap();
+        let squared = closed_forms::power(1.0, order).unwrap().value;
+        let expected = (0.2 + 4.0 / 3.0 + 4.0 * squared).sqrt();
+        let norm = u.norm_with_derivative(&slope, order, asked()).unwrap();
+        assert_close(&format!("||x^2|| of order 1 + {nu}"), norm.value, expected, ASKED);
+        assert!((norm.value - expected).abs() <= 10.0 * norm.error, "nu {nu}: {norm:?}");
+    }
+    let shorter = SingularFunction::new(&[0.0, 0.5], |x: f64| 2.0 * x).unwrap();
+    assert!(u.norm_with_derivative(&shorter, FractionalOrder::HALF, asked()).is_err());
+}
+
+#[test]
+fn thousands_of_elements_change_nothing() {
+    let count = 5000;
+    let partition = Partition::uniform(count, 1.0).unwrap();
+    let hat: Vec<f64> = (0..=count).map(|k| 1.0 - (2.0 * k as f64 / count as f64 - 1.0).abs()).collect();
+    let u = PiecewisePolynomial::linears(partition, &hat).unwrap();
+    for nu in [0.25, 0.5, 0.75] {
+        let order = FractionalOrder::new(nu).unwrap();
+        let exact = closed_forms::hat(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
+        let seminorm = u.seminorm(order, asked()).unwrap();
+        assert_close(&format!("hat on {count} elements, nu {nu}"), seminorm.value, exact, ASKED);
+    }
+}

@@ -1,0 +1,81 @@
+//! Section 1: functions whose norms rounding spoils are refused at once, with a value and a way out; a limit
+//! of work is kept by every norm that evaluates a closure.
+
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, Result, SingularFunction,
+    SingularPlaneFunction, Tolerance, Triangles,
+};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+fn refusal(found: &Result<Estimate>) -> (Option<Estimate>, &'static str) {
+    match found {
+        Err(Error::ToleranceNotMet { best, why, .. }) => (*best, why),
+        other => panic!("not refused: {other:?}"),
+    }
+}
+
+#[test]
+fn a_logarithm_of_rounded_distances_is_refused_quickly() {
+    let rounded = SingularFunction::new(&[0.0, 0.3, 1.0], |x: f64| (x - 0.3).abs().ln()).unwrap();
+    let exact = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
+    for (order, tolerance) in [(0.45, 1e-6_f64), (0.45, 1e-10), (0.3, 1e-10), (0.49, 1e-4)] {
+        let reference = exact.seminorm(order, tolerance.min(1e-6)).unwrap();
+        let found = rounded.seminorm(order, tolerance);
+        let (best, why) = refusal(&found);
+        let best = best.expect("a value");
+        assert!((best.value - reference.value).abs() <= best.error + reference.error, "{best} {reference}");
+        assert!(why.contains("from_positions"), "{why}");
+        // 43 s were 10⁹ evaluations.
+        assert!(best.work.points < 5_000_000, "{best:?}");
+    }
+    // What rounding leaves room for is still answered.
+    assert!(rounded.seminorm(0.2, 1e-6).is_ok() && rounded.seminorm(0.45, 1e-2).is_ok());
+}
+
+#[test]
+fn every_norm_of_a_closure_keeps_a_limit_of_work() {
+    let count = AtomicU64::new(0);
+    let noisy = |x: f64| {
+        count.fetch_add(1, Ordering::Relaxed);
+        (1e4 * x).sin() + (1e9 * x).sin().abs()
+    };
+    let u = SingularFunction::new(&[0.0, 1.0], noisy).unwrap();
+    let mesh = Partition::uniform(10, 1.0).unwrap();
+    let field = PiecewisePolynomial::linears(mesh, &[0.0; 11]).unwrap();
+    let plane = Triangles::grid([2, 2], 1.0).unwrap();
+    let w = SingularPlaneFunction::new(plane, &[], |at| noisy(at.x()[0])).unwrap();
+    for limit in [100, 10_000, 300_000] {
+        let tolerance = Tolerance::new(1e-9).unwrap().with_work(limit);
+        let order = FractionalOrder::new(0.4).unwrap();
+        type Norm<'a> = (&'a str, u64, &'a dyn Fn() -> Result<Estimate>);
+        let norms: [Norm<'_>; 11] = [
+            ("seminorm", 1, &|| u.seminorm(order, tolerance)),
+            ("norm", 2, &|| u.norm(order, tolerance)),
+            ("l2", 1, &|| u.l2_norm(tolerance)),
+            ("l3", 1, &|| u.lq_norm(3.0, tolerance)),
+            ("sup", 1, &|| u.lq_norm(f64::INFINITY, tolerance)),
+            ("mean", 2, &|| u.mean(tolerance)),
+            ("dual", 2, &|| u.dual_norm(order, tolerance)),
+            ("error", 2, &|| u.minus(&field).norm(order, tolerance)),
+            ("error in L2", 1, &|| u.minus(&field).l2_norm(tolerance)),
+            ("plane", 1, &|| w.seminorm(order, tolerance)),
+            ("plane L2", 1, &|| w.l2_norm(tolerance)),
+        ];
+        for (name, integrals, norm) in norms {
+            count.store(0, Ordering::Relaxed);
+            let found = norm();
+            let (_, why) = refusal(&found);
+            let spent = count.load(Ordering::Relaxed);
+            // Beside the limit: looks at the size, and in the plane a rule on every pair that was begun.
+            let slack = if name.starts_with("plane") { 600_000 } else { 200 };
+            assert!(spent <= integrals * (limit + slack), "{name}: {spent} of {limit}");
+            if spent as f64 > 0.9 * limit as f64 && name != "mean" && name != "plane L2" {
+                assert!(why.contains("limit of work"), "{name}, {limit}: {why}");
+            }
+        }
+    }
+    // The limit is far from what smooth functions need.
+    let smooth = SingularFunction::new(&[0.0, 1.0], |x: f64| x.exp()).unwrap();
+    let few = Tolerance::balanced().with_work(500_000);
+    assert!(smooth.norm(0.5, few).is_ok() && smooth.norm(0.5, few.with_work(500)).is_err());
+}
