@@ -81,7 +81,7 @@ impl EdgeCone {
     /// B'λ: the nodal forces of the multipliers.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] when λ does not hold one entry per constraint.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when λ does not hold one entry per constraint.
     pub fn apply_transposed(self, multiplier: &[f64]) -> Result<Vec<f64>> {
         let expected = self.constraints();
         if multiplier.len() != expected {
@@ -125,7 +125,7 @@ impl EdgeCone {
     /// constraints lying in it.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] when halving the segments of that edge does not give this one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when halving the segments of that edge does not give this one.
     pub fn refined_set(self, coarse: &ContactSet) -> Result<ContactSet> {
         let set = coarse.as_slice();
         let given = match (self.cone, self.ends) {

@@ -79,7 +79,7 @@ impl Evidence<'_> {
     /// The four figures.
     ///
     /// # Errors
-    /// [`crate::Error::LengthMismatch`] or [`crate::Error::NotFinite`]: a solution that is not a number is
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite): a solution that is not a number is
     /// not judged.
     pub fn judge(&self) -> Result<Judgement> {
         self.check()?;

@@ -53,9 +53,9 @@ struct Change {
 /// Solves the edge problem; `sizes` are the relative sizes expected of the displacement at the nodes.
 ///
 /// # Errors
-/// [`Error::NotPositiveDefinite`] when S is not; [`Error::LengthMismatch`] when lengths disagree;
-/// [`Error::EntryOutOfRange`] for sizes that are not positive; [`Error::NotFinite`] for loads and gaps beyond
-/// binary64; [`Error::Incompatible`] for the midpoint cone.
+/// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when lengths disagree;
+/// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) for sizes that are not positive; [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for loads and gaps beyond
+/// binary64; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone.
 pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
     if problem.cone != Cone::Nodal {
         let given = problem.cone.to_string();

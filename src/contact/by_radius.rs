@@ -17,7 +17,7 @@ impl ContactProblem {
     /// unknowns has zeros. Cost: O(unknowns) per ring.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the bounds increase; [`Error::LengthMismatch`], [`Error::NotFinite`] when
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the bounds increase; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when
     /// the solution is not one of this problem.
     pub fn judge_by_radius(
         &self,

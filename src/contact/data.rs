@@ -27,8 +27,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`crate::Error::LengthMismatch`] when f has the wrong number of components,
-    /// [`crate::Error::NotFiniteAt`].
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when f has the wrong number of components,
+    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt).
     pub fn add_volume_load(&mut self, density: &Field<'_>, rule: &Cubature) -> Result<()> {
         density.require(self.form.components())?;
         let load = volume_load(&self.mesh, density, rule)?;
@@ -59,7 +59,7 @@ impl ContactProblem {
     /// is a force besides the contact force.
     ///
     /// # Errors
-    /// [`crate::Error::NotFinite`], or what F returns.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), or what F returns.
     pub fn add_boundary_load(
         &mut self,
         part: Part,
@@ -73,7 +73,7 @@ impl ContactProblem {
     /// Adds nodal forces (Cartesian, node-major).
     ///
     /// # Errors
-    /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn add_load(&mut self, load: &[f64]) -> Result<()> {
         require_values("load", load, self.load.len())?;
         let framed = self.to_frame(load);
@@ -112,7 +112,7 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`crate::Error::NotFiniteAt`].
+    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt).
     pub fn set_gap(&mut self, gap: impl FnMut(Point) -> f64) -> Result<()> {
         let values: Vec<f64> = self.edge.points().iter().copied().map(gap).collect();
         require_values("gap", &values, self.gap.len())?;

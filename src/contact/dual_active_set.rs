@@ -35,7 +35,7 @@ const CHANGES: usize = 10;
 /// when rounding has made the constraints contradict each other, the set reached until then.
 ///
 /// # Errors
-/// [`Error::NotPositiveDefinite`] when S is not.
+/// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not.
 pub(super) fn dual_active_set(problem: &EdgeProblem<'_>) -> Result<(ContactSet, usize)> {
     let mut iterate = Iterate::new(problem)?;
     let limit = CHANGES * (1 + problem.bound.len());

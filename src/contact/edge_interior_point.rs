@@ -14,7 +14,7 @@ use clarabel::algebra::CscMatrix;
 /// Solves the edge problem; active is where the force exceeds the gap times the stiffness.
 ///
 /// # Errors
-/// [`crate::error::Error::LengthMismatch`] when sizes disagree, [`crate::error::Error::Solver`] for what
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when sizes disagree, [`crate::error::Error::Solver`] for what
 /// Clarabel refuses.
 pub(super) fn edge_interior_point(problem: &EdgeProblem<'_>) -> Result<EdgeOutcome> {
     let cone = problem.edge_cone();

@@ -47,7 +47,7 @@ impl EdgeProblem<'_> {
     /// The minimiser when the constraints in `set` hold with equality and the others are ignored.
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when S is not, [`Error::LengthMismatch`] when sizes disagree.
+    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when sizes disagree.
     pub fn solve_with(&self, set: &ContactSet) -> Result<EdgeState> {
         self.check(set)?;
         let cone = self.edge_cone();

@@ -110,14 +110,14 @@ impl ContactProblem {
     /// The contact edge as a partition of (0, length) into its segments.
     ///
     /// # Errors
-    /// As for [`Partition::from_lengths`]; [`Error::CountOutOfRange`] for an edge in several pieces.
+    /// As for [`Partition::from_lengths`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
     pub fn contact_partition(&self) -> Result<Partition> {
         self.edge.require_one_piece()?;
         Ok(Partition::from_lengths(self.edge.segment_lengths())?)
     }
 
     /// # Errors
-    /// [`Error::Incompatible`] for the midpoint cone on a contact edge in several pieces.
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone on a contact edge in several pieces.
     pub(super) fn require_cone(&self, cone: Cone) -> Result<()> {
         if cone == Cone::Nodal || self.edge.pieces().len() == 1 {
             return Ok(());
@@ -151,7 +151,7 @@ impl ContactProblem {
     /// u_N (scalar: u) at the nodes of the contact edge, from Cartesian nodal values.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn normal_displacement(&self, displacement: &[f64]) -> Result<Vec<f64>> {
         require_values("displacement", displacement, self.unknowns())?;
         let framed = self.to_frame(displacement);
@@ -170,7 +170,7 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] or [`Error::NotFinite`].
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn energy_norm(&self, displacement: &[f64]) -> Result<f64> {
         require_values("displacement", displacement, self.unknowns())?;
         // Scaled, so that squares neither overflow nor underflow.
@@ -200,8 +200,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for levels in the wrong order, [`Error::LengthMismatch`],
-    /// [`Error::NotFinite`].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels in the wrong order, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn nested_energy_error(
         &self,
         hierarchy: &Hierarchy,

@@ -25,7 +25,7 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when some part of the body is not held; [`Error::Incompatible`] for the
+    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when some part of the body is not held; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the
     /// midpoint cone on a contact edge in several pieces. How the iteration ended is in the status.
     pub fn solve(&self, cone: Cone, solver: Solver) -> Result<ContactSolution> {
         self.require_cone(cone)?;
@@ -43,7 +43,7 @@ impl ContactProblem {
     /// The same from the contact set of the next coarser mesh, every contact segment of which was halved.
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve_from`]; [`Error::CountOutOfRange`] on an edge in several pieces.
+    /// As for [`ContactProblem::solve_from`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) on an edge in several pieces.
     pub fn solve_after(&self, coarse: &ContactSolution) -> Result<ContactSolution> {
         self.edge.require_one_piece()?;
         self.solve_from(coarse.cone, self.edge_cone(coarse.cone).refined_set(&coarse.contact_set)?)
@@ -76,7 +76,7 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] when the guess has the wrong length.
+    /// As for [`ContactProblem::solve`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the guess has the wrong length.
     pub fn solve_from(&self, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
         self.require_cone(cone)?;
         condensed::solve(self, cone, guess, None).map(|(solution, _)| solution)
@@ -87,7 +87,7 @@ impl ContactProblem {
     /// ([`super::solve_by_barrier`]): near a singular point it sees the contact set in every decade.
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`Error::CountOutOfRange`] on a
+    /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) on a
     /// closed edge.
     pub fn solve_by_sizes(&self, sizes: &[f64]) -> Result<ContactSolution> {
         self.edge.require_one_piece()?;

@@ -24,7 +24,7 @@ impl Bound {
     /// The value of the bound, without its constant, for 1 < τ ≤ 5/2 and 0 < h < 1.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] outside these ranges.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside these ranges.
     pub fn value(self, h: f64, tau: f64) -> Result<f64> {
         Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
         Ok(h.powf(self.exponent(tau)?) * h.ln().abs().powf(self.logarithm(tau)))
@@ -59,7 +59,7 @@ impl Bound {
     /// is h^{τ−1}: (E1).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] outside this range.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside this range.
     pub fn exponent(self, tau: f64) -> Result<f64> {
         Error::require("tau", tau, "(1, 5/2]", tau > 1.0 && tau <= Self::SMOOTHEST)?;
         if tau > 2.0 {

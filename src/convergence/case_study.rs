@@ -127,7 +127,7 @@ impl CaseStudy {
 /// Root mean square of the errors of several studies over the same levels.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] for studies of different lengths; [`Error::CountOutOfRange`] without any.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for studies of different lengths; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without any.
 pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
     let Some(first) = studies.first() else {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

@@ -52,8 +52,8 @@ impl CornerReading {
     /// not a node.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ cells ≤ 64; those of meshes and solvers;
-    /// [`Error::ToleranceNotMet`] when a solver did not converge or the stress vanishes at the corner.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ cells ≤ 64; those of meshes and solvers;
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when a solver did not converge or the stress vanishes at the corner.
     pub fn of(scene: MeshScene, setting: &Setting, cells: usize) -> Result<Option<Self>> {
         if !(2..=64).contains(&cells) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

@@ -22,7 +22,7 @@ impl SceneFamily<'static> {
     /// is moved over `positions` places of a cell, spread over the cells of every level when odd.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no position.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for no position.
     pub fn named(
         source: &StripScene,
         tau: f64,

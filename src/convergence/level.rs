@@ -93,7 +93,7 @@ impl RateLevel {
     /// as worst or sum.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] without any level.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without any level.
     pub fn mean(levels: &[RateLevel]) -> Result<RateLevel> {
         let Some(first) = levels.first() else {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

@@ -52,8 +52,8 @@ impl MeshRates {
     /// norm of u.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for fewer than two levels, n < 2, or a reference that is too large;
-    /// [`Error::ToleranceNotMet`] when the reference does not converge; whatever the meshes and solvers
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two levels, n < 2, or a reference that is too large;
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when the reference does not converge; whatever the meshes and solvers
     /// return.
     pub fn study(&self, cones: &[Cone]) -> Result<Vec<RateStudy>> {
         self.check()?;

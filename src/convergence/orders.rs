@@ -6,7 +6,7 @@ use crate::error::{Error, Result, ToolkitError};
 /// not positive.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] unless there is one error per mesh size.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one error per mesh size.
 pub fn observed_orders(mesh_sizes: &[f64], errors: &[f64]) -> Result<Vec<Option<f64>>> {
     if mesh_sizes.len() != errors.len() {
         return Err(Error::Toolkit(ToolkitError::LengthMismatch {

@@ -34,7 +34,7 @@ impl RateStrip {
     /// A strip with the given levels and reference grid.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless the reference grid is a power of two that is finer than every level
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the reference grid is a power of two that is finer than every level
     /// and has at most 2^22 cells.
     pub fn new(kind: StripKind, levels: Levels, reference_cells: usize) -> Result<Self> {
         let finest = levels.cells().max().unwrap_or(0);

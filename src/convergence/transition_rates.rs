@@ -44,7 +44,7 @@ impl TransitionRates {
     /// The studies of the given cones; `report` is called for each level at each position.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no level or a finest mesh of more than 1024 squares; as
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for no level or a finest mesh of more than 1024 squares; as
     /// [`MeshTransition::new`]; those of solvers and norms.
     pub fn study(&self, cones: &[Cone], mut report: impl FnMut()) -> Result<Vec<RateStudy>> {
         let finest = u32::try_from(self.levels.saturating_sub(1))

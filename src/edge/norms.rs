@@ -32,7 +32,7 @@ pub fn edge_norm(scene: &EdgeData, tau: f64) -> Result<f64> {
 /// Norm and seminorms, 3/2 < τ < 2.
 ///
 /// # Errors
-/// [`crate::Error::OutOfRange`] for τ ≤ 3/2, [`crate::Error::InfiniteNorm`] for τ ≥ 2: then slopes with jumps
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2, [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ 2: then slopes with jumps
 /// have no norm.
 pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let order = FractionalOrder::from_offset(tau - 2.0)?;

@@ -120,7 +120,7 @@ impl ContactPair {
     /// u = −(x − a)₊^{τ−1}, σ = −(a − x)₊^{τ−2}: one transition at a of any regularity 2 ≤ τ < 5/2.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a outside (0, 1) or τ outside [2, 5/2); as [`EdgeData::new`] for the cells.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a outside (0, 1) or τ outside [2, 5/2); as [`EdgeData::new`] for the cells.
     pub fn smooth_transition(cells: usize, a: f64, tau: f64) -> Result<Self> {
         Error::require("position", a, "(0, 1)", a > 0.0 && a < 1.0)?;
         Error::require("tau", tau, "[2, 5/2)", (2.0..2.5).contains(&tau))?;
@@ -153,7 +153,7 @@ impl ContactPair {
     /// The n equal contact segments of a coarse mesh.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless n divides N.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N.
     pub fn segments(&self, n: usize) -> Result<impl Iterator<Item = Segment<'_>>> {
         if n == 0 || !self.cells().is_multiple_of(n) {
             let range = "the divisors of the number of fine cells";

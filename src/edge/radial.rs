@@ -39,8 +39,8 @@ impl RadialInterval {
 /// ```
 ///
 /// # Errors
-/// [`Error::LengthMismatch`](crate::Error::LengthMismatch) unless there is a radius per constraint, [`Error::NotFinite`](crate::Error::NotFinite),
-/// [`Error::EntryOutOfRange`](crate::Error::EntryOutOfRange) for radii that are negative or do not increase.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch)(crate::Error::LengthMismatch) unless there is a radius per constraint, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite)(crate::Error::NotFinite),
+/// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange)(crate::Error::EntryOutOfRange) for radii that are negative or do not increase.
 pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInterval>> {
     require_length("radii", radii.len(), set.constraints())?;
     require_finite("radius", radii)?;

@@ -33,7 +33,7 @@ impl SeminormForm {
     /// For segments of `cells` cells.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for constants and ν ≥ 1/2; [`Error::CountOutOfRange`] without cells.
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without cells.
     pub fn new(traces: Traces, order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
         let order = order.given()?;
         if traces == Traces::Constants && !order.is_below_half() {
@@ -59,7 +59,7 @@ impl SeminormForm {
     /// |v|²_{ν,T} of the trace with values `ends` at the ends of the cells of the segment.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] for a segment of another number of cells.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a segment of another number of cells.
     pub fn squared(&self, segment: &Segment<'_>, ends: &[[f64; 2]]) -> Result<Estimate> {
         if ends.len() != self.cells || segment.traces != self.traces {
             return Err(Error::Toolkit(ToolkitError::LengthMismatch {
@@ -98,7 +98,7 @@ const DEPTH: usize = 14;
 /// |v|²_ν of a trace on a segment by adaptive quadrature: the second road.
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for constants and ν ≥ 1/2; [`Error::ToleranceNotMet`].
+/// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
 pub fn seminorm_by_quadrature(
     segment: &Segment<'_>,
     which: SegmentTrace,

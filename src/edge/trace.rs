@@ -48,8 +48,8 @@ impl EdgeTrace {
     /// `rounding` times the largest force relative to the largest displacement.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], and [`Error::EntryOutOfRange`] when nodes do not increase,
-    /// when u_N exceeds `rounding`, or when fewer than two nodes are given ([`Error::CountOutOfRange`]).
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), and [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) when nodes do not increase,
+    /// when u_N exceeds `rounding`, or when fewer than two nodes are given ([`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange)).
     pub fn new(nodes: Vec<f64>, displacement: Vec<f64>, force: Vec<f64>, rounding: f64) -> Result<Self> {
         if nodes.len() < 2 {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

@@ -62,8 +62,8 @@ impl Condensation {
     /// coordinates. Kept unknowns stay, prescribed or not.
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] with the unknown whose pivot vanished: some part of the body is not
-    /// held. [`Error::LengthMismatch`] when the arrays do not fit; [`Error::TooLarge`]
+    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) with the unknown whose pivot vanished: some part of the body is not
+    /// held. [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the arrays do not fit; [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge)
     /// when the fronts do not fit into memory.
     pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
         check_lengths(matrix, points, prescribed)?;

@@ -30,7 +30,7 @@ impl Cubature {
     /// n x n points, exact for polynomials of degree 2n − 1.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] for n = 0.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n = 0.
     pub fn new(n: usize) -> Result<Self> {
         let (radial, across) = (Rule::gauss_jacobi(n, 0.0, 1.0)?, Rule::gauss_legendre(n)?);
         let points = radial

@@ -24,7 +24,7 @@ pub struct ErrorNorms {
 /// `values`.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] when components or values do not fit, [`Error::NotFinite`] when u or ∇u is not
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when components or values do not fit, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when u or ∇u is not
 /// finite at a point of the rule.
 pub fn error_norms(
     mesh: &Triangulation,

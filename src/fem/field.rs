@@ -30,7 +30,7 @@ impl Field<'_> {
     /// The value; a scalar field has second entry 0.
     ///
     /// # Errors
-    /// [`Error::NotFiniteAt`] with the point when the function returns NaN or an infinity.
+    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) with the point when the function returns NaN or an infinity.
     pub fn at(&self, point: Point) -> Result<Point> {
         let value = match self {
             Field::Scalar(f) => [f(point), 0.0],
@@ -60,7 +60,7 @@ impl Field<'_> {
     }
 
     /// # Errors
-    /// [`Error::LengthMismatch`] unless the field has `components` components.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless the field has `components` components.
     pub(crate) fn require(&self, components: usize) -> Result<()> {
         if self.components() == components {
             return Ok(());

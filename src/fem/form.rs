@@ -23,7 +23,7 @@ impl Lame {
     /// λ and μ of plane strain.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless μ > 0 and λ + μ > 0, both finite.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless μ > 0 and λ + μ > 0, both finite.
     pub fn new(lambda: f64, mu: f64) -> Result<Self> {
         let in_plane = lambda + mu;
         Error::require("mu", mu, "(0, inf)", mu > 0.0 && mu.is_finite())?;
@@ -34,7 +34,7 @@ impl Lame {
     /// Plane strain from Young's modulus E and Poisson's ratio: λ = E ν / ((1+ν)(1−2ν)), μ = E / (2(1+ν)).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless E > 0 and −1 < ν < 1/2.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless E > 0 and −1 < ν < 1/2.
     pub fn plane_strain(young: f64, poisson: f64) -> Result<Self> {
         Self::three_dimensional(young, poisson)
     }
@@ -42,7 +42,7 @@ impl Lame {
     /// Plane stress from Young's modulus E and Poisson's ratio: λ = E ν / (1−ν²), μ = E / (2(1+ν)).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless E > 0 and −1 < ν < 1/2.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless E > 0 and −1 < ν < 1/2.
     pub fn plane_stress(young: f64, poisson: f64) -> Result<Self> {
         let Self { mu, .. } = Self::three_dimensional(young, poisson)?;
         Self::new(young * poisson / ((1.0 - poisson) * (1.0 + poisson)), mu)
@@ -100,7 +100,7 @@ impl Form {
     }
 
     /// # Errors
-    /// [`Error::OutOfRange`] for a negative reaction, [`Error::CountOutOfRange`] without materials.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a negative reaction, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without materials.
     pub(crate) fn check(&self) -> Result<()> {
         match self {
             Form::Scalar { reaction } => {

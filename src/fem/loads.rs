@@ -26,7 +26,7 @@ pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) 
 /// ∫_Ω f·φ_i by the given rule.
 ///
 /// # Errors
-/// [`crate::Error::NotFiniteAt`] when f is not finite at a point of the rule.
+/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) when f is not finite at a point of the rule.
 pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -> Result<Vec<f64>> {
     let components = density.components();
     let mut load = vec![0.0; mesh.nodes().len() * components];
@@ -51,7 +51,7 @@ pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -
 /// the outward normal.
 ///
 /// # Errors
-/// [`crate::Error::NotFiniteAt`] when F is not finite at a point of the rule.
+/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) when F is not finite at a point of the rule.
 pub fn surface_load(
     mesh: &Triangulation,
     part: Part,

@@ -32,7 +32,7 @@ impl Stress {
 /// ∇v on every triangle, for scalar nodal values.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] unless there is one value per node.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one value per node.
 pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
     require_length("nodal values", values.len(), mesh.nodes().len())?;
     Ok((0..mesh.triangles().len())
@@ -46,7 +46,7 @@ pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
 /// σ = λ (div u) I + 2 μ ε(u) on every triangle, for Cartesian nodal displacements (node-major).
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] unless there are two values per node; [`Error::Incompatible`] for a scalar form.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there are two values per node; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a scalar form.
 pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Result<Vec<Stress>> {
     require_length("nodal values", displacement.len(), 2 * mesh.nodes().len())?;
     (0..mesh.triangles().len())

@@ -42,7 +42,7 @@ impl ContactEdge {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] without a contact edge, [`Error::Edge`] when it falls into several pieces.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a contact edge, [`ToolkitError::Edge`](crate::ToolkitError::Edge) when it falls into several pieces.
     pub fn of(mesh: &Triangulation) -> Result<Self> {
         let whole = Self::in_pieces(mesh)?;
         match whole.starts[..] {
@@ -71,7 +71,7 @@ impl ContactEdge {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] without a contact edge, [`Error::Edge`] for a closed piece beside another
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a contact edge, [`ToolkitError::Edge`](crate::ToolkitError::Edge) for a closed piece beside another
     /// or pieces that touch.
     pub fn in_pieces(mesh: &Triangulation) -> Result<Self> {
         let edges: Vec<[usize; 2]> =
@@ -105,7 +105,7 @@ impl ContactEdge {
     }
 
     /// # Errors
-    /// [`Error::CountOutOfRange`] for an edge in several pieces.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
     pub(crate) fn require_one_piece(&self) -> Result<()> {
         match self.starts.len() {
             1 => Ok(()),
@@ -169,7 +169,7 @@ impl ContactEdge {
     /// about that distance over the length.
     ///
     /// # Errors
-    /// [`Error::Edge`] naming the first segment that leaves the line of its piece.
+    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) naming the first segment that leaves the line of its piece.
     pub fn normals(&self) -> Result<Vec<Point>> {
         self.pieces().into_iter().map(|piece| self.normal_of(piece)).collect()
     }
@@ -177,7 +177,7 @@ impl ContactEdge {
     /// The outward unit normal of a straight contact edge in one piece.
     ///
     /// # Errors
-    /// [`Error::Edge`] naming the first segment that leaves the line, [`Error::CountOutOfRange`] for several
+    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) naming the first segment that leaves the line, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for several
     /// pieces.
     pub fn normal(&self) -> Result<Point> {
         self.require_one_piece()?;

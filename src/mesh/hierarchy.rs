@@ -41,8 +41,8 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] when the finest level would have more than 2^32 triangles,
-    /// [`Error::TooLarge`] when it would not fit into memory.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the finest level would have more than 2^32 triangles,
+    /// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) when it would not fit into memory.
     pub fn refined(coarsest: Triangulation, times: usize) -> Result<Self> {
         let mut hierarchy = Self::new(coarsest);
         for _ in 0..times {
@@ -97,7 +97,7 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] when the point is not a node of the finest level so far.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) when the point is not a node of the finest level so far.
     pub fn refine_toward_point(&mut self, point: Point, times: usize) -> Result<()> {
         let finest = self.finest();
         let nearest = finest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
@@ -122,7 +122,7 @@ impl Hierarchy {
     /// `radius` over mesh size.
     ///
     /// # Errors
-    /// As for [`Hierarchy::refined`]; [`Error::OutOfRange`] unless the radius is positive and finite.
+    /// As for [`Hierarchy::refined`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the radius is positive and finite.
     pub fn refine_around(&mut self, point: Point, radius: f64, times: usize) -> Result<()> {
         Error::require("radius", radius, "(0, inf)", radius > 0.0 && radius.is_finite())?;
         let mut radius = radius;
@@ -184,8 +184,8 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for levels that do not exist or are in the wrong order,
-    /// [`Error::LengthMismatch`].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels that do not exist or are in the wrong order,
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
     pub fn prolong(&self, from: usize, to: usize, components: usize, values: &[f64]) -> Result<Vec<f64>> {
         if from > to || to >= self.levels.len() {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

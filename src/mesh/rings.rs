@@ -41,8 +41,8 @@ pub enum Outline {
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] unless `angles` is a multiple of 4 in [4, 512] and there are at most four
-/// million nodes; [`Error::OutOfRange`] unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: smaller rings
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `angles` is a multiple of 4 in [4, 512] and there are at most four
+/// million nodes; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: smaller rings
 /// collapse.
 pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {

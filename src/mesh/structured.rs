@@ -39,7 +39,7 @@ impl Sides {
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] for a count outside 1 ... 16384, [`Error::TooLarge`] for more cells than memory
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 16384, [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) for more cells than memory
 /// holds.
 pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
     for (name, value) in [("cells in x", nx), ("cells in y", ny)] {
@@ -120,7 +120,7 @@ pub fn mapped_grid(
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] for a count outside 1 ... 4096, or without squares; two squares in one place as
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 4096, or without squares; two squares in one place as
 /// an error of [`Triangulation::new`].
 pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
     for (name, value) in [("cells of a square", n), ("squares", places.len())] {

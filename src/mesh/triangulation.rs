@@ -54,7 +54,7 @@ impl Triangulation {
     /// The same triangulation with a region number on every triangle (for piecewise constant materials).
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] unless there is one number per triangle.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one number per triangle.
     pub fn with_regions(mut self, regions: Vec<u32>) -> Result<Self> {
         if regions.len() != self.triangles.len() {
             return Err(Error::Toolkit(ToolkitError::LengthMismatch {

@@ -5,7 +5,7 @@ use crate::error::{Error, Result, ToolkitError};
 /// Fails unless `given` is `expected`.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] under `name`.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) under `name`.
 pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
     if given == expected {
         Ok(())
@@ -17,7 +17,7 @@ pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) 
 /// Fails unless every value is finite.
 ///
 /// # Errors
-/// [`Error::NotFinite`] under `name`, with the first index at which it is not.
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) under `name`, with the first index at which it is not.
 pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
     values.iter().enumerate().try_for_each(|(index, &value)| require_finite_at(name, index, value))
 }
@@ -25,7 +25,7 @@ pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
 /// Fails unless the value with this index is finite.
 ///
 /// # Errors
-/// [`Error::NotFinite`] under `name`.
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) under `name`.
 pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<()> {
     if value.is_finite() {
         Ok(())
@@ -37,7 +37,7 @@ pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) ->
 /// Fails unless there are `expected` values, all finite.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`], [`Error::NotFinite`].
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
 pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
     require_length(name, values.len(), expected)?;
     require_finite(name, values)

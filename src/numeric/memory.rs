@@ -27,7 +27,7 @@ fn total_of(text: &str) -> Option<f64> {
 /// Fails when `count` pieces of `bytes` bytes each exceed the machine's memory.
 ///
 /// # Errors
-/// [`Error::TooLarge`] under `name`.
+/// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) under `name`.
 pub(crate) fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<()> {
     let needed = count as f64 * bytes as f64;
     if needed <= SMALL || needed <= physical() {

@@ -63,8 +63,8 @@ impl AlternativeCase {
     /// Classifies every contact segment of the meshes ..., n/4, n/2, n.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless n is a power of two times the coarsest mesh, which has at least two
-    /// segments, and within the largest of the source; [`Error::OutOfRange`] for τ or θ.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n is a power of two times the coarsest mesh, which has at least two
+    /// segments, and within the largest of the source; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ or θ.
     pub fn over_size(&self) -> Result<AlternativeStudy> {
         self.check()?;
         let meshes: Vec<usize> = (0..self.meshes).rev().map(|level| self.n >> level).collect();

@@ -58,7 +58,7 @@ pub struct NearVertices {
 
 impl NearVertices {
     /// # Errors
-    /// [`crate::Error::OutOfRange`] unless 0 < θ < 1.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < θ < 1.
     pub fn new(theta: f64) -> Result<Self> {
         checked_theta(theta).map(|theta| Self { theta })
     }
@@ -92,7 +92,7 @@ pub struct SetDiameter {
 
 impl SetDiameter {
     /// # Errors
-    /// [`crate::Error::OutOfRange`] unless 0 < θ < 1.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < θ < 1.
     pub fn new(theta: f64) -> Result<Self> {
         checked_theta(theta).map(|theta| Self { theta })
     }

@@ -230,7 +230,7 @@ impl ElementBalance {
     /// Distances a ≥ b from {0, 2^{−10}, ..., 1/2, 3/4}; the mirror images have the same W.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ outside (3/2, 2] or q below 2.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ outside (3/2, 2] or q below 2.
     pub fn new(tau: f64, q: f64) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let constants = ProofConstants::new(tau, q, &[])?;
@@ -255,7 +255,7 @@ impl ElementBalance {
     /// W of every contact interval on an element of length h.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 0 < h ≤ 1.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < h ≤ 1.
     pub fn worst_pairs(&self, h: f64) -> Result<Vec<WorstPair>> {
         Error::require("h", h, "(0, 1]", h > 0.0 && h <= 1.0)?;
         self.intervals.iter().map(|interval| interval.worst(h, self.constants.order())).collect()

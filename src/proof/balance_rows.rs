@@ -74,7 +74,7 @@ impl ElementBalance {
     /// Bounds and worst cases for the given element lengths.
     ///
     /// # Errors
-    /// [`crate::Error::OutOfRange`] unless 0 < h < 1.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < h < 1.
     pub fn rows(&self, lengths: &[f64]) -> Result<Vec<BalanceRow>> {
         lengths.iter().map(|&h| self.row(h)).collect()
     }
@@ -156,7 +156,7 @@ impl BalanceExponents {
     /// By least squares over at least three lengths.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] with fewer than three lengths.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) with fewer than three lengths.
     pub fn fit(rows: &[BalanceRow]) -> Result<Self> {
         let fit = |value: &dyn Fn(&BalanceRow) -> f64| {
             Exponent::fit(&rows.iter().map(|r| (r.h, value(r))).collect::<Vec<_>>())

@@ -59,7 +59,7 @@ impl ProofCase {
     /// fine cell.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ or θ outside their ranges.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ or θ outside their ranges.
     pub fn zones(&self) -> Result<Vec<f64>> {
         if self.tau > 2.0 {
             return Ok(Vec::new());
@@ -82,7 +82,7 @@ impl ProofCase {
     /// anything is computed.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], [`Error::CountOutOfRange`], those of the scene.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange), [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange), those of the scene.
     pub fn require_valid(&self) -> Result<()> {
         self.zones()?;
         self.require_fitting()?;

@@ -26,7 +26,7 @@ impl Classification {
     /// Classifies the segments between successive `vertices` of a coarse mesh on a fine trace.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 0 < θ < 1 and the vertices increase.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < θ < 1 and the vertices increase.
     pub fn new(section: Section, trace: &EdgeTrace, vertices: &[f64], theta: f64) -> Result<Self> {
         let (near_vertices, set_diameter) = (NearVertices::new(theta)?, SetDiameter::new(theta)?);
         let segments = vertices.windows(2).map(|pair| {

@@ -49,7 +49,7 @@ impl ProofConstants {
     /// they do not change. Cost: one eigenproblem per zone.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] outside these ranges; [`Error::ToleranceNotMet`] from the constants.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside these ranges; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) from the constants.
     pub fn new(tau: f64, q: f64, thetas: &[f64]) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 5/2)", tau > 1.5 && tau < 2.5)?;
         let order = FractionalOrder::from_offset(tau - 2.0)?;
@@ -106,7 +106,7 @@ impl ProofConstants {
     /// γ_θ(ν), mean zero on a zone of length θ at an end, from above; τ > 2: vanishing at an end, whatever θ.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for θ that is none of the zones the constants were made for.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for θ that is none of the zones the constants were made for.
     pub fn gamma(&self, theta: f64) -> Result<f64> {
         if self.tau > 2.0 {
             return Ok(self.factors.printed);

@@ -19,7 +19,7 @@ impl Exponent {
     /// From pairs (h, value); pairs with a value that is not positive are left out.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than three positive values.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) with fewer than three positive values.
     pub fn fit(points: &[(f64, f64)]) -> Result<Self> {
         let logs: Vec<(f64, f64)> =
             points.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| (p.0.ln(), p.1.ln())).collect();

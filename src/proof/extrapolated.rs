@@ -64,7 +64,7 @@ impl SolvedBody {
     /// Meshes of 4 × 4 ... 2^finest × 2^finest squares.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 5 ≤ finest ≤ 10; [`Error::ToleranceNotMet`] for a solution that does
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 5 ≤ finest ≤ 10; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) for a solution that does
     /// not meet its conditions; whatever problems and solvers return.
     pub fn new(body: LoadedBody, finest: u32) -> Result<Self> {
         if !(5..=10).contains(&finest) {
@@ -128,7 +128,7 @@ impl ExtrapolatedStudy {
     /// Bound and error on all meshes; `numbers` are those of the Laplacian.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for the midpoint cone and an elastic body that is not held all around.
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone and an elastic body that is not held all around.
     pub fn new(numbers: TheoremNumbers, solved: &SolvedBody, cone: Cone, norms: FineNorms) -> Result<Self> {
         let body = solved.body;
         let Some(place) = body.cones().iter().position(|&known| known == cone) else {

@@ -25,7 +25,7 @@ impl FaceGaps {
     /// Gaps with legs 2^{-1-halvings}.
     ///
     /// # Errors
-    /// [`crate::Error::InfiniteNorm`] for ν ≥ 1/2: σ jumps; [`crate::Error::ToleranceNotMet`].
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for ν ≥ 1/2: σ jumps; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
     pub fn new(
         halvings: u32,
         order: impl Given<FractionalOrder>,

@@ -44,7 +44,7 @@ impl ProofProfile {
     /// The rungs with their exponents and losses.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than three meshes on which every rung is positive.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) with fewer than three meshes on which every rung is positive.
     pub fn ladder(&self) -> Result<Vec<Rung>> {
         // Exponents and losses from the same meshes, so that the losses add up.
         let positive = |level: &&LevelProfile| Step::ALL.iter().all(|&step| level.rung(step).printed > 0.0);

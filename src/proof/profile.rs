@@ -106,7 +106,7 @@ impl ProofCase {
     /// and zones ([`ProofCase::zones`]).
     ///
     /// # Errors
-    /// [`crate::Error::OutOfRange`] for τ, θ or constants of another τ; [`crate::Error::CountOutOfRange`] for
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, θ or constants of another τ; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for
     /// positions or a resolution out of range; those of the scenes.
     pub fn profile(&self, constants: &ProofConstants) -> Result<ProofProfile> {
         self.check(constants)?;

@@ -87,7 +87,7 @@ pub fn half_sharpened(order: FractionalOrder) -> f64 {
 /// ```
 ///
 /// # Errors
-/// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) as for [`moment_norm`].
+/// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet)(crate::Error::ToleranceNotMet) as for [`moment_norm`].
 pub fn product_constant(
     order: impl Given<FractionalOrder>,
     tolerance: impl Given<Tolerance>,
@@ -131,7 +131,7 @@ pub fn midpoint_bound(
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)(crate::Error::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for
 /// [`product_constant`].
 pub fn one_gap_ratio(
     cone: Cone,

@@ -65,7 +65,7 @@ impl SegmentSets {
     /// Equal cells, 4 to 1024.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange).
     pub fn new(order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
         if !(4..=1024).contains(&cells) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -86,7 +86,7 @@ impl SegmentSets {
     /// sup term / (|σ|_ν |w|_ν) over the pairs of the mesh; 0 where one has no room, as for full contact.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] unless there is one entry per cell.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one entry per cell.
     pub fn ratio(&self, cone: Cone, contact: &[bool]) -> Result<f64> {
         require_length("contact", contact.len(), self.cells())?;
         let gaps = runs(contact, false);

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 /// Section 3).
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless 0 < h < 1 and 3/2 < τ ≤ 2.
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < h < 1 and 3/2 < τ ≤ 2.
 pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
     Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
     Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
@@ -39,7 +39,7 @@ impl ThetaRule {
     /// θ on a mesh of size h.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ, θ or h outside their ranges.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, θ or h outside their ranges.
     pub fn theta(self, h: f64) -> Result<f64> {
         match self {
             ThetaRule::Printed { tau } => printed_theta(h, tau),

@@ -95,7 +95,7 @@ impl TheoremNumbers {
     /// All constants for one τ, for the Laplacian.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 3/2 < τ ≤ 2; as the constants.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/2 < τ ≤ 2; as the constants.
     pub fn new(tau: f64) -> Result<Self> {
         let tau = Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let (order, asked) = (FractionalOrder::from_offset(tau - 2.0)?, Tolerance::new(ACCURACY)?);
@@ -142,7 +142,7 @@ impl NumberedStudy {
     /// Laplacian.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] where u is not in H^τ, p ≤ τ − 1; as [`RoughTransition::levels`].
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) where u is not in H^τ, p ≤ τ − 1; as [`RoughTransition::levels`].
     pub fn new(numbers: TheoremNumbers, scene: RoughTransition, cone: Cone, finest: u32) -> Result<Self> {
         let numbers = scene.lame().map_or(numbers, |lame| numbers.elastic(lame));
         let (tau, asked) = (numbers.tau, Tolerance::new(ACCURACY)?);

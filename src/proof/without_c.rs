@@ -85,7 +85,7 @@ impl BoundWithoutC {
     /// midpoint cone. `korn` is B, used by the midpoint cone in elasticity only.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a form with a reaction term or several materials; [`Error::OutOfRange`]
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a form with a reaction term or several materials; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)
     /// for constants that are not positive and finite.
     pub fn new(form: &Form, cone: Cone, shape: MeshShape, segment: f64, korn: f64) -> Result<Self> {
         for (name, value) in [
@@ -125,7 +125,7 @@ impl BoundWithoutC {
     /// h |u|₂ if only `whole` is known: pass it twice.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless h > 0 and 0 ≤ near ≤ whole, all finite.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless h > 0 and 0 ≤ near ≤ whole, all finite.
     pub fn bound(&self, h: f64, whole: f64, near: f64) -> Result<f64> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         Error::require("|u|_2", whole, "[0, inf)", whole >= 0.0 && whole.is_finite())?;

@@ -38,7 +38,7 @@ const TERMS: usize = 2000;
 /// [`super::without_c`], rounded up. Ends of gaps lie on nodes of the grid of reference.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] where a segment of the coarsest mesh would be longer than half of a gap; those
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) where a segment of the coarsest mesh would be longer than half of a gap; those
 /// of the scenes and of the contact iteration.
 pub(super) fn strip_bounds(
     gaps: usize,

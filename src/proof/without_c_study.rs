@@ -89,7 +89,7 @@ impl BoundStudy {
     /// The scalar strip with equal gaps; `report` is called after each mesh.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] where a segment of the coarsest mesh would be longer than half of a
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) where a segment of the coarsest mesh would be longer than half of a
     /// gap; those of the scenes and of the contact iteration.
     pub fn strip(
         gaps: usize,

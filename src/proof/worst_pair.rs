@@ -44,7 +44,7 @@ const HALVINGS: u32 = 4;
 /// 1 − b.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for gaps that leave no contact or τ outside (3/2, 2); [`Error::ToleranceNotMet`].
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for gaps that leave no contact or τ outside (3/2, 2); [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
 pub fn worst_ratio(
     cone: Cone,
     tau: f64,

@@ -63,7 +63,7 @@ impl ContactFamily {
     /// Its terms for data on `cells` cells.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ outside (3/2, 2); those of the scenes.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ outside (3/2, 2); those of the scenes.
     pub fn terms(&self, tau: f64, cells: usize) -> Result<SetTerms> {
         Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)?;
         let mut found = SetTerms { shortest: 1.0, terms: Default::default(), shares: [0.0; 2] };

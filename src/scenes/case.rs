@@ -32,7 +32,7 @@ impl StripCase {
     /// of 1/count for an odd count, so that the places are evenly spread over the cells of every level.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no position or too many.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for no position or too many.
     pub fn sources(&self) -> Result<Vec<StripScene>> {
         let count = self.positions;
         if !(1..=POSITIONS).contains(&count) {

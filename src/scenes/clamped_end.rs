@@ -32,7 +32,7 @@ impl ClampedEnd {
     /// The assembled problem.
     ///
     /// # Errors
-    /// As for [`polar_rings`]; [`Error::OutOfRange`] for Poisson's ratio or a direction that is not finite.
+    /// As for [`polar_rings`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for Poisson's ratio or a direction that is not finite.
     pub fn problem(&self) -> Result<ContactProblem> {
         let Self { outline, angles, step, smallest, poisson, direction } = *self;
         Error::require("direction of the load", direction, "finite degrees", direction.is_finite())?;

@@ -123,7 +123,7 @@ impl ClosedForm {
     /// The problem on the structured mesh with n × n squares.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
     pub fn problem(&self, n: usize) -> Result<ContactProblem> {
         let given = Part::Dirichlet;
         let mesh = unit_square(n, Sides { bottom: Part::Contact, right: given, top: given, left: given })?;
@@ -170,7 +170,7 @@ impl ClosedForm {
     /// what a rule of fewer points changes.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
     pub fn second_seminorm(&self, n: usize) -> Result<Estimate> {
         let height = 1.0 / n as f64;
         let mesh = mapped_grid(n.max(4), (4 / n.max(1)).max(1), Sides::HANGING, |[x, y]| [x, height * y])?;

@@ -40,7 +40,7 @@ impl ClosedForm {
     /// each.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ finest ≤ 11; [`Error::ToleranceNotMet`] for a solution that does
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ finest ≤ 11; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) for a solution that does
     /// not meet its conditions to 1e-8; whatever problems and solvers return.
     pub fn levels(&self, cone: Cone, finest: u32, mut report: impl FnMut()) -> Result<Vec<ClosedFormLevel>> {
         if !(COARSEST..=11).contains(&finest) {

@@ -13,7 +13,7 @@ impl SceneRun {
     /// solution.
     ///
     /// # Errors
-    /// [`crate::Error::NotFinite`] where a multiplier or a gap is not a number.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) where a multiplier or a gap is not a number.
     pub fn judged(&self) -> Result<Judgement> {
         let solution = &self.solution;
         let evidence = Evidence {

@@ -66,7 +66,7 @@ pub(crate) fn generated_gaps(depth: usize) -> u64 {
     1u64.checked_shl(depth.try_into().unwrap_or(u32::MAX)).unwrap_or(0).wrapping_sub(1)
 }
 
-/// [`Error::CountOutOfRange`] unless a Cantor construction may have that many generations.
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless a Cantor construction may have that many generations.
 pub(crate) fn check_depth(depth: usize) -> Result<()> {
     if (1..=LARGEST_DEPTH).contains(&depth) {
         Ok(())

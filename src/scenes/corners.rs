@@ -55,8 +55,8 @@ impl BodyRegularity {
 /// Corners, transitions and regularity of a discrete solution. Cost: a millisecond for each different wedge.
 ///
 /// # Errors
-/// [`Error::Node`] for a corner where two materials meet or several pieces of boundary touch;
-/// [`Error::OutOfRange`] for a Poisson's ratio outside (−1, 1/2); [`Error::CountOutOfRange`] for a contact
+/// [`ToolkitError::Node`](crate::ToolkitError::Node) for a corner where two materials meet or several pieces of boundary touch;
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a Poisson's ratio outside (−1, 1/2); [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a contact
 /// edge in several pieces; those of [`Wedge::regularity`].
 pub fn body_regularity(problem: &ContactProblem, solution: &ContactSolution) -> Result<BodyRegularity> {
     regularity_with_ends(problem, solution, [None; 2])

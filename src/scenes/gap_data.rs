@@ -40,7 +40,7 @@ impl SceneGaps {
     /// The gap after one transition at `place`: to half a period later, or beyond the side.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the place lies in (0, 1).
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the place lies in (0, 1).
     pub(super) fn after_transition(place: f64, grid: Grid) -> Result<Self> {
         Error::require("position", place, "(0, 1)", place > 0.0 && place < 1.0)?;
         let start = place * grid.cells as f64;
@@ -60,7 +60,7 @@ impl SceneGaps {
     /// u_N and λ.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] without a gap; as [`EdgeData::new`].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a gap; as [`EdgeData::new`].
     pub(super) fn pair(&self, grid: Grid) -> Result<EdgeData> {
         let Grid { tau, cells, sides } = grid;
         if self.gaps.is_empty() {

@@ -54,7 +54,7 @@ impl LoadedBody {
     /// The structured mesh with n × n squares.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless n is even and 2 ≤ n ≤ 16384.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n is even and 2 ≤ n ≤ 16384.
     pub fn mesh(self, n: usize) -> Result<Triangulation> {
         if n < 2 || !n.is_multiple_of(2) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

@@ -185,7 +185,7 @@ impl MeshScene {
     /// The bilinear form.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a parameter that is not admissible.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter that is not admissible.
     pub fn bilinear_form(self, setting: &Setting) -> Result<Form> {
         (self.form().form)(setting)
     }
@@ -209,7 +209,7 @@ impl MeshScene {
     /// The structured mesh of the scene with n x n squares, default setting.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
     pub fn mesh(self, n: usize) -> Result<Triangulation> {
         self.mesh_with(n, &Setting::default())
     }
@@ -242,7 +242,7 @@ impl MeshScene {
     /// The structured mesh of the scene with n x n cells.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384, [`Error::OutOfRange`] for an angle outside [20, 160].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384, [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160].
     pub fn mesh_with(self, n: usize, setting: &Setting) -> Result<Triangulation> {
         (self.form().mesh)(n, setting)
     }
@@ -250,7 +250,7 @@ impl MeshScene {
     /// The problem on a given triangulation of the scene's domain.
     ///
     /// # Errors
-    /// As for [`ContactProblem::new`]; [`Error::OutOfRange`] for a parameter that is not admissible.
+    /// As for [`ContactProblem::new`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter that is not admissible.
     pub fn on_with(self, mesh: Triangulation, setting: &Setting) -> Result<ContactProblem> {
         let scale = setting.load_scale;
         Error::require("load scale", scale, "finite numbers", scale.is_finite())?;

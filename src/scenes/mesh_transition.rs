@@ -34,7 +34,7 @@ impl MeshTransition {
     /// The powers of a transition at `position`, with contact conditions on the bottom or everywhere.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < a < 1; for p ≠ 1 also |p − 1| ≥ 1/10
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < a < 1; for p ≠ 1 also |p − 1| ≥ 1/10
     /// and α = 0.
     pub fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
         let TransitionPowers { opening, pressure, logarithm } = powers;

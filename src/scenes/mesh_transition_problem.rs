@@ -20,7 +20,7 @@ impl MeshTransition {
     /// The problem on the structured mesh with n × n squares.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
     pub fn problem(&self, n: usize) -> Result<ContactProblem> {
         let other = if self.whole_boundary { Part::Contact } else { Part::Dirichlet };
         let mesh = unit_square(n, Sides { bottom: Part::Contact, right: other, top: other, left: other })?;

@@ -80,7 +80,7 @@ impl OwnBody<'_> {
     /// Solves on every level, coarsest first; [`SceneRun::n`] counts the segments of the contact edge.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] without levels; whatever problems, solvers and `observe` return.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without levels; whatever problems, solvers and `observe` return.
     pub fn run(&self, observe: impl FnMut(&StudyProgress) -> Result<()> + Send) -> Result<Vec<SceneRun>> {
         let mut hierarchy = Hierarchy::new(self.mesh.clone());
         let level = |number: usize| {

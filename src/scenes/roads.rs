@@ -91,7 +91,7 @@ pub struct RoadRow {
 /// point goes to n = 128, elimination to n = 1024. `report` is called before each solution.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] unless 2 ≤ levels ≤ 9; whatever meshes, problems, solvers and `report` return.
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ levels ≤ 9; whatever meshes, problems, solvers and `report` return.
 pub fn manufactured_by_every_road(
     n: usize,
     levels: usize,

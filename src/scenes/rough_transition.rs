@@ -46,7 +46,7 @@ impl RoughTransition {
     /// u ∈ H^τ for τ < p + 1.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u would be linear).
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u would be linear).
     pub fn new(power: f64) -> Result<Self> {
         let admissible = power > 0.5 && power < 1.5 && (power - 1.0).abs() >= 0.01;
         let power = Error::require("p", power, "(1/2, 3/2), not about 1", admissible)?;
@@ -121,7 +121,7 @@ impl RoughTransition {
     /// ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for elasticity α² + β² + 1 − q + q² times that over 4μ².
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for τ ≥ p + 1; [`Error::OutOfRange`] unless 1 < τ ≤ 2; as
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ p + 1; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1 < τ ≤ 2; as
     /// [`SectorPower::elastic_gradient`].
     pub fn body_seminorm(&self, tau: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
@@ -162,7 +162,7 @@ impl RoughTransition {
     /// |σ_N|_ν or |u_N'|_ν on the part (from, to) of the edge.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for ν ≥ p − 1/2; as [`SingularFunction::seminorm`].
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for ν ≥ p − 1/2; as [`SingularFunction::seminorm`].
     pub fn edge_seminorm(
         &self,
         datum: EdgeDatum,

@@ -26,7 +26,7 @@ impl RoughTransition {
     /// The problem on the structured mesh with n × n squares; the load of the edge is integrated exactly.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
     pub fn problem(&self, n: usize) -> Result<ContactProblem> {
         let given = Part::Dirichlet;
         let mesh = unit_square(n, Sides { bottom: Part::Contact, right: given, top: given, left: given })?;
@@ -84,7 +84,7 @@ impl RoughTransition {
     /// n = 4, 8, ..., 2^finest, each solved from the contact set of the mesh before.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ finest ≤ 11; [`Error::ToleranceNotMet`] for a solution that does
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ finest ≤ 11; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) for a solution that does
     /// not meet its conditions; whatever problems and solvers return.
     pub fn levels(&self, cone: Cone, finest: u32) -> Result<Vec<RoughLevel>> {
         if !(2..=11).contains(&finest) {

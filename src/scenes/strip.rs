@@ -141,8 +141,8 @@ impl StripScene {
     /// single one on natural sides meets the side at a slope, where u leaves H² whatever τ is.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for τ, position or ratio outside their ranges (a fat Cantor set needs τ < 2),
-    /// [`Error::CountOutOfRange`] for counts and where no gap has a free node on this grid,
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, position or ratio outside their ranges (a fat Cantor set needs τ < 2),
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for counts and where no gap has a free node on this grid,
     /// [`Error::EmptyContact`] when the transition leaves no contact node; as [`EdgeData::from_samples`];
     /// [`Error::File`] for a file that cannot be read.
     pub fn data(&self, tau: f64, cells: usize, sides: Sides) -> Result<EdgeData> {
@@ -164,7 +164,7 @@ impl StripScene {
     /// gap or piece: for α > 1/2 in H² itself, where at α = 0 only every τ < 2 is reached.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 0 ≤ α < ∞; [`Error::Incompatible`] for samples; as [`StripScene::data`].
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ α < ∞; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for samples; as [`StripScene::data`].
     pub fn damped_data(&self, logarithm: f64, cells: usize, sides: Sides) -> Result<EdgeData> {
         let is_in = logarithm >= 0.0 && logarithm.is_finite();
         Error::require("alpha", logarithm, "[0, inf)", is_in)?;

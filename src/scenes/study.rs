@@ -58,7 +58,7 @@ impl SceneStudy {
     /// every beginning and of every step of multigrid, and its error ends the study.
     ///
     /// # Errors
-    /// [`crate::Error::CountOutOfRange`] without levels; whatever meshes, problems, solvers and `observe`
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without levels; whatever meshes, problems, solvers and `observe`
     /// return.
     pub fn run_observed(
         &self,

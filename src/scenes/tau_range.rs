@@ -23,7 +23,7 @@ impl TauRange {
     pub(super) const FAT_CANTOR: TauRange =
         TauRange { largest: 2.0, is_attained: false, words: "(3/2, 2) for a fat Cantor set" };
 
-    /// [`Error::OutOfRange`] for a τ outside.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a τ outside.
     pub(super) fn check(&self, tau: f64) -> Result<()> {
         let is_inside = tau < self.largest || self.is_attained && tau == self.largest;
         Error::require("tau", tau, self.words, tau > SMALLEST && is_inside)?;

@@ -32,7 +32,7 @@ impl TransitionPowers {
     /// The scene on an edge of `cells` cells with natural sides, transition at `position` ∈ (0, 1).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for powers or a position outside their ranges; as [`EdgeData::new`].
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for powers or a position outside their ranges; as [`EdgeData::new`].
     pub fn data(&self, position: f64, cells: usize) -> Result<EdgeData> {
         let Self { opening, pressure, logarithm } = *self;
         Error::require("p", opening, "(0, inf)", opening > 0.0)?;

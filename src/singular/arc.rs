@@ -42,7 +42,7 @@ impl Wedge {
     /// both.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless 2 ≤ degree ≤ 200; [`Error::OutOfRange`] for a height that is
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ degree ≤ 200; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a height that is
     /// negative or not finite; [`Error::Solver`] when the eigenvalues do not converge.
     pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<ArcExponent>> {
         if !(2..=DEGREES).contains(&degree) {

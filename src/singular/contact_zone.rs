@@ -32,7 +32,7 @@ impl ContactZone {
     /// The zone (0, `length`) of a body with Poisson's ratio `poisson`.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless −1 < ν < 1/2 and the length is positive and finite.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless −1 < ν < 1/2 and the length is positive and finite.
     pub fn new(poisson: f64, length: f64) -> Result<Self> {
         Error::require("Poisson's ratio", poisson, "(-1, 1/2)", poisson > -1.0 && poisson < 0.5)?;
         Error::require("length of the zone", length, "(0, inf)", length > 0.0 && length.is_finite())?;

@@ -70,7 +70,7 @@ impl Wedge {
     /// millisecond.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] when a count fails on all paths tried: three zeros nearer than 1e-5 of each
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when a count fails on all paths tried: three zeros nearer than 1e-5 of each
     /// other.
     pub fn exponents(&self) -> Result<Spectrum> {
         let mut work = Work::default();
@@ -118,7 +118,7 @@ impl Wedge {
     /// nothing, counts.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless −3 ≤ left < right ≤ 4; [`Error::ToleranceNotMet`] with a zero on one of
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless −3 ≤ left < right ≤ 4; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with a zero on one of
     /// the lines.
     pub fn count(&self, left: f64, right: f64) -> Result<usize> {
         Error::require("left end", left, "[-3, right end)", left >= -LARGEST && left < right)?;

@@ -126,7 +126,7 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for an opening outside, or a ratio outside (−1, 1/2).
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an opening outside, or a ratio outside (−1, 1/2).
     pub fn new(angle: f64, sides: Sides, medium: Medium) -> Result<Self> {
         let is_opening = (SMALLEST..=std::f64::consts::TAU).contains(&angle);
         Error::require("opening angle", angle, "[1e-5, 2 pi]", is_opening)?;

@@ -24,7 +24,7 @@ impl EdgeData {
     /// cells.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`]; [`Error::OutOfRange`] for a wrong sign;
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite); [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign;
     /// [`Error::NotComplementary`] when both are nonzero at a node; [`Error::EmptyContact`] when no node has
     /// u_N = 0.
     pub fn new(cells: usize, sides: Sides, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
@@ -52,7 +52,7 @@ impl EdgeData {
     ///
     /// # Errors
     /// [`Error::Syntax`] naming the line that is not two numbers, [`Error::AtLine`] one that is no pair;
-    /// [`Error::CountOutOfRange`] for the number of lines; and as [`EdgeData::new`].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for the number of lines; and as [`EdgeData::new`].
     pub fn from_samples(text: &str, sides: Sides) -> Result<Self> {
         let rows = pairs(text, "samples")?;
         for (node, &(line, [value, density])) in rows.iter().enumerate() {

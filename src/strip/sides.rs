@@ -24,7 +24,7 @@ impl Sides {
     /// At least two cells, an even number on a ring, at most 2^26.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] otherwise.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) otherwise.
     pub fn check_cells(self, cells: usize) -> Result<()> {
         check_cells(cells, self)
     }

@@ -33,8 +33,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve`]; [`Error::LengthMismatch`] for a hierarchy of another mesh;
-    /// [`Error::OutOfRange`] unless the share of the error of discretisation is in (0, 1]; what `observe`
+    /// As for [`ContactProblem::solve`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a hierarchy of another mesh;
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the share of the error of discretisation is in (0, 1]; what `observe`
     /// returns.
     pub fn solve_by_multigrid(
         &self,

@@ -54,7 +54,7 @@ pub fn read_msh(path: &Path) -> Result<Triangulation> {
 /// # Errors
 /// [`Syntax`](crate::Error::Syntax) with the line where the text does not follow the format, a binary file
 /// among them; [`AtLine`](crate::Error::AtLine) with the line that gives what is no triangulation:
-/// [`UnknownName`](crate::Error::UnknownName) for a group that is no boundary part, and the errors of
+/// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is no boundary part, and the errors of
 /// [`Triangulation::new`].
 pub fn parse_msh(text: &str) -> Result<Triangulation> {
     let mut raw = Raw::default();

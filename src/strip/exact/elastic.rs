@@ -49,7 +49,7 @@ impl ExactElastic {
     /// `coarsest` is the smallest number of cells errors are wanted for.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a scene with natural sides, [`Error::CountOutOfRange`] unless N and the
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a scene with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the
     /// numbers of layers are powers of two.
     pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
         if scene.sides() != Sides::Periodic {
@@ -101,7 +101,7 @@ impl ExactElastic {
     /// Replaces the scene by another one on the same fine grid.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] when the grid is another one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
     pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
@@ -120,7 +120,7 @@ impl ExactElastic {
     /// Layers of the strip with `cells` cells.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] when the height is not a whole number of them.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the height is not a whole number of them.
     pub fn layers(&self, cells: usize) -> Result<usize> {
         layers_on(cells, self.height)
     }
@@ -128,7 +128,7 @@ impl ExactElastic {
     /// The load on u_N on the edge of `cells` cells.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless `cells` is N divided by a power of two.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `cells` is N divided by a power of two.
     pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
         let level = level_of(self.cells, cells, self.loads.len())?;
         Ok(EdgeLoad::on_edge(self.loads[level].clone()))
@@ -137,7 +137,7 @@ impl ExactElastic {
     /// The operator of u_N on the edge of `cells` cells.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for a level that does not exist.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
     pub fn operator(&self, cells: usize) -> Result<EdgeOperator> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         let symbol = self.matrices[level].iter().map(|a| a.normal()).collect();
@@ -147,7 +147,7 @@ impl ExactElastic {
     /// |u − u_h|_a for the discrete solution with the given u_N on `cells` cells.
     ///
     /// # Errors
-    /// As [`ExactElastic::load`], `cells` not below the coarsest grid; [`Error::LengthMismatch`].
+    /// As [`ExactElastic::load`], `cells` not below the coarsest grid; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         require_length("edge values", values.len(), cells)?;

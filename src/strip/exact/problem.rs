@@ -71,7 +71,7 @@ impl StripProblem {
     /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the scene only.
     ///
     /// # Errors
-    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`Error::Incompatible`] for a continuous elastic
+    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a continuous elastic
     /// reference.
     pub fn new(kind: StripKind, scene: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(match kind {
@@ -93,7 +93,7 @@ impl StripProblem {
     /// Replaces the scene by another one on the same grid; much cheaper than a new problem.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] when the grid is another one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
     pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         match self {
             Self::Scalar(exact) => exact.set_scene(scene),
@@ -104,7 +104,7 @@ impl StripProblem {
     /// The edge operator on `cells` cells and the number of unknowns it stands for.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for a level that does not exist.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
     pub fn operator(&self, cells: usize) -> Result<(EdgeOperator, f64)> {
         match self {
             Self::Scalar(exact) => {
@@ -122,7 +122,7 @@ impl StripProblem {
     /// The load on `cells` cells.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for a level that does not exist.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
     pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
         match self {
             Self::Scalar(exact) => exact.load(cells),
@@ -133,7 +133,7 @@ impl StripProblem {
     /// |u − u_h|_a.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for a level that does not exist, [`Error::LengthMismatch`].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         match self {
             Self::Scalar(exact) => exact.error(cells, values),

@@ -52,7 +52,7 @@ impl ExactEdge {
     /// The scene as exact solution on the strip of height `height.0/height.1`; natural sides.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a periodic scene, [`Error::CountOutOfRange`] unless N is a power of two
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic scene, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two
     /// and the height gives a whole number of layers on it.
     pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
@@ -98,7 +98,7 @@ impl ExactEdge {
     /// Replaces the scene by another one on the same fine grid.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] when the grid is another one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
     pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
@@ -116,7 +116,7 @@ impl ExactEdge {
     /// Layers of the strip with `cells` cells.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] when the height is not a whole number of them.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the height is not a whole number of them.
     pub fn layers(&self, cells: usize) -> Result<usize> {
         layers_on(cells, self.layers_per_cell)
     }
@@ -124,7 +124,7 @@ impl ExactEdge {
     /// The load of the scene on the edge of `cells` cells.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] unless `cells` is N divided by a power of two.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `cells` is N divided by a power of two.
     pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
         let level = self.level(cells)?;
         Ok(EdgeLoad::on_edge(self.loads[level].clone()))
@@ -133,7 +133,7 @@ impl ExactEdge {
     /// |u − u_h|_a, the energy norm of the error of the discrete solution with edge values `values` on `cells` cells.
     ///
     /// # Errors
-    /// As [`ExactEdge::load`]; [`Error::LengthMismatch`].
+    /// As [`ExactEdge::load`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
         require_length("edge values", values.len(), cells + 1)?;

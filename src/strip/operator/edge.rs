@@ -41,8 +41,8 @@ impl EdgeOperator {
     /// The operator with symbol values at θ = 2πk/P, k = 0 ... P/2.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for fewer than two cells (or an odd number on a periodic edge),
-    /// [`Error::LengthMismatch`] or [`Error::OutOfRange`] unless there are P/2 + 1 positive finite values.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two cells (or an odd number on a periodic edge),
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite values.
     pub fn new(cells: usize, sides: Sides, symbol: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         let period = sides.period(cells);
@@ -107,7 +107,7 @@ impl EdgeOperator {
     /// A g: the nodal forces that hold the edge in the shape g.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`] unless g has one value per node; [`Error::NotFinite`].
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless g has one value per node; [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn apply(&self, g: &[f64]) -> Result<Vec<f64>> {
         self.check_field("edge values", g)?;
         let mut out = vec![0.0; self.nodes()];

@@ -84,7 +84,7 @@ impl ElasticStrip {
     /// n cells along the edge, m layers, one material.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for an odd n or an m that is not a power of two.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an odd n or an m that is not a power of two.
     pub fn new(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
         check_cells(cells, Sides::Periodic)?;
         check_layers(layers)?;
@@ -118,7 +118,7 @@ impl ElasticStrip {
     /// Condenses the load ∫ f_h·v, f_h the nodal interpolant of f = (f_x, f_y), consistent P1 mass matrix.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when f is not finite at a node.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.
     pub fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<ElasticLoad> {
         let n = self.operator.cells();
         let nodal = |j: usize| -> [Vec<f64>; 2] {
@@ -141,7 +141,7 @@ impl ElasticStrip {
     /// ... m − 1, asked for from the top downwards.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when a row is not.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.
     pub fn condense_rows(&self, mut row: impl FnMut(usize, &mut [Vec<f64>; 2])) -> Result<ElasticLoad> {
         let operator = &self.operator;
         let n = operator.cells();
@@ -181,7 +181,7 @@ impl ElasticStrip {
     /// The tangential edge displacement that belongs to u_N under the given load.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn tangential(&self, load: &ElasticLoad, normal: &[f64]) -> Result<Vec<f64>> {
         require_length("tangential load", load.tangential.len(), self.operator.nodes())?;
         self.operator.check_field("tangential load", &load.tangential)?;

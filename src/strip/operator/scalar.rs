@@ -31,7 +31,7 @@ impl ScalarStrip {
     /// n cells along the edge, m layers; the height is H = m/n.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for n < 2 or m = 0.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n < 2 or m = 0.
     pub fn new(cells: usize, layers: usize) -> Result<Self> {
         check_cells(cells, Sides::Natural)?;
         check_layers(layers)?;
@@ -65,7 +65,7 @@ impl ScalarStrip {
     /// ... m − 1 (j = 0 is the contact edge). Rows are asked for from the top downwards.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when a row is not.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.
     pub fn condense_rows(&self, mut row: impl FnMut(usize, &mut [f64])) -> Result<EdgeLoad> {
         let operator = &self.operator;
         let modes = operator.cells() + 1;
@@ -102,7 +102,7 @@ impl ScalarStrip {
     /// Condenses the load ∫ f_h v with f_h the nodal interpolant of f, consistent P1 mass matrix.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when f is not finite at a node.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.
     pub fn condense(&self, f: impl Fn(f64, f64) -> f64) -> Result<EdgeLoad> {
         let n = self.operator.cells();
         let nodal = |j: usize| -> Vec<f64> {
@@ -121,7 +121,7 @@ impl ScalarStrip {
     /// Checks an edge load against this strip.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn check(&self, load: &EdgeLoad) -> Result<()> {
         require_length("edge load", load.force.len(), self.operator.nodes())?;
         require_finite("edge load", &load.force)

@@ -45,7 +45,7 @@ const STALLED: f64 = 0.5;
 /// solution on the half as fine edge, or on this one.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::OutOfRange`] for data that do not fit. How the
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for data that do not fit. How the
 /// iteration ended is in the status.
 pub fn solve_contact(
     operator: &EdgeOperator,

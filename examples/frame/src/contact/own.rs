@@ -199,7 +199,7 @@ impl Own {
     /// solution; of a scalar problem in the first entry.
     ///
     /// # Errors
-    /// [`signorini::Error::NotFiniteAt`], and those of the normals.
+    /// [`fractional_sobolev::Error::NotFiniteAt`], and those of the normals.
     pub fn resultants(&self, run: &SceneRun) -> Result<[[f64; 2]; 3]> {
         let SceneRun { problem, solution, .. } = run;
         let (mesh, edge) = (problem.mesh(), problem.edge());
