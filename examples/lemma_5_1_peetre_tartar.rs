@@ -9,9 +9,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
+use experiments::trial::{mean_free_quotient, peetre_tartar};
 use fractional_sobolev::{
     Estimate, FractionalOrder, Tolerance,
-    poincare::{Condition, Zone, extremal, mean_free_quotient, peetre_tartar},
+    poincare::{Condition, Zone, extremal},
 };
 use std::process::ExitCode;
 

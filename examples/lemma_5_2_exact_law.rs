@@ -9,12 +9,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
+use experiments::growth::{growth, last_exponent};
 use fractional_sobolev::{
     Estimate, FractionalOrder, Tolerance,
-    poincare::{
-        Condition, END_SLOPE, HalfBracket, INTERIOR_SLOPE, LawRest, Place, UniformLaw, gamma, growth,
-        last_exponent,
-    },
+    poincare::{Condition, END_SLOPE, HalfBracket, INTERIOR_SLOPE, LawRest, Place, UniformLaw, gamma},
 };
 use std::process::ExitCode;
 

@@ -9,10 +9,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
-    poincare::{InductionStep, induction, scaling_defect},
-};
+use experiments::induction::{InductionStep, induction, scaling_defect};
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
 use std::f64::consts::SQRT_2;
 use std::process::ExitCode;
 

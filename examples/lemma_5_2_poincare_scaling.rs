@@ -7,12 +7,12 @@
 
 use example_frame::poincare::{curves_chart, figure_name, frames, scaling_table};
 use example_frame::{Finding, Headline, Result, within};
+use experiments::growth::{
+    Scaling, ScalingPoint, growth, growth_limit, looseness_at_half, printed_exponent_near_one,
+};
 use fractional_sobolev::{
     Estimate, FractionalOrder, Tolerance,
-    poincare::{
-        Condition, END_SLOPE, Place, Scaling, ScalingPoint, growth, growth_limit, looseness_at_half,
-        printed_exponent_near_one,
-    },
+    poincare::{Condition, END_SLOPE, Place},
 };
 use std::process::ExitCode;
 use std::time::Instant;

@@ -8,9 +8,11 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, increasing, within};
+use experiments::growth::last_exponent;
+use experiments::trial::{NormChain, TruncatedFamily, truncated_slope};
 use fractional_sobolev::{
     Estimate, FractionalOrder, Tolerance,
-    poincare::{Condition, NormChain, TruncatedFamily, Zone, gamma, last_exponent, truncated_slope},
+    poincare::{Condition, Zone, gamma},
 };
 use std::process::ExitCode;
 

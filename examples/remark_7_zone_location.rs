@@ -16,7 +16,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, poincare::Places};
+use experiments::location::Places;
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -2,11 +2,13 @@
 //! cases.
 
 use example_frame::{Outcome, Verdict};
+use experiments::growth::{growth, printed_growth};
+use experiments::induction::closing_factor;
 use fractional_sobolev::{
     Error, Estimate, FractionalOrder, Tolerance,
     poincare::{
-        Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, closing_factor, end_limit, extremal,
-        gamma, gamma_at_point, gamma_whole, growth, interior_limit, largest_mean, printed_growth, two_sided,
+        Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, end_limit, extremal, gamma,
+        gamma_at_point, gamma_whole, interior_limit, largest_mean, two_sided,
     },
 };
 use std::sync::LazyLock;

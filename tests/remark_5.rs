@@ -48,7 +48,7 @@ fn the_ramp_has_the_sharp_factor_and_other_powers_less() {
     assert!((slope(1.0).value / sharp - 1.0).abs() < 1e-3, "{:?}", slope(1.0));
     assert!(slope(0.75).value < 0.95 * sharp, "{:?}", slope(0.75));
     for alpha in [0.6, 0.75, 0.9, 1.0] {
-        assert!(fractional_sobolev::poincare::truncated_slope(alpha) <= sharp * (1.0 + 1e-15));
+        assert!(experiments::trial::truncated_slope(alpha) <= sharp * (1.0 + 1e-15));
     }
 }
 

@@ -2,9 +2,10 @@
 //! numbers turn both.
 
 use example_frame::{Outcome, Verdict};
+use experiments::trial::{trial_quotient, truncated_logarithm};
 use fractional_sobolev::{
     FractionalOrder, Tolerance,
-    poincare::{Condition, Zone, gamma, trial_quotient, truncated_logarithm},
+    poincare::{Condition, Zone, gamma},
 };
 
 #[path = "../examples/remark_7_zone_location.rs"]

@@ -2,10 +2,15 @@
 //! the example that its first line names; tests run them at other parameters.
 
 pub mod arrangement;
+pub mod explicit_bound;
+pub mod growth;
+pub mod induction;
+pub mod location;
 mod parallel;
 mod random;
 mod scale;
 mod search;
+pub mod trial;
 
 pub use random::SplitMix;
 pub use scale::largest;

@@ -3,9 +3,10 @@
 
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Cell, Column, Format, Headline, Output, Result, Table};
+use experiments::growth::{ScalingPoint, printed_growth};
 use fractional_sobolev::{
     FractionalOrder, Tolerance,
-    poincare::{Condition, ScalingPoint, Zone, extremal, gamma, printed_growth},
+    poincare::{Condition, Zone, extremal, gamma},
 };
 
 /// Points per cell of the graded mesh: the pictures resolve every scale between θ and 1.

@@ -15,12 +15,13 @@ const MAKES_WAY: f64 = 1e-5;
 /// Returned by [`super::extremal`].
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, extremal, trial_quotient}};
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, extremal}};
 /// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
 /// let (gamma, u) = extremal(order, Zone::end(0.01)?, Condition::MeanZero, asked)?;
 /// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(x)).abs() < 1e-9));
 /// // its interpolant nearly has the quotient γ
-/// let quotient = trial_quotient(&u.interpolate(3, 1, &[0.01])?, order, asked)?;
+/// let u = u.interpolate(3, 1, &[0.01])?;
+/// let quotient = u.l2_norm(asked)?.over(u.seminorm(order, asked)?)?;
 /// assert!((quotient.value / gamma.value - 1.0).abs() < 1e-2);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```

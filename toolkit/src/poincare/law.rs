@@ -14,6 +14,16 @@ const NEAR_HALF: f64 = 0.01;
 
 /// γ_θ as θ → 0 at fixed ν; not uniform in ν.
 ///
+/// # Method
+///
+/// | ν | printed in Lemma 5.2 | true, zone at an end | true, zone inside |
+/// | --- | --- | --- | --- |
+/// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, `end_limit` | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
+/// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), [`super::UniformLaw`] | γ² ~ L/(2π²) |
+/// | > 1/2 | C | γ₀(ν), `gamma_at_point` | the same at the point |
+///
+/// A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν.
+///
 /// ```
 /// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, LimitLaw, Place, Zone, gamma}};
 /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());

@@ -1,4 +1,4 @@
-//! The printed laws (5.1)-(5.3) and the exact limits they should be compared with.
+//! The exact limits that the printed laws (5.1)-(5.3) should be compared with.
 
 use crate::FractionalOrder;
 use crate::error::{Error, Given, Result};
@@ -18,34 +18,6 @@ pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 
 /// Rounding of a tangent, two products and a root, relative; 1/2 − ν is known exactly.
 const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
-
-/// The growth that Lemma 5.2 prints: θ^{ν−1/2}, ln(1/θ), 1.
-///
-/// # Method
-///
-/// | ν | printed | true, zone at an end | true, zone inside |
-/// | --- | --- | --- | --- |
-/// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, `end_limit` | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
-/// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), [`super::UniformLaw`] | γ² ~ L/(2π²) |
-/// | > 1/2 | C | γ₀(ν), `gamma_at_point` | the same at the point |
-///
-/// A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν; [`super::LimitLaw`] chooses among them.
-///
-/// ```
-/// use fractional_sobolev::{FractionalOrder, poincare::printed_growth};
-/// assert_eq!(printed_growth(FractionalOrder::new(0.25)?, 1e-4), 10.0);
-/// assert_eq!(printed_growth(FractionalOrder::new(0.75)?, 1e-4), 1.0);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
-    if order.is_below_half() {
-        theta.powf(order.offset())
-    } else if order.offset() == 0.0 {
-        -theta.ln()
-    } else {
-        1.0
-    }
-}
 
 /// lim θ^{1/2−ν} γ_θ for a zone inside (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).
 ///

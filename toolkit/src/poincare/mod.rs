@@ -10,20 +10,15 @@ mod bracket;
 mod constant;
 mod continuation;
 mod discrete;
-mod explicit_bound;
 mod extremal;
-mod induction;
 mod law;
 mod limits;
-mod location;
 mod mean;
 mod mellin;
 mod mesh;
 mod moments;
 mod rounding;
-mod scaling;
 pub(crate) mod slopes;
-mod trial;
 mod two_sided;
 mod uniform;
 mod zone;
@@ -31,23 +26,13 @@ mod zones;
 
 pub use bracket::HalfBracket;
 pub use constant::{extremal, gamma, gamma_at_point, gamma_whole};
-pub use explicit_bound::ExplicitBound;
 pub use extremal::ExtremalFunction;
-pub use induction::{InductionStep, closing_factor, induction, scaling_defect};
 pub use law::LimitLaw;
-pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit, printed_growth};
-pub use location::{Placed, Places};
+pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit};
 pub use mean::largest_mean;
 pub use mellin::end_limit;
 pub use moments::{
     Moment, MomentBounds, StrongForm, half_order_moment, moment_extremal, moment_norm, moment_norm_beside,
-};
-pub use scaling::{
-    Scaling, ScalingPoint, growth, growth_limit, last_exponent, looseness_at_half, printed_exponent_near_one,
-};
-pub use trial::{
-    BothSides, NormChain, TruncatedFamily, cut_in_two, mean_free_quotient, peetre_tartar, trial_quotient,
-    truncated_logarithm, truncated_slope,
 };
 pub use two_sided::{TwoSided, two_sided};
 pub use uniform::{LawRest, UniformLaw};

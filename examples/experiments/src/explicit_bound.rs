@@ -1,12 +1,7 @@
 //! An upper bound of the constants of all zones of one length.
 
-use super::constant::{gamma_at_point, gamma_whole};
-use super::limits::END_SLOPE;
-use super::mellin::end_limit;
-use super::zone::Condition;
-use crate::FractionalOrder;
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
+use fractional_sobolev::poincare::{Condition, END_SLOPE, end_limit, gamma_at_point, gamma_whole};
+use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance};
 
 /// An upper bound of γ_θ(ν) for all zones of length θ with an explicit constant; found here and tested, not
 /// proved. With γ₁ the constant of the whole interval:

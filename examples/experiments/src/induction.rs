@@ -1,11 +1,7 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
 
-use super::constant::extremal;
-use super::extremal::ExtremalFunction;
-use super::zone::{Condition, Zone};
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
-use crate::{FractionalOrder, SingularFunction};
+use fractional_sobolev::poincare::{Condition, ExtremalFunction, Zone, extremal};
+use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, SingularFunction, Tolerance};
 
 /// The extremal function is interpolated by polynomials of this degree on its cells, each cut into pieces.
 const DEGREE: usize = 2;
@@ -18,7 +14,7 @@ const AT_THETA: f64 = 1e-12;
 /// Returned by [`induction`].
 ///
 /// ```
-/// use fractional_sobolev::poincare::{InductionStep, induction};
+/// use experiments::induction::{InductionStep, induction};
 /// // θ = 0.1, 0.01, 1e-4: γ grows by less than the 1 + θ^{ν−1/2} of the proof
 /// for InductionStep { theta, factor, bound, share, .. } in induction(0.75, 0.1, 2, 1e-3)? {
 ///     assert!(factor.value < bound && share.value < 1.0, "{theta}");
@@ -56,7 +52,8 @@ pub struct InductionStep {
 /// no digits are lost at the ends, where ũ vanishes, and ũ is in H^ν for every ν < 1.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::scaling_defect};
+/// use experiments::induction::scaling_defect;
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// let defect = scaling_defect(FractionalOrder::HALF, 0.1, Tolerance::fast())?;
 /// assert!(defect.value <= 1e-3);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -112,7 +109,8 @@ pub fn scaling_defect(
 /// for ν near 1/2.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, poincare::closing_factor};
+/// use experiments::induction::closing_factor;
+/// use fractional_sobolev::FractionalOrder;
 /// // 2 ln(1/θ)/ln(1/θ₀)
 /// assert!((closing_factor(FractionalOrder::HALF, 0.1, 0.001)? - 6.0).abs() < 1e-14);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -159,7 +157,8 @@ pub fn closing_factor(order: impl Given<FractionalOrder>, start: f64, theta: f64
 /// [`Error::OutOfRange`] unless 0 < θ < 1 and θ^(2^steps) ≥ 1e-300; those of [`extremal`].
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::induction};
+/// use experiments::induction::induction;
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// let steps = induction(FractionalOrder::HALF, 0.1, 1, Tolerance::fast())?;
 /// assert!(steps[0].bound == 2.0 && steps[0].factor.value < 1.5);
 /// # Ok::<(), fractional_sobolev::Error>(())

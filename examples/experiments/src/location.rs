@@ -1,13 +1,11 @@
 //! Remark 7: one length of the zone at several places, and what the printed cut of the interval would need.
 
-use super::constant::gamma;
-use super::scaling::last_exponent;
-use super::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
-use super::two_sided::two_sided;
-use super::zone::{Condition, Zone};
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
-use crate::{FractionalOrder, Partition, PiecewisePolynomial};
+use crate::growth::last_exponent;
+use crate::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
+use fractional_sobolev::poincare::{Condition, Zone, gamma, two_sided};
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, Given, Partition, PiecewisePolynomial, Result, Tolerance,
+};
 
 /// ε/θ: where the odd extremal function starts to differ from zero.
 const SHARE: f64 = 1e-3;
@@ -19,7 +17,7 @@ const RAMPS: [f64; 3] = [8.517, 17.728, 36.148];
 /// Returned by [`Places`].
 ///
 /// ```
-/// use fractional_sobolev::poincare::{Placed, Places};
+/// use experiments::location::{Placed, Places};
 /// // a zone of length 0.01 in the middle instead of at the end: by how much γ is smaller
 /// let places = Places::new(0.5, 0.01, &[0.0, 0.5], 1e-3)?;
 /// let Placed { start, gamma, ratio, repair, .. } = places.zones[1];
@@ -50,7 +48,8 @@ pub struct Placed {
 /// to (0,1).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::Places};
+/// use experiments::location::Places;
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// // a zone of length 0.01 at the left end and in the middle
 /// let found = Places::new(FractionalOrder::HALF, 0.01, &[0.0, 0.5], Tolerance::fast())?;
 /// assert!(found.zones[1].gamma.value < found.zones[0].gamma.value);
@@ -114,4 +113,15 @@ fn ramps(order: FractionalOrder) -> Result<Option<Estimate>> {
         Ok((log, trial_quotient(&truncated_logarithm(1.0, log)?, order, Tolerance::balanced())?))
     };
     last_exponent(&RAMPS.into_iter().map(quotient).collect::<Result<Vec<_>>>()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_outside_the_interval_is_named_by_its_index() {
+        let outside = Places::new(0.3, 1e-3, &[0.0, 0.5, 1.5], 1e-3);
+        assert!(matches!(outside, Err(Error::EntryOutOfRange { index: 2, value: 1.5, .. })), "{outside:?}");
+    }
 }

@@ -1,14 +1,10 @@
 //! Lemma 5.2 over a sequence of zones: how fast the constants grow, and bounds with explicit constants.
 
-use super::constant::gamma;
-use super::explicit_bound::ExplicitBound;
-use super::law::LimitLaw;
-use super::limits::{END_SLOPE, INTERIOR_SLOPE, printed_growth};
-use super::two_sided::{TwoSided, two_sided};
-use super::zone::{Condition, Place, Zone};
-use crate::FractionalOrder;
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::explicit_bound::ExplicitBound;
+use fractional_sobolev::poincare::{
+    Condition, END_SLOPE, INTERIOR_SLOPE, LimitLaw, Place, TwoSided, Zone, gamma, two_sided,
+};
+use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance, Work};
 
 /// Growth of γ between the last two of a sequence of zones (θ, γ), longest first: the slope of γ² against
 /// ln(1/θ) at ν = 1/2, the exponent of θ at other orders. The error adds those of the constants to the change
@@ -19,7 +15,8 @@ use crate::estimate::{Estimate, Tolerance, Work};
 /// close that their logarithms agree, and for constants that are not positive.
 ///
 /// ```
-/// use fractional_sobolev::{Estimate, FractionalOrder, poincare::growth};
+/// use experiments::growth::growth;
+/// use fractional_sobolev::{Estimate, FractionalOrder};
 /// let gamma = |theta: f64| Estimate::new(0.5 * theta.powf(-0.25), 1e-9, Default::default());
 /// let zones = [(1e-1, gamma(1e-1)?), (1e-2, gamma(1e-2)?), (1e-3, gamma(1e-3)?)];
 /// let found = growth(FractionalOrder::new(0.25)?, &zones)?;
@@ -48,7 +45,8 @@ pub fn growth(order: impl Given<FractionalOrder>, zones: &[(f64, Estimate)]) -> 
 /// inside; 0.
 ///
 /// ```
-/// use fractional_sobolev::{Estimate, FractionalOrder, poincare::{Place, growth_limit, last_exponent}};
+/// use experiments::growth::{growth_limit, last_exponent};
+/// use fractional_sobolev::{Estimate, FractionalOrder, poincare::Place};
 /// assert_eq!(growth_limit(FractionalOrder::new(0.25)?, Place::End), -0.25);
 /// let of = |x: f64| Ok::<_, fractional_sobolev::Error>((x, Estimate::new(x * x, 1e-9, Default::default())?));
 /// let square = last_exponent(&[of(1.0)?, of(2.0)?, of(4.0)?])?;
@@ -107,10 +105,31 @@ pub fn printed_exponent_near_one(tolerance: impl Given<Tolerance>) -> Result<Opt
     last_exponent(&NEAR_ONE.into_iter().map(point).collect::<Result<Vec<Point>>>()?)
 }
 
+/// The growth that Lemma 5.2 prints: θ^{ν−1/2}, ln(1/θ), 1.
+///
+/// ```
+/// use experiments::growth::printed_growth;
+/// use fractional_sobolev::FractionalOrder;
+/// assert_eq!(printed_growth(FractionalOrder::new(0.25)?, 1e-4), 10.0);
+/// assert_eq!(printed_growth(FractionalOrder::new(0.75)?, 1e-4), 1.0);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
+    if order.is_below_half() {
+        theta.powf(order.offset())
+    } else if order.offset() == 0.0 {
+        -theta.ln()
+    } else {
+        1.0
+    }
+}
+
 /// What γ_θ of one order is compared with, and zones compared with it.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, ExplicitBound, Place, Scaling}};
+/// use experiments::explicit_bound::ExplicitBound;
+/// use experiments::growth::Scaling;
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Place}};
 /// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::fast());
 /// let point = Scaling::new(order, Place::End, Condition::MeanZero, asked)?.point(1e-3)?;
 /// let bound = ExplicitBound::new(order, Condition::MeanZero, asked)?.map(|bound| bound.at(1e-3));
@@ -132,7 +151,8 @@ pub struct Scaling {
 /// Returned by [`Scaling::point`].
 ///
 /// ```
-/// use fractional_sobolev::poincare::{Condition, Place, Scaling, ScalingPoint};
+/// use experiments::growth::{Scaling, ScalingPoint};
+/// use fractional_sobolev::poincare::{Condition, Place};
 /// let scaling = Scaling::new(0.5, Place::End, Condition::MeanZero, 1e-3)?;
 /// let ScalingPoint { found, side, over_law, .. } = scaling.point(1e-9)?;
 /// // between its bounds, and near what the limit law says
@@ -207,7 +227,8 @@ impl Scaling {
 /// By which factor (5.2) with C from θ = 1/2 is loose at the constant γ of a shorter zone at an end.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma, looseness_at_half, printed_exponent_near_one}};
+/// use experiments::growth::{looseness_at_half, printed_exponent_near_one};
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
 /// let asked = Tolerance::fast();
 /// let short = gamma(FractionalOrder::HALF, Zone::end(1e-6)?, Condition::MeanZero, asked)?;
 /// assert!(looseness_at_half(1e-6, short, asked)?.value > 1.0);
@@ -229,4 +250,21 @@ pub fn looseness_at_half(
     let printed = printed_growth(order, theta) / printed_growth(order, 0.5);
     let loose = middle.over(shorter)?;
     Estimate::new(loose.value * printed, loose.error * printed, loose.work)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zones_that_do_not_shrink_are_named_by_their_index() {
+        let zone = Estimate::new(1.0, 1e-9, Work::default()).unwrap();
+        let same = growth(0.5, &[(0.3, zone), (0.2, zone), (0.2, zone)]);
+        assert!(matches!(same, Err(Error::EntryOutOfRange { index: 2, value: 0.2, .. })), "{same:?}");
+        let negative = growth(0.3, &[(0.3, zone), (-0.1, zone)]);
+        assert!(
+            matches!(negative, Err(Error::EntryOutOfRange { index: 1, value: -0.1, .. })),
+            "{negative:?}"
+        );
+    }
 }

@@ -1,10 +1,10 @@
 //! Trial functions: quotients below the best constant, the family of Remark 5, and the cut of Remark 7.
 
-use super::limits::END_SLOPE;
-use super::scaling::{growth, last_exponent};
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
-use crate::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
+use crate::growth::{growth, last_exponent};
+use fractional_sobolev::poincare::END_SLOPE;
+use fractional_sobolev::{
+    Error, Estimate, FractionalOrder, Given, Partition, PiecewisePolynomial, Result, Tolerance, closed_forms,
+};
 
 /// Ratio of neighbouring layers of a truncated logarithm, in ln x.
 const LAYER: f64 = 0.35;
@@ -23,7 +23,8 @@ const DEGREE: usize = 2;
 /// [`Error::OutOfRange`] unless 0 < α ≤ 1 and 1 ≤ L ≤ 690.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{trial_quotient, truncated_logarithm}};
+/// use experiments::trial::{trial_quotient, truncated_logarithm};
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// let [short, shorter] = [16.0, 64.0].map(|log| {
 ///     trial_quotient(&truncated_logarithm(0.4, log)?, FractionalOrder::HALF, Tolerance::fast())
 /// });
@@ -49,7 +50,8 @@ pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<PiecewisePolynomial> 
 /// The functions [`truncated_logarithm`] of one α beside the constants of the zones on which they vanish.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, TruncatedFamily, Zone, gamma, peetre_tartar, truncated_slope}};
+/// use experiments::trial::{TruncatedFamily, peetre_tartar, truncated_slope};
+/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
 /// let asked = Tolerance::fast();
 /// let (log, zone) = (16.0, Zone::end((-16f64).exp())?);
 /// let constant = gamma(FractionalOrder::HALF, zone, Condition::Vanishing, asked)?;
@@ -73,7 +75,7 @@ pub struct TruncatedFamily {
     /// The exponent of L in the quotient between the last two zones; see [`last_exponent`].
     pub growth: Option<Estimate>,
     /// What the square of the quotient grows by per unit of L between the last two zones; see
-    /// [`growth`](super::growth). For α > 1/2 it tends to [`truncated_slope`].
+    /// [`growth`]. For α > 1/2 it tends to [`truncated_slope`].
     pub slope: Option<Estimate>,
 }
 
@@ -84,7 +86,8 @@ pub struct TruncatedFamily {
 /// Returned by [`TruncatedFamily`].
 ///
 /// ```
-/// use fractional_sobolev::poincare::{Condition, NormChain, TruncatedFamily, Zone, gamma};
+/// use experiments::trial::{NormChain, TruncatedFamily};
+/// use fractional_sobolev::poincare::{Condition, Zone, gamma};
 /// let zone = Zone::end((-64f64).exp())?;
 /// let constant = gamma(0.5, zone, Condition::Vanishing, 1e-3)?;
 /// let family = TruncatedFamily::new(0.4, &[(64.0, constant)], 1e-3)?;
@@ -113,7 +116,7 @@ impl TruncatedFamily {
     /// The functions for the given (L, constant of the zone).
     ///
     /// # Errors
-    /// Those of [`truncated_logarithm`] and of [`growth`](super::growth).
+    /// Those of [`truncated_logarithm`] and of [`growth`].
     pub fn new(alpha: f64, constants: &[(f64, Estimate)], tolerance: impl Given<Tolerance>) -> Result<Self> {
         let tolerance = tolerance.given()?;
         // ‖|ln x|^α‖₀² = Γ(1 + 2α)
@@ -163,7 +166,8 @@ pub fn trial_quotient(
 /// bound of γ_θ.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance, poincare::{cut_in_two, mean_free_quotient, trial_quotient}};
+/// use experiments::trial::{cut_in_two, mean_free_quotient, trial_quotient};
+/// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance};
 /// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
 /// // u = x: ‖x‖₀ = 1/√3, ‖x − 1/4‖₀ = (7/48)^{1/2}, |x|_{1/2} = 1
 /// let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
@@ -203,7 +207,8 @@ pub fn mean_free_quotient(
 /// Returned by [`cut_in_two`].
 ///
 /// ```
-/// use fractional_sobolev::{Partition, PiecewisePolynomial, poincare::{BothSides, cut_in_two}};
+/// use experiments::trial::{BothSides, cut_in_two};
+/// use fractional_sobolev::{Partition, PiecewisePolynomial};
 /// // sgn(x − 1/2) cut at its jump: no constant bounds the left side by the right one
 /// let sign = PiecewisePolynomial::constants(Partition::uniform(2, 1.0)?, &[-1.0, 1.0])?;
 /// let BothSides { left, right } = cut_in_two(&sign, 1, 0.25, 1e-8)?;
