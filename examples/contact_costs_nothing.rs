@@ -5,8 +5,8 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::STEADY;
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::proof::{CostRow, CostStudy};
 use signorini::cone::Cone;
-use signorini::proof::{CostRow, CostStudy};
 use signorini::scenes::{ClosedForm, ClosedFormLevel, StripCase};
 use signorini::strip::{Levels, Reference, StripKind};
 use std::process::ExitCode;

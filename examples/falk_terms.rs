@@ -4,8 +4,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use experiments::proof::{Exponent, FalkRow, falk_terms};
 use signorini::cone::Cone;
-use signorini::proof::{Exponent, FalkRow, falk_terms, printed_exponent};
+use signorini::proof::printed_exponent;
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, StripKind};
 use std::process::ExitCode;
@@ -51,12 +52,12 @@ const ROUNDING: f64 = 1e-9;
 type Term = (&'static str, &'static str, fn(&FalkRow) -> f64);
 
 const TERMS: [Term; 6] = [
-    ("error", "|u − u_h|²", |r| r.error),
-    ("approximation", "|u − I^h u|²", |r| r.approximation),
-    ("consistency", "∫σ(I^h u)", |r| r.consistency),
-    ("second", "|∫σ u_h|", |r| r.second_infimum),
-    ("part.one", "(4.8), first part", |r| r.first_part),
-    ("part.two", "(4.8), second part", |r| r.second_part),
+    ("error", "|u − u_h|²", |r| r.terms.error),
+    ("approximation", "|u − I^h u|²", |r| r.terms.approximation),
+    ("consistency", "∫σ(I^h u)", |r| r.terms.consistency),
+    ("second", "|∫σ u_h|", |r| r.terms.second_infimum),
+    ("part.one", "(4.8), first part", |r| r.terms.first_part),
+    ("part.two", "(4.8), second part", |r| r.terms.second_part),
 ];
 
 /// Exponent of h of a term; none with fewer than three meshes on which it does not vanish.
@@ -75,22 +76,25 @@ pub fn findings(options: &Options, rows: &[FalkRow]) -> Vec<Finding> {
     let of_cone = if options.cone == Cone::Nodal { Finding::claim } else { Finding::remark };
     vec![
         Finding::claim("lemma", "the first infimum takes at most {percent} % of its bound by v_h = I^h u")
-            .number_or(largest(&FalkRow::interpolant_share), none)
+            .number_or(largest(&|r| r.terms.interpolant_share()), none)
             .at_most(1.0, "|u - v_h|^2 + 2 int sigma (v_h - u), which u_h minimises")
             .otherwise("I^h u is better than u_h: the first infimum takes {percent} % of its bound"),
         Finding::claim("constant", "measured constant of the lemma at most {value}")
-            .number_or(largest(&|r| r.constant(options.cone)), none)
+            .number_or(largest(&|r| r.terms.constant(options.cone)), none)
             .at_most(2.0, "2 by Young's inequality in the energy norm")
             .told(),
         Finding::claim("split", "the second infimum is at most the two parts of (4.8) on every mesh")
-            .number_or(largest(&FalkRow::split_excess), none)
+            .number_or(largest(&|r| r.terms.split_excess()), none)
             .at_most(ROUNDING, zero),
         of_cone("second", "the second infimum is negative on every mesh: under stress u_h stays open")
-            .number_or(largest(&FalkRow::second_share), none)
+            .number_or(largest(&|r| r.terms.second_share()), none)
             .at_most(ROUNDING, zero)
             .otherwise("the second infimum is positive on some mesh"),
         Finding::remark("consistency", "the consistency term falls like h^{value}, faster than the bound")
-            .number_or(exponent(rows, |r| r.consistency), "fewer than three meshes with a positive term")
+            .number_or(
+                exponent(rows, |r| r.terms.consistency),
+                "fewer than three meshes with a positive term",
+            )
             .at_least(printed_exponent(options.tau), "2 tau^2 - 5 tau + 4, 2 at tau = 2")
             .told(),
     ]
@@ -102,15 +106,18 @@ pub fn run(options: &Options) -> Result<Headline> {
     let claim = "the squared error is at most C times approximation, consistency and nonconformity";
     let (cone, found) = (options.cone, findings(options, &rows));
     let mut headline = Headline::new("Falk's lemma, (4.5), (4.8)", claim, table(cone, &rows), found);
-    headline
-        .quote(format!("falk.{cone}.constant"), rows.iter().map(|r| r.constant(cone)).fold(0.0, f64::max));
+    headline.quote(
+        format!("falk.{cone}.constant"),
+        rows.iter().map(|r| r.terms.constant(cone)).fold(0.0, f64::max),
+    );
     for (key, _, term) in TERMS {
         if let Some((value, uncertainty)) = exponent(&rows, term) {
             headline.quote_with(&format!("falk.{cone}.{key}.exponent"), value, uncertainty);
         }
     }
     if let Some(finest) = rows.last() {
-        headline.quote(format!("falk.{cone}.consistency.share"), finest.consistency / finest.error);
+        headline
+            .quote(format!("falk.{cone}.consistency.share"), finest.terms.consistency / finest.terms.error);
     }
     headline.draw(&options.output, "falk_terms", || Ok(draw(options, &rows)))?;
     Ok(headline)
@@ -133,8 +140,12 @@ fn table(cone: Cone, rows: &[FalkRow]) -> Table {
     ];
     Table::new(columns).with_rows(rows.iter().map(|r| {
         let terms = TERMS.map(|(_, _, term)| term(r));
-        let constants = [r.constant(cone), r.error / r.split_bracket(cone), r.first_infimum() / r.error];
-        [&[r.n as f64], terms.as_slice(), &[r.bracket(cone)], &constants].concat()
+        let constants = [
+            r.terms.constant(cone),
+            r.terms.error / r.terms.split_bracket(cone),
+            r.terms.first_infimum() / r.terms.error,
+        ];
+        [&[r.n as f64], terms.as_slice(), &[r.terms.bracket(cone)], &constants].concat()
     }))
 }
 

@@ -6,9 +6,8 @@
 
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
-use signorini::proof::{
-    Against, AlternativeCase, AlternativeStudy, Case, Exponent, Section, ThetaRule, printed_exponent,
-};
+use experiments::proof::{Against, AlternativeCase, AlternativeStudy, Exponent};
+use signorini::proof::{Case, Section, ThetaRule, printed_exponent};
 use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;
 

@@ -4,8 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
+use experiments::proof::FaceGaps;
 use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
-use signorini::proof::FaceGaps;
 use std::process::ExitCode;
 
 example_frame::options! {

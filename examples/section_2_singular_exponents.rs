@@ -5,9 +5,10 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::RateRow;
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::wedge_grid::ExponentCheck;
 use signorini::convergence::{SceneOrder, scene_orders};
 use signorini::scenes::MeshScene;
-use signorini::singular::{Admission, Medium, Roads, Side, Sides, Spectrum, Wedge};
+use signorini::singular::{Medium, Side, Sides, SignCondition, Spectrum, Wedge};
 use std::f64::consts::{PI, TAU};
 use std::process::ExitCode;
 
@@ -31,7 +32,7 @@ pub struct Computed {
     /// The wedges of the table.
     pub wedges: Vec<(Wedge, Spectrum)>,
     /// One entry per wedge of the grid.
-    pub grid: Vec<Roads>,
+    pub grid: Vec<ExponentCheck>,
     /// Im of the first exponent of clamped/free on one line.
     pub oscillation: f64,
     /// The supremum of tau at the transition of contact on one line.
@@ -57,7 +58,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let flat = Wedge::new(PI, Sides(Side::Clamped, Side::Free), medium)?.exponents()?;
     let computed = Computed {
         wedges: wedges.iter().map(solved).collect::<Result<_>>()?,
-        grid: Roads::on_grid(OPENINGS, &RATIOS, || bar.inc(1))?,
+        grid: ExponentCheck::on_grid(OPENINGS, &RATIOS, || bar.inc(1))?,
         oscillation: flat.exponents.first().map_or(f64::NAN, |exponent| exponent.im.value),
         transition: Wedge::new(PI, Sides(Side::Closed, Side::Open), medium)?.regularity()?.tau,
         scenes: scene_orders(3, 6, || bar.inc(1))?,
@@ -72,7 +73,7 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     let claim = |key, words: &str, value: Option<f64>, bound, source| {
         Finding::claim(key, words).number_or(value.map(|value| (value, 0.0)), "none").at_most(bound, source)
     };
-    let (lost, apart) = (Some(Roads::lost(grid) as f64), Some(Roads::furthest(grid)));
+    let (lost, apart) = (Some(ExponentCheck::lost(grid) as f64), Some(ExponentCheck::furthest(grid)));
     let read = SceneOrder::worst_reading(scenes).map(|read| read.deviation());
     let (sharp, orders) = (SceneOrder::widest_reading(scenes), SceneOrder::furthest(scenes));
     let words = format!("no exponent is lost on {} wedges", grid.len());
@@ -123,8 +124,8 @@ fn table(wedges: &[(Wedge, Spectrum)]) -> Table {
         Column::new("kind", "kind", Format::Plain, "polynomial: no limit to tau; excluded: not in contact"),
     ]);
     for (wedge, e) in wedges.iter().flat_map(|(wedge, all)| all.exponents.iter().map(move |e| (wedge, e))) {
-        let kind = match (wedge.admission(e), e.is_polynomial()) {
-            (Admission::Excluded, _) => "excluded",
+        let kind = match (wedge.sign_condition(e), e.is_polynomial()) {
+            (SignCondition::Excluded, _) => "excluded",
             (_, true) => "polynomial",
             _ => "",
         };

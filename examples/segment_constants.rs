@@ -11,7 +11,7 @@ use fractional_sobolev::{
     poincare::{Moment, StrongForm, half_order_moment, moment_extremal},
 };
 use signorini::proof::{
-    SegmentConstant, consistency_constant, half_sharpened, midpoint_bound, product_constant,
+    SegmentConstant, consistency_constant, midpoint_bound, product_bound, product_constant,
 };
 use std::process::ExitCode;
 
@@ -54,7 +54,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
         let apart = apart.reduce(|a: Result<f64>, b| Ok(a?.max(b?))).unwrap_or(Ok(0.0))?;
         let ratio = sharp[0].value.value / half_order_moment(0.5, Moment::Mass)?.value.powi(2);
         let closed = (nu == FractionalOrder::HALF).then_some((ratio - 1.0).abs());
-        Ok(Row { nu, potentials: half_sharpened(nu), sharp, apart, closed })
+        Ok(Row { nu, potentials: product_bound(nu), sharp, apart, closed })
     };
     progress(options.nu.len() as u64).wrap_iter(options.nu.iter()).map(row).collect()
 }

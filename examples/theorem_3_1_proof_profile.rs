@@ -4,8 +4,9 @@
 
 use example_frame::shown::ladder::{ladder_table, line_table, show, title};
 use example_frame::{Finding, Headline, Result, within};
-use signorini::proof::{LimitLine, LimitLines, Rung, Section, Step, ThetaRule, limit_lines};
-use signorini::proof::{ProofCase, ProofProfile, Resolution};
+use experiments::proof::{LimitLine, LimitLines, Rung, limit_lines};
+use experiments::proof::{ProofCase, ProofProfile, Resolution};
+use signorini::proof::{Section, Step, ThetaRule};
 use signorini::scenes::StripScene;
 use signorini::strip::Levels;
 use std::process::ExitCode;

@@ -7,8 +7,9 @@ use example_frame::figures::{Axis, Chart, Series};
 pub use example_frame::shown::numbers::numbered_findings as findings;
 use example_frame::shown::numbers::numbered_table;
 use example_frame::{Headline, Result, progress, within};
+use experiments::proof::{NumberedRow, NumberedStudy};
 use signorini::cone::Cone;
-use signorini::proof::{NumberedRow, NumberedStudy, TheoremNumbers};
+use signorini::proof::TheoremConstants;
 use signorini::scenes::RoughTransition;
 use std::process::ExitCode;
 
@@ -44,7 +45,7 @@ pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
     let bar = progress(2 * options.tau.len() as u64);
     let mut studies = Vec::new();
     for &tau in &options.tau {
-        let numbers = TheoremNumbers::new(tau)?;
+        let numbers = TheoremConstants::new(tau)?;
         let scene = RoughTransition::new(tau - 1.0 + options.above)?;
         for cone in [Cone::Nodal, Cone::Midpoint] {
             studies.push(NumberedStudy::new(numbers, scene, cone, options.finest)?);

@@ -6,9 +6,10 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::shown::numbers::{decided_by, effectivity, numbered_findings, numbered_table};
 use example_frame::{Finding, Headline, Result, progress, within};
+use experiments::proof::NumberedStudy;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
-use signorini::proof::{NumberedStudy, TheoremNumbers};
+use signorini::proof::TheoremConstants;
 use signorini::scenes::RoughTransition;
 use std::process::ExitCode;
 
@@ -48,7 +49,7 @@ pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
     let bar = progress(2 * options.tau.len() as u64);
     let mut studies = Vec::new();
     for &tau in &options.tau {
-        let numbers = TheoremNumbers::new(tau)?;
+        let numbers = TheoremConstants::new(tau)?;
         let scene = RoughTransition::new(tau - 1.0 + options.above)?.elastic(lame);
         for cone in [Cone::Nodal, Cone::Midpoint] {
             studies.push(NumberedStudy::new(numbers, scene, cone, options.finest)?);

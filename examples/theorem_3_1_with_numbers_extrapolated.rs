@@ -5,8 +5,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::proof::{ExtrapolatedRow, ExtrapolatedStudy, FineForms, SolvedBody};
 use fractional_sobolev::Estimate;
-use signorini::proof::{ExtrapolatedRow, ExtrapolatedStudy, FineForms, SolvedBody, TheoremNumbers};
+use signorini::proof::TheoremConstants;
 use signorini::scenes::LoadedBody;
 use std::process::ExitCode;
 
@@ -45,7 +46,7 @@ pub fn compute(options: &Options) -> Result<Vec<ExtrapolatedStudy>> {
     }
     let mut studies = Vec::new();
     for &tau in &options.tau {
-        let numbers = TheoremNumbers::new(tau)?;
+        let numbers = TheoremConstants::new(tau)?;
         let [a, b, c] = bodies[0].fine_grids();
         let forms = [FineForms::new(tau, a)?, FineForms::new(tau, b)?, FineForms::new(tau, c)?];
         for body in bodies.iter().filter(|body| tau <= body.smoothness - MARGIN) {

@@ -4,10 +4,11 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::proof::{BoundProblem, BoundRow, BoundStudy, segment_versions};
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
-use signorini::proof::{BoundProblem, BoundRow, BoundStudy, MeshShape, segment_versions};
+use signorini::proof::MeshShape;
 use signorini::scenes::ClosedForm;
 use signorini::strip::Levels;
 use std::process::ExitCode;

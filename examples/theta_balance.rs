@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use signorini::proof::{BalanceExponents, BalanceRow, ElementBalance, worst_of_cases};
+use experiments::proof::{BalanceExponents, BalanceRow, ElementBalance, worst_of_cases};
 use signorini::strip::Levels;
 use std::process::ExitCode;
 

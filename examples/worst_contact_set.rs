@@ -5,10 +5,11 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::STEADY;
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::proof::{ContactFamily, SegmentSearch, SegmentSets, SetTerms};
 use fractional_sobolev::{FractionalOrder, Tolerance};
 use signorini::cone::Cone;
 use signorini::convergence::{Bound, Fit};
-use signorini::proof::{ContactFamily, SegmentConstant, SegmentSearch, SegmentSets, SetTerms};
+use signorini::proof::SegmentConstant;
 use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio};
 use std::process::ExitCode;
 

@@ -10,6 +10,7 @@
 use example_frame::Expression;
 use example_frame::contact::Material;
 use experiments::SplitMix;
+use experiments::proof::Resolution;
 use fractional_sobolev::{
     FractionalOrder, GalleryFunction, Tolerance,
     interpolation::SampleSlope,
@@ -19,7 +20,6 @@ use peak_alloc::PeakAlloc;
 use signorini::Error;
 use signorini::ToolkitError;
 use signorini::mesh::parse_msh;
-use signorini::proof::Resolution;
 use signorini::scenes::{MeshScene, Scene, StripScene};
 use signorini::strip::{EdgeData, Levels, Sides};
 use std::collections::BTreeSet;

@@ -5,8 +5,8 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::proof::{contact_cost, falk_terms};
 use signorini::cone::Cone;
-use signorini::proof::{contact_cost, falk_terms};
 use signorini::scenes::StripCase;
 use signorini::strip::{Levels, Reference, StripKind};
 
@@ -59,9 +59,9 @@ fn rows_are_the_terms_of_falks_lemma() {
         let (cost, falk) = (contact_cost(&case, || ()).unwrap(), falk_terms(&case, |_| ()).unwrap());
         for (cost, falk) in cost.iter().zip(&falk) {
             for (own, other) in [
-                (cost.error, falk.error),
-                (cost.interpolation, falk.approximation),
-                (cost.consistency, falk.consistency),
+                (cost.error, falk.terms.error),
+                (cost.interpolation, falk.terms.approximation),
+                (cost.consistency, falk.terms.consistency),
             ] {
                 assert!((own / other - 1.0).abs() < 1e-9, "{kind} {}: {own} {other}", cost.n);
             }

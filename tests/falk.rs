@@ -1,7 +1,7 @@
 //! Falk's lemma for both cones: its terms on computed solutions, their known infima, and (4.8).
 
+use experiments::proof::falk_terms;
 use signorini::cone::Cone;
-use signorini::proof::falk_terms;
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, StripKind};
 
@@ -33,23 +33,27 @@ fn the_lemma_holds_with_constant_two_in_the_energy_norm() {
             for cone in [Cone::Nodal, Cone::Midpoint] {
                 for row in falk_terms(&case(kind, scene, tau, cone), |_| ()).unwrap() {
                     let name = format!("{kind} {scene} tau {tau} {cone} n {}", row.n);
-                    let size = ROUNDING * (row.error + row.approximation);
-                    let second = if cone == Cone::Midpoint { row.second_infimum } else { 0.0 };
-                    let bound = row.approximation + 2.0 * (row.consistency + second);
-                    assert!(row.error <= bound + size, "{name}: {} above {bound}", row.error);
-                    assert!(row.consistency >= 0.0 && row.second_part >= 0.0, "{name}");
+                    let size = ROUNDING * (row.terms.error + row.terms.approximation);
+                    let second = if cone == Cone::Midpoint { row.terms.second_infimum } else { 0.0 };
+                    let bound = row.terms.approximation + 2.0 * (row.terms.consistency + second);
+                    assert!(row.terms.error <= bound + size, "{name}: {} above {bound}", row.terms.error);
+                    assert!(row.terms.consistency >= 0.0 && row.terms.second_part >= 0.0, "{name}");
                     // (4.8)
-                    let parts = row.first_part + row.second_part;
+                    let parts = row.terms.first_part + row.terms.second_part;
                     assert!(
-                        row.second_infimum <= parts + size,
+                        row.terms.second_infimum <= parts + size,
                         "{name}: {} above {parts}",
-                        row.second_infimum
+                        row.terms.second_infimum
                     );
                     // u_h minimises |u − v|²/2 + ∫σ(v − u) over its cone, which contains I^h u.
-                    let interpolant = row.approximation + 2.0 * row.consistency;
-                    assert!(row.first_infimum() <= interpolant + size, "{name}: {}", row.first_infimum());
+                    let interpolant = row.terms.approximation + 2.0 * row.terms.consistency;
+                    assert!(
+                        row.terms.first_infimum() <= interpolant + size,
+                        "{name}: {}",
+                        row.terms.first_infimum()
+                    );
                     if cone == Cone::Nodal {
-                        assert!(row.second_infimum <= size, "{name}: K^h is part of K");
+                        assert!(row.terms.second_infimum <= size, "{name}: K^h is part of K");
                     }
                     assert!(row.kkt < 1e-9, "{name}: kkt {}", row.kkt);
                 }

@@ -2,7 +2,8 @@
 
 use signorini::edge::{EdgeTrace, Interval};
 
-use signorini::proof::{Against, AlternativeCase, Case, NearVertices, Section, ThetaRule};
+use experiments::proof::{Against, AlternativeCase};
+use signorini::proof::{Case, NearVertices, Section, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]

@@ -2,7 +2,8 @@
 
 use signorini::edge::{EdgeTrace, Interval};
 
-use signorini::proof::{Against, AlternativeCase, Case, Section, SetDiameter, ThetaRule};
+use experiments::proof::{Against, AlternativeCase};
+use signorini::proof::{Case, Section, SetDiameter, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]

@@ -5,8 +5,8 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::proof::FaceGaps;
 use fractional_sobolev::{FractionalOrder, Tolerance};
-use signorini::proof::FaceGaps;
 
 #[test]
 fn the_nodal_quotient_grows_and_the_mean_quotient_falls() {

@@ -7,7 +7,7 @@ mod example;
 use example_frame::Outcome;
 use signorini::convergence::CornerReading;
 use signorini::scenes::{MeshScene, Setting};
-use signorini::singular::{Admission, Exponent, LARGEST, Medium, Side, Sides, Wedge};
+use signorini::singular::{Exponent, LARGEST, Medium, Side, Sides, SignCondition, Wedge};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Twelve digits.
@@ -211,19 +211,19 @@ fn signs_of_contact_leave_three_halves() {
     let of = |sides: &str, medium| {
         let wedge = Wedge::new(PI, sides.parse().unwrap(), medium).unwrap();
         let exponents = wedge.exponents().unwrap().exponents;
-        let said: Vec<(f64, Admission)> =
-            exponents.iter().map(|e| (e.re.value, wedge.admission(e))).collect();
+        let said: Vec<(f64, SignCondition)> =
+            exponents.iter().map(|e| (e.re.value, wedge.sign_condition(e))).collect();
         (said, wedge.regularity().unwrap().tau)
     };
     for poisson in [-0.5, 0.0, 0.3, 0.499] {
         for sides in ["C-O", "O-C"] {
             let (said, tau) = of(sides, Medium::PlaneStrain(poisson));
             let expected = [
-                (0.5, Admission::Excluded),
-                (1.0, Admission::Neutral),
-                (1.5, Admission::Signed),
-                (2.0, Admission::Neutral),
-                (2.5, Admission::Excluded),
+                (0.5, SignCondition::Excluded),
+                (1.0, SignCondition::Neutral),
+                (1.5, SignCondition::Signed),
+                (2.0, SignCondition::Neutral),
+                (2.5, SignCondition::Excluded),
             ];
             assert_eq!(said.len(), expected.len());
             for (a, b) in said.iter().zip(expected) {
@@ -233,16 +233,19 @@ fn signs_of_contact_leave_three_halves() {
         }
         // Clamped/closed presses with r^{1/2}; clamped/open would penetrate again and again.
         let (said, tau) = of("D-C", Medium::PlaneStrain(poisson));
-        assert!(said[0].1 == Admission::Signed && (tau - 1.5).abs() < DIGITS, "{said:?} {tau}");
+        assert!(said[0].1 == SignCondition::Signed && (tau - 1.5).abs() < DIGITS, "{said:?} {tau}");
         let (said, _) = of("D-O", Medium::PlaneStrain(poisson));
-        assert!(said.iter().all(|s| s.1 == Admission::Excluded), "{said:?}");
+        assert!(said.iter().all(|s| s.1 == SignCondition::Excluded), "{said:?}");
     }
     // Scalar: contact is u = 0 there, and r^{1/2} pulls or penetrates as well.
     let (said, tau) = of("C-O", Medium::Scalar);
-    assert_eq!(said.iter().map(|s| s.1).collect::<Vec<_>>()[..2], [Admission::Excluded, Admission::Signed]);
+    assert_eq!(
+        said.iter().map(|s| s.1).collect::<Vec<_>>()[..2],
+        [SignCondition::Excluded, SignCondition::Signed]
+    );
     assert!((tau - 2.5).abs() < DIGITS, "{tau}");
     let (said, tau) = of("D-O", Medium::Scalar);
-    assert!(said[0].1 == Admission::Signed && (tau - 1.5).abs() < DIGITS, "{said:?} {tau}");
+    assert!(said[0].1 == SignCondition::Signed && (tau - 1.5).abs() < DIGITS, "{said:?} {tau}");
 }
 
 /// C-C: λ = |kπ/ω ± 1|. Odd k is odd about the bisector, presses on one side and pulls on the other, and is
@@ -257,13 +260,13 @@ fn closed_corners_keep_even_fields() {
         for exponent in wedge.exponents().unwrap().exponents.iter().filter(|e| !e.is_polynomial()) {
             let same = |turn: &&(f64, bool)| (turn.0 - exponent.re.value).abs() < 1e-9;
             let is_even = turns.iter().filter(same).any(|turn| turn.1);
-            let expected = if is_even { Admission::Signed } else { Admission::Excluded };
-            assert_eq!(wedge.admission(exponent), expected, "{angle}: {exponent:?}");
+            let expected = if is_even { SignCondition::Signed } else { SignCondition::Excluded };
+            assert_eq!(wedge.sign_condition(exponent), expected, "{angle}: {exponent:?}");
         }
         for other in [Side::Free, Side::Clamped] {
             let wedge = elastic(angle, 0.3, Sides(Side::Closed, other));
             for exponent in wedge.exponents().unwrap().exponents {
-                let is_out = wedge.admission(&exponent) == Admission::Excluded;
+                let is_out = wedge.sign_condition(&exponent) == SignCondition::Excluded;
                 assert!(is_out == exponent.is_complex(), "{angle} {other:?}: {exponent:?}");
             }
         }

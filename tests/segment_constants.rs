@@ -1,9 +1,10 @@
 //! The sharp constants of a segment: the example confirms its statement, planted faults turn it.
 
 use example_frame::{Outcome, Verdict};
+use experiments::proof::SegmentSets;
 use fractional_sobolev::{FractionalOrder, Tolerance};
 use signorini::cone::Cone;
-use signorini::proof::{SegmentSets, consistency_constant, midpoint_bound, one_gap_ratio, product_constant};
+use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio, product_constant};
 
 #[allow(dead_code)]
 #[path = "../examples/segment_constants.rs"]

@@ -1,11 +1,12 @@
 //! Theorem 3.1, its proof: (3.3)-(3.15) on computed pairs, each side by itself, and the ladder of bounds.
 
+use experiments::proof::{ProofCase, Resolution};
 use fractional_sobolev::{FractionalOrder, Tolerance};
 use signorini::edge::{
     ContactPair, EdgeTrace, Interval, SegmentNorms, SegmentTrace, SeminormForm, Traces,
     seminorm_by_quadrature,
 };
-use signorini::proof::{NearVertices, ProofCase, ProofConstants, Resolution, Section, Step, ThetaRule};
+use signorini::proof::{NearVertices, ProofConstants, Section, Step, ThetaRule};
 use signorini::scenes::StripScene;
 use signorini::strip::{EdgeData, Levels, Sides};
 

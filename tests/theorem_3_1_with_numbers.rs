@@ -6,8 +6,9 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::proof::NumberedStudy;
 use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance, closed_forms};
-use signorini::proof::{NumberedStudy, TheoremNumbers};
+use signorini::proof::TheoremConstants;
 use signorini::scenes::{EdgeDatum, RoughTransition};
 
 fn order(s: f64) -> FractionalOrder {
@@ -57,10 +58,10 @@ fn seminorms_of_the_edge_scale_and_hold_those_of_their_side() {
 
 #[test]
 fn what_is_not_in_the_space_is_an_error() {
-    let numbers = TheoremNumbers::new(1.75).unwrap();
+    let numbers = TheoremConstants::new(1.75).unwrap();
     let rough = RoughTransition::new(0.74).unwrap();
     assert!(NumberedStudy::new(numbers, rough, signorini::cone::Cone::Nodal, 3).is_err());
-    assert!(TheoremNumbers::new(1.5).is_err() && TheoremNumbers::new(2.1).is_err());
+    assert!(TheoremConstants::new(1.5).is_err() && TheoremConstants::new(2.1).is_err());
     let options = example::Options { above: 0.0, ..example::Options::default() };
     assert!(example::compute(&options).is_err());
 }

@@ -8,7 +8,7 @@ mod example;
 use example_frame::Outcome;
 use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
 use signorini::fem::Lame;
-use signorini::proof::TheoremNumbers;
+use signorini::proof::TheoremConstants;
 use signorini::scenes::{EdgeDatum, RoughTransition};
 use std::f64::consts::PI;
 
@@ -71,9 +71,9 @@ fn everything_scales_with_the_stiffness() {
         let lame = Lame::new(1.3 * factor, 0.7 * factor).unwrap();
         RoughTransition::new(0.81).unwrap().elastic(lame)
     };
-    let numbers = TheoremNumbers::new(1.75).unwrap();
+    let numbers = TheoremConstants::new(1.75).unwrap();
     let study = |factor| {
-        signorini::proof::NumberedStudy::new(numbers, scene(factor), signorini::cone::Cone::Midpoint, 3)
+        experiments::proof::NumberedStudy::new(numbers, scene(factor), signorini::cone::Cone::Midpoint, 3)
             .unwrap()
     };
     let (soft, stiff) = (study(1.0), study(100.0));
@@ -103,7 +103,7 @@ fn what_is_not_in_the_space_is_an_error() {
 #[test]
 fn a_bound_without_its_elastic_constants_is_seen() {
     let options = example::Options { tau: vec![1.75, 2.0], finest: 4, ..example::Options::default() };
-    let outcome = |studies: &[signorini::proof::NumberedStudy], key: &str| {
+    let outcome = |studies: &[experiments::proof::NumberedStudy], key: &str| {
         let found = example::findings(studies);
         found.iter().find(|finding| finding.key() == key).unwrap().outcome()
     };

@@ -6,11 +6,12 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::proof::{ExtrapolatedStudy, FineForms, FineNorms, SolvedBody};
 use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::Lame;
-use signorini::proof::{ExtrapolatedStudy, FineForms, FineNorms, SolvedBody, TheoremNumbers};
+use signorini::proof::TheoremConstants;
 use signorini::scenes::{ClosedForm, EdgeDatum, LoadedBody, RoughTransition};
 use std::f64::consts::TAU;
 
@@ -89,7 +90,7 @@ fn norms_below_two_are_those_of_the_rough_transition() {
 /// Errors said with the reference of 64 squares against those with 256, which are four times surer.
 #[test]
 fn extrapolated_errors_are_honest() {
-    let numbers = TheoremNumbers::new(1.75).unwrap();
+    let numbers = TheoremConstants::new(1.75).unwrap();
     let rows = |body: LoadedBody, finest: u32| {
         let solved = SolvedBody::new(body, finest).unwrap();
         let one = Estimate::new(1.0, 0.0, Default::default()).unwrap();
@@ -110,7 +111,7 @@ fn extrapolated_errors_are_honest() {
 
 #[test]
 fn what_is_not_known_is_an_error() {
-    let numbers = TheoremNumbers::new(1.6).unwrap();
+    let numbers = TheoremConstants::new(1.6).unwrap();
     let solved = SolvedBody::new(LoadedBody::Hanging, 5).unwrap();
     assert!((solved.smoothness - 1.7447).abs() < 1e-4);
     let forms = |tau| solved.fine_grids().map(|n| FineForms::new(tau, n).unwrap());

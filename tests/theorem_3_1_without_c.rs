@@ -5,11 +5,12 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::proof::BoundStudy;
 use fractional_sobolev::Rule;
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::fem::{Form, Lame};
-use signorini::proof::{BoundStudy, BoundWithoutC, MeshShape, half_plane_korn};
+use signorini::proof::{ExplicitBound, MeshShape, half_plane_korn};
 use signorini::scenes::ClosedForm;
 use std::f64::consts::PI;
 
@@ -71,15 +72,15 @@ fn a_constant_that_is_too_small_is_seen() {
 fn constants_of_the_scalar_problem_are_those_computed_by_hand() {
     let shape = MeshShape::right_isosceles();
     assert!((shape.interpolation - 0.4929124517549).abs() < 1e-12, "Kikuchi and Liu: {shape:?}");
-    let nodal = BoundWithoutC::new(&Form::LAPLACE, Cone::Nodal, shape, 0.25, 1.0).unwrap();
+    let nodal = ExplicitBound::new(&Form::LAPLACE, Cone::Nodal, shape, 0.25, 1.0).unwrap();
     let by_hand = (shape.interpolation.powi(2) + 0.5 * PI / PI.tanh()).sqrt();
     assert!((nodal.constant() / by_hand - 1.0).abs() < 1e-12 && (nodal.constant() - 1.35).abs() < 1e-2);
     assert!((nodal.bound(0.5, 3.0, 3.0).unwrap() / (1.5 * by_hand) - 1.0).abs() < 1e-12);
     // μ = 1/2, λ = 0 has the energy of ε alone and σ_N = ∂_n u_n: no factor is left.
     let elastic = Form::elastic(Lame::new(0.0, 0.5).unwrap());
-    let elastic = BoundWithoutC::new(&elastic, Cone::Nodal, shape, 0.25, 1.0).unwrap();
+    let elastic = ExplicitBound::new(&elastic, Cone::Nodal, shape, 0.25, 1.0).unwrap();
     assert!((elastic.constant() / nodal.constant() - 1.0).abs() < 1e-12);
-    let midpoint = BoundWithoutC::new(&Form::LAPLACE, Cone::Midpoint, shape, 0.125, 1.0).unwrap();
+    let midpoint = ExplicitBound::new(&Form::LAPLACE, Cone::Midpoint, shape, 0.125, 1.0).unwrap();
     let by_hand = (shape.interpolation.powi(2) + (PI * PI.tanh()).powi(-2) + 0.25 * PI / PI.tanh()).sqrt();
     assert!((midpoint.constant() / by_hand - 1.0).abs() < 1e-12);
 }
@@ -185,7 +186,7 @@ fn contact_at_clamped_ends_is_found_in_the_midpoint_cone() {
 #[test]
 fn bad_bounds_are_refused() {
     let shape = MeshShape::right_isosceles();
-    let bound = |form: &Form, shape, c| BoundWithoutC::new(form, Cone::Midpoint, shape, c, 1.0);
+    let bound = |form: &Form, shape, c| ExplicitBound::new(form, Cone::Midpoint, shape, c, 1.0);
     assert!(bound(&Form::Scalar { reaction: 1.0 }, shape, 0.25).is_err());
     assert!(bound(&Form::LAPLACE, shape, f64::NAN).is_err());
     assert!(bound(&Form::LAPLACE, MeshShape { height: 0.0, ..shape }, 0.25).is_err());

@@ -1,9 +1,9 @@
 //! Section 3, "Globally": the bounds of both cases over θ against the worst complementary pair of one
 //! element.
 
+use experiments::proof::ElementBalance;
 use signorini::cone::Cone;
 use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
-use signorini::proof::ElementBalance;
 use signorini::strip::{EdgeData, Levels, Sides};
 
 #[allow(dead_code)]

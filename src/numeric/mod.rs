@@ -5,6 +5,7 @@ pub(crate) mod conjugate_gradients;
 pub(crate) mod legendre;
 pub(crate) mod line;
 pub(crate) mod memory;
+#[cfg(test)]
 pub(crate) mod random;
 pub(crate) mod scale;
 pub(crate) mod search;

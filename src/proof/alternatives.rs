@@ -12,8 +12,9 @@
 //!
 //! "Within" is strict and "on a piece" is up to single points, as measure zero does not matter for σ_N in L².
 
+use super::section::Section;
 use super::theta::checked_theta;
-use crate::edge::{EdgeTrace, Interval};
+use crate::edge::{EdgeTrace, Interval, SegmentNorms};
 use crate::error::Result;
 
 /// Which cases hold on a segment; at least one does.
@@ -39,6 +40,22 @@ pub enum Case {
 }
 
 impl Alternative {
+    /// The cases that hold on a segment whose norms are known; both sections by distances from the vertices that the
+    /// norms carry.
+    pub fn of_norms(section: Section, norms: &SegmentNorms, theta: f64) -> Self {
+        let reach = norms.length * theta;
+        match section {
+            Section::Three => Self {
+                first: norms.zero_distance.is_some_and(|d| d.iter().all(|&d| d < reach)),
+                second: norms.free_length >= reach,
+            },
+            Section::Four => Self {
+                first: norms.contact_diameter().is_none_or(|d| d <= reach),
+                second: norms.contact_diameter().is_some_and(|d| d >= reach),
+            },
+        }
+    }
+
     /// Which cases hold, as one value.
     pub fn case(&self) -> Case {
         match (self.first, self.second) {

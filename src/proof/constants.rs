@@ -1,6 +1,6 @@
 //! The explicit constants of one τ, frozen once made: collect the zones, compute, then ask.
 
-use super::step::TwoLaws;
+use super::laws::TwoLaws;
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{
     FractionalOrder, Tolerance,

@@ -20,21 +20,16 @@
 //!   0.
 //!
 //! σ_N is given by nodal forces of the fine edge; a force at a vertex counts half in each of its segments.
-//! Cost: one contact problem and two transforms of the fine edge per mesh.
+//! Cost: two transforms of the fine edge.
 
 use crate::cone::Cone;
-use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::Result;
-use crate::scenes::StripCase;
 use crate::strip::{EdgeSolution, StripProblem};
 
-/// The terms on one mesh, mean over the positions of the scene; all squared, as in the lemma, integrals
-/// without the factor 2.
+/// The terms of the lemma for one pair (u, u_h); all squared, integrals without the factor 2.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FalkRow {
-    /// Segments n; h = 1/n.
-    pub n: usize,
+pub struct FalkTerms {
     /// |u − u_h|².
     pub error: f64,
     /// |u − v_h|², v_h = I^h u on the edge.
@@ -47,11 +42,52 @@ pub struct FalkRow {
     pub first_part: f64,
     /// −∫ (σ_N − π^h σ_N) u_N.
     pub second_part: f64,
-    /// The worst KKT figure of the discrete solutions.
-    pub kkt: f64,
 }
 
-impl FalkRow {
+impl FalkTerms {
+    /// The terms on the mesh of `n` segments: u is the exact edge of `problem`, `trace` its trace on the fine grid,
+    /// `solution` the discrete solution.
+    ///
+    /// # Errors
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) where the solution does not belong to the mesh.
+    pub fn new(problem: &StripProblem, trace: &EdgeTrace, n: usize, solution: &EdgeSolution) -> Result<Self> {
+        let vertices: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
+        let segments = || vertices.windows(2).map(|v| Interval { start: v[0], end: v[1] });
+        let step = (trace.nodes().len() - 1) / n;
+        // As many nodal values as the discrete solution has: a ring does not repeat its first one.
+        let interpolant: Vec<f64> =
+            (0..solution.values.len()).map(|i| trace.displacement()[i * step]).collect();
+        let mut discrete = solution.values.clone();
+        if discrete.len() == n {
+            discrete.push(discrete[0]);
+        }
+        let on_edge = EdgeTrace::new(vertices.clone(), discrete, vec![0.0; n + 1], f64::INFINITY)?;
+        let approximation = problem.error(n, &interpolant)?;
+        let error = problem.error(n, &solution.values)?;
+        let mut terms = Self {
+            error: error.value * error.value,
+            approximation: approximation.value * approximation.value,
+            ..Self::default()
+        };
+        terms.consistency = sum(segments().map(|s| nodal_term(trace, s)));
+        terms.second_part = sum(segments().map(|s| midpoint_term(trace, s)));
+        // σ_N = −λ: −∫ σ_N w = Σ λ_i w(x_i).
+        let work: Vec<f64> = trace
+            .nodes()
+            .iter()
+            .zip(trace.force())
+            .map(|(&x, force)| force * on_edge.displacement_at(x))
+            .collect();
+        terms.second_infimum = sum(work.iter().copied());
+        // −∫ π^h σ_N w = Σ_T F_T mean_T w; mean_T u_N enters through the second part.
+        let projected = sum(segments().enumerate().map(|(i, s)| {
+            let mean = 0.5 * (on_edge.displacement()[i] + on_edge.displacement()[i + 1]);
+            force_in(trace, s) * mean
+        }));
+        terms.first_part = terms.second_infimum - projected - terms.second_part;
+        Ok(terms)
+    }
+
     /// |u−v_h|² + ∫σ_N(v_h−u)_N, for the midpoint cone + inf_K ∫σ_N(v−ū_h)_N: what C multiplies.
     pub fn bracket(&self, cone: Cone) -> f64 {
         let second = if cone == Cone::Midpoint { self.second_infimum } else { 0.0 };
@@ -89,95 +125,6 @@ impl FalkRow {
     pub fn split_excess(&self) -> f64 {
         (self.second_infimum - self.first_part - self.second_part) / (self.error + self.approximation)
     }
-
-    fn add(&mut self, other: &Self, share: f64) {
-        self.n = other.n;
-        self.error += share * other.error;
-        self.approximation += share * other.approximation;
-        self.consistency += share * other.consistency;
-        self.second_infimum += share * other.second_infimum;
-        self.first_part += share * other.first_part;
-        self.second_part += share * other.second_part;
-        self.kkt = self.kkt.max(other.kkt);
-    }
-}
-
-/// The terms of Falk's lemma for a case of the strip, coarsest mesh first; `report` is called after each
-/// mesh.
-///
-/// # Errors
-/// Those of the scenes and of the contact iteration.
-pub fn falk_terms(case: &StripCase, mut report: impl FnMut(usize)) -> Result<Vec<FalkRow>> {
-    let sources = case.sources()?;
-    let share = 1.0 / sources.len() as f64;
-    let mut rows: Vec<FalkRow> = case.levels.cells().map(|_| FalkRow::default()).collect();
-    let cells = case.levels.reference_cells();
-    let mut problem: Option<StripProblem> = None;
-    for source in &sources {
-        let scene = source.data(case.tau, cells, case.kind.sides())?;
-        let trace = EdgeTrace::of_scene(&scene)?;
-        let problem = match problem.as_mut() {
-            Some(known) => {
-                known.set_scene(&scene)?;
-                known
-            }
-            None => {
-                let coarsest = case.levels.coarsest_cells();
-                problem.insert(StripProblem::new(case.kind, &scene, case.reference, coarsest)?)
-            }
-        };
-        let keep = |k: usize, level: &Level, solution: &StripSolution| {
-            rows[k].add(&terms(problem, &trace, level, &solution.edge)?, share);
-            report(level.facts.cells);
-            Ok(())
-        };
-        solve_levels(&StripLevels::new(problem, case.levels), case.cone, |_| false, keep)?;
-    }
-    Ok(rows)
-}
-
-fn terms(
-    problem: &StripProblem,
-    trace: &EdgeTrace,
-    level: &Level,
-    solution: &EdgeSolution,
-) -> Result<FalkRow> {
-    let n = level.facts.cells;
-    let vertices: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
-    let segments = || vertices.windows(2).map(|v| Interval { start: v[0], end: v[1] });
-    let step = (trace.nodes().len() - 1) / n;
-    // As many nodal values as the discrete solution has: a ring does not repeat its first one.
-    let interpolant: Vec<f64> = (0..solution.values.len()).map(|i| trace.displacement()[i * step]).collect();
-    let mut discrete = solution.values.clone();
-    if discrete.len() == n {
-        discrete.push(discrete[0]);
-    }
-    let on_edge = EdgeTrace::new(vertices.clone(), discrete, vec![0.0; n + 1], f64::INFINITY)?;
-    let approximation = problem.error(n, &interpolant)?;
-    let mut row = FalkRow {
-        n,
-        error: level.error.value * level.error.value,
-        approximation: approximation.value * approximation.value,
-        kkt: level.facts.kkt,
-        ..FalkRow::default()
-    };
-    row.consistency = sum(segments().map(|s| nodal_term(trace, s)));
-    row.second_part = sum(segments().map(|s| midpoint_term(trace, s)));
-    // σ_N = −λ: −∫ σ_N w = Σ λ_i w(x_i).
-    let work: Vec<f64> = trace
-        .nodes()
-        .iter()
-        .zip(trace.force())
-        .map(|(&x, force)| force * on_edge.displacement_at(x))
-        .collect();
-    row.second_infimum = sum(work.iter().copied());
-    // −∫ π^h σ_N w = Σ_T F_T mean_T w; mean_T u_N enters through the second part.
-    let projected = sum(segments().enumerate().map(|(i, s)| {
-        let mean = 0.5 * (on_edge.displacement()[i] + on_edge.displacement()[i + 1]);
-        force_in(trace, s) * mean
-    }));
-    row.first_part = row.second_infimum - projected - row.second_part;
-    Ok(row)
 }
 
 /// −∫_T σ_N: forces at inner vertices count half.

@@ -4,7 +4,7 @@
 //!
 //! | constant | of | value |
 //! | --- | --- | --- |
-//! | c(ν), [`half_sharpened`] | ‖σ‖_{L¹} ‖w‖_{L¹} ≤ c \|σ\| \|w\|, by potentials | ν / (2 (4^ν − 1)) |
+//! | c(ν), [`product_bound`] | ‖σ‖_{L¹} ‖w‖_{L¹} ≤ c \|σ\| \|w\|, by potentials | ν / (2 (4^ν − 1)) |
 //! | K(ν), [`product_constant`] | the same, best constant | max_e B(e) B(1−e) |
 //! | κ(ν), [`consistency_constant`] | ∫ σ (I^h u), one gap at an end | max_e A(e) B(1−e) |
 //! | κ̄(ν), [`midpoint_bound`] | midpoint cone, every E | max_e B(e) D(1−e) |
@@ -50,7 +50,7 @@ pub struct SegmentConstant {
 }
 
 impl SegmentConstant {
-    /// The product of the bounds of both moments by the strong form: a second road to the value at this
+    /// The product of the bounds of both moments by the strong form: an independent computation of the value at this
     /// contact set.
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl SegmentConstant {
 }
 
 /// c(ν) = ν / (2 (4^ν − 1)): 1/(4 ln 2) as ν → 0, 1/4 at ν = 1/2, 1/6 as ν → 1.
-pub fn half_sharpened(order: FractionalOrder) -> f64 {
+pub fn product_bound(order: FractionalOrder) -> f64 {
     0.5 * order.value() / (2.0 * std::f64::consts::LN_2 * order.value()).exp_m1()
 }
 
@@ -80,9 +80,9 @@ pub fn half_sharpened(order: FractionalOrder) -> f64 {
 ///
 /// ```
 /// use fractional_sobolev::{FractionalOrder, Tolerance};
-/// use signorini::proof::{half_sharpened, product_constant};
+/// use signorini::proof::{product_bound, product_constant};
 /// let sharp = product_constant(FractionalOrder::HALF, Tolerance::fast())?;
-/// assert!(sharp.value.value < half_sharpened(FractionalOrder::HALF));
+/// assert!(sharp.value.value < product_bound(FractionalOrder::HALF));
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
@@ -226,7 +226,7 @@ fn stationary(values: &[f64; 5]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Both roads, to nine digits.
+    /// Both computations, to nine digits.
     const ASKED: f64 = 1e-9;
 
     #[test]
@@ -236,7 +236,7 @@ mod tests {
             let order = FractionalOrder::new(nu).unwrap();
             let g = |s: f64| (-2.0 * nu * (-s).ln_1p()).exp_m1() / (2.0 * nu);
             let of = |e: f64| 0.5 * (e * (1.0 - e) / (g(e) * g(1.0 - e))).sqrt();
-            assert!((of(0.5) / half_sharpened(order) - 1.0).abs() < 1e-13, "{nu}");
+            assert!((of(0.5) / product_bound(order) - 1.0).abs() < 1e-13, "{nu}");
             let values: Vec<f64> = (1..2000).map(|j| of(f64::from(j) / 2000.0)).collect();
             assert!(values[..1000].windows(2).all(|pair| pair[0] < pair[1] * (1.0 + 1e-14)), "{nu}");
             assert!(values[999..].windows(2).all(|pair| pair[1] < pair[0] * (1.0 + 1e-14)), "{nu}");
@@ -268,7 +268,7 @@ mod tests {
         for nu in [0.001, 0.3, 0.5, 0.8, 0.999] {
             let order = FractionalOrder::new(nu).unwrap();
             let strong = StrongForm::new(order).unwrap();
-            let c = half_sharpened(order);
+            let c = product_bound(order);
             let k = product_constant(order, ASKED).unwrap();
             let kappa = consistency_constant(order, ASKED).unwrap();
             let midpoint = midpoint_bound(order, ASKED).unwrap();

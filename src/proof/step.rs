@@ -1,9 +1,6 @@
-//! The steps of the ladder from the consistency term to the final bound.
+//! The chain of estimates from the consistency term to the final bound, and its steps.
 
-/// Rungs of a ladder, the consistency term and the final bound included.
-pub(super) const RUNGS: usize = Step::ALL.len();
-
-/// What a rung of the ladder bounds the one before by.
+/// A step of the chain of estimates; its value bounds the one before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Step {
     /// The consistency term itself.
@@ -33,31 +30,4 @@ impl Step {
         Step::Law,
         Step::WholeEdge,
     ];
-}
-
-/// A rung with the printed law of γ_θ, and with the one that holds; they differ at τ = 2 from [`Step::Law`]
-/// on.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct TwoLaws {
-    /// C ln(1/θ) at τ = 2, C θ^{τ−2} below.
-    pub printed: f64,
-    /// C √ln(1/θ) at τ = 2, else as printed.
-    pub corrected: f64,
-}
-
-impl TwoLaws {
-    /// A bound that needs no law.
-    pub(super) fn same(value: f64) -> Self {
-        Self { printed: value, corrected: value }
-    }
-
-    /// The function of both.
-    pub(super) fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Self { printed: f(self.printed), corrected: f(self.corrected) }
-    }
-
-    pub(super) fn add(&mut self, other: Self, share: f64) {
-        self.printed += share * other.printed;
-        self.corrected += share * other.corrected;
-    }
 }

@@ -1,4 +1,4 @@
-//! The second road: exponents as eigenvalues of a pencil on the arc 0 < θ < ω, by Legendre collocation.
+//! Exponents, computed independently of the list, as eigenvalues of a pencil on the arc 0 < θ < ω, by Legendre collocation.
 //!
 //! u = r^λ (U, V), σ = r^{λ−1} (..., S = σ_θθ, T = σ_rθ), shear modulus μ = 1, n = ν_P/(1 − ν_P):
 //!

@@ -10,10 +10,9 @@
 //! | [`Wedge::exponents`] | all λ with 0 < Re λ < 3, by counts that lose none | `spectrum`, `zeros`, `count` |
 //! | [`Wedge::count`] | the argument principle alone | `count` |
 //! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
-//! | [`Wedge::exponents_on_arc`] | the second road: an eigenvalue problem on the arc | `arc` |
+//! | [`Wedge::exponents_on_arc`] | an independent computation: an eigenvalue problem on the arc | `arc` |
 //! | [`ContactZone`] | the contact zone at a clamped end, in closed form | `contact_zone` |
-//! | [`Wedge::roads`] | the list beside both | `roads` |
-//! | [`Wedge::admission`], [`Wedge::regularity`] | signs of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
+//! | [`Wedge::sign_condition`], [`Wedge::regularity`] | signs of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
 //!
 //! P. Grisvard, *Elliptic Problems in Nonsmooth Domains* (1985); V. A. Kozlov, V. G. Maz'ya and J. Rossmann,
 //! *Spectral Problems Associated with Corner Singularities* (2001).
@@ -26,7 +25,6 @@ mod factor;
 mod mode;
 mod real;
 mod regularity;
-mod roads;
 mod spectrum;
 mod wedge;
 mod zeros;
@@ -35,7 +33,6 @@ pub use arc::ArcExponent;
 pub use contact_zone::ContactZone;
 pub use faer::c64;
 pub use mode::Mode;
-pub use regularity::{Admission, CornerRegularity};
-pub use roads::Roads;
+pub use regularity::{CornerRegularity, SignCondition};
 pub use spectrum::{Exponent, LARGEST, Spectrum};
 pub use wedge::{Medium, Side, Sides, Wedge};

@@ -21,7 +21,7 @@ const ZERO: f64 = 1e-9;
 
 /// What the sign conditions of contact say of a term r^λ U(θ) that leads the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Admission {
+pub enum SignCondition {
     /// Nothing: it neither presses nor opens anywhere on the contact edge.
     Neutral,
     /// It may lead with one sign of its coefficient.
@@ -41,20 +41,20 @@ pub struct CornerRegularity {
 
 impl Wedge {
     /// What the sign conditions on the contact sides of this wedge say of an exponent that leads.
-    pub fn admission(&self, exponent: &Exponent) -> Admission {
+    pub fn sign_condition(&self, exponent: &Exponent) -> SignCondition {
         let rows: Vec<[f64; 2]> = exponent.modes.iter().map(|mode| self.signs(mode)).collect();
         let is_neutral = |signs: &[f64; 2]| signs.iter().all(|value| value.abs() <= ZERO);
         if rows.iter().any(is_neutral) {
-            return Admission::Neutral;
+            return SignCondition::Neutral;
         }
         if exponent.is_complex() {
-            return Admission::Excluded;
+            return SignCondition::Excluded;
         }
         match rows[..] {
             // c v₁ ≤ 0 and c v₂ ≤ 0 for some c ≠ 0
-            [[first, second]] if first * second < -ZERO * ZERO => Admission::Excluded,
+            [[first, second]] if first * second < -ZERO * ZERO => SignCondition::Excluded,
             // Two conditions or fewer on two coefficients or more: two half-planes through 0 share a ray.
-            _ => Admission::Signed,
+            _ => SignCondition::Signed,
         }
     }
 
@@ -80,15 +80,15 @@ impl Wedge {
     pub fn regularity(&self) -> Result<CornerRegularity> {
         let mut is_decided = false;
         for exponent in self.exponents()?.exponents {
-            let admission = self.admission(&exponent);
-            if admission == Admission::Excluded && !is_decided {
+            let condition = self.sign_condition(&exponent);
+            if condition == SignCondition::Excluded && !is_decided {
                 continue;
             }
             if !exponent.is_polynomial() {
                 return Ok(CornerRegularity { tau: 1.0 + exponent.re.value, exponent: Some(exponent) });
             }
             // A polynomial that presses or opens may lead, and all that follow are free.
-            is_decided |= admission == Admission::Signed;
+            is_decided |= condition == SignCondition::Signed;
         }
         Ok(CornerRegularity { tau: 1.0 + LARGEST, exponent: None })
     }

@@ -131,3 +131,20 @@ impl Wedge {
         Ok(counts.ok_or(near)?.into_iter().sum())
     }
 }
+
+impl Spectrum {
+    /// All zeros, conjugates both, each as often as its multiplicity.
+    pub fn places(&self) -> Vec<(f64, f64)> {
+        let mut all = Vec::new();
+        for exponent in &self.exponents {
+            let (re, im) = (exponent.re.value, exponent.im.value);
+            for _ in 0..exponent.multiplicity {
+                all.push((re, im));
+                if exponent.is_complex() {
+                    all.push((re, -im));
+                }
+            }
+        }
+        all
+    }
+}

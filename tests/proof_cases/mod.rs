@@ -1,6 +1,7 @@
 //! Every inequality of one section on scenes x h x theta x tau: what the proofs of both theorems are held to.
 
-use signorini::proof::{ProofCase, ProofConstants, Resolution, Section, Step, ThetaRule};
+use experiments::proof::{ProofCase, Resolution};
+use signorini::proof::{ProofConstants, Section, Step, ThetaRule};
 use signorini::scenes::StripScene;
 use signorini::strip::Levels;
 

@@ -5,12 +5,15 @@ pub mod arrangement;
 pub mod explicit_bound;
 pub mod growth;
 pub mod induction;
+mod line;
 pub mod location;
 mod parallel;
+pub mod proof;
 mod random;
 mod scale;
 mod search;
 pub mod trial;
+pub mod wedge_grid;
 
 pub use random::SplitMix;
 pub use scale::largest;

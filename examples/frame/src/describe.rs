@@ -191,9 +191,9 @@ fn kind(argument: &Arg) -> Option<Kind> {
 
 /// Types of the contact rooms.
 fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
+    use experiments::proof::{Against, Resolution};
     use signorini::cone::Cone;
     use signorini::contact::Solver;
-    use signorini::proof::{Against, Resolution};
     use signorini::scenes::{MeshScene, Scene, StripScene};
     use signorini::singular::Sides;
     use signorini::strip::{Levels, Reference, StripKind};
@@ -301,8 +301,8 @@ mod tests {
         are_read::<Scene>(&[]);
         are_read::<signorini::strip::StripKind>(&[]);
         are_read::<signorini::strip::Reference>(&[]);
-        are_read::<signorini::proof::Against>(&[]);
-        are_read::<signorini::proof::Resolution>(&["3"]);
+        are_read::<experiments::proof::Against>(&[]);
+        are_read::<experiments::proof::Resolution>(&["3"]);
         are_read::<signorini::contact::Solver>(&[]);
         are_read::<signorini::singular::Sides>(&[]);
     }

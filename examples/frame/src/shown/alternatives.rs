@@ -2,8 +2,9 @@
 
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Column, Format, Result, Table};
+use experiments::proof::{AlternativeRow, AlternativeStudy};
 use signorini::convergence::observed_orders;
-use signorini::proof::{AlternativeRow, AlternativeStudy, Case, Classification};
+use signorini::proof::{Case, Classification};
 use signorini::scenes::Scene;
 
 /// Points of a trace that are drawn.

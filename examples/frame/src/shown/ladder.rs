@@ -2,7 +2,8 @@
 
 use crate::figures::{Axis, Chart, Series};
 use crate::{Column, Format, Headline, Output, Result, Table};
-use signorini::proof::{Exponent, Line, LineProfile, ProofProfile, Rung, Section, Step};
+use experiments::proof::{Exponent, LineProfile, ProofProfile, Rung};
+use signorini::proof::{Inequality, Section, Step};
 
 /// Lines drawn in the chart of slacks.
 const DRAWN: usize = 6;
@@ -184,9 +185,9 @@ pub fn quote(headline: &mut Headline, key: &str, profile: &ProofProfile, rungs: 
     }
     for line in profile.lines() {
         let name = match line.line {
-            Line::NormScaling => "scaling",
-            Line::StressEmbedding => "embedding",
-            Line::StressPoincare | Line::SlopePoincare => "poincare",
+            Inequality::NormScaling => "scaling",
+            Inequality::StressEmbedding => "embedding",
+            Inequality::StressPoincare | Inequality::SlopePoincare => "poincare",
             _ => continue,
         };
         if let Some(exponent) = line.exponent {

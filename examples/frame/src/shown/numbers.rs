@@ -1,7 +1,7 @@
 //! The bound with numbers beside the error of problems of known solution: what decides, and the table.
 
 use crate::{Cell, Column, Finding, Format, Table};
-use signorini::proof::{NumberedRow, NumberedStudy};
+use experiments::proof::{NumberedRow, NumberedStudy};
 
 /// Quadrature of the error.
 const QUADRATURE: f64 = 1e-3;

@@ -1,6 +1,6 @@
 //! How finely a pair is resolved.
 
-use crate::error::{Error, Result, ToolkitError};
+use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 

@@ -21,15 +21,15 @@
 //! not.
 //!
 //! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete
-//! solution for the forces A g that hold the exact edge: no contact problem. Cost as [`super::falk_terms`].
+//! solution for the forces A g that hold the exact edge: no contact problem. Cost as for [`super::falk_terms`].
 
 use super::exponent::Exponent;
-use crate::cone::Cone;
-use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
-use crate::edge::consistency_terms;
-use crate::error::Result;
-use crate::scenes::{StripCase, StripScene};
-use crate::strip::{StripProblem, restrict};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::convergence::{Level, StripLevels, StripSolution, solve_levels};
+use signorini::edge::consistency_terms;
+use signorini::scenes::{StripCase, StripScene};
+use signorini::strip::{Sides, StripProblem};
 use std::f64::consts::LN_2;
 
 /// One mesh, mean over the positions of the scene; all squared.
@@ -183,4 +183,24 @@ pub fn contact_cost(case: &StripCase, mut report: impl FnMut()) -> Result<Vec<Co
         solve_levels(&StripLevels::new(problem, case.levels), case.cone, |_| false, keep)?;
     }
     Ok(rows)
+}
+
+/// Nodal forces on the mesh of twice the cell length: P'b, P the interpolation from there.
+fn restrict(fine: &[f64], sides: Sides) -> Vec<f64> {
+    let cells = match sides {
+        Sides::Natural => (fine.len() - 1) / 2,
+        Sides::Periodic => fine.len() / 2,
+    };
+    let last = fine.len() - 1;
+    (0..sides.nodes(cells))
+        .map(|i| {
+            let left = match (i, sides) {
+                (0, Sides::Natural) => 0.0,
+                (0, Sides::Periodic) => fine[last],
+                _ => fine[2 * i - 1],
+            };
+            let right = fine.get(2 * i + 1).copied().unwrap_or(0.0);
+            fine[2 * i] + 0.5 * (left + right)
+        })
+        .collect()
 }

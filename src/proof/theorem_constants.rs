@@ -10,7 +10,7 @@
 //! the nodal cone and half of it for the midpoint cone, value plus error: for any contact set. b = 0 for the
 //! nodal cone; for the midpoint cone b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T ≤ (θ/π) P(ν)² h^{2τ−2} |σ_N|_ν², θ =
 //! coth π, P of [`projection_constant`], as in
-//! [`super::without_c`], steps 1 and 4. On a segment of length h the integrals ‖σ_N‖_{L¹} ‖u_N'‖_{L¹} scale
+//! [`super::ExplicitBound`], steps 1 and 4. On a segment of length h the integrals ‖σ_N‖_{L¹} ‖u_N'‖_{L¹} scale
 //! like h^{1+2ν}
 //! |σ_N|_ν |u_N'|_ν, and 1 + 2ν = 2τ − 2; seminorms over all segments together are at most that of the edge.
 //!
@@ -21,12 +21,11 @@
 //!
 //! |u − u_h|_a² ≤ M C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + B² b².
 
+use super::explicit_bound::half_plane_korn;
 use super::segment_constants::product_constant;
-use super::without_c::half_plane_korn;
 use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::fem::Lame;
-use crate::scenes::{EdgeDatum, RoughLevel, RoughTransition};
 use fractional_sobolev::{
     Estimate, FractionalOrder, Tolerance,
     interpolation::{TriangleConstants, TriangleShape, kobayashi, projection_constant},
@@ -42,7 +41,7 @@ const ROUND_UP: f64 = 1.0 + 1e-13;
 
 /// The constants of one τ, all rounded up.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TheoremNumbers {
+pub struct TheoremConstants {
     /// τ.
     pub tau: f64,
     /// ν = τ − 3/2.
@@ -55,43 +54,11 @@ pub struct TheoremNumbers {
     pub projection: f64,
 }
 
-/// The bound on one mesh, and what it bounds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NumberedRow {
-    /// n; h = 1/n.
-    pub n: usize,
-    /// |u − u_h|_a.
-    pub error: f64,
-    /// |u − I^h u|_a.
-    pub interpolation: f64,
-    /// The bound with the norms of all of Ω and of the edge.
-    pub bound: f64,
-    /// The same with |u − I^h u|_a itself and the seminorms of the segment of the transition.
-    pub near: f64,
-}
-
-/// One scene in one cone.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NumberedStudy {
-    /// Constants.
-    pub numbers: TheoremNumbers,
-    /// The scene.
-    pub scene: RoughTransition,
-    /// The cone.
-    pub cone: Cone,
-    /// |∇u|_{τ−1} on the half disc.
-    pub norm: f64,
-    /// |σ_N|_ν and |u_N'|_ν on the edge.
-    pub edge: [f64; 2],
-    /// Coarsest mesh first.
-    pub rows: Vec<NumberedRow>,
-}
-
 fn up(estimate: Estimate) -> f64 {
     ROUND_UP * (estimate.value + estimate.error)
 }
 
-impl TheoremNumbers {
+impl TheoremConstants {
     /// All constants for one τ, for the Laplacian.
     ///
     /// # Errors
@@ -134,39 +101,5 @@ impl TheoremNumbers {
         };
         let term = scale * (2.0 * segment * product).sqrt();
         ROUND_UP * interpolation.hypot(term).hypot(scale * projection * pressure)
-    }
-}
-
-impl NumberedStudy {
-    /// The bound and the error on meshes of 4 × 4 ... 2^finest × 2^finest squares; `numbers` are those of the
-    /// Laplacian.
-    ///
-    /// # Errors
-    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) where u is not in H^τ, p ≤ τ − 1; as [`RoughTransition::levels`].
-    pub fn new(numbers: TheoremNumbers, scene: RoughTransition, cone: Cone, finest: u32) -> Result<Self> {
-        let numbers = scene.lame().map_or(numbers, |lame| numbers.elastic(lame));
-        let (tau, asked) = (numbers.tau, Tolerance::new(ACCURACY)?);
-        let norm = up(scene.body_seminorm(tau, asked)?);
-        let both = |part: [f64; 2]| -> Result<[f64; 2]> {
-            let one =
-                |datum| -> Result<f64> { Ok(up(scene.edge_seminorm(datum, part, numbers.order, asked)?)) };
-            Ok([one(EdgeDatum::Pressure)?, one(EdgeDatum::Slope)?])
-        };
-        let edge = both([0.0, 1.0])?;
-        let row = |level: RoughLevel| -> Result<NumberedRow> {
-            let RoughLevel { n, error, interpolation } = level;
-            let h = 1.0 / n as f64;
-            let [pressure, slope] = both(scene.segment(n))?;
-            let smooth = numbers.interpolation * h.powf(tau - 1.0) * norm;
-            Ok(NumberedRow {
-                n,
-                error,
-                interpolation,
-                bound: numbers.bound(cone, h, smooth, edge[0] * edge[1], edge[0]),
-                near: numbers.bound(cone, h, interpolation, pressure * slope, edge[0]),
-            })
-        };
-        let rows = scene.levels(cone, finest)?.into_iter().map(row).collect::<Result<_>>()?;
-        Ok(Self { numbers, scene, cone, norm, edge, rows })
     }
 }

@@ -1,7 +1,7 @@
 //! Exponents of h with their uncertainty.
 
-use crate::error::{Error, Result, ToolkitError};
-use crate::numeric::line::Line;
+use crate::line::Line;
+use signorini::{Error, Result, ToolkitError};
 
 /// An exponent of h by least squares, with its uncertainty.
 ///
@@ -19,7 +19,7 @@ impl Exponent {
     /// From pairs (h, value); pairs with a value that is not positive are left out.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) with fewer than three positive values.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) with fewer than three positive values.
     pub fn fit(points: &[(f64, f64)]) -> Result<Self> {
         let logs: Vec<(f64, f64)> =
             points.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| (p.0.ln(), p.1.ln())).collect();

@@ -31,12 +31,12 @@
 //! balance moves to θ = h^{τ−3/2} and the bound to h^{2τ−2−(τ−3/2)(2−τ)}: half of what the printed proof
 //! loses is a matter of (3.7).
 
-use super::constants::ProofConstants;
-use crate::edge::Traces;
-use crate::error::{Error, Result, ToolkitError};
-use crate::numeric::search::sign_change;
+use crate::search::sign_change;
 use fractional_sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
 use nalgebra::{Cholesky, DMatrix};
+use signorini::edge::Traces;
+use signorini::proof::ProofConstants;
+use signorini::{Error, Result, ToolkitError};
 
 /// Layers of the mesh at every end, and their ratio.
 const LAYERS: usize = 8;
@@ -230,9 +230,9 @@ impl ElementBalance {
     /// Distances a ≥ b from {0, 2^{−10}, ..., 1/2, 3/4}; the mirror images have the same W.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ outside (3/2, 2] or q below 2.
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for τ outside (3/2, 2] or q below 2.
     pub fn new(tau: f64, q: f64) -> Result<Self> {
-        Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
+        ToolkitError::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let constants = ProofConstants::new(tau, q, &[])?;
         let half = constants.gamma(0.5)?;
         let mut grid = vec![0.0];
@@ -255,9 +255,9 @@ impl ElementBalance {
     /// W of every contact interval on an element of length h.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < h ≤ 1.
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) unless 0 < h ≤ 1.
     pub fn worst_pairs(&self, h: f64) -> Result<Vec<WorstPair>> {
-        Error::require("h", h, "(0, 1]", h > 0.0 && h <= 1.0)?;
+        ToolkitError::require("h", h, "(0, 1]", h > 0.0 && h <= 1.0)?;
         self.intervals.iter().map(|interval| interval.worst(h, self.constants.order())).collect()
     }
 

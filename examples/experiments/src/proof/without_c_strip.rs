@@ -2,7 +2,7 @@
 //! edge.
 //!
 //! The edge carries a load beside the contact forces, so that σ_N is not ∂_n u: in step 4 of
-//! [`super::without_c`] the seminorms of every segment, which are known, take the place of the trace
+//! [`signorini::proof::ExplicitBound`] the seminorms of every segment, which are known, take the place of the trace
 //! inequality,
 //!
 //! |u − u_h|_a² ≤ A² h² |u|₂² + 2 c h² Σ_T |σ_N|_{1/2,T} |u_N'|_{1/2,T} + b²,
@@ -22,23 +22,24 @@
 //! of the ends changes |u|₂ by less than 1e-7. Cost: one contact iteration for each mesh, two seminorms for
 //! each transition on it.
 
+use super::bound_row::BoundRow;
 use super::contact_cost::{CostRow, contact_cost};
-use super::without_c::{BoundRow, MeshShape};
-use crate::cone::Cone;
-use crate::error::{Error, Result, ToolkitError};
-use crate::scenes::{StripCase, StripScene};
-use crate::strip::{Levels, Reference, StripKind};
 use fractional_sobolev::{Estimate, FractionalOrder, SingularFunction, Tolerance, Work};
+use signorini::cone::Cone;
+use signorini::proof::MeshShape;
+use signorini::scenes::{StripCase, StripScene};
+use signorini::strip::{Levels, Reference, StripKind};
+use signorini::{Error, Result, ToolkitError};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Terms of the series of |u|₂².
 const TERMS: usize = 2000;
 
 /// The bounds and the error on every mesh, for `gaps` equal gaps; `segment` has values of c of step 3 of
-/// [`super::without_c`], rounded up. Ends of gaps lie on nodes of the grid of reference.
+/// [`signorini::proof::ExplicitBound`], rounded up. Ends of gaps lie on nodes of the grid of reference.
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) where a segment of the coarsest mesh would be longer than half of a gap; those
+/// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) where a segment of the coarsest mesh would be longer than half of a gap; those
 /// of the scenes and of the contact iteration.
 pub(super) fn strip_bounds(
     gaps: usize,
@@ -150,7 +151,7 @@ fn oscillation(ends: &[f64], n: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strip::Sides;
+    use signorini::strip::Sides;
 
     #[test]
     fn the_seminorm_is_that_of_the_cosines_of_the_data() {

@@ -11,10 +11,10 @@
 //! have a limit; the error is what the limit differs from that of the coarser two, and half of what it is
 //! away from the finest. An estimate, not a bound.
 
-use crate::contact::{ContactProblem, ContactSolution};
-use crate::error::{Error, Result, ToolkitError};
-use crate::fem::{gradients, recovered_gradients};
 use fractional_sobolev::{Estimate, FractionalOrder, GramOperator, GridOperator, Partition, Tolerance, Work};
+use signorini::contact::{ContactProblem, ContactSolution};
+use signorini::fem::{gradients, recovered_gradients};
+use signorini::{Error, Result, ToolkitError};
 
 /// Of the kernels.
 const ACCURACY: f64 = 1e-6;
@@ -46,9 +46,9 @@ impl FineForms {
     /// For 3/2 < τ ≤ 2.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for another τ; as [`GridOperator::new`].
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for another τ; as [`GridOperator::new`].
     pub fn new(tau: f64, n: usize) -> Result<Self> {
-        Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
+        ToolkitError::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let (asked, h) = (Tolerance::new(ACCURACY)?, 1.0 / n as f64);
         let body = if tau == 2.0 {
             None
@@ -66,7 +66,7 @@ impl FineForms {
     /// |∇u|², |σ_N|², |u_N'|² of a discrete solution on the same grid.
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for another mesh.
+    /// [`ToolkitError::LengthMismatch`](signorini::ToolkitError::LengthMismatch) for another mesh.
     pub fn squares(&self, problem: &ContactProblem, solution: &ContactSolution) -> Result<[f64; 3]> {
         let edge = |values: &[f64]| -> Result<f64> { Ok(product(&self.edge.apply(values)?, values)) };
         let pressure = &solution.pressure;
@@ -117,7 +117,7 @@ impl FineNorms {
     /// From the squares on meshes of size 4h, 2h, h and the supremum of the σ with u ∈ H^σ.
     ///
     /// # Errors
-    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ σ.
+    /// [`ToolkitError::InfiniteNorm`](signorini::ToolkitError::InfiniteNorm) for τ ≥ σ.
     pub fn extrapolated(tau: f64, smoothness: f64, squares: &[[f64; 3]; 3]) -> Result<Self> {
         if tau >= smoothness {
             let why = "the solution is rougher at one of its corners or transitions";

@@ -70,7 +70,7 @@ pub fn half_plane_korn(lame: Lame) -> f64 {
 
 /// The bound for one form, cone, and shape of mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BoundWithoutC {
+pub struct ExplicitBound {
     /// M^{1/2} A.
     pub approximation: f64,
     /// b: (θ/π) S B for the midpoint cone, 0 for the nodal one.
@@ -79,9 +79,9 @@ pub struct BoundWithoutC {
     pub consistency: f64,
 }
 
-impl BoundWithoutC {
+impl ExplicitBound {
     /// `segment` is c, rounded up: the consistency term of a segment (step 3) is at most c h² |σ_N| |u_N'| at
-    /// ν = 1/2, [`super::half_sharpened`], K or κ for the nodal cone and half of the first two for the
+    /// ν = 1/2, [`super::product_bound`], K or κ for the nodal cone and half of the first two for the
     /// midpoint cone. `korn` is B, used by the midpoint cone in elasticity only.
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl BoundWithoutC {
                 return Err(Error::Toolkit(ToolkitError::Incompatible {
                     what: "form",
                     given: format!("{form:?}"),
-                    with: "the bound without C",
+                    with: "the bound with explicit constants",
                     expected: "the Laplacian, or elasticity with one material",
                 }));
             }
@@ -121,7 +121,7 @@ impl BoundWithoutC {
         Ok(Self { approximation, projection, consistency })
     }
 
-    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles; [`BoundWithoutC::constant`]
+    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles; [`ExplicitBound::constant`]
     /// h |u|₂ if only `whole` is known: pass it twice.
     ///
     /// # Errors
@@ -137,31 +137,5 @@ impl BoundWithoutC {
     /// C in |u − u_h|_a ≤ C h |u|₂.
     pub fn constant(&self) -> f64 {
         ROUND_UP * self.approximation.hypot(self.projection).hypot(self.consistency.sqrt())
-    }
-}
-
-/// The bound beside the error on one mesh.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BoundRow {
-    /// Segments n; h = 1/n.
-    pub n: usize,
-    /// |u − u_h|_a.
-    pub error: f64,
-    /// |u − I^h u|_a.
-    pub interpolation: f64,
-    /// On the square, |u|₂ in the rectangles on the contact edge over |u|₂.
-    pub share: Option<f64>,
-    /// Bounds from |u|₂ near the edge, on the strip from the data of its edge; one for each constant of a
-    /// segment.
-    pub near: Vec<f64>,
-    /// On the square, the same from |u|₂ alone.
-    pub whole: Option<Vec<f64>>,
-}
-
-impl BoundRow {
-    /// Bound over error with constant `version`: from |u|₂ near the edge, or (not `local`) from |u|₂ alone.
-    pub fn effectivity(&self, version: usize, local: bool) -> Option<f64> {
-        let bounds = if local { Some(&self.near) } else { self.whole.as_ref() };
-        Some(bounds?.get(version)? / self.error)
     }
 }

@@ -1,13 +1,14 @@
 //! The bound without C beside the error of a problem whose solution is known, mesh after mesh.
 
-use super::segment_constants::{SegmentConstant, consistency_constant, half_sharpened, product_constant};
-use super::without_c::{BoundRow, BoundWithoutC, MeshShape, half_plane_korn};
+use super::bound_row::BoundRow;
 use super::without_c_strip::strip_bounds;
-use crate::cone::Cone;
-use crate::error::Result;
-use crate::scenes::{ClosedForm, ClosedFormLevel};
-use crate::strip::Levels;
 use fractional_sobolev::{FractionalOrder, Tolerance};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::proof::{ExplicitBound, MeshShape, half_plane_korn};
+use signorini::proof::{SegmentConstant, consistency_constant, product_bound, product_constant};
+use signorini::scenes::{ClosedForm, ClosedFormLevel};
+use signorini::strip::Levels;
 use std::fmt;
 
 /// The three constants c, K, κ of a segment at ν = 1/2 for the bounds of the nodal and of the midpoint cone; K
@@ -19,7 +20,7 @@ use std::fmt;
 pub fn segment_versions(tolerance: Tolerance) -> Result<[[f64; 3]; 2]> {
     let (order, up) = (FractionalOrder::HALF, |found: SegmentConstant| found.value.value + found.value.error);
     let product = up(product_constant(order, tolerance)?);
-    let nodal = [half_sharpened(order), product, up(consistency_constant(order, tolerance)?)];
+    let nodal = [product_bound(order), product, up(consistency_constant(order, tolerance)?)];
     Ok([nodal, [0.5 * nodal[0], 0.5 * product, 0.5 * product]])
 }
 
@@ -51,7 +52,7 @@ pub struct BoundStudy {
     /// Coarsest mesh first.
     pub rows: Vec<BoundRow>,
     /// On the square, one for each constant of a segment.
-    pub bounds: Vec<BoundWithoutC>,
+    pub bounds: Vec<ExplicitBound>,
 }
 
 impl BoundStudy {
@@ -59,7 +60,7 @@ impl BoundStudy {
     /// called after each mesh.
     ///
     /// # Errors
-    /// As [`ClosedForm::levels`] and [`BoundWithoutC::new`].
+    /// As [`ClosedForm::levels`] and [`ExplicitBound::new`].
     pub fn square(
         scene: ClosedForm,
         cone: Cone,
@@ -70,8 +71,8 @@ impl BoundStudy {
         // B plays no part in scalar problems.
         let korn = scene.lame.map_or(1.0, half_plane_korn);
         let shape = MeshShape::right_isosceles();
-        let bound = |&c: &f64| BoundWithoutC::new(&scene.form(), cone, shape, c, korn);
-        let bounds: Vec<BoundWithoutC> = segment.iter().map(bound).collect::<Result<_>>()?;
+        let bound = |&c: &f64| ExplicitBound::new(&scene.form(), cone, shape, c, korn);
+        let bounds: Vec<ExplicitBound> = segment.iter().map(bound).collect::<Result<_>>()?;
         let whole = scene.second_seminorm(1)?;
         let whole = whole.value + whole.error;
         let row = |level: ClosedFormLevel| {
@@ -89,7 +90,7 @@ impl BoundStudy {
     /// The scalar strip with equal gaps; `report` is called after each mesh.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) where a segment of the coarsest mesh would be longer than half of a
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) where a segment of the coarsest mesh would be longer than half of a
     /// gap; those of the scenes and of the contact iteration.
     pub fn strip(
         gaps: usize,

@@ -4,20 +4,20 @@
 //! regularity 2.05, 2.25 and 2.45. Cost: nine profiles of meshes h = 1/8 ... 1/256 at most.
 
 use super::case::ProofCase;
-use super::line::Line;
 use super::profile::LevelProfile;
-use super::section::Section;
-use super::step::Step;
-use super::theta::ThetaRule;
-use crate::error::Result;
-use crate::scenes::StripScene;
-use crate::strip::Levels;
+use signorini::Result;
+use signorini::proof::Inequality;
+use signorini::proof::Section;
+use signorini::proof::Step;
+use signorini::proof::ThetaRule;
+use signorini::scenes::StripScene;
+use signorini::strip::Levels;
 
 /// A line over all pairs on which it was checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LimitLine {
     /// The line.
-    pub line: Line,
+    pub line: Inequality,
     /// How many pairs.
     pub pairs: usize,
     /// How many segments.
@@ -56,7 +56,7 @@ pub fn limit_lines(section: Section, q: f64) -> Result<LimitLines> {
         // With θ = h² no segment with a term is in the first case on these meshes; with θ = 1/2 there are
         // some.
         let rules = [ThetaRule::Printed { tau: 2.0 }, ThetaRule::Fixed(0.5)];
-        let mut met: Vec<Line> = Vec::new();
+        let mut met: Vec<Inequality> = Vec::new();
         for rule in &rules[..if tau == 2.0 { 2 } else { 1 }] {
             let (levels, rule) = (Levels::new(3, 8)?, *rule);
             let source = source.clone();

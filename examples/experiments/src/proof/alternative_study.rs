@@ -1,13 +1,13 @@
 //! The cases of Figure 3.2 or 4.1, over mesh sizes or over θ, on the contact set of a fine reference or of
 //! u_h itself.
 
-use super::classification::Classification;
-use super::section::Section;
-use super::theta::ThetaRule;
-use crate::cone::Cone;
-use crate::edge::EdgeTrace;
-use crate::error::{Error, Result, ToolkitError};
-use crate::scenes::Scene;
+use signorini::cone::Cone;
+use signorini::edge::EdgeTrace;
+use signorini::proof::Classification;
+use signorini::proof::Section;
+use signorini::proof::ThetaRule;
+use signorini::scenes::Scene;
+use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -63,8 +63,8 @@ impl AlternativeCase {
     /// Classifies every contact segment of the meshes ..., n/4, n/2, n.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n is a power of two times the coarsest mesh, which has at least two
-    /// segments, and within the largest of the source; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ or θ.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless n is a power of two times the coarsest mesh, which has at least two
+    /// segments, and within the largest of the source; [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for τ or θ.
     pub fn over_size(&self) -> Result<AlternativeStudy> {
         self.check()?;
         let meshes: Vec<usize> = (0..self.meshes).rev().map(|level| self.n >> level).collect();

@@ -1,12 +1,12 @@
 //! The ladder from the consistency term to the final bound, and exponents with their uncertainty.
 
 use super::exponent::Exponent;
-use super::inequality::InequalityProfile;
-use super::line::Line;
+use super::inequality_profile::InequalityProfile;
 use super::profile::{LevelProfile, ProofProfile};
-use super::step::{Step, TwoLaws};
-use super::theta::printed_exponent;
-use crate::error::{Error, Result, ToolkitError};
+use signorini::proof::Inequality;
+use signorini::proof::printed_exponent;
+use signorini::proof::{Step, TwoLaws};
+use signorini::{Error, Result, ToolkitError};
 
 /// A rung over all meshes.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,7 @@ pub struct Rung {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineProfile {
     /// Which.
-    pub line: Line,
+    pub line: Inequality,
     /// Segments with a positive right side.
     pub count: usize,
     /// Segments on which it fails beyond the error of its two sides.
@@ -44,7 +44,7 @@ impl ProofProfile {
     /// The rungs with their exponents and losses.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) with fewer than three meshes on which every rung is positive.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) with fewer than three meshes on which every rung is positive.
     pub fn ladder(&self) -> Result<Vec<Rung>> {
         // Exponents and losses from the same meshes, so that the losses add up.
         let positive = |level: &&LevelProfile| Step::ALL.iter().all(|&step| level.rung(step).printed > 0.0);
@@ -97,13 +97,13 @@ impl ProofProfile {
 
     /// The lines over all meshes, in the order of the paper.
     pub fn lines(&self) -> Vec<LineProfile> {
-        let mut lines: Vec<Line> = self.inequalities().map(|i| i.line).collect();
+        let mut lines: Vec<Inequality> = self.inequalities().map(|i| i.line).collect();
         lines.sort_unstable();
         lines.dedup();
         lines.into_iter().map(|line| self.line(line)).collect()
     }
 
-    fn line(&self, line: Line) -> LineProfile {
+    fn line(&self, line: Inequality) -> LineProfile {
         let on = |l: &LevelProfile| l.inequalities.iter().find(|i| i.line == line).map(|i| (l.h(), *i));
         let found: Vec<(f64, InequalityProfile)> = self.levels.iter().filter_map(on).collect();
         let slacks: Vec<(f64, f64)> =

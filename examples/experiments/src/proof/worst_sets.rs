@@ -2,17 +2,17 @@
 //!
 //! The terms are those of the exact data on the meshes 2^3 ... N/32; no discrete problem is solved. Beside
 //! each stands its share of ½ h^{2τ−2} |σ_N|_{τ−3/2} |u_N'|_{τ−3/2}, which bounds every term
-//! ([`super::worst_ratio`]).
+//! ([`signorini::proof::worst_ratio`]).
 //!
 //! A set shows its order only on meshes finer than its smallest piece. On coarser ones a Cantor set with σ_N
 //! = −1 on short pieces looks like point forces, of order below the theorem's exponent; its norm
 //! |σ_N|_{τ−3/2} is as large, so that the share tells the truth there. Cost: O(N log N) per set.
 
-use crate::cone::Cone;
-use crate::edge::{consistency_terms, edge_norms};
-use crate::error::{Error, Result};
-use crate::scenes::{StripScene, TransitionPowers};
-use crate::strip::{EdgeData, Sides};
+use signorini::cone::Cone;
+use signorini::edge::{consistency_terms, edge_norms};
+use signorini::scenes::{StripScene, TransitionPowers};
+use signorini::strip::{EdgeData, Sides};
+use signorini::{Result, ToolkitError};
 use std::fmt;
 
 /// A family of contact sets.
@@ -63,9 +63,9 @@ impl ContactFamily {
     /// Its terms for data on `cells` cells.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ outside (3/2, 2); those of the scenes.
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for τ outside (3/2, 2); those of the scenes.
     pub fn terms(&self, tau: f64, cells: usize) -> Result<SetTerms> {
-        Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)?;
+        ToolkitError::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)?;
         let mut found = SetTerms { shortest: 1.0, terms: Default::default(), shares: [0.0; 2] };
         for data in self.data(tau, cells)? {
             found.add(&data, tau)?;

@@ -7,8 +7,8 @@
 //! r^{1−ν} and |∇u|_ν ~ r^{−ν}, while Iu = −1 on all of T: the nodal quotient grows like r^{2ν−1}, the other
 //! falls like r^{1+2ν}.
 
-use crate::error::Result;
 use fractional_sobolev::{Estimate, FractionalOrder, Given, PlaneFunction, Tolerance, Triangles};
+use signorini::Result;
 
 /// Both quotients for one size of the gaps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +25,7 @@ impl FaceGaps {
     /// Gaps with legs 2^{-1-halvings}.
     ///
     /// # Errors
-    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for ν ≥ 1/2: σ jumps; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
+    /// [`ToolkitError::InfiniteNorm`](signorini::ToolkitError::InfiniteNorm) for ν ≥ 1/2: σ jumps; [`ToolkitError::ToleranceNotMet`](signorini::ToolkitError::ToleranceNotMet).
     pub fn new(
         halvings: u32,
         order: impl Given<FractionalOrder>,

@@ -41,18 +41,17 @@
 //! two rungs, so the losses add up to what lies between the first and the last.
 
 use super::case::ProofCase;
-use super::constants::ProofConstants;
-use super::inequality::{InequalityProfile, tally};
+use super::inequality_profile::{InequalityProfile, tally};
 use super::resolution::Resolution;
-use super::section::Section;
-use super::setting::{
-    SegmentSetting, first_case_four, first_case_three, second_case_four, second_case_three,
-};
-use super::step::{RUNGS, Step, TwoLaws};
-use super::{section_four, section_three};
-use crate::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
-use crate::error::Result;
 use rayon::prelude::*;
+use signorini::Result;
+use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
+use signorini::proof::ProofConstants;
+use signorini::proof::Section;
+use signorini::proof::{
+    Alternative, SegmentSetting, edge_factor, section_four_checks, section_three_checks, segment_chain,
+};
+use signorini::proof::{Step, TwoLaws};
 
 /// One mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +65,7 @@ pub struct LevelProfile {
     /// The inequalities of the cases that hold.
     pub inequalities: Vec<InequalityProfile>,
     /// In the order of [`Step::ALL`], mean over the positions.
-    rungs: [TwoLaws; RUNGS],
+    rungs: [TwoLaws; Step::ALL.len()],
 }
 
 /// Segments of a mesh by case; one that is in both counts in either.
@@ -106,7 +105,7 @@ impl ProofCase {
     /// and zones ([`ProofCase::zones`]).
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, θ or constants of another τ; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for τ, θ or constants of another τ; [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for
     /// positions or a resolution out of range; those of the scenes.
     pub fn profile(&self, constants: &ProofConstants) -> Result<ProofProfile> {
         self.check(constants)?;
@@ -151,7 +150,7 @@ impl ProofCase {
         let theta = if self.tau > 2.0 { 0.5 } else { self.rule.theta(h)? };
         let gamma = constants.gamma(theta)?;
         let (mut inequalities, mut rungs, mut cases) =
-            (Vec::new(), [TwoLaws::default(); RUNGS], CaseCounts::default());
+            (Vec::new(), [TwoLaws::default(); Step::ALL.len()], CaseCounts::default());
         let share = 1.0 / pairs.len() as f64;
         for (pair, square) in pairs.iter().zip(squares) {
             let segments: Vec<_> = pair.segments(n)?.collect();
@@ -163,20 +162,15 @@ impl ProofCase {
             for segment in &norms {
                 let setting = self.setting(segment, theta, gamma, constants)?;
                 self.count(segment, theta, &mut cases);
-                let (checks, chain) = match self.section {
-                    Section::Three => (
-                        section_three::section_three_checks(segment, constants, &setting),
-                        section_three::chain(segment, constants, &setting),
-                    ),
-                    Section::Four => (
-                        section_four::section_four_checks(segment, constants, &setting),
-                        section_four::chain(segment, constants, &setting),
-                    ),
+                let checks = match self.section {
+                    Section::Three => section_three_checks(segment, constants, &setting),
+                    Section::Four => section_four_checks(segment, constants, &setting),
                 };
+                let chain = segment_chain(self.section, segment, constants, &setting);
                 tally(&mut inequalities, &checks);
                 rungs.iter_mut().zip(chain).for_each(|(total, part)| total.add(part, share));
             }
-            let factors = self.factors(h, theta, constants);
+            let factors = edge_factor(self.section, h, theta, constants);
             rungs[Step::WholeEdge as usize].add(factors.map(|factor| factor * square), share);
         }
         Ok(LevelProfile { n, theta, cases, inequalities, rungs })
@@ -190,9 +184,10 @@ impl ProofCase {
         gamma: f64,
         constants: &ProofConstants,
     ) -> Result<SegmentSetting> {
+        let is_first = Alternative::of_norms(self.section, norms, theta).first;
         let zone = match self.section {
-            Section::Three if !first_case_three(norms, theta) => Some(norms.free_length),
-            Section::Four if !first_case_four(norms, theta) => norms.contact_diameter(),
+            Section::Three if !is_first => Some(norms.free_length),
+            Section::Four if !is_first => norms.contact_diameter(),
             _ => None,
         };
         let own_gamma = match zone {
@@ -207,28 +202,9 @@ impl ProofCase {
     }
 
     fn count(&self, norms: &SegmentNorms, theta: f64, cases: &mut CaseCounts) {
-        let (first, second) = match self.section {
-            Section::Three => (first_case_three(norms, theta), second_case_three(norms, theta)),
-            Section::Four => (first_case_four(norms, theta), second_case_four(norms, theta)),
-        };
+        let Alternative { first, second } = Alternative::of_norms(self.section, norms, theta);
         cases.first += usize::from(first);
         cases.second += usize::from(second);
         cases.neither += usize::from(!first && !second);
-    }
-
-    /// The larger of the factors of both cases, with both laws.
-    fn factors(&self, h: f64, theta: f64, constants: &ProofConstants) -> TwoLaws {
-        let laws = constants.law(theta);
-        let (first, second) = match self.section {
-            Section::Three => (
-                section_three::first_factor(h, theta, constants),
-                laws.map(|law| section_three::second_factor(h, constants, law)),
-            ),
-            Section::Four => (
-                section_four::first_factor(h, theta, constants),
-                laws.map(|law| section_four::second_factor(h, constants, law)),
-            ),
-        };
-        if self.tau > 2.0 { second } else { second.map(|s| s.max(first)) }
     }
 }

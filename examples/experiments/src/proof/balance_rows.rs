@@ -17,9 +17,9 @@
 
 use super::balance::{ElementBalance, WorstPair};
 use super::exponent::Exponent;
-use super::theta::printed_theta;
-use crate::cone::Cone;
-use crate::error::Result;
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::proof::printed_theta;
 
 /// Bounds and worst cases of one element length.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +74,7 @@ impl ElementBalance {
     /// Bounds and worst cases for the given element lengths.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < h < 1.
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) unless 0 < h < 1.
     pub fn rows(&self, lengths: &[f64]) -> Result<Vec<BalanceRow>> {
         lengths.iter().map(|&h| self.row(h)).collect()
     }
@@ -156,7 +156,7 @@ impl BalanceExponents {
     /// By least squares over at least three lengths.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) with fewer than three lengths.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) with fewer than three lengths.
     pub fn fit(rows: &[BalanceRow]) -> Result<Self> {
         let fit = |value: &dyn Fn(&BalanceRow) -> f64| {
             Exponent::fit(&rows.iter().map(|r| (r.h, value(r))).collect::<Vec<_>>())

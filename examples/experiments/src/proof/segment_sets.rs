@@ -11,13 +11,12 @@
 //! with ∫w = 0 on each gap inside, because u vanishes at both its ends. The space is conforming: every value
 //! is a lower bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost O(N³).
 
-use crate::cone::Cone;
-use crate::error::{Error, Result, ToolkitError};
-use crate::numeric::check::require_length;
-use crate::numeric::random::SplitMix;
+use crate::SplitMix;
 use fractional_sobolev::{FractionalOrder, Given, Partition, gram_linears};
 use nalgebra::{Cholesky, DMatrix};
 use rayon::prelude::*;
+use signorini::cone::Cone;
+use signorini::{Error, Result, ToolkitError};
 use std::ops::Range;
 
 /// A mesh of (0, 1) and the Gram matrix of its hats.
@@ -65,7 +64,7 @@ impl SegmentSets {
     /// Equal cells, 4 to 1024.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange).
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange).
     pub fn new(order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
         if !(4..=1024).contains(&cells) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -86,9 +85,12 @@ impl SegmentSets {
     /// sup term / (|σ|_ν |w|_ν) over the pairs of the mesh; 0 where one has no room, as for full contact.
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one entry per cell.
+    /// [`ToolkitError::LengthMismatch`](signorini::ToolkitError::LengthMismatch) unless there is one entry per cell.
     pub fn ratio(&self, cone: Cone, contact: &[bool]) -> Result<f64> {
-        require_length("contact", contact.len(), self.cells())?;
+        let (given, expected) = (contact.len(), self.cells());
+        if given != expected {
+            return Err(Error::Toolkit(ToolkitError::LengthMismatch { name: "contact", given, expected }));
+        }
         let gaps = runs(contact, false);
         let (of_contact, of_gaps) = (self.hats(&runs(contact, true)), self.hats(&gaps));
         if of_contact.is_empty() || of_gaps.is_empty() {
@@ -249,8 +251,8 @@ fn runs(contact: &[bool], state: bool) -> Vec<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::proof::{consistency_constant, worst_ratio};
     use fractional_sobolev::Tolerance;
+    use signorini::proof::{consistency_constant, worst_ratio};
 
     fn sets(nu: f64) -> SegmentSets {
         SegmentSets::new(FractionalOrder::new(nu).unwrap(), 40).unwrap()

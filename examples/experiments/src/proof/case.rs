@@ -1,13 +1,13 @@
 //! What the proofs are profiled on: a manufactured pair, mesh sizes, the resolution and θ as a function of h.
 
-use super::constants::ProofConstants;
 use super::resolution::Resolution;
-use super::section::Section;
-use super::theta::ThetaRule;
-use crate::edge::{ContactPair, Traces};
-use crate::error::{Error, Result, ToolkitError};
-use crate::scenes::StripScene;
-use crate::strip::{Levels, Sides};
+use signorini::edge::{ContactPair, Traces};
+use signorini::proof::ProofConstants;
+use signorini::proof::Section;
+use signorini::proof::ThetaRule;
+use signorini::scenes::StripScene;
+use signorini::strip::{Levels, Sides};
+use signorini::{Error, Result, ToolkitError};
 
 /// Largest number of positions of a transition.
 const POSITIONS: usize = 64;
@@ -59,7 +59,7 @@ impl ProofCase {
     /// fine cell.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ or θ outside their ranges.
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for τ or θ outside their ranges.
     pub fn zones(&self) -> Result<Vec<f64>> {
         if self.tau > 2.0 {
             return Ok(Vec::new());
@@ -82,7 +82,7 @@ impl ProofCase {
     /// anything is computed.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange), [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange), those of the scene.
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange), [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange), those of the scene.
     pub fn require_valid(&self) -> Result<()> {
         self.zones()?;
         self.require_fitting()?;
@@ -94,14 +94,14 @@ impl ProofCase {
     /// Fails where τ, the constants, the resolution or the positions do not fit.
     pub(super) fn check(&self, constants: &ProofConstants) -> Result<()> {
         let same = constants.tau() == self.tau;
-        Error::require("tau of the constants", constants.tau(), "the regularity of the case", same)?;
+        ToolkitError::require("tau of the constants", constants.tau(), "the regularity of the case", same)?;
         self.require_fitting()
     }
 
     fn require_fitting(&self) -> Result<()> {
         let largest = if self.section == Section::Three { 2.0 } else { 2.5 };
         let admissible = self.tau > 1.5 && self.tau <= largest && self.tau < 2.5;
-        Error::require("tau", self.tau, "(3/2, 2], in Section 4 (3/2, 5/2)", admissible)?;
+        ToolkitError::require("tau", self.tau, "(3/2, 2], in Section 4 (3/2, 5/2)", admissible)?;
         let finest = self.levels.cells().last().unwrap_or(1);
         let cells = self.resolution.cells(finest);
         if cells > LARGEST || cells < 2 * finest {
@@ -126,7 +126,7 @@ impl ProofCase {
     pub(super) fn pairs(&self, cells: usize, traces: Traces) -> Result<Vec<ContactPair>> {
         let step = 1.0 / (self.levels.coarsest_cells() * self.positions) as f64;
         let StripScene::Transition { position } = self.source else {
-            Error::require("tau", self.tau, "(3/2, 2] but for a single transition", self.tau <= 2.0)?;
+            ToolkitError::require("tau", self.tau, "(3/2, 2] but for a single transition", self.tau <= 2.0)?;
             let scene = self.source.data(self.scene_tau, cells, Sides::Natural)?;
             return Ok(vec![ContactPair::of_scene(&scene, traces)?]);
         };

@@ -6,13 +6,13 @@
 //! Orthogonality does not hold exactly for inequalities: an estimate. Norms: [`FineNorms`].
 
 use super::fine_norms::{FineForms, FineNorms};
-use super::with_numbers::TheoremNumbers;
-use crate::cone::Cone;
-use crate::contact::{ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result, ToolkitError};
-use crate::mesh::Hierarchy;
-use crate::scenes::{LoadedBody, body_regularity};
 use fractional_sobolev::{Estimate, Work};
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, ContactSolution, Solver};
+use signorini::mesh::Hierarchy;
+use signorini::proof::TheoremConstants;
+use signorini::scenes::{LoadedBody, body_regularity};
+use signorini::{Error, Result, ToolkitError};
 
 /// n on the coarsest mesh.
 const COARSEST: usize = 4;
@@ -53,7 +53,7 @@ pub struct ExtrapolatedStudy {
     /// The cone.
     pub cone: Cone,
     /// Constants.
-    pub numbers: TheoremNumbers,
+    pub numbers: TheoremConstants,
     /// Norms.
     pub norms: FineNorms,
     /// Coarsest mesh first.
@@ -64,7 +64,7 @@ impl SolvedBody {
     /// Meshes of 4 × 4 ... 2^finest × 2^finest squares.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 5 ≤ finest ≤ 10; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) for a solution that does
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless 5 ≤ finest ≤ 10; [`ToolkitError::ToleranceNotMet`](signorini::ToolkitError::ToleranceNotMet) for a solution that does
     /// not meet its conditions; whatever problems and solvers return.
     pub fn new(body: LoadedBody, finest: u32) -> Result<Self> {
         if !(5..=10).contains(&finest) {
@@ -128,8 +128,8 @@ impl ExtrapolatedStudy {
     /// Bound and error on all meshes; `numbers` are those of the Laplacian.
     ///
     /// # Errors
-    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone and an elastic body that is not held all around.
-    pub fn new(numbers: TheoremNumbers, solved: &SolvedBody, cone: Cone, norms: FineNorms) -> Result<Self> {
+    /// [`ToolkitError::Incompatible`](signorini::ToolkitError::Incompatible) for the midpoint cone and an elastic body that is not held all around.
+    pub fn new(numbers: TheoremConstants, solved: &SolvedBody, cone: Cone, norms: FineNorms) -> Result<Self> {
         let body = solved.body;
         let Some(place) = body.cones().iter().position(|&known| known == cone) else {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
@@ -169,7 +169,7 @@ fn solve(
         if !solution.status.is_converged() {
             let reached = solution.judgement.worst();
             let why = "the active-set iteration did not converge";
-            return Err(Error::out_of_reach("contact conditions", 1e-8, reached, why));
+            return Err(ToolkitError::out_of_reach("contact conditions", 1e-8, reached, why).into());
         }
         solved.push((problem, solution));
     }

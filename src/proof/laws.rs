@@ -1,0 +1,28 @@
+//! A bound with both laws of the Poincaré constant.
+
+/// A bound with the printed law of γ_θ, and with the one that holds; they differ at τ = 2 only.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TwoLaws {
+    /// C ln(1/θ) at τ = 2, C θ^{τ−2} below.
+    pub printed: f64,
+    /// C √ln(1/θ) at τ = 2, else as printed.
+    pub corrected: f64,
+}
+
+impl TwoLaws {
+    /// A bound that needs no law.
+    pub fn same(value: f64) -> Self {
+        Self { printed: value, corrected: value }
+    }
+
+    /// The function of both.
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self { printed: f(self.printed), corrected: f(self.corrected) }
+    }
+
+    /// Adds the part `share` of another bound.
+    pub fn add(&mut self, other: Self, share: f64) {
+        self.printed += share * other.printed;
+        self.corrected += share * other.corrected;
+    }
+}
