@@ -3,11 +3,12 @@
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
 use example_frame::{Error, Finding, Headline, Result, contact};
+use experiments::contact_levels::{SceneRun, SceneStudy};
 use fractional_sobolev::Tolerance;
 use signorini::cone::{Cone, Judgement, NOISE};
 use signorini::contact::{Accuracy, Solver};
 use signorini::scenes::MeshScene::{Corner, Leaning, Raised, Taper};
-use signorini::scenes::{MeshScene, SceneRun, SceneStudy, Setting};
+use signorini::scenes::{MeshScene, Setting};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -5,10 +5,11 @@
 
 use example_frame::contact::{RoadsRow as Row, compressibility_chart, two_roads_table, worst};
 use example_frame::{Finding, Headline, Result, progress, within};
+use experiments::hard_cases::HardCase;
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::contact::{Fallback, MOST_INCOMPRESSIBLE};
-use signorini::scenes::{HardCase, MeshScene};
+use signorini::scenes::MeshScene;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -47,7 +48,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
             let is_scene = matches!(case, HardCase::Scene(_));
             for cone in Cone::ALL.into_iter().filter(|&c| c == Cone::Nodal || is_scene && !is_closed) {
                 let tolerance = if is_scene { asked } else { hard };
-                rows.push(Row { case, cone, n, found: case.by_two_roads(n, cone, tolerance)? });
+                rows.push(Row { case, cone, n, found: case.against_elimination(n, cone, tolerance)? });
             }
             bar.inc(1);
         }

@@ -4,9 +4,9 @@
 
 use example_frame::contact::{self, Load, Own, OwnOptions, Subject, worst};
 use example_frame::{Finding, Headline, Result};
+use experiments::contact_levels::SceneRun;
 use signorini::cone::{Cone, Judgement, NOISE};
 use signorini::fem::{Form, Lame};
-use signorini::scenes::SceneRun;
 use std::process::ExitCode;
 
 /// The body that comes with the example: an L on a slanted floor.

@@ -4,9 +4,9 @@
 //! `cargo run --release --example section_2_speed_for_accuracy -- --levels 6`
 
 use example_frame::{Finding, Headline, Result, contact, progress};
+use experiments::solver_variants::{SolverVariant, VariantRow, manufactured_by_every_variant};
 use peak_alloc::PeakAlloc;
 use signorini::cone::{Cone, NOISE};
-use signorini::scenes::{Road, RoadRow, manufactured_by_every_road};
 use std::process::ExitCode;
 
 #[global_allocator]
@@ -30,25 +30,25 @@ example_frame::options! {
 /// What is computed: every mesh by every road; on the coarsest there is nothing to start from.
 pub struct Computed {
     /// Coarsest mesh first.
-    pub rows: Vec<RoadRow>,
+    pub rows: Vec<VariantRow>,
     /// The most bytes held for each solution, its problem and its judgement.
     pub peaks: Vec<f64>,
 }
 
 /// Solves on every mesh by every road and measures the error against the known solution.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let bar = progress((options.levels * Road::ALL.len()) as u64);
+    let bar = progress((options.levels * SolverVariant::ALL.len()) as u64);
     // What is allocated once for the process (64 MiB by products of matrices) belongs to no road.
-    manufactured_by_every_road(32, 2, options.cone, |_, _| Ok(()))?;
+    manufactured_by_every_variant(32, 2, options.cone, |_, _| Ok(()))?;
     let (mut held, mut begun) = (Vec::new(), None);
-    let mut begin = |next: Option<(usize, Road)>| {
+    let mut begin = |next: Option<(usize, SolverVariant)>| {
         if let Some((place, before)) = begun.take() {
             held.push((place, MEMORY.peak_usage().saturating_sub(before)));
         }
         MEMORY.reset_peak_usage();
         begun = next.map(|place| (place, MEMORY.current_usage()));
     };
-    let rows = manufactured_by_every_road(options.n, options.levels, options.cone, |n, road| {
+    let rows = manufactured_by_every_variant(options.n, options.levels, options.cone, |n, road| {
         bar.set_message(format!("n = {n}, {road}"));
         bar.inc(1);
         begin(Some((n, road)));
@@ -56,7 +56,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     })?;
     begin(None);
     bar.finish_and_clear();
-    let peak = |row: &RoadRow| held.iter().find(|(place, _)| *place == (row.n, row.road));
+    let peak = |row: &VariantRow| held.iter().find(|(place, _)| *place == (row.n, row.road));
     let peaks = rows.iter().map(|row| peak(row).map_or(f64::NAN, |(_, bytes)| *bytes as f64)).collect();
     Ok(Computed { rows, peaks })
 }
@@ -74,8 +74,9 @@ const WORTHLESS: f64 = 1e-3;
 const ROUNDING: f64 = 1e-13;
 
 /// The orders between consecutive meshes on the cold road, and the mean one.
-fn orders(rows: &[RoadRow]) -> Option<(Vec<f64>, f64)> {
-    let errors: Vec<f64> = rows.iter().filter(|row| row.road == Road::Cold).map(|row| row.error).collect();
+fn orders(rows: &[VariantRow]) -> Option<(Vec<f64>, f64)> {
+    let errors: Vec<f64> =
+        rows.iter().filter(|row| row.road == SolverVariant::Cold).map(|row| row.error).collect();
     let orders: Vec<f64> = errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();
     let mean = orders.iter().sum::<f64>() / orders.len() as f64;
     (orders.len() >= 2).then_some((orders, mean))
@@ -86,8 +87,8 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let rows = &computed.rows;
     let order = orders(rows).map(|(all, mean)| (mean, contact::worst(all.iter().map(|o| (o - mean).abs()))));
     let apart = |is_share: bool| {
-        let same = rows.iter().filter(move |row| (row.road == Road::Share) == is_share);
-        let exact = |n| rows.iter().find(|row| row.road == Road::Cold && row.n == n);
+        let same = rows.iter().filter(move |row| (row.road == SolverVariant::Share) == is_share);
+        let exact = |n| rows.iter().find(|row| row.road == SolverVariant::Cold && row.n == n);
         same.filter_map(move |row| Some((row.error / exact(row.n)?.error - 1.0).abs()))
     };
     let promised = rows.iter().filter_map(|row| Some(row.algebraic? / (row.estimate? + ROUNDING)));
@@ -99,7 +100,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
             .told(),
         Finding::claim("conditions", "every exact solution meets the discrete conditions")
             .number(
-                contact::worst(rows.iter().filter(|row| row.road != Road::Share).map(|row| row.kkt)),
+                contact::worst(rows.iter().filter(|row| row.road != SolverVariant::Share).map(|row| row.kkt)),
                 NOISE,
             )
             .at_most(JUDGED, "a duality gap of 1e-13 over 1000 unknowns")

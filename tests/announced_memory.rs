@@ -3,8 +3,9 @@
 
 use clap::Parser;
 use example_frame::HasOutput;
+use experiments::contact_levels::SceneStudy;
 use signorini::cone::Cone;
-use signorini::scenes::{MeshScene, SceneStudy, Setting};
+use signorini::scenes::{MeshScene, Setting};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;

@@ -2,6 +2,7 @@
 //! steps.
 
 use experiments::SplitMix;
+use experiments::hard_cases::HardCase;
 use fractional_sobolev::Tolerance;
 use signorini::Error;
 use signorini::ToolkitError;
@@ -11,7 +12,7 @@ use signorini::contact::{
 };
 use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Sides, Triangulation, mapped_grid, unit_square};
-use signorini::scenes::{HardCase, MeshScene};
+use signorini::scenes::MeshScene;
 
 /// J of two roads at the tolerance 1e-12: it differs by the square of the error, and by rounding.
 const ENERGIES: f64 = 1e-11;

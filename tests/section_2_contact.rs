@@ -15,13 +15,14 @@ mod section_2_scalar_contact;
 
 use clap::Parser;
 use example_frame::{Headline, Outcome, Table, Verdict};
+use experiments::contact_levels::SceneRun;
 use reference_squares::{check_against_reference, solvers_agree};
 use section_2_elastic_contact::Problem;
 use signorini::cone::{Cone, Status};
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Condensation, Form, Lame, stiffness};
 use signorini::mesh::{Hierarchy, Sides, unit_square};
-use signorini::scenes::{MeshScene, SceneRun};
+use signorini::scenes::MeshScene;
 
 #[test]
 fn block_nodal_matches_five_packages() {

@@ -6,8 +6,8 @@ mod example;
 
 use example_frame::contact::RoadsRow;
 use example_frame::{Outcome, Verdict};
+use experiments::hard_cases::HardCase;
 use signorini::contact::Fallback;
-use signorini::scenes::HardCase;
 
 fn outcome(rows: &[RoadsRow], key: &str) -> Outcome {
     let found = example::findings(&example::Options::default(), rows);

@@ -8,6 +8,7 @@ mod section_2_own_body;
 use clap::Parser;
 use example_frame::contact::{Load, Own, OwnOptions};
 use example_frame::{Headline, Outcome, Table, Verdict};
+use experiments::contact_levels::OwnBody;
 use section_2_own_body::{Computed, Options};
 use signorini::Error;
 use signorini::ToolkitError;
@@ -15,7 +16,6 @@ use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Fallback, Solver};
 use signorini::fem::{Field, Form, Frame, Lame, stiffness};
 use signorini::mesh::{ContactEdge, Triangulation, parse_msh, read_msh};
-use signorini::scenes::OwnBody;
 use std::path::{Path, PathBuf};
 
 const L_SHAPE: &str = include_str!("../examples/data/l_shape.msh");

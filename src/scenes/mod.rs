@@ -17,8 +17,6 @@
 //! | [`ClosedForm`] | the same with one transition or two, scalar and elastic, with second derivatives | `closed_form` |
 //! | [`RoughTransition`] | a known solution of any regularity about one transition, scalar and elastic | `rough_transition` |
 //! | [`LoadedBody`] | bodies with loads that every mesh integrates exactly, solution unknown | `loaded_body` |
-//! | [`OwnBody`] | a triangulation, a form and a load from anywhere | `own_body` |
-//! | [`HardCase`], [`TwoRoads`] | what is hard for multigrid, beside elimination | `hard_cases` |
 //!
 //! A new scene is one block in `strip` or `mesh`: variant, name, parameters with defaults, data.
 //! List of all, help texts, reading, writing and errors follow from it.
@@ -27,28 +25,22 @@ mod case;
 mod clamped_end;
 mod closed_form;
 mod closed_form_levels;
-mod comparison;
 mod contact_sets;
 mod corners;
 mod gap_data;
-mod hard_cases;
 mod known;
-mod levels;
 mod loaded_body;
 pub mod manufactured;
 mod mesh;
 mod mesh_transition;
 mod mesh_transition_problem;
-mod own_body;
 mod pressure;
 mod registry;
 mod regularity;
-mod roads;
 mod rough_transition;
 mod rough_transition_levels;
 mod scene;
 mod strip;
-mod study;
 mod tau_range;
 mod transition_powers;
 
@@ -56,18 +48,12 @@ pub use case::StripCase;
 pub use clamped_end::ClampedEnd;
 pub use closed_form::ClosedForm;
 pub use closed_form_levels::ClosedFormLevel;
-pub use comparison::{energies_apart, sets_apart};
 pub use corners::{BodyCorner, BodyRegularity, body_regularity};
-pub use hard_cases::{HardCase, TwoRoads};
-pub use levels::{SceneRun, StudyProgress};
 pub use loaded_body::LoadedBody;
 pub use mesh::{MeshScene, Setting};
 pub use mesh_transition::MeshTransition;
-pub use own_body::OwnBody;
-pub use roads::{Road, RoadRow, manufactured_by_every_road};
 pub use rough_transition::{EdgeDatum, RoughTransition};
 pub use rough_transition_levels::RoughLevel;
 pub use scene::Scene;
 pub use strip::StripScene;
-pub use study::SceneStudy;
 pub use transition_powers::TransitionPowers;

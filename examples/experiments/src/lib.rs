@@ -2,8 +2,10 @@
 //! the example that its first line names; tests run them at other parameters.
 
 pub mod arrangement;
+pub mod contact_levels;
 pub mod explicit_bound;
 pub mod growth;
+pub mod hard_cases;
 pub mod induction;
 mod line;
 pub mod location;
@@ -12,6 +14,7 @@ pub mod proof;
 mod random;
 mod scale;
 mod search;
+pub mod solver_variants;
 pub mod trial;
 pub mod wedge_grid;
 

@@ -4,8 +4,8 @@
 
 use crate::Result;
 use crate::figures::{BodyPicture, Floor, short};
+use experiments::contact_levels::SceneRun;
 use signorini::fem::stresses;
-use signorini::scenes::SceneRun;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 

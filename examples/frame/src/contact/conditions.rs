@@ -1,8 +1,8 @@
 //! The four conditions of a contact solution in words.
 
 use crate::Finding;
+use experiments::contact_levels::{SceneRun, energies_apart, sets_apart};
 use signorini::cone::Judgement;
-use signorini::scenes::{SceneRun, energies_apart, sets_apart};
 
 /// Key, words if met, words if not, figure.
 pub type Condition = (&'static str, &'static str, &'static str, fn(&Judgement) -> f64);

@@ -4,8 +4,8 @@
 use super::own::OwnOptions;
 use crate::files::{require_writable, write_whole};
 use crate::{Result, Table};
+use experiments::contact_levels::SceneRun;
 use signorini::Error;
-use signorini::scenes::SceneRun;
 use std::fmt::Write as _;
 
 const ROWS: &str = "rows.csv";

@@ -1,7 +1,7 @@
 //! Picture of an active-set iteration: which constraints were active at which step.
 
 use crate::figures::{Axis, Chart, Series};
-use signorini::scenes::SceneRun;
+use experiments::contact_levels::SceneRun;
 
 /// The active constraints of every step; `None` when the solver keeps no sets.
 pub(super) fn history_chart(run: &SceneRun, scene: &str) -> Option<Chart> {

@@ -1,7 +1,7 @@
 //! The rows that contact solutions contribute to a table, the same in every example.
 
 use crate::{Cell, Column, Format, Table};
-use signorini::scenes::SceneRun;
+use experiments::contact_levels::SceneRun;
 
 /// Every solution of a study, coarsest mesh first.
 pub fn table(runs: &[SceneRun]) -> Table {

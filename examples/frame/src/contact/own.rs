@@ -2,9 +2,9 @@
 
 use crate::{Error, Expression, Result};
 use clap::Args;
+use experiments::contact_levels::{OwnBody, SceneRun};
 use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{Triangulation, parse_msh, read_msh};
-use signorini::scenes::{OwnBody, SceneRun};
 use std::path::PathBuf;
 use std::str::FromStr;
 

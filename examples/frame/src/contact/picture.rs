@@ -5,8 +5,8 @@ use super::history::history_chart;
 use super::listing::worst;
 use crate::figures::{Axis, Chart, Series};
 use crate::{Headline, Output, Result};
+use experiments::contact_levels::{SceneRun, SceneStudy};
 use signorini::contact::Solver;
-use signorini::scenes::{SceneRun, SceneStudy};
 use std::ops::Range;
 
 /// What figures are called.

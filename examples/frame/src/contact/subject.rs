@@ -4,9 +4,9 @@ use super::csv;
 use super::own::{Own, OwnOptions};
 use super::picture::{Drawing, draw_coarser, quote_and_draw};
 use crate::{Error, Finding, Headline, Output, Result, Table, announce_memory, progress};
+use experiments::contact_levels::{OwnBody, SceneRun, SceneStudy, StudyProgress};
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, Solver};
-use signorini::scenes::{OwnBody, SceneRun, SceneStudy, StudyProgress};
 
 /// The packages agree among themselves to 12 digits or more.
 const PACKAGES: f64 = 1e-11;

@@ -2,8 +2,8 @@
 
 use crate::figures::{Axis, Chart, Series};
 use crate::{Cell, Column, Format, Table};
+use experiments::hard_cases::{AgainstElimination, HardCase};
 use signorini::cone::Cone;
-use signorini::scenes::{HardCase, TwoRoads};
 use std::collections::BTreeSet;
 
 /// One problem by both roads.
@@ -15,7 +15,7 @@ pub struct RoadsRow {
     /// Cells along each side.
     pub n: usize,
     /// What was found.
-    pub found: TwoRoads,
+    pub found: AgainstElimination,
 }
 
 /// A row for every run.

@@ -5,11 +5,11 @@
 
 use super::levels::{How, LEVELS, Level, SceneRun, StudyProgress, asked, solve_levels, solvers_for};
 use super::study::INTERIOR;
-use crate::cone::Cone;
-use crate::contact::{Accuracy, ContactProblem, Solver};
-use crate::error::Result;
-use crate::fem::{Cubature, Field, Form};
-use crate::mesh::{Hierarchy, Triangulation};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::contact::{Accuracy, ContactProblem, Solver};
+use signorini::fem::{Cubature, Field, Form};
+use signorini::mesh::{Hierarchy, Triangulation};
 
 /// Points of the rule for loads, along each side of a triangle.
 const POINTS: usize = 4;
@@ -41,7 +41,7 @@ impl OwnBody<'_> {
     /// use signorini::contact::Solver;
     /// use signorini::fem::{Field, Form, Lame};
     /// use signorini::mesh::{Sides, unit_square};
-    /// use signorini::scenes::OwnBody;
+    /// use experiments::contact_levels::OwnBody;
     /// let mesh = unit_square(8, Sides::HANGING)?;
     /// let form = Form::elastic(Lame::plane_strain(2.5, 0.25)?);
     /// let load = Field::Vector(&|[x, _]| [0.0, 1.0 - 3.0 * x]);
@@ -80,7 +80,7 @@ impl OwnBody<'_> {
     /// Solves on every level, coarsest first; [`SceneRun::n`] counts the segments of the contact edge.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without levels; whatever problems, solvers and `observe` return.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) without levels; whatever problems, solvers and `observe` return.
     pub fn run(&self, observe: impl FnMut(&StudyProgress) -> Result<()> + Send) -> Result<Vec<SceneRun>> {
         let mut hierarchy = Hierarchy::new(self.mesh.clone());
         let level = |number: usize| {

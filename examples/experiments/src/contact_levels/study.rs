@@ -3,10 +3,10 @@
 use super::levels::{
     How, LEVELS, Level, SceneRun, StudyProgress, asked, solve_levels, solvers_for, unknowns,
 };
-use super::mesh::{MeshScene, Setting};
-use crate::cone::Cone;
-use crate::contact::{Accuracy, ContactProblem, Solver};
-use crate::error::Result;
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::contact::{Accuracy, ContactProblem, Solver};
+use signorini::scenes::{MeshScene, Setting};
 
 /// Cells along each side up to which the interior point is the second solver: there it takes seconds.
 pub(super) const INTERIOR: usize = 128;
@@ -58,7 +58,7 @@ impl SceneStudy {
     /// every beginning and of every step of multigrid, and its error ends the study.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without levels; whatever meshes, problems, solvers and `observe`
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) without levels; whatever meshes, problems, solvers and `observe`
     /// return.
     pub fn run_observed(
         &self,

@@ -1,9 +1,9 @@
 //! How far two solutions on the same mesh are apart, and how one meets its conditions.
 
 use super::levels::SceneRun;
-use crate::cone::{Evidence, Judgement, NOISE};
-use crate::contact::ContactSolution;
-use crate::error::Result;
+use signorini::Result;
+use signorini::cone::{Evidence, Judgement, NOISE};
+use signorini::contact::ContactSolution;
 
 /// Both force and gap below this, relative to their largest: √(duality gap) of the interior-point method.
 const WEAK: f64 = 1e-6;
@@ -13,7 +13,7 @@ impl SceneRun {
     /// solution.
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) where a multiplier or a gap is not a number.
+    /// [`ToolkitError::NotFinite`](signorini::ToolkitError::NotFinite) where a multiplier or a gap is not a number.
     pub fn judged(&self) -> Result<Judgement> {
         let solution = &self.solution;
         let evidence = Evidence {

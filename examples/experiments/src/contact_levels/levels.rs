@@ -1,10 +1,10 @@
 //! A family of problems on finer and finer meshes, solved by one solver or by two.
 
-use crate::cone::Cone;
-use crate::contact::{Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, Solver};
-use crate::error::{Error, Result, ToolkitError};
-use crate::mesh::Hierarchy;
 use fractional_sobolev::{Estimate, Tolerance};
+use signorini::cone::Cone;
+use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, Solver};
+use signorini::mesh::Hierarchy;
+use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 
 /// Unknowns up to which elimination is one of two solvers: n = 1024, some 4 GB.

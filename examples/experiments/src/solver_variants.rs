@@ -1,14 +1,14 @@
-//! Six roads to the discrete solutions of the scene with known solution, with seconds, true errors and true
-//! algebraic errors: the active set from no contact and from the contact set of the mesh before, the
+//! `section_2_speed_for_accuracy`: six solver variants on the manufactured solution, with run time, discretisation
+//! error and algebraic error: the active set from no contact and from the contact set of the mesh before, the
 //! interior-point method on the whole body and on its edge, and multigrid at two accuracies.
 
-use super::manufactured;
-use super::mesh::MeshScene;
-use crate::cone::Cone;
-use crate::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result, ToolkitError};
-use crate::fem::{Cubature, Field, error_norms};
 use fractional_sobolev::Tolerance;
+use signorini::cone::Cone;
+use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
+use signorini::fem::{Cubature, Field, error_norms};
+use signorini::scenes::MeshScene;
+use signorini::scenes::manufactured;
+use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 use std::time::Instant;
 
@@ -21,7 +21,7 @@ const ELIMINATED: usize = 1024;
 
 /// A way to a discrete solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Road {
+pub enum SolverVariant {
     /// The active set from no contact.
     Cold,
     /// The active set from the contact set of the mesh before.
@@ -36,41 +36,47 @@ pub enum Road {
     Share,
 }
 
-impl Road {
-    /// All roads.
-    pub const ALL: [Road; 6] =
-        [Road::Cold, Road::Nested, Road::Interior, Road::Edge, Road::Multigrid, Road::Share];
+impl SolverVariant {
+    /// All variants.
+    pub const ALL: [SolverVariant; 6] = [
+        SolverVariant::Cold,
+        SolverVariant::Nested,
+        SolverVariant::Interior,
+        SolverVariant::Edge,
+        SolverVariant::Multigrid,
+        SolverVariant::Share,
+    ];
 
-    /// Whether the road is taken on n × n squares.
+    /// Whether the variant is run on n × n squares.
     fn is_taken(self, n: usize) -> bool {
         match self {
-            Road::Cold | Road::Nested | Road::Edge => n <= ELIMINATED,
-            Road::Interior => n <= INTERIOR,
-            Road::Multigrid | Road::Share => true,
+            SolverVariant::Cold | SolverVariant::Nested | SolverVariant::Edge => n <= ELIMINATED,
+            SolverVariant::Interior => n <= INTERIOR,
+            SolverVariant::Multigrid | SolverVariant::Share => true,
         }
     }
 }
 
-impl fmt::Display for Road {
+impl fmt::Display for SolverVariant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Road::Cold => "active set, cold",
-            Road::Nested => "active set, nested",
-            Road::Interior => "interior point",
-            Road::Edge => "interior point, edge",
-            Road::Multigrid => "multigrid, 1e-10",
-            Road::Share => "multigrid, 1/100 of h",
+            SolverVariant::Cold => "active set, cold",
+            SolverVariant::Nested => "active set, nested",
+            SolverVariant::Interior => "interior point",
+            SolverVariant::Edge => "interior point, edge",
+            SolverVariant::Multigrid => "multigrid, 1e-10",
+            SolverVariant::Share => "multigrid, 1/100 of h",
         })
     }
 }
 
 /// One discrete solution on n × n squares.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RoadRow {
+pub struct VariantRow {
     /// n.
     pub n: usize,
     /// How it was found.
-    pub road: Road,
+    pub road: SolverVariant,
     /// |u − u_h| in the H¹ seminorm.
     pub error: f64,
     /// The true algebraic error: the energy norm of the difference from the active set on the same mesh,
@@ -91,13 +97,13 @@ pub struct RoadRow {
 /// point goes to n = 128, elimination to n = 1024. `report` is called before each solution.
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ levels ≤ 9; whatever meshes, problems, solvers and `report` return.
-pub fn manufactured_by_every_road(
+/// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless 2 ≤ levels ≤ 9; whatever meshes, problems, solvers and `report` return.
+pub fn manufactured_by_every_variant(
     n: usize,
     levels: usize,
     cone: Cone,
-    mut report: impl FnMut(usize, Road) -> Result<()>,
-) -> Result<Vec<RoadRow>> {
+    mut report: impl FnMut(usize, SolverVariant) -> Result<()>,
+) -> Result<Vec<VariantRow>> {
     if !(2..=9).contains(&levels) {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "levels",
@@ -108,10 +114,10 @@ pub fn manufactured_by_every_road(
     let rule = Cubature::new(POINTS)?.singular_at(&[[manufactured::TRANSITION, 0.0]]);
     let exact = Field::Scalar(&manufactured::exact);
     let gradient = |point| [manufactured::gradient(point), [0.0; 2]];
-    let (mut rows, mut coarse): (Vec<RoadRow>, Option<ContactSolution>) = (Vec::new(), None);
+    let (mut rows, mut coarse): (Vec<VariantRow>, Option<ContactSolution>) = (Vec::new(), None);
     for n in (0..levels).map(|level| n.saturating_mul(1 << level)) {
         let mut here: Option<ContactSolution> = None;
-        for road in Road::ALL.into_iter().filter(|road| road.is_taken(n)) {
+        for road in SolverVariant::ALL.into_iter().filter(|road| road.is_taken(n)) {
             report(n, road)?;
             let start = Instant::now();
             let problem = MeshScene::Manufactured.problem(n)?;
@@ -120,12 +126,12 @@ pub fn manufactured_by_every_road(
             let values = &solution.displacement;
             let error = error_norms(problem.mesh(), problem.form(), values, (&exact, &gradient), &rule)?.h1;
             let algebraic = match &here {
-                Some(direct) if road != Road::Nested => Some(apart(&problem, &solution, direct)?),
+                Some(direct) if road != SolverVariant::Nested => Some(apart(&problem, &solution, direct)?),
                 _ => None,
             };
             let (steps, kkt) = (solution.work.iterations as usize, solution.judgement.worst());
-            rows.push(RoadRow { n, road, error, algebraic, estimate, seconds, steps, kkt });
-            if matches!(road, Road::Cold | Road::Nested) || here.is_none() {
+            rows.push(VariantRow { n, road, error, algebraic, estimate, seconds, steps, kkt });
+            if matches!(road, SolverVariant::Cold | SolverVariant::Nested) || here.is_none() {
                 here = Some(solution);
             }
         }
@@ -137,7 +143,7 @@ pub fn manufactured_by_every_road(
 /// The solution and its estimated algebraic error, relative, where there is one; `None` where the road begins
 /// later.
 fn travel(
-    road: Road,
+    road: SolverVariant,
     problem: &ContactProblem,
     cone: Cone,
     coarse: Option<&ContactSolution>,
@@ -148,13 +154,13 @@ fn travel(
         Ok(taken.then_some((found.solution, found.error.map(|error| error.relative_error()))))
     };
     let solution = match (road, coarse) {
-        (Road::Multigrid, _) => return multigrid(Accuracy::Relative(Tolerance::new(1e-10)?)),
-        (Road::Share, _) => return multigrid(Accuracy::default()),
-        (Road::Nested, None) => return Ok(None),
-        (Road::Nested, Some(coarse)) => problem.solve_after(coarse)?,
-        (Road::Cold, _) => problem.solve(cone, Solver::ActiveSet)?,
-        (Road::Interior, _) => problem.solve(cone, Solver::InteriorPoint)?,
-        (Road::Edge, _) => problem.solve(cone, Solver::EdgeInteriorPoint)?,
+        (SolverVariant::Multigrid, _) => return multigrid(Accuracy::Relative(Tolerance::new(1e-10)?)),
+        (SolverVariant::Share, _) => return multigrid(Accuracy::default()),
+        (SolverVariant::Nested, None) => return Ok(None),
+        (SolverVariant::Nested, Some(coarse)) => problem.solve_after(coarse)?,
+        (SolverVariant::Cold, _) => problem.solve(cone, Solver::ActiveSet)?,
+        (SolverVariant::Interior, _) => problem.solve(cone, Solver::InteriorPoint)?,
+        (SolverVariant::Edge, _) => problem.solve(cone, Solver::EdgeInteriorPoint)?,
     };
     Ok(Some((solution, None)))
 }

@@ -1,16 +1,16 @@
-//! Contact problems that are hard for cycles of point smoothers, and any problem by multigrid and by
+//! `section_2_multigrid`: contact problems that are hard for cycles of point smoothers, and any problem by multigrid and by
 //! elimination beside each other.
 //!
 //! Compared are J (relative), the contact sets, the true algebraic error |u − v|_a/|v|_a (v by elimination)
 //! and its estimate. Cost: one elimination and one multigrid solution.
 
-use super::mesh::{MeshScene, Setting};
-use crate::cone::Cone;
-use crate::contact::{Accuracy, ContactProblem, Fallback, Solver};
-use crate::error::Result;
-use crate::fem::{Field, Form, Lame};
-use crate::mesh::{Hierarchy, Sides, mapped_grid};
 use fractional_sobolev::{Given, Tolerance};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::contact::{Accuracy, ContactProblem, Fallback, Solver};
+use signorini::fem::{Field, Form, Lame};
+use signorini::mesh::{Hierarchy, Sides, mapped_grid};
+use signorini::scenes::{MeshScene, Setting};
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -57,14 +57,14 @@ pub enum HardCase {
     },
 }
 
-/// A problem by two roads.
+/// A problem by multigrid and by elimination.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoRoads {
+pub struct AgainstElimination {
     /// Unknowns, prescribed ones included.
     pub unknowns: usize,
     /// |J − J'|/|J'|, J' by elimination; 0 for 0/0.
     pub energies_apart: f64,
-    /// Constraints that are active for one road only; `None` where contact is so weak that rounding decides.
+    /// Constraints that are active for one solver only; `None` where contact is so weak that rounding decides.
     pub sets_apart: Option<usize>,
     /// True algebraic error in the energy norm, relative.
     pub algebraic: f64,
@@ -136,19 +136,24 @@ impl HardCase {
         }
     }
 
-    /// Both roads, multigrid to the given tolerance.
+    /// Both solvers, multigrid to the given tolerance.
     ///
     /// # Errors
     /// Those of problems and solvers.
-    pub fn by_two_roads(&self, n: usize, cone: Cone, tolerance: impl Given<Tolerance>) -> Result<TwoRoads> {
+    pub fn against_elimination(
+        &self,
+        n: usize,
+        cone: Cone,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<AgainstElimination> {
         let tolerance = tolerance.given()?;
         let (problem, hierarchy) = self.problem(n)?;
-        TwoRoads::of(&problem, hierarchy.as_ref(), cone, tolerance)
+        AgainstElimination::of(&problem, hierarchy.as_ref(), cone, tolerance)
     }
 }
 
-impl TwoRoads {
-    /// Both roads for a problem, multigrid on the given hierarchy or on every other line of its grid.
+impl AgainstElimination {
+    /// Both solvers for a problem, multigrid on the given hierarchy or on every other line of its grid.
     ///
     /// # Errors
     /// Those of solvers.
