@@ -8,7 +8,7 @@ use example_frame::figures::Chart;
 use example_frame::rates::{LogarithmRow, complete, error_over_h, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use signorini::cone::Cone;
-use signorini::convergence::Bound;
+use signorini::rates::Bound;
 use signorini::strip::Levels;
 use std::process::ExitCode;
 

@@ -8,7 +8,7 @@
 use example_frame::rates::{HALF_WIDTH, order_columns, printed_and_measured, printed_rates};
 use example_frame::rates::{Printed, RateRow, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use signorini::convergence::Bound;
+use signorini::rates::Bound;
 use signorini::strip::Levels;
 use std::process::ExitCode;
 

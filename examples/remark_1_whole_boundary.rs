@@ -9,9 +9,10 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::{HALF_WIDTH, RateRow, against_theorem, complete, fit_cells, largest, lowest};
 use example_frame::rates::{on_meshes, order_columns};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::convergence::{Quantity, TransitionRates};
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Solver};
-use signorini::convergence::{Bound, Quantity, TransitionRates};
+use signorini::rates::Bound;
 use signorini::scenes::{MeshScene, TransitionPowers};
 use std::process::ExitCode;
 

@@ -4,8 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::convergence::{EndCase, EndRun};
 use fractional_sobolev::Estimate;
-use signorini::convergence::{EndCase, EndRun};
 use signorini::{mesh::Outline, scenes::ClampedEnd};
 use std::f64::consts::{LN_10, PI};
 use std::process::ExitCode;

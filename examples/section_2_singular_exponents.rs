@@ -5,8 +5,8 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::RateRow;
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::convergence::{SceneOrder, scene_orders};
 use experiments::wedge_grid::ExponentCheck;
-use signorini::convergence::{SceneOrder, scene_orders};
 use signorini::scenes::MeshScene;
 use signorini::singular::{Medium, Side, Sides, SignCondition, Spectrum, Wedge};
 use std::f64::consts::{PI, TAU};

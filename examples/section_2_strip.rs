@@ -4,8 +4,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::convergence::{CaseStudy, Solved, Trend};
 use signorini::cone::Cone;
-use signorini::convergence::{Bound, CaseStudy, Solved, Trend};
+use signorini::rates::Bound;
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, StripKind};
 use std::process::ExitCode;

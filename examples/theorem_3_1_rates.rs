@@ -8,8 +8,9 @@
 use example_frame::rates::{LevelStore, RatePlan, RateRow, against_theorem, complete, largest, lowest};
 use example_frame::rates::{level_table, rate_table, term_above_one, term_remarks, write_and_draw};
 use example_frame::{Finding, Headline, Result};
+use experiments::convergence::Quantity;
 use signorini::cone::Cone;
-use signorini::convergence::{Bound, Quantity};
+use signorini::rates::Bound;
 use signorini::scenes::Scene;
 use signorini::strip::{Levels, StripKind};
 use std::process::ExitCode;

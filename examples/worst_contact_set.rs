@@ -8,9 +8,10 @@ use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, prog
 use experiments::proof::{ContactFamily, SegmentSearch, SegmentSets, SetTerms};
 use fractional_sobolev::{FractionalOrder, Tolerance};
 use signorini::cone::Cone;
-use signorini::convergence::{Bound, Fit};
 use signorini::proof::SegmentConstant;
 use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio};
+use signorini::rates::Bound;
+use signorini::rates::ConvergenceOrder;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -36,7 +37,7 @@ pub struct Computed {
     /// The exponent of the theorem for the root of the term.
     pub paper: f64,
     /// Every family with its terms and the orders of their roots, nodal and midpoint cone.
-    pub sets: Vec<(ContactFamily, SetTerms, [Option<Fit>; 2])>,
+    pub sets: Vec<(ContactFamily, SetTerms, [Option<ConvergenceOrder>; 2])>,
     /// κ, the best constant for one gap, and what no set passes under the midpoint cone.
     pub sharp: [SegmentConstant; 2],
     /// Sets made of the cells of a mesh, nodal and midpoint cone.
@@ -50,7 +51,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let mut sets = Vec::new();
     for family in progress(families.len() as u64).wrap_iter(families.into_iter()) {
         let terms = family.terms(tau, 1 << depth)?;
-        let orders = terms.roots().map(|points| Fit::power(&points));
+        let orders = terms.roots().map(|points| ConvergenceOrder::of_power(&points));
         sets.push((family, terms, orders));
     }
     let order = FractionalOrder::new(tau - 1.5)?;
@@ -72,9 +73,10 @@ const SHARE: f64 = 1e-6;
 pub fn findings(computed: &Computed) -> Vec<Finding> {
     let Computed { paper, sets, sharp: [kappa, all], searched } = computed;
     let share = sets.iter().flat_map(|(_, terms, _)| terms.shares).fold(0.0, f64::max);
-    let steady = |set: &SetTerms, fit: &Fit| fit.half_width < STEADY && set.shortest >= fit.regime.0;
+    let steady =
+        |set: &SetTerms, fit: &ConvergenceOrder| fit.uncertainty < STEADY && set.shortest >= fit.regime.0;
     let fits = sets.iter().flat_map(|(_, set, fits)| fits.iter().flatten().filter(|f| steady(set, f)));
-    let margins = fits.map(|fit| (fit.order - paper, fit.half_width));
+    let margins = fits.map(|fit| (fit.order - paper, fit.uncertainty));
     let nearest = margins.min_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)));
     let (source, none) = ("half of h^(2 tau - 2) and both seminorms", "no set has a steady order");
     let best = searched.iter().map(SegmentSearch::largest).fold(0.0, f64::max) / kappa.value.value;
@@ -132,7 +134,7 @@ fn table(computed: &Computed) -> Table {
         Column::new("midpoint_share", "share M", two, "the same, midpoint cone"),
     ];
     Table::new(columns).with_rows(computed.sets.iter().map(|(family, terms, fits)| {
-        let orders = fits.iter().flat_map(|f| [f.map(|f| f.order).into(), f.map(|f| f.half_width).into()]);
+        let orders = fits.iter().flat_map(|f| [f.map(|f| f.order).into(), f.map(|f| f.uncertainty).into()]);
         let first: [Cell; 2] = [family.to_string().into(), terms.shortest.into()];
         first.into_iter().chain(orders).chain(terms.shares.map(Cell::from))
     }))

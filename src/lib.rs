@@ -14,13 +14,13 @@
 mod book;
 pub mod cone;
 pub mod contact;
-pub mod convergence;
 pub mod edge;
 mod error;
 pub mod fem;
 pub mod mesh;
 mod numeric;
 pub mod proof;
+pub mod rates;
 pub mod scenes;
 pub mod singular;
 pub mod strip;

@@ -1,7 +1,7 @@
 //! (3.2), (4.3): at τ = 2 the error is of order h in H², and |ln h|^{1/2} belongs to kinks outside H².
 
 use example_frame::Outcome;
-use signorini::convergence::{LogarithmFit, Quantity};
+use experiments::convergence::{LogarithmFit, Quantity};
 
 #[allow(dead_code)]
 #[path = "../examples/equation_3_2_logarithm.rs"]

@@ -29,7 +29,7 @@ fn errors_of_both_cones_lie_on_the_optimal_line() {
 
 #[test]
 fn the_printed_curves_meet_at_the_ends_and_part_by_a_sixteenth() {
-    use signorini::convergence::Bound;
+    use signorini::rates::Bound;
     let exponent = |bound: Bound, tau: f64| bound.exponent(tau).unwrap();
     assert_eq!(exponent(Bound::Paper, 1.75), 11.0 / 16.0);
     assert_eq!(exponent(Bound::Optimal, 1.75) - exponent(Bound::Paper, 1.75), 1.0 / 16.0);

@@ -4,9 +4,9 @@
 #[allow(dead_code, reason = "only `compute` is used here")]
 mod roads;
 
+use experiments::convergence::MeshRates;
 use serde_json::Value;
 use signorini::cone::Cone;
-use signorini::convergence::MeshRates;
 use signorini::scenes::{MeshScene, Setting};
 
 fn kept(run: &str) -> Value {

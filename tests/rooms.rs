@@ -41,18 +41,8 @@ const ROOMS: [(&str, &[&str]); 2] = [
     (
         "src",
         &[
-            "error",
-            "numeric",
-            "mesh",
-            "fem",
-            "cone",
-            "contact",
-            "strip",
-            "singular",
-            "scenes",
-            "edge",
-            "convergence",
-            "proof",
+            "error", "numeric", "mesh", "fem", "cone", "contact", "strip", "singular", "scenes", "edge",
+            "rates", "proof",
         ],
     ),
 ];

@@ -5,8 +5,8 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::convergence::{EndCase, EndRun, Start};
 use signorini::cone::Cone;
-use signorini::convergence::{EndCase, EndRun, Start};
 use signorini::mesh::Outline;
 use signorini::scenes::ClampedEnd;
 use signorini::singular::ContactZone;

@@ -5,7 +5,7 @@
 mod example;
 
 use example_frame::Outcome;
-use signorini::convergence::CornerReading;
+use experiments::convergence::CornerReading;
 use signorini::scenes::{MeshScene, Setting};
 use signorini::singular::{Exponent, LARGEST, Medium, Side, Sides, SignCondition, Wedge};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

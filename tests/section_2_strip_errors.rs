@@ -1,11 +1,11 @@
 //! Section 2 on a strip: the energy errors computed from the edge alone, against whole fields and extended
 //! precision.
 
+use experiments::convergence::{mean_errors, strip_levels};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use qd::Quad;
 use signorini::cone::Cone;
-use signorini::convergence::{mean_errors, strip_levels};
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{

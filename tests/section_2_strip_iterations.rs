@@ -1,8 +1,8 @@
 //! Section 2 on a strip: inner iterations of every step stay bounded over levels, numbers of gaps, cones and
 //! kinds.
 
+use experiments::convergence::{CaseStudy, Level, strip_levels};
 use signorini::cone::Cone;
-use signorini::convergence::{CaseStudy, Level, strip_levels};
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Levels, Reference, Sides, StripKind, StripProblem};
 

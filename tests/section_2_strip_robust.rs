@@ -2,13 +2,13 @@
 
 use clap::Parser;
 use example_frame::{Outcome, Verdict};
+use experiments::convergence::Level;
 use faer::Mat;
 use proptest::prelude::*;
 use signorini::Error;
 use signorini::ToolkitError;
 use signorini::cone::{Cone, ContactSet, Ends, Status};
 use signorini::contact::{EdgeProblem, solve_on_edge};
-use signorini::convergence::Level;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{

@@ -2,9 +2,10 @@
 
 use example_frame::rates::RateRow;
 use example_frame::{Finding, Headline, Outcome, Table, Verdict};
+use experiments::convergence::{MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::cone::Cone;
-use signorini::convergence::{Bound, MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
+use signorini::rates::Bound;
 use signorini::scenes::{MeshScene, Setting, StripScene};
 use signorini::strip::{Levels, Sides, StripKind};
 

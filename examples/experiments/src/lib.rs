@@ -3,6 +3,7 @@
 
 pub mod arrangement;
 pub mod contact_levels;
+pub mod convergence;
 pub mod explicit_bound;
 pub mod growth;
 pub mod hard_cases;

@@ -1,6 +1,7 @@
 //! The regression line y = a + s x, and slopes in doubly logarithmic coordinates.
 
 /// Slope of the regression line and its standard error; 0 for the latter with two points.
+#[doc(alias("linear regression", "least squares"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Line {
     /// s.
@@ -22,5 +23,29 @@ impl Line {
         let residual: f64 = points.iter().map(|p| (p.1 - y - slope * (p.0 - x)).powi(2)).sum();
         let error = if points.len() > 2 { (residual / (count - 2.0) / spread).sqrt() } else { 0.0 };
         Self { slope, intercept: y - slope * x, error }
+    }
+
+    /// Through (ln x, ln y): the slope is the exponent of a power law. All coordinates must be positive.
+    pub(crate) fn through_logarithms(points: &[(f64, f64)]) -> Self {
+        Self::through(&points.iter().map(|(x, y)| (x.ln(), y.ln())).collect::<Vec<_>>())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_and_a_power_are_found() {
+        let line = Line::through(&[(0.0, 1.0), (1.0, 3.0), (3.0, 7.0)]);
+        assert!(
+            (line.slope - 2.0).abs() < 1e-15 && (line.intercept - 1.0).abs() < 1e-15 && line.error < 1e-15
+        );
+        let power = Line::through_logarithms(&[
+            (1.0, 5.0),
+            (0.5, 5.0 * 0.5f64.powf(1.3)),
+            (0.1, 5.0 * 0.1f64.powf(1.3)),
+        ]);
+        assert!((power.slope - 1.3).abs() < 1e-14);
     }
 }

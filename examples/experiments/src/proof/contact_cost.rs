@@ -24,9 +24,9 @@
 //! solution for the forces A g that hold the exact edge: no contact problem. Cost as for [`super::falk_terms`].
 
 use super::exponent::Exponent;
+use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use signorini::Result;
 use signorini::cone::Cone;
-use signorini::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use signorini::edge::consistency_terms;
 use signorini::scenes::{StripCase, StripScene};
 use signorini::strip::{Sides, StripProblem};

@@ -1,7 +1,7 @@
 //! `falk_terms`: the terms of Falk's lemma on the meshes of a problem of the strip.
 
+use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use signorini::Result;
-use signorini::convergence::{Level, StripLevels, StripSolution, solve_levels};
 use signorini::edge::EdgeTrace;
 use signorini::proof::FalkTerms;
 use signorini::scenes::StripCase;

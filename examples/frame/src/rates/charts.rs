@@ -3,12 +3,18 @@
 use super::row::RateRow;
 use crate::Result;
 use crate::figures::{Axis, Chart, Series};
+use experiments::convergence::{Quantity, RateStudy};
 use signorini::cone::Cone;
-use signorini::convergence::{Bound, Fit, Quantity, RateStudy};
+use signorini::rates::Bound;
+use signorini::rates::ConvergenceOrder;
 
 /// Orders over τ with their bars, moved aside by `shift` so that bars do not cover each other.
-fn order_points(name: &str, shift: f64, orders: impl Iterator<Item = Option<(f64, Fit)>>) -> Series {
-    let orders = orders.flatten().map(|(tau, fit)| ((tau + shift, fit.order), fit.half_width));
+fn order_points(
+    name: &str,
+    shift: f64,
+    orders: impl Iterator<Item = Option<(f64, ConvergenceOrder)>>,
+) -> Series {
+    let orders = orders.flatten().map(|(tau, fit)| ((tau + shift, fit.order), fit.uncertainty));
     let (points, bars) = orders.unzip();
     Series::points(name, points).bars(bars)
 }
@@ -24,7 +30,7 @@ fn exponent_curve(bound: Bound, (from, to): (f64, f64)) -> Result<Vec<(f64, f64)
 }
 
 /// Measured orders over τ for a chart: name, then τ and fit where there is one.
-type OrderSeries = (String, Vec<Option<(f64, Fit)>>);
+type OrderSeries = (String, Vec<Option<(f64, ConvergenceOrder)>>);
 
 /// Exponents over τ: curves of bounds, each over its own τ, and measured orders with their bars, each series
 /// `shift` beside the last.

@@ -3,7 +3,7 @@
 use super::row::RateRow;
 use crate::Finding;
 use signorini::cone::Cone;
-use signorini::convergence::Bound;
+use signorini::rates::Bound;
 
 /// Beyond τ = 2 orders creep up to one from below: they need to have come this near.
 const NEAR_ONE: f64 = 0.1;
@@ -37,7 +37,7 @@ pub fn against_theorem(key: String, words: &str, row: &RateRow) -> Finding {
 /// `SCENE.term`.
 pub fn term_above_one(row: &RateRow) -> Finding {
     let words = format!("{}: the root of the consistency term has order {{value}}", row.words());
-    let number = row.term.map(|fit| (fit.order, fit.half_width));
+    let number = row.term.map(|fit| (fit.order, fit.uncertainty));
     Finding::claim(format!("{}.term", row.key()), format!("{words}, above one"))
         .number_or(number, "too few levels, or no term")
         .at_least(1.0, "order one, that of the error; (4.14) has tau - 1")

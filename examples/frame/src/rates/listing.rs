@@ -5,9 +5,9 @@ use super::store::level_json;
 use crate::figures::{Axis, Chart, Series};
 use crate::files::write_whole;
 use crate::{Cell, Column, Format, Headline, Result, Table};
+use experiments::convergence::{Quantity, RateStudy};
 use serde_json::{Value, json};
-use signorini::convergence::Bound;
-use signorini::convergence::{Quantity, RateStudy};
+use signorini::rates::Bound;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -107,7 +107,7 @@ fn study_json(study: &RateStudy) -> Result<Value> {
         study.fit(quantity).map(|fit| {
             json!({
                 "order": fit.order,
-                "half_width": fit.half_width,
+                "half_width": fit.uncertainty,
                 "model": fit.model.to_string(),
                 "from": fit.regime.0,
                 "to": fit.regime.1,

@@ -2,7 +2,8 @@
 
 use super::plan::both_cones;
 use crate::Result;
-use signorini::convergence::{Bound, LogarithmFit, Quantity, RateStudy, SceneFamily, StripGroup};
+use experiments::convergence::{LogarithmFit, Quantity, RateStudy, SceneFamily, StripGroup};
+use signorini::rates::Bound;
 use signorini::scenes::{StripScene, TransitionPowers};
 use signorini::strip::{Levels, StripKind};
 

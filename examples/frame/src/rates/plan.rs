@@ -3,8 +3,8 @@
 use super::row::RateRow;
 use super::store::LevelStore;
 use crate::{Error, Result, announce_memory, progress};
+use experiments::convergence::{LevelMemory, MeshRates, StripGroup, TransitionRates};
 use signorini::cone::Cone;
-use signorini::convergence::{LevelMemory, MeshRates, StripGroup, TransitionRates};
 use signorini::scenes::{MeshScene, Scene, Setting, StripScene};
 use signorini::strip::{Levels, StripKind};
 

@@ -3,7 +3,7 @@
 use super::plan::{both_cones, on_meshes};
 use super::row::RateRow;
 use crate::Result;
-use signorini::convergence::{SceneFamily, StripGroup, TransitionRates};
+use experiments::convergence::{SceneFamily, StripGroup, TransitionRates};
 use signorini::scenes::{StripScene, TransitionPowers};
 use signorini::strip::{Levels, StripKind};
 

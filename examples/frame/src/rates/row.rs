@@ -1,7 +1,9 @@
 //! A rate study with its fits, and the table of many.
 
 use crate::{Cell, Column, Finding, Format, Headline, Result, Table};
-use signorini::convergence::{Bound, FamilyScene, Fit, Quantity, RateStudy, Subject};
+use experiments::convergence::{FamilyScene, Quantity, RateStudy, Subject};
+use signorini::rates::Bound;
+use signorini::rates::ConvergenceOrder;
 use signorini::scenes::StripScene;
 
 /// A study with the orders of error and root of the consistency term.
@@ -10,9 +12,9 @@ pub struct RateRow {
     /// The study.
     pub study: RateStudy,
     /// Order of the error; `None` for too few levels or an error that is not a positive number.
-    pub error: Option<Fit>,
+    pub error: Option<ConvergenceOrder>,
     /// Order of the root of the consistency term; `None` also where the term vanishes on a level.
-    pub term: Option<Fit>,
+    pub term: Option<ConvergenceOrder>,
 }
 
 impl RateRow {
@@ -51,7 +53,7 @@ impl RateRow {
 
     /// Order of the error and what it may be off by.
     pub fn order(&self) -> Option<(f64, f64)> {
-        self.error.map(|fit| (fit.order, fit.half_width))
+        self.error.map(|fit| (fit.order, fit.uncertainty))
     }
 
     /// Order less the exponent of a bound, and what it may be off by.
@@ -61,10 +63,10 @@ impl RateRow {
     }
 
     /// Quotes an order and its half-width under `key.order` and `key.half`.
-    pub fn quote(headline: &mut Headline, key: &str, fit: Option<Fit>) {
-        if let Some(Fit { order, half_width, .. }) = fit {
+    pub fn quote(headline: &mut Headline, key: &str, fit: Option<ConvergenceOrder>) {
+        if let Some(ConvergenceOrder { order, uncertainty, .. }) = fit {
             headline.quote(format!("{key}.order"), order);
-            headline.quote(format!("{key}.half"), half_width);
+            headline.quote(format!("{key}.half"), uncertainty);
         }
     }
 
@@ -85,7 +87,7 @@ impl RateRow {
     /// (order − τ + 1) over what the order may be off by, of the error and of the root of the term.
     pub fn from_optimal(&self) -> [Option<f64>; 2] {
         [self.error, self.term]
-            .map(|fit| fit.map(|fit| (fit.order - (self.study.tau - 1.0)) / fit.half_width))
+            .map(|fit| fit.map(|fit| (fit.order - (self.study.tau - 1.0)) / fit.uncertainty))
     }
 }
 
@@ -122,8 +124,8 @@ pub fn order_columns(keys: [&'static str; 2], title: &str, of: &str, half_width:
 }
 
 /// The cells of an order and its half-width.
-pub fn fit_cells(fit: Option<Fit>) -> [Cell; 2] {
-    [fit.map(|fit| fit.order).into(), fit.map(|fit| fit.half_width).into()]
+pub fn fit_cells(fit: Option<ConvergenceOrder>) -> [Cell; 2] {
+    [fit.map(|fit| fit.order).into(), fit.map(|fit| fit.uncertainty).into()]
 }
 
 /// The number whose lower end is lowest, or one that is NaN; `None` where one is missing or none was given.
@@ -206,7 +208,7 @@ fn cells(RateRow { study, error, term }: &RateRow) -> Result<Vec<Cell>> {
         study.subject.name().into(),
         study.tau.into(),
         error.map(|fit| fit.order).into(),
-        error.map(|fit| fit.half_width).into(),
+        error.map(|fit| fit.uncertainty).into(),
         error.map_or(Cell::Missing, |fit| fit.model.to_string().into()),
         Bound::Optimal.exponent(study.tau)?.into(),
         paper.into(),
@@ -214,7 +216,7 @@ fn cells(RateRow { study, error, term }: &RateRow) -> Result<Vec<Cell>> {
         ratio.into(),
         study.norm.map(|norm| ratio / norm).into(),
         term.map(|fit| fit.order).into(),
-        term.map(|fit| fit.half_width).into(),
+        term.map(|fit| fit.uncertainty).into(),
         (term_ratio > 0.0).then_some(term_ratio).into(),
         study.left_out().into(),
     ])

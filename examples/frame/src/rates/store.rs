@@ -5,8 +5,8 @@
 //! was edited or belongs to another format is ignored, and the level is computed again. Of two lines with the
 //! same key the later one counts.
 
+use experiments::convergence::{Flag, LevelKey, LevelMemory, RateLevel};
 use serde_json::{Value, json};
-use signorini::convergence::{Flag, LevelKey, LevelMemory, RateLevel};
 use signorini::{Error, Result};
 use std::collections::HashMap;
 use std::fs::{File, OpenOptions};

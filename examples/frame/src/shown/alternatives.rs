@@ -2,8 +2,8 @@
 
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Column, Format, Result, Table};
+use experiments::convergence::observed_orders;
 use experiments::proof::{AlternativeRow, AlternativeStudy};
-use signorini::convergence::observed_orders;
 use signorini::proof::{Case, Classification};
 use signorini::scenes::Scene;
 

@@ -8,11 +8,11 @@ use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
-use crate::cone::Cone;
-use crate::contact::{ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result, ToolkitError};
-use crate::scenes::{MeshTransition, TransitionPowers};
 use fractional_sobolev::Estimate;
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, ContactSolution, Solver};
+use signorini::scenes::{MeshTransition, TransitionPowers};
+use signorini::{Error, Result, ToolkitError};
 
 /// Where the transition lies.
 const POSITIONS: [f64; 2] = [1.0 / 3.0, 2.0 / 3.0];
@@ -44,7 +44,7 @@ impl TransitionRates {
     /// The studies of the given cones; `report` is called for each level at each position.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for no level or a finest mesh of more than 1024 squares; as
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for no level or a finest mesh of more than 1024 squares; as
     /// [`MeshTransition::new`]; those of solvers and norms.
     pub fn study(&self, cones: &[Cone], mut report: impl FnMut()) -> Result<Vec<RateStudy>> {
         let finest = u32::try_from(self.levels.saturating_sub(1))

@@ -8,19 +8,17 @@
 //! | one transition on meshes, against its known solution | [`TransitionRates`] |
 //! | the scenes' regularity beside their orders | [`scene_orders`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
-//! | the order p ± what it may be off by; of an alternating series | [`Fit`]; [`Trend`] |
+//! | the exponent of an alternating series | [`Trend`] |
 //! | the power of \|ln h\| at τ = 2 | [`LogarithmFit`] |
 //! | the exponent at a scene's worst corner, read off graded meshes | [`CornerReading`] |
 //! | one body at its clamped end, solved; on all roads | [`EndRun`], [`EndCase`] |
-//! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 
-mod bounds;
 mod case_study;
 mod clamped_end;
 mod clamped_end_case;
 mod corner_reading;
 mod family;
-mod fit;
+
 mod group;
 mod level;
 mod level_loop;
@@ -29,7 +27,7 @@ mod memory;
 mod mesh_rates;
 mod orders;
 mod scene_orders;
-mod series;
+
 mod strip_levels;
 mod strip_rates;
 mod study;
@@ -37,13 +35,11 @@ mod subject;
 mod transition_rates;
 mod trend;
 
-pub use bounds::Bound;
 pub use case_study::{CaseStudy, Solved, mean_errors};
 pub use clamped_end::{EndRun, Start};
 pub use clamped_end_case::EndCase;
 pub use corner_reading::CornerReading;
 pub use family::SceneFamily;
-pub use fit::{Fit, Model};
 pub use group::StripGroup;
 pub use level::{Flag, RateLevel};
 pub use level_loop::{Facts, Level, LevelProblem, solve_levels};

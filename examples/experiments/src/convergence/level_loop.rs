@@ -1,8 +1,8 @@
 //! The level loop: operator and load, contact solution, error, level after level, each from the coarser one.
 
-use crate::cone::{Cone, Status};
-use crate::error::Result;
 use fractional_sobolev::Estimate;
+use signorini::Result;
+use signorini::cone::{Cone, Status};
 use std::time::Instant;
 
 /// One problem on nested levels, coarsest first.

@@ -8,13 +8,13 @@
 //! and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same
 //! length over the last four decades before ℓ/4: largest relative deviation, one common factor.
 
-use crate::cone::{Cone, ContactSet, Judgement};
-use crate::contact::{ContactSolution, Solver};
-use crate::edge::{RadialInterval, radial_intervals};
-use crate::error::Result;
-use crate::numeric::line::Line;
-use crate::scenes::ClampedEnd;
-use crate::singular::ContactZone;
+use crate::line::Line;
+use signorini::Result;
+use signorini::cone::{Cone, ContactSet, Judgement};
+use signorini::contact::{ContactSolution, Solver};
+use signorini::edge::{RadialInterval, radial_intervals};
+use signorini::scenes::ClampedEnd;
+use signorini::singular::ContactZone;
 
 /// How a scene is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,8 +50,8 @@ impl EndRun {
     /// Solves the scene.
     ///
     /// # Errors
-    /// As for [`ClampedEnd::problem`], [`crate::contact::ContactProblem::solve`] and
-    /// [`crate::contact::ContactProblem::solve_by_sizes`].
+    /// As for [`ClampedEnd::problem`], [`signorini::contact::ContactProblem::solve`] and
+    /// [`signorini::contact::ContactProblem::solve_by_sizes`].
     pub fn of(scene: &ClampedEnd, cone: Cone, start: Start) -> Result<Self> {
         let problem = scene.problem()?;
         let radii = problem.edge().arc();

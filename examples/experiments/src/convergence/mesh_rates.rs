@@ -3,21 +3,21 @@
 //! The reference lies on the next uniform refinement, h_r = h/2. It is no exact solution, and need not be: by
 //! orthogonality
 //! |u_ref − u_h|² ≈ |u − u_h|² − |u − u_ref|², and with the model e² = A h^{2p} + B h² for both the fit takes
-//! A (h^{2p} − h_r^{2p}) + B (h² − h_r²) ([`super::Fit`]). The volume load is its nodal interpolant on each
+//! A (h^{2p} − h_r^{2p}) + B (h² − h_r²) ([`signorini::rates::ConvergenceOrder`]). The volume load is its nodal interpolant on each
 //! level, an O(h²) change of the data.
 
-use super::bounds::Bound;
 use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
-use crate::cone::Cone;
-use crate::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
-use crate::error::{Error, Result, ToolkitError};
-use crate::fem::Form;
-use crate::mesh::{Hierarchy, Triangulation};
-use crate::scenes::{MeshScene, Setting, body_regularity};
 use fractional_sobolev::{Estimate, Tolerance, Work};
+use signorini::cone::Cone;
+use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
+use signorini::fem::Form;
+use signorini::mesh::{Hierarchy, Triangulation};
+use signorini::rates::Bound;
+use signorini::scenes::{MeshScene, Setting, body_regularity};
+use signorini::{Error, Result, ToolkitError};
 
 /// Uniform refinements between the finest level and the reference.
 const REFERENCE_DEPTH: usize = 1;
@@ -52,8 +52,8 @@ impl MeshRates {
     /// norm of u.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two levels, n < 2, or a reference that is too large;
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when the reference does not converge; whatever the meshes and solvers
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for fewer than two levels, n < 2, or a reference that is too large;
+    /// [`ToolkitError::ToleranceNotMet`](signorini::ToolkitError::ToleranceNotMet) when the reference does not converge; whatever the meshes and solvers
     /// return.
     pub fn study(&self, cones: &[Cone]) -> Result<Vec<RateStudy>> {
         self.check()?;
@@ -66,7 +66,7 @@ impl MeshRates {
         if !solution.status.is_converged() {
             let why = "the finest mesh stands for the exact solution and its iteration did not end";
             let reached = solution.judgement.worst();
-            return Err(Error::out_of_reach("reference solution", ALGEBRAIC, reached, why));
+            return Err(ToolkitError::out_of_reach("reference solution", ALGEBRAIC, reached, why).into());
         }
         let tau = match self.constant_load {
             false => self.scene.regularity(&self.setting)?.tau,

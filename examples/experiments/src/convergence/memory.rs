@@ -2,9 +2,9 @@
 
 use super::level::RateLevel;
 use super::subject::FamilyScene;
-use crate::cone::Cone;
-use crate::error::Result;
-use crate::strip::{Levels, StripKind};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::strip::{Levels, StripKind};
 use std::fmt;
 
 /// Everything a level of a member of a family on a strip depends on.

@@ -1,12 +1,12 @@
 //! Observed orders of convergence.
 
-use crate::error::{Error, Result, ToolkitError};
+use signorini::{Error, Result, ToolkitError};
 
 /// ln(e_{k−1}/e_k) / ln(h_{k−1}/h_k) between successive levels; `None` for the first, and where an error is
 /// not positive.
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one error per mesh size.
+/// [`ToolkitError::LengthMismatch`](signorini::ToolkitError::LengthMismatch) unless there is one error per mesh size.
 pub fn observed_orders(mesh_sizes: &[f64], errors: &[f64]) -> Result<Vec<Option<f64>>> {
     if mesh_sizes.len() != errors.len() {
         return Err(Error::Toolkit(ToolkitError::LengthMismatch {

@@ -2,13 +2,13 @@
 //! read at the corner responsible, which is known far more sharply.
 
 use super::corner_reading::CornerReading;
-use super::fit::Fit;
 use super::mesh_rates::MeshRates;
 use super::study::Quantity;
-use crate::cone::Cone;
-use crate::contact::Solver;
-use crate::error::Result;
-use crate::scenes::{BodyCorner, MeshScene, Setting, body_regularity};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::contact::Solver;
+use signorini::rates::ConvergenceOrder;
+use signorini::scenes::{BodyCorner, MeshScene, Setting, body_regularity};
 
 /// A scene with its regularity and what a rate study shows.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +22,7 @@ pub struct SceneOrder {
     /// The same with the contact set of uniform squares alone, as fine as the finest of the study.
     pub on_squares: f64,
     /// Order of the error; `None` for too few levels.
-    pub order: Option<Fit>,
+    pub order: Option<ConvergenceOrder>,
     /// The exponent read at the corner; `None` for scenes that have none ([`CornerReading::of`]).
     pub reading: Option<CornerReading>,
 }
@@ -30,7 +30,7 @@ pub struct SceneOrder {
 impl SceneOrder {
     /// |order − min(1, τ − 1)| over what the order may be off by.
     pub fn deviation(&self) -> Option<f64> {
-        self.order.map(|fit| (fit.order - (self.tau - 1.0).min(1.0)).abs() / fit.half_width)
+        self.order.map(|fit| (fit.order - (self.tau - 1.0).min(1.0)).abs() / fit.uncertainty)
     }
 
     /// Its numbers by name: tau, on_squares, and read with read_error where an exponent was read, border

@@ -3,10 +3,10 @@
 //!
 //! The regression line of ln q against ln h over the finer half of the levels (at least three). Its
 //! uncertainty is the larger of three standard errors (the alternation as scatter) and twice the largest
-//! change when a level is left out at either end (a series that has not settled). [`super::Fit`] asks more:
+//! change when a level is left out at either end (a series that has not settled). [`signorini::rates::ConvergenceOrder`] asks more:
 //! it is for series without alternation, or averaged over it.
 
-use crate::numeric::line::Line;
+use crate::line::Line;
 
 /// Fewest levels that show a trend.
 const FEWEST: usize = 3;

@@ -5,10 +5,10 @@
 //! the ratio of errors, alternates with the position of the transition in its cell.
 
 use super::level_loop::{Facts, Level, LevelProblem, solve_levels};
-use crate::cone::Cone;
-use crate::error::{Error, Result, ToolkitError};
-use crate::strip::{EdgeOperator, EdgeSolution, Levels, StripProblem, solve_contact};
 use fractional_sobolev::Estimate;
+use signorini::cone::Cone;
+use signorini::strip::{EdgeOperator, EdgeSolution, Levels, StripProblem, solve_contact};
+use signorini::{Error, Result, ToolkitError};
 
 /// A problem on a strip with its levels.
 #[derive(Debug, Clone, Copy)]

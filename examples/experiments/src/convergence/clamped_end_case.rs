@@ -4,12 +4,12 @@
 //! is put at fine + (fine − coarse)/3, and its distance from the finer value is the estimate of its error.
 
 use super::clamped_end::{EndRun, Start};
-use crate::cone::Cone;
-use crate::error::Result;
-use crate::mesh::Outline;
-use crate::scenes::ClampedEnd;
-use crate::singular::ContactZone;
 use fractional_sobolev::{Estimate, Work};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::mesh::Outline;
+use signorini::scenes::ClampedEnd;
+use signorini::singular::ContactZone;
 use std::f64::consts::LN_10;
 
 /// A scene with all its solutions.

@@ -4,10 +4,10 @@ use super::family::SceneFamily;
 use super::memory::LevelMemory;
 use super::strip_rates::RateStrip;
 use super::study::RateStudy;
-use crate::cone::Cone;
-use crate::error::Result;
-use crate::scenes::StripScene;
-use crate::strip::{Levels, StripKind};
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::scenes::StripScene;
+use signorini::strip::{Levels, StripKind};
 
 /// Families of scenes on one strip, with its levels and its reference grid.
 pub struct StripGroup {

@@ -13,14 +13,14 @@
 //! extrapolated from cells and 2 cells. The error of the [`Estimate`] is twice the distance of these two, six
 //! times what is extrapolated, and what the last shells still move. Cost: two solutions of some 10⁴ nodes.
 
-use crate::cone::{Cone, ContactSet};
-use crate::contact::{ContactProblem, ContactSolution, Solver};
-use crate::edge::radial_intervals;
-use crate::error::{Error, Result, ToolkitError};
-use crate::fem::{Form, gradients, stresses};
-use crate::mesh::{Hierarchy, Point, Triangulation, distance, doubled_area, middle};
-use crate::scenes::{BodyCorner, MeshScene, Setting};
 use fractional_sobolev::{Estimate, Work};
+use signorini::cone::{Cone, ContactSet};
+use signorini::contact::{ContactProblem, ContactSolution, Solver};
+use signorini::edge::radial_intervals;
+use signorini::fem::{Form, gradients, stresses};
+use signorini::mesh::{Hierarchy, Point, Triangulation};
+use signorini::scenes::{BodyCorner, MeshScene, Setting};
+use signorini::{Error, Result, ToolkitError};
 use std::f64::consts::PI;
 
 /// The outermost shell, in units of the squares of the scenes.
@@ -52,8 +52,8 @@ impl CornerReading {
     /// not a node.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ cells ≤ 64; those of meshes and solvers;
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when a solver did not converge or the stress vanishes at the corner.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless 2 ≤ cells ≤ 64; those of meshes and solvers;
+    /// [`ToolkitError::ToleranceNotMet`](signorini::ToolkitError::ToleranceNotMet) when a solver did not converge or the stress vanishes at the corner.
     pub fn of(scene: MeshScene, setting: &Setting, cells: usize) -> Result<Option<Self>> {
         if !(2..=64).contains(&cells) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -108,7 +108,7 @@ impl Read {
         let is_finite = [a, b, c, d].iter().all(|p| p.is_finite());
         if !is_finite || !solution.status.is_converged() {
             let why = "the solver did not converge, or the stress vanishes at the corner";
-            return Err(Error::out_of_reach("exponent of a corner", 1.0, c, why));
+            return Err(ToolkitError::out_of_reach("exponent of a corner", 1.0, c, why).into());
         }
         let (first, second) = (b - a, c - b);
         let step = if (second / first).abs() < 1.0 { second * second / (first - second) } else { second };
@@ -154,4 +154,18 @@ fn shells(problem: &ContactProblem, solution: &ContactSolution, place: Point) ->
         }
     }
     Ok(energies)
+}
+
+fn distance(a: Point, b: Point) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+/// Twice the signed area of a triangle.
+fn doubled_area([a, b, c]: [Point; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+}
+
+/// The centre of gravity of a triangle.
+fn middle([a, b, c]: [Point; 3]) -> Point {
+    [0, 1].map(|k| (a[k] + b[k] + c[k]) / 3.0)
 }

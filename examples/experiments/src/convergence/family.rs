@@ -1,9 +1,9 @@
 //! Families of scenes on a strip: a scene, or one at several positions whose errors are averaged.
 
 use super::subject::FamilyScene;
-use crate::error::{Error, Result, ToolkitError};
-use crate::scenes::{StripScene, TransitionPowers};
-use crate::strip::{EdgeData, Sides, StripKind};
+use signorini::scenes::{StripScene, TransitionPowers};
+use signorini::strip::{EdgeData, Sides, StripKind};
+use signorini::{Error, Result, ToolkitError};
 
 /// One family of scenes: a scene, or one at several positions whose errors are averaged.
 pub struct SceneFamily<'a> {
@@ -22,7 +22,7 @@ impl SceneFamily<'static> {
     /// is moved over `positions` places of a cell, spread over the cells of every level when odd.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for no position.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for no position.
     pub fn named(
         source: &StripScene,
         tau: f64,

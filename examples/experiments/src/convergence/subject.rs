@@ -1,7 +1,7 @@
 //! What a rate study solves.
 
-use crate::scenes::{MeshScene, StripScene, TransitionPowers};
-use crate::strip::StripKind;
+use signorini::scenes::{MeshScene, StripScene, TransitionPowers};
+use signorini::strip::StripKind;
 use std::fmt;
 
 /// A scene on a strip, or one transition of given powers.

@@ -12,10 +12,10 @@ use super::memory::{LevelKey, LevelMemory};
 use super::strip_levels::StripLevels;
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
-use crate::cone::Cone;
-use crate::edge::{consistency_terms, edge_norm};
-use crate::error::{Error, Result, ToolkitError};
-use crate::strip::{EdgeData, EdgeOperator, Levels, Reference, StripKind, StripProblem};
+use signorini::cone::Cone;
+use signorini::edge::{consistency_terms, edge_norm};
+use signorini::strip::{EdgeData, EdgeOperator, Levels, Reference, StripKind, StripProblem};
+use signorini::{Error, Result, ToolkitError};
 
 /// The reference grid is this much finer than the finest level that counts.
 const RESOLVED: usize = 16;
@@ -34,7 +34,7 @@ impl RateStrip {
     /// A strip with the given levels and reference grid.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the reference grid is a power of two that is finer than every level
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless the reference grid is a power of two that is finer than every level
     /// and has at most 2^22 cells.
     pub fn new(kind: StripKind, levels: Levels, reference_cells: usize) -> Result<Self> {
         let finest = levels.cells().max().unwrap_or(0);

@@ -1,7 +1,7 @@
 //! One level of a rate study, and why it may not enter a fit.
 
 use super::level_loop::{Facts, Level};
-use crate::error::{Error, Result, ToolkitError};
+use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 
 /// Why a level is left out of every fit and bound.
@@ -93,7 +93,7 @@ impl RateLevel {
     /// as worst or sum.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without any level.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) without any level.
     pub fn mean(levels: &[RateLevel]) -> Result<RateLevel> {
         let Some(first) = levels.first() else {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -131,8 +131,8 @@ impl RateLevel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cone::Status;
     use fractional_sobolev::{Estimate, Work};
+    use signorini::cone::Status;
 
     fn level(cells: usize, status: Status, kkt: f64, error_bound: f64) -> RateLevel {
         let facts = Facts { cells, unknowns: 4160.0, contact_runs: 2, inner_iterations: vec![], status, kkt };

@@ -1,11 +1,11 @@
 //! A rate study: levels of one scene in one cone, with fits and bounds.
 
-use super::bounds::Bound;
-use super::fit::Fit;
 use super::level::RateLevel;
 use super::subject::Subject;
-use crate::cone::Cone;
-use crate::error::Result;
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::rates::Bound;
+use signorini::rates::ConvergenceOrder;
 
 /// What stands for the exact solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,25 +90,25 @@ impl RateStudy {
     }
 
     /// The order of a quantity with its uncertainty; `None` for too few levels or a quantity that vanishes.
-    pub fn fit(&self, quantity: Quantity) -> Option<Fit> {
+    pub fn fit(&self, quantity: Quantity) -> Option<ConvergenceOrder> {
         match quantity {
             Quantity::Error => self.error_fit(&self.points(quantity)),
             // The term has no smooth part: a power of h alone, once the pieces of the contact set are
             // resolved.
-            Quantity::Consistency => Fit::power(&self.points(quantity)),
+            Quantity::Consistency => ConvergenceOrder::of_power(&self.points(quantity)),
         }
     }
 
-    fn error_fit(&self, points: &[(f64, f64)]) -> Option<Fit> {
+    fn error_fit(&self, points: &[(f64, f64)]) -> Option<ConvergenceOrder> {
         let h = match self.reference {
-            RateReference::Discrete(h) => return Fit::against(points, Some(h)),
-            RateReference::Exact => return Fit::of(points),
+            RateReference::Discrete(h) => return ConvergenceOrder::against(points, Some(h)),
+            RateReference::Exact => return ConvergenceOrder::of(points),
             RateReference::Resolved(h) => h,
         };
-        let (with, without) = (Fit::against(points, Some(h))?, Fit::of(points)?);
+        let (with, without) = (ConvergenceOrder::against(points, Some(h))?, ConvergenceOrder::of(points)?);
         let change = (with.order - without.order).abs();
         let fit = if self.tau <= ROUGH { with } else { without };
-        Some(Fit { half_width: fit.half_width.max(UNRESOLVED * change), ..fit })
+        Some(ConvergenceOrder { uncertainty: fit.uncertainty.max(UNRESOLVED * change), ..fit })
     }
 
     /// quantity / bound(h) on every level that counts.
@@ -148,7 +148,7 @@ impl RateStudy {
     /// As [`Bound::value`].
     pub fn is_bounded(&self, quantity: Quantity, bound: Bound) -> Result<bool> {
         let exponent = bound.exponent(self.tau)?;
-        if self.fit(quantity).is_some_and(|fit| fit.order + fit.half_width >= exponent) {
+        if self.fit(quantity).is_some_and(|fit| fit.order + fit.uncertainty >= exponent) {
             return Ok(true);
         }
         Ok(self.growth(quantity, bound)?.is_none_or(|growth| growth <= 1.0))

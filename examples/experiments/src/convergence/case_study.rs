@@ -5,10 +5,10 @@
 
 use super::level_loop::Level;
 use super::strip_levels::strip_levels;
-use crate::error::{Error, Result, ToolkitError};
-use crate::scenes::{StripCase, StripScene};
-use crate::strip::{EdgeData, StripProblem};
 use fractional_sobolev::{Estimate, Work};
+use signorini::scenes::{StripCase, StripScene};
+use signorini::strip::{EdgeData, StripProblem};
+use signorini::{Error, Result, ToolkitError};
 
 /// The levels of a case at every position.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,7 @@ impl CaseStudy {
     /// Solves all levels of a case at all positions; `report` is called after each level.
     ///
     /// # Errors
-    /// As [`StripCase::sources`], [`crate::scenes::StripScene::data`], [`StripProblem::new`] and
+    /// As [`StripCase::sources`], [`signorini::scenes::StripScene::data`], [`StripProblem::new`] and
     /// [`strip_levels`].
     pub fn of(case: &StripCase, mut report: impl FnMut(&Level)) -> Result<Self> {
         let sources = case.sources()?;
@@ -127,7 +127,7 @@ impl CaseStudy {
 /// Root mean square of the errors of several studies over the same levels.
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for studies of different lengths; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without any.
+/// [`ToolkitError::LengthMismatch`](signorini::ToolkitError::LengthMismatch) for studies of different lengths; [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) without any.
 pub fn mean_errors(studies: &[Vec<Level>]) -> Result<Vec<Estimate>> {
     let Some(first) = studies.first() else {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

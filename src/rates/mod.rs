@@ -1,0 +1,13 @@
+//! Rates of convergence: the a priori bounds of the paper, and the order that measured errors show.
+//!
+//! | | here |
+//! | --- | --- |
+//! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
+//! | the order p of errors e ~ h^p, with its uncertainty | [`ConvergenceOrder`] |
+
+mod bounds;
+mod order;
+mod series;
+
+pub use bounds::Bound;
+pub use order::{ConvergenceOrder, ErrorModel};
