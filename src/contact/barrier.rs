@@ -56,7 +56,7 @@ struct Change {
 /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when lengths disagree;
 /// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) for sizes that are not positive; [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for loads and gaps beyond
 /// binary64; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone.
-pub fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
+pub(super) fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
     if problem.cone != Cone::Nodal {
         let given = problem.cone.to_string();
         return Err(Error::Toolkit(ToolkitError::Incompatible {

@@ -26,7 +26,6 @@ mod solver;
 mod units;
 
 pub use active_set::{EdgeOutcome, solve_on_edge};
-pub use barrier::solve_by_barrier;
 pub use edge_problem::{EdgeProblem, EdgeState};
 pub use multigrid::{
     Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridLevel, MultigridProgress, MultigridSolution,

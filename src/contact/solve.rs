@@ -82,13 +82,17 @@ impl ContactProblem {
         condensed::solve(self, cone, guess, None).map(|(solution, _)| solution)
     }
 
-    /// The discrete solution in the nodal cone by an interior point method on the condensed edge whose
-    /// barrier knows the relative `sizes` expected of the displacement at the nodes of the edge
-    /// ([`super::solve_by_barrier`]): near a singular point it sees the contact set in every decade.
+    /// The discrete solution in the nodal cone by an interior point method on the condensed edge, with one barrier
+    /// weight per node: S_ii d_i² for the relative `sizes` d_i > 0 expected of the displacement there.
+    ///
+    /// Near a singular point it is used on every decade of the mesh. [`Solver::InteriorPoint`], with one weight for
+    /// all nodes, is run on half as many decades in `section_1_clamped_end`, because it does not resolve more.
     ///
     /// # Errors
-    /// As for [`ContactProblem::solve`] and [`super::solve_by_barrier`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) on a
-    /// closed edge.
+    /// As for [`ContactProblem::solve`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) and
+    /// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) for `sizes` of another length or not
+    /// positive; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) on a closed edge and on one
+    /// in several pieces.
     pub fn solve_by_sizes(&self, sizes: &[f64]) -> Result<ContactSolution> {
         self.edge.require_one_piece()?;
         if self.edge().is_closed() {
