@@ -5,10 +5,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
-    interpolation::{LocalConstants, WorstRatios, worst_ratios},
-};
+use experiments::interpolation::{WorstRatios, worst_ratios};
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, interpolation::LocalConstants};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -5,10 +5,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Partition, Tolerance,
-    interpolation::{InterpolationError, LocalConstants, MeshRatios, SampleSlope},
-};
+use experiments::interpolation::{InterpolationError, MeshRatios, SampleSlope};
+use fractional_sobolev::{Estimate, FractionalOrder, Partition, Tolerance, interpolation::LocalConstants};
 use std::process::ExitCode;
 
 /// Cells per element and largest number of elements for the best constant on a mesh.

@@ -6,11 +6,10 @@
 
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
+use experiments::interpolation::{AliasedWave, all_waves_rate, observed_rates, smooth_dual_error};
 use fractional_sobolev::{
     Estimate, FractionalOrder, Tolerance,
-    interpolation::{
-        AliasedWave, ErrorNorm, all_waves_rate, element_constant, observed_rates, smooth_dual_error,
-    },
+    interpolation::{ErrorNorm, element_constant},
 };
 use std::process::ExitCode;
 

@@ -6,12 +6,10 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{
-    Error, Estimate,
-    interpolation::{
-        DualRates, SampleSlope, power_lagrange_rate, sample_projection_rate, saturation_quotient,
-    },
+use experiments::interpolation::{
+    DualRates, SampleSlope, power_lagrange_rate, sample_projection_rate, saturation_quotient,
 };
+use fractional_sobolev::{Error, Estimate};
 use std::process::ExitCode;
 
 /// Distance of a measured rate from the theoretical one that counts as agreement.

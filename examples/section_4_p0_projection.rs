@@ -5,10 +5,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use fractional_sobolev::{
-    Estimate, Tolerance,
-    interpolation::{ProjectionRates, ProjectionStudy, projection_constant},
-};
+use experiments::interpolation::{ProjectionRates, ProjectionStudy};
+use fractional_sobolev::{Estimate, Tolerance, interpolation::projection_constant};
 use std::process::ExitCode;
 
 /// Distance of a rate from r or r + 1/2, its uncertainty included, that counts as agreement: a tenth of half

@@ -10,10 +10,10 @@
 use example_frame::Expression;
 use example_frame::contact::Material;
 use experiments::SplitMix;
+use experiments::interpolation::SampleSlope;
 use experiments::proof::Resolution;
 use fractional_sobolev::{
     FractionalOrder, GalleryFunction, Tolerance,
-    interpolation::SampleSlope,
     poincare::{Condition, Place},
 };
 use peak_alloc::PeakAlloc;

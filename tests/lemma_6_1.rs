@@ -4,11 +4,11 @@
 #[path = "../examples/lemma_6_1_local_estimate.rs"]
 mod example;
 
+use experiments::interpolation::{InterpolationError, RoughFamily, RoughSlopes, power_slope};
 use fractional_sobolev::{
     Error, FractionalOrder, Partition, Tolerance,
     interpolation::{
-        ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, ascend, element_constant,
-        element_extremal, limits, longest_element, power_slope,
+        ElementMesh, ErrorNorm, ascend, element_constant, element_extremal, limits, longest_element,
     },
 };
 use serde_json::Value;

@@ -4,11 +4,12 @@
 #[path = "../examples/lemma_6_2_global_estimate.rs"]
 mod example;
 
+use experiments::interpolation::{InterpolationError, RoughFamily, RoughSlopes, SampleSlope};
 use fractional_sobolev::{
     Error, FractionalOrder, Partition, Tolerance,
     interpolation::{
-        ElementMesh, ErrorNorm, InterpolationError, RoughFamily, RoughSlopes, SampleSlope, ascend,
-        element_constant, longest_element, mesh_constant, mesh_constant_on_cells,
+        ElementMesh, ErrorNorm, ascend, element_constant, longest_element, mesh_constant,
+        mesh_constant_on_cells,
     },
 };
 

@@ -4,9 +4,10 @@
 #[path = "../examples/remark_2_dual_norm_counterexample.rs"]
 mod example;
 
+use experiments::interpolation::{AliasedWave, all_waves_mean};
 use fractional_sobolev::{
     FractionalOrder, Tolerance,
-    interpolation::{AliasedWave, ErrorNorm, all_waves_mean, element_constant},
+    interpolation::{ErrorNorm, element_constant},
 };
 
 /// Required of the exponents.

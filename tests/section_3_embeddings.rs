@@ -4,12 +4,10 @@
 #[path = "../examples/section_3_embedding_constants.rs"]
 mod example;
 
+use experiments::interpolation::{RoughFamily, RoughSlopes, SampleSlope};
 use fractional_sobolev::{
     FractionalOrder, Partition, Tolerance,
-    interpolation::{
-        EmbeddingSpace, EndIncrements, RoughFamily, RoughSlopes, SampleSlope, critical_exponent,
-        embedding_upper_bound,
-    },
+    interpolation::{EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound},
 };
 
 /// C(q)/√q for q = 2 ... 200 at ν = 1/2.

@@ -7,11 +7,13 @@ mod example;
 #[path = "../examples/remark_4_saturation.rs"]
 mod saturation;
 
+use experiments::interpolation::{
+    SampleSlope, sample_projection_dual_error, sample_projection_error, wave_constant,
+};
 use fractional_sobolev::{
     Error, FractionalOrder, Partition, Tolerance,
     interpolation::{
-        ElementMesh, ProjectionNorm, SampleSlope, dual_projection_constant, projection_constant,
-        projection_norm_on_cells, sample_projection_dual_error, sample_projection_error, wave_constant,
+        ElementMesh, ProjectionNorm, dual_projection_constant, projection_constant, projection_norm_on_cells,
     },
     poincare::{Condition, Zone, gamma},
 };

@@ -111,6 +111,5 @@ pub use plane::{
     coordinate_on_unit_square, gradient_limit, perimeter_limit,
 };
 pub use quadrature::{PowerWeightRule, Rule};
-pub(crate) use root::root_of_squares;
 pub(crate) use trace::HalfLineSymbol;
 pub use trace::{SquareTrace, WedgeTrace, extension_profile, half_plane_trace, half_plane_trace_at_one};

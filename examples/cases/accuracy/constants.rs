@@ -2,11 +2,12 @@
 
 use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
 use experiments::SplitMix;
+use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
 use fractional_sobolev::{
     Estimate, FractionalOrder, Partition, Result, Work,
     interpolation::{
-        ErrorNorm, InterpolationError, ProjectionNorm, SampleSlope, element_constant, extremal_slopes,
-        limits, mean_deviation, power_slope, projection_norm_on_mesh,
+        ErrorNorm, ProjectionNorm, element_constant, extremal_slopes, limits, mean_deviation,
+        projection_norm_on_mesh,
     },
     poincare::{
         Condition, Moment, StrongForm, Zone, end_limit, gamma, gamma_at_point, half_order_moment, moment_norm,

@@ -8,6 +8,7 @@ pub mod explicit_bound;
 pub mod growth;
 pub mod hard_cases;
 pub mod induction;
+pub mod interpolation;
 mod line;
 pub mod location;
 mod parallel;
@@ -16,6 +17,7 @@ mod random;
 mod scale;
 mod search;
 pub mod solver_variants;
+mod sum;
 pub mod trial;
 pub mod wedge_grid;
 

@@ -6,9 +6,9 @@
 
 use crate::HasOutput;
 use clap::{Arg, ArgAction, Args, Command, Parser};
+use experiments::interpolation::SampleSlope;
 use fractional_sobolev::{
     FractionalOrder, GalleryFunction, Tolerance,
-    interpolation::SampleSlope,
     poincare::{Condition, Place},
 };
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! Appendix B, (4.6), (4.7), Remarks 2 and 4, and the embeddings of Sections 3 and 4: constants of
+//! Appendix B, (4.6), (4.7) and the embeddings of Sections 3 and 4: constants of
 //! interpolation.
 //!
 //! | paper | here |
@@ -8,16 +8,11 @@
 //! | \|u\|\_{1+ν} = \|u'\|_ν | [`crate`], double integral over both orders of x and y |
 //! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|\_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|\_{1+ν} | [`element_constant`] |
 //! | Lemma 6.1 on a triangle | [`TriangleConstants`], [`kobayashi`] |
-//! | Lemma 6.1 for one u | [`InterpolationError`], [`power_slope`] |
-//! | Lemma 6.2: for one u on a mesh, best constants on a mesh | [`InterpolationError`], [`mesh_constant`] |
-//! | functions to try, and an optimiser | [`RoughSlopes`], [`worst_ratios`], [`ascend`] |
-//! | exponents of h, and how far they may be off | [`observed_rate`] |
+//! | Lemma 6.2: best constants on a mesh | [`mesh_constant`] |
+//! | an optimiser | [`ascend`] |
 //! | π^h v, mean on each element; π^h(u') = (I^h u)' | [`ElementMesh`]; (4.6) is Lemma 6.2 for φ = u' |
 //! | (4.6), (4.7): best constants | [`projection_constant`], [`dual_projection_constant`] |
 //! | (4.6), (4.7): on a mesh | [`projection_norm_on_mesh`] |
-//! | (4.6), (4.7): their rates for all of H^r, from both sides | [`supremum_rate`], [`wave_constant`] |
-//! | Remark 4 | [`saturation_quotient`], [`power_lagrange_rate`] |
-//! | Remark 2 | [`AliasedWave`], [`all_waves_mean`], [`smooth_dual_error`] |
 //! | ‖·‖\_{1/2,*} | [`crate::dual`]: dual to the full norm (1.1) of order 1/2 on the interval |
 //! | C(q) in (3.6), (3.10), (4.12), from both sides | [`embedding_upper_bound`], [`EmbeddingSpace`] |
 //! | C(α) in (E3) | [`EndIncrements`] |
@@ -27,20 +22,15 @@
 //! All constants are those of the seminorm (1.1) as the paper defines it, on an interval of length h = 1
 //! unless said.
 
-mod dual;
 mod element;
 mod elements;
 mod embedding;
 mod extremal;
 mod forms;
 mod mesh;
-mod mesh_ratios;
 mod projection;
-mod rate;
-mod trial;
 mod triangle;
 
-pub use dual::{AliasedWave, all_waves_mean, all_waves_rate, smooth_dual_error};
 pub use element::{
     ElementExtremal, ErrorNorm, LocalConstants, element_constant, element_extremal, extremal_slopes,
     largest_share, limits, longest_element, mean_deviation,
@@ -50,16 +40,8 @@ pub use embedding::{
     EMBEDDING_GROWTH, EmbeddingSpace, EmbeddingTrial, EndIncrements, critical_exponent, embedding_upper_bound,
 };
 pub use mesh::{ascend, mesh_constant, mesh_constant_on_cells};
-pub use mesh_ratios::MeshRatios;
 pub use projection::{
-    DualRates, ProjectionNorm, ProjectionRates, ProjectionStudy, SupremumRate, dual_projection_constant,
-    power_lagrange_rate, projection_constant, projection_norm_on_cells, projection_norm_on_mesh,
-    sample_projection_dual_error, sample_projection_error, sample_projection_rate, saturation_quotient,
-    supremum_rate, wave_constant,
-};
-pub use rate::{observed_rate, observed_rates};
-pub use trial::{
-    InterpolationError, RoughFamily, RoughSlopes, SampleSlope, WorstRatios, power_slope, rearranged_shares,
-    worst_ratios,
+    ProjectionNorm, dual_projection_constant, projection_constant, projection_norm_on_cells,
+    projection_norm_on_mesh,
 };
 pub use triangle::{TriangleConstant, TriangleConstants, TriangleExtremal, TriangleShape, kobayashi};

@@ -2,9 +2,9 @@
 //! cancellation.
 
 use super::panels::{PanelRules, Squares, panel_squares, panels};
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
-use crate::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
+use fractional_sobolev::{Error, Given, Result};
+use fractional_sobolev::{Estimate, Tolerance, Work};
+use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
 use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;
@@ -28,7 +28,8 @@ const WAVE_DEGREE: usize = 9;
 /// Gauss points on each leave 1e-16.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, interpolation::SampleSlope};
+/// use experiments::interpolation::{SampleSlope};
+/// use fractional_sobolev::{FractionalOrder};
 /// let slope: SampleSlope = SampleSlope::Power(1.0);
 /// assert!(slope.value(0.25) == 0.25 && (slope.seminorm(FractionalOrder::HALF)?.value - 1.0).abs() < 1e-12);
 /// let rough = SampleSlope::barely_in(0.5)?; // x^{0.005}
@@ -61,7 +62,7 @@ impl SampleSlope {
     /// much.
     ///
     /// ```
-    /// use fractional_sobolev::interpolation::SampleSlope;
+    /// use experiments::interpolation::SampleSlope;
     /// assert_eq!(SampleSlope::barely_in(0.5)?, SampleSlope::Power(SampleSlope::EDGE));
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```

@@ -1,9 +1,9 @@
 //! Families of rough slopes with a fixed seed, to try an inequality on functions nobody has chosen to please
 //! it.
 
-use crate::error::Result;
-use crate::numeric::random::SplitMix;
-use crate::{FractionalOrder, Partition, PiecewisePolynomial};
+use crate::SplitMix;
+use fractional_sobolev::Result;
+use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial};
 use std::f64::consts::PI;
 
 /// Nodes of a sampled Weierstrass sum: three for the shortest wave kept.
@@ -65,7 +65,8 @@ impl Grading {
 /// The numbers are those of SplitMix64: the same on every machine.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{InterpolationError, RoughFamily, RoughSlopes}};
+/// use experiments::interpolation::{InterpolationError, RoughFamily, RoughSlopes};
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// let order = FractionalOrder::HALF;
 /// assert!(!RoughFamily::admissible(order).contains(&RoughFamily::Steps)); // steps are not in H^{1/2}
 /// let slope = RoughSlopes::new(RoughFamily::Linears, order, 7).draw()?;

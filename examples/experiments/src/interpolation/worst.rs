@@ -3,10 +3,10 @@
 
 use super::error::{InterpolationError, power_slope};
 use super::rough::{RoughFamily, RoughSlopes};
-use crate::FractionalOrder;
-use crate::error::{Given, Result};
-use crate::estimate::{Estimate, Tolerance};
-use crate::interpolation::element::LocalConstants;
+use fractional_sobolev::FractionalOrder;
+use fractional_sobolev::interpolation::LocalConstants;
+use fractional_sobolev::{Estimate, Tolerance};
+use fractional_sobolev::{Given, Result};
 
 /// Exponents of the powers tried, above the critical ν − 1/2: from the edge of H^ν to smooth functions.
 const GAPS: [f64; 7] = [1e-6, 1e-2, 0.1, 0.4, 0.8, 1.3, 2.0];
@@ -16,7 +16,8 @@ const GAPS: [f64; 7] = [1e-6, 1e-2, 0.1, 0.4, 0.8, 1.3, 2.0];
 /// Returned by [`worst_ratios`].
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{LocalConstants, WorstRatios, worst_ratios};
+/// use experiments::interpolation::{WorstRatios, worst_ratios};
+/// use fractional_sobolev::interpolation::{LocalConstants};
 /// let WorstRatios { l2, derivative } = worst_ratios(0.5, 5, 7)?;
 /// // functions tried at random stay below the best constants, by not much
 /// let best = LocalConstants::new(0.5, 1e-6)?;
@@ -45,7 +46,8 @@ impl WorstRatios {
 /// powers.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{LocalConstants, worst_ratios}};
+/// use experiments::interpolation::{worst_ratios};
+/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{LocalConstants}};
 /// let order = FractionalOrder::HALF;
 /// let shares = worst_ratios(order, 3, 1)?.shares(&LocalConstants::new(order, Tolerance::fast())?)?;
 /// assert!(shares.iter().all(|share| share.value < 1.0));
@@ -53,7 +55,7 @@ impl WorstRatios {
 /// ```
 ///
 /// # Errors
-/// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) when a seminorm cannot be had to 1e-8.
+/// [`Error::ToleranceNotMet`](fractional_sobolev::Error::ToleranceNotMet) when a seminorm cannot be had to 1e-8.
 pub fn worst_ratios(order: impl Given<FractionalOrder>, functions: usize, seed: u64) -> Result<WorstRatios> {
     let order = order.given()?;
     let mut tried = Vec::new();

@@ -1,12 +1,12 @@
 //! Interpolation, projection and embedding constants where arithmetic is hardest: digits or an error, never
 //! NaN.
 
+use experiments::interpolation::{InterpolationError, SampleSlope, power_slope, sample_projection_error};
 use fractional_sobolev::{
     Error, FractionalOrder, Partition, PiecewisePolynomial, Tolerance,
     interpolation::{
-        ElementMesh, EmbeddingSpace, ErrorNorm, InterpolationError, SampleSlope, ascend,
-        dual_projection_constant, element_constant, embedding_upper_bound, longest_element,
-        mesh_constant_on_cells, power_slope, projection_constant, sample_projection_error,
+        ElementMesh, EmbeddingSpace, ErrorNorm, ascend, dual_projection_constant, element_constant,
+        embedding_upper_bound, longest_element, mesh_constant_on_cells, projection_constant,
     },
 };
 

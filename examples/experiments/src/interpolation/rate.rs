@@ -1,7 +1,7 @@
 //! The exponent of h that a sequence of errors shows, and how far it may be off.
 
-use crate::error::{Error, Result};
-use crate::estimate::Estimate;
+use fractional_sobolev::Estimate;
+use fractional_sobolev::{Error, Result};
 use std::f64::consts::LN_2;
 
 /// A rate whose own error falls by two ninths or more from one pair of meshes to the next is off by at most
@@ -38,7 +38,8 @@ pub fn observed_rates(meshes: &[(usize, Estimate)]) -> Result<Vec<Option<Estimat
 /// The exponent between the last two of three meshes.
 ///
 /// ```
-/// use fractional_sobolev::{Estimate, interpolation::{observed_rate, observed_rates}};
+/// use experiments::interpolation::{observed_rate, observed_rates};
+/// use fractional_sobolev::{Estimate};
 /// let norm = |n: usize| Estimate::new((n as f64).powi(-2), 1e-12, Default::default());
 /// let meshes = [(8, norm(8)?), (16, norm(16)?), (32, norm(32)?)];
 /// assert!((observed_rate(meshes)?.value - 2.0).abs() < 1e-6);
@@ -57,7 +58,7 @@ pub fn observed_rate(meshes: [(usize, Estimate); 3]) -> Result<Estimate> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimate::Work;
+    use fractional_sobolev::Work;
 
     #[test]
     fn the_rate_of_a_slow_sequence_is_not_claimed_to_be_better_known_than_it_is() {

@@ -1,10 +1,10 @@
 //! The rates of (4.6) and (4.7) for the whole space: S(N) = sup ‖φ − π^h φ‖/|φ|_r over φ ∈ H^r(0, 1),
 //! h = 1/N.
 
-use super::constant::ProjectionNorm;
-use super::on_mesh::projection_norm_on_cells;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
+use fractional_sobolev::interpolation::ProjectionNorm;
+use fractional_sobolev::interpolation::projection_norm_on_cells;
+use fractional_sobolev::{Error, Result};
+use fractional_sobolev::{Estimate, Work};
 use std::f64::consts::PI;
 
 /// The rate of S(N), from four meshes.
@@ -12,7 +12,8 @@ use std::f64::consts::PI;
 /// Returned by [`supremum_rate`].
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{ProjectionNorm, SupremumRate, supremum_rate};
+/// use experiments::interpolation::{SupremumRate, supremum_rate};
+/// use fractional_sobolev::interpolation::{ProjectionNorm};
 /// let SupremumRate { rate, observed, .. } = supremum_rate(ProjectionNorm::L2, 0.25, 16, 8)?;
 /// // with the constant part taken out the exponent is nearer to r
 /// assert!((rate.value - 0.25).abs() < (observed.value - 0.25).abs());
@@ -70,7 +71,8 @@ const GROWTH: f64 = 1e-9;
 /// uncertainty.
 ///
 /// ```
-/// use fractional_sobolev::{Tolerance, interpolation::{ProjectionNorm, projection_constant, supremum_rate, wave_constant}};
+/// use experiments::interpolation::{supremum_rate, wave_constant};
+/// use fractional_sobolev::{Tolerance, interpolation::{ProjectionNorm, projection_constant}};
 /// let found = supremum_rate(ProjectionNorm::L2, 0.5, 16, 8)?;
 /// assert!((found.rate.value - 0.5).abs() < 0.05);
 /// // S(N) N^r lies between the wave and the constant of one element
@@ -152,8 +154,8 @@ pub fn wave_constant(norm: ProjectionNorm, r: f64, elements: usize) -> Result<Es
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::FractionalOrder;
-    use crate::interpolation::trial::SampleSlope;
+    use crate::interpolation::sample::SampleSlope;
+    use fractional_sobolev::FractionalOrder;
 
     #[test]
     fn the_wave_stays_below_its_bound_and_reaches_it() {

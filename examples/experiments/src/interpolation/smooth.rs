@@ -1,9 +1,9 @@
 //! Beside Remark 2: the dual norm of the interpolation error of a smooth function, which is of order h².
 
-use super::norm::DualNorm;
-use crate::Partition;
-use crate::error::Result;
-use crate::estimate::Estimate;
+use super::dual_norm::DualNorm;
+use fractional_sobolev::Estimate;
+use fractional_sobolev::Partition;
+use fractional_sobolev::Result;
 
 /// Cells per element of the dual norm.
 const CELLS: usize = 4;
@@ -11,7 +11,7 @@ const CELLS: usize = 4;
 /// ‖u − I^h u‖_{1/2,*} for u = −e^x on N equal elements of (0, 1).
 ///
 /// ```
-/// use fractional_sobolev::interpolation::smooth_dual_error;
+/// use experiments::interpolation::smooth_dual_error;
 /// // e ≈ h² e^x/12 on average: between its mean and its L² norm
 /// let scaled = smooth_dual_error(16)?.value * 12.0 * 256.0;
 /// assert!(scaled > 1.71 && scaled < 2.0);
@@ -19,7 +19,7 @@ const CELLS: usize = 4;
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 1024 of them.
+/// [`Error::CountOutOfRange`](fractional_sobolev::Error::CountOutOfRange) without elements or for more than 1024 of them.
 pub fn smooth_dual_error(elements: usize) -> Result<Estimate> {
     let cells = Partition::uniform(elements.saturating_mul(CELLS), 1.0)?;
     let h = 1.0 / elements as f64;

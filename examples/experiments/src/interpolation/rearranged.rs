@@ -1,11 +1,11 @@
 //! Seminorms of rough functions and of their monotone rearrangements.
 
 use super::rough::{RoughFamily, RoughSlopes};
-use crate::FractionalOrder;
-use crate::error::Result;
-use crate::estimate::{Estimate, Tolerance};
-use crate::numeric::parallel;
-use crate::numeric::random::SplitMix;
+use crate::SplitMix;
+use crate::parallel;
+use fractional_sobolev::FractionalOrder;
+use fractional_sobolev::Result;
+use fractional_sobolev::{Estimate, Tolerance};
 
 /// Orders are drawn from [this, 1 − this], for steps from [this, 1/2 − this].
 const LEAST_ORDER: f64 = 0.01;
@@ -14,14 +14,14 @@ const LEAST_ORDER: f64 = 0.01;
 /// largest, at most one, and one where v is monotone; and the mean of all.
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{RoughFamily, rearranged_shares};
+/// use experiments::interpolation::{RoughFamily, rearranged_shares};
 /// let (largest, mean) = rearranged_shares(RoughFamily::Steps, 10, 1)?;
 /// assert!(largest.value <= 1.0 + largest.error && mean < largest.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
-/// Those of [`crate::PiecewisePolynomial::seminorm`].
+/// Those of [`fractional_sobolev::PiecewisePolynomial::seminorm`].
 pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(Estimate, f64)> {
     let highest = if family == RoughFamily::Steps { 0.5 - LEAST_ORDER } else { 1.0 - LEAST_ORDER };
     let mut random = SplitMix::new(seed);
@@ -30,7 +30,7 @@ pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(
         let order = FractionalOrder::new(orders[k])?;
         let function = RoughSlopes::new(family, order, seed.wrapping_add(k as u64)).draw()?;
         let sorted = function.decreasing_rearrangement()?;
-        let seminorm = |u: &crate::PiecewisePolynomial| u.seminorm(order, Tolerance::balanced());
+        let seminorm = |u: &fractional_sobolev::PiecewisePolynomial| u.seminorm(order, Tolerance::balanced());
         seminorm(&sorted)?.over(seminorm(&function)?)
     };
     let shares = parallel::map(orders.len(), &share).into_iter().collect::<Result<Vec<_>>>()?;

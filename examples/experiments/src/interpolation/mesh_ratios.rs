@@ -1,17 +1,18 @@
 //! Lemma 6.2 on one mesh: the ratios of one function, the largest on the mesh, and those of one element.
 
-use super::element::{ErrorNorm, LocalConstants};
-use super::mesh::mesh_constant_on_cells;
-use super::trial::{InterpolationError, SampleSlope};
-use crate::error::Result;
-use crate::estimate::Estimate;
-use crate::{FractionalOrder, Partition};
+use super::{error::InterpolationError, sample::SampleSlope};
+use fractional_sobolev::Estimate;
+use fractional_sobolev::Result;
+use fractional_sobolev::interpolation::mesh_constant_on_cells;
+use fractional_sobolev::interpolation::{ErrorNorm, LocalConstants};
+use fractional_sobolev::{FractionalOrder, Partition};
 
 /// Ratios ‖u − I^h u‖₀ / (h^{1+ν} |u|\_{1+ν}), ‖(u − I^h u)'‖₀ / (h^ν |u|\_{1+ν}) and that of the full norm, in
 /// this order, on N equal elements of (0, 1).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{LocalConstants, MeshRatios, SampleSlope}};
+/// use experiments::interpolation::{MeshRatios, SampleSlope};
+/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{LocalConstants}};
 /// let slope: SampleSlope = "power:0.3".parse()?;
 /// let best = LocalConstants::new(FractionalOrder::HALF, Tolerance::balanced())?;
 /// let found = MeshRatios::of_sample(slope, FractionalOrder::HALF, &best, 4, Some(8))?;

@@ -1,18 +1,21 @@
 //! The dual norm of (4.7): ‖f‖\_{1/2,*} = sup ∫ f ψ / ‖ψ‖\_{1/2} over ψ ∈ H^{1/2}(I), with the full norm
-//! (1.1), on one mesh for many f. The toolkit's dual norms are in [`crate::dual`].
+//! (1.1), on one mesh for many f. The toolkit's dual norms are in [`fractional_sobolev::dual`].
 
-use crate::Partition;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
-use crate::interpolation::forms::{MAX_CELLS, hat_integrals, mass_form, seminorm_form};
-use crate::numeric::check::{require_finite, require_values};
-use crate::numeric::dense::Cholesky;
-use crate::numeric::scale::unit_of;
-use crate::quadrature::Rule;
+use crate::scale::unit_of;
+use fractional_sobolev::Partition;
+use fractional_sobolev::Rule;
+use fractional_sobolev::{Error, Result};
+use fractional_sobolev::{Estimate, Work};
+use fractional_sobolev::{FractionalOrder, gram_linears, mass_linears};
+use nalgebra::Cholesky;
 use nalgebra::DMatrix;
+use nalgebra::Dyn;
 
 /// Gauss points per cell: f is smooth on each.
 const POINTS: usize = 8;
+
+/// Largest number of cells for which dense matrices are built.
+const MAX_CELLS: usize = 4096;
 
 /// Rounding of the solve, relative.
 const ROUNDING: f64 = 1e-12;
@@ -40,7 +43,7 @@ pub(crate) struct DualNorm {
 /// to rounding.
 #[derive(Debug, Clone)]
 struct Solver {
-    factor: Cholesky,
+    factor: Cholesky<f64, Dyn>,
     integrals: Vec<f64>,
 }
 
@@ -94,7 +97,8 @@ impl DualNorm {
     /// [`Error::LengthMismatch`] unless there is an integral per node, [`Error::NotFinite`] for a bad one.
     pub(crate) fn of_load(&self, load: &[f64]) -> Result<Estimate> {
         let count = self.cells.len();
-        require_values("load", load, count + 1)?;
+        require_length("load", load.len(), count + 1)?;
+        require_finite("load", load)?;
         let unit = unit_of(load);
         let load: Vec<f64> = load.iter().map(|b| b / unit).collect();
         let fine = self.fine.squared(&load);
@@ -120,6 +124,37 @@ impl DualNorm {
     }
 }
 
+fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
+    if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
+}
+
+fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
+    match values.iter().enumerate().find(|(_, value)| !value.is_finite()) {
+        Some((index, &value)) => Err(Error::NotFinite { name, index, value }),
+        None => Ok(()),
+    }
+}
+
+/// Integrals of the hats over the interval, for all nodes.
+fn hat_integrals(cells: &Partition) -> Vec<f64> {
+    let mut integrals = vec![0.0; cells.len() + 1];
+    for (i, h) in cells.lengths().iter().enumerate() {
+        integrals[i] += 0.5 * h;
+        integrals[i + 1] += 0.5 * h;
+    }
+    integrals
+}
+
+/// Gram matrix of L².
+fn mass_form(cells: &Partition) -> DMatrix<f64> {
+    let (diagonal, off_diagonal) = mass_linears(cells);
+    DMatrix::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
+        0 => diagonal[i],
+        1 => off_diagonal[i.min(j)],
+        _ => 0.0,
+    })
+}
+
 /// The norm in a unit, restored; what falls below the range of binary64 is 0 with an error above 0.
 fn times(norm: Estimate, unit: f64) -> Result<Estimate> {
     let smallest = if norm.value > 0.0 { f64::MIN_POSITIVE } else { 0.0 };
@@ -128,15 +163,15 @@ fn times(norm: Estimate, unit: f64) -> Result<Estimate> {
 
 impl Solver {
     fn new(cells: &Partition) -> Result<Self> {
-        let integrals = hat_integrals(cells, 0..cells.len());
+        let integrals = hat_integrals(cells);
         let total = cells.total();
-        let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
+        let norm = gram_linears(cells, FractionalOrder::HALF) + mass_form(cells);
         let size = integrals.len();
         let fixed = DMatrix::from_fn(size, size, |i, j| {
             norm[(i, j)] + (integrals[i] / total) * (integrals[j] / total)
         });
         let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
-        Ok(Self { factor: Cholesky::new(&fixed).ok_or_else(broken)?, integrals })
+        Ok(Self { factor: Cholesky::new(fixed).ok_or_else(broken)?, integrals })
     }
 
     /// The squared dual norm of a load.
@@ -153,7 +188,7 @@ impl Solver {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::MeshFunctional;
+    use fractional_sobolev::MeshFunctional;
 
     #[test]
     fn the_dual_norm_of_a_constant_is_the_constant() {

@@ -1,14 +1,14 @@
 //! The rates of (4.6) and (4.7) on two roads: of one function barely in H^r, and of the supremum over H^r.
 
-use super::constant::{ProjectionNorm, dual_projection_constant, projection_constant};
-use super::sample::{projection_dual_error, sample_projection_error};
+use super::dual_norm::DualNorm;
+use super::projection_sample::{projection_dual_error, sample_projection_error};
+use super::rate::observed_rate;
+use super::sample::SampleSlope;
 use super::supremum::{SupremumRate, supremum_rate, wave_constant};
-use crate::Partition;
-use crate::error::Result;
-use crate::estimate::{Estimate, Tolerance};
-use crate::interpolation::dual::DualNorm;
-use crate::interpolation::rate::observed_rate;
-use crate::interpolation::trial::SampleSlope;
+use fractional_sobolev::Partition;
+use fractional_sobolev::Result;
+use fractional_sobolev::interpolation::{ProjectionNorm, dual_projection_constant, projection_constant};
+use fractional_sobolev::{Estimate, Tolerance};
 
 /// Elements of the meshes for one function: the rate is that between the last two. In L² a mesh costs O(N).
 pub(super) const MESHES: [usize; 3] = [1 << 8, 1 << 12, 1 << 16];
@@ -27,7 +27,7 @@ const CELLS: usize = 4;
 /// Returned by [`ProjectionStudy::rates`].
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{ProjectionRates, ProjectionStudy};
+/// use experiments::interpolation::{ProjectionRates, ProjectionStudy};
 /// // half an order more in the dual norm, for one function and for the worst on each mesh
 /// for ProjectionRates { theory, function, supremum, .. } in ProjectionStudy::new()?.rates(0.5)? {
 ///     assert!((function.value - theory).abs() < 0.1 && (supremum.rate.value - theory).abs() < 0.1);
@@ -52,7 +52,7 @@ pub struct ProjectionRates {
 /// one before.
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{DualRates, SampleSlope, sample_projection_rate};
+/// use experiments::interpolation::{DualRates, SampleSlope, sample_projection_rate};
 /// // cos πx is smooth: the rates are 1 in L² and 3/2 in the dual norm of order 1/2
 /// let phi = SampleSlope::Cosine(1);
 /// assert!((sample_projection_rate(phi)?.value - 1.0).abs() < 1e-3);
@@ -69,7 +69,7 @@ impl DualRates {
     /// Factorizes the dual norms.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) without elements or for more than 256 of
+    /// [`Error::CountOutOfRange`](fractional_sobolev::Error::CountOutOfRange) without elements or for more than 256 of
     /// them.
     pub fn new(coarsest: usize) -> Result<Self> {
         let elements = [1, 2, 4].map(|factor: usize| coarsest.saturating_mul(factor));
@@ -108,7 +108,7 @@ impl DualRates {
 /// above and by a wave from below.
 ///
 /// ```
-/// use fractional_sobolev::interpolation::ProjectionStudy;
+/// use experiments::interpolation::ProjectionStudy;
 /// let [l2, dual] = ProjectionStudy::new()?.rates(0.5)?;
 /// assert!(l2.theory == 0.5 && dual.theory == 1.0);
 /// assert!((l2.supremum.rate.value - 0.5).abs() < 0.01 && (dual.supremum.rate.value - 1.0).abs() < 0.05);
@@ -131,7 +131,7 @@ impl ProjectionStudy {
     /// The rates in L² and in the dual norm for H^r, 0 ≤ r ≤ 1.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for r outside [0, 1]; those of the constants.
+    /// [`Error::OutOfRange`](fractional_sobolev::Error::OutOfRange) for r outside [0, 1]; those of the constants.
     pub fn rates(&self, r: f64) -> Result<[ProjectionRates; 2]> {
         let in_norm =
             |norm: ProjectionNorm, constant: Estimate, function: Estimate| -> Result<ProjectionRates> {

@@ -4,8 +4,8 @@
 //! ‖v − v̄‖² and ‖∫(v − v̄)‖² are formed from the difference v(x) − v(x₀), x₀ an end of the element: nothing
 //! cancels on elements far shorter than their distance from the singular point.
 
-use crate::error::Result;
-use crate::quadrature::Rule;
+use fractional_sobolev::Result;
+use fractional_sobolev::Rule;
 
 /// Gauss points per panel: a function analytic up to one panel length away is integrated to 6^{-24}.
 const POINTS: usize = 12;

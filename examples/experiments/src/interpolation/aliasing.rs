@@ -1,10 +1,10 @@
 //! Remark 2: in the dual norm of H^{1/2} Lagrange interpolation of H^{3/2} functions gains nothing over
 //! h^{3/2}.
 
-use crate::FractionalOrder;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
-use crate::interpolation::element::{ErrorNorm, element_constant};
+use fractional_sobolev::FractionalOrder;
+use fractional_sobolev::interpolation::{ErrorNorm, element_constant};
+use fractional_sobolev::{Error, Result};
+use fractional_sobolev::{Estimate, Tolerance, Work};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Rounding of the closed forms.
@@ -32,7 +32,7 @@ const ROUNDING: f64 = 1e-13;
 /// chosen here.
 ///
 /// ```
-/// use fractional_sobolev::interpolation::AliasedWave;
+/// use experiments::interpolation::AliasedWave;
 /// let wave = AliasedWave::new(64)?;
 /// assert!((wave.value(1.0 / 128.0) + 2.0).abs() < 1e-12); // −(1 − cos π)
 /// assert!(wave.dual_norm_of_error()?.value >= 1.0 && wave.seminorm()?.value < wave.norm()?.value);
@@ -113,7 +113,7 @@ impl AliasedWave {
 /// of all waves.
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{all_waves_mean, all_waves_rate};
+/// use experiments::interpolation::{all_waves_mean, all_waves_rate};
 /// // Σ x^j/(1+j) = −ln(1−x)/x at x = 2^{−3/2}
 /// let x = 0.5f64.powf(1.5);
 /// assert!((all_waves_mean(0, 1.0)?.value + (1.0 - x).ln() / x).abs() < 1e-13);
@@ -186,9 +186,9 @@ fn exponential_integral(x: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::dual_norm::DualNorm;
     use super::*;
-    use crate::interpolation::dual::norm::DualNorm;
-    use crate::{Partition, PiecewisePolynomial};
+    use fractional_sobolev::{Partition, PiecewisePolynomial};
 
     #[test]
     fn integral_functions_have_their_known_values() {

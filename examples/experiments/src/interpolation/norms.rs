@@ -6,11 +6,11 @@
 
 use super::panels::PanelRules;
 use super::sample::SampleSlope;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
-use crate::numeric::sum::RunningSum;
-use crate::quadrature::Rule;
-use crate::{Partition, PiecewisePolynomial};
+use crate::sum::RunningSum;
+use fractional_sobolev::Rule;
+use fractional_sobolev::{Error, Result};
+use fractional_sobolev::{Estimate, Tolerance, Work};
+use fractional_sobolev::{Partition, PiecewisePolynomial};
 
 /// Relative rounding of the sums below: positive terms, each from a few operations on (v − v̄).
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;

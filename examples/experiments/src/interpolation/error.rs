@@ -3,11 +3,11 @@
 
 use super::norms::{ROUNDING, error_norms, sample_norms};
 use super::sample::{SampleSlope, power_error_norms};
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
-use crate::interpolation::elements::ElementMesh;
-use crate::numeric::scale::power_of_two;
-use crate::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms, root_of_squares};
+use crate::scale::{power_of_two, unit_of};
+use fractional_sobolev::interpolation::ElementMesh;
+use fractional_sobolev::{Error, Given, Result};
+use fractional_sobolev::{Estimate, Tolerance, Work};
+use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
 
 /// The norms in Lemma 6.1 for one function on an interval, or in Lemma 6.2 on a mesh.
 ///
@@ -22,7 +22,8 @@ use crate::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms, root_
 /// ‖e'‖₀² = a²/((2a+1)(a+1)²),  ‖e‖₀² = 2a²/(3(2a+3)(a+3)(a+1)²).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance, interpolation::{ElementMesh, InterpolationError, SampleSlope, power_slope}};
+/// use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
+/// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance, interpolation::{ElementMesh}};
 /// // u = x²/2 on (0, 1), slope x: e = x(x−1)/2, ‖e‖₀² = 1/120, ‖e'‖₀² = 1/12, |u|_{3/2} = 1
 /// let order = FractionalOrder::HALF;
 /// let cells = Partition::uniform(2, 1.0)?;
@@ -88,7 +89,7 @@ impl InterpolationError {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
-        mesh.require_cells(slope)?;
+        require_cells(mesh, slope)?;
         let (slope, units) = in_units(slope)?;
         let seminorm = slope.seminorm(order, tolerance)?;
         let (mut l2, mut derivative) = (Vec::new(), Vec::new());
@@ -211,16 +212,41 @@ impl Units {
     }
 }
 
-/// The slope with lengths and values in units near their own size: exact, since the units are powers of two.
+/// The slope lives on the cells of the mesh.
+fn require_cells(mesh: &ElementMesh, slope: &PiecewisePolynomial) -> Result<()> {
+    if slope.partition().lengths() == mesh.cells().lengths() {
+        return Ok(());
+    }
+    let (given, expected) = (slope.partition().len(), mesh.cells().len());
+    Err(Error::LengthMismatch { name: "cells of the function (lengths must agree)", given, expected })
+}
+
+/// The root of the sum of squares, errors weighted by the parts.
+fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
+    let value = parts.iter().fold(0.0, |norm, part| part.value.hypot(norm));
+    let mut error = 0.0;
+    let mut work = Work::default();
+    for part in parts {
+        let weight = if value > 0.0 { part.value / value } else { 1.0 };
+        error += part.error * weight;
+        work += part.work;
+    }
+    Estimate::new(value, error, work)
+}
+
+/// The slope with lengths and values in units near their own size: exact, since the units are powers of two. A slope
+/// of degree above one is kept as it is.
 fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)> {
-    let largest = slope.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
+    if slope.degree() > 1 {
+        return Ok((slope.clone(), Units::ONE));
+    }
     let (lengths, total) = (slope.partition().lengths(), slope.partition().total());
-    let units = Units { length: power_of_two(total), slope: power_of_two(largest) };
+    let ends = (0..lengths.len()).map(|i| Ok([slope.value(i, 0.0)?, slope.value(i, 1.0)?]));
+    let ends = ends.collect::<Result<Vec<[f64; 2]>>>()?;
+    let units = Units { length: power_of_two(total), slope: unit_of(ends.iter().flatten()) };
     let partition = Partition::from_lengths(lengths.iter().map(|h| h / units.length).collect())?;
-    let pieces = slope.pieces().iter();
-    let ends: Vec<[f64; 2]> = pieces.clone().map(|p| [p.left / units.slope, p.right / units.slope]).collect();
-    let bubbles = pieces.map(|p| p.bubbles.iter().map(|c| c / units.slope).collect()).collect();
-    Ok((PiecewisePolynomial::with_bubbles(partition, &ends, bubbles)?, units))
+    let ends: Vec<[f64; 2]> = ends.iter().map(|pair| pair.map(|v| v / units.slope)).collect();
+    Ok((PiecewisePolynomial::discontinuous_linears(partition, &ends)?, units))
 }
 
 /// The norms of Lemma 6.1 on (0, 1) for u' = x^a, a > ν − 1/2, a > −1/2, by closed forms.

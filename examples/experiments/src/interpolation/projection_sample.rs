@@ -1,16 +1,21 @@
 //! ‖φ − π^h φ‖₀ and ‖φ − π^h φ‖_{1/2,*} of one φ in closed form.
 
-use crate::Partition;
-use crate::error::Result;
-use crate::estimate::Estimate;
-use crate::interpolation::dual::DualNorm;
-use crate::interpolation::elements::ElementMesh;
-use crate::interpolation::trial::{PanelRules, SampleSlope, require_unit, sample_norms};
+use super::dual_norm::DualNorm;
+use super::{
+    norms::{require_unit, sample_norms},
+    panels::PanelRules,
+    sample::SampleSlope,
+};
+use fractional_sobolev::Estimate;
+use fractional_sobolev::Partition;
+use fractional_sobolev::Result;
+use fractional_sobolev::interpolation::ElementMesh;
 
 /// ‖φ − π^h φ‖₀ on a mesh of (0, 1) for φ in closed form; cost O(N).
 ///
 /// ```
-/// use fractional_sobolev::{Partition, interpolation::{SampleSlope, sample_projection_dual_error, sample_projection_error}};
+/// use experiments::interpolation::{SampleSlope, sample_projection_dual_error, sample_projection_error};
+/// use fractional_sobolev::{Partition};
 /// // φ = x on 4 elements: h/√12
 /// let phi = SampleSlope::Power(1.0);
 /// let found = sample_projection_error(phi, &Partition::uniform(4, 1.0)?)?;
@@ -21,7 +26,7 @@ use crate::interpolation::trial::{PanelRules, SampleSlope, require_unit, sample_
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) unless the mesh is one of (0, 1), or for parameters of φ
+/// [`Error::OutOfRange`](fractional_sobolev::Error::OutOfRange) unless the mesh is one of (0, 1), or for parameters of φ
 /// out of range.
 pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Estimate> {
     sample_norms(phi, mesh).map(|(_, projection)| projection)
@@ -31,9 +36,9 @@ pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Est
 /// supremum over the piecewise linears on the cells, its error from the cells joined in pairs. Cost O(N³).
 ///
 /// # Errors
-/// [`Error::LengthMismatch`](crate::Error::LengthMismatch) unless the cells divide into such elements;
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) for another interval;
-/// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for an odd number of cells or more than 4096.
+/// [`Error::LengthMismatch`](fractional_sobolev::Error::LengthMismatch) unless the cells divide into such elements;
+/// [`Error::OutOfRange`](fractional_sobolev::Error::OutOfRange) for another interval;
+/// [`Error::CountOutOfRange`](fractional_sobolev::Error::CountOutOfRange) for an odd number of cells or more than 4096.
 pub fn sample_projection_dual_error(
     phi: SampleSlope,
     cells: &Partition,
@@ -55,11 +60,11 @@ pub(super) fn projection_dual_error(
     let mesh = ElementMesh::new(norm.cells().clone(), &vec![cells_per_element; elements])?;
     let rules = PanelRules::new()?;
     let mut load = vec![0.0; lengths.len() + 1];
-    for (e, range) in mesh.elements().iter().enumerate() {
+    for range in mesh.elements() {
         let moments: Vec<[f64; 2]> =
             range.clone().map(|i| phi.cell_moments(starts[i], lengths[i], &rules)).collect();
         let integral: f64 = range.clone().zip(&moments).map(|(i, m)| lengths[i] * (m[0] + m[1])).sum();
-        let mean = integral / mesh.length(e);
+        let mean = integral / mesh.cells().distance(range.start, range.end);
         for (i, [falling, rising]) in range.clone().zip(moments) {
             load[i] += lengths[i] * (falling - 0.5 * mean);
             load[i + 1] += lengths[i] * (rising - 0.5 * mean);

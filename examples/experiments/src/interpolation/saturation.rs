@@ -1,12 +1,12 @@
 //! Remark 4: ‖φ − π^h φ‖₀ = h ‖φ'‖₀/√12 (1 + o(1)) for φ ∈ H¹, whatever the further smoothness.
 
-use super::rates::MESHES;
-use super::sample::sample_projection_error;
-use crate::error::{Error, Result};
-use crate::estimate::Estimate;
-use crate::interpolation::rate::observed_rate;
-use crate::interpolation::trial::{InterpolationError, SampleSlope};
-use crate::{FractionalOrder, Partition};
+use super::projection_rates::MESHES;
+use super::projection_sample::sample_projection_error;
+use super::rate::observed_rate;
+use super::{error::InterpolationError, sample::SampleSlope};
+use fractional_sobolev::Estimate;
+use fractional_sobolev::{Error, Result};
+use fractional_sobolev::{FractionalOrder, Partition};
 
 /// ‖φ − π^h φ‖₀ / (h ‖φ'‖₀/√12) for φ = x^a on N equal elements of (0, 1): tends to 1.
 ///
@@ -16,7 +16,7 @@ use crate::{FractionalOrder, Partition};
 /// square h²/12.
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{power_lagrange_rate, saturation_quotient};
+/// use experiments::interpolation::{power_lagrange_rate, saturation_quotient};
 /// assert!((saturation_quotient(2.0, 100)?.value - 1.0).abs() < 1e-3);
 /// assert!((power_lagrange_rate(2.0)?.value - 2.0).abs() < 1e-3); // piecewise linears do gain
 /// # Ok::<(), fractional_sobolev::Error>(())
