@@ -190,10 +190,10 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
                     own_gamma: 0.0,
                     law: constants.law(0.25),
                 };
-                for check in signorini::proof::section_three_checks(&norms, constants, &setting) {
+                for check in signorini::proof::segment_checks(Section::Three, &norms, constants, &setting) {
                     assert!(check.holds(), "{name} tau {tau}: {check:?}");
                 }
-                for check in signorini::proof::section_four_checks(&norms, constants, &setting) {
+                for check in signorini::proof::segment_checks(Section::Four, &norms, constants, &setting) {
                     assert!(check.holds(), "{name} tau {tau}: {check:?}");
                 }
             }

@@ -40,8 +40,9 @@ pub enum Case {
 }
 
 impl Alternative {
-    /// The cases that hold on a segment whose norms are known; both sections by distances from the vertices that the
-    /// norms carry.
+    /// The cases that hold on a segment of length h with these norms. Section 3: zeros of u_N nearer than h θ to both
+    /// vertices; σ_N = 0 on a length of at least h θ at a vertex. Section 4: diam C_T ≤ h θ, where an empty C_T
+    /// counts as 0; diam C_T ≥ h θ for a set that is not empty.
     pub fn of_norms(section: Section, norms: &SegmentNorms, theta: f64) -> Self {
         let reach = norms.length * theta;
         match section {

@@ -1,5 +1,7 @@
-//! The chain of estimates from the consistency term of a segment to the bound of the theorems.
+//! Both sides of the inequalities on a segment, and the chain of estimates from its consistency term to the bound of
+//! the theorems.
 
+use super::check::Check;
 use super::constants::ProofConstants;
 use super::laws::TwoLaws;
 use super::section::Section;
@@ -7,6 +9,20 @@ use super::setting::SegmentSetting;
 use super::step::Step;
 use super::{section_four, section_three};
 use crate::edge::SegmentNorms;
+
+/// Both sides of every inequality of the cases that hold on a segment (both cases, where both do): (3.3)-(3.15) or
+/// (4.9)-(4.14).
+pub fn segment_checks(
+    section: Section,
+    norms: &SegmentNorms,
+    constants: &ProofConstants,
+    setting: &SegmentSetting,
+) -> Vec<Check> {
+    match section {
+        Section::Three => section_three::checks(norms, constants, setting),
+        Section::Four => section_four::checks(norms, constants, setting),
+    }
+}
 
 /// Successive bounds of the consistency term of one segment, in the order of [`Step::ALL`] without the last step, the
 /// segment in its own case (the first where both hold).

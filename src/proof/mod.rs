@@ -21,7 +21,7 @@ mod theta;
 mod worst_pair;
 
 pub use alternatives::{Alternative, Case, NearVertices, SetDiameter};
-pub use chain::{edge_factor, segment_chain};
+pub use chain::{edge_factor, segment_chain, segment_checks};
 pub use check::Check;
 pub use classification::{Classification, ClassifiedSegment};
 pub use constants::ProofConstants;
@@ -30,13 +30,11 @@ pub use falk::FalkTerms;
 pub use inequality::Inequality;
 pub use laws::TwoLaws;
 pub use section::Section;
-pub use section_four::section_four_checks;
-pub use section_three::section_three_checks;
 pub use segment_constants::{
     SegmentConstant, consistency_constant, midpoint_bound, one_gap_ratio, product_bound, product_constant,
 };
 pub use setting::SegmentSetting;
 pub use step::Step;
 pub use theorem_constants::TheoremConstants;
-pub use theta::{ThetaRule, printed_exponent, printed_theta};
+pub use theta::{ThetaRule, printed_exponent};
 pub use worst_pair::worst_ratio;

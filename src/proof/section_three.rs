@@ -11,7 +11,7 @@ use super::step::Step;
 use crate::edge::SegmentNorms;
 
 /// Every inequality of the cases that hold on a segment (both, where both do).
-pub fn section_three_checks(
+pub(super) fn checks(
     norms: &SegmentNorms,
     constants: &ProofConstants,
     setting: &SegmentSetting,

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 ///
 /// # Errors
 /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < h < 1 and 3/2 < τ ≤ 2.
-pub fn printed_theta(h: f64, tau: f64) -> Result<f64> {
+fn printed_theta(h: f64, tau: f64) -> Result<f64> {
     Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
     Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
     Ok(if tau == 2.0 { h * h } else { h.powf(2.0 * tau - 3.0) })

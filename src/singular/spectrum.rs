@@ -47,7 +47,8 @@ impl Exponent {
     }
 }
 
-/// The exponents of a wedge, by increasing real part.
+/// The exponents of a wedge, by increasing real part. No tolerance is asked for: Newton's method ends at rounding, and
+/// each error says what a double zero leaves of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     /// The exponents with 0 < Re λ < 3.

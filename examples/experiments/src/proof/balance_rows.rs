@@ -19,7 +19,7 @@ use super::balance::{ElementBalance, WorstPair};
 use super::exponent::Exponent;
 use signorini::Result;
 use signorini::cone::Cone;
-use signorini::proof::printed_theta;
+use signorini::proof::ThetaRule;
 
 /// Bounds and worst cases of one element length.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,7 +97,7 @@ impl ElementBalance {
     }
 
     fn row(&self, h: f64) -> Result<BalanceRow> {
-        let theta = printed_theta(h, self.constants().tau())?;
+        let theta = ThetaRule::Printed { tau: self.constants().tau() }.theta(h)?;
         let pairs = self.worst_pairs(h)?;
         let larger = |theta: f64| self.first_bound(h, theta).max(self.second_bound(h, theta)[0]);
         let (crossing, sharpened) = (self.crossing(h, false), self.crossing(h, true));

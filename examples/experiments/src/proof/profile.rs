@@ -48,9 +48,7 @@ use signorini::Result;
 use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
 use signorini::proof::ProofConstants;
 use signorini::proof::Section;
-use signorini::proof::{
-    Alternative, SegmentSetting, edge_factor, section_four_checks, section_three_checks, segment_chain,
-};
+use signorini::proof::{Alternative, SegmentSetting, edge_factor, segment_chain, segment_checks};
 use signorini::proof::{Step, TwoLaws};
 
 /// One mesh.
@@ -162,10 +160,7 @@ impl ProofCase {
             for segment in &norms {
                 let setting = self.setting(segment, theta, gamma, constants)?;
                 self.count(segment, theta, &mut cases);
-                let checks = match self.section {
-                    Section::Three => section_three_checks(segment, constants, &setting),
-                    Section::Four => section_four_checks(segment, constants, &setting),
-                };
+                let checks = segment_checks(self.section, segment, constants, &setting);
                 let chain = segment_chain(self.section, segment, constants, &setting);
                 tally(&mut inequalities, &checks);
                 rungs.iter_mut().zip(chain).for_each(|(total, part)| total.add(part, share));
