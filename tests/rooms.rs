@@ -31,6 +31,7 @@ const ROOMS: [(&str, &[&str]); 2] = [
             "boundary",
             "plane",
             "fields",
+            "function",
             "gallery",
             "gallery_norms",
             "trace",

@@ -74,6 +74,7 @@ mod energy;
 mod error;
 mod estimate;
 mod fields;
+mod function;
 mod functions;
 mod gallery;
 mod gallery_norms;
@@ -98,10 +99,11 @@ pub use dual::{DualOf, MeshFunctional};
 pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};
 pub use fields::FieldError;
+pub use function::Function;
 pub use functions::{Position, SingularFunction};
 pub use gallery::GalleryFunction;
 pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
-pub use order::FractionalOrder;
+pub use order::{FractionalOrder, SobolevOrder};
 pub use partition::Partition;
 pub use piecewise::{
     PiecewisePolynomial, near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random,

@@ -147,6 +147,58 @@ fn unreadable(text: &str) -> Error {
     }
 }
 
+/// The order s of a norm, −1 < s < 2, by its fractional part, so that the distance from ±1/2 and 3/2 keeps its digits.
+///
+/// A plain number or a [`FractionalOrder`] does where one is asked for.
+///
+/// ```
+/// use fractional_sobolev::{FractionalOrder, Function, SobolevOrder};
+/// let u = Function::from_fn(&[0.0, 1.0], |x| x)?;
+/// let half = FractionalOrder::HALF;
+/// assert_eq!(u.norm(SobolevOrder::Fractional(half), 1e-8)?, u.norm(0.5, 1e-8)?);
+/// assert_eq!(u.norm(SobolevOrder::Dual(half), 1e-6)?, u.norm(-0.5, 1e-6)?);
+/// assert!(u.norm(2.0, 1e-8).is_err() && u.norm(-1.0, 1e-8).is_err());
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SobolevOrder {
+    /// s = −ν: the norm dual to that of order ν.
+    Dual(FractionalOrder),
+    /// s = 0.
+    Zero,
+    /// s = ν.
+    Fractional(FractionalOrder),
+    /// s = 1.
+    One,
+    /// s = 1 + ν.
+    OnePlus(FractionalOrder),
+}
+
+impl Given<SobolevOrder> for SobolevOrder {
+    fn given(self) -> Result<SobolevOrder> {
+        Ok(self)
+    }
+}
+
+impl Given<SobolevOrder> for FractionalOrder {
+    fn given(self) -> Result<SobolevOrder> {
+        Ok(SobolevOrder::Fractional(self))
+    }
+}
+
+impl Given<SobolevOrder> for f64 {
+    fn given(self) -> Result<SobolevOrder> {
+        Error::require("order of the norm", self, "(-1, 2)", self > -1.0 && self < 2.0)?;
+        Ok(match self {
+            s if s < 0.0 => SobolevOrder::Dual(FractionalOrder::new(-s)?),
+            0.0 => SobolevOrder::Zero,
+            s if s < 1.0 => SobolevOrder::Fractional(FractionalOrder::new(s)?),
+            1.0 => SobolevOrder::One,
+            s => SobolevOrder::OnePlus(FractionalOrder::new(s - 1.0)?),
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -112,6 +112,39 @@ impl PiecewisePolynomial {
         Self::with_bubbles(partition, &ends, bubbles)
     }
 
+    /// By p + 1 values on every element at equidistant points, p the degree.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
+    pub(crate) fn of_values(partition: Partition, degree: usize, values: &[f64]) -> Result<Self> {
+        if degree > MAX_DEGREE {
+            return Err(Error::CountOutOfRange { name: "polynomial degree", value: degree, range: "0..=20" });
+        }
+        require_values("values on elements", values, partition.len().saturating_mul(degree + 1))?;
+        if degree == 0 {
+            return Self::constants(partition, values);
+        }
+        let (mut ends, mut bubbles) = (Vec::new(), Vec::new());
+        for values in values.chunks(degree + 1) {
+            let pair = [values[0], values[degree]];
+            ends.push(pair);
+            bubbles.push(bubbles_of(degree, pair, |t| lagrange(values, t))?);
+        }
+        Self::with_bubbles(partition, &ends, bubbles)
+    }
+
+    /// u − v on one partition.
+    pub(crate) fn minus(&self, other: &Self) -> Result<Self> {
+        let (mut ends, mut bubbles) = (Vec::new(), Vec::new());
+        for (a, b) in self.pieces.iter().zip(&other.pieces) {
+            ends.push([a.left - b.left, a.right - b.right]);
+            let count = a.bubbles.len().max(b.bubbles.len());
+            let of = |piece: &Piece, k: usize| piece.bubbles.get(k).copied().unwrap_or(0.0);
+            bubbles.push((0..count).map(|k| of(a, k) - of(b, k)).collect());
+        }
+        Self::with_bubbles(self.partition.clone(), &ends, bubbles)
+    }
+
     /// The partition.
     pub fn partition(&self) -> &Partition {
         &self.partition
@@ -243,6 +276,16 @@ impl Piece {
         let (sum, slope) = legendre::series_with_slope(self.bubbles.iter().copied(), 2.0 * t - 1.0);
         (sum, 2.0 * slope)
     }
+}
+
+/// The polynomial through values at equidistant points of [0, 1].
+fn lagrange(values: &[f64], t: f64) -> f64 {
+    let step = (values.len() - 1) as f64;
+    let basis = |k: usize| -> f64 {
+        let others = (0..values.len()).filter(|&j| j != k);
+        others.map(|j| (step * t - j as f64) / (k as f64 - j as f64)).product()
+    };
+    values.iter().enumerate().map(|(k, value)| value * basis(k)).sum()
 }
 
 /// Coefficients of (f − linear part)/(t(1−t)) in P_0 ... P_{degree−2}: exact when f is a polynomial of that

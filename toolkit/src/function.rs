@@ -1,0 +1,536 @@
+//! Functions on intervals, polygons and triangulations, and their norms of order −1 < s < 2.
+
+use super::boundary::{BoundaryFunction, PolygonalCurve};
+use super::dual::{DualOf, MeshFunctional};
+use super::fields::FieldError;
+use super::functions::{Position, SingularFunction};
+use super::nearly_one::NearlyOne;
+use super::order::{FractionalOrder, SobolevOrder};
+use super::partition::Partition;
+use super::piecewise::PiecewisePolynomial;
+use super::plane::{PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles};
+use crate::error::{Error, Given, Result};
+use crate::estimate::{Estimate, Tolerance};
+use crate::root::root_of_squares;
+
+/// A real function on an interval, a polygonal curve or a triangulation, given by a formula or by values.
+///
+/// | given by | constructor |
+/// | --- | --- |
+/// | a formula with breakpoints | [`from_fn`](Self::from_fn), [`from_positions`](Self::from_positions), [`power`](Self::power) |
+/// | values on a mesh of an interval | [`linears`](Self::linears), [`constants`](Self::constants), [`piecewise`](Self::piecewise) |
+/// | values ⟨f, φ_i⟩ on the hat functions of a mesh | [`load`](Self::load) |
+/// | values on a triangulation | [`on_triangles`](Self::on_triangles) |
+/// | a formula on a triangulation, with singular corners | [`from_plane_positions`](Self::from_plane_positions), [`sector_power`](Self::sector_power) |
+/// | values on a polygonal curve | [`on_curve`](Self::on_curve) |
+///
+/// # Method
+///
+/// The seminorm is |u|²_s = ∫∫ (u(x)−u(y))² / |x−y|^{d+2s} dx dy, d the dimension of the domain, 0 < s < 1;
+/// ‖u‖²_s = ‖u‖² + |u|²_s, ‖u‖²_{1+s} = ‖u‖² + ‖∇u‖²_s, and ‖u‖_{−s} = sup ∫ u v / ‖v‖_s. Each is computed to the
+/// relative tolerance by the method for its kind of function; a combination without a method is
+/// [`Error::Incompatible`], which names what is possible.
+///
+/// ```
+/// use fractional_sobolev::{Function, Partition};
+/// let kink = Function::from_fn(&[0.0, 0.5, 1.0], |x| (x - 0.5).abs())?;
+/// let mesh = Partition::uniform(2, 1.0)?;
+/// let same = Function::linears(&mesh, &[0.5, 0.0, 0.5])?;
+/// for s in [-0.5, 0.0, 0.5] {
+///     assert!((kink.norm(s, 1e-7)?.value - same.norm(s, 1e-7)?.value).abs() < 1e-6);
+/// }
+/// assert!((same.norm(1.0, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-12); // ‖u‖² + ‖u′‖²
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[doc(alias("Gagliardo", "Slobodeckij", "Gagliardo seminorm", "fractional Sobolev", "H1/2", "H-1/2", "H^s"))]
+#[derive(Debug)]
+pub struct Function<'a> {
+    kind: Kind<'a>,
+    /// the partial derivatives, where they were given
+    gradient: Vec<Function<'a>>,
+}
+
+#[derive(Debug)]
+enum Kind<'a> {
+    Formula(SingularFunction<'a>),
+    /// x^a next to the constant 1: its seminorms by another integral.
+    NearlyOne(NearlyOne, SingularFunction<'a>),
+    Piecewise(PiecewisePolynomial),
+    Load(MeshFunctional),
+    Difference(FieldError<'a>),
+    Plane(PlaneFunction),
+    PlaneFormula(SingularPlaneFunction<'a>),
+    Sector(SectorPower),
+    Curve(BoundaryFunction),
+}
+
+impl<'a> Function<'a> {
+    fn of(kind: Kind<'a>) -> Self {
+        Self { kind, gradient: Vec::new() }
+    }
+
+    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
+    ///
+    /// A singularity at a breakpoint other than 0 is rounded in x: use [`Function::from_positions`].
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] with fewer than two breakpoints, [`Error::NotFinite`],
+    /// [`Error::EntryOutOfRange`] unless they increase strictly, by 1e-290 and by 1e-290 of the interval.
+    pub fn from_fn(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
+        SingularFunction::new(breaks, f).map(Kind::Formula).map(Self::of)
+    }
+
+    /// As [`Function::from_fn`] for a function of the [`Position`], exact as close to a breakpoint as 1e-290.
+    ///
+    /// ```
+    /// use fractional_sobolev::Function;
+    /// let u = Function::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1))?;
+    /// assert!(u.seminorm(0.4, 1e-6)?.relative_error() <= 1e-6);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Function::from_fn`].
+    pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        SingularFunction::from_positions(breaks, f).map(Kind::Formula).map(Self::of)
+    }
+
+    /// As [`Function::from_positions`] for a function that is evaluated also where the distance underflows, by
+    /// [`Position::log_distance`]: for |ln x|^α at order 1/2, where what lies below 1e-300 counts.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, closed_forms};
+    /// let u = Function::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
+    ///     0 => (-at.log_distance()).powf(0.45),
+    ///     _ => (-at.offset().ln_1p()).powf(0.45),
+    /// })?;
+    /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
+    /// assert!((u.seminorm(0.5, 1e-4)?.value / exact - 1.0).abs() < 1e-4);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Function::from_fn`].
+    pub fn from_log_distances(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+        SingularFunction::from_log_distances(breaks, f).map(Kind::Formula).map(Self::of)
+    }
+
+    /// x^a on (0, 1), to all digits of |x^a|_s also for a near 0, where x^a is nearly constant.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, closed_forms};
+    /// for a in [0.3, 1e-12] {
+    ///     let exact = closed_forms::power(a, 0.25)?.value.sqrt();
+    ///     assert!((Function::power(a)?.seminorm(0.25, 1e-8)?.value / exact - 1.0).abs() < 1e-7);
+    /// }
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless a is finite and at most 1000.
+    pub fn power(a: f64) -> Result<Self> {
+        Error::require("exponent", a, "(-inf, 1000]", a > f64::NEG_INFINITY && a <= 1e3)?;
+        let u = SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
+            0 => at.offset().powf(a),
+            _ => (a * at.offset().ln_1p()).exp(),
+        })?;
+        Ok(Self::of(match NearlyOne::new(a) {
+            Some(power) => Kind::NearlyOne(power, u),
+            None => Kind::Formula(u),
+        }))
+    }
+
+    /// The continuous piecewise linear function with one value per node.
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn linears(mesh: &Partition, values: &[f64]) -> Result<Self> {
+        PiecewisePolynomial::linears(mesh.clone(), values).map(Self::from)
+    }
+
+    /// The piecewise constant function with one value per element.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Partition};
+    /// let sign = Function::constants(&Partition::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+    /// assert!(sign.norm(-0.5, 1e-6)?.value < sign.norm(0.0, 1e-6)?.value);
+    /// assert!(sign.norm(0.5, 1e-6).is_err()); // a jump
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn constants(mesh: &Partition, values: &[f64]) -> Result<Self> {
+        PiecewisePolynomial::constants(mesh.clone(), values).map(Self::from)
+    }
+
+    /// The piecewise polynomial of degree p with p + 1 values on every element, at equidistant points from its
+    /// left to its right end; one value per element for p = 0. It may jump between elements.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Partition};
+    /// // x² on (0, 2), two elements
+    /// let values = [0.0, 0.25, 1.0, 1.0, 2.25, 4.0];
+    /// let square = Function::piecewise(&Partition::uniform(2, 2.0)?, 2, &values)?;
+    /// assert!((square.lp(2.0, 1e-12)?.value.powi(2) - 6.4).abs() < 1e-12);
+    /// assert!((square.mean(1e-12)?.value - 4.0 / 3.0).abs() < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
+    pub fn piecewise(mesh: &Partition, degree: usize, values: &[f64]) -> Result<Self> {
+        PiecewisePolynomial::of_values(mesh.clone(), degree, values).map(Self::from)
+    }
+
+    /// A functional by its values ⟨f, φ_i⟩ on the hat functions of a mesh. It has norms of order −1 < s < 0 only,
+    /// with the supremum over the piecewise linears of the mesh.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Partition};
+    /// // v ↦ ∫ v over (0, 1)
+    /// let f = Function::load(&Partition::uniform(2, 1.0)?, &[0.25, 0.5, 0.25])?;
+    /// assert!((f.norm(-0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
+    /// assert!(f.norm(0.5, 1e-8).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
+    pub fn load(mesh: &Partition, values: &[f64]) -> Result<Self> {
+        MeshFunctional::new(mesh.clone(), values).map(Kind::Load).map(Self::of)
+    }
+
+    /// The function on a triangulation with the given values: continuous and linear with one value per node (degree
+    /// 1), or constant on every triangle (degree 0).
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Triangles};
+    /// let x = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 1, &[0.0, 1.0, 0.0, 1.0])?;
+    /// assert!((x.norm(0.0, 1e-8)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-12);
+    /// assert!((x.norm(1.3, 1e-8)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-8); // its gradient is constant
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 1.
+    pub fn on_triangles(mesh: &Triangles, degree: usize, values: &[f64]) -> Result<Self> {
+        let (mesh, values) = (mesh.clone(), values.to_vec());
+        let u = match low_degree(degree)? {
+            true => PlaneFunction::linears(mesh, values)?,
+            false => PlaneFunction::constants(mesh, values)?,
+        };
+        Ok(Self::of(Kind::Plane(u)))
+    }
+
+    /// A function of the [`PlanePosition`] on a triangulation, smooth on every triangle except at the given corners
+    /// (node, a), where it behaves like r^a.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Triangles};
+    /// let mesh = Triangles::grid([1, 1], 1.0)?;
+    /// let x = Function::from_plane_positions(&mesh, &[], |at| at.x()[0])?;
+    /// assert!((x.norm(0.0, 1e-8)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] for a corner that is no node, [`Error::OutOfRange`] for its exponent.
+    pub fn from_plane_positions(
+        mesh: &Triangles,
+        corners: &[(usize, f64)],
+        f: impl Fn(&PlanePosition<'_>) -> f64 + Sync + 'a,
+    ) -> Result<Self> {
+        SingularPlaneFunction::new(mesh.clone(), corners, f).map(Kind::PlaneFormula).map(Self::of)
+    }
+
+    /// r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω, for seminorms of order 0 < s < 1 in the plane.
+    ///
+    /// ```
+    /// use fractional_sobolev::Function;
+    /// let corner = Function::sector_power(2.0 / 3.0, 2.0 / 3.0, 1.5 * std::f64::consts::PI, 1.0)?;
+    /// assert!(corner.seminorm(0.5, 1e-8)?.relative_error() <= 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless a > −1 and the angle and the radius are admissible.
+    pub fn sector_power(exponent: f64, frequency: f64, angle: f64, radius: f64) -> Result<Self> {
+        SectorPower::new(exponent, frequency, angle, radius).map(Kind::Sector).map(Self::of)
+    }
+
+    /// The function on a polygonal curve with the given values: continuous and linear with one value per node (degree
+    /// 1), or constant on every element (degree 0).
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, PolygonalCurve};
+    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let curve = PolygonalCurve::graded(&square, 2, 1.0)?;
+    /// let one = Function::on_curve(&curve, 1, &[1.0; 8])?;
+    /// assert!((one.norm(0.5, 1e-8)?.value - 2.0).abs() < 1e-8);
+    /// assert!((one.norm(-0.5, 1e-8)?.value - 2.0).abs() < 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 1.
+    pub fn on_curve(curve: &PolygonalCurve, degree: usize, values: &[f64]) -> Result<Self> {
+        let u = match low_degree(degree)? {
+            true => BoundaryFunction::linears(curve.clone(), values)?,
+            false => BoundaryFunction::constants(curve.clone(), values)?,
+        };
+        Ok(Self::of(Kind::Curve(u)))
+    }
+
+    /// The function with its partial derivatives (one on an interval, two in the plane), which norms of order
+    /// 1 ≤ s < 2 of a formula need. Piecewise polynomials find their own.
+    ///
+    /// ```
+    /// use fractional_sobolev::Function;
+    /// let slope = Function::from_fn(&[0.0, 1.0], |x| x)?;
+    /// let u = Function::from_fn(&[0.0, 1.0], |x| x * x / 2.0)?.with_gradient(vec![slope]);
+    /// assert!((u.norm(1.5, 1e-8)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-7); // 1/20 + 1/3 + 1
+    /// assert!((u.norm(1.0, 1e-8)?.value.powi(2) - 23.0 / 60.0).abs() < 1e-7);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    pub fn with_gradient(self, gradient: Vec<Function<'a>>) -> Self {
+        Self { gradient, ..self }
+    }
+
+    /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖_{−s}, for s = 0 the L² norm. A plain number
+    /// serves as s; orders near ±1/2 and 3/2 keep their distance from it as [`SobolevOrder`].
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with the best value; [`Error::OutOfRange`] for s outside
+    /// (−1, 2); [`Error::Incompatible`] where this kind of function has no method for the order.
+    #[doc(alias("dual norm", "negative norm", "l2_norm"))]
+    pub fn norm(&self, s: impl Given<SobolevOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
+        match s.given()? {
+            SobolevOrder::Dual(order) => self.dual_norm_in(DualOf::Slobodeckij, order, tolerance),
+            SobolevOrder::Zero => self.lp(2.0, tolerance),
+            SobolevOrder::Fractional(order) => match &self.kind {
+                Kind::Formula(u) => u.norm(order, tolerance),
+                Kind::NearlyOne(u, _) => u.norm(order, tolerance),
+                Kind::Piecewise(u) => u.norm(order, tolerance),
+                Kind::Difference(u) => u.norm(order, tolerance),
+                Kind::Plane(u) => u.norm(order, tolerance),
+                Kind::PlaneFormula(u) => u.norm(order, tolerance),
+                Kind::Curve(u) => u.norm(order, tolerance),
+                Kind::Load(_) | Kind::Sector(_) => Err(self.refused("norm of positive order")),
+            },
+            SobolevOrder::One => self.first_norm(tolerance),
+            SobolevOrder::OnePlus(order) => self.norm_above_one(order, tolerance),
+        }
+    }
+
+    /// |u|_s, 0 < s < 1.
+    ///
+    /// # Errors
+    /// As [`Function::norm`].
+    #[doc(alias("Gagliardo", "Slobodeckij"))]
+    pub fn seminorm(
+        &self,
+        s: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let (order, tolerance) = (s.given()?, tolerance.given()?);
+        match &self.kind {
+            Kind::Formula(u) => u.seminorm(order, tolerance),
+            Kind::NearlyOne(u, _) => u.seminorm(order, tolerance),
+            Kind::Piecewise(u) => u.seminorm(order, tolerance),
+            Kind::Difference(u) => u.seminorm(order, tolerance),
+            Kind::Plane(u) => u.seminorm(order, tolerance),
+            Kind::PlaneFormula(u) => u.seminorm(order, tolerance),
+            Kind::Sector(u) => u.seminorm(order, tolerance),
+            Kind::Curve(u) => u.seminorm(order, tolerance),
+            Kind::Load(_) => Err(self.refused("seminorm")),
+        }
+    }
+
+    /// The norm of u in L^q, 1 ≤ q ≤ ∞; in the plane q = 2.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`Function::norm`].
+    #[doc(alias("lq_norm", "L2"))]
+    pub fn lp(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
+        let square = q == 2.0;
+        match &self.kind {
+            Kind::Formula(u) | Kind::NearlyOne(_, u) if square => u.l2_norm(tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.lq_norm(q, tolerance),
+            Kind::Piecewise(u) if square => u.l2_norm(tolerance),
+            Kind::Piecewise(u) => u.lq_norm(q, tolerance),
+            Kind::Difference(u) if square => u.l2_norm(tolerance),
+            Kind::Difference(u) => u.lq_norm(q, tolerance),
+            Kind::Curve(u) if square => u.l2_norm(tolerance),
+            Kind::Curve(u) => u.lq_norm(q, tolerance),
+            Kind::Plane(u) if square => u.l2_norm(tolerance),
+            Kind::PlaneFormula(u) if square => u.l2_norm(tolerance),
+            Kind::Plane(_) | Kind::PlaneFormula(_) | Kind::Load(_) | Kind::Sector(_) => {
+                Err(self.refused("norm in L^q"))
+            }
+        }
+    }
+
+    /// The mean of u over its interval; the tolerance is relative to the mean of |u|.
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a function that is not on an interval; else as [`Function::norm`].
+    pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        match &self.kind {
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.mean(tolerance),
+            Kind::Piecewise(u) => u.mean(tolerance),
+            _ => Err(self.refused("mean")),
+        }
+    }
+
+    /// sup ∫ u v / ‖v‖ for the norm that [`DualOf`] names.
+    ///
+    /// ```
+    /// use fractional_sobolev::{DualOf, Function, Partition};
+    /// let one = Function::constants(&Partition::uniform(4, 1.0)?, &[1.0; 4])?;
+    /// assert!((one.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Function::norm`].
+    pub fn dual_norm_in(
+        &self,
+        of: DualOf,
+        order: impl Given<FractionalOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let direct = of == DualOf::Slobodeckij;
+        match &self.kind {
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.dual_norm_in(of, order, tolerance),
+            Kind::Piecewise(u) => u.dual_norm_in(of, order, tolerance),
+            Kind::Difference(u) => u.dual_norm_in(of, order, tolerance),
+            Kind::Load(u) if direct => u.dual_norm(order, tolerance),
+            Kind::Curve(u) if direct => u.dual_norm(order, tolerance),
+            _ => Err(self.refused("dual norm")),
+        }
+    }
+
+    /// u − v for its norms: a formula minus a piecewise polynomial on the same interval, or two piecewise polynomials
+    /// on one mesh.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Partition};
+    /// // x - 1/2 against 0: 1 + 1/12
+    /// let u = Function::from_fn(&[0.0, 1.0], |x| x - 0.5)?;
+    /// let zero = Function::constants(&Partition::uniform(10, 1.0)?, &[0.0; 10])?;
+    /// assert!((u.minus(&zero)?.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
+    /// assert!(zero.minus(&zero)?.norm(0.5, 1e-8)?.value == 0.0);
+    /// assert!(u.minus(&u).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for other pairs.
+    pub fn minus<'b>(&'b self, other: &'b Function<'_>) -> Result<Function<'b>> {
+        let kind = match (&self.kind, &other.kind) {
+            (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => Kind::Difference(u.minus(v)),
+            (Kind::Piecewise(u), Kind::Piecewise(v)) if u.partition() == v.partition() => {
+                Kind::Piecewise(u.minus(v)?)
+            }
+            _ => {
+                return Err(Error::Incompatible {
+                    what: "difference with",
+                    given: other.describe().to_owned(),
+                    with: self.describe(),
+                    expected: "a formula minus a piecewise polynomial, or two piecewise polynomials on one mesh",
+                });
+            }
+        };
+        Ok(Function::of(kind))
+    }
+
+    /// ‖u‖_1.
+    fn first_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
+        let mut parts = vec![self.lp(2.0, tolerance)?];
+        match &self.kind {
+            Kind::Piecewise(u) if u.is_continuous() => parts.push(u.derivative()?.l2_norm(tolerance)?),
+            Kind::Piecewise(_) => {
+                let why = "a function that jumps has no derivative in L^2";
+                return Err(Error::InfiniteNorm { order: 1.0, why });
+            }
+            Kind::Plane(u) if !u.is_piecewise_constant() => {
+                for part in u.gradient()? {
+                    parts.push(part.l2_norm(tolerance)?);
+                }
+            }
+            _ if !self.gradient.is_empty() => {
+                for part in &self.gradient {
+                    parts.push(part.lp(2.0, tolerance)?);
+                }
+            }
+            _ => return Err(self.refused("norm of order 1")),
+        }
+        root_of_squares(&parts)
+    }
+
+    /// ‖u‖_{1+ν}.
+    fn norm_above_one(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+        match (&self.kind, &self.gradient[..]) {
+            (Kind::Piecewise(u), _) => u.norm_with_derivative(&u.derivative()?, order, tolerance),
+            (Kind::Plane(u), _) => u.norm_with_gradient(order, tolerance),
+            (Kind::Formula(u) | Kind::NearlyOne(_, u), [Function { kind: Kind::Formula(slope), .. }]) => {
+                u.norm_with_derivative(slope, order, tolerance)
+            }
+            (
+                Kind::PlaneFormula(u),
+                [Function { kind: Kind::PlaneFormula(x), .. }, Function { kind: Kind::PlaneFormula(y), .. }],
+            ) => u.norm_with_gradient([x, y], order, tolerance),
+            _ => Err(self.refused("norm of order above 1")),
+        }
+    }
+
+    fn describe(&self) -> &'static str {
+        match self.kind {
+            Kind::Formula(_) | Kind::NearlyOne(..) => "a formula on an interval",
+            Kind::Piecewise(_) => "a piecewise polynomial",
+            Kind::Load(_) => "a functional on hat functions",
+            Kind::Difference(_) => "a formula minus a piecewise polynomial",
+            Kind::Plane(_) => "values on a triangulation",
+            Kind::PlaneFormula(_) => "a formula on a triangulation",
+            Kind::Sector(_) => "a power on a sector",
+            Kind::Curve(_) => "values on a polygonal curve",
+        }
+    }
+
+    /// The error of a quantity that this kind of function does not have.
+    fn refused(&self, quantity: &str) -> Error {
+        let expected = match self.kind {
+            Kind::Formula(_) | Kind::NearlyOne(..) => {
+                "norms of order below 1; of order below 2 with Function::with_gradient"
+            }
+            Kind::Piecewise(_) => "norms of order in (-1, 2), L^q norms, the mean",
+            Kind::Load(_) => "norms of order in (-1, 0)",
+            Kind::Difference(_) => "norms of order in (-1, 1), L^q norms",
+            Kind::Plane(_) => "norms of order in [0, 2), the L^2 norm",
+            Kind::PlaneFormula(_) => {
+                "norms of order in [0, 1), the L^2 norm; of order below 2 with Function::with_gradient"
+            }
+            Kind::Sector(_) => "seminorms of order in (0, 1)",
+            Kind::Curve(_) => "norms of order in (-1, 1), L^q norms",
+        };
+        Error::Incompatible { what: "the", given: quantity.to_owned(), with: self.describe(), expected }
+    }
+}
+
+impl From<PiecewisePolynomial> for Function<'_> {
+    fn from(u: PiecewisePolynomial) -> Self {
+        Self::of(Kind::Piecewise(u))
+    }
+}
+
+/// True for degree 1, false for degree 0.
+fn low_degree(degree: usize) -> Result<bool> {
+    match degree {
+        0 => Ok(false),
+        1 => Ok(true),
+        value => Err(Error::CountOutOfRange { name: "polynomial degree", value, range: "0 or 1" }),
+    }
+}
