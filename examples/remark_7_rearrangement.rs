@@ -8,9 +8,8 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use experiments::arrangement::{MovedZone, ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance, poincare::Condition, sorted_share_of_orders, sorted_share_of_random,
-};
+use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, poincare::Condition};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -7,10 +7,10 @@ mod example;
 use example_frame::{Outcome, Verdict};
 use experiments::arrangement::{ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
+use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
 use fractional_sobolev::{
     FractionalOrder, Tolerance,
     poincare::{Condition, Zone, Zones, gamma, gamma_at_point, largest_mean},
-    sorted_share_of_orders, sorted_share_of_random,
 };
 
 #[test]

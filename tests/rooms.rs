@@ -32,6 +32,7 @@ const ROOMS: [(&str, &[&str]); 2] = [
             "plane",
             "fields",
             "function",
+            "matrix",
             "gallery",
             "gallery_norms",
             "trace",

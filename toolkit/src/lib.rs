@@ -82,6 +82,7 @@ mod grading;
 mod gram;
 pub mod interpolation;
 mod kernel;
+mod matrix;
 mod nearly_one;
 mod numeric;
 mod order;
@@ -103,15 +104,14 @@ pub use function::Function;
 pub use functions::{Position, SingularFunction};
 pub use gallery::GalleryFunction;
 pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
+pub use matrix::Gram;
 pub use order::{FractionalOrder, SobolevOrder};
 pub use partition::Partition;
-pub use piecewise::{
-    PiecewisePolynomial, near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random,
-};
+pub use piecewise::PiecewisePolynomial;
 pub use plane::{
     GridOperator, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles,
-    coordinate_on_unit_square, gradient_limit, perimeter_limit,
+    coordinate_on_unit_square,
 };
-pub use quadrature::{PowerWeightRule, Rule};
+pub use quadrature::Rule;
 pub(crate) use trace::HalfLineSymbol;
 pub use trace::{SquareTrace, WedgeTrace, extension_profile, half_plane_trace, half_plane_trace_at_one};

@@ -17,6 +17,7 @@ mod random;
 mod scale;
 mod search;
 pub mod solver_variants;
+pub mod sorting;
 mod sum;
 pub mod trial;
 pub mod wedge_grid;

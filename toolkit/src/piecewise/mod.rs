@@ -6,10 +6,8 @@ mod norms;
 mod pairs;
 mod polynomial;
 mod rearrangement;
-mod sorting;
 mod squares;
 
 pub(crate) use pairs::{Cell, PolynomialPairs};
 pub use polynomial::PiecewisePolynomial;
 pub(crate) use polynomial::{Piece, bubbles_of};
-pub use sorting::{near_differences, sorted_share, sorted_share_of_orders, sorted_share_of_random};

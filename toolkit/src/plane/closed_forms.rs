@@ -1,11 +1,10 @@
-//! Squared seminorms in the plane in closed form, and their limits.
+//! Squared seminorms in the plane in closed form.
 
 use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::order::FractionalOrder;
 use crate::quadrature::Rule;
 use crate::root::ENTRY_ROUNDING;
-use std::f64::consts::PI;
 
 /// Points for an integrand analytic in an ellipse with ρ = 2 + √5 about (0, 1), singular at ±i: ρ^{-2n} <
 /// 1e-24.
@@ -34,29 +33,4 @@ pub fn coordinate_on_unit_square(order: impl Given<FractionalOrder>) -> Result<E
     let part = |k: f64| (p - q * k) * (-order.value() * (k * k).ln_1p()).exp();
     let value = 4.0 * Rule::gauss_legendre(POINTS)?.integrate(part);
     Estimate::new(value, ENTRY_ROUNDING * value, Work { points: POINTS as u64, ..Work::default() })
-}
-
-/// lim (1−2s) |1_A|²_s as s → 1/2: 4 times the length of the boundary of A inside the domain.
-///
-/// Across a straight edge the kernel integrates to ∫ (t²+z²)^{-3/2} dz = 2/t² at distance t from side to
-/// side, and 2 ∫∫ 2 (a+b)^{-1-2s} da db over a, b > 0 near 0 is 4/(1−2s) to leading order.
-///
-/// ```
-/// use fractional_sobolev::{FractionalOrder, PlaneFunction, Tolerance, Triangles, gradient_limit, perimeter_limit};
-/// // half of the unit square, cut along the diagonal of length √2
-/// let half = PlaneFunction::constants(Triangles::grid([1, 1], 1.0)?, vec![1.0, 0.0])?;
-/// let order = FractionalOrder::from_offset(-1e-6)?;
-/// let squared = half.seminorm(order, Tolerance::fast())?.value.powi(2);
-/// assert!((2e-6 * squared / perimeter_limit(2f64.sqrt()) - 1.0).abs() < 1e-3);
-/// assert_eq!(gradient_limit(1.0), std::f64::consts::FRAC_PI_2);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-pub fn perimeter_limit(length: f64) -> f64 {
-    4.0 * length
-}
-
-/// lim (1−s) |w|²_s as s → 1: (π/2) ∫ |∇w|² (Bourgain, Brezis & Mironescu 2001; here the mean of cos² over a
-/// circle is 1/2, and ∫₀ r^{1−2s} dr = 1/(2−2s) to leading order).
-pub fn gradient_limit(gradient_squared: f64) -> f64 {
-    0.5 * PI * gradient_squared
 }

@@ -7,7 +7,7 @@
 //! | triangulations | [`Triangles`] |
 //! | products with the Gram matrix on a uniform grid | [`GridOperator`] |
 //! | corner singularities r^a sin(bφ) on sectors | [`SectorPower`] |
-//! | a closed form and limits | [`coordinate_on_unit_square`], [`gradient_limit`], [`perimeter_limit`] |
+//! | a closed form | [`coordinate_on_unit_square`] |
 //! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`]
 //! |
 //! | norms of closures with declared corner singularities | [`SingularPlaneFunction`] |
@@ -30,7 +30,7 @@ mod sums;
 mod tree;
 mod triangles;
 
-pub use closed_forms::{coordinate_on_unit_square, gradient_limit, perimeter_limit};
+pub use closed_forms::coordinate_on_unit_square;
 pub use closures::{PlanePosition, SingularPlaneFunction};
 pub use function::PlaneFunction;
 pub use grid::GridOperator;

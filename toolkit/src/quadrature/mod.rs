@@ -7,6 +7,6 @@ mod power_weight;
 mod rules;
 mod tail;
 
-pub use power_weight::PowerWeightRule;
+pub(crate) use power_weight::PowerWeightRule;
 pub use rules::Rule;
 pub(crate) use tail::{Limit, extrapolate};

@@ -1,13 +1,14 @@
-//! The sorting lemma: of all orders of n numbers the sorted one has the smallest Σ (f_i − f_j)² over the
+//! `remark_7_rearrangement`: the sorting lemma. Of all orders of n numbers the sorted one has the smallest
+//! Σ (f_i − f_j)² over the
 //! pairs at distance |i − j| ≤ k, for every k; with every weight that decreases in |i − j| in place of the
 //! pairs.
 
-use crate::numeric::random::SplitMix;
+use crate::SplitMix;
 
 /// Σ (f_i − f_j)² over all pairs i < j with j − i ≤ `reach`.
 ///
 /// ```
-/// use fractional_sobolev::near_differences;
+/// use experiments::sorting::near_differences;
 /// let (sorted, mixed) = ([0.0, 1.0, 2.0, 3.0], [1.0, 0.0, 3.0, 2.0]);
 /// assert!((1..4).all(|reach| near_differences(&sorted, reach) <= near_differences(&mixed, reach)));
 /// ```
@@ -22,7 +23,7 @@ pub fn near_differences(values: &[f64], reach: usize) -> f64 {
 /// by the lemma. Zero for equal numbers. Exact comparisons as long as the sums are, as for whole numbers.
 ///
 /// ```
-/// use fractional_sobolev::{sorted_share, sorted_share_of_orders, sorted_share_of_random};
+/// use experiments::sorting::{sorted_share, sorted_share_of_orders, sorted_share_of_random};
 /// assert!(sorted_share(&[1.0, 0.0, 3.0, 2.0]) <= 1.0);
 /// assert_eq!(sorted_share_of_orders(&[0.0, 1.0, 5.0]), 1.0); // the sorted order is among them
 /// assert!(sorted_share_of_random(20, 1) <= 1.0);
