@@ -8,10 +8,7 @@
 use cases::{ADMISSIBLE, INADMISSIBLE};
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use fractional_sobolev::{
-    FractionalOrder, Tolerance,
-    poincare::{Condition, UniformLaw, Zone, gamma},
-};
+use fractional_sobolev::{Constraint, FractionalOrder, Tolerance, UniformLaw, gamma};
 use std::process::ExitCode;
 
 #[path = "cases/extremes.rs"]
@@ -76,7 +73,7 @@ pub fn compute() -> Result<Computed> {
     let law = UniformLaw::new(FractionalOrder::HALF, TOLERANCE)?;
     let decade = |k: i32| -> Result<(f64, f64, f64)> {
         let theta = 10f64.powi(-k);
-        let found = gamma(FractionalOrder::HALF, Zone::end(theta)?, Condition::MeanZero, TOLERANCE)?;
+        let found = gamma(FractionalOrder::HALF, Constraint::mean_zero_on(0.0..theta), TOLERANCE)?.constant;
         Ok((theta, found.value, law.gamma(theta)?.value))
     };
     let decades = (20..=290).step_by(45).map(decade).collect::<Result<_>>()?;

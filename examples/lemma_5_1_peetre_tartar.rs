@@ -10,10 +10,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use experiments::trial::{mean_free_quotient, peetre_tartar};
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
-    poincare::{Condition, Zone, extremal},
-};
+use fractional_sobolev::{Constraint, Estimate, FractionalOrder, Tolerance, gamma};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -54,7 +51,8 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     for &theta in &options.theta {
         let mut functions = Vec::new();
         for &nu in options.nu.iter().chain([&other]) {
-            let (gamma, u) = extremal(nu, Zone::end(theta)?, Condition::MeanZero, options.tolerance)?;
+            let (gamma, u) = gamma(nu, Constraint::mean_zero_on(0.0..theta), options.tolerance)
+                .map(|found| (found.constant, found.extremal()))?;
             functions.push((gamma, u.interpolate(2, 6, &[theta])?));
         }
         for (k, &nu) in options.nu.iter().enumerate() {

@@ -10,9 +10,10 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use experiments::growth::{growth, last_exponent};
+use experiments::zones::Place;
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
-    poincare::{Condition, END_SLOPE, HalfBracket, INTERIOR_SLOPE, LawRest, Place, UniformLaw, gamma},
+    Constraint, END_SLOPE, Estimate, FractionalOrder, HalfBracket, INTERIOR_SLOPE, LawRest, Tolerance,
+    UniformLaw, gamma,
 };
 use std::process::ExitCode;
 
@@ -48,7 +49,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let (half, tolerance) = (FractionalOrder::HALF, options.tolerance);
     let law = UniformLaw::new(half, tolerance)?;
     let constant = |place: Place, theta: f64| -> Result<Estimate> {
-        Ok(gamma(half, place.zone(theta)?, Condition::MeanZero, tolerance)?)
+        Ok(gamma(half, Constraint::mean_zero_on(place.zone(theta)?), tolerance)?.constant)
     };
     let point = |&theta: &f64| -> Result<(HalfBracket, LawRest)> {
         Ok((HalfBracket::new(-theta.ln())?, law.rest(theta, constant(Place::End, theta)?)?))

@@ -10,10 +10,8 @@ use example_frame::{Finding, Headline, Result, within};
 use experiments::growth::{
     Scaling, ScalingPoint, growth, growth_limit, looseness_at_half, printed_exponent_near_one,
 };
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
-    poincare::{Condition, END_SLOPE, Place},
-};
+use experiments::zones::{Condition, Place};
+use fractional_sobolev::{END_SLOPE, Estimate, FractionalOrder, Tolerance};
 use std::process::ExitCode;
 use std::time::Instant;
 

@@ -8,10 +8,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
-    poincare::{Condition, END_SLOPE, Zone, gamma, gamma_at_point},
-};
+use fractional_sobolev::{Constraint, END_SLOPE, Estimate, FractionalOrder, Tolerance, gamma};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -51,9 +48,9 @@ pub struct Row {
 /// The constants of the point at the end, of the point given and of a short zone.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let row = |&nu: &FractionalOrder| -> Result<Row> {
-        let end = gamma_at_point(nu, 0.0, options.tolerance)?;
-        let inside = gamma_at_point(nu, options.point, options.tolerance)?;
-        let short = gamma(nu, Zone::end(SHORT)?, Condition::MeanZero, options.tolerance)?;
+        let end = gamma(nu, Constraint::vanishing_at(0.0), options.tolerance)?.constant;
+        let inside = gamma(nu, Constraint::vanishing_at(options.point), options.tolerance)?.constant;
+        let short = gamma(nu, Constraint::mean_zero_on(0.0..SHORT), options.tolerance)?.constant;
         let ratios = [inside.over(end)?, short.over(end)?];
         let law = (END_SLOPE / (2.0 * nu.offset())).sqrt();
         let scaled = Estimate::new(end.value / law, end.error / law, end.work)?;

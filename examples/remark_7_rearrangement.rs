@@ -9,7 +9,8 @@ use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, with
 use experiments::arrangement::{MovedZone, ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
 use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, poincare::Condition};
+use experiments::zones::Condition;
+use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

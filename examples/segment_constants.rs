@@ -7,8 +7,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
-    poincare::{Moment, StrongForm, half_order_moment, moment_extremal},
+    Estimate, FractionalOrder, Moment, StrongForm, Tolerance, half_order_moment, moment_extremal,
 };
 use signorini::proof::{
     SegmentConstant, consistency_constant, midpoint_bound, product_bound, product_constant,

@@ -12,10 +12,8 @@ use example_frame::contact::Material;
 use experiments::SplitMix;
 use experiments::interpolation::SampleSlope;
 use experiments::proof::Resolution;
-use fractional_sobolev::{
-    FractionalOrder, GalleryFunction, Tolerance,
-    poincare::{Condition, Place},
-};
+use experiments::zones::{Condition, Place};
+use fractional_sobolev::{FractionalOrder, GalleryFunction, Tolerance};
 use peak_alloc::PeakAlloc;
 use signorini::Error;
 use signorini::ToolkitError;

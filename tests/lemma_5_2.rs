@@ -4,12 +4,10 @@
 use example_frame::{Outcome, Verdict};
 use experiments::growth::{growth, printed_growth};
 use experiments::induction::closing_factor;
+use experiments::zones::{Condition, Place};
 use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, Tolerance,
-    poincare::{
-        Condition, END_SLOPE, INTERIOR_SLOPE, Place, UniformLaw, Zone, end_limit, extremal, gamma,
-        gamma_at_point, gamma_whole, interior_limit, largest_mean, two_sided,
-    },
+    Constraint, END_SLOPE, Error, Estimate, FractionalOrder, INTERIOR_SLOPE, Tolerance, UniformLaw, Zone,
+    end_limit, gamma, interior_limit, largest_mean,
 };
 use std::sync::LazyLock;
 
@@ -29,7 +27,10 @@ fn order(nu: f64) -> FractionalOrder {
 }
 
 fn constant(nu: f64, zone: Zone, tolerance: f64) -> f64 {
-    gamma(order(nu), zone, Condition::MeanZero, Tolerance::new(tolerance).unwrap()).unwrap().value
+    gamma(order(nu), Constraint::mean_zero_on(zone), Tolerance::new(tolerance).unwrap())
+        .unwrap()
+        .constant
+        .value
 }
 
 #[test]
@@ -42,7 +43,7 @@ fn constants_agree_with_the_reference_and_keep_their_promise() {
         // Every row to ten digits, and every fifth to four: the estimate must be met at either setting.
         for tolerance in [1e-10, 1e-4].into_iter().take(1 + usize::from(index % 5 == 0)) {
             let asked = Tolerance::new(tolerance).unwrap();
-            let found = gamma(order(nu), zone, Condition::MeanZero, asked).unwrap();
+            let found = gamma(order(nu), Constraint::mean_zero_on(zone), asked).unwrap().constant;
             let error = (found.value - exact).abs();
             assert!(
                 error <= found.error && error <= tolerance * exact,
@@ -79,7 +80,8 @@ fn limits_agree_with_the_reference() {
     let rows: serde_json::Value = serde_json::from_str(text).unwrap();
     for row in rows["gamma0"].as_array().unwrap() {
         let (nu, exact) = (number(row, "nu"), number(row, "gamma0"));
-        let found = gamma_at_point(order(nu), 0.0, Tolerance::new(LIMIT).unwrap()).unwrap();
+        let found =
+            gamma(order(nu), Constraint::vanishing_at(0.0), Tolerance::new(LIMIT).unwrap()).unwrap().constant;
         assert!((found.value / exact - 1.0).abs() <= LIMIT, "nu {nu}: {found} against {exact}");
     }
     let half = &rows["c_half"][0];
@@ -127,10 +129,13 @@ fn uniform_law_passes_smoothly_through_one_half() {
         let nu: FractionalOrder = nu.parse().unwrap();
         let law = UniformLaw::new(nu, Tolerance::balanced()).unwrap();
         let zone = Zone::end(1e-40).unwrap();
-        let found = gamma(nu, zone, Condition::MeanZero, Tolerance::balanced()).unwrap().value;
+        let found = gamma(nu, Constraint::mean_zero_on(zone), Tolerance::balanced()).unwrap().constant.value;
         let estimate = law.gamma(1e-40).unwrap();
         let predicted = estimate.value;
-        let (lambda, whole) = (found * found, gamma_whole(nu, Tolerance::balanced()).unwrap().value.powi(2));
+        let (lambda, whole) = (
+            found * found,
+            gamma(nu, Constraint::mean_zero(), Tolerance::balanced()).unwrap().constant.value.powi(2),
+        );
         let neglected = 0.5 * law.second_correction.value * whole / lambda.powi(4) / (1.0 - whole / lambda);
         let apart = (found / predicted - 1.0).abs();
         assert!(apart < neglected + KNOWN, "nu {nu}: {found} against {predicted}, neglected {neglected:e}");
@@ -144,7 +149,9 @@ fn extreme_orders_agree_between_two_discretisations() {
     for nu in [0.001, 0.999] {
         for theta in [1.0, 0.5, 1e-3, 1e-30, 1e-300] {
             let zone = Zone::end(theta).unwrap();
-            let found = gamma(order(nu), zone, Condition::MeanZero, Tolerance::new(1e-9).unwrap()).unwrap();
+            let found = gamma(order(nu), Constraint::mean_zero_on(zone), Tolerance::new(1e-9).unwrap())
+                .unwrap()
+                .constant;
             assert!(found.relative_error() <= 1e-9, "nu {nu} theta {theta:e}: {found}");
         }
     }
@@ -152,11 +159,12 @@ fn extreme_orders_agree_between_two_discretisations() {
     for nu in [0.9, 0.999, 1.0 - 1e-6] {
         let [mean, zero] = [Condition::MeanZero, Condition::Vanishing].map(|condition| {
             let zone = Zone::centred(1e-300).unwrap();
-            gamma(order(nu), zone, condition, Tolerance::new(1e-8).unwrap()).unwrap().value
+            gamma(order(nu), condition.on(zone), Tolerance::new(1e-8).unwrap()).unwrap().constant.value
         });
         assert!((mean / zero - 1.0).abs() < 1e-8, "nu {nu}: {mean} and {zero}");
     }
-    let near = |nu: f64| gamma_whole(order(nu), Tolerance::balanced()).unwrap().value;
+    let near =
+        |nu: f64| gamma(order(nu), Constraint::mean_zero(), Tolerance::balanced()).unwrap().constant.value;
     // γ₁ → 1/2 and √(1−ν)/π with corrections of first order in ν and 1 − ν
     assert!((near(1e-3) - 0.5).abs() < 1e-3, "{}", near(1e-3));
     let scaled = near(0.999) * std::f64::consts::PI / 0.001f64.sqrt();
@@ -168,7 +176,8 @@ fn orders_without_digits_of_their_own_are_continued() {
     // γ₁(0) = 1/2: the form with 1/|x−y| has Legendre eigenfunctions with eigenvalues 4 H_n, the smallest of
     // which is 4.
     for nu in [1e-300, 1e-15] {
-        let found = gamma_whole(order(nu), Tolerance::new(1e-10).unwrap()).unwrap();
+        let found =
+            gamma(order(nu), Constraint::mean_zero(), Tolerance::new(1e-10).unwrap()).unwrap().constant;
         assert!((found.value - 0.5).abs() <= found.error.max(1e-14), "nu {nu:e}: {found}");
     }
     // At ν = 1e-6 either road can be taken; tolerances decide which.
@@ -179,7 +188,9 @@ fn orders_without_digits_of_their_own_are_continued() {
     }
     for (nu, theta) in [(1e-300, 1.0), (1e-6, 0.3), (1e-9, 1e-3)] {
         let zone = Zone::end(theta).unwrap();
-        let found = two_sided(order(nu), zone, Condition::MeanZero, Tolerance::new(1e-9).unwrap()).unwrap();
+        let found = gamma(order(nu), Constraint::mean_zero_on(zone), Tolerance::new(1e-9).unwrap())
+            .and_then(|found| found.bounds())
+            .unwrap();
         assert!(found.lower <= found.gamma.value && found.gamma.value <= found.upper, "nu {nu:e}: {found:?}");
         let simple = found.whole.value.hypot(found.dual_norm.value);
         assert!(found.upper <= simple * (1.0 + 1e-8), "nu {nu:e}: {found:?}");
@@ -188,10 +199,12 @@ fn orders_without_digits_of_their_own_are_continued() {
     // quotient is the constant, on another road.
     for (nu, theta) in [(1e-9, 0.3), (1e-12, 1e-3)] {
         let (zone, asked) = (Zone::end(theta).unwrap(), Tolerance::new(1e-8).unwrap());
-        let value = gamma(order(nu), zone, Condition::MeanZero, asked).unwrap();
-        let norm = largest_mean(order(nu), zone, Condition::MeanZero, asked).unwrap();
+        let value = gamma(order(nu), Constraint::mean_zero_on(zone), asked).unwrap().constant;
+        let norm = largest_mean(order(nu), Constraint::mean_zero_on(zone), asked).unwrap();
         assert!(norm.value <= value.value && norm.relative_error() <= 1e-8, "nu {nu:e}: {norm}, {value}");
-        let (found, u) = extremal(order(nu), zone, Condition::MeanZero, asked).unwrap();
+        let (found, u) = gamma(order(nu), Constraint::mean_zero_on(zone), asked)
+            .map(|found| (found.constant, found.extremal()))
+            .unwrap();
         assert_eq!(found, value);
         let interpolant = u.interpolate(2, 6, &[theta]).unwrap();
         let seminorm = interpolant.seminorm(order(nu), Tolerance::fast()).unwrap().value;
@@ -201,9 +214,10 @@ fn orders_without_digits_of_their_own_are_continued() {
     // A zone inside leaves fewer digits: a refusal that says how many.
     let inside = Zone::centred(1e-300).unwrap();
     let asked = Tolerance::new(1e-10).unwrap();
-    let refused = gamma(order(1e-300), inside, Condition::MeanZero, asked);
+    let refused = gamma(order(1e-300), Constraint::mean_zero_on(inside), asked).map(|found| found.constant);
     assert!(matches!(refused, Err(Error::ToleranceNotMet { .. })), "{refused:?}");
-    let refused = extremal(order(1e-300), inside, Condition::MeanZero, asked);
+    let refused = gamma(order(1e-300), Constraint::mean_zero_on(inside), asked)
+        .map(|found| (found.constant, found.extremal()));
     assert!(matches!(refused, Err(Error::ToleranceNotMet { .. })), "{refused:?}");
 }
 
@@ -217,7 +231,8 @@ fn bounds_hold_in_a_sweep() {
                 for condition in [Condition::MeanZero, Condition::Vanishing] {
                     let zone = place.zone(theta).unwrap();
                     let case = format!("nu {nu} zone {zone} {condition}");
-                    let found = two_sided(order(nu), zone, condition, tolerance)
+                    let found = gamma(order(nu), condition.on(zone), tolerance)
+                        .and_then(|found| found.bounds())
                         .unwrap_or_else(|error| panic!("{case}: {error}"));
                     assert!(found.lower <= found.gamma.value, "{case}: {found:?}");
                     assert!(found.gamma.value <= found.upper, "{case}: {found:?}");
@@ -266,7 +281,9 @@ fn printed_law_at_one_half_fails_near_one_and_is_loose_near_zero() {
 fn extremal_function_attains_the_constant_and_meets_its_condition() {
     for (nu, theta) in [(0.3, 0.2), (0.5, 0.05), (0.8, 0.1)] {
         let zone = Zone::end(theta).unwrap();
-        let (found, u) = extremal(order(nu), zone, Condition::MeanZero, Tolerance::balanced()).unwrap();
+        let (found, u) = gamma(order(nu), Constraint::mean_zero_on(zone), Tolerance::balanced())
+            .map(|found| (found.constant, found.extremal()))
+            .unwrap();
         let interpolant = u.interpolate(2, 6, &[theta]).unwrap();
         let seminorm = interpolant.seminorm(order(nu), Tolerance::fast()).unwrap().value;
         let norm = interpolant.l2_norm(Tolerance::reference()).unwrap().value;
@@ -284,8 +301,10 @@ fn extremal_value_and_function_belong_together() {
     // Whichever space gave the value: on a finer one than first tried (1e-11), and on the first (1e-4).
     for (nu, tolerance) in [(0.3, 1e-4), (0.5, 1e-11), (0.8, 1e-4)] {
         let (zone, asked) = (Zone::end(0.05).unwrap(), Tolerance::new(tolerance).unwrap());
-        let value = gamma(order(nu), zone, Condition::MeanZero, asked).unwrap();
-        let (found, u) = extremal(order(nu), zone, Condition::MeanZero, asked).unwrap();
+        let value = gamma(order(nu), Constraint::mean_zero_on(zone), asked).unwrap().constant;
+        let (found, u) = gamma(order(nu), Constraint::mean_zero_on(zone), asked)
+            .map(|found| (found.constant, found.extremal()))
+            .unwrap();
         assert_eq!(found, value, "nu {nu}");
         let interpolant = u.interpolate(2, 12, &[0.05]).unwrap();
         let seminorm = interpolant.seminorm(order(nu), Tolerance::fast()).unwrap().value;
@@ -301,7 +320,10 @@ fn growth_is_measured_with_its_drift() {
         .into_iter()
         .map(|theta| {
             let zone = Zone::end(theta).unwrap();
-            (theta, gamma(order(0.5), zone, Condition::MeanZero, Tolerance::balanced()).unwrap())
+            (
+                theta,
+                gamma(order(0.5), Constraint::mean_zero_on(zone), Tolerance::balanced()).unwrap().constant,
+            )
         })
         .collect();
     let slope = growth(order(0.5), &zones).unwrap().unwrap();
@@ -333,8 +355,16 @@ fn inadmissible_zones_and_orders_are_errors_that_carry_the_value() {
     }
     assert!(FractionalOrder::new(0.0).is_err());
     let whole = Zone::end(1.0).unwrap();
-    assert!(gamma(order(0.3), whole, Condition::Vanishing, Tolerance::fast()).is_err());
-    assert!(gamma_at_point(FractionalOrder::HALF, 0.0, Tolerance::fast()).is_err());
+    assert!(
+        gamma(order(0.3), Constraint::vanishing_on(whole), Tolerance::fast())
+            .map(|found| found.constant)
+            .is_err()
+    );
+    assert!(
+        gamma(FractionalOrder::HALF, Constraint::vanishing_at(0.0), Tolerance::fast())
+            .map(|found| found.constant)
+            .is_err()
+    );
 }
 
 #[test]
@@ -401,7 +431,7 @@ fn the_end_of_the_proof_holds_in_three_cases() {
     const DIGITS: f64 = 1e-5;
     for nu in [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9] {
         let start = constant(nu, Zone::end(0.5).unwrap(), DIGITS);
-        let whole = gamma_whole(order(nu), Tolerance::default()).unwrap().value;
+        let whole = gamma(order(nu), Constraint::mean_zero(), Tolerance::default()).unwrap().constant.value;
         for theta in [0.4, 0.2, 0.03, 1e-3, 3e-7, 1e-20, 1e-100] {
             let found = constant(nu, Zone::end(theta).unwrap(), DIGITS) * (1.0 + 3.0 * DIGITS);
             let bound = start * closing_factor(order(nu), 0.5, theta).unwrap();

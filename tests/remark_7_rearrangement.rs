@@ -8,9 +8,9 @@ use example_frame::{Outcome, Verdict};
 use experiments::arrangement::{ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
 use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
+use experiments::zones::Condition;
 use fractional_sobolev::{
-    FractionalOrder, Tolerance,
-    poincare::{Condition, Zone, Zones, gamma, gamma_at_point, largest_mean},
+    Constraint, FractionalOrder, Tolerance, Zone, Zones, gamma, largest_mean,
 };
 
 #[test]
@@ -97,12 +97,13 @@ fn dual_norms_and_points_have_their_worst_place_at_the_end() {
         let order = FractionalOrder::new(nu).unwrap();
         let zones = Zones::union(&[(0.1, 0.02), (0.5, 0.05)]).unwrap();
         for condition in [Condition::MeanZero, Condition::Vanishing] {
-            let norm = |zones: Zones| largest_mean(order, zones, condition, tolerance).unwrap().value;
+            let norm = |zones: Zones| largest_mean(order, condition.on(zones), tolerance).unwrap().value;
             let end = norm(Zone::end(zones.length()).unwrap().into());
             assert!(norm(zones.clone()) < end, "nu {nu}, {condition}");
         }
         if nu > 0.5 {
-            let points = [0.0, 0.05, 0.2, 0.5].map(|a| gamma_at_point(order, a, tolerance).unwrap().value);
+            let points = [0.0, 0.05, 0.2, 0.5]
+                .map(|a| gamma(order, Constraint::vanishing_at(a), tolerance).unwrap().constant.value);
             assert!(points[1..].iter().all(|point| point < &points[0]), "nu {nu}: {points:?}");
         }
     }
@@ -117,8 +118,9 @@ fn an_interval_has_less_all_the_way_to_the_middle() {
         for theta in [1e-6, 1e-2, 0.3, 0.8] {
             for condition in [Condition::MeanZero, Condition::Vanishing] {
                 let at = |share: f64| {
-                    gamma(order, Zone::at(share * (1.0 - theta), theta).unwrap(), condition, tolerance)
+                    gamma(order, condition.on(Zone::at(share * (1.0 - theta), theta)), tolerance)
                         .unwrap()
+                        .constant
                 };
                 let constants = [0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5].map(at);
                 for pair in constants.windows(2) {

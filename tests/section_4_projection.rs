@@ -11,11 +11,10 @@ use experiments::interpolation::{
     SampleSlope, sample_projection_dual_error, sample_projection_error, wave_constant,
 };
 use fractional_sobolev::{
-    Error, FractionalOrder, Partition, Tolerance,
+    Constraint, Error, FractionalOrder, Partition, Tolerance, gamma,
     interpolation::{
         ElementMesh, ProjectionNorm, dual_projection_constant, projection_constant, projection_norm_on_cells,
     },
-    poincare::{Condition, Zone, gamma},
 };
 use std::sync::LazyLock;
 
@@ -32,8 +31,7 @@ fn constant(r: f64) -> f64 {
 fn the_best_constant_is_the_poincare_constant_of_the_whole_interval() {
     for r in [0.05, 0.3, 0.5, 0.7, 0.95] {
         let order = FractionalOrder::new(r).unwrap();
-        let whole =
-            gamma(order, Zone::end(1.0).unwrap(), Condition::MeanZero, Tolerance::balanced()).unwrap();
+        let whole = gamma(order, Constraint::mean_zero(), Tolerance::balanced()).unwrap().constant;
         let projection = constant(r);
         assert!((projection / whole.value - 1.0).abs() < TWO_ROADS, "{r}: {projection} {whole}");
     }

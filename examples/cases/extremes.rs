@@ -1,8 +1,8 @@
 //! What `extremes` plants: hard input with its value found another way, and input that has no answer.
 
 use fractional_sobolev::{
-    FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms,
-    poincare::{Condition, UniformLaw, Zone, gamma, gamma_at_point},
+    Constraint, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, Tolerance,
+    UniformLaw, closed_forms, gamma,
 };
 use signorini::cone::Cone;
 use signorini::contact::Solver;
@@ -37,8 +37,8 @@ pub const ADMISSIBLE: [Hard; 14] = [
     ("zone of length 1e-300, order 1/2", "gamma, uniform law", short_zone),
     ("zone 1e-300, order 3/4", "gamma, one point", || {
         let order = FractionalOrder::new(0.75)?;
-        let zone = gamma(order, Zone::end(1e-300)?, Condition::MeanZero, Tolerance::balanced())?;
-        Ok((zone.value, gamma_at_point(order, 0.0, Tolerance::balanced())?.value))
+        let zone = gamma(order, Constraint::mean_zero_on(0.0..1e-300), Tolerance::balanced())?.constant;
+        Ok((zone.value, gamma(order, Constraint::vanishing_at(0.0), Tolerance::balanced())?.constant.value))
     }),
     ("load of size 1e-150", "contact force, scaling", || scaled_load(1e-150)),
     ("load of size 1e150", "contact force, scaling", || scaled_load(1e150)),
@@ -95,7 +95,11 @@ pub const INADMISSIBLE: [Bad; 8] = [
     (
         "a zone of length 0, order 1/2",
         "gamma",
-        || Ok(gamma(FractionalOrder::HALF, Zone::end(0.0)?, Condition::MeanZero, Tolerance::fast())?.value),
+        || {
+            Ok(gamma(FractionalOrder::HALF, Constraint::mean_zero_on(0.0..0.0), Tolerance::fast())?
+                .constant
+                .value)
+        },
         out_of_range,
     ),
     ("16 digits asked", "gamma", || Ok(Tolerance::new(1e-16)?.relative()), out_of_range),
@@ -150,7 +154,7 @@ fn million_cells() -> Result<Pair> {
 
 fn short_zone() -> Result<Pair> {
     let (order, tolerance) = (FractionalOrder::HALF, Tolerance::new(1e-10)?);
-    let found = gamma(order, Zone::end(1e-300)?, Condition::MeanZero, tolerance)?;
+    let found = gamma(order, Constraint::mean_zero_on(0.0..1e-300), tolerance)?.constant;
     Ok((found.value, UniformLaw::new(order, tolerance)?.gamma(1e-300)?.value))
 }
 

@@ -3,10 +3,9 @@
 
 use experiments::largest;
 use fractional_sobolev::{
-    Estimate, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, Result, SingularFunction,
-    Tolerance, Work, closed_forms, gram_linears,
+    Constraint, Estimate, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, Result,
+    SingularFunction, Tolerance, Work, Zone, closed_forms, gamma, gram_linears,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
-    poincare::{Condition, Zone, gamma},
 };
 
 /// A name, the value found another way, and what is asked.
@@ -27,7 +26,13 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
     };
     let zone = |name, nu, theta, exact| -> Result<Case<'a>> {
         let (order, zone) = (FractionalOrder::new(nu)?, Zone::end(theta)?);
-        Ok((name, exact, Box::new(move |tolerance| gamma(order, zone, Condition::MeanZero, tolerance))))
+        Ok((
+            name,
+            exact,
+            Box::new(move |tolerance| {
+                gamma(order, Constraint::mean_zero_on(zone), tolerance).map(|found| found.constant)
+            }),
+        ))
     };
     let slow = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
         0 => (-at.offset().ln()).powf(0.25),

@@ -3,11 +3,10 @@
 use super::laws::TwoLaws;
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{
-    FractionalOrder, Tolerance,
+    Constraint, FractionalOrder, Tolerance, gamma,
     interpolation::{
         ErrorNorm, critical_exponent, element_constant, embedding_upper_bound, limits, projection_constant,
     },
-    poincare::{Condition, Zone, gamma, gamma_at_point},
 };
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -62,7 +61,8 @@ impl ProofConstants {
             (q, embedding_upper_bound(FractionalOrder::HALF, q)?.value)
         };
         let (gammas, factors) = if tau > 2.0 {
-            let constant = upper(gamma_at_point(order, 0.0, Tolerance::new(GAMMA)?)?);
+            let constant =
+                upper(gamma(order, Constraint::vanishing_at(0.0), Tolerance::new(GAMMA)?)?.constant);
             (HashMap::new(), TwoLaws::same(constant))
         } else {
             let gammas = zone_constants(order, thetas)?;
@@ -149,7 +149,7 @@ fn zone_constants(order: FractionalOrder, thetas: &[f64]) -> Result<HashMap<u64,
     zones.dedup();
     let tolerance = Tolerance::new(GAMMA)?;
     let constant = |theta: f64| -> Result<(u64, f64)> {
-        let found = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        let found = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant;
         Ok((theta.to_bits(), found.value + found.error))
     };
     zones.into_par_iter().map(constant).collect()

@@ -10,7 +10,7 @@
 //! | κ̄(ν), [`midpoint_bound`] | midpoint cone, every E | max_e B(e) D(1−e) |
 //!
 //! B, A, D are the moments of 1, x and e − x of functions that vanish beyond (0, e), x the distance from the
-//! free end: [`fractional_sobolev::poincare::moment_norm`].
+//! free end: [`fractional_sobolev::moment_norm`].
 //!
 //! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far as it can be: at least ∫_n^1 t^{−1−2ν}
 //! dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|², and
@@ -34,8 +34,8 @@ use crate::cone::Cone;
 use crate::error::Result;
 use crate::numeric::search::golden_section;
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Given, Tolerance, Work,
-    poincare::{Moment, MomentBounds, StrongForm, moment_norm, moment_norm_beside},
+    Estimate, FractionalOrder, Given, Moment, MomentBounds, StrongForm, Tolerance, Work, moment_norm,
+    moment_norm_beside,
 };
 
 /// A constant and the measure of the contact set at which it is reached.

@@ -166,9 +166,9 @@ impl Estimate {
     /// caller who reads its error.
     ///
     /// ```
-    /// use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
+    /// use fractional_sobolev::{Constraint, Estimate, FractionalOrder, gamma, Tolerance};
     /// let order = FractionalOrder::new(0.25)?;
-    /// let refused = gamma(order, Zone::end(0.5)?, Condition::MeanZero, Tolerance::new(1e-15)?);
+    /// let refused = gamma(order, Constraint::mean_zero_on(0.0..0.5), Tolerance::new(1e-15)?).map(|found| found.constant);
     /// assert!(refused.is_err());
     /// let best = Estimate::or_best(refused)?;
     /// assert!(best.relative_error() < 1e-11);

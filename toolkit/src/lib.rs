@@ -12,7 +12,7 @@
 //! | values on the boundary of a polygon | norms of order 1/2, −1/2 and others | [`BoundaryFunction`] |
 //! | a load | its dual norm | [`PiecewisePolynomial::dual_norm`] |
 //! | a mesh | Gram and mass matrix, fast products | [`GramOperator`], [`gram_linears`] |
-//! | a zone where the mean vanishes | the Poincaré constant | [`poincare::gamma`] |
+//! | a zone where the mean vanishes | the Poincaré constant | [`gamma`] |
 //! | an element | the constant of interpolation | [`interpolation::element_constant`] |
 //!
 //! Orders are [`FractionalOrder`] and tolerances, which are relative, [`Tolerance`]; where [`Given`]
@@ -59,9 +59,9 @@
 //! **A Poincaré constant**: ‖u‖₀ ≤ γ |u|_{1/2} for all u with mean zero on (0.3, 0.3 + 1e-6).
 //!
 //! ```
-//! use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
+//! use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance, Zone};
 //! let zone = Zone::at(0.3, 1e-6)?;
-//! println!("{}", gamma(FractionalOrder::HALF, zone, Condition::MeanZero, Tolerance::balanced())?);
+//! println!("{}", gamma(FractionalOrder::HALF, Constraint::mean_zero_on(zone), Tolerance::balanced())?.constant);
 //! # Ok::<(), fractional_sobolev::Error>(())
 //! ```
 #![warn(unreachable_pub)]
@@ -89,7 +89,7 @@ mod order;
 mod partition;
 mod piecewise;
 mod plane;
-pub mod poincare;
+mod poincare;
 mod quadrature;
 mod root;
 mod trace;
@@ -111,6 +111,11 @@ pub use piecewise::PiecewisePolynomial;
 pub use plane::{
     GridOperator, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles,
     coordinate_on_unit_square,
+};
+pub use poincare::{
+    Constraint, END_SLOPE, ExtremalFunction, Gamma, GammaBounds, HalfBracket, INTERIOR_SLOPE, LawRest,
+    LimitLaw, Moment, MomentBounds, StrongForm, UniformLaw, Zone, Zones, end_limit, gamma, half_order_moment,
+    interior_limit, largest_mean, moment_extremal, moment_norm, moment_norm_beside,
 };
 pub use quadrature::Rule;
 pub(crate) use trace::HalfLineSymbol;

@@ -14,8 +14,8 @@ mod references;
 use attack::{Count, cases, seeded};
 use common::SplitMix;
 use fractional_sobolev::{
-    Error, FractionalOrder, Partition, PiecewisePolynomial, Rule, SingularFunction, Tolerance, closed_forms,
-    poincare::{Condition, Zone, gamma},
+    Constraint, Error, FractionalOrder, Partition, PiecewisePolynomial, Rule, SingularFunction, Tolerance,
+    closed_forms, gamma,
 };
 use std::f64::consts::PI;
 
@@ -311,7 +311,9 @@ fn poincare_constants_between_bounds_known_by_hand() {
     for _ in 0..cases(100) {
         let order = order(&mut random);
         let theta = decades(&mut random, -4.0, 0.0);
-        match gamma(order, Zone::end(theta).unwrap(), Condition::MeanZero, Tolerance::fast()) {
+        match gamma(order, Constraint::mean_zero_on(0.0..theta), Tolerance::fast())
+            .map(|found| found.constant)
+        {
             Ok(found) => {
                 answered += 1;
                 let [low, high] = [found.value - found.error, found.value + found.error];

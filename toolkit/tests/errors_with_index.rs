@@ -2,7 +2,7 @@
 
 use fractional_sobolev::{
     BoundaryFunction, Error, GramOperator, MeshFunctional, Partition, PiecewisePolynomial, PlaneFunction,
-    PolygonalCurve, Result, SingularFunction, Triangles, interpolation::ElementMesh, poincare::Zones,
+    PolygonalCurve, Result, SingularFunction, Triangles, Zones, interpolation::ElementMesh,
 };
 
 /// (index, value) that the error names, in its fields and in its words.

@@ -2,10 +2,10 @@
 //! its square or of a part of it, and says why more is not to be had.
 
 use fractional_sobolev::{
-    DualOf, Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, Result, SingularFunction,
-    Tolerance,
+    Constraint, DualOf, Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, Result,
+    SingularFunction, Tolerance, Zone, gamma,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
-    poincare::{Condition, Zone, extremal, gamma, gamma_at_point, largest_mean},
+    largest_mean,
 };
 
 const SHARPEST: f64 = 1e-15;
@@ -79,22 +79,30 @@ fn piecewise_functions_and_dual_norms_carry_theirs() {
 #[test]
 fn constants_carry_theirs() {
     let zone = || Zone::end(0.25).unwrap();
-    assert_carries("gamma", SHARPEST, 1e-11, |t| gamma(order(0.4), zone(), Condition::MeanZero, t));
-    let attained = |t| extremal(order(0.4), zone(), Condition::MeanZero, t).map(|found| found.0);
+    assert_carries("gamma", SHARPEST, 1e-11, |t| {
+        gamma(order(0.4), Constraint::mean_zero_on(zone()), t).map(|found| found.constant)
+    });
+    let attained = |t| {
+        gamma(order(0.4), Constraint::mean_zero_on(zone()), t)
+            .map(|found| (found.constant, found.extremal()))
+            .map(|found| found.0)
+    };
     assert_carries("gamma with its function", SHARPEST, 1e-11, attained);
     assert_carries("dual norm", SHARPEST, 1e-11, |t| {
-        largest_mean(order(0.4), zone(), Condition::MeanZero, t)
+        largest_mean(order(0.4), Constraint::mean_zero_on(zone()), t)
     });
     assert_carries("element", SHARPEST, 1e-12, |t| element_constant(ErrorNorm::L2, order(0.3), t));
     assert_carries("projection", SHARPEST, 1e-10, |t| dual_projection_constant(0.3, t));
-    let near = gamma_at_point(FractionalOrder::from_offset(1e-6).unwrap(), 0.0, Tolerance::fast());
+    let near =
+        gamma(FractionalOrder::from_offset(1e-6).unwrap(), Constraint::vanishing_at(0.0), Tolerance::fast())
+            .map(|found| found.constant);
     assert!(matches!(near, Err(Error::ToleranceNotMet { best: None, .. })), "{near:?}");
 }
 
 #[test]
 fn the_message_names_value_and_reason() {
-    let error =
-        gamma(order(0.4), Zone::end(0.25).unwrap(), Condition::MeanZero, Tolerance::new(SHARPEST).unwrap());
+    let error = gamma(order(0.4), Constraint::mean_zero_on(0.0..0.25), Tolerance::new(SHARPEST).unwrap())
+        .map(|found| found.constant);
     let text = error.unwrap_err().to_string();
     assert!(text.contains("best value") && text.contains("rounding"), "{text}");
 }

@@ -4,14 +4,13 @@ use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
 use experiments::SplitMix;
 use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Partition, Result, Work,
+    Constraint, Estimate, FractionalOrder, Moment, Partition, Result, StrongForm, Work, Zone, end_limit,
+    gamma, half_order_moment,
     interpolation::{
         ErrorNorm, ProjectionNorm, element_constant, extremal_slopes, limits, mean_deviation,
         projection_norm_on_mesh,
     },
-    poincare::{
-        Condition, Moment, StrongForm, Zone, end_limit, gamma, gamma_at_point, half_order_moment, moment_norm,
-    },
+    moment_norm,
 };
 
 const GAMMA: &str = include_str!("../../../toolkit/tests/reference/gamma_reference.json");
@@ -32,7 +31,10 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let ends = draw(each.min(ends.len()), || {
         let row = ends[random.below(ends.len())];
         let (order, zone) = (order_of(row, "nu_decimal")?, Zone::end(number(row, "theta_decimal")?)?);
-        Ok((printed(row, "gamma")?, ask(move |t| gamma(order, zone, Condition::MeanZero, t))))
+        Ok((
+            printed(row, "gamma")?,
+            ask(move |t| gamma(order, Constraint::mean_zero_on(zone), t).map(|found| found.constant)),
+        ))
     })?;
     let inside: Vec<_> = limits["location"].as_array().into_iter().flatten().collect();
     let inside = draw(each.min(inside.len()), || {
@@ -45,7 +47,7 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let (order, digits) = (order_of(row, "nu")?, number(row, "digits")?);
         let value = number(row, "gamma")?;
         let exact = Estimate::new(value, value * 10f64.powf(1.0 - digits), Work::default())?;
-        Ok((exact, ask(move |t| gamma(order, zone, Condition::MeanZero, t))))
+        Ok((exact, ask(move |t| gamma(order, Constraint::mean_zero_on(zone), t).map(|found| found.constant))))
     })?;
     let list = |key: &str| limits[key].as_array().cloned().unwrap_or_default();
     let small = list("B").into_iter().map(|row| {
@@ -55,14 +57,17 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let small = small.collect::<Result<Vec<_>>>()?;
     let points = list("gamma0").into_iter().map(|row| {
         let order = order_of(&row, "nu")?;
-        Ok((printed(&row, "gamma0")?, ask(move |t| gamma_at_point(order, 0.0, t))))
+        Ok((
+            printed(&row, "gamma0")?,
+            ask(move |t| gamma(order, Constraint::vanishing_at(0.0), t).map(|found| found.constant)),
+        ))
     });
     let points = points.collect::<Result<Vec<_>>>()?;
     let by = "ball arithmetic, another program";
     Ok(vec![
         Family {
             name: "zone at end",
-            functions: "poincare::gamma",
+            functions: "gamma",
             range: "zone at an end",
             by,
             least: 0.0,
@@ -70,7 +75,7 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "zone inside",
-            functions: "poincare::gamma",
+            functions: "gamma",
             range: "zone inside",
             by,
             least: 0.0,
@@ -78,20 +83,13 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "end limit",
-            functions: "poincare::end_limit",
+            functions: "end_limit",
             range: "0.01 <= nu < 1/2",
             by: "30 digits",
             least: 0.0,
             cases: small,
         },
-        Family {
-            name: "point",
-            functions: "poincare::gamma_at_point",
-            range: "nu > 1/2",
-            by,
-            least: 0.0,
-            cases: points,
-        },
+        Family { name: "point", functions: "gamma", range: "nu > 1/2", by, least: 0.0, cases: points },
     ])
 }
 
@@ -110,7 +108,7 @@ fn moments(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let exact = Estimate::new(middle, 0.5 * (bounds.upper - bounds.lower), Work::default())?;
         Ok((exact, ask(move |t| moment_norm(order, e, moment, t))))
     })?;
-    let functions = "poincare::moment_norm";
+    let functions = "moment_norm";
     Ok(vec![
         Family {
             name: "moment 1/2",

@@ -3,7 +3,8 @@
 use crate::SplitMix;
 use crate::parallel;
 use crate::search::golden_section;
-use fractional_sobolev::poincare::{Condition, Zone, Zones, gamma, gamma_whole};
+use crate::zones::Condition;
+use fractional_sobolev::{Constraint, Zone, Zones, gamma};
 use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance};
 
 /// Most intervals of a random union.
@@ -70,7 +71,8 @@ impl ZoneCase {
     ///
     /// ```
     /// use experiments::arrangement::ZoneCase;
-    /// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zones}};
+    /// use experiments::zones::Condition;
+    /// use fractional_sobolev::{FractionalOrder, Tolerance, Zones};
     /// let zones = Zones::union(&[(0.2, 0.01), (0.7, 0.02)])?;
     /// let case = ZoneCase { order: FractionalOrder::HALF, zones, condition: Condition::Vanishing };
     /// assert!(case.over_end(Tolerance::fast())?.value < 0.8);
@@ -81,8 +83,8 @@ impl ZoneCase {
     /// As for [`gamma`].
     pub fn over_end(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
-        let end = gamma(self.order, Zone::end(self.zones.length())?, self.condition, tolerance)?;
-        gamma(self.order, self.zones.clone(), self.condition, tolerance)?.over(end)
+        let end = gamma(self.order, self.condition.on(0.0..self.zones.length()), tolerance)?.constant;
+        gamma(self.order, self.condition.on(self.zones.clone()), tolerance)?.constant.over(end)
     }
 }
 
@@ -121,7 +123,8 @@ pub fn random_zones(
 ///
 /// ```
 /// use experiments::arrangement::MovedZone;
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::Condition};
+/// use experiments::zones::Condition;
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// let found = MovedZone::new(FractionalOrder::HALF, 0.1, Condition::MeanZero, Tolerance::fast())?;
 /// assert!(found.least.value < 1.0 && found.whole.value <= found.least.value + 1e-3);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -158,8 +161,8 @@ impl MovedZone {
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let (share, least) = best_place(order, theta, condition, tolerance)?;
-        let end = gamma(order, Zone::end(theta)?, condition, tolerance)?;
-        let whole = gamma_whole(order, tolerance)?.over(end)?;
+        let end = gamma(order, condition.on(0.0..theta), tolerance)?.constant;
+        let whole = gamma(order, Constraint::mean_zero(), tolerance)?.constant.over(end)?;
         let gaps = opening_gap(order, theta, condition, tolerance)?;
         Ok(Self { order, condition, share, least, whole, gaps })
     }
@@ -201,7 +204,10 @@ fn best_place(
     condition: Condition,
     tolerance: Tolerance,
 ) -> Result<(f64, Estimate)> {
-    let value = |share: f64| gamma(order, Zone::at(share * (1.0 - theta), theta)?, condition, tolerance);
+    let value = |share: f64| {
+        gamma(order, condition.on(Zone::at(share * (1.0 - theta), theta)), tolerance)
+            .map(|found| found.constant)
+    };
     let shares = [0, 1, 2, 3, 4, 5, 6, 7, PLACES].map(|k| 0.5 * k as f64 / PLACES as f64);
     let found = parallel::over(&shares, |&share| Ok(value(share)?.value));
     let found = found.into_iter().collect::<Result<Vec<f64>>>()?;

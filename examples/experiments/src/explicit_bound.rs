@@ -1,6 +1,7 @@
 //! An upper bound of the constants of all zones of one length.
 
-use fractional_sobolev::poincare::{Condition, END_SLOPE, end_limit, gamma_at_point, gamma_whole};
+use crate::zones::Condition;
+use fractional_sobolev::{Constraint, END_SLOPE, end_limit, gamma};
 use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance};
 
 /// An upper bound of γ_θ(ν) for all zones of length θ with an explicit constant; found here and tested, not
@@ -40,10 +41,12 @@ impl ExplicitBound {
     ) -> Result<Option<Self>> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let half = || {
-            gamma_whole(FractionalOrder::HALF, tolerance).map(|whole| Some(Self::RootOfLogarithm { whole }))
+            gamma(FractionalOrder::HALF, Constraint::mean_zero(), tolerance)
+                .map(|found| found.constant)
+                .map(|whole| Some(Self::RootOfLogarithm { whole }))
         };
         if order.offset() > 0.0 {
-            return match gamma_at_point(order, 0.0, tolerance) {
+            return match gamma(order, Constraint::vanishing_at(0.0), tolerance).map(|found| found.constant) {
                 Ok(point) => Ok(Some(Self::Constant(point))),
                 Err(Error::ToleranceNotMet { .. }) => half(),
                 Err(error) => Err(error),
@@ -55,7 +58,8 @@ impl ExplicitBound {
         if order.offset() == 0.0 {
             return half();
         }
-        let (whole, limit) = (gamma_whole(order, tolerance)?, end_limit(order, tolerance)?);
+        let (whole, limit) =
+            (gamma(order, Constraint::mean_zero(), tolerance)?.constant, end_limit(order, tolerance)?);
         let work = whole.work + limit.work;
         let factor = Estimate::new(whole.value + limit.value, whole.error + limit.error, work)?;
         Ok(Some(Self::Power { order, factor }))

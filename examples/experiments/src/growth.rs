@@ -1,9 +1,8 @@
 //! Lemma 5.2 over a sequence of zones: how fast the constants grow, and bounds with explicit constants.
 
 use crate::explicit_bound::ExplicitBound;
-use fractional_sobolev::poincare::{
-    Condition, END_SLOPE, INTERIOR_SLOPE, LimitLaw, Place, TwoSided, Zone, gamma, two_sided,
-};
+use crate::zones::{Condition, Place};
+use fractional_sobolev::{Constraint, END_SLOPE, GammaBounds, INTERIOR_SLOPE, LimitLaw, Zone, gamma};
 use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance, Work};
 
 /// Growth of γ between the last two of a sequence of zones (θ, γ), longest first: the slope of γ² against
@@ -46,7 +45,8 @@ pub fn growth(order: impl Given<FractionalOrder>, zones: &[(f64, Estimate)]) -> 
 ///
 /// ```
 /// use experiments::growth::{growth_limit, last_exponent};
-/// use fractional_sobolev::{Estimate, FractionalOrder, poincare::Place};
+/// use experiments::zones::Place;
+/// use fractional_sobolev::{Estimate, FractionalOrder};
 /// assert_eq!(growth_limit(FractionalOrder::new(0.25)?, Place::End), -0.25);
 /// let of = |x: f64| Ok::<_, fractional_sobolev::Error>((x, Estimate::new(x * x, 1e-9, Default::default())?));
 /// let square = last_exponent(&[of(1.0)?, of(2.0)?, of(4.0)?])?;
@@ -98,7 +98,7 @@ pub fn printed_exponent_near_one(tolerance: impl Given<Tolerance>) -> Result<Opt
     let order = FractionalOrder::HALF;
     let point = |distance: f64| -> Result<Point> {
         let theta = 1.0 - distance;
-        let found = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        let found = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant;
         let printed = printed_growth(order, theta);
         Ok((distance, Estimate::new(found.value / printed, found.error / printed, found.work)?))
     };
@@ -129,7 +129,8 @@ pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
 /// ```
 /// use experiments::explicit_bound::ExplicitBound;
 /// use experiments::growth::Scaling;
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Place}};
+/// use experiments::zones::{Condition, Place};
+/// use fractional_sobolev::{FractionalOrder, Tolerance};
 /// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::fast());
 /// let point = Scaling::new(order, Place::End, Condition::MeanZero, asked)?.point(1e-3)?;
 /// let bound = ExplicitBound::new(order, Condition::MeanZero, asked)?.map(|bound| bound.at(1e-3));
@@ -152,7 +153,7 @@ pub struct Scaling {
 ///
 /// ```
 /// use experiments::growth::{Scaling, ScalingPoint};
-/// use fractional_sobolev::poincare::{Condition, Place};
+/// use experiments::zones::{Condition, Place};
 /// let scaling = Scaling::new(0.5, Place::End, Condition::MeanZero, 1e-3)?;
 /// let ScalingPoint { found, side, over_law, .. } = scaling.point(1e-9)?;
 /// // between its bounds, and near what the limit law says
@@ -169,7 +170,7 @@ pub struct ScalingPoint {
     /// The zone.
     pub zone: Zone,
     /// γ with its bounds.
-    pub found: TwoSided,
+    pub found: GammaBounds,
     /// γ over its upper bound.
     pub side: Estimate,
     /// γ over the explicit bound, where there is one.
@@ -194,7 +195,11 @@ impl Scaling {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let law = LimitLaw::new(order, place, condition, tolerance)?;
+        let law = match condition {
+            // for functions that vanish on the zone a law is known above 1/2 only
+            Condition::Vanishing if order.offset() <= 0.0 => None,
+            _ => LimitLaw::new(order, place.point(), tolerance)?,
+        };
         let bound = ExplicitBound::new(order, condition, tolerance)?;
         Ok(Self { order, place, condition, tolerance, law, bound })
     }
@@ -205,7 +210,8 @@ impl Scaling {
     /// Those of [`two_sided`] and [`Place::zone`].
     pub fn point(&self, theta: f64) -> Result<ScalingPoint> {
         let zone = self.place.zone(theta)?;
-        let found = two_sided(self.order, zone, self.condition, self.tolerance)?;
+        let found =
+            gamma(self.order, self.condition.on(zone), self.tolerance).and_then(|found| found.bounds())?;
         let gamma = found.gamma;
         // The law through 1/2 does not reach θ near 1.
         let law = self.law.as_ref().and_then(|law| law.gamma(theta).ok());
@@ -228,9 +234,9 @@ impl Scaling {
 ///
 /// ```
 /// use experiments::growth::{looseness_at_half, printed_exponent_near_one};
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
+/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance};
 /// let asked = Tolerance::fast();
-/// let short = gamma(FractionalOrder::HALF, Zone::end(1e-6)?, Condition::MeanZero, asked)?;
+/// let short = gamma(FractionalOrder::HALF, Constraint::mean_zero_on(0.0..1e-6), asked)?.constant;
 /// assert!(looseness_at_half(1e-6, short, asked)?.value > 1.0);
 /// // (5.2) cannot hold up to θ = 1
 /// assert!(printed_exponent_near_one(asked)?.is_some_and(|p| p.value < 0.0));
@@ -246,7 +252,7 @@ pub fn looseness_at_half(
 ) -> Result<Estimate> {
     let tolerance = tolerance.given()?;
     let order = FractionalOrder::HALF;
-    let middle = gamma(order, Zone::end(0.5)?, Condition::MeanZero, tolerance)?;
+    let middle = gamma(order, Constraint::mean_zero_on(0.0..0.5), tolerance)?.constant;
     let printed = printed_growth(order, theta) / printed_growth(order, 0.5);
     let loose = middle.over(shorter)?;
     Estimate::new(loose.value * printed, loose.error * printed, loose.work)

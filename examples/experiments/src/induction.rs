@@ -1,6 +1,6 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
 
-use fractional_sobolev::poincare::{Condition, ExtremalFunction, Zone, extremal};
+use fractional_sobolev::{Constraint, ExtremalFunction, gamma};
 use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, SingularFunction, Tolerance};
 
 /// The extremal function is interpolated by polynomials of this degree on its cells, each cut into pieces.
@@ -174,7 +174,10 @@ pub fn induction(
     // θ^(2^steps) is the shortest zone; on the whole interval no function is restricted.
     let admissible = theta > 0.0 && theta < 1.0 && theta.powf(2f64.powi(steps as i32)) >= 1e-300;
     let mut theta = Error::require("theta", theta, "(0, 1), its powers above 1e-300", admissible)?;
-    let solve = |theta: f64| extremal(order, Zone::end(theta)?, Condition::MeanZero, tolerance);
+    let solve = |theta: f64| {
+        gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)
+            .map(|found| (found.constant, found.extremal()))
+    };
     let start = theta;
     let mut before = solve(theta)?.0;
     let first = before;

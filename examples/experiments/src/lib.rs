@@ -21,6 +21,7 @@ pub mod sorting;
 mod sum;
 pub mod trial;
 pub mod wedge_grid;
+pub mod zones;
 
 pub use random::SplitMix;
 pub use scale::largest;

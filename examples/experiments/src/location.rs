@@ -2,7 +2,7 @@
 
 use crate::growth::last_exponent;
 use crate::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
-use fractional_sobolev::poincare::{Condition, Zone, gamma, two_sided};
+use fractional_sobolev::{Constraint, GammaBounds, Zone, gamma};
 use fractional_sobolev::{
     Error, Estimate, FractionalOrder, Given, Partition, PiecewisePolynomial, Result, Tolerance,
 };
@@ -88,19 +88,27 @@ impl Places {
             false => Err(Error::EntryOutOfRange { name: "fractions", index, value, range: "[0, 1]" }),
         };
         let zones = fractions.iter().enumerate().map(zone).collect::<Result<Vec<Zone>>>()?;
-        let end = gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        let end = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant;
         let placed = |zone: Zone| -> Result<Placed> {
-            let found = two_sided(order, zone, Condition::MeanZero, tolerance)?;
-            let (gamma, repair) = (found.gamma, found.simple_bound()?);
+            let found =
+                gamma(order, Constraint::mean_zero_on(zone), tolerance).and_then(|found| found.bounds())?;
+            let (gamma, repair) = (found.gamma, simple_bound(&found)?);
             let (ratio, share) = (gamma.over(end)?, gamma.over(repair)?);
             Ok(Placed { start: zone.start(), gamma, ratio, repair, share })
         };
-        let step = gamma(order, short, Condition::Vanishing, tolerance)?.over(end)?;
+        let step = gamma(order, Constraint::vanishing_on(short), tolerance)?.constant.over(end)?;
         let zones = zones.into_iter().map(placed).collect::<Result<Vec<Placed>>>()?;
         let sign = order.is_below_half().then(|| sign(order)).transpose()?;
         let ramps = if order.offset() == 0.0 { ramps(order)? } else { None };
         Ok(Self { order, zones, step, sign, ramps })
     }
+}
+
+/// (γ₁² + N²)^{1/2}, the bound of the short proof.
+fn simple_bound(found: &GammaBounds) -> Result<Estimate> {
+    let value = found.whole.value.hypot(found.dual_norm.value);
+    let error = found.whole.error.hypot(found.dual_norm.error);
+    Estimate::new(value, error, found.whole.work + found.dual_norm.work)
 }
 
 fn sign(order: FractionalOrder) -> Result<BothSides> {

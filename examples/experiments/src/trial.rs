@@ -1,7 +1,7 @@
 //! Trial functions: quotients below the best constant, the family of Remark 5, and the cut of Remark 7.
 
 use crate::growth::{growth, last_exponent};
-use fractional_sobolev::poincare::END_SLOPE;
+use fractional_sobolev::END_SLOPE;
 use fractional_sobolev::{
     Error, Estimate, FractionalOrder, Given, Partition, PiecewisePolynomial, Result, Tolerance, closed_forms,
 };
@@ -51,13 +51,13 @@ pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<PiecewisePolynomial> 
 ///
 /// ```
 /// use experiments::trial::{TruncatedFamily, peetre_tartar, truncated_slope};
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
+/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance, Zone};
 /// let asked = Tolerance::fast();
 /// let (log, zone) = (16.0, Zone::end((-16f64).exp())?);
-/// let constant = gamma(FractionalOrder::HALF, zone, Condition::Vanishing, asked)?;
+/// let constant = gamma(FractionalOrder::HALF, Constraint::vanishing_on(zone), asked)?.constant;
 /// let family = TruncatedFamily::new(0.4, &[(log, constant)], asked)?;
 /// assert!(family.shares[0].value < 1.0);
-/// assert!((truncated_slope(1.0) - fractional_sobolev::poincare::END_SLOPE).abs() < 1e-15);
+/// assert!((truncated_slope(1.0) - fractional_sobolev::END_SLOPE).abs() < 1e-15);
 /// // Lemma 5.1: α (‖u‖₀² + |u|²)^{1/2} ≤ |u| with α = (1 + γ²)^{−1/2}
 /// assert!((peetre_tartar(constant)?.value - 1.0 / 1f64.hypot(constant.value)).abs() < 1e-12);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -87,9 +87,9 @@ pub struct TruncatedFamily {
 ///
 /// ```
 /// use experiments::trial::{NormChain, TruncatedFamily};
-/// use fractional_sobolev::poincare::{Condition, Zone, gamma};
+/// use fractional_sobolev::{Constraint, gamma, Zone};
 /// let zone = Zone::end((-64f64).exp())?;
-/// let constant = gamma(0.5, zone, Condition::Vanishing, 1e-3)?;
+/// let constant = gamma(0.5, Constraint::vanishing_on(zone), 1e-3)?.constant;
 /// let family = TruncatedFamily::new(0.4, &[(64.0, constant)], 1e-3)?;
 /// let NormChain { truncation, repaired, printed } = family.chain[0];
 /// assert!(truncation <= 1.0 && repaired <= 1.0 && printed > 1.0);

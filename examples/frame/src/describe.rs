@@ -7,10 +7,8 @@
 use crate::HasOutput;
 use clap::{Arg, ArgAction, Args, Command, Parser};
 use experiments::interpolation::SampleSlope;
-use fractional_sobolev::{
-    FractionalOrder, GalleryFunction, Tolerance,
-    poincare::{Condition, Place},
-};
+use experiments::zones::{Condition, Place};
+use fractional_sobolev::{FractionalOrder, GalleryFunction, Tolerance};
 use serde_json::{Value, json};
 use std::any::TypeId;
 

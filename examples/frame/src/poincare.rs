@@ -4,10 +4,7 @@
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Cell, Column, Format, Headline, Output, Result, Table};
 use experiments::growth::{ScalingPoint, printed_growth};
-use fractional_sobolev::{
-    FractionalOrder, Tolerance,
-    poincare::{Condition, Zone, extremal, gamma},
-};
+use fractional_sobolev::{Constraint, FractionalOrder, Tolerance, gamma};
 
 /// Points per cell of the graded mesh: the pictures resolve every scale between θ and 1.
 const PER_CELL: usize = 6;
@@ -34,7 +31,8 @@ pub fn extremal_chart(orders: &[FractionalOrder], theta: f64, tolerance: Toleran
     let title = format!("Extremal functions of Lemma 5.2, zone of length θ = {theta:e}");
     let mut chart = Chart::new(title, x, y).with_bands("zone (0, θ)", vec![(NEAREST, theta)], PALETTE[6]);
     for &order in orders {
-        let (gamma, u) = extremal(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?;
+        let (gamma, u) = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)
+            .map(|found| (found.constant, found.extremal()))?;
         let name = format!("ν = {order}, γ = {:.4}", gamma.value);
         let mut points = vec![(NEAREST, u.value(NEAREST))];
         points.extend(u.profile(PER_CELL).into_iter().filter(|&(x, _)| x > NEAREST));
@@ -51,7 +49,7 @@ pub fn extremal_chart(orders: &[FractionalOrder], theta: f64, tolerance: Toleran
 pub fn growth_chart(order: FractionalOrder, lengths: &[f64], tolerance: Tolerance) -> Result<Chart> {
     let mut computed = Vec::new();
     for &theta in lengths {
-        computed.push((theta, gamma(order, Zone::end(theta)?, Condition::MeanZero, tolerance)?.value));
+        computed.push((theta, gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant.value));
     }
     let growth = |theta: f64| printed_growth(order, theta);
     let printed = computed.first().map_or(Vec::new(), |&(first, constant)| {

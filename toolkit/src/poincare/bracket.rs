@@ -1,6 +1,7 @@
 //! The law γ_θ(1/2)² ~ (3/(2π²)) ln(1/θ) between two bounds whose constants are all explicit.
 
-use super::constant::gamma_whole;
+use super::constant::gamma;
+use super::constraint::Constraint;
 use crate::FractionalOrder;
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
@@ -55,10 +56,10 @@ impl HalfBracket {
     /// Both bounds; L may pass ln of the largest number. Cost: some thousand evaluations per bisection step.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 1 ≤ L ≤ 1e15; those of [`gamma_whole`].
+    /// [`Error::OutOfRange`] unless 1 ≤ L ≤ 1e15; those of [`gamma`].
     ///
     /// ```
-    /// use fractional_sobolev::poincare::HalfBracket;
+    /// use fractional_sobolev::HalfBracket;
     /// let law = 3.0 / (2.0 * std::f64::consts::PI.powi(2));
     /// let bracket = HalfBracket::new(1e10)?;
     /// assert!(bracket.upper / (law * bracket.log) < 1.001 && bracket.lower / (law * bracket.log) > 0.999);
@@ -66,7 +67,7 @@ impl HalfBracket {
     /// ```
     pub fn new(log: f64) -> Result<Self> {
         Error::require("L", log, "[1, 1e15]", (1.0..=1e15).contains(&log))?;
-        let whole = gamma_whole(FractionalOrder::HALF, Tolerance::balanced())?;
+        let whole = gamma(FractionalOrder::HALF, Constraint::mean_zero(), Tolerance::balanced())?.constant;
         let whole = whole.value + whole.error;
         let dual = Chains::new(whole, log)?.dual_norm() * (1.0 + ROUNDED_UP);
         Ok(Self { log, lower: ramp(log), upper: whole * whole + dual * dual })

@@ -1,12 +1,12 @@
 //! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and extremal function.
 
+use super::constraint::Constraint;
 use super::continuation::Continuation;
-use super::discrete::{Constraint, Discrete};
+use super::discrete::Discrete;
 use super::extremal::ExtremalFunction;
 use super::mesh::{MeshModel, SHORTEST_RADIUS};
 use super::rounding::rounding;
-use super::zone::{Condition, Zone};
-use super::zones::Zones;
+use super::two_sided::{GammaBounds, two_sided};
 use crate::FractionalOrder;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -18,8 +18,8 @@ const REFINEMENTS: usize = 3;
 const FINER: f64 = 0.02;
 const COARSER: f64 = 4.0;
 
-/// γ_θ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy `condition` on `zone`, an interval or a union of
-/// intervals.
+/// γ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy a constraint: the constant, its extremal function,
+/// and bounds.
 ///
 /// # Method
 ///
@@ -29,30 +29,101 @@ const COARSER: f64 = 4.0;
 /// their difference is mostly the error of the coarser one. Cost: a few hundred unknowns, whatever θ.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma}};
-/// let whole = gamma(FractionalOrder::HALF, Zone::end(1.0)?, Condition::MeanZero, Tolerance::balanced())?;
-/// let small = gamma(FractionalOrder::HALF, Zone::end(1e-9)?, Condition::MeanZero, Tolerance::balanced())?;
+/// use fractional_sobolev::{Constraint, gamma};
+/// let whole = gamma(0.5, Constraint::mean_zero(), 1e-8)?.constant;
+/// let small = gamma(0.5, Constraint::mean_zero_on(0.0..1e-9), 1e-8)?.constant;
 /// assert!((whole.value - 0.291_564_029).abs() < 1e-8 && small.value > 1.5);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] when the condition leaves only u = 0 (vanishing on the whole interval);
-/// [`Error::ToleranceNotMet`] when rounding (about 2e-13, up to 5e-11 for very short zones inside; for
-/// several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the
-/// tolerance.
-#[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs"))]
+/// [`Error::OutOfRange`] for a point when ν ≤ 1/2, where points have no trace; [`Error::ToleranceNotMet`] when
+/// rounding (about 2e-13, up to 5e-11 for very short zones inside; for several intervals far apart, of lengths
+/// up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the tolerance, and for a point when ν is so close to
+/// 1/2 that the constant is decided below r = 1e-290.
+#[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs", "eigenfunction"))]
 pub fn gamma(
     order: impl Given<FractionalOrder>,
-    zone: impl Into<Zones>,
-    condition: Condition,
+    constraint: impl Given<Constraint>,
     tolerance: impl Given<Tolerance>,
-) -> Result<Estimate> {
-    let (order, tolerance) = (order.given()?, tolerance.given()?);
-    let constraint = constraint(&zone.into(), condition)?;
-    continued(order, &constraint, tolerance, |order, tolerance| {
-        refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
-    })
+) -> Result<Gamma> {
+    let (order, constraint, tolerance) = (order.given()?, constraint.given()?, tolerance.given()?);
+    if constraint.is_point() {
+        Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
+        let reached = SHORTEST_RADIUS.powf(2.0 * order.offset());
+        if reached > tolerance.relative() {
+            let why = "so near to order 1/2 it is decided nearer to the point than binary64 reaches";
+            return Err(Error::out_of_reach("Poincare constant", tolerance.relative(), reached, why));
+        }
+    }
+    let direct = |order, tolerance| attained(order, &constraint, tolerance);
+    let larger = Continuation::to(order, constraint.shortest(), tolerance);
+    let continued = |larger: &Continuation| {
+        let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(direct)?.into_iter().unzip();
+        Ok((larger.value(&values)?, ExtremalFunction::combined(&larger.all_weights(), functions)))
+    };
+    let digits = rounding(order, &constraint) <= tolerance.relative();
+    let (constant, function) = match larger {
+        Some(larger) if !digits => continued(&larger),
+        Some(larger) => match direct(order, tolerance) {
+            Err(Error::ToleranceNotMet { .. }) => continued(&larger),
+            result => result,
+        },
+        None => direct(order, tolerance),
+    }?;
+    Ok(Gamma { constant, order, constraint, tolerance, function })
+}
+
+/// A Poincaré constant with the function for which it is attained.
+///
+/// Returned by [`gamma`].
+#[derive(Debug, Clone)]
+pub struct Gamma {
+    /// γ.
+    pub constant: Estimate,
+    order: FractionalOrder,
+    constraint: Constraint,
+    tolerance: Tolerance,
+    function: ExtremalFunction,
+}
+
+impl Gamma {
+    /// A function for which the constant is attained: of the space on which the value was found, or continued
+    /// from larger orders as the value is.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Constraint, Gamma, gamma};
+    /// let found: Gamma = gamma(0.5, Constraint::vanishing_on(0.0..0.01), 1e-4)?;
+    /// let u = found.extremal();
+    /// assert!(u.value(0.005).abs() < 1e-12 && u.value(1.0) > 1.0 && found.constant.value > 0.3);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    #[doc(alias("eigenfunction", "minimiser"))]
+    pub fn extremal(&self) -> ExtremalFunction {
+        self.function.clone()
+    }
+
+    /// Two bounds that do not use the eigenvalue, at about the cost of the constant (short proof: ‖u‖₀² =
+    /// ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u over (0,1)).
+    ///
+    /// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when
+    /// the representer of m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Constraint, gamma};
+    /// let found = gamma(0.3, Constraint::mean_zero_on(0.25..0.26), 1e-4)?;
+    /// let bounds = found.bounds()?;
+    /// assert!(bounds.lower <= found.constant.value && found.constant.value <= bounds.upper);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`gamma`]; [`Error::OutOfRange`] for a condition at a point, which has no such bound.
+    pub fn bounds(&self) -> Result<GammaBounds> {
+        let order = self.order.value();
+        Error::require("nu", order, "bounds of a zone, not of a point", !self.constraint.is_point())?;
+        two_sided(self.order, &self.constraint, self.constant, self.tolerance)
+    }
 }
 
 /// What `direct` finds, at small orders that have no digits of their own what is continued from larger ones.
@@ -68,90 +139,6 @@ pub(super) fn continued(
     }
     match (direct(order, tolerance), larger) {
         (Err(Error::ToleranceNotMet { .. }), Some(larger)) => larger.value(&larger.at_points(direct)?),
-        (result, _) => result,
-    }
-}
-
-/// γ₀(ν) = sup ‖u‖₀ / |u|_ν over the functions that vanish at the point `a` of \[0,1\], ν > 1/2 (Remark 6).
-///
-/// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::gamma_at_point};
-/// let order = FractionalOrder::new(0.75)?;
-/// let [end, middle] = [0.0, 0.5].map(|a| gamma_at_point(order, a, Tolerance::fast()));
-/// assert!(middle?.value < end?.value);
-/// assert!(gamma_at_point(FractionalOrder::HALF, 0.0, Tolerance::fast()).is_err());
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
-/// # Errors
-/// [`Error::OutOfRange`] for ν ≤ 1/2, where points have no trace, or a point outside;
-/// [`Error::ToleranceNotMet`] as for [`gamma`], and when ν is so close to 1/2 that the constant is decided
-/// below r = 1e-290.
-pub fn gamma_at_point(
-    order: impl Given<FractionalOrder>,
-    a: f64,
-    tolerance: impl Given<Tolerance>,
-) -> Result<Estimate> {
-    let (order, tolerance) = (order.given()?, tolerance.given()?);
-    Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
-    let inside = a == 0.0 || (1e-300..=1.0).contains(&a);
-    let a = Error::require("point", a, "{0} or [1e-300, 1]", inside)?;
-    let reached = SHORTEST_RADIUS.powf(2.0 * order.offset());
-    if reached > tolerance.relative() {
-        let why = "so near to order 1/2 it is decided nearer to the point than binary64 reaches";
-        return Err(Error::out_of_reach("Poincare constant", tolerance.relative(), reached, why));
-    }
-    let constraint = Constraint::at_point(a);
-    refine_until(order, &constraint, tolerance, |model| quotient(order, &constraint, model))
-}
-
-/// γ₁(ν): mean zero over the whole interval. 1/2 as ν → 0, √(1−ν)/π as ν → 1.
-///
-/// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::gamma_whole};
-/// let near_one = FractionalOrder::new(1.0 - 1e-9)?;
-/// let found = gamma_whole(near_one, Tolerance::balanced())?.value / near_one.complement().sqrt();
-/// assert!((found - std::f64::consts::FRAC_1_PI).abs() < 1e-6);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
-/// # Errors
-/// [`Error::ToleranceNotMet`] as for [`gamma`].
-#[doc(alias("Poincare constant", "Poincare-Wirtinger"))]
-pub fn gamma_whole(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-    let (order, tolerance) = (order.given()?, tolerance.given()?);
-    gamma(order, Zone::end(1.0)?, Condition::MeanZero, tolerance)
-}
-
-/// γ with a function for which it is attained: of the space on which the value was found, or continued from
-/// larger orders as the value is.
-///
-/// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, extremal}};
-/// let zone = Zone::end(0.01)?;
-/// let (gamma, u) = extremal(FractionalOrder::HALF, zone, Condition::Vanishing, Tolerance::fast())?;
-/// assert!(u.value(0.005).abs() < 1e-12 && u.value(1.0) > 1.0 && gamma.value > 0.3);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
-/// # Errors
-/// As for [`gamma`].
-#[doc(alias("eigenfunction", "minimiser"))]
-pub fn extremal(
-    order: impl Given<FractionalOrder>,
-    zone: impl Into<Zones>,
-    condition: Condition,
-    tolerance: impl Given<Tolerance>,
-) -> Result<(Estimate, ExtremalFunction)> {
-    let (order, tolerance) = (order.given()?, tolerance.given()?);
-    let constraint = constraint(&zone.into(), condition)?;
-    let direct = |order, tolerance| attained(order, &constraint, tolerance);
-    match (direct(order, tolerance), Continuation::to(order, constraint.shortest(), tolerance)) {
-        (Err(Error::ToleranceNotMet { .. }), Some(larger)) => {
-            let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(direct)?.into_iter().unzip();
-            let function = ExtremalFunction::combined(&larger.all_weights(), functions);
-            Ok((larger.value(&values)?, function))
-        }
         (result, _) => result,
     }
 }
@@ -174,21 +161,6 @@ fn attained(
         Ok((Estimate::new(value, apart + rounding * value, work)?, function))
     };
     refine(order, rounding, tolerance, solve, join, |found| found.0)
-}
-
-pub(super) fn constraint(zones: &Zones, condition: Condition) -> Result<Constraint> {
-    let constraint = Constraint::on_zones(zones, condition);
-    if condition == Condition::Vanishing {
-        let theta = zones.length();
-        Error::require("theta", theta, "(0, 1) for a vanishing function", !constraint.is_whole())?;
-    }
-    Ok(constraint)
-}
-
-fn quotient(order: FractionalOrder, constraint: &Constraint, model: &MeshModel) -> Result<(f64, Work)> {
-    let mut discrete = Discrete::new(order, constraint, model)?;
-    let (value, _) = discrete.largest_quotient()?;
-    Ok((value, discrete.work))
 }
 
 /// A supremum over spaces, computed on two spaces, finer ones until their difference meets the tolerance.

@@ -7,6 +7,7 @@
 //! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length
 //! 1/unit of the interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.
 
+use super::constraint::Constraint;
 use super::mesh::{MeshModel, PANEL_SPREAD};
 use super::slopes::gram::seminorm_gram;
 use super::slopes::links::Links;
@@ -14,50 +15,12 @@ use super::slopes::local::Local;
 use super::slopes::mass::{Primitives, mass_gram};
 use super::slopes::space::SlopeSpace;
 use super::zone::Condition;
-use super::zones::Zones;
 use crate::FractionalOrder;
 use crate::error::Result;
 use crate::estimate::Work;
 use crate::numeric::pencil::Factored;
 use nalgebra::DMatrix;
 use std::ops::Range;
-
-/// What is asked of u, and where.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Constraint {
-    /// Lengths of consecutive parts that make up (0,1). Every length is positive, except that of a single
-    /// point.
-    pub(crate) parts: Vec<f64>,
-    /// The parts on which the condition holds, in order; no two are neighbours.
-    pub(crate) zones: Vec<usize>,
-    pub(crate) condition: Condition,
-}
-
-impl Constraint {
-    /// The shortest positive length.
-    pub(crate) fn shortest(&self) -> f64 {
-        self.parts.iter().copied().filter(|&l| l > 0.0).fold(1.0, f64::min)
-    }
-
-    /// The condition holds on the whole interval.
-    pub(crate) fn is_whole(&self) -> bool {
-        self.parts.len() == 1
-    }
-
-    pub(crate) fn on_zones(zones: &Zones, condition: Condition) -> Self {
-        let (parts, zones) = zones.parts();
-        Self { parts, zones, condition }
-    }
-
-    /// u(a) = 0.
-    pub(crate) fn at_point(a: f64) -> Self {
-        let before = usize::from(a > 0.0);
-        let mut parts = vec![a, 0.0, 1.0 - a];
-        parts.retain(|&l| l > 0.0);
-        parts.insert(before, 0.0);
-        Self { parts, zones: vec![before], condition: Condition::Vanishing }
-    }
-}
 
 /// Space, matrices and factorization.
 pub(crate) struct Discrete {

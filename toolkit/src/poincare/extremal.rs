@@ -15,9 +15,9 @@ const MAKES_WAY: f64 = 1e-5;
 /// Returned by [`super::extremal`].
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, extremal}};
+/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance};
 /// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
-/// let (gamma, u) = extremal(order, Zone::end(0.01)?, Condition::MeanZero, asked)?;
+/// let (gamma, u) = gamma(order, Constraint::mean_zero_on(0.0..0.01), asked).map(|found| (found.constant, found.extremal()))?;
 /// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(x)).abs() < 1e-9));
 /// // its interpolant nearly has the quotient γ
 /// let u = u.interpolate(3, 1, &[0.01])?;

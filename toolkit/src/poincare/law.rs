@@ -1,10 +1,10 @@
 //! The law of γ_θ(ν) as θ → 0 at fixed ν, where one is known.
 
-use super::constant::gamma_at_point;
+use super::constant::gamma;
+use super::constraint::Constraint;
 use super::limits::interior_limit;
 use super::mellin::end_limit;
 use super::uniform::UniformLaw;
-use super::zone::{Condition, Place};
 use crate::FractionalOrder;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
@@ -25,10 +25,11 @@ const NEAR_HALF: f64 = 0.01;
 /// A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, LimitLaw, Place, Zone, gamma}};
+/// use experiments::zones::{Place};
+/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, LimitLaw, Tolerance};
 /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
-/// if let Some(law) = LimitLaw::new(order, Place::End, Condition::MeanZero, asked)? {
-///     let found = gamma(order, Zone::end(1e-9)?, Condition::MeanZero, asked)?;
+/// if let Some(law) = LimitLaw::new(order, 0.0, asked)? {
+///     let found = gamma(order, Constraint::mean_zero_on(0.0..1e-9), asked)?.constant;
 ///     assert!((law.gamma(1e-9)?.value / found.value - 1.0).abs() < 1e-2);
 /// }
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -49,35 +50,35 @@ pub enum LimitLaw {
 }
 
 impl LimitLaw {
-    /// The law for zones at a place; `None` where none is known: for vanishing functions when ν ≤ 1/2, and at
-    /// or near 1/2 for a zone inside.
+    /// The law for functions with mean zero on zones that shrink to the point `place` of \[0, 1\]; for ν > 1/2
+    /// also for those that vanish there. `None` where none is known: at or near 1/2 for a zone inside.
     ///
     /// # Errors
-    /// Those of [`gamma_at_point`], [`end_limit`] and [`UniformLaw::new`].
+    /// Those of [`gamma`], [`end_limit`] and [`UniformLaw::new`].
     pub fn new(
         order: impl Given<FractionalOrder>,
-        place: Place,
-        condition: Condition,
+        place: f64,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Option<Self>> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
+        let at_end = place == 0.0 || place == 1.0;
         let uniform = || UniformLaw::new(order, tolerance).map(|law| Some(Self::Uniform(Box::new(law))));
         let power = |factor: Estimate| Some(Self::Power { order, factor });
         if order.offset() > 0.0 {
-            return match gamma_at_point(order, place.point(), tolerance) {
+            return match gamma(order, Constraint::vanishing_at(place), tolerance).map(|found| found.constant)
+            {
                 Ok(limit) => Ok(Some(Self::Constant(limit))),
                 // so close to 1/2 that the point is out of reach of f64
-                Err(Error::ToleranceNotMet { .. }) if place == Place::End => uniform(),
+                Err(Error::ToleranceNotMet { .. }) if at_end => uniform(),
                 Err(Error::ToleranceNotMet { .. }) => Ok(None),
                 Err(error) => Err(error),
             };
         }
-        match (place, condition) {
-            (_, Condition::Vanishing) => Ok(None),
-            (Place::End, _) if order.offset() < -NEAR_HALF => end_limit(order, tolerance).map(power),
-            (Place::End, _) => uniform(),
-            (_, _) if order.is_below_half() => interior_limit(order).map(power),
-            _ => Ok(None),
+        match at_end {
+            true if order.offset() < -NEAR_HALF => end_limit(order, tolerance).map(power),
+            true => uniform(),
+            false if order.is_below_half() => interior_limit(order).map(power),
+            false => Ok(None),
         }
     }
 

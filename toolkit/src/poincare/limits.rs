@@ -11,7 +11,7 @@ pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
 /// 1/(2π²): the slope for a zone inside.
 ///
 /// ```
-/// use fractional_sobolev::poincare::{END_SLOPE, INTERIOR_SLOPE};
+/// use fractional_sobolev::{END_SLOPE, INTERIOR_SLOPE};
 /// assert!((END_SLOPE / INTERIOR_SLOPE - 3.0).abs() < 1e-15); // an end is three times as bad
 /// ```
 pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
@@ -22,7 +22,7 @@ const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 /// lim θ^{1/2−ν} γ_θ for a zone inside (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, poincare::interior_limit};
+/// use fractional_sobolev::{FractionalOrder, interior_limit};
 /// let limit = interior_limit(FractionalOrder::new(0.25)?)?;
 /// assert!((limit.value - (1.0 / (3.0 * std::f64::consts::PI)).sqrt()).abs() <= limit.error);
 /// # Ok::<(), fractional_sobolev::Error>(())

@@ -1,11 +1,11 @@
 //! How large the mean of a function may be beside its seminorm: the second part of the constant of Lemma 5.2.
 
-use super::constant::{constraint, continued, refine_until};
-use super::discrete::{Constraint, Discrete};
+use super::constant::{continued, refine_until};
+use super::constraint::Constraint;
+use super::discrete::Discrete;
 use super::mesh::MeshModel;
 use super::rounding::ROUNDING;
 use super::zone::{Condition, Zone};
-use super::zones::Zones;
 use crate::FractionalOrder;
 use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -14,10 +14,10 @@ use crate::estimate::{Estimate, Tolerance, Work};
 /// has as a functional in the dual of the seminorm; dual norms to (1.1) are in [`crate::dual`].
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, gamma, gamma_whole, largest_mean}};
-/// let (order, zone, asked) = (FractionalOrder::HALF, Zone::end(0.01)?, Tolerance::balanced());
-/// let [n, g] = [largest_mean, gamma].map(|f| f(order, zone, Condition::MeanZero, asked).map(|e| e.value));
-/// let (n, g, whole) = (n?, g?, gamma_whole(order, asked)?.value);
+/// use fractional_sobolev::{Constraint, gamma, largest_mean};
+/// let zone = Constraint::mean_zero_on(0.0..0.01)?;
+/// let (n, g) = (largest_mean(0.5, &zone, 1e-8)?.value, gamma(0.5, &zone, 1e-8)?.constant.value);
+/// let whole = gamma(0.5, Constraint::mean_zero(), 1e-8)?.constant.value;
 /// assert!(n.max(whole) <= g && g <= n.hypot(whole));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -29,12 +29,10 @@ use crate::estimate::{Estimate, Tolerance, Work};
 #[doc(alias("H-1/2", "dual norm"))]
 pub fn largest_mean(
     order: impl Given<FractionalOrder>,
-    zone: impl Into<Zones>,
-    condition: Condition,
+    constraint: impl Given<Constraint>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
-    let (order, tolerance) = (order.given()?, tolerance.given()?);
-    let constraint = constraint(&zone.into(), condition)?;
+    let (order, constraint, tolerance) = (order.given()?, constraint.given()?, tolerance.given()?);
     if constraint.is_whole() {
         return Estimate::new(0.0, 0.0, Work::default());
     }

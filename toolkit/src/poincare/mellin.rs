@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-14;
 /// term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::end_limit};
+/// use fractional_sobolev::{end_limit, FractionalOrder, Tolerance};
 /// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
 /// let order = FractionalOrder::from_offset(-1e-5)?;
 /// let limit = end_limit(order, Tolerance::balanced())?.value.powi(2) * order.one_minus_twice();

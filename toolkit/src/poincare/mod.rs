@@ -8,6 +8,7 @@
 
 mod bracket;
 mod constant;
+mod constraint;
 mod continuation;
 mod discrete;
 mod extremal;
@@ -25,7 +26,8 @@ mod zone;
 mod zones;
 
 pub use bracket::HalfBracket;
-pub use constant::{extremal, gamma, gamma_at_point, gamma_whole};
+pub use constant::{Gamma, gamma};
+pub use constraint::Constraint;
 pub use extremal::ExtremalFunction;
 pub use law::LimitLaw;
 pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit};
@@ -34,7 +36,7 @@ pub use mellin::end_limit;
 pub use moments::{
     Moment, MomentBounds, StrongForm, half_order_moment, moment_extremal, moment_norm, moment_norm_beside,
 };
-pub use two_sided::{TwoSided, two_sided};
+pub use two_sided::GammaBounds;
 pub use uniform::{LawRest, UniformLaw};
-pub use zone::{Condition, Place, Zone};
+pub use zone::Zone;
 pub use zones::Zones;

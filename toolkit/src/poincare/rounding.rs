@@ -1,6 +1,6 @@
 //! What rounding does to γ, as far as it is known beforehand.
 
-use super::discrete::Constraint;
+use super::constraint::Constraint;
 use super::slopes::local::{SHORT, negligible_for_jumps};
 use crate::FractionalOrder;
 

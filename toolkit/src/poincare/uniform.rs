@@ -1,11 +1,11 @@
 //! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
 
-use super::constant::{gamma, gamma_whole};
+use super::constant::gamma;
+use super::constraint::Constraint;
 use super::limits::END_SLOPE;
 use super::mean::{DualMoments, dual_moments};
 use super::mellin;
 use super::slopes::kernel::exp_quotient;
-use super::zone::{Condition, Zone};
 use crate::FractionalOrder;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -39,10 +39,10 @@ const NEAR_HALF: f64 = 1e-6;
 /// of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, UniformLaw, Zone, gamma}};
+/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance, UniformLaw};
 /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
 /// let law = UniformLaw::new(order, asked)?;
-/// let found = gamma(order, Zone::end(1e-30)?, Condition::MeanZero, asked)?;
+/// let found = gamma(order, Constraint::mean_zero_on(0.0..1e-30), asked)?.constant;
 /// let by_law = law.gamma(1e-30)?;
 /// assert!((by_law.value - found.value).abs() <= by_law.error + found.error);
 /// assert!((law.rest(1e-30, found)?.explained.value - 1.0).abs() < 1e-2);
@@ -70,8 +70,8 @@ pub struct UniformLaw {
 /// Returned by [`UniformLaw::rest`].
 ///
 /// ```
-/// use fractional_sobolev::poincare::{Condition, LawRest, UniformLaw, Zone, gamma};
-/// let found = gamma(0.5, Zone::end(1e-12)?, Condition::MeanZero, 1e-8)?;
+/// use fractional_sobolev::{Constraint, gamma, LawRest, UniformLaw};
+/// let found = gamma(0.5, Constraint::mean_zero_on(0.0..1e-12), 1e-8)?.constant;
 /// let LawRest { square, rest, explained } = UniformLaw::new(0.5, 1e-8)?.rest(1e-12, found)?;
 /// // of γ² little is left, and two more terms explain nearly all of it
 /// assert!(rest.value < 0.1 * square.value && (explained.value - 1.0).abs() < 0.05);
@@ -122,10 +122,10 @@ impl UniformLaw {
             constant,
             correction: representer,
             second_correction: image,
-            whole_square: gamma_whole(order, tolerance)?.value.powi(2),
+            whole_square: gamma(order, Constraint::mean_zero(), tolerance)?.constant.value.powi(2),
             remainder: 0.0,
         };
-        let compared = gamma(order, Zone::end(COMPARED)?, Condition::MeanZero, tolerance)?;
+        let compared = gamma(order, Constraint::mean_zero_on(0.0..COMPARED), tolerance)?.constant;
         law.remainder = (law.square(COMPARED)? - compared.value * compared.value).abs();
         Ok(law)
     }

@@ -1,8 +1,7 @@
-//! The zone E = (a, a+θ) ⊂ (0,1) on which a function is controlled, and how.
+//! The zone E = (a, a+θ) ⊂ (0,1) on which a function is controlled.
 
 use crate::error::{Error, Result};
 use std::fmt;
-use std::str::FromStr;
 
 /// Shortest length that is admitted: below, f64 itself loses digits.
 const SHORTEST: f64 = 1e-300;
@@ -10,11 +9,10 @@ const SHORTEST: f64 = 1e-300;
 /// A zone (a, a+θ) in (0,1), kept as its three lengths a, θ and 1 − a − θ.
 ///
 /// ```
-/// use fractional_sobolev::poincare::{Place, Zone, Zones};
+/// use fractional_sobolev::{Zone, Zones};
 /// let zone = Zone::centred(0.5)?;
 /// assert_eq!((zone.start(), zone.length(), zone.rest()), (0.25, 0.5, 0.25));
 /// assert!(!zone.is_at_an_end() && Zone::at(0.5, 0.5)?.is_at_an_end());
-/// assert_eq!((Place::Centre.point(), Place::Centre.zone(0.5)?), (0.5, zone));
 /// // a union of intervals
 /// let zones = Zones::union(&[(0.125, 0.25), (0.5, 0.125)])?;
 /// assert_eq!(zones.mirrored().intervals(), [(0.375, 0.125), (0.625, 0.25)]);
@@ -55,7 +53,7 @@ impl Zone {
     /// (a, b), 0 ≤ a < b ≤ 1: by its ends, where [`Zone::at`] takes its length.
     ///
     /// ```
-    /// use fractional_sobolev::poincare::Zone;
+    /// use fractional_sobolev::Zone;
     /// let zone = Zone::between(0.25, 0.75)?;
     /// assert!(zone.length() == 0.5 && zone.rest() == 0.25);
     /// assert!(Zone::between(0.75, 0.25).is_err());
@@ -111,100 +109,25 @@ impl fmt::Display for Zone {
     }
 }
 
-/// Where zones of any length are put.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Place {
-    /// (0, θ).
-    #[default]
-    End,
-    /// In the middle.
-    Centre,
-    /// (a, a+θ).
-    At(f64),
-}
-
-impl Place {
-    /// The point to which zones at this place shrink.
-    pub fn point(self) -> f64 {
-        match self {
-            Place::End => 0.0,
-            Place::Centre => 0.5,
-            Place::At(a) => a,
-        }
-    }
-
-    /// The zone of length θ at this place.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] as for [`Zone::at`].
-    pub fn zone(self, theta: f64) -> Result<Zone> {
-        match self {
-            Place::End => Zone::end(theta),
-            Place::Centre => Zone::centred(theta),
-            Place::At(a) => Zone::at(a, theta),
-        }
-    }
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Place::End => f.write_str("end"),
-            Place::Centre => f.write_str("centre"),
-            Place::At(a) => write!(f, "{a:e}"),
-        }
-    }
-}
-
-impl FromStr for Place {
-    type Err = Error;
-
-    /// `end`, `centre` or the start a.
-    fn from_str(text: &str) -> Result<Self> {
-        match (text, text.parse()) {
-            ("end", _) => Ok(Self::End),
-            ("centre", _) => Ok(Self::Centre),
-            (_, Ok(a)) => Error::require("zone start", a, "[0, 1)", (0.0..1.0).contains(&a)).map(Self::At),
-            _ => Err(Error::UnknownName {
-                what: "zone",
-                given: text.to_owned(),
-                expected: "end, centre or the start a in [0, 1)",
-            }),
-        }
-    }
-}
-
 /// What is asked of u on the zone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Condition {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Condition {
     /// ∫_E u = 0.
-    #[default]
     MeanZero,
     /// u = 0 on E.
     Vanishing,
 }
 
-impl fmt::Display for Condition {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Condition::MeanZero => "mean-zero",
-            Condition::Vanishing => "vanishing",
-        })
-    }
-}
-
-impl FromStr for Condition {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        match text {
-            "mean-zero" => Ok(Self::MeanZero),
-            "vanishing" => Ok(Self::Vanishing),
-            _ => Err(Error::UnknownName {
-                what: "condition",
-                given: text.to_owned(),
-                expected: "mean-zero or vanishing",
-            }),
+#[cfg(test)]
+impl Condition {
+    /// The condition on a zone.
+    pub(crate) fn on(
+        self,
+        zones: impl crate::error::Given<super::zones::Zones>,
+    ) -> Result<super::Constraint> {
+        match self {
+            Self::MeanZero => super::Constraint::mean_zero_on(zones),
+            Self::Vanishing => super::Constraint::vanishing_on(zones),
         }
     }
 }

@@ -1,9 +1,10 @@
 //! Zones that are unions of intervals.
 
 use super::zone::Zone;
-use crate::error::{Error, Result};
+use crate::error::{Error, Given, Result};
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use std::fmt;
+use std::ops::Range;
 
 /// Shortest length that is admitted, as for [`Zone`].
 const SHORTEST: f64 = 1e-300;
@@ -27,12 +28,56 @@ impl From<Zone> for Zones {
     }
 }
 
+impl Given<Zones> for Zones {
+    fn given(self) -> Result<Zones> {
+        Ok(self)
+    }
+}
+
+impl Given<Zones> for &Zones {
+    fn given(self) -> Result<Zones> {
+        Ok(self.clone())
+    }
+}
+
+impl Given<Zones> for Result<Zones> {
+    fn given(self) -> Result<Zones> {
+        self
+    }
+}
+
+impl Given<Zones> for Zone {
+    fn given(self) -> Result<Zones> {
+        Ok(self.into())
+    }
+}
+
+impl Given<Zones> for Result<Zone> {
+    fn given(self) -> Result<Zones> {
+        self.map(Zones::from)
+    }
+}
+
+impl Given<Zones> for Range<f64> {
+    fn given(self) -> Result<Zones> {
+        Zone::between(self.start, self.end).map(Zones::from)
+    }
+}
+
+impl<const N: usize> Given<Zones> for [Range<f64>; N] {
+    fn given(self) -> Result<Zones> {
+        let intervals: Vec<(f64, f64)> =
+            self.into_iter().map(|zone| (zone.start, zone.end - zone.start)).collect();
+        Zones::union(&intervals)
+    }
+}
+
 impl Zones {
     /// The intervals (a, a + ℓ) for pairs (a, ℓ), in any order.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Condition, Zone, Zones, gamma}};
-    /// let found = |zone: Zones| gamma(FractionalOrder::HALF, zone, Condition::MeanZero, Tolerance::fast());
+    /// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance, Zone, Zones};
+    /// let found = |zone: Zones| gamma(FractionalOrder::HALF, Constraint::mean_zero_on(zone), Tolerance::fast()).map(|found| found.constant);
     /// let apart = found(Zones::union(&[(0.2, 0.05), (0.7, 0.05)])?)?;
     /// assert!(apart.value < found(Zone::end(0.1)?.into())?.value);
     /// assert!(Zones::union(&[(0.2, 0.05), (0.22, 0.05)]).is_err());
@@ -67,7 +112,7 @@ impl Zones {
     /// Gap, interval, gap, interval, ..., interval from the left end on; what is left to 1 is the last gap.
     ///
     /// ```
-    /// use fractional_sobolev::poincare::Zones;
+    /// use fractional_sobolev::Zones;
     /// // (1/2, 1/2 + 1e-12) and (1/2 + 3e-12, 1/2 + 4e-12)
     /// let pair = Zones::from_lengths(&[0.5, 1e-12, 2e-12, 1e-12])?;
     /// assert!(pair.count() == 2 && pair.length() == 2e-12);
@@ -157,14 +202,17 @@ mod tests {
     use crate::Partition;
     use crate::estimate::{Estimate, Tolerance};
     use crate::numeric::pencil::Factored;
-    use crate::poincare::{Condition, extremal, gamma, largest_mean};
+    use crate::poincare::zone::Condition;
+    use crate::poincare::{Constraint, gamma, largest_mean};
     use crate::{FractionalOrder, gram_linears, mass_linears};
     use nalgebra::DMatrix;
 
     const CONDITIONS: [Condition; 2] = [Condition::MeanZero, Condition::Vanishing];
 
-    fn found(nu: f64, zones: impl Into<Zones>, condition: Condition) -> Estimate {
-        gamma(FractionalOrder::new(nu).unwrap(), zones, condition, Tolerance::new(1e-6).unwrap()).unwrap()
+    fn found(nu: f64, zones: impl Given<Zones>, condition: Condition) -> Estimate {
+        gamma(FractionalOrder::new(nu).unwrap(), condition.on(zones), Tolerance::new(1e-6).unwrap())
+            .unwrap()
+            .constant
     }
 
     #[test]
@@ -179,7 +227,11 @@ mod tests {
             assert!(Zones::from_lengths(bad).is_err(), "{bad:?}");
         }
         let whole = Zones::union(&[(0.0, 1.0)]).unwrap();
-        assert!(gamma(FractionalOrder::HALF, whole, Condition::Vanishing, Tolerance::fast()).is_err());
+        assert!(
+            gamma(FractionalOrder::HALF, Constraint::vanishing_on(whole), Tolerance::fast())
+                .map(|found| found.constant)
+                .is_err()
+        );
     }
 
     #[test]
@@ -248,7 +300,7 @@ mod tests {
                     let (sharp, rough) =
                         (found(nu, zones.clone(), condition), with_linears(nu, &zones, condition));
                     let share = rough / sharp.value;
-                    assert!(share < 1.0 + 1e-6 && share > 0.96, "{zones}, {nu}, {condition}: {share}");
+                    assert!(share < 1.0 + 1e-6 && share > 0.96, "{zones}, {nu}, {condition:?}: {share}");
                 }
             }
         }
@@ -264,12 +316,12 @@ mod tests {
                     let (one, other) =
                         (found(nu, zones.clone(), condition), found(nu, zones.mirrored(), condition));
                     let apart = (one.value - other.value).abs();
-                    assert!(apart <= one.error + other.error, "{zones}, {nu}, {condition}: {apart:e}");
+                    assert!(apart <= one.error + other.error, "{zones}, {nu}, {condition:?}: {apart:e}");
                 }
                 let single = found(nu, Zone::at(0.3, 0.2).unwrap(), condition);
                 let split = Zones::from_lengths(&[0.3, 0.1, 1e-9, 0.1 - 1e-9]).unwrap();
                 let apart = (found(nu, split, condition).value / single.value - 1.0).abs();
-                assert!(apart < 2e-6, "{nu}, {condition}: {apart:e}");
+                assert!(apart < 2e-6, "{nu}, {condition:?}: {apart:e}");
             }
         }
     }
@@ -279,8 +331,10 @@ mod tests {
         let zones = Zones::union(&[(0.1, 0.02), (0.3, 0.1), (0.8, 0.05)]).unwrap();
         let (order, tolerance) = (FractionalOrder::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
         for condition in CONDITIONS {
-            let (value, function) = extremal(order, zones.clone(), condition, tolerance).unwrap();
-            let norm = largest_mean(order, zones.clone(), condition, tolerance).unwrap();
+            let (value, function) = gamma(order, condition.on(zones.clone()), tolerance)
+                .map(|found| (found.constant, found.extremal()))
+                .unwrap();
+            let norm = largest_mean(order, condition.on(zones.clone()), tolerance).unwrap();
             assert!(norm.value > 0.0 && norm.value < value.value);
             let mean: f64 = zones
                 .intervals()
@@ -294,7 +348,7 @@ mod tests {
                     values.iter().sum::<f64>() / 4000.0 * length
                 })
                 .sum();
-            assert!(mean.abs() < 1e-6, "{condition}: {mean:e}");
+            assert!(mean.abs() < 1e-6, "{condition:?}: {mean:e}");
         }
     }
 }

@@ -4,8 +4,9 @@ use crate::FractionalOrder;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::poincare::constant::refine_until;
+use crate::poincare::constraint::Constraint;
 use crate::poincare::continuation::Continuation;
-use crate::poincare::discrete::{Constraint, Discrete};
+use crate::poincare::discrete::Discrete;
 use crate::poincare::extremal::ExtremalFunction;
 use crate::poincare::mesh::MeshModel;
 use crate::poincare::slopes::space::{SlopeSpace, legendre_primitives};
@@ -53,7 +54,7 @@ impl Moment {
 /// at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Moment, moment_norm}};
+/// use fractional_sobolev::{FractionalOrder, Moment, moment_norm, Tolerance};
 /// let [mass, first] = [Moment::Mass, Moment::FromFreeEnd]
 ///     .map(|moment| moment_norm(FractionalOrder::HALF, 0.5, moment, Tolerance::balanced()));
 /// assert!(first?.value < 0.5 * mass?.value);
@@ -76,7 +77,7 @@ pub fn moment_norm(
 /// The same given the length of the zone in place of what it leaves, for zones down to 1e-300.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Moment, moment_norm, moment_norm_beside}};
+/// use fractional_sobolev::{FractionalOrder, Moment, moment_norm, moment_norm_beside, Tolerance};
 /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
 /// let left = moment_norm(order, 0.75, Moment::Mass, asked)?.value;
 /// let zone = moment_norm_beside(order, 0.25, Moment::Mass, asked)?.value;
@@ -119,7 +120,7 @@ fn on(
 /// subtracted from 1: it vanishes on (0, 1 − e). On a space for the tolerance asked for.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, poincare::{Moment, moment_extremal}};
+/// use fractional_sobolev::{FractionalOrder, Moment, moment_extremal, Tolerance};
 /// let w = moment_extremal(FractionalOrder::HALF, 0.5, Moment::Mass, Tolerance::fast())?;
 /// assert!(w.value(0.25).abs() < 1e-12 && w.value(1.0).abs() > 0.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -211,7 +212,7 @@ mod tests {
                 let tolerance = Tolerance::balanced();
                 let mass = moment_norm(order, length, Moment::Mass, tolerance).unwrap();
                 let zone = Zone::end(1.0 - length).unwrap();
-                let mean = largest_mean(order, zone, Condition::Vanishing, tolerance).unwrap();
+                let mean = largest_mean(order, Constraint::vanishing_on(zone), tolerance).unwrap();
                 let apart = (mass.value - mean.value).abs();
                 assert!(apart <= mass.error + mean.error, "{nu} {length}: {mass} {mean}");
             }

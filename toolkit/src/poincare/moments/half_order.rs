@@ -44,7 +44,7 @@ const ROUNDINGS: f64 = 20.0;
 /// transformation (powers of s, terms up to 2^m) loses more. Cost: 4000 roots, 120 000 logarithms, once.
 ///
 /// ```
-/// use fractional_sobolev::poincare::{Moment, half_order_moment};
+/// use fractional_sobolev::{half_order_moment, Moment};
 /// // K(1/2) = B(1/2)², forty digits by another program
 /// let square = half_order_moment(0.5, Moment::Mass)?.value.powi(2);
 /// assert!((square - 0.051_868_428_388_348_907).abs() < 1e-14);

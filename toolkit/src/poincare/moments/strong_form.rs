@@ -18,7 +18,7 @@ const QUADRATURE: f64 = 1e-10;
 /// Returned by [`StrongForm::moment`].
 ///
 /// ```
-/// use fractional_sobolev::poincare::{Moment, MomentBounds, StrongForm};
+/// use fractional_sobolev::{Moment, MomentBounds, StrongForm};
 /// // sup ∫ w / |w|_{3/4} over functions that vanish beyond 0.3: to nine digits, from both sides
 /// let MomentBounds { lower, upper } = StrongForm::new(0.75)?.moment(0.3, Moment::Mass)?;
 /// assert!(0.0 < lower && lower <= upper && upper - lower < 1e-8 * lower);
@@ -54,7 +54,7 @@ pub struct MomentBounds {
 /// of the basis for one ν, all e.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, poincare::{Moment, StrongForm, half_order_moment}};
+/// use fractional_sobolev::{FractionalOrder, half_order_moment, Moment, StrongForm};
 /// let bounds = StrongForm::new(FractionalOrder::HALF)?.moment(0.5, Moment::Mass)?;
 /// let exact = half_order_moment(0.5, Moment::Mass)?;
 /// assert!(bounds.lower <= exact.value + exact.error && exact.value - exact.error <= bounds.upper);
