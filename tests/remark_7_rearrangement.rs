@@ -9,9 +9,7 @@ use experiments::arrangement::{ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
 use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
 use experiments::zones::Condition;
-use fractional_sobolev::{
-    Constraint, FractionalOrder, Tolerance, Zone, Zones, gamma, largest_mean,
-};
+use fractional_sobolev::{Constraint, FractionalOrder, Tolerance, Zone, Zones, gamma, largest_mean};
 
 #[test]
 fn the_example_confirms_the_theorem_and_planted_faults_turn_it() {

@@ -27,7 +27,7 @@ use crate::root::root_of_squares;
 /// # Method
 ///
 /// The seminorm is |u|²_s = ∫∫ (u(x)−u(y))² / |x−y|^{d+2s} dx dy, d the dimension of the domain, 0 < s < 1;
-/// ‖u‖²_s = ‖u‖² + |u|²_s, ‖u‖²_{1+s} = ‖u‖² + ‖∇u‖²_s, and ‖u‖_{−s} = sup ∫ u v / ‖v‖_s. Each is computed to the
+/// ‖u‖²_s = ‖u‖² + |u|²_s, ‖u‖²\_{1+s} = ‖u‖² + ‖∇u‖²_s, and ‖u‖\_{−s} = sup ∫ u v / ‖v‖_s. Each is computed to the
 /// relative tolerance by the method for its kind of function; a combination without a method is
 /// [`Error::Incompatible`], which names what is possible.
 ///
@@ -297,7 +297,7 @@ impl<'a> Function<'a> {
         Self { gradient, ..self }
     }
 
-    /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖_{−s}, for s = 0 the L² norm. A plain number
+    /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖\_{−s}, for s = 0 the L² norm. A plain number
     /// serves as s; orders near ±1/2 and 3/2 keep their distance from it as [`SobolevOrder`].
     ///
     /// # Errors

@@ -32,6 +32,13 @@ pub struct PlaneFunction {
 impl PlaneFunction {
     /// The function with the given value on every triangle.
     ///
+    /// ```
+    /// use fractional_sobolev::{PlaneFunction, Triangles};
+    /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
+    /// assert!(PlaneFunction::constants(triangle, vec![2.0])?.seminorm(0.25, 1e-6)?.value < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
     pub fn constants(mesh: Triangles, values: Vec<f64>) -> Result<Self> {

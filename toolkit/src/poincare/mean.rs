@@ -1,10 +1,10 @@
 //! How large the mean of a function may be beside its seminorm: the second part of the constant of Lemma 5.2.
 
-use super::constant::{continued, refine_until};
 use super::constraint::Constraint;
 use super::discrete::Discrete;
 use super::mesh::MeshModel;
 use super::rounding::ROUNDING;
+use super::spaces::{continued, refine_until};
 use super::zone::{Condition, Zone};
 use crate::FractionalOrder;
 use crate::error::{Given, Result};

@@ -20,6 +20,7 @@ mod mesh;
 mod moments;
 mod rounding;
 pub(crate) mod slopes;
+mod spaces;
 mod two_sided;
 mod uniform;
 mod zone;

@@ -1,12 +1,12 @@
 //! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
 
-use super::constant::{gamma, refine};
 use super::constraint::Constraint;
 use super::continuation::Continuation;
 use super::discrete::Discrete;
 use super::mean::largest_mean;
 use super::mesh::MeshModel;
 use super::rounding::rounding;
+use super::spaces::{constant_and_function, refine};
 use crate::FractionalOrder;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -44,7 +44,7 @@ pub(super) fn two_sided(
     constant: Estimate,
     tolerance: Tolerance,
 ) -> Result<GammaBounds> {
-    let whole = gamma(order, Constraint::mean_zero(), tolerance)?.constant;
+    let (whole, _) = constant_and_function(order, &Constraint::mean_zero(), tolerance)?;
     let direct = refine(
         order,
         rounding(order, parts),

@@ -117,17 +117,3 @@ pub(crate) enum Condition {
     /// u = 0 on E.
     Vanishing,
 }
-
-#[cfg(test)]
-impl Condition {
-    /// The condition on a zone.
-    pub(crate) fn on(
-        self,
-        zones: impl crate::error::Given<super::zones::Zones>,
-    ) -> Result<super::Constraint> {
-        match self {
-            Self::MeanZero => super::Constraint::mean_zero_on(zones),
-            Self::Vanishing => super::Constraint::vanishing_on(zones),
-        }
-    }
-}

@@ -207,6 +207,16 @@ mod tests {
     use crate::{FractionalOrder, gram_linears, mass_linears};
     use nalgebra::DMatrix;
 
+    impl Condition {
+        /// The condition on a zone.
+        pub(crate) fn on(self, zones: impl Given<Zones>) -> Result<Constraint> {
+            match self {
+                Self::MeanZero => Constraint::mean_zero_on(zones),
+                Self::Vanishing => Constraint::vanishing_on(zones),
+            }
+        }
+    }
+
     const CONDITIONS: [Condition; 2] = [Condition::MeanZero, Condition::Vanishing];
 
     fn found(nu: f64, zones: impl Given<Zones>, condition: Condition) -> Estimate {

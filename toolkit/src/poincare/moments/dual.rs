@@ -3,13 +3,13 @@
 use crate::FractionalOrder;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
-use crate::poincare::constant::refine_until;
 use crate::poincare::constraint::Constraint;
 use crate::poincare::continuation::Continuation;
 use crate::poincare::discrete::Discrete;
 use crate::poincare::extremal::ExtremalFunction;
 use crate::poincare::mesh::MeshModel;
 use crate::poincare::slopes::space::{SlopeSpace, legendre_primitives};
+use crate::poincare::spaces::refine_until;
 use crate::poincare::zone::Condition;
 use crate::quadrature::Rule;
 
