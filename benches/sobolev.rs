@@ -3,14 +3,12 @@
 #![allow(missing_docs)] // criterion_group writes public items of its own
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use fractional_sobolev::{
-    FractionalOrder, GramOperator, Partition, SingularFunction, Tolerance, gram_linears,
-};
+use fractional_sobolev::{GramOperator, Mesh, Order, SingularFunction, Tolerance, gram_linears};
 use std::hint::black_box;
 
 fn closures(c: &mut Criterion) {
     let mut group = c.benchmark_group("closure x^0.6, nu 0.25");
-    let order = FractionalOrder::new(0.25).unwrap();
+    let order = Order::new(0.25).unwrap();
     let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(0.6)).unwrap();
     for asked in [1e-3, 1e-7, 1e-11] {
         let tolerance = Tolerance::new(asked).unwrap();
@@ -22,20 +20,19 @@ fn closures(c: &mut Criterion) {
 }
 
 fn dense(c: &mut Criterion) {
-    let partition = Partition::geometric(199, 0.8, 1.0).unwrap();
+    let partition = Mesh::geometric(199, 0.8, 1.0).unwrap();
     c.bench_function("dense Gram matrix, 200 graded elements", |b| {
-        b.iter(|| gram_linears(black_box(&partition), FractionalOrder::HALF));
+        b.iter(|| gram_linears(black_box(&partition), Order::HALF));
     });
 }
 
 fn products(c: &mut Criterion) {
     let mut group = c.benchmark_group("fast product");
     for n in [10_000, 100_000] {
-        let graded = Partition::geometric(n - 1, 1e-30f64.powf(1.0 / (n - 1) as f64), 1.0).unwrap();
-        for (name, partition) in [("uniform", Partition::uniform(n, 1.0).unwrap()), ("graded", graded)] {
+        let graded = Mesh::geometric(n - 1, 1e-30f64.powf(1.0 / (n - 1) as f64), 1.0).unwrap();
+        for (name, partition) in [("uniform", Mesh::uniform(n, 1.0).unwrap()), ("graded", graded)] {
             let operator =
-                GramOperator::linears(&partition, FractionalOrder::HALF, Tolerance::new(1e-11).unwrap())
-                    .unwrap();
+                GramOperator::linears(&partition, Order::HALF, Tolerance::new(1e-11).unwrap()).unwrap();
             let x: Vec<f64> = (0..=n).map(|i| ((i * 7919) % 1000) as f64).collect();
             group.bench_function(BenchmarkId::new(name, n), |b| {
                 b.iter(|| operator.apply(black_box(&x)).unwrap())

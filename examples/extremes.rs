@@ -8,7 +8,7 @@
 use cases::{ADMISSIBLE, INADMISSIBLE};
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use fractional_sobolev::{Constraint, FractionalOrder, Tolerance, UniformLaw, gamma};
+use fractional_sobolev::{Constraint, Order, Tolerance, UniformLaw, gamma};
 use std::process::ExitCode;
 
 #[path = "cases/extremes.rs"]
@@ -70,10 +70,10 @@ pub fn compute() -> Result<Computed> {
         let answer = compute();
         Bad { planted, asked, is_named: answer.as_ref().is_err_and(names), answer }
     });
-    let law = UniformLaw::new(FractionalOrder::HALF, TOLERANCE)?;
+    let law = UniformLaw::new(Order::HALF, TOLERANCE)?;
     let decade = |k: i32| -> Result<(f64, f64, f64)> {
         let theta = 10f64.powi(-k);
-        let found = gamma(FractionalOrder::HALF, Constraint::mean_zero_on(0.0..theta), TOLERANCE)?.constant;
+        let found = gamma(Order::HALF, Constraint::mean_zero_on(0.0..theta), TOLERANCE)?.constant;
         Ok((theta, found.value, law.gamma(theta)?.value))
     };
     let decades = (20..=290).step_by(45).map(decade).collect::<Result<_>>()?;

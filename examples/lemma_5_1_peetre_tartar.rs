@@ -10,7 +10,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use experiments::trial::{mean_free_quotient, peetre_tartar};
-use fractional_sobolev::{Constraint, Estimate, FractionalOrder, Tolerance, gamma};
+use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -18,7 +18,7 @@ example_frame::options! {
     pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// Lengths theta of the zone
         #[arg(long, value_delimiter = ',', default_values = ["1", "1e-1", "1e-2", "1e-4", "1e-8"], value_parser = within::<f64>("[1e-299, 1]"))]
         pub theta: Vec<f64>,
@@ -46,7 +46,7 @@ pub struct Row {
 
 /// γ, its extremal function, and the other functions: those of the other orders, and that of ν = 0.9.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let other = FractionalOrder::new(0.9)?;
+    let other = Order::new(0.9)?;
     let mut rows = Vec::new();
     for &theta in &options.theta {
         let mut functions = Vec::new();

@@ -12,8 +12,8 @@ use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, with
 use experiments::growth::{growth, last_exponent};
 use experiments::zones::Place;
 use fractional_sobolev::{
-    Constraint, END_SLOPE, Estimate, FractionalOrder, HalfBracket, INTERIOR_SLOPE, LawRest, Tolerance,
-    UniformLaw, gamma,
+    Constraint, END_SLOPE, Estimate, HalfBracket, INTERIOR_SLOPE, LawRest, Order, Tolerance, UniformLaw,
+    gamma,
 };
 use std::process::ExitCode;
 
@@ -46,7 +46,7 @@ pub struct Computed {
 
 /// Constants by the eigenproblem, the law from dual norms, the bounds from the proof.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let (half, tolerance) = (FractionalOrder::HALF, options.tolerance);
+    let (half, tolerance) = (Order::HALF, options.tolerance);
     let law = UniformLaw::new(half, tolerance)?;
     let constant = |place: Place, theta: f64| -> Result<Estimate> {
         Ok(gamma(half, Constraint::mean_zero_on(place.zone(theta)?), tolerance)?.constant)

@@ -10,7 +10,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
 use experiments::induction::{InductionStep, induction, scaling_defect};
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::f64::consts::SQRT_2;
 use std::process::ExitCode;
 
@@ -19,7 +19,7 @@ example_frame::options! {
     pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// Where the induction starts
         #[arg(long, default_value_t = 0.5)]
         pub theta: f64,
@@ -35,7 +35,7 @@ example_frame::options! {
 /// The steps of one order, in order.
 pub struct Chain {
     /// ν.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// From θ to θ², θ⁴, ...
     pub steps: Vec<InductionStep>,
     /// How far both norms are from (5.5) on the interval stretched by 1/θ.
@@ -44,7 +44,7 @@ pub struct Chain {
 
 /// Squares θ step by step, for every order.
 pub fn compute(options: &Options) -> Result<Vec<Chain>> {
-    let chain = |&order: &FractionalOrder| -> Result<Chain> {
+    let chain = |&order: &Order| -> Result<Chain> {
         let (theta, tolerance) = (options.theta, options.tolerance);
         let steps = induction(order, theta, options.steps, tolerance)?;
         Ok(Chain { order, steps, scaling: scaling_defect(order, theta, tolerance)? })

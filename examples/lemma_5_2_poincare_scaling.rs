@@ -11,7 +11,7 @@ use experiments::growth::{
     Scaling, ScalingPoint, growth, growth_limit, looseness_at_half, printed_exponent_near_one,
 };
 use experiments::zones::{Condition, Place};
-use fractional_sobolev::{END_SLOPE, Estimate, FractionalOrder, Tolerance};
+use fractional_sobolev::{END_SLOPE, Estimate, Order, Tolerance};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -20,7 +20,7 @@ example_frame::options! {
     pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// Lengths theta of the zone
         #[arg(long, value_delimiter = ',', default_values = ["5e-1", "1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6"], value_parser = within::<f64>("[1e-300, 1]"))]
         pub theta: Vec<f64>,
@@ -39,7 +39,7 @@ example_frame::options! {
 /// One order: zones, longest first, with the seconds each took.
 pub struct Computed {
     /// The order ν.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// Constants with bounds and laws.
     pub points: Vec<(ScalingPoint, f64)>,
     /// Exponent of θ, at ν = 1/2 slope of γ² against ln(1/θ), between the last two zones.

@@ -6,7 +6,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
 use experiments::interpolation::{WorstRatios, worst_ratios};
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, interpolation::LocalConstants};
+use fractional_sobolev::{Estimate, Order, Tolerance, interpolation::LocalConstants};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -14,7 +14,7 @@ example_frame::options! {
     pub struct Options: Quick {
         /// Orders nu in (0, 1), comma separated
         #[arg(long, value_delimiter = ',', default_values = ["0.01", "0.1", "0.25", "0.5", "0.75", "0.9", "0.99"])]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// Random functions per family and order; with 0 only powers are tried
         #[arg(long, default_value_t = 60)]
         pub functions: usize,

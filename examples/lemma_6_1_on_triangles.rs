@@ -5,7 +5,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use fractional_sobolev::{
-    FractionalOrder,
+    Order,
     interpolation::{TriangleConstant, TriangleConstants, TriangleShape, kobayashi},
 };
 use std::f64::consts::FRAC_PI_2;
@@ -16,7 +16,7 @@ example_frame::options! {
     pub struct Options {
         /// Orders s of the gradient in (0, 1), increasing; s = 1 is added
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.3", "0.35", "0.4", "0.5", "0.6", "0.7", "0.75", "0.8", "0.9", "0.95"])]
-        pub s: Vec<FractionalOrder>,
+        pub s: Vec<Order>,
         /// Degree of the polynomials
         #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(10..=30))]
         pub degree: u32,

@@ -5,7 +5,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use fractional_sobolev::{
-    Error, Estimate, FractionalOrder,
+    Error, Estimate, Order,
     interpolation::{TriangleConstants, TriangleShape, kobayashi},
 };
 use std::f64::consts::FRAC_PI_2;
@@ -16,7 +16,7 @@ example_frame::options! {
     pub struct Options {
         /// Orders s of the gradient in (0, 1), comma separated; s = 1 is added
         #[arg(long, value_delimiter = ',', default_values = ["0.5", "0.75"])]
-        pub s: Vec<FractionalOrder>,
+        pub s: Vec<Order>,
         /// Angles at the top in degrees, in (6, 174), increasing; one should be 60
         #[arg(long, value_delimiter = ',', default_values = ["20", "30", "40", "50", "60", "75", "90", "105", "120", "135"], value_parser = within::<f64>("(6, 174)"))]
         pub angles: Vec<f64>,

@@ -6,7 +6,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use experiments::interpolation::{InterpolationError, MeshRatios, SampleSlope};
-use fractional_sobolev::{Estimate, FractionalOrder, Partition, Tolerance, interpolation::LocalConstants};
+use fractional_sobolev::{Estimate, Mesh, Order, Tolerance, interpolation::LocalConstants};
 use std::process::ExitCode;
 
 /// Cells per element and largest number of elements for the best constant on a mesh.
@@ -18,7 +18,7 @@ example_frame::options! {
     pub struct Options: Quick {
         /// Orders nu in (0, 1), comma separated
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// Slope u' on (0,1): power:A, step:S, cosine:K or constant
         #[arg(long, default_value = "power:0.3")]
         pub function: SampleSlope,
@@ -27,7 +27,7 @@ example_frame::options! {
         pub elements: Vec<usize>,
     }
     check(options) {
-        let element = Partition::uniform(1, 1.0)?;
+        let element = Mesh::uniform(1, 1.0)?;
         for &order in &options.nu {
             InterpolationError::of_sample(options.function, &element, order)?;
         }

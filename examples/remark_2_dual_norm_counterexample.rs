@@ -8,7 +8,7 @@ use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
 use experiments::interpolation::{AliasedWave, all_waves_rate, observed_rates, smooth_dual_error};
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
+    Estimate, Order, Tolerance,
     interpolation::{ErrorNorm, element_constant},
 };
 use std::process::ExitCode;
@@ -70,7 +70,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     };
     let wave = series(|n| AliasedWave::new(n)?.quotient())?;
     let (smooth, one) = (series(smooth_dual_error)?, all_waves_rate(ALL_WAVES.0, ALL_WAVES.1)?);
-    let best = element_constant(ErrorNorm::L2, FractionalOrder::HALF, Tolerance::balanced())?;
+    let best = element_constant(ErrorNorm::L2, Order::HALF, Tolerance::balanced())?;
     let bounds = elements.iter().map(|&n| Ok(best.times((n as f64).powf(-1.5))?)).collect::<Result<_>>()?;
     Ok(Computed { elements, wave, smooth, bounds, one })
 }

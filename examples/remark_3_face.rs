@@ -5,15 +5,15 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use experiments::proof::FaceGaps;
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {
     /// The consistency term of both cones on one face with small gaps about its corners
     pub struct Options {
         /// Orders nu = tau - 3/2 in (0, 1/2)
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4"], value_parser = within::<FractionalOrder>("(0, 0.5)"))]
-        pub nu: Vec<FractionalOrder>,
+        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4"], value_parser = within::<Order>("(0, 0.5)"))]
+        pub nu: Vec<Order>,
         /// The gaps have legs from 1/4 down to 2 to the power of minus this minus one
         #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(4..=40))]
         pub halvings: u32,
@@ -24,7 +24,7 @@ example_frame::options! {
 }
 
 /// One order with its gaps, from the largest to the smallest.
-pub struct Rows(pub FractionalOrder, pub Vec<FaceGaps>);
+pub struct Rows(pub Order, pub Vec<FaceGaps>);
 
 impl Rows {
     /// Exponents of the nodal quotient over the last halving, and over the one before.
@@ -40,7 +40,7 @@ const LIMIT: f64 = 0.01;
 
 /// Both quotients for every order and every size of the gaps.
 pub fn compute(options: &Options) -> Result<Vec<Rows>> {
-    let rows = |&order: &FractionalOrder| -> Result<Rows> {
+    let rows = |&order: &Order| -> Result<Rows> {
         let gaps = (1..=options.halvings).map(|k| FaceGaps::new(k, order, options.tolerance));
         Ok(Rows(order, gaps.collect::<signorini::Result<_>>()?))
     };

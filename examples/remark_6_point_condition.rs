@@ -8,15 +8,15 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{Constraint, END_SLOPE, Estimate, FractionalOrder, Tolerance, gamma};
+use fractional_sobolev::{Constraint, END_SLOPE, Estimate, Order, Tolerance, gamma};
 use std::process::ExitCode;
 
 example_frame::options! {
     /// The Poincare constant of functions that vanish at one point
     pub struct Options: Quick {
         /// Orders nu in (1/2, 1)
-        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.75", "0.9", "0.99"], value_parser = within::<FractionalOrder>("(0.5, 1)"))]
-        pub nu: Vec<FractionalOrder>,
+        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.75", "0.9", "0.99"], value_parser = within::<Order>("(0.5, 1)"))]
+        pub nu: Vec<Order>,
         /// The point inside, beside the end
         #[arg(long, default_value_t = 0.5)]
         pub point: f64,
@@ -32,7 +32,7 @@ const SHORT: f64 = 1e-12;
 /// One order.
 pub struct Row {
     /// The order.
-    pub nu: FractionalOrder,
+    pub nu: Order,
     /// γ₀, the point at the end.
     pub end: Estimate,
     /// γ₀, the point inside.
@@ -47,7 +47,7 @@ pub struct Row {
 
 /// The constants of the point at the end, of the point given and of a short zone.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let row = |&nu: &FractionalOrder| -> Result<Row> {
+    let row = |&nu: &Order| -> Result<Row> {
         let end = gamma(nu, Constraint::vanishing_at(0.0), options.tolerance)?.constant;
         let inside = gamma(nu, Constraint::vanishing_at(options.point), options.tolerance)?.constant;
         let short = gamma(nu, Constraint::mean_zero_on(0.0..SHORT), options.tolerance)?.constant;

@@ -10,7 +10,7 @@ use experiments::arrangement::{MovedZone, ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
 use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
 use experiments::zones::Condition;
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -56,7 +56,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let mut places = Vec::new();
     for nu in [0.25, 0.5, 0.75] {
         for condition in [Condition::MeanZero, Condition::Vanishing] {
-            places.push(MovedZone::new(FractionalOrder::new(nu)?, theta, condition, tolerance)?);
+            places.push(MovedZone::new(Order::new(nu)?, theta, condition, tolerance)?);
         }
     }
     Ok(Computed { sorted, functions: tried, zones: random_zones(options.zones, 7, tolerance)?, places })

@@ -17,7 +17,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use experiments::location::Places;
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -25,7 +25,7 @@ example_frame::options! {
     pub struct Options: Quick {
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// Length theta of the zone
         #[arg(long, default_value_t = 1e-3)]
         pub theta: f64,

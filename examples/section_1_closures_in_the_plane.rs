@@ -4,9 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, SectorPower, SingularPlaneFunction, Tolerance, Triangles,
-};
+use fractional_sobolev::{Error, Estimate, Order, SectorPower, SingularPlaneFunction, Tolerance, Triangles};
 use std::f64::consts::{PI, SQRT_2};
 use std::process::ExitCode;
 
@@ -18,7 +16,7 @@ example_frame::options! {
         pub gaps: Vec<f64>,
         /// Order s in (0, 1)
         #[arg(long, default_value = "0.6")]
-        pub s: FractionalOrder,
+        pub s: Order,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value = "1e-8")]
         pub tolerance: Tolerance,

@@ -4,9 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed, within};
-use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, Tolerance,
-};
+use fractional_sobolev::{Error, Estimate, Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance};
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
@@ -18,7 +16,7 @@ example_frame::options! {
         pub alpha: f64,
         /// Order nu in (0, 1)
         #[arg(long, default_value = "0.5")]
-        pub nu: FractionalOrder,
+        pub nu: Order,
         /// Nodes (i/N)^beta: exponents beta
         #[arg(long, value_delimiter = ',', default_values = ["1", "1.5", "2", "2.67", "4"], value_parser = within::<f64>("[1, 20]"))]
         pub grading: Vec<f64>,
@@ -67,7 +65,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let u = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(alpha))?;
     let meshes = options.grading.iter().flat_map(|&b| options.elements.iter().map(move |&n| (b, n)));
     let row = |(beta, n): (f64, usize)| {
-        let mesh = Partition::algebraic(n, beta, 1.0)?;
+        let mesh = Mesh::algebraic(n, beta, 1.0)?;
         let values: Vec<f64> = mesh.from_left().iter().map(|x| x.powf(alpha)).collect();
         let field = PiecewisePolynomial::linears(mesh, &values)?;
         let best = || Estimate::or_best(u.minus(&field).seminorm(options.nu, options.tolerance));

@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
-use fractional_sobolev::{Estimate, FractionalOrder, GalleryFunction, Tolerance};
+use fractional_sobolev::{Estimate, GalleryFunction, Order, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -15,7 +15,7 @@ example_frame::options! {
         pub function: Vec<GalleryFunction>,
         /// Orders nu in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.25", "0.45", "0.5", "0.75", "0.95"])]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value = "1e-9")]
         pub tolerance: Tolerance,
@@ -33,7 +33,7 @@ pub struct Norm {
 }
 
 /// One function at one order, the norm where the library calls it finite, and the seconds for the seminorm.
-pub struct Row(pub GalleryFunction, pub FractionalOrder, pub Option<Norm>, pub f64);
+pub struct Row(pub GalleryFunction, pub Order, pub Option<Norm>, pub f64);
 
 /// Every norm, and what it can be compared with.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {

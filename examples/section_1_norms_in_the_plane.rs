@@ -6,7 +6,7 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use experiments::SplitMix;
 use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, PlaneFunction, Tolerance, Triangles, coordinate_on_unit_square,
+    Error, Estimate, Order, PlaneFunction, Tolerance, Triangles, coordinate_on_unit_square,
 };
 use std::process::ExitCode;
 
@@ -18,7 +18,7 @@ example_frame::options! {
         pub squares: u32,
         /// Orders s in (0, 1)
         #[arg(long, value_delimiter = ',', default_values = ["0.05", "0.25", "0.45", "1/2-1e-8", "0.5", "0.75", "0.95", "0.99999999"])]
-        pub s: Vec<FractionalOrder>,
+        pub s: Vec<Order>,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value = "1e-10")]
         pub tolerance: Tolerance,
@@ -28,7 +28,7 @@ example_frame::options! {
 /// The norms of one order.
 pub struct Row {
     /// s.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// |x₁|_s on the unit square, from the triangles.
     pub coordinate: Estimate,
     /// The same in closed form.
@@ -88,7 +88,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let values = mesh.nodes().iter().map(|node| node[0]).collect();
     let coordinate = PlaneFunction::linears(mesh, values)?;
     let step = PlaneFunction::constants(Triangles::grid([1, 1], 1.0)?, vec![1.0, 0.0])?;
-    let row = |&order: &FractionalOrder| -> Result<Row> {
+    let row = |&order: &Order| -> Result<Row> {
         let found = match step.seminorm(order, options.tolerance) {
             Err(Error::InfiniteNorm { .. }) => None,
             other => Some(other?),

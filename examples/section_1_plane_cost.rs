@@ -5,8 +5,8 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
 use fractional_sobolev::{
-    Estimate, FractionalOrder, GridOperator, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance,
-    Triangles, coordinate_on_unit_square,
+    Estimate, GridOperator, Order, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance, Triangles,
+    coordinate_on_unit_square,
 };
 use std::process::ExitCode;
 
@@ -21,7 +21,7 @@ example_frame::options! {
         pub triangles: u32,
         /// Order s in (0, 1)
         #[arg(long, default_value = "0.75")]
-        pub s: FractionalOrder,
+        pub s: Order,
     }
 }
 
@@ -42,7 +42,7 @@ const POWER: f64 = 2.0 / 3.0;
 const LARGE: f64 = 1e-8;
 
 /// Every road to the norms of x₁ and of r^{2/3} cos(2φ/3) on the unit square.
-fn roads(s: FractionalOrder) -> Result<Vec<Row>> {
+fn roads(s: Order) -> Result<Vec<Row>> {
     let (exact, square) = (coordinate_on_unit_square(s)?.sqrt()?, Triangles::grid([1, 1], 1.0)?);
     let power = |at: &PlanePosition<'_>| at.radius(0).powf(POWER) * (POWER * at.angle(0)).cos();
     let cut = SingularPlaneFunction::new(square.cut_at(0, 0.45)?, &[(0, POWER)], power)?;

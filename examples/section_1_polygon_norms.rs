@@ -4,9 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{
-    BoundaryFunction, Estimate, FractionalOrder, Partition, PolygonalCurve, closed_forms,
-};
+use fractional_sobolev::{BoundaryFunction, Curve, Estimate, Mesh, Order, closed_forms};
 use std::f64::consts::{LN_2, PI, TAU};
 use std::process::ExitCode;
 
@@ -21,7 +19,7 @@ example_frame::options! {
         pub n: Vec<usize>,
         /// Order nu in (0, 1)
         #[arg(long, default_value = "0.5")]
-        pub nu: FractionalOrder,
+        pub nu: Order,
     }
 }
 
@@ -62,15 +60,14 @@ fn row(options: &Options, polygon: &str, n: usize) -> Result<Row> {
         let ([a, b], [c, d]) = (points[k], points[(k + 1) % points.len()]);
         ((c - a).hypot(d - b), d - b)
     };
-    let elements = |k: usize| Partition::uniform(n * side(k).0.round() as usize, 1.0);
-    let meshes: Vec<Partition> =
-        (0..points.len()).map(elements).collect::<fractional_sobolev::Result<_>>()?;
-    let curve = PolygonalCurve::closed(&points, &meshes)?;
+    let elements = |k: usize| Mesh::uniform(n * side(k).0.round() as usize, 1.0);
+    let meshes: Vec<Mesh> = (0..points.len()).map(elements).collect::<fractional_sobolev::Result<_>>()?;
+    let curve = Curve::closed(&points, &meshes)?;
     let x = BoundaryFunction::interpolate(curve.clone(), |x| x[0])?;
     let coordinate = square(&x, options)?.times(2.0 * curve.length().powi(-2))?;
     let hat: Vec<f64> = (0..curve.len()).map(|k| f64::from(k == 0)).collect();
     let corner = square(&BoundaryFunction::linears(curve, &hat)?, options)?;
-    let graded = PolygonalCurve::graded(&points, n, GRADED)?;
+    let graded = Curve::graded(&points, n, GRADED)?;
     let normal: Vec<f64> =
         (0..graded.len()).map(|e| side(e / n)).map(|(length, rise)| rise / length).collect();
     let dual =
@@ -83,7 +80,7 @@ fn circle(options: &Options, k: u32) -> Result<Wave> {
     let one = |&count: &usize| {
         let angles = (0..count).map(|j| TAU * j as f64 / count as f64);
         let points: Vec<[f64; 2]> = angles.clone().map(|t| [t.cos(), t.sin()]).collect();
-        let curve = PolygonalCurve::closed(&points, &vec![Partition::uniform(1, 1.0)?; count])?;
+        let curve = Curve::closed(&points, &vec![Mesh::uniform(1, 1.0)?; count])?;
         let values: Vec<f64> = angles.map(|t| (f64::from(k) * t).cos()).collect();
         let found = square(&BoundaryFunction::linears(curve, &values)?, options)?;
         Ok((count, found.over(closed_forms::cosine_on_circle(k, options.nu)?)?))
@@ -107,7 +104,7 @@ fn off(series: &[(usize, Estimate)], order: i32, exact: f64) -> Option<(f64, f64
 
 /// What decides: an identity, a limit at a corner, duality, and the circle.
 pub fn findings(options: &Options, (rows, waves): &(Vec<Row>, Vec<Wave>)) -> Vec<Finding> {
-    let half = || rows.iter().filter(|_| options.nu == FractionalOrder::HALF);
+    let half = || rows.iter().filter(|_| options.nu == Order::HALF);
     let sums = half().filter_map(|row| row.2[0].off(1.0).ok());
     let corners: Vec<_> = half().map(|row| (row.1, row.2[1])).collect();
     let corners = corners.chunks(options.n.len()).filter_map(|series| off(series, 1, CORNER));

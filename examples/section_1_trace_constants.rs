@@ -4,9 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use fractional_sobolev::{
-    Estimate, FractionalOrder, SquareTrace, WedgeTrace, extension_profile, half_plane_trace,
-};
+use fractional_sobolev::{Estimate, Order, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
@@ -14,8 +12,8 @@ example_frame::options! {
     /// Best constants of the trace on one edge: half-plane, corner, square
     pub struct Options {
         /// Orders s in (1/2, 1), comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.65", "0.7", "0.75", "0.8", "0.85", "0.9", "0.95"], value_parser = within::<FractionalOrder>("(0.5, 1)"))]
-        pub s: Vec<FractionalOrder>,
+        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.65", "0.7", "0.75", "0.8", "0.85", "0.9", "0.95"], value_parser = within::<Order>("(0.5, 1)"))]
+        pub s: Vec<Order>,
         /// Angle of the corner in degrees, in [10, 180]
         #[arg(long, default_value_t = 90.0, value_parser = within::<f64>("[10, 180]"))]
         pub angle: f64,
@@ -29,7 +27,7 @@ example_frame::options! {
 #[derive(Clone)]
 pub struct Row {
     /// s.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// C(s) on the half-plane, the closed form.
     pub constant: Estimate,
     /// Modes of the half-plane, by finite elements.
@@ -61,7 +59,7 @@ const DIGITS: f64 = 1e-5;
 /// Constants, second road, corner and square for every order.
 pub fn compute(options: &Options) -> Result<Computed> {
     let (bar, angle) = (progress(options.s.len() as u64), options.angle.to_radians());
-    let row = |&order: &FractionalOrder| -> Result<Row> {
+    let row = |&order: &Order| -> Result<Row> {
         let constant = half_plane_trace(order)?;
         let over = |found: Estimate| found.times(constant.value.powi(-2));
         let all = |shape: WedgeTrace, modes: &[f64]| -> fractional_sobolev::Result<Vec<Estimate>> {
@@ -75,7 +73,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
         Ok(Row { order, constant, half_plane, corner, square })
     };
     let rows = options.s.iter().map(row).collect::<Result<_>>()?;
-    let near = half_plane_trace(FractionalOrder::from_offset(NEAR)?)?;
+    let near = half_plane_trace(Order::half_plus(NEAR)?)?;
     let growth = near.times(2.0 * NEAR * PI / 3f64.sqrt())?;
     Ok(Computed { rows, growth, one: SquareTrace::at_one(COSINES)?.largest() })
 }
@@ -149,7 +147,7 @@ fn draw_profiles() -> Result<Chart> {
     let mut chart = Chart::new("Extremal functions: the profile beside cos(x)", x, y);
     let places: Vec<f64> = (0..61).map(|k| 10f64.powf(-5.0 + 0.1 * f64::from(k))).collect();
     for s in [0.55, 0.65, 0.8, 0.95] {
-        let order = FractionalOrder::new(s)?;
+        let order = Order::new(s)?;
         let points = places.iter().map(|&y| Ok((y, extension_profile(order, y)?))).collect::<Result<_>>()?;
         chart = chart.with(Series::line(format!("s = {s}"), points));
     }

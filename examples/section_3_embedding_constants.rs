@@ -6,7 +6,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use fractional_sobolev::{
-    Estimate, FractionalOrder,
+    Estimate, Order,
     interpolation::{
         EMBEDDING_GROWTH, EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound,
     },
@@ -27,8 +27,8 @@ example_frame::options! {
         #[arg(long, value_delimiter = ',', default_values = ["2", "3", "4", "6", "8", "12", "16", "24", "36", "50", "75", "100", "150", "200"], value_parser = within::<f64>("[2, 1000]"))]
         pub q: Vec<f64>,
         /// Orders nu < 1/2, comma separated, taken at the critical exponent q = 2/(1 - 2 nu), at most 1e5
-        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"], value_parser = within::<FractionalOrder>("(0, 0.49999]"))]
-        pub nu: Vec<FractionalOrder>,
+        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"], value_parser = within::<Order>("(0, 0.49999]"))]
+        pub nu: Vec<Order>,
     }
 }
 
@@ -49,12 +49,12 @@ pub struct Row {
 /// Both bounds for every q and nu.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let largest = options.q.iter().copied().fold(2.0, f64::max);
-    let half = EmbeddingSpace::for_exponents_up_to(FractionalOrder::HALF, largest)?;
+    let half = EmbeddingSpace::for_exponents_up_to(Order::HALF, largest)?;
     let increments = EndIncrements::for_exponents_up_to(largest)?;
     let bar = progress((options.q.len() + options.nu.len()) as u64);
     let mut rows = Vec::new();
     for &q in &options.q {
-        let upper = embedding_upper_bound(FractionalOrder::HALF, q)?;
+        let upper = embedding_upper_bound(Order::HALF, q)?;
         let hoelder = Some(increments.constant(1.0 - 1.0 / q)?.0);
         rows.push(Row { nu: 0.5, q, lower: half.climb(q)?.quotient, upper, hoelder });
         bar.inc(1);

@@ -7,7 +7,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Moment, StrongForm, Tolerance, half_order_moment, moment_extremal,
+    Estimate, Moment, Order, StrongForm, Tolerance, half_order_moment, moment_extremal,
 };
 use signorini::proof::{
     SegmentConstant, consistency_constant, midpoint_bound, product_bound, product_constant,
@@ -19,10 +19,10 @@ example_frame::options! {
     pub struct Options {
         /// Orders nu = tau - 3/2 in [0.001, 0.999]
         #[arg(long, value_delimiter = ',', default_value = "0.001,0.1,0.25,0.5,0.75,0.9,0.999")]
-        pub nu: Vec<FractionalOrder>,
+        pub nu: Vec<Order>,
         /// The order for which the extremal pair is drawn
         #[arg(long, default_value = "0.25")]
-        pub pair: FractionalOrder,
+        pub pair: Order,
         /// Relative tolerance: fast, balanced, reference or a number
         #[arg(long, default_value = "1e-9")]
         pub tolerance: Tolerance,
@@ -32,7 +32,7 @@ example_frame::options! {
 /// One order.
 pub struct Row {
     /// The order.
-    pub nu: FractionalOrder,
+    pub nu: Order,
     /// c, exact.
     pub potentials: f64,
     /// K, κ and κ̄.
@@ -45,14 +45,14 @@ pub struct Row {
 
 /// The constants of every order, by both roads.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let row = |&nu: &FractionalOrder| -> Result<Row> {
+    let row = |&nu: &Order| -> Result<Row> {
         let tol = options.tolerance;
         let sharp = [product_constant(nu, tol)?, consistency_constant(nu, tol)?, midpoint_bound(nu, tol)?];
         let strong = StrongForm::new(nu)?;
         let apart = sharp.iter().map(|found| Ok(found.apart(&strong)?));
         let apart = apart.reduce(|a: Result<f64>, b| Ok(a?.max(b?))).unwrap_or(Ok(0.0))?;
         let ratio = sharp[0].value.value / half_order_moment(0.5, Moment::Mass)?.value.powi(2);
-        let closed = (nu == FractionalOrder::HALF).then_some((ratio - 1.0).abs());
+        let closed = (nu == Order::HALF).then_some((ratio - 1.0).abs());
         Ok(Row { nu, potentials: product_bound(nu), sharp, apart, closed })
     };
     progress(options.nu.len() as u64).wrap_iter(options.nu.iter()).map(row).collect()
@@ -143,7 +143,7 @@ fn draw(rows: &[Row]) -> Chart {
 }
 
 /// The pair for which κ is attained: σ_N on the right, u_N' on the gap at the left end.
-fn draw_pair(nu: FractionalOrder) -> Result<Chart> {
+fn draw_pair(nu: Order) -> Result<Chart> {
     let fast = Tolerance::fast();
     let gap = 1.0 - consistency_constant(nu, fast)?.contact;
     let sigma = moment_extremal(nu, 1.0 - gap, Moment::FromFreeEnd, fast)?;

@@ -7,7 +7,7 @@
 use example_frame::{
     Cell, Column, Finding, Format, Headline, Outcome, Output, Result, Role, Table, progress,
 };
-use fractional_sobolev::FractionalOrder;
+use fractional_sobolev::Order;
 use signorini::cone::Cone;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -83,9 +83,9 @@ fn rows() -> Vec<Row> {
         row!("scalar.midpoint", tour: section_2_scalar_contact, n = tour.size(), cone = Cone::Midpoint),
         row!("figure.3.2", tour: figure_3_2_alternative, n = tour.size()),
         row!("figure.4.1", tour: figure_4_1_alternative, n = tour.size()),
-        row!("lemma.5.2.below", tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.25)?], theta = tour.zones()),
-        row!("lemma.5.2.half", tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::HALF], theta = tour.zones()),
-        row!("lemma.5.2.above", tour: lemma_5_2_poincare_scaling, nu = vec![FractionalOrder::new(0.75)?], theta = tour.zones()),
+        row!("lemma.5.2.below", tour: lemma_5_2_poincare_scaling, nu = vec![Order::new(0.25)?], theta = tour.zones()),
+        row!("lemma.5.2.half", tour: lemma_5_2_poincare_scaling, nu = vec![Order::HALF], theta = tour.zones()),
+        row!("lemma.5.2.above", tour: lemma_5_2_poincare_scaling, nu = vec![Order::new(0.75)?], theta = tour.zones()),
         row!("lemma.6.1", tour: lemma_6_1_local_estimate, functions = tour.functions()),
         row!("theorem.3.1", tour: theorem_3_1_rates, tau = tour.regularities()),
         row!("theorem.4.1", tour: theorem_4_1_rates, tau = tour.regularities()),

@@ -6,7 +6,7 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::STEADY;
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
 use experiments::proof::{ContactFamily, SegmentSearch, SegmentSets, SetTerms};
-use fractional_sobolev::{FractionalOrder, Tolerance};
+use fractional_sobolev::{Order, Tolerance};
 use signorini::cone::Cone;
 use signorini::proof::SegmentConstant;
 use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio};
@@ -54,7 +54,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
         let orders = terms.roots().map(|points| ConvergenceOrder::of_power(&points));
         sets.push((family, terms, orders));
     }
-    let order = FractionalOrder::new(tau - 1.5)?;
+    let order = Order::new(tau - 1.5)?;
     let sharp = [consistency_constant(order, tolerance)?, midpoint_bound(order, tolerance)?];
     let search = |cone| SegmentSets::new(order, CELLS)?.search(cone, GAPS, SETS, SEED);
     let searched = [search(Cone::Nodal)?, search(Cone::Midpoint)?];
@@ -147,7 +147,7 @@ fn draw() -> Result<Chart> {
     let mut chart = Chart::new("One segment, nodal cone: the worst term for a given gap", x, y);
     let gaps: Vec<f64> = (0..21).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k)).min(0.9)).collect();
     for tau in [1.55, 1.75, 1.95] {
-        let order = FractionalOrder::new(tau - 1.5)?;
+        let order = Order::new(tau - 1.5)?;
         let point = |&gap: &f64| Ok((gap, one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast())?.value));
         let points = gaps.iter().map(point).collect::<Result<_>>()?;
         chart = chart.with(Series::line_and_points(format!("tau = {tau}"), points));

@@ -13,7 +13,7 @@ use experiments::SplitMix;
 use experiments::interpolation::SampleSlope;
 use experiments::proof::Resolution;
 use experiments::zones::{Condition, Place};
-use fractional_sobolev::{FractionalOrder, GalleryFunction, Tolerance};
+use fractional_sobolev::{GalleryFunction, Order, Tolerance};
 use peak_alloc::PeakAlloc;
 use signorini::Error;
 use signorini::ToolkitError;
@@ -144,10 +144,10 @@ fn word<T: FromStr<Err: Display + Debug + PartialEq> + Display + PartialEq + Deb
 }
 
 fn order(text: &str) -> Answer {
-    let inside = |nu: &FractionalOrder| nu.value() > 0.0 && nu.value() < 1.0;
-    match text.parse::<FractionalOrder>() {
+    let inside = |nu: &Order| nu.value() > 0.0 && nu.value() < 1.0;
+    match text.parse::<Order>() {
         Ok(nu) if !inside(&nu) => Err(format!("{nu:?} is no order")),
-        _ => word::<FractionalOrder>(text),
+        _ => word::<Order>(text),
     }
 }
 

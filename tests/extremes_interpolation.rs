@@ -3,7 +3,7 @@
 
 use experiments::interpolation::{InterpolationError, SampleSlope, power_slope, sample_projection_error};
 use fractional_sobolev::{
-    Error, FractionalOrder, Partition, PiecewisePolynomial, Tolerance,
+    Error, Mesh, Order, PiecewisePolynomial, Tolerance,
     interpolation::{
         ElementMesh, EmbeddingSpace, ErrorNorm, ascend, dual_projection_constant, element_constant,
         embedding_upper_bound, longest_element, mesh_constant_on_cells, projection_constant,
@@ -12,8 +12,8 @@ use fractional_sobolev::{
 
 const ORDERS: [f64; 5] = [1e-6, 1e-3, 0.5, 1.0 - 1e-3, 1.0 - 1e-6];
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 #[test]
@@ -63,8 +63,7 @@ fn tiny_and_huge_elements_and_values_keep_their_ratios() {
         let ratios = |length: f64, height: f64| {
             let lengths = [0.25, 0.5, 0.25].map(|l| l * length).to_vec();
             let values = [0.0, 1.0, -1.0, 0.5].map(|v| v * height);
-            let slope =
-                PiecewisePolynomial::linears(Partition::from_lengths(lengths).unwrap(), &values).unwrap();
+            let slope = PiecewisePolynomial::linears(Mesh::from_lengths(lengths).unwrap(), &values).unwrap();
             let element = InterpolationError::of_slope(&slope, order(nu), Tolerance::balanced()).unwrap();
             let mesh = ElementMesh::new(slope.partition().clone(), &[2, 1]).unwrap();
             let elements =
@@ -92,7 +91,7 @@ fn tiny_and_huge_elements_and_values_keep_their_ratios() {
 #[test]
 fn norms_beyond_binary64_are_errors_or_zero_within_their_error() {
     let slope = |length: f64, height: f64| {
-        let cells = Partition::uniform(2, length).unwrap();
+        let cells = Mesh::uniform(2, length).unwrap();
         PiecewisePolynomial::linears(cells, &[0.0, height, 0.0]).unwrap()
     };
     let error = |length, height| {
@@ -111,7 +110,7 @@ fn norms_beyond_binary64_are_errors_or_zero_within_their_error() {
 #[test]
 fn cells_of_extreme_length_in_one_element_are_answered() {
     // cells of length 1e-300 in an element of length 1
-    let cells = Partition::geometric(600, 0.316, 1.0).unwrap();
+    let cells = Mesh::geometric(600, 0.316, 1.0).unwrap();
     let values: Vec<f64> = cells.nodes().iter().map(|x| x.powf(0.1)).collect();
     let slope = PiecewisePolynomial::linears(cells, &values).unwrap();
     let error = InterpolationError::of_slope(&slope, order(0.3), Tolerance::balanced()).unwrap();
@@ -122,7 +121,7 @@ fn cells_of_extreme_length_in_one_element_are_answered() {
 
 #[test]
 fn a_million_elements_are_projected() {
-    let mesh = Partition::uniform(1_000_000, 1.0).unwrap();
+    let mesh = Mesh::uniform(1_000_000, 1.0).unwrap();
     for phi in [
         SampleSlope::Power(-0.499),
         SampleSlope::Power(1e3),
@@ -138,7 +137,7 @@ fn a_million_elements_are_projected() {
 #[test]
 fn zero_over_zero_is_an_error() {
     for nu in ORDERS {
-        let constant = PiecewisePolynomial::linears(Partition::uniform(4, 1.0).unwrap(), &[3.0; 5]).unwrap();
+        let constant = PiecewisePolynomial::linears(Mesh::uniform(4, 1.0).unwrap(), &[3.0; 5]).unwrap();
         let error = InterpolationError::of_slope(&constant, order(nu), Tolerance::fast()).unwrap();
         for ratio in [error.l2_ratio(), error.derivative_ratio(), error.h1_ratio()] {
             assert!(matches!(ratio, Err(Error::OutOfRange { value: 0.0, .. })), "{nu}: {ratio:?}");

@@ -6,8 +6,8 @@ use experiments::growth::{growth, printed_growth};
 use experiments::induction::closing_factor;
 use experiments::zones::{Condition, Place};
 use fractional_sobolev::{
-    Constraint, END_SLOPE, Error, Estimate, FractionalOrder, INTERIOR_SLOPE, Tolerance, UniformLaw, Zone,
-    end_limit, gamma, interior_limit, largest_mean,
+    Constraint, END_SLOPE, Error, Estimate, INTERIOR_SLOPE, Order, Tolerance, UniformLaw, Zone, end_limit,
+    gamma, interior_limit, largest_mean,
 };
 use std::sync::LazyLock;
 
@@ -22,8 +22,8 @@ fn number(row: &serde_json::Value, key: &str) -> f64 {
     row[key].as_str().unwrap().parse().unwrap()
 }
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 fn constant(nu: f64, zone: Zone, tolerance: f64) -> f64 {
@@ -85,7 +85,7 @@ fn limits_agree_with_the_reference() {
         assert!((found.value / exact - 1.0).abs() <= LIMIT, "nu {nu}: {found} against {exact}");
     }
     let half = &rows["c_half"][0];
-    let law = UniformLaw::new(FractionalOrder::HALF, Tolerance::reference()).unwrap();
+    let law = UniformLaw::new(Order::HALF, Tolerance::reference()).unwrap();
     assert!((law.constant.value / number(half, "c") - 1.0).abs() <= LIMIT, "{}", law.constant);
     assert!((law.correction.value / number(half, "d") - 1.0).abs() <= LIMIT, "{}", law.correction);
 }
@@ -113,7 +113,7 @@ fn gamma_grows_like_sqrt_log_at_one_half() {
         let measured = slope(place);
         assert!((measured / exact - 1.0).abs() < 1e-5, "{place}: {measured} against {exact}");
     }
-    let law = UniformLaw::new(FractionalOrder::HALF, Tolerance::balanced()).unwrap();
+    let law = UniformLaw::new(Order::HALF, Tolerance::balanced()).unwrap();
     let (found, predicted) =
         (constant(0.5, Zone::end(1e-300).unwrap(), 1e-10), law.gamma(1e-300).unwrap().value);
     assert!((found / predicted - 1.0).abs() < 1e-6, "{found} against {predicted}");
@@ -126,7 +126,7 @@ fn uniform_law_passes_smoothly_through_one_half() {
     // known to 1e-8.
     const KNOWN: f64 = 5e-8;
     for nu in ["0.48", "1/2-1e-9", "1/2-1e-12", "1/2", "1/2+1e-9", "0.52"] {
-        let nu: FractionalOrder = nu.parse().unwrap();
+        let nu: Order = nu.parse().unwrap();
         let law = UniformLaw::new(nu, Tolerance::balanced()).unwrap();
         let zone = Zone::end(1e-40).unwrap();
         let found = gamma(nu, Constraint::mean_zero_on(zone), Tolerance::balanced()).unwrap().constant.value;
@@ -265,9 +265,8 @@ fn gamma_decreases_with_the_length_of_the_zone() {
 #[test]
 fn printed_law_at_one_half_fails_near_one_and_is_loose_near_zero() {
     // (5.2): γ ≤ C ln(1/θ). C would have to exceed 10⁴ as θ → 1, and the quotient tends to zero with θ.
-    let quotient = |theta: f64| {
-        constant(0.5, Zone::end(theta).unwrap(), 1e-6) / printed_growth(FractionalOrder::HALF, theta)
-    };
+    let quotient =
+        |theta: f64| constant(0.5, Zone::end(theta).unwrap(), 1e-6) / printed_growth(Order::HALF, theta);
     assert!(quotient(1.0 - 1e-5) > 1e4);
     assert!(quotient(1e-200) < 0.1 * quotient(0.5));
     // Corrected: γ ≤ C √(1 + ln(1/θ)) for every θ
@@ -353,7 +352,7 @@ fn inadmissible_zones_and_orders_are_errors_that_carry_the_value() {
     for (a, theta) in [(0.5, 0.6), (-0.1, 0.2), (1.0, 0.1), (1e-310, 0.1), (0.9, 0.1000001)] {
         assert!(matches!(Zone::at(a, theta), Err(Error::OutOfRange { .. })), "{a} {theta}");
     }
-    assert!(FractionalOrder::new(0.0).is_err());
+    assert!(Order::new(0.0).is_err());
     let whole = Zone::end(1.0).unwrap();
     assert!(
         gamma(order(0.3), Constraint::vanishing_on(whole), Tolerance::fast())
@@ -361,7 +360,7 @@ fn inadmissible_zones_and_orders_are_errors_that_carry_the_value() {
             .is_err()
     );
     assert!(
-        gamma(FractionalOrder::HALF, Constraint::vanishing_at(0.0), Tolerance::fast())
+        gamma(Order::HALF, Constraint::vanishing_at(0.0), Tolerance::fast())
             .map(|found| found.constant)
             .is_err()
     );
@@ -413,7 +412,7 @@ fn the_closing_factor_ends_at_every_order() {
         assert!((above / sum.exp() - 1.0).abs() < 1e-8, "{offset} {start}: {above}");
     }
     for offset in [-1e-16, -1e-17, 1e-16, -1e-300, 1e-300, 5e-324] {
-        let order = FractionalOrder::from_offset(offset).unwrap();
+        let order = Order::half_plus(offset).unwrap();
         let factor = closing_factor(order, 0.5, 0.25).unwrap();
         assert!(factor > 1e20, "{offset}: {factor}");
     }

@@ -1,9 +1,7 @@
 //! The law of the Poincaré constant at one half: two proved bounds enclose it, and what is left is predicted.
 
 use example_frame::{Outcome, Verdict};
-use fractional_sobolev::{
-    Constraint, END_SLOPE, Error, FractionalOrder, HalfBracket, Tolerance, Zone, gamma,
-};
+use fractional_sobolev::{Constraint, END_SLOPE, Error, HalfBracket, Order, Tolerance, Zone, gamma};
 
 #[path = "../examples/lemma_5_2_exact_law.rs"]
 #[allow(dead_code)]
@@ -13,9 +11,8 @@ mod example;
 fn two_proved_bounds_enclose_the_constant() {
     for theta in [0.3, 0.1, 3e-2, 1e-3, 1e-6, 1e-12, 1e-50, 1e-150, 1e-250, 1e-300] {
         let zone = Zone::end(theta).unwrap();
-        let found = gamma(FractionalOrder::HALF, Constraint::mean_zero_on(zone), Tolerance::balanced())
-            .unwrap()
-            .constant;
+        let found =
+            gamma(Order::HALF, Constraint::mean_zero_on(zone), Tolerance::balanced()).unwrap().constant;
         let (low, high) = (found.value - found.error, found.value + found.error);
         let bracket = HalfBracket::new(-f64::ln(theta)).unwrap();
         assert!(bracket.lower <= high * high, "theta {theta}: {found} against {bracket:?}");

@@ -6,7 +6,7 @@ mod example;
 
 use experiments::interpolation::{InterpolationError, RoughFamily, RoughSlopes, power_slope};
 use fractional_sobolev::{
-    Error, FractionalOrder, Partition, Tolerance,
+    Error, Mesh, Order, Tolerance,
     interpolation::{
         ElementMesh, ErrorNorm, ascend, element_constant, element_extremal, limits, longest_element,
     },
@@ -27,8 +27,8 @@ const BESIDE: f64 = 1e-4;
 
 const NORMS: [ErrorNorm; 2] = [ErrorNorm::L2, ErrorNorm::Derivative];
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 fn ratio(
@@ -164,7 +164,7 @@ fn the_extremal_function_attains_its_constant() {
         for norm in NORMS {
             let extremal = element_extremal(norm, order(nu), Tolerance::balanced()).unwrap();
             // interpolated on a graded mesh with cubics: a slope of another kind, other quadrature
-            let partition = Partition::two_sided(12, 0.4, 1.0).unwrap();
+            let partition = Mesh::two_sided(12, 0.4, 1.0).unwrap();
             let slope = fractional_sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
                 extremal.slope(x.min(1.0)).unwrap()
             })
@@ -206,7 +206,7 @@ fn extreme_orders_and_lengths_are_answered() {
         }
     }
     for h in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e200] {
-        let constant = element_constant(ErrorNorm::H1 { h }, FractionalOrder::HALF, Tolerance::fast());
+        let constant = element_constant(ErrorNorm::H1 { h }, Order::HALF, Tolerance::fast());
         assert!(matches!(constant, Err(Error::OutOfRange { .. })), "{h}");
     }
 }
@@ -235,7 +235,7 @@ fn one_function_breaks_the_second_line_on_a_long_element() {
     let longest = longest_element(nu, Tolerance::balanced()).unwrap().value;
     let found = |h: f64| {
         let extremal = element_extremal(ErrorNorm::H1 { h }, nu, Tolerance::balanced()).unwrap();
-        let partition = fractional_sobolev::Partition::two_sided(12, 0.4, 1.0).unwrap();
+        let partition = fractional_sobolev::Mesh::two_sided(12, 0.4, 1.0).unwrap();
         let slope = fractional_sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
             extremal.slope(x.min(1.0)).unwrap()
         })

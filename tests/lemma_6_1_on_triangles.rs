@@ -6,12 +6,12 @@ mod example;
 
 use example_frame::Outcome;
 use fractional_sobolev::{
-    FractionalOrder, PlaneFunction, Tolerance, Triangles,
+    Order, PlaneFunction, Tolerance, Triangles,
     interpolation::{TriangleConstants, TriangleShape, kobayashi},
 };
 
-fn order(s: f64) -> FractionalOrder {
-    FractionalOrder::new(s).unwrap()
+fn order(s: f64) -> Order {
+    Order::new(s).unwrap()
 }
 
 #[test]

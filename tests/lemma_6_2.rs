@@ -6,7 +6,7 @@ mod example;
 
 use experiments::interpolation::{InterpolationError, RoughFamily, RoughSlopes, SampleSlope};
 use fractional_sobolev::{
-    Error, FractionalOrder, Partition, Tolerance,
+    Error, Mesh, Order, Tolerance,
     interpolation::{
         ElementMesh, ErrorNorm, ascend, element_constant, longest_element, mesh_constant,
         mesh_constant_on_cells,
@@ -18,11 +18,11 @@ const OPTIMISER_SHARE: f64 = 0.999;
 /// Second order in the cells: 8 per element leave below (π/8)²/12 = 1.3 %.
 const CELL_TOLERANCE: f64 = 0.015;
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
-fn best(norm: ErrorNorm, order: FractionalOrder) -> f64 {
+fn best(norm: ErrorNorm, order: Order) -> f64 {
     element_constant(norm, order, Tolerance::balanced()).unwrap().value
 }
 
@@ -113,7 +113,7 @@ fn an_optimiser_reaches_the_best_constant_on_a_mesh() {
 fn samples_and_cells_agree() {
     // x is both a power and a piecewise linear; cos(kπx) against its interpolant on fine cells.
     let mesh = ElementMesh::uniform(5, 4).unwrap();
-    let elements = Partition::uniform(5, 1.0).unwrap();
+    let elements = Mesh::uniform(5, 1.0).unwrap();
     let nodes = mesh.cells().nodes();
     let slope = fractional_sobolev::PiecewisePolynomial::linears(mesh.cells().clone(), &nodes).unwrap();
     let cells = InterpolationError::on_elements(&slope, &mesh, order(0.3), Tolerance::balanced()).unwrap();
@@ -144,7 +144,7 @@ fn samples_and_cells_agree() {
 
 #[test]
 fn a_million_elements_and_a_constant_slope_are_answered() {
-    let mesh = Partition::uniform(1_000_000, 1.0).unwrap();
+    let mesh = Mesh::uniform(1_000_000, 1.0).unwrap();
     // Smooth: ‖u − I u‖ = h² ‖u''‖/√120, ‖(u − I u)'‖ = h ‖u''‖/√12, u'' = −π sin(πx).
     let error = InterpolationError::of_sample(SampleSlope::Cosine(1), &mesh, order(0.5)).unwrap();
     let second = std::f64::consts::PI / 2f64.sqrt();
@@ -156,7 +156,7 @@ fn a_million_elements_and_a_constant_slope_are_answered() {
     assert!(matches!(affine.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));
     let step = InterpolationError::of_sample(SampleSlope::Step(0.3), &mesh, order(0.5));
     assert!(matches!(step, Err(Error::InfiniteNorm { .. })));
-    let longer = Partition::uniform(10, 2.0).unwrap();
+    let longer = Mesh::uniform(10, 2.0).unwrap();
     assert!(InterpolationError::of_sample(SampleSlope::Cosine(1), &longer, order(0.5)).is_err());
 }
 

@@ -6,13 +6,13 @@ mod example;
 
 use example_frame::Outcome;
 use experiments::proof::FaceGaps;
-use fractional_sobolev::{FractionalOrder, Tolerance};
+use fractional_sobolev::{Order, Tolerance};
 
 #[test]
 fn the_nodal_quotient_grows_and_the_mean_quotient_falls() {
     let headline = example::run(&example::Options::default()).unwrap();
     assert!(headline.verdict().is_confirmed(), "{headline}");
-    assert!(FaceGaps::new(3, FractionalOrder::HALF, Tolerance::fast()).is_err());
+    assert!(FaceGaps::new(3, Order::HALF, Tolerance::fast()).is_err());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use example_frame::{Outcome, Verdict};
 use experiments::trial::{trial_quotient, truncated_logarithm};
-use fractional_sobolev::{Constraint, FractionalOrder, Tolerance, Zone, gamma};
+use fractional_sobolev::{Constraint, Order, Tolerance, Zone, gamma};
 
 #[path = "../examples/remark_7_zone_location.rs"]
 #[allow(dead_code)]
@@ -29,14 +29,14 @@ fn statement_is_confirmed_and_the_printed_step_is_not() {
 
 #[test]
 fn above_one_half_a_finite_factor_refutes_nothing() {
-    let nu = vec![FractionalOrder::new(0.75).unwrap()];
+    let nu = vec![Order::new(0.75).unwrap()];
     let headline = example::run(&example::Options { nu, ..example::Options::default() }).unwrap();
     assert_eq!(headline.verdict(), Verdict::Holds, "{headline}");
 }
 
 #[test]
 fn odd_ramps_come_within_a_twentieth_of_the_constant_of_their_zone() {
-    let order = FractionalOrder::HALF;
+    let order = Order::HALF;
     for radius in [1e-4f64, 1e-8, 1e-16] {
         let log = -(2.0 * radius).ln();
         let ramp = truncated_logarithm(1.0, log).unwrap();

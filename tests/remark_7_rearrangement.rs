@@ -9,7 +9,7 @@ use experiments::arrangement::{ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
 use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
 use experiments::zones::Condition;
-use fractional_sobolev::{Constraint, FractionalOrder, Tolerance, Zone, Zones, gamma, largest_mean};
+use fractional_sobolev::{Constraint, Order, Tolerance, Zone, Zones, gamma, largest_mean};
 
 #[test]
 fn the_example_confirms_the_theorem_and_planted_faults_turn_it() {
@@ -92,7 +92,7 @@ fn a_thousand_unions_are_no_worse_than_the_interval_at_the_end() {
 fn dual_norms_and_points_have_their_worst_place_at_the_end() {
     let tolerance = Tolerance::new(1e-6).unwrap();
     for nu in [0.2, 0.5, 0.7, 0.9] {
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         let zones = Zones::union(&[(0.1, 0.02), (0.5, 0.05)]).unwrap();
         for condition in [Condition::MeanZero, Condition::Vanishing] {
             let norm = |zones: Zones| largest_mean(order, condition.on(zones), tolerance).unwrap().value;
@@ -112,7 +112,7 @@ fn an_interval_has_less_all_the_way_to_the_middle() {
     // Measured, not proved: the theorem says where the constant is largest only.
     let tolerance = Tolerance::new(1e-4).unwrap();
     for nu in [0.05, 0.3, 0.5, 0.7, 0.95] {
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         for theta in [1e-6, 1e-2, 0.3, 0.8] {
             for condition in [Condition::MeanZero, Condition::Vanishing] {
                 let at = |share: f64| {

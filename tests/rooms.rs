@@ -19,7 +19,7 @@ const ROOMS: [(&str, &[&str]); 2] = [
             "order",
             "root",
             "grading",
-            "partition",
+            "mesh",
             "nearly_one",
             "kernel",
             "gram",

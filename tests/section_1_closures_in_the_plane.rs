@@ -9,8 +9,7 @@ mod plane_polar;
 use example_frame::Outcome;
 use experiments::SplitMix;
 use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance,
-    Triangles,
+    Error, Estimate, Order, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance, Triangles,
 };
 use plane_polar::Star;
 use std::f64::consts::PI;
@@ -45,7 +44,7 @@ fn power(a: f64, b: f64) -> impl Fn(&PlanePosition<'_>) -> f64 + Sync {
 }
 
 fn seminorm(w: &SingularPlaneFunction<'_>, s: f64, tolerance: f64) -> fractional_sobolev::Result<Estimate> {
-    w.seminorm(FractionalOrder::new(s)?, Tolerance::new(tolerance)?)
+    w.seminorm(Order::new(s)?, Tolerance::new(tolerance)?)
 }
 
 fn off(found: Estimate, exact: f64) -> f64 {
@@ -100,7 +99,7 @@ fn piecewise_linears_and_steps_have_their_norms() {
     let smooth = SingularPlaneFunction::new(mesh.clone(), &[], at_corners).unwrap();
     let jumps = SingularPlaneFunction::new(mesh.clone(), &[], |at| steps[at.triangle()]).unwrap();
     let of = |known: &PlaneFunction, w: &SingularPlaneFunction<'_>, s: f64| {
-        let order = FractionalOrder::new(s).unwrap();
+        let order = Order::new(s).unwrap();
         let exact = known.seminorm(order, Tolerance::new(1e-12).unwrap()).unwrap();
         let found = seminorm(w, s, 1e-9).unwrap();
         let difference = off(found, exact.value);
@@ -114,7 +113,7 @@ fn piecewise_linears_and_steps_have_their_norms() {
     }
     let error = seminorm(&jumps, 0.5, 1e-4).unwrap_err();
     assert!(matches!(error, Error::InfiniteNorm { .. }) && error.to_string().contains("s >= 1/2"), "{error}");
-    let order = FractionalOrder::new(0.3).unwrap();
+    let order = Order::new(0.3).unwrap();
     assert!(jumps.norm_with_gradient([&jumps, &jumps], order, Tolerance::fast()).is_err());
 }
 
@@ -130,7 +129,7 @@ fn norms_of_order_one_and_more_take_the_gradient() {
         SingularPlaneFunction::new(mesh.clone(), &[(0, p - 1.0)], of).unwrap()
     };
     let w = SingularPlaneFunction::new(mesh.clone(), &[(0, p)], power(p, p)).unwrap();
-    let (order, asked) = (FractionalOrder::new(0.4).unwrap(), Tolerance::new(1e-7).unwrap());
+    let (order, asked) = (Order::new(0.4).unwrap(), Tolerance::new(1e-7).unwrap());
     let gradient = [part(0.0), part(0.5 * PI)];
     let norm = w.norm_with_gradient([&gradient[0], &gradient[1]], order, asked).unwrap().value;
     let l2 = |w: &SingularPlaneFunction<'_>| w.l2_norm(asked).unwrap().value.powi(2);

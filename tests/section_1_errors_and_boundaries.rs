@@ -9,7 +9,7 @@ mod errors;
 mod polygons;
 
 use example_frame::{Finding, Outcome};
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance, closed_forms};
+use fractional_sobolev::{Estimate, Order, Tolerance, closed_forms};
 use std::f64::consts::PI;
 
 fn outcome(findings: &[Finding], key: &str) -> Outcome {
@@ -17,7 +17,7 @@ fn outcome(findings: &[Finding], key: &str) -> Outcome {
 }
 
 fn smaller(alpha: f64, nu: f64, grading: &[f64]) -> errors::Options {
-    let nu = FractionalOrder::new(nu).unwrap();
+    let nu = Order::new(nu).unwrap();
     let (grading, elements) = (grading.to_vec(), vec![300, 10_000, 20_000]);
     let tolerance = Tolerance::new(1e-5).unwrap();
     errors::Options { alpha, nu, grading, elements, tolerance, ..errors::Options::default() }
@@ -87,7 +87,7 @@ fn squares_corners_and_circles_have_their_closed_forms() {
 #[test]
 fn other_orders_have_the_circle_and_duality_alone() {
     for nu in [0.2, 0.8] {
-        let nu = FractionalOrder::new(nu).unwrap();
+        let nu = Order::new(nu).unwrap();
         let options = polygons::Options { nu, n: vec![4, 8], ..polygons::Options::default() };
         let findings = polygons::findings(&options, &polygons::compute(&options).unwrap());
         let outcomes = ["coordinate", "corner", "duality", "circle"].map(|key| outcome(&findings, key));

@@ -6,7 +6,7 @@
 mod example;
 
 use example_frame::{Outcome, Verdict};
-use fractional_sobolev::{FractionalOrder, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
+use fractional_sobolev::{Order, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
 
 /// C(s) with sixteen digits, by mpmath.
 const CONSTANTS: [(f64, f64); 9] = [
@@ -62,7 +62,7 @@ fn nine_orders_have_five_digits_by_two_roads() {
 #[test]
 fn corners_agree_with_graded_meshes_and_acute_ones_do_harm() {
     for (s, degrees, tau, share) in CORNERS {
-        let order = FractionalOrder::new(s).unwrap();
+        let order = Order::new(s).unwrap();
         let square = half_plane_trace(order).unwrap().value.powi(2);
         let found = WedgeTrace::corner(order, f64::to_radians(degrees)).unwrap().quotient(tau).unwrap();
         // The reference itself is good to 1e-5.
@@ -75,7 +75,7 @@ fn corners_agree_with_graded_meshes_and_acute_ones_do_harm() {
 #[test]
 fn the_extension_is_the_minimum_of_a_local_energy_too() {
     // ∫ y^{1−2σ} (φ'² + φ²) dy = 2σ b, b from φ = 1 − b y^{2σ} + ...: what the closed form takes from φ.
-    let order = FractionalOrder::new(0.75).unwrap();
+    let order = Order::new(0.75).unwrap();
     let profile = |y: f64| extension_profile(order, y).unwrap();
     let b = (1.0 - profile(1e-6)) / 1e-6f64.sqrt();
     let (step, mut energy) = (0.01, 0.0);
@@ -89,7 +89,7 @@ fn the_extension_is_the_minimum_of_a_local_energy_too() {
 
 #[test]
 fn more_functions_on_the_square_reach_more_and_never_the_half_plane() {
-    let order = FractionalOrder::new(0.8).unwrap();
+    let order = Order::new(0.8).unwrap();
     let bound = half_plane_trace(order).unwrap().value.powi(2);
     let found = [4, 8, 12].map(|degree| SquareTrace::new(order, degree).unwrap().largest().value / bound);
     assert!(found.windows(2).all(|pair| pair[0] < pair[1]) && found[2] < 1.0, "{found:?}");

@@ -6,15 +6,15 @@ mod example;
 
 use experiments::interpolation::{RoughFamily, RoughSlopes, SampleSlope};
 use fractional_sobolev::{
-    FractionalOrder, Partition, Tolerance,
+    Mesh, Order, Tolerance,
     interpolation::{EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound},
 };
 
 /// C(q)/√q for q = 2 ... 200 at ν = 1/2.
 const GROWTH: [f64; 2] = [0.167, 0.708];
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 #[test]
@@ -42,7 +42,7 @@ fn the_circle_s_weights_bound_the_seminorm_of_waves() {
     // |cos(kπ·)|²_ν ≥ (w_k − 1)/2, the step from the interval to the circle: w_k = π² k + 3 − π²/2 at ν = 1/2.
     let square = std::f64::consts::PI.powi(2);
     for k in [1, 2, 5, 10, 40] {
-        let seminorm = SampleSlope::Cosine(k).seminorm(FractionalOrder::HALF).unwrap().value.powi(2);
+        let seminorm = SampleSlope::Cosine(k).seminorm(Order::HALF).unwrap().value.powi(2);
         let weight = 0.5 * (square * (k as f64 - 0.5) + 2.0);
         assert!(seminorm >= weight, "{k}: {seminorm} below {weight}");
         assert!(
@@ -58,18 +58,18 @@ fn constants_are_one_where_the_upper_bound_says_so() {
         assert_eq!(embedding_upper_bound(order(nu), q).unwrap().value, 1.0, "{nu} {q}");
     }
     // the constant function loses its place when 2 + 1/γ₁² = 13.76 is passed, here by a global competitor
-    let space = EmbeddingSpace::new(FractionalOrder::HALF, 40, 0.6).unwrap();
+    let space = EmbeddingSpace::new(Order::HALF, 40, 0.6).unwrap();
     assert!((space.climb(12.0).unwrap().quotient.value - 1.0).abs() < 1e-10);
     assert!(space.climb(16.0).unwrap().quotient.value > 1.005);
 }
 
 #[test]
 fn growth_is_that_of_a_square_root_between_two_constants() {
-    let space = EmbeddingSpace::new(FractionalOrder::HALF, 265, 0.6).unwrap();
+    let space = EmbeddingSpace::new(Order::HALF, 265, 0.6).unwrap();
     let mut last = f64::INFINITY;
     for q in [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0_f64] {
         let lower = space.climb(q).unwrap().quotient.value / q.sqrt();
-        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap().value / q.sqrt();
+        let upper = embedding_upper_bound(Order::HALF, q).unwrap().value / q.sqrt();
         assert!(GROWTH[0] <= lower && lower <= upper && upper <= GROWTH[1], "{q}: {lower} {upper}");
         // towards (3/(4π²e))^{1/2} = 0.16721 from above
         assert!(lower < last, "{q}: {lower} after {last}");
@@ -80,8 +80,8 @@ fn growth_is_that_of_a_square_root_between_two_constants() {
 
 #[test]
 fn a_finer_mesh_does_not_change_the_trial_quotient_much() {
-    let coarse = EmbeddingSpace::new(FractionalOrder::HALF, 100, 0.5).unwrap();
-    let fine = EmbeddingSpace::new(FractionalOrder::HALF, 195, 0.7).unwrap();
+    let coarse = EmbeddingSpace::new(Order::HALF, 100, 0.5).unwrap();
+    let fine = EmbeddingSpace::new(Order::HALF, 195, 0.7).unwrap();
     for q in [16.0, 50.0, 90.0] {
         let (a, b) = (coarse.climb(q).unwrap().quotient.value, fine.climb(q).unwrap().quotient.value);
         assert!(a <= b * (1.0 + 1e-6) && b <= a * 1.003, "{q}: {a} {b}");
@@ -90,10 +90,10 @@ fn a_finer_mesh_does_not_change_the_trial_quotient_much() {
 
 #[test]
 fn hoelder_constants_grow_like_the_root_of_one_over_one_minus_alpha() {
-    let increments = EndIncrements::new(&Partition::geometric(250, 0.6, 1.0).unwrap()).unwrap();
+    let increments = EndIncrements::new(&Mesh::geometric(250, 0.6, 1.0).unwrap()).unwrap();
     for q in [2.0, 10.0, 50.0, 200.0_f64] {
         let (lower, place) = increments.constant(1.0 - 1.0 / q).unwrap();
-        let upper = embedding_upper_bound(FractionalOrder::HALF, q).unwrap().value;
+        let upper = embedding_upper_bound(Order::HALF, q).unwrap().value;
         assert!(lower.value <= upper, "{q}: {lower} {upper}");
         assert!(lower.value / q.sqrt() > 0.167, "{q}: {lower}");
         if q >= 50.0 {
@@ -119,7 +119,7 @@ fn exponents_outside_the_embedding_are_errors() {
         assert!(embedding_upper_bound(order(nu), q).is_err(), "{nu} {q}");
     }
     assert!(critical_exponent(order(0.6)).is_err());
-    let near = FractionalOrder::from_offset(-1e-9).unwrap();
+    let near = Order::half_plus(-1e-9).unwrap();
     let at_half = embedding_upper_bound(order(0.5), 100.0).unwrap().value;
     assert!((embedding_upper_bound(near, 100.0).unwrap().value / at_half - 1.0).abs() < 1e-6);
     assert!(EmbeddingSpace::new(order(0.7), 10, 0.5).is_err());

@@ -11,7 +11,7 @@ use experiments::interpolation::{
     SampleSlope, sample_projection_dual_error, sample_projection_error, wave_constant,
 };
 use fractional_sobolev::{
-    Constraint, Error, FractionalOrder, Partition, Tolerance, gamma,
+    Constraint, Error, Mesh, Order, Tolerance, gamma,
     interpolation::{
         ElementMesh, ProjectionNorm, dual_projection_constant, projection_constant, projection_norm_on_cells,
     },
@@ -30,7 +30,7 @@ fn constant(r: f64) -> f64 {
 #[test]
 fn the_best_constant_is_the_poincare_constant_of_the_whole_interval() {
     for r in [0.05, 0.3, 0.5, 0.7, 0.95] {
-        let order = FractionalOrder::new(r).unwrap();
+        let order = Order::new(r).unwrap();
         let whole = gamma(order, Constraint::mean_zero(), Tolerance::balanced()).unwrap().constant;
         let projection = constant(r);
         assert!((projection / whole.value - 1.0).abs() < TWO_ROADS, "{r}: {projection} {whole}");
@@ -82,18 +82,18 @@ fn norms_on_meshes_stay_below_the_constants_and_have_their_rates() {
 
 #[test]
 fn both_estimates_hold_for_given_functions() {
-    let cells = Partition::uniform(128, 1.0).unwrap();
+    let cells = Mesh::uniform(128, 1.0).unwrap();
     for (phi, r) in [
         (SampleSlope::Power(-0.3), 0.1),
         (SampleSlope::Step(0.3), 0.4),
         (SampleSlope::Power(0.2), 0.6),
         (SampleSlope::Cosine(3), 0.9),
     ] {
-        let order = FractionalOrder::new(r).unwrap();
+        let order = Order::new(r).unwrap();
         let seminorm = phi.seminorm(order).unwrap().value;
         for elements in [1, 4, 32] {
             let h = 1.0 / elements as f64;
-            let l2 = sample_projection_error(phi, &Partition::uniform(elements, 1.0).unwrap()).unwrap();
+            let l2 = sample_projection_error(phi, &Mesh::uniform(elements, 1.0).unwrap()).unwrap();
             assert!(l2.value <= constant(r) * h.powf(r) * seminorm, "{phi} N {elements}: {l2}");
             let error = sample_projection_dual_error(phi, &cells, 128 / elements).unwrap();
             let best = dual_projection_constant(r, Tolerance::fast()).unwrap().value * 1.0001;
@@ -122,7 +122,7 @@ fn inadmissible_orders_are_errors() {
     for (elements, cells) in [(0, 4), (4, 3), (4, 2), (usize::MAX, 4), (10_000, 4)] {
         assert!(projection_norm_on_cells(ProjectionNorm::L2, 0.5, elements, cells).is_err());
     }
-    let mesh = Partition::uniform(8, 1.0).unwrap();
+    let mesh = Mesh::uniform(8, 1.0).unwrap();
     for cells in [0, 3, 9] {
         assert!(sample_projection_dual_error(SampleSlope::Cosine(1), &mesh, cells).is_err());
     }

@@ -2,7 +2,7 @@
 
 use example_frame::{Outcome, Verdict};
 use experiments::proof::SegmentSets;
-use fractional_sobolev::{FractionalOrder, Tolerance};
+use fractional_sobolev::{Order, Tolerance};
 use signorini::cone::Cone;
 use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio, product_constant};
 
@@ -10,8 +10,8 @@ use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio, prod
 #[path = "../examples/segment_constants.rs"]
 mod example;
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn constants_fall_with_the_order_and_have_limits_at_both_ends() {
     }
     // ν → 1: ∫w'² in place of (1 − ν)|w|², moments √(e⁵/20), √(n³/3) and √(e³/3), √(2n⁵/15).
     let left = 1e-6;
-    let near = FractionalOrder::from_offset(0.5 - left).unwrap();
+    let near = Order::half_plus(0.5 - left).unwrap();
     let place = 5f64.powi(5) * 27.0 / 8f64.powi(8);
     for (constant, limit) in [
         (product_constant(near, tolerance), 1.0 / 24.0),

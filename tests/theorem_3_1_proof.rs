@@ -1,7 +1,7 @@
 //! Theorem 3.1, its proof: (3.3)-(3.15) on computed pairs, each side by itself, and the ladder of bounds.
 
 use experiments::proof::{ProofCase, Resolution};
-use fractional_sobolev::{FractionalOrder, Tolerance};
+use fractional_sobolev::{Order, Tolerance};
 use signorini::edge::{
     ContactPair, EdgeTrace, Interval, SegmentNorms, SegmentTrace, SeminormForm, Traces,
     seminorm_by_quadrature,
@@ -35,7 +35,7 @@ fn seminorms_on_a_segment_agree_by_two_roads() {
     let mut compared = 0;
     for (tau, nus) in [(1.6, [0.05, 0.1, 0.25]), (1.75, [0.25, 0.35, 0.45]), (2.0, [0.5, 0.6, 0.75])] {
         for nu in nus {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let traces = if nu < 0.5 { Traces::Constants } else { Traces::Linears };
             for source in ["transition", "transitions:9", "cantor:0.3"] {
                 let scene = source.parse::<StripScene>().unwrap().data(tau, 512, Sides::Natural).unwrap();
@@ -135,8 +135,7 @@ fn cases_of_pairs_are_those_of_traces() {
         let trace = EdgeTrace::of_scene(&scene).unwrap();
         let pair = ContactPair::of_scene(&scene, Traces::Constants).unwrap();
         let n = 64;
-        let form =
-            SeminormForm::new(Traces::Constants, FractionalOrder::new(0.2).unwrap(), (1 << 12) / n).unwrap();
+        let form = SeminormForm::new(Traces::Constants, Order::new(0.2).unwrap(), (1 << 12) / n).unwrap();
         for theta in [0.4, 0.11, 0.03] {
             let rule = NearVertices::new(theta).unwrap();
             for (i, segment) in pair.segments(n).unwrap().enumerate() {

@@ -7,12 +7,12 @@ mod example;
 
 use example_frame::Outcome;
 use experiments::proof::NumberedStudy;
-use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance, closed_forms};
+use fractional_sobolev::{Order, SectorPower, Tolerance, closed_forms};
 use signorini::proof::TheoremConstants;
 use signorini::scenes::{EdgeDatum, RoughTransition};
 
-fn order(s: f64) -> FractionalOrder {
-    FractionalOrder::new(s).unwrap()
+fn order(s: f64) -> Order {
+    Order::new(s).unwrap()
 }
 
 #[test]

@@ -6,14 +6,14 @@
 mod example;
 
 use example_frame::Outcome;
-use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
+use fractional_sobolev::{Order, SectorPower, Tolerance};
 use signorini::fem::Lame;
 use signorini::proof::TheoremConstants;
 use signorini::scenes::{EdgeDatum, RoughTransition};
 use std::f64::consts::PI;
 
-fn order(s: f64) -> FractionalOrder {
-    FractionalOrder::new(s).unwrap()
+fn order(s: f64) -> Order {
+    Order::new(s).unwrap()
 }
 
 #[test]

@@ -7,7 +7,7 @@ mod example;
 
 use example_frame::Outcome;
 use experiments::proof::{ExtrapolatedStudy, FineForms, FineNorms, SolvedBody};
-use fractional_sobolev::{Estimate, FractionalOrder, Tolerance};
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::Lame;
@@ -75,7 +75,7 @@ fn norms_below_two_are_those_of_the_rough_transition() {
     for scene in [rough, rough.elastic(Lame::new(1.0, 1.0).unwrap())] {
         for tau in [1.6, 1.75, 1.9] {
             let found = norms(tau, 2.2, |n| scene.problem(n).unwrap());
-            let order = FractionalOrder::new(tau - 1.5).unwrap();
+            let order = Order::new(tau - 1.5).unwrap();
             let edge =
                 |datum| scene.edge_seminorm(datum, [0.0, 1.0], order, Tolerance::fast()).unwrap().value;
             assert_honest(found.pressure, edge(EdgeDatum::Pressure), 0.25, &format!("pressure {tau}"));

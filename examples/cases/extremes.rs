@@ -1,8 +1,8 @@
 //! What `extremes` plants: hard input with its value found another way, and input that has no answer.
 
 use fractional_sobolev::{
-    Constraint, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, Tolerance,
-    UniformLaw, closed_forms, gamma,
+    Constraint, GramOperator, Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance, UniformLaw,
+    closed_forms, gamma,
 };
 use signorini::cone::Cone;
 use signorini::contact::Solver;
@@ -19,24 +19,18 @@ pub type Bad = (&'static str, &'static str, fn() -> Result<f64>, fn(&Error) -> b
 
 /// Input that is hard and admissible.
 pub const ADMISSIBLE: [Hard; 14] = [
-    ("order 1e-300", "seminorm of x, closed form", || ramp(FractionalOrder::new(1e-300)?, 1.0, 1.0)),
-    ("order 1 - 2^-52", "seminorm of x, closed form", || {
-        ramp(FractionalOrder::new(1.0 - f64::EPSILON)?, 1.0, 1.0)
-    }),
-    ("interval of length 1e-300", "seminorm of a ramp, scaling", || {
-        ramp(FractionalOrder::new(0.3)?, 1e-300, 1.0)
-    }),
-    ("interval of length 1e300", "seminorm of a ramp, scaling", || {
-        ramp(FractionalOrder::new(0.9)?, 1e300, 1.0)
-    }),
-    ("values of size 1e150", "seminorm of a ramp, scaling", || ramp(FractionalOrder::new(0.7)?, 1.0, 1e150)),
+    ("order 1e-300", "seminorm of x, closed form", || ramp(Order::new(1e-300)?, 1.0, 1.0)),
+    ("order 1 - 2^-52", "seminorm of x, closed form", || ramp(Order::new(1.0 - f64::EPSILON)?, 1.0, 1.0)),
+    ("interval of length 1e-300", "seminorm of a ramp, scaling", || ramp(Order::new(0.3)?, 1e-300, 1.0)),
+    ("interval of length 1e300", "seminorm of a ramp, scaling", || ramp(Order::new(0.9)?, 1e300, 1.0)),
+    ("values of size 1e150", "seminorm of a ramp, scaling", || ramp(Order::new(0.7)?, 1.0, 1e150)),
     ("cells of length 1e-300 beside 1", "seminorm of a hat, same over 1e-20", || {
         Ok((hat(1e-300)?, hat(1e-20)?))
     }),
     ("a million cells", "seminorm of a step, closed form", million_cells),
     ("zone of length 1e-300, order 1/2", "gamma, uniform law", short_zone),
     ("zone 1e-300, order 3/4", "gamma, one point", || {
-        let order = FractionalOrder::new(0.75)?;
+        let order = Order::new(0.75)?;
         let zone = gamma(order, Constraint::mean_zero_on(0.0..1e-300), Tolerance::balanced())?.constant;
         Ok((zone.value, gamma(order, Constraint::vanishing_at(0.0), Tolerance::balanced())?.constant.value))
     }),
@@ -55,13 +49,13 @@ pub const ADMISSIBLE: [Hard; 14] = [
 
 /// Input that has no answer.
 pub const INADMISSIBLE: [Bad; 8] = [
-    ("order NaN", "any norm", || Ok(FractionalOrder::new(f64::NAN)?.value()), out_of_range),
+    ("order NaN", "any norm", || Ok(Order::new(f64::NAN)?.value()), out_of_range),
     (
         "a step, order 1/2",
         "seminorm",
         || {
             let step = SingularFunction::new(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 })?;
-            Ok(step.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
+            Ok(step.seminorm(Order::HALF, Tolerance::fast())?.value)
         },
         infinite,
     ),
@@ -73,7 +67,7 @@ pub const INADMISSIBLE: [Bad; 8] = [
                 0 => (-at.offset().ln()).powf(0.6),
                 _ => (-at.offset().ln_1p()).powf(0.6),
             })?;
-            Ok(slow.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
+            Ok(slow.seminorm(Order::HALF, Tolerance::fast())?.value)
         },
         infinite,
     ),
@@ -82,24 +76,20 @@ pub const INADMISSIBLE: [Bad; 8] = [
         "seminorm",
         || {
             let torn = SingularFunction::new(&[0.0, 1.0], |x: f64| if x > 0.5 { f64::NAN } else { x })?;
-            Ok(torn.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value)
+            Ok(torn.seminorm(Order::HALF, Tolerance::fast())?.value)
         },
         |error| matches!(error, Error::Toolkit(ToolkitError::NotFinite { .. })),
     ),
     (
         "a node given twice",
         "any norm",
-        || Ok(Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0])?.nodes()[0]),
+        || Ok(Mesh::from_nodes(&[0.0, 0.5, 0.5, 1.0])?.nodes()[0]),
         |error| matches!(error, Error::Toolkit(ToolkitError::EntryOutOfRange { .. })),
     ),
     (
         "a zone of length 0, order 1/2",
         "gamma",
-        || {
-            Ok(gamma(FractionalOrder::HALF, Constraint::mean_zero_on(0.0..0.0), Tolerance::fast())?
-                .constant
-                .value)
-        },
+        || Ok(gamma(Order::HALF, Constraint::mean_zero_on(0.0..0.0), Tolerance::fast())?.constant.value),
         out_of_range,
     ),
     ("16 digits asked", "gamma", || Ok(Tolerance::new(1e-16)?.relative()), out_of_range),
@@ -129,9 +119,9 @@ fn infinite(error: &Error) -> bool {
 }
 
 /// |x|_ν on (0, L), height H: H L^{1/2 − ν} / √((1−ν)(3−2ν)).
-fn ramp(order: FractionalOrder, length: f64, height: f64) -> Result<Pair> {
+fn ramp(order: Order, length: f64, height: f64) -> Result<Pair> {
     let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|v| v * height);
-    let u = PiecewisePolynomial::linears(Partition::uniform(4, length)?, &values)?;
+    let u = PiecewisePolynomial::linears(Mesh::uniform(4, length)?, &values)?;
     let unit = (order.complement() * (1.0 + 2.0 * order.complement())).sqrt().recip();
     let exact = height * unit * length.powf(-order.offset());
     Ok((u.seminorm(order, Tolerance::reference())?.value, exact))
@@ -139,21 +129,21 @@ fn ramp(order: FractionalOrder, length: f64, height: f64) -> Result<Pair> {
 
 /// At ν = 1/2 the seminorm does not see scale.
 fn hat(width: f64) -> Result<f64> {
-    let mesh = Partition::from_lengths(vec![1.0, width, width, 1.0])?;
+    let mesh = Mesh::from_lengths(vec![1.0, width, width, 1.0])?;
     let u = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
-    Ok(u.seminorm(FractionalOrder::HALF, Tolerance::reference())?.value)
+    Ok(u.seminorm(Order::HALF, Tolerance::reference())?.value)
 }
 
 fn million_cells() -> Result<Pair> {
-    let (n, order) = (1_000_000, FractionalOrder::new(0.25)?);
-    let operator = GramOperator::constants(&Partition::uniform(n, 1.0)?, order, Tolerance::reference())?;
+    let (n, order) = (1_000_000, Order::new(0.25)?);
+    let operator = GramOperator::constants(&Mesh::uniform(n, 1.0)?, order, Tolerance::reference())?;
     let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
     let form: f64 = step.iter().zip(operator.apply(&step)?).map(|(x, y)| x * y).sum();
     Ok((form, closed_forms::jump(0.5, 0.5, order)?.value))
 }
 
 fn short_zone() -> Result<Pair> {
-    let (order, tolerance) = (FractionalOrder::HALF, Tolerance::new(1e-10)?);
+    let (order, tolerance) = (Order::HALF, Tolerance::new(1e-10)?);
     let found = gamma(order, Constraint::mean_zero_on(0.0..1e-300), tolerance)?.constant;
     Ok((found.value, UniformLaw::new(order, tolerance)?.gamma(1e-300)?.value))
 }

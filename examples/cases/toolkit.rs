@@ -3,8 +3,8 @@
 
 use experiments::largest;
 use fractional_sobolev::{
-    Constraint, Estimate, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, Result,
-    SingularFunction, Tolerance, Work, Zone, closed_forms, gamma, gram_linears,
+    Constraint, Estimate, GramOperator, Mesh, Order, PiecewisePolynomial, Result, SingularFunction,
+    Tolerance, Work, Zone, closed_forms, gamma, gram_linears,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
 };
 
@@ -13,19 +13,19 @@ pub type Case<'a> = (&'static str, f64, Box<dyn Fn(Tolerance) -> Result<Estimate
 
 /// Everything that is measured; a later function adds one entry.
 pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
-    let half = FractionalOrder::HALF;
+    let half = Order::HALF;
     let power = |name, a: f64, nu| -> Result<Case<'a>> {
-        let order = FractionalOrder::new(nu)?;
+        let order = Order::new(nu)?;
         let u = SingularFunction::new(&[0.0, 1.0], move |x: f64| x.powf(a))?;
         let exact = closed_forms::power(a, order)?.value.sqrt();
         Ok((name, exact, Box::new(move |tolerance| u.seminorm(order, tolerance))))
     };
     let best = |name, nu, norm, exact| -> Result<Case<'a>> {
-        let order = FractionalOrder::new(nu)?;
+        let order = Order::new(nu)?;
         Ok((name, exact, Box::new(move |tolerance| element_constant(norm, order, tolerance))))
     };
     let zone = |name, nu, theta, exact| -> Result<Case<'a>> {
-        let (order, zone) = (FractionalOrder::new(nu)?, Zone::end(theta)?);
+        let (order, zone) = (Order::new(nu)?, Zone::end(theta)?);
         Ok((
             name,
             exact,
@@ -40,9 +40,9 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
     })?;
     let slow_exact = closed_forms::log_power(0.25)?.value.sqrt();
     let values: Vec<f64> = (0..=1000).map(|i| f64::from(500 - (i - 500i32).abs()) / 500.0).collect();
-    let hat = PiecewisePolynomial::linears(Partition::uniform(1000, 1.0)?, &values)?;
+    let hat = PiecewisePolynomial::linears(Mesh::uniform(1000, 1.0)?, &values)?;
     let hat_exact = closed_forms::hat(0.0, 0.5, 0.5, 0.0, half)?.value.sqrt();
-    let graded = Partition::geometric(1999, 1e-30f64.powf(1.0 / 1999.0), 1.0)?;
+    let graded = Mesh::geometric(1999, 1e-30f64.powf(1.0 / 1999.0), 1.0)?;
     let x: Vec<f64> = (0..=2000).map(|i| ((i * 7919) % 1000) as f64 / 1000.0).collect();
     let matrix = gram_linears(&graded, half);
     let dense: Vec<f64> = (0..=2000).map(|i| (0..=2000).map(|j| matrix[(i, j)] * x[j]).sum()).collect();
@@ -51,7 +51,7 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
         let apart: Vec<f64> = fast.iter().zip(&dense).map(|(a, b)| a - b).collect();
         Estimate::new(1.0 + largest(&apart) / largest(&dense), tolerance.relative(), Work::default())
     };
-    let one = PiecewisePolynomial::constants(Partition::uniform(8, 1.0)?, &[1.0; 8])?;
+    let one = PiecewisePolynomial::constants(Mesh::uniform(8, 1.0)?, &[1.0; 8])?;
     // γ₁(1/2)², the best constant of (4.7) at r = 1/2
     let whole: f64 = 0.291_564_029_207_657_16;
     Ok(vec![

@@ -11,7 +11,7 @@ use crate::fem::{Form, Frame, Frames, consistent_load};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
 use crate::numeric::check::require_values;
 use crate::numeric::sum::careful_dot;
-use fractional_sobolev::Partition;
+use fractional_sobolev::Mesh;
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -110,10 +110,10 @@ impl ContactProblem {
     /// The contact edge as a partition of (0, length) into its segments.
     ///
     /// # Errors
-    /// As for [`Partition::from_lengths`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
-    pub fn contact_partition(&self) -> Result<Partition> {
+    /// As for [`Mesh::from_lengths`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
+    pub fn contact_partition(&self) -> Result<Mesh> {
         self.edge.require_one_piece()?;
-        Ok(Partition::from_lengths(self.edge.segment_lengths())?)
+        Ok(Mesh::from_lengths(self.edge.segment_lengths())?)
     }
 
     /// # Errors

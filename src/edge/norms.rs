@@ -8,7 +8,7 @@
 
 use crate::error::Result;
 use crate::strip::{EdgeData, Sides};
-use fractional_sobolev::{FractionalOrder, GramOperator, Partition, Tolerance};
+use fractional_sobolev::{GramOperator, Mesh, Order, Tolerance};
 
 /// Norm and seminorms of the data of a scene on its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +35,7 @@ pub fn edge_norm(scene: &EdgeData, tau: f64) -> Result<f64> {
 /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2, [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ 2: then slopes with jumps
 /// have no norm.
 pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
-    let order = FractionalOrder::from_offset(tau - 2.0)?;
+    let order = Order::half_plus(tau - 2.0)?;
     let (values, cells) = (scene.values(), scene.cells());
     let h = 1.0 / cells as f64;
     let next = |i: usize| if i + 1 < values.len() { i + 1 } else { 0 };
@@ -46,7 +46,7 @@ pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
         scene.forces()[i] * if at_side { 1.0 } else { 0.5 } / h
     };
     let densities: Vec<f64> = (0..cells).map(|i| share(i) + share(next(i))).collect();
-    let gram = GramOperator::constants(&Partition::uniform(cells, 1.0)?, order, Tolerance::balanced())?;
+    let gram = GramOperator::constants(&Mesh::uniform(cells, 1.0)?, order, Tolerance::balanced())?;
     let seminorm = |x: &[f64]| -> Result<f64> {
         Ok(gram.apply(x)?.iter().zip(x).map(|(y, x)| x * y).sum::<f64>().max(0.0))
     };
@@ -69,7 +69,7 @@ mod tests {
         // τ = 1.9 scene measured at 1.75: u_N = −(x − a)^{0.9}, λ = (a − x)^{−0.1}, by quadrature of the
         // functions themselves.
         let (a, tau, at) = (0.4, 1.9, 1.75);
-        let order = FractionalOrder::new(at - 1.5).unwrap();
+        let order = Order::new(at - 1.5).unwrap();
         let power = |sign: f64, p: f64| {
             SingularFunction::from_positions(&[0.0, a, 1.0], move |x| {
                 let d = if x.anchor() == 1 { x.offset() } else { x.x() - a };

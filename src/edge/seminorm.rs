@@ -14,7 +14,7 @@
 
 use super::pair::{Segment, Traces};
 use crate::error::{Error, Result, ToolkitError};
-use fractional_sobolev::{Estimate, FractionalOrder, Given, GramOperator, Partition, Rule, Tolerance, Work};
+use fractional_sobolev::{Estimate, Given, GramOperator, Mesh, Order, Rule, Tolerance, Work};
 
 /// Relative rounding of the fast product, against Σ a_ii x_i².
 const PRODUCT: f64 = 1e-13;
@@ -22,7 +22,7 @@ const PRODUCT: f64 = 1e-13;
 /// |·|²_ν on segments of K equal cells.
 #[derive(Debug)]
 pub struct SeminormForm {
-    order: FractionalOrder,
+    order: Order,
     traces: Traces,
     cells: usize,
     /// On (0, 1); none for a single constant.
@@ -34,7 +34,7 @@ impl SeminormForm {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without cells.
-    pub fn new(traces: Traces, order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
+    pub fn new(traces: Traces, order: impl Given<Order>, cells: usize) -> Result<Self> {
         let order = order.given()?;
         if traces == Traces::Constants && !order.is_below_half() {
             return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
@@ -42,7 +42,7 @@ impl SeminormForm {
                 why: "a jump is not in H^nu for nu >= 1/2",
             }));
         }
-        let partition = Partition::uniform(cells, 1.0)?;
+        let partition = Mesh::uniform(cells, 1.0)?;
         let operator = match traces {
             Traces::Constants if cells == 1 => None,
             Traces::Constants => Some(GramOperator::constants(&partition, order, Tolerance::reference())?),
@@ -102,7 +102,7 @@ const DEPTH: usize = 14;
 pub fn seminorm_by_quadrature(
     segment: &Segment<'_>,
     which: SegmentTrace,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);

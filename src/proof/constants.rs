@@ -3,7 +3,7 @@
 use super::laws::TwoLaws;
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{
-    Constraint, FractionalOrder, Tolerance, gamma,
+    Constraint, Order, Tolerance, gamma,
     interpolation::{
         ErrorNorm, critical_exponent, element_constant, embedding_upper_bound, limits, projection_constant,
     },
@@ -22,7 +22,7 @@ const LARGEST_ZONE_OF_LAW: f64 = 0.5;
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProofConstants {
     tau: f64,
-    order: FractionalOrder,
+    order: Order,
     q: f64,
     /// C(q) of H^ν(0,1) ⊂ L^q(0,1) with the full norm, from above.
     pub embedding: f64,
@@ -51,14 +51,14 @@ impl ProofConstants {
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside these ranges; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) from the constants.
     pub fn new(tau: f64, q: f64, thetas: &[f64]) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 5/2)", tau > 1.5 && tau < 2.5)?;
-        let order = FractionalOrder::from_offset(tau - 2.0)?;
+        let order = Order::half_plus(tau - 2.0)?;
         let tolerance = Tolerance::balanced();
         let upper = |e: fractional_sobolev::Estimate| e.value + e.error;
         let (q, embedding) = if tau < 2.0 {
             let q = critical_exponent(order)?;
             (q, embedding_upper_bound(order, q)?.value)
         } else {
-            (q, embedding_upper_bound(FractionalOrder::HALF, q)?.value)
+            (q, embedding_upper_bound(Order::HALF, q)?.value)
         };
         let (gammas, factors) = if tau > 2.0 {
             let constant =
@@ -89,7 +89,7 @@ impl ProofConstants {
     }
 
     /// ν = τ − 3/2.
-    pub fn order(&self) -> FractionalOrder {
+    pub fn order(&self) -> Order {
         self.order
     }
 
@@ -143,7 +143,7 @@ impl ProofConstants {
 }
 
 /// γ_θ(ν) with its error added, for the given zones and the powers of 1/2.
-fn zone_constants(order: FractionalOrder, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
+fn zone_constants(order: Order, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
     let mut zones: Vec<f64> = (0..=LAW).map(|k| 0.5f64.powi(k)).chain(thetas.iter().copied()).collect();
     zones.sort_by(f64::total_cmp);
     zones.dedup();

@@ -34,7 +34,7 @@ use crate::cone::Cone;
 use crate::error::Result;
 use crate::numeric::search::golden_section;
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Given, Moment, MomentBounds, StrongForm, Tolerance, Work, moment_norm,
+    Estimate, Given, Moment, MomentBounds, Order, StrongForm, Tolerance, Work, moment_norm,
     moment_norm_beside,
 };
 
@@ -72,24 +72,24 @@ impl SegmentConstant {
 }
 
 /// c(ν) = ν / (2 (4^ν − 1)): 1/(4 ln 2) as ν → 0, 1/4 at ν = 1/2, 1/6 as ν → 1.
-pub fn product_bound(order: FractionalOrder) -> f64 {
+pub fn product_bound(order: Order) -> f64 {
     0.5 * order.value() / (2.0 * std::f64::consts::LN_2 * order.value()).exp_m1()
 }
 
 /// K(ν), the best constant in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ K |σ|_ν |w|_ν for functions of disjoint supports.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
+/// use fractional_sobolev::{Order, Tolerance};
 /// use signorini::proof::{product_bound, product_constant};
-/// let sharp = product_constant(FractionalOrder::HALF, Tolerance::fast())?;
-/// assert!(sharp.value.value < product_bound(FractionalOrder::HALF));
+/// let sharp = product_constant(Order::HALF, Tolerance::fast())?;
+/// assert!(sharp.value.value < product_bound(Order::HALF));
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet)(crate::Error::ToleranceNotMet) as for [`moment_norm`].
 pub fn product_constant(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<SegmentConstant> {
     largest_product(order.given()?, Moment::Mass, Moment::Mass, tolerance.given()?)
@@ -101,7 +101,7 @@ pub fn product_constant(
 /// # Errors
 /// As for [`product_constant`].
 pub fn consistency_constant(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<SegmentConstant> {
     largest_product(order.given()?, Moment::FromFreeEnd, Moment::Mass, tolerance.given()?)
@@ -111,10 +111,7 @@ pub fn consistency_constant(
 ///
 /// # Errors
 /// As for [`product_constant`].
-pub fn midpoint_bound(
-    order: impl Given<FractionalOrder>,
-    tolerance: impl Given<Tolerance>,
-) -> Result<SegmentConstant> {
+pub fn midpoint_bound(order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<SegmentConstant> {
     largest_product(order.given()?, Moment::Mass, Moment::FromZone, tolerance.given()?)
 }
 
@@ -122,9 +119,9 @@ pub fn midpoint_bound(
 /// nodal cone, A(b) B(1−b) for the midpoint cone.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
+/// use fractional_sobolev::{Order, Tolerance};
 /// use signorini::{cone::Cone, proof::one_gap_ratio};
-/// let ratio = |cone, gap| one_gap_ratio(cone, FractionalOrder::HALF, gap, Tolerance::fast());
+/// let ratio = |cone, gap| one_gap_ratio(cone, Order::HALF, gap, Tolerance::fast());
 /// let (nodal, midpoint) = (ratio(Cone::Nodal, 0.3)?, ratio(Cone::Midpoint, 0.7)?);
 /// assert!((nodal.value - midpoint.value).abs() <= nodal.error + midpoint.error);
 /// # Ok::<(), signorini::Error>(())
@@ -135,7 +132,7 @@ pub fn midpoint_bound(
 /// [`product_constant`].
 pub fn one_gap_ratio(
     cone: Cone,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     gap: f64,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
@@ -147,12 +144,7 @@ pub fn one_gap_ratio(
 }
 
 /// The ratio of one set: moments of functions on both parts, of length `length` and 1 − `length`.
-fn product(
-    order: FractionalOrder,
-    moments: (Moment, Moment),
-    length: f64,
-    tolerance: Tolerance,
-) -> Result<Estimate> {
+fn product(order: Order, moments: (Moment, Moment), length: f64, tolerance: Tolerance) -> Result<Estimate> {
     let (first, second) = (
         moment_norm(order, length, moments.0, tolerance)?,
         moment_norm_beside(order, length, moments.1, tolerance)?,
@@ -172,7 +164,7 @@ const STEP: f64 = 0.01;
 /// five values of full accuracy. The value is that at its place, which is off by 1e-6 at most: 1e-11 of the
 /// product, flat there.
 fn largest_product(
-    order: FractionalOrder,
+    order: Order,
     first: Moment,
     second: Moment,
     tolerance: Tolerance,
@@ -233,7 +225,7 @@ mod tests {
     fn the_potentials_weigh_most_at_one_half() {
         for k in 1..=200 {
             let nu = f64::from(k) / 201.0;
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let g = |s: f64| (-2.0 * nu * (-s).ln_1p()).exp_m1() / (2.0 * nu);
             let of = |e: f64| 0.5 * (e * (1.0 - e) / (g(e) * g(1.0 - e))).sqrt();
             assert!((of(0.5) / product_bound(order) - 1.0).abs() < 1e-13, "{nu}");
@@ -254,7 +246,7 @@ mod tests {
     fn constants_agree_with_a_prototype_by_another_discretization() {
         // Conforming piecewise linears on graded meshes, from below, 3 to 4 digits.
         for (nu, k, kappa) in [(1e-6, 0.1997, 0.0679), (0.25, 0.1105, 0.03234), (0.5, 0.0519, 0.01350)] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let found = [product_constant(order, ASKED), consistency_constant(order, ASKED)];
             for (found, seen) in found.into_iter().zip([k, kappa]) {
                 let value = found.unwrap().value.value;
@@ -266,7 +258,7 @@ mod tests {
     #[test]
     fn constants_stand_in_order_and_between_the_bounds_of_the_strong_form() {
         for nu in [0.001, 0.3, 0.5, 0.8, 0.999] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let strong = StrongForm::new(order).unwrap();
             let c = product_bound(order);
             let k = product_constant(order, ASKED).unwrap();
@@ -287,7 +279,7 @@ mod tests {
     #[test]
     fn the_maximum_found_is_that_of_a_grid() {
         for nu in [0.01, 0.5, 0.95] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let kappa = consistency_constant(order, ASKED).unwrap();
             let largest = product_constant(order, ASKED).unwrap().value;
             for k in 1..40 {

@@ -27,7 +27,7 @@ use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::fem::Lame;
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Tolerance,
+    Estimate, Order, Tolerance,
     interpolation::{TriangleConstants, TriangleShape, kobayashi, projection_constant},
 };
 use std::f64::consts::PI;
@@ -45,7 +45,7 @@ pub struct TheoremConstants {
     /// τ.
     pub tau: f64,
     /// ν = τ − 3/2.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// C(τ − 1); M^{1/2} C(τ − 1) for elasticity.
     pub interpolation: f64,
     /// K(ν).
@@ -65,12 +65,12 @@ impl TheoremConstants {
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/2 < τ ≤ 2; as the constants.
     pub fn new(tau: f64) -> Result<Self> {
         let tau = Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
-        let (order, asked) = (FractionalOrder::from_offset(tau - 2.0)?, Tolerance::new(ACCURACY)?);
+        let (order, asked) = (Order::half_plus(tau - 2.0)?, Tolerance::new(ACCURACY)?);
         let shape = TriangleShape::right_isosceles()?;
         let interpolation = if tau == 2.0 {
             ROUND_UP * kobayashi(&shape)
         } else {
-            up(TriangleConstants::new(&shape, FractionalOrder::new(tau - 1.0)?, DEGREE)?.derivative.value)
+            up(TriangleConstants::new(&shape, Order::new(tau - 1.0)?, DEGREE)?.derivative.value)
         };
         let theta = 1.0 / PI.tanh();
         Ok(Self {

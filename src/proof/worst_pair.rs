@@ -25,7 +25,7 @@
 
 use crate::cone::Cone;
 use crate::error::{Error, Result, ToolkitError};
-use fractional_sobolev::{Estimate, FractionalOrder, Given, Partition, Tolerance, Work, gram_constants};
+use fractional_sobolev::{Estimate, Given, Mesh, Order, Tolerance, Work, gram_constants};
 use nalgebra::{Cholesky, DMatrix};
 
 /// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of
@@ -55,7 +55,7 @@ pub fn worst_ratio(
     let tolerance = tolerance.given()?;
     Error::require("left gap", left, "[0, 1)", (0.0..1.0).contains(&left))?;
     Error::require("right gap", right, "(0, 1 - left)", right > 0.0 && right < 1.0 - left)?;
-    let order = FractionalOrder::new(Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)? - 1.5)?;
+    let order = Order::new(Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)? - 1.5)?;
     let mut work = Work::default();
     let mut lower = |halvings: u32| -> Result<f64> {
         work += Work { factorizations: 2, ..Work::default() };
@@ -77,9 +77,9 @@ pub fn worst_ratio(
 }
 
 /// The ratio of the best piecewise constants on a graded mesh, every cell halved so often.
-fn lower_bound(cone: Cone, order: FractionalOrder, left: f64, right: f64, halvings: u32) -> Result<f64> {
+fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -> Result<f64> {
     let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
-    let partition = halved(&Partition::graded_to_points(&points, LAYERS, RATIO)?, halvings)?;
+    let partition = halved(&Mesh::graded_to_points(&points, LAYERS, RATIO)?, halvings)?;
     let per_part = partition.len() / (points.len() - 1);
     let gram = gram_constants(&partition, order)?;
     let first = if left > 0.0 { per_part } else { 0 };
@@ -126,10 +126,10 @@ fn lower_bound(cone: Cone, order: FractionalOrder, left: f64, right: f64, halvin
 }
 
 /// Every cell cut into 2^halvings equal ones.
-fn halved(partition: &Partition, halvings: u32) -> Result<Partition> {
+fn halved(partition: &Mesh, halvings: u32) -> Result<Mesh> {
     let parts = 1usize << halvings;
     let cut = |&length: &f64| std::iter::repeat_n(length / parts as f64, parts);
-    Ok(Partition::from_lengths(partition.lengths().iter().flat_map(cut).collect())?)
+    Ok(Mesh::from_lengths(partition.lengths().iter().flat_map(cut).collect())?)
 }
 
 /// b_i' G⁻¹ b_j, G the rows and columns `cells` of the Gram matrix.
@@ -164,7 +164,7 @@ mod tests {
                     for left in [0.0, 1e-6, 0.05] {
                         // Near τ = 2 constants leave the space and no tolerance is met: the bound holds on
                         // any mesh.
-                        let order = FractionalOrder::new(tau - 1.5).unwrap();
+                        let order = Order::new(tau - 1.5).unwrap();
                         let ratio = lower_bound(cone, order, left, right, 0).unwrap();
                         assert!(ratio > 0.0 && ratio <= 0.5, "{cone} {tau} {left} {right}: {ratio}");
                     }

@@ -16,9 +16,7 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Lame};
 use crate::mesh::Point;
-use fractional_sobolev::{
-    Estimate, FractionalOrder, Given, Position, SectorPower, SingularFunction, Tolerance, Work,
-};
+use fractional_sobolev::{Estimate, Given, Order, Position, SectorPower, SingularFunction, Tolerance, Work};
 use std::f64::consts::PI;
 
 /// a: no node of uniform dyadic meshes.
@@ -140,7 +138,7 @@ impl RoughTransition {
             let value = shape * p * (q * PI * radius.powf(2.0 * q)).sqrt();
             return Ok(Estimate::new(value, ROUNDING * value, Work::default())?);
         }
-        let order = FractionalOrder::new(tau - 1.0)?;
+        let order = Order::new(tau - 1.0)?;
         Ok(match material {
             None => SectorPower::harmonic_gradient(p, radius, order, tolerance)?,
             Some((alpha, double)) => {
@@ -167,7 +165,7 @@ impl RoughTransition {
         &self,
         datum: EdgeDatum,
         [from, to]: [f64; 2],
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -268,7 +266,7 @@ mod tests {
     fn bad_powers_and_infinite_norms_are_errors() {
         assert!(RoughTransition::new(1.0).is_err() && RoughTransition::new(0.4).is_err());
         let scene = RoughTransition::new(0.8).unwrap();
-        let order = FractionalOrder::new(0.3).unwrap();
+        let order = Order::new(0.3).unwrap();
         assert!(scene.edge_seminorm(EdgeDatum::Slope, [0.0, 1.0], order, Tolerance::fast()).is_err());
     }
 }

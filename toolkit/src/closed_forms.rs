@@ -13,8 +13,8 @@
 
 use super::gram::dense::{diagonal_linear, require_constants_finite};
 use super::kernel::cells::CellPairs;
-use super::order::FractionalOrder;
-use super::partition::Partition;
+use super::mesh::Mesh;
+use super::order::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 
@@ -31,16 +31,16 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Neither cancels at ν = 1/2, a = 0 or ν = 1. Cost about 100 terms, 40 (1 + a) for large a.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, closed_forms};
+/// use fractional_sobolev::{Order, closed_forms};
 /// // |x - y|^2 / |x - y|^2 over the unit square
-/// let squared = closed_forms::power(1.0, FractionalOrder::HALF)?;
+/// let squared = closed_forms::power(1.0, Order::HALF)?;
 /// assert!((squared.value - 1.0).abs() < 1e-14);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] for a not finite or above 1e4.
-pub fn power(a: f64, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+pub fn power(a: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     Error::require("exponent a", a, "finite and at most 1e4", a.is_finite() && a <= 1e4)?;
     if a == 0.0 {
@@ -66,7 +66,7 @@ pub fn power(a: f64, order: impl Given<FractionalOrder>) -> Result<Estimate> {
 
 /// |x^a|_ν itself, right also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up to
 /// relative terms of the size of a.
-pub(super) fn root_of_power(a: f64, order: FractionalOrder) -> Result<Estimate> {
+pub(super) fn root_of_power(a: f64, order: Order) -> Result<Estimate> {
     const TINY: f64 = 1e-30;
     if a == 0.0 || a.abs() >= TINY || a <= order.offset() {
         return power(a, order)?.sqrt();
@@ -77,7 +77,7 @@ pub(super) fn root_of_power(a: f64, order: FractionalOrder) -> Result<Estimate> 
 }
 
 /// ∫₀^ε (1−t^a)² (1−t)^{-1-2ν} dt and the number of terms.
-fn power_below(a: f64, order: FractionalOrder, end: f64) -> (f64, u64) {
+fn power_below(a: f64, order: Order, end: f64) -> (f64, u64) {
     let e = (a * end.ln()).exp_m1();
     let (mut sum, mut coefficient, mut terms) = (0.0, end, 0);
     for k in 0.. {
@@ -97,7 +97,7 @@ fn power_below(a: f64, order: FractionalOrder, end: f64) -> (f64, u64) {
 }
 
 /// ∫₀^η (1−(1−τ)^a)² τ^{-1-2ν} dτ and the number of terms.
-fn power_above(a: f64, order: FractionalOrder, end: f64) -> (f64, u64) {
+fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
     // (1 − (1−τ)^a)/τ = Σ c_j τ^j, c_0 = a, c_j = c_{j-1} (j − a)/(j + 1); here c_j η^j
     let mut series = vec![a];
     while series.len() < 80 {
@@ -117,21 +117,21 @@ fn power_above(a: f64, order: FractionalOrder, end: f64) -> (f64, u64) {
 /// 2 [p^{1-2ν} + q^{1-2ν} − (p+q)^{1-2ν}] / (2ν(1−2ν)).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, closed_forms};
-/// let order = FractionalOrder::new(0.25)?;
+/// use fractional_sobolev::{Order, closed_forms};
+/// let order = Order::new(0.25)?;
 /// // 2 (1 + 1 − √2) / (1/2 · 1/2)
 /// let squared = closed_forms::jump(1.0, 1.0, order)?;
 /// assert!((squared.value - 8.0 * (2.0 - 2f64.sqrt())).abs() < 1e-13);
-/// assert!(closed_forms::jump(1.0, 1.0, FractionalOrder::HALF).is_err()); // a jump is not in H^{1/2}
+/// assert!(closed_forms::jump(1.0, 1.0, Order::HALF).is_err()); // a jump is not in H^{1/2}
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Partition::from_lengths`] for bad lengths.
-pub fn jump(p: f64, q: f64, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+/// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Mesh::from_lengths`] for bad lengths.
+pub fn jump(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     require_constants_finite(order)?;
-    Partition::from_lengths(vec![p, q])?;
+    Mesh::from_lengths(vec![p, q])?;
     let value = 2.0 * CellPairs::new(order).touching_constants(p, q);
     Estimate::new(value, ROUNDING * value, Work::default())
 }
@@ -141,24 +141,18 @@ pub fn jump(p: f64, q: f64, order: impl Given<FractionalOrder>) -> Result<Estima
 /// `before` and `after` may be zero: the hat then touches the end of the interval.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance, closed_forms};
-/// let squared = closed_forms::hat(1.0, 2.0, 1.0, 0.0, FractionalOrder::HALF)?;
-/// let mesh = Partition::from_nodes(&[0.0, 1.0, 3.0, 4.0])?;
+/// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance, closed_forms};
+/// let squared = closed_forms::hat(1.0, 2.0, 1.0, 0.0, Order::HALF)?;
+/// let mesh = Mesh::from_nodes(&[0.0, 1.0, 3.0, 4.0])?;
 /// let hat = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0])?;
-/// let norm = hat.seminorm(FractionalOrder::HALF, Tolerance::reference())?;
+/// let norm = hat.seminorm(Order::HALF, Tolerance::reference())?;
 /// assert!((norm.value.powi(2) / squared.value - 1.0).abs() < 1e-12);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
-/// As [`Partition::from_lengths`] for bad lengths.
-pub fn hat(
-    before: f64,
-    rise: f64,
-    fall: f64,
-    after: f64,
-    order: impl Given<FractionalOrder>,
-) -> Result<Estimate> {
+/// As [`Mesh::from_lengths`] for bad lengths.
+pub fn hat(before: f64, rise: f64, fall: f64, after: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     let mut lengths = vec![rise, fall];
     let mut peak = 1;
@@ -169,7 +163,7 @@ pub fn hat(
     if after != 0.0 {
         lengths.push(after);
     }
-    let partition = Partition::from_lengths(lengths)?;
+    let partition = Mesh::from_lengths(lengths)?;
     let value = diagonal_linear(&partition, &CellPairs::new(order), peak);
     Estimate::new(value, ROUNDING * value, Work::default())
 }
@@ -187,7 +181,7 @@ pub fn hat(
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for an order outside (0, 1).
-pub fn cosine_on_circle(k: u32, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+pub fn cosine_on_circle(k: u32, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     if k == 0 {
         return Estimate::new(0.0, 0.0, Work::default());

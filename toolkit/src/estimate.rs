@@ -166,8 +166,8 @@ impl Estimate {
     /// caller who reads its error.
     ///
     /// ```
-    /// use fractional_sobolev::{Constraint, Estimate, FractionalOrder, gamma, Tolerance};
-    /// let order = FractionalOrder::new(0.25)?;
+    /// use fractional_sobolev::{Constraint, Estimate, Order, gamma, Tolerance};
+    /// let order = Order::new(0.25)?;
     /// let refused = gamma(order, Constraint::mean_zero_on(0.0..0.5), Tolerance::new(1e-15)?).map(|found| found.constant);
     /// assert!(refused.is_err());
     /// let best = Estimate::or_best(refused)?;

@@ -1,12 +1,12 @@
 //! Functions on intervals, polygons and triangulations, and their norms of order −1 < s < 2.
 
-use super::boundary::{BoundaryFunction, PolygonalCurve};
+use super::boundary::{BoundaryFunction, Curve};
 use super::dual::{DualOf, MeshFunctional};
 use super::fields::FieldError;
 use super::functions::{Position, SingularFunction};
+use super::mesh::Mesh;
 use super::nearly_one::NearlyOne;
-use super::order::{FractionalOrder, SobolevOrder};
-use super::partition::Partition;
+use super::order::{Order, SobolevOrder};
 use super::piecewise::PiecewisePolynomial;
 use super::plane::{PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles};
 use crate::error::{Error, Given, Result};
@@ -32,9 +32,9 @@ use crate::root::root_of_squares;
 /// [`Error::Incompatible`], which names what is possible.
 ///
 /// ```
-/// use fractional_sobolev::{Function, Partition};
+/// use fractional_sobolev::{Function, Mesh};
 /// let kink = Function::from_fn(&[0.0, 0.5, 1.0], |x| (x - 0.5).abs())?;
-/// let mesh = Partition::uniform(2, 1.0)?;
+/// let mesh = Mesh::uniform(2, 1.0)?;
 /// let same = Function::linears(&mesh, &[0.5, 0.0, 0.5])?;
 /// for s in [-0.5, 0.0, 0.5] {
 ///     assert!((kink.norm(s, 1e-7)?.value - same.norm(s, 1e-7)?.value).abs() < 1e-6);
@@ -144,15 +144,15 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn linears(mesh: &Partition, values: &[f64]) -> Result<Self> {
+    pub fn linears(mesh: &Mesh, values: &[f64]) -> Result<Self> {
         PiecewisePolynomial::linears(mesh.clone(), values).map(Self::from)
     }
 
     /// The piecewise constant function with one value per element.
     ///
     /// ```
-    /// use fractional_sobolev::{Function, Partition};
-    /// let sign = Function::constants(&Partition::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+    /// use fractional_sobolev::{Function, Mesh};
+    /// let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
     /// assert!(sign.norm(-0.5, 1e-6)?.value < sign.norm(0.0, 1e-6)?.value);
     /// assert!(sign.norm(0.5, 1e-6).is_err()); // a jump
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -160,7 +160,7 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn constants(mesh: &Partition, values: &[f64]) -> Result<Self> {
+    pub fn constants(mesh: &Mesh, values: &[f64]) -> Result<Self> {
         PiecewisePolynomial::constants(mesh.clone(), values).map(Self::from)
     }
 
@@ -168,10 +168,10 @@ impl<'a> Function<'a> {
     /// left to its right end; one value per element for p = 0. It may jump between elements.
     ///
     /// ```
-    /// use fractional_sobolev::{Function, Partition};
+    /// use fractional_sobolev::{Function, Mesh};
     /// // x² on (0, 2), two elements
     /// let values = [0.0, 0.25, 1.0, 1.0, 2.25, 4.0];
-    /// let square = Function::piecewise(&Partition::uniform(2, 2.0)?, 2, &values)?;
+    /// let square = Function::piecewise(&Mesh::uniform(2, 2.0)?, 2, &values)?;
     /// assert!((square.lp(2.0, 1e-12)?.value.powi(2) - 6.4).abs() < 1e-12);
     /// assert!((square.mean(1e-12)?.value - 4.0 / 3.0).abs() < 1e-12);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -179,7 +179,7 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
-    pub fn piecewise(mesh: &Partition, degree: usize, values: &[f64]) -> Result<Self> {
+    pub fn piecewise(mesh: &Mesh, degree: usize, values: &[f64]) -> Result<Self> {
         PiecewisePolynomial::of_values(mesh.clone(), degree, values).map(Self::from)
     }
 
@@ -187,9 +187,9 @@ impl<'a> Function<'a> {
     /// with the supremum over the piecewise linears of the mesh.
     ///
     /// ```
-    /// use fractional_sobolev::{Function, Partition};
+    /// use fractional_sobolev::{Function, Mesh};
     /// // v ↦ ∫ v over (0, 1)
-    /// let f = Function::load(&Partition::uniform(2, 1.0)?, &[0.25, 0.5, 0.25])?;
+    /// let f = Function::load(&Mesh::uniform(2, 1.0)?, &[0.25, 0.5, 0.25])?;
     /// assert!((f.norm(-0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
     /// assert!(f.norm(0.5, 1e-8).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -197,7 +197,7 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn load(mesh: &Partition, values: &[f64]) -> Result<Self> {
+    pub fn load(mesh: &Mesh, values: &[f64]) -> Result<Self> {
         MeshFunctional::new(mesh.clone(), values).map(Kind::Load).map(Self::of)
     }
 
@@ -263,9 +263,9 @@ impl<'a> Function<'a> {
     /// 1), or constant on every element (degree 0).
     ///
     /// ```
-    /// use fractional_sobolev::{Function, PolygonalCurve};
+    /// use fractional_sobolev::{Function, Curve};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let curve = PolygonalCurve::graded(&square, 2, 1.0)?;
+    /// let curve = Curve::graded(&square, 2, 1.0)?;
     /// let one = Function::on_curve(&curve, 1, &[1.0; 8])?;
     /// assert!((one.norm(0.5, 1e-8)?.value - 2.0).abs() < 1e-8);
     /// assert!((one.norm(-0.5, 1e-8)?.value - 2.0).abs() < 1e-8);
@@ -274,7 +274,7 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 1.
-    pub fn on_curve(curve: &PolygonalCurve, degree: usize, values: &[f64]) -> Result<Self> {
+    pub fn on_curve(curve: &Curve, degree: usize, values: &[f64]) -> Result<Self> {
         let u = match low_degree(degree)? {
             true => BoundaryFunction::linears(curve.clone(), values)?,
             false => BoundaryFunction::constants(curve.clone(), values)?,
@@ -329,11 +329,7 @@ impl<'a> Function<'a> {
     /// # Errors
     /// As [`Function::norm`].
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(
-        &self,
-        s: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (s.given()?, tolerance.given()?);
         match &self.kind {
             Kind::Formula(u) => u.seminorm(order, tolerance),
@@ -388,8 +384,8 @@ impl<'a> Function<'a> {
     /// sup ∫ u v / ‖v‖ for the norm that [`DualOf`] names.
     ///
     /// ```
-    /// use fractional_sobolev::{DualOf, Function, Partition};
-    /// let one = Function::constants(&Partition::uniform(4, 1.0)?, &[1.0; 4])?;
+    /// use fractional_sobolev::{DualOf, Function, Mesh};
+    /// let one = Function::constants(&Mesh::uniform(4, 1.0)?, &[1.0; 4])?;
     /// assert!((one.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -399,7 +395,7 @@ impl<'a> Function<'a> {
     pub fn dual_norm_in(
         &self,
         of: DualOf,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let direct = of == DualOf::Slobodeckij;
@@ -417,10 +413,10 @@ impl<'a> Function<'a> {
     /// on one mesh.
     ///
     /// ```
-    /// use fractional_sobolev::{Function, Partition};
+    /// use fractional_sobolev::{Function, Mesh};
     /// // x - 1/2 against 0: 1 + 1/12
     /// let u = Function::from_fn(&[0.0, 1.0], |x| x - 0.5)?;
-    /// let zero = Function::constants(&Partition::uniform(10, 1.0)?, &[0.0; 10])?;
+    /// let zero = Function::constants(&Mesh::uniform(10, 1.0)?, &[0.0; 10])?;
     /// assert!((u.minus(&zero)?.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
     /// assert!(zero.minus(&zero)?.norm(0.5, 1e-8)?.value == 0.0);
     /// assert!(u.minus(&u).is_err());
@@ -472,7 +468,7 @@ impl<'a> Function<'a> {
     }
 
     /// ‖u‖_{1+ν}.
-    fn norm_above_one(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn norm_above_one(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         match (&self.kind, &self.gradient[..]) {
             (Kind::Piecewise(u), _) => u.norm_with_derivative(&u.derivative()?, order, tolerance),
             (Kind::Plane(u), _) => u.norm_with_gradient(order, tolerance),

@@ -3,9 +3,9 @@
 
 use super::closed_forms;
 use super::functions::{Position, SingularFunction};
+use super::mesh::Mesh;
 use super::nearly_one::NearlyOne;
-use super::order::FractionalOrder;
-use super::partition::Partition;
+use super::order::Order;
 use super::piecewise::PiecewisePolynomial;
 use crate::error::{Error, Given, Result};
 use crate::estimate::Estimate;
@@ -21,16 +21,16 @@ use std::str::FromStr;
 /// All but samples live on (0, 1). Where |u|_ν is finite, [`GalleryFunction::is_in`] says.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, GalleryFunction, Tolerance};
-/// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::balanced());
+/// use fractional_sobolev::{Order, GalleryFunction, Tolerance};
+/// let (order, asked) = (Order::new(0.25)?, Tolerance::balanced());
 /// let root: GalleryFunction = "power:0.5".parse()?;
 /// let exact = root.closed_form(order)?.map(|e| e.value).unwrap_or(f64::NAN);
 /// assert!((root.seminorm(order, asked)?.value / exact - 1.0).abs() < 1e-8);
 /// assert!((root.norm(order, asked)?.value.powi(2) - exact.powi(2) - 0.5).abs() < 1e-7);
 /// // a step is in H^ν for ν < 1/2 only
 /// let step: GalleryFunction = "step:0.4".parse()?;
-/// assert!(step.is_in(order) && !step.is_in(FractionalOrder::HALF) && step.last_order() == 0.5);
-/// assert_eq!(step.finite_seminorm(FractionalOrder::HALF, asked)?, None);
+/// assert!(step.is_in(order) && !step.is_in(Order::HALF) && step.last_order() == 0.5);
+/// assert_eq!(step.finite_seminorm(Order::HALF, asked)?, None);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +55,7 @@ impl GalleryFunction {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] above the critical order.
-    pub fn closed_form(&self, order: impl Given<FractionalOrder>) -> Result<Option<Estimate>> {
+    pub fn closed_form(&self, order: impl Given<Order>) -> Result<Option<Estimate>> {
         let order = order.given()?;
         let squared = match self {
             Self::Power(a) => return closed_forms::root_of_power(*a, order).map(Some),
@@ -69,7 +69,7 @@ impl GalleryFunction {
 
     /// Whether |u|_ν < ∞: x^a for ν < a + 1/2 (every ν at a = 0), a step for ν < 1/2, |ln x|^α for ν < 1/2,
     /// and at ν = 1/2 for α < 1/2; piecewise linear functions always.
-    pub fn is_in(&self, order: FractionalOrder) -> bool {
+    pub fn is_in(&self, order: Order) -> bool {
         match *self {
             Self::Power(a) => a == 0.0 || order.offset() < a,
             Self::Step(_) => order.is_below_half(),
@@ -137,7 +137,7 @@ fn read_samples(path: &Path) -> Result<PiecewisePolynomial> {
         return Err(Error::file(path, format!("line {line}: x is not above that of the line before")));
     }
     let (nodes, values): (Vec<f64>, Vec<f64>) = rows.iter().map(|&(_, [x, value])| (x, value)).unzip();
-    PiecewisePolynomial::linears(Partition::from_nodes(&nodes)?, &values)
+    PiecewisePolynomial::linears(Mesh::from_nodes(&nodes)?, &values)
 }
 
 impl fmt::Display for GalleryFunction {
@@ -186,7 +186,7 @@ mod tests {
         for name in ["power:-0.3", "power:0.2", "step:0.4", "log:0.25", "log:2"] {
             let function: GalleryFunction = name.parse().unwrap();
             let last = function.last_order();
-            let is_in = |nu: f64| function.is_in(FractionalOrder::new(nu).unwrap());
+            let is_in = |nu: f64| function.is_in(Order::new(nu).unwrap());
             assert!(is_in(last - 1e-9) && !is_in(last + 1e-9), "{name}");
         }
         for name in ["power:0", "power:0.6", "hat"] {

@@ -3,7 +3,7 @@
 use super::dual::DualOf;
 use super::functions::SingularFunction;
 use super::gallery::{Evaluated, GalleryFunction};
-use super::order::FractionalOrder;
+use super::order::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
@@ -12,11 +12,7 @@ impl GalleryFunction {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] above the critical order, [`Error::ToleranceNotMet`], [`Error::File`].
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         match self.evaluated()? {
             Evaluated::Samples(u) => u.seminorm(order, tolerance),
             Evaluated::Closure(u) => u.seminorm(order, tolerance),
@@ -30,7 +26,7 @@ impl GalleryFunction {
     /// As [`GalleryFunction::seminorm`] otherwise.
     pub fn finite_seminorm(
         &self,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Option<Estimate>> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -44,11 +40,7 @@ impl GalleryFunction {
     ///
     /// # Errors
     /// As [`GalleryFunction::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         match self.evaluated()? {
             Evaluated::Samples(u) => u.norm(order, tolerance),
             Evaluated::Closure(u) => u.norm(order, tolerance),
@@ -96,11 +88,7 @@ impl GalleryFunction {
     ///
     /// # Errors
     /// As [`SingularFunction::dual_norm`]; [`Error::File`].
-    pub fn dual_norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
     }
 
@@ -111,7 +99,7 @@ impl GalleryFunction {
     pub fn dual_norm_in(
         &self,
         of: DualOf,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         match self.evaluated()? {
@@ -123,8 +111,8 @@ impl GalleryFunction {
     /// The function as a closure with its breaks, for [`SingularFunction::minus`].
     ///
     /// ```
-    /// use fractional_sobolev::{GalleryFunction, Partition, PiecewisePolynomial};
-    /// let mesh = Partition::algebraic(1000, 2.0, 1.0)?;
+    /// use fractional_sobolev::{GalleryFunction, Mesh, PiecewisePolynomial};
+    /// let mesh = Mesh::algebraic(1000, 2.0, 1.0)?;
     /// let values: Vec<f64> = mesh.from_left().iter().map(|x| x.sqrt()).collect();
     /// let field = PiecewisePolynomial::linears(mesh, &values)?;
     /// let root = GalleryFunction::Power(0.5).function()?;

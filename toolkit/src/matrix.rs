@@ -1,8 +1,8 @@
 //! Gram matrices of norms of fractional order, on meshes of intervals and on grids of the plane.
 
 use super::gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
-use super::order::FractionalOrder;
-use super::partition::Partition;
+use super::mesh::Mesh;
+use super::order::Order;
 use super::plane::{GridOperator, Triangles};
 use crate::error::{Given, Result};
 use crate::estimate::Tolerance;
@@ -18,8 +18,8 @@ use nalgebra::DMatrix;
 /// relative tolerance τ. The dense matrix of an interval has entries exact to rounding.
 ///
 /// ```
-/// use fractional_sobolev::{Gram, Partition};
-/// let mesh = Partition::uniform(100, 1.0)?;
+/// use fractional_sobolev::{Gram, Mesh};
+/// let mesh = Mesh::uniform(100, 1.0)?;
 /// let form = Gram::new(&mesh, 0.5, 1e-8)?;
 /// let x = mesh.nodes(); // the identity: its seminorm is one
 /// let of = |y: &[f64]| x.iter().zip(y).map(|(a, b)| a * b).sum::<f64>();
@@ -32,13 +32,13 @@ use nalgebra::DMatrix;
 /// ```
 #[doc(alias("Gram matrix", "stiffness matrix", "mass matrix", "fractional Laplacian", "FFT", "H-matrix"))]
 pub struct Gram {
-    order: FractionalOrder,
+    order: Order,
     form: Form,
 }
 
 enum Form {
-    Linears(Partition, GramOperator),
-    Constants(Partition, GramOperator),
+    Linears(Mesh, GramOperator),
+    Constants(Mesh, GramOperator),
     Grid { squares: [usize; 2], h: f64, form: GridOperator },
 }
 
@@ -53,11 +53,7 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for another order or a tolerance outside its range.
-    pub fn new(
-        mesh: &Partition,
-        s: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
+    pub fn new(mesh: &Mesh, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
         let order = s.given()?;
         let form = GramOperator::linears(mesh, order, tolerance)?;
         Ok(Self { order, form: Form::Linears(mesh.clone(), form) })
@@ -66,8 +62,8 @@ impl Gram {
     /// For the indicator functions of the elements of a mesh, 0 < s < 1/2.
     ///
     /// ```
-    /// use fractional_sobolev::{Gram, Partition};
-    /// let form = Gram::constants(&Partition::uniform(2, 1.0)?, 0.25, 1e-8)?;
+    /// use fractional_sobolev::{Gram, Mesh};
+    /// let form = Gram::constants(&Mesh::uniform(2, 1.0)?, 0.25, 1e-8)?;
     /// let y = form.apply(&[1.0, 1.0])?; // constants have no seminorm
     /// assert!(y.iter().all(|y| y.abs() < 1e-12) && form.mass(&[2.0, 0.0])? == [1.0, 0.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -75,11 +71,7 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`](crate::Error::InfiniteNorm) for s ≥ 1/2; as [`Gram::new`].
-    pub fn constants(
-        mesh: &Partition,
-        s: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
+    pub fn constants(mesh: &Mesh, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
         let order = s.given()?;
         let form = GramOperator::constants(mesh, order, tolerance)?;
         Ok(Self { order, form: Form::Constants(mesh.clone(), form) })
@@ -105,7 +97,7 @@ impl Gram {
     pub fn on_grid(
         squares: [usize; 2],
         h: f64,
-        s: impl Given<FractionalOrder>,
+        s: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let order = s.given()?;

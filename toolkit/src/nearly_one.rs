@@ -6,7 +6,7 @@
 //! (Takahasi & Mori, Publ. RIMS 9 (1974) 721-741); the same rule with twice the step tells the error. Cost 305
 //! points.
 
-use super::order::FractionalOrder;
+use super::order::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
@@ -32,7 +32,7 @@ impl NearlyOne {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2; [`Error::ToleranceNotMet`] where the value is subnormal.
-    pub(super) fn seminorm(self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub(super) fn seminorm(self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let found = self.value(order)?;
         met("seminorm", found, tolerance)
     }
@@ -41,7 +41,7 @@ impl NearlyOne {
     ///
     /// # Errors
     /// As [`NearlyOne::seminorm`].
-    pub(super) fn norm(self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub(super) fn norm(self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let seminorm = self.value(order)?;
         let norm = (1.0 / (1.0 + 2.0 * self.0)).sqrt().hypot(seminorm.value);
         // d||u|| = |u|_ν d|u|_ν / ||u||
@@ -49,7 +49,7 @@ impl NearlyOne {
         met("norm", Estimate::new(norm, error + ROUNDING * norm, seminorm.work)?, tolerance)
     }
 
-    fn value(self, order: FractionalOrder) -> Result<Estimate> {
+    fn value(self, order: Order) -> Result<Estimate> {
         let Self(a) = self;
         let gap = a - order.offset();
         if gap <= 0.0 {
@@ -71,7 +71,7 @@ impl NearlyOne {
 }
 
 /// The integrand in τ, ds = s (1 + e^{−τ}) dτ.
-fn integrand(a: f64, order: FractionalOrder, tau: f64) -> f64 {
+fn integrand(a: f64, order: Order, tau: f64) -> f64 {
     let s = (tau - (-tau).exp()).exp();
     let slope = if a * s == 0.0 { 1.0 } else { -(-a * s).exp_m1() / (a * s) };
     // s² (1 − e^{−s})^{−1−2ν} with −1 − 2ν = −2 − 2 (ν − 1/2)
@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn powers_next_to_the_constant_have_their_norms() {
         for (a, offset, exact) in REFERENCES {
-            let (order, power) = (FractionalOrder::from_offset(offset).unwrap(), GalleryFunction::Power(a));
+            let (order, power) = (Order::half_plus(offset).unwrap(), GalleryFunction::Power(a));
             let found = power.seminorm(order, 1e-12).unwrap();
             let off = (found.value - exact).abs();
             assert!(off <= found.error && found.relative_error() < 2e-14, "{a} {offset}: {found:?}, {exact}");
@@ -132,7 +132,7 @@ mod tests {
         for k in 0..=320 {
             for a in [1.0, -1.0].map(|sign| sign * NEARLY * 10f64.powf(-f64::from(k) / 20.0)) {
                 for offset in [-0.5 + 1e-9, -0.3, -0.01, -1e-3, 0.0, 0.5 * a, 0.999 * a] {
-                    let order = FractionalOrder::from_offset(offset).unwrap();
+                    let order = Order::half_plus(offset).unwrap();
                     let (found, closed) =
                         (NearlyOne(a).value(order), GalleryFunction::Power(a).closed_form(order));
                     match (found, closed) {

@@ -13,21 +13,21 @@ use std::str::FromStr;
 /// rounds to 1/2, are admissible.
 #[doc(alias("H1/2", "Sobolev order", "nu", "fractional order"))]
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-pub struct FractionalOrder {
+pub struct Order {
     value: f64,
     offset: f64,
 }
 
-impl FractionalOrder {
+impl Order {
     /// ν = 1/2, the order of traces.
     pub const HALF: Self = Self { value: 0.5, offset: 0.0 };
 
     /// The order ν itself.
     ///
     /// ```
-    /// use fractional_sobolev::FractionalOrder;
-    /// assert_eq!(FractionalOrder::new(0.5)?, FractionalOrder::HALF);
-    /// assert!(FractionalOrder::new(1.0).is_err());
+    /// use fractional_sobolev::Order;
+    /// assert_eq!(Order::new(0.5)?, Order::HALF);
+    /// assert!(Order::new(1.0).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -43,8 +43,8 @@ impl FractionalOrder {
     /// The order 1/2 + δ, with δ kept to full relative accuracy.
     ///
     /// ```
-    /// use fractional_sobolev::FractionalOrder;
-    /// let order = FractionalOrder::from_offset(-1e-20)?; // 1/2 − 1e-20 is no binary64 number
+    /// use fractional_sobolev::Order;
+    /// let order = Order::half_plus(-1e-20)?; // 1/2 − 1e-20 is no binary64 number
     /// assert!(order.value() == 0.5 && order.offset() == -1e-20 && order.is_below_half());
     /// assert!(order.complement() == 0.5 && order.one_minus_twice() == 2e-20);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -52,7 +52,7 @@ impl FractionalOrder {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless −1/2 < δ < 1/2.
-    pub fn from_offset(delta: f64) -> Result<Self> {
+    pub fn half_plus(delta: f64) -> Result<Self> {
         let value = 0.5 + delta;
         let admissible = value > 0.0 && value < 1.0;
         let offset = Error::require("nu - 1/2", delta, "(-1/2, 1/2)", admissible)?;
@@ -85,7 +85,7 @@ impl FractionalOrder {
     }
 }
 
-impl TryFrom<f64> for FractionalOrder {
+impl TryFrom<f64> for Order {
     type Error = Error;
 
     fn try_from(nu: f64) -> Result<Self> {
@@ -93,25 +93,25 @@ impl TryFrom<f64> for FractionalOrder {
     }
 }
 
-impl Given<Self> for FractionalOrder {
+impl Given<Self> for Order {
     fn given(self) -> Result<Self> {
         Ok(self)
     }
 }
 
-impl Given<FractionalOrder> for f64 {
-    fn given(self) -> Result<FractionalOrder> {
-        FractionalOrder::new(self)
+impl Given<Order> for f64 {
+    fn given(self) -> Result<Order> {
+        Order::new(self)
     }
 }
 
-impl From<FractionalOrder> for f64 {
-    fn from(order: FractionalOrder) -> f64 {
+impl From<Order> for f64 {
+    fn from(order: Order) -> f64 {
         order.value
     }
 }
 
-impl fmt::Display for FractionalOrder {
+impl fmt::Display for Order {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.offset != self.value - 0.5 && self.value >= 0.25 {
             write!(f, "1/2{:+e}", self.offset)
@@ -123,7 +123,7 @@ impl fmt::Display for FractionalOrder {
     }
 }
 
-impl FromStr for FractionalOrder {
+impl FromStr for Order {
     type Err = Error;
 
     /// A number in (0, 1), `1/2`, or `1/2` with a signed offset such as `1/2+1e-20`.
@@ -132,7 +132,7 @@ impl FromStr for FractionalOrder {
         match text.strip_prefix("1/2") {
             Some("") => Ok(Self::HALF),
             Some(offset) if offset.starts_with(['+', '-']) => {
-                offset.parse().map_or_else(|_| Err(unreadable(text)), Self::from_offset)
+                offset.parse().map_or_else(|_| Err(unreadable(text)), Self::half_plus)
             }
             _ => text.parse().map_or_else(|_| Err(unreadable(text)), Self::new),
         }
@@ -149,12 +149,12 @@ fn unreadable(text: &str) -> Error {
 
 /// The order s of a norm, −1 < s < 2, by its fractional part, so that the distance from ±1/2 and 3/2 keeps its digits.
 ///
-/// A plain number or a [`FractionalOrder`] does where one is asked for.
+/// A plain number or a [`Order`] does where one is asked for.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Function, SobolevOrder};
+/// use fractional_sobolev::{Order, Function, SobolevOrder};
 /// let u = Function::from_fn(&[0.0, 1.0], |x| x)?;
-/// let half = FractionalOrder::HALF;
+/// let half = Order::HALF;
 /// assert_eq!(u.norm(SobolevOrder::Fractional(half), 1e-8)?, u.norm(0.5, 1e-8)?);
 /// assert_eq!(u.norm(SobolevOrder::Dual(half), 1e-6)?, u.norm(-0.5, 1e-6)?);
 /// assert!(u.norm(2.0, 1e-8).is_err() && u.norm(-1.0, 1e-8).is_err());
@@ -163,15 +163,15 @@ fn unreadable(text: &str) -> Error {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SobolevOrder {
     /// s = −ν: the norm dual to that of order ν.
-    Dual(FractionalOrder),
+    Dual(Order),
     /// s = 0.
     Zero,
     /// s = ν.
-    Fractional(FractionalOrder),
+    Fractional(Order),
     /// s = 1.
     One,
     /// s = 1 + ν.
-    OnePlus(FractionalOrder),
+    OnePlus(Order),
 }
 
 impl Given<SobolevOrder> for SobolevOrder {
@@ -180,7 +180,7 @@ impl Given<SobolevOrder> for SobolevOrder {
     }
 }
 
-impl Given<SobolevOrder> for FractionalOrder {
+impl Given<SobolevOrder> for Order {
     fn given(self) -> Result<SobolevOrder> {
         Ok(SobolevOrder::Fractional(self))
     }
@@ -190,11 +190,11 @@ impl Given<SobolevOrder> for f64 {
     fn given(self) -> Result<SobolevOrder> {
         Error::require("order of the norm", self, "(-1, 2)", self > -1.0 && self < 2.0)?;
         Ok(match self {
-            s if s < 0.0 => SobolevOrder::Dual(FractionalOrder::new(-s)?),
+            s if s < 0.0 => SobolevOrder::Dual(Order::new(-s)?),
             0.0 => SobolevOrder::Zero,
-            s if s < 1.0 => SobolevOrder::Fractional(FractionalOrder::new(s)?),
+            s if s < 1.0 => SobolevOrder::Fractional(Order::new(s)?),
             1.0 => SobolevOrder::One,
-            s => SobolevOrder::OnePlus(FractionalOrder::new(s - 1.0)?),
+            s => SobolevOrder::OnePlus(Order::new(s - 1.0)?),
         })
     }
 }
@@ -205,22 +205,22 @@ mod tests {
 
     #[test]
     fn orders_are_read_and_keep_their_offset() {
-        let half: FractionalOrder = "1/2".parse().unwrap();
+        let half: Order = "1/2".parse().unwrap();
         assert_eq!((half.value(), half.offset()), (0.5, 0.0));
-        let near: FractionalOrder = "1/2-1e-20".parse().unwrap();
+        let near: Order = "1/2-1e-20".parse().unwrap();
         assert_eq!((near.value(), near.offset()), (0.5, -1e-20));
         assert!(near.is_below_half() && !half.is_below_half());
         assert_eq!(near.to_string(), "1/2-1e-20");
         assert_eq!(near.to_string().parse(), Ok(near));
-        assert_eq!("0.3".parse(), FractionalOrder::new(0.3));
-        assert_eq!(FractionalOrder::new(0.25).unwrap().one_minus_twice(), 0.5);
+        assert_eq!("0.3".parse(), Order::new(0.3));
+        assert_eq!(Order::new(0.25).unwrap().one_minus_twice(), 0.5);
     }
 
     #[test]
     fn orders_outside_the_open_interval_are_errors() {
         for bad in ["0", "1", "-0.1", "nan", "inf", "1/2+0.5", "1/2 0.1", "half", ""] {
-            assert!(bad.parse::<FractionalOrder>().is_err(), "{bad}");
+            assert!(bad.parse::<Order>().is_err(), "{bad}");
         }
-        assert!(FractionalOrder::try_from(f64::NAN).is_err());
+        assert!(Order::try_from(f64::NAN).is_err());
     }
 }

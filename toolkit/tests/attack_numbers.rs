@@ -14,8 +14,8 @@ mod references;
 use attack::{Count, cases, seeded};
 use common::SplitMix;
 use fractional_sobolev::{
-    Constraint, Error, FractionalOrder, Partition, PiecewisePolynomial, Rule, SingularFunction, Tolerance,
-    closed_forms, gamma,
+    Constraint, Error, Mesh, Order, PiecewisePolynomial, Rule, SingularFunction, Tolerance, closed_forms,
+    gamma,
 };
 use std::f64::consts::PI;
 
@@ -34,22 +34,22 @@ fn decades(random: &mut SplitMix, low: f64, high: f64) -> f64 {
 }
 
 /// Orders everywhere in (0, 1), and at the ends and the middle as close as they can be given.
-fn order(random: &mut SplitMix) -> FractionalOrder {
+fn order(random: &mut SplitMix) -> Order {
     match random.below(10) {
-        0 => FractionalOrder::new(1e-300),
-        1 => FractionalOrder::new(1e-16),
-        2 => FractionalOrder::from_offset(if random.below(2) == 0 { 1e-16 } else { -1e-16 }),
-        3 => FractionalOrder::new(1.0 - f64::EPSILON / 2.0),
-        4 => Ok(FractionalOrder::HALF),
-        5 => FractionalOrder::from_offset(decades(random, -20.0, -1.0)),
-        6 => FractionalOrder::new(decades(random, -12.0, -0.5)),
-        7 => FractionalOrder::new(1.0 - decades(random, -15.0, -0.5)),
-        _ => FractionalOrder::new(random.between(0.01, 0.99)),
+        0 => Order::new(1e-300),
+        1 => Order::new(1e-16),
+        2 => Order::half_plus(if random.below(2) == 0 { 1e-16 } else { -1e-16 }),
+        3 => Order::new(1.0 - f64::EPSILON / 2.0),
+        4 => Ok(Order::HALF),
+        5 => Order::half_plus(decades(random, -20.0, -1.0)),
+        6 => Order::new(decades(random, -12.0, -0.5)),
+        7 => Order::new(1.0 - decades(random, -15.0, -0.5)),
+        _ => Order::new(random.between(0.01, 0.99)),
     }
     .unwrap()
 }
 
-fn order_below_half(random: &mut SplitMix) -> FractionalOrder {
+fn order_below_half(random: &mut SplitMix) -> Order {
     loop {
         let order = order(random);
         if order.is_below_half() {
@@ -59,7 +59,7 @@ fn order_below_half(random: &mut SplitMix) -> FractionalOrder {
 }
 
 /// An exponent a with a − (ν − 1/2) from 1e-6 on.
-fn exponent(random: &mut SplitMix, order: FractionalOrder) -> f64 {
+fn exponent(random: &mut SplitMix, order: Order) -> f64 {
     loop {
         let a = order.offset() + decades(random, -6.0, 0.4);
         if a != 0.0 && a > order.offset() {
@@ -123,7 +123,7 @@ fn tolerance(random: &mut SplitMix) -> Tolerance {
 }
 
 /// |u|_ν by the reference: of u over a power of two near its differences.
-fn root_of_reference(lengths: &[f64], ends: &[[f64; 2]], order: FractionalOrder, rule: &Rule) -> f64 {
+fn root_of_reference(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Rule) -> f64 {
     let all = || ends.iter().flatten();
     let spread = all().fold(f64::MIN, |m, &v| m.max(v)) - all().fold(f64::MAX, |m, &v| m.min(v));
     let unit = if spread == 0.0 { 1.0 } else { 2f64.powi(spread.log2().floor() as i32) };
@@ -142,7 +142,7 @@ fn piecewise_linears_on_lengths_of_300_decades() {
         let (order, lengths, tolerance) = (order(&mut random), lengths(&mut random), tolerance(&mut random));
         let values = values(&mut random, lengths.len() + 1);
         let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-        let partition = Partition::from_lengths(lengths.clone()).unwrap();
+        let partition = Mesh::from_lengths(lengths.clone()).unwrap();
         let u = PiecewisePolynomial::linears(partition, &values).unwrap();
         let exact = root_of_reference(&lengths, &ends, order, &rule);
         let case = || format!("linears {values:?} on {lengths:?}, {order:?}, {tolerance}");
@@ -160,7 +160,7 @@ fn piecewise_constants_on_lengths_of_300_decades() {
         let (lengths, tolerance) = (lengths(&mut random), tolerance(&mut random));
         let values = values(&mut random, lengths.len());
         let ends: Vec<[f64; 2]> = values.iter().map(|&value| [value; 2]).collect();
-        let partition = Partition::from_lengths(lengths.clone()).unwrap();
+        let partition = Mesh::from_lengths(lengths.clone()).unwrap();
         let u = PiecewisePolynomial::constants(partition, &values).unwrap();
         let exact = root_of_reference(&lengths, &ends, order, &rule);
         let case = || format!("constants {values:?} on {lengths:?}, {order:?}, {tolerance}");
@@ -208,7 +208,7 @@ fn closures_of_powers_of_the_logarithm() {
         })
         .unwrap();
         let exact = references::log_power(alpha).sqrt();
-        let found = u.seminorm(FractionalOrder::HALF, tolerance);
+        let found = u.seminorm(Order::HALF, tolerance);
         count.judge(|| format!("|ln x|^{alpha:e}, {tolerance}"), &found, exact, ROUNDING);
     }
     count.close("closures of powers of the logarithm", 20, 0.9);
@@ -233,9 +233,9 @@ fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
     for _ in 0..cases(16) {
         let alpha = decades(&mut random, -7.0, 2.301);
         let order = match random.below(3) {
-            0 => FractionalOrder::from_offset(-decades(&mut random, -6.0, -0.4)),
-            1 => FractionalOrder::new(decades(&mut random, -3.0, -0.5)),
-            _ => FractionalOrder::new(random.between(0.05, 0.49)),
+            0 => Order::half_plus(-decades(&mut random, -6.0, -0.4)),
+            1 => Order::new(decades(&mut random, -3.0, -0.5)),
+            _ => Order::new(random.between(0.05, 0.49)),
         }
         .unwrap();
         let tolerance = Tolerance::new(decades(&mut random, -5.0, -1.5)).unwrap();
@@ -254,10 +254,10 @@ fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
     let (mut random, mut infinite, mut refused) = (seeded(10), 0, 0);
     for i in 0..cases(80) {
         let (alpha, order) = if i % 2 == 0 {
-            (0.5 + decades(&mut random, -7.0, 2.3), FractionalOrder::HALF)
+            (0.5 + decades(&mut random, -7.0, 2.3), Order::HALF)
         } else {
             let above = decades(&mut random, -16.0, -0.31);
-            (decades(&mut random, -7.0, 2.301), FractionalOrder::from_offset(above).unwrap())
+            (decades(&mut random, -7.0, 2.301), Order::half_plus(above).unwrap())
         };
         match log_power(alpha, 0.0).seminorm(order, Tolerance::fast()) {
             Err(Error::InfiniteNorm { .. }) => infinite += 1,
@@ -295,7 +295,7 @@ fn cosines_in_pieces() {
     for _ in 0..cases(600) {
         let (k, order, tolerance) = (1 + random.below(6) as u32, order(&mut random), tolerance(&mut random));
         let omega = PI * f64::from(k);
-        let partition = Partition::uniform(4 * k as usize, 1.0).unwrap();
+        let partition = Mesh::uniform(4 * k as usize, 1.0).unwrap();
         // The rest of Lagrange's form at degree 10 and kh = 1/4: below (π/4)^11 / 11! / 4^11.
         let u = PiecewisePolynomial::interpolate(partition, 10, |x| (omega * x).cos()).unwrap();
         let exact = references::cosine(k, order, &rule).sqrt();

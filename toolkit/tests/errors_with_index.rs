@@ -1,8 +1,8 @@
 //! A bad entry of a list is named by its index and its value, wherever the toolkit takes lists.
 
 use fractional_sobolev::{
-    BoundaryFunction, Error, GramOperator, MeshFunctional, Partition, PiecewisePolynomial, PlaneFunction,
-    PolygonalCurve, Result, SingularFunction, Triangles, Zones, interpolation::ElementMesh,
+    BoundaryFunction, Curve, Error, GramOperator, Mesh, MeshFunctional, PiecewisePolynomial, PlaneFunction,
+    Result, SingularFunction, Triangles, Zones, interpolation::ElementMesh,
 };
 
 /// (index, value) that the error names, in its fields and in its words.
@@ -20,24 +20,24 @@ fn named(result: Result<()>) -> (usize, f64) {
 
 /// A closed curve with two elements on every side.
 fn polygon(vertices: &[[f64; 2]]) -> Result<()> {
-    PolygonalCurve::closed(vertices, &vec![two(); vertices.len()]).map(drop)
+    Curve::closed(vertices, &vec![two(); vertices.len()]).map(drop)
 }
 
-fn two() -> Partition {
-    Partition::uniform(2, 1.0).unwrap()
+fn two() -> Mesh {
+    Mesh::uniform(2, 1.0).unwrap()
 }
 
 #[test]
 fn entries_that_are_no_numbers_are_named() {
     let nan = f64::NAN;
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let curve = || PolygonalCurve::graded(&square, 2, 1.0).unwrap();
+    let curve = || Curve::graded(&square, 2, 1.0).unwrap();
     let triangles = || Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]]).unwrap();
     let mut values = [0.0; 8];
     values[5] = nan;
     let found = [
-        (1, Partition::from_nodes(&[0.0, nan, 1.0]).map(drop)),
-        (1, Partition::from_lengths(vec![1.0, nan]).map(drop)),
+        (1, Mesh::from_nodes(&[0.0, nan, 1.0]).map(drop)),
+        (1, Mesh::from_lengths(vec![1.0, nan]).map(drop)),
         (2, PiecewisePolynomial::linears(two(), &[0.0, 1.0, nan]).map(drop)),
         (0, PiecewisePolynomial::constants(two(), &[nan, 1.0]).map(drop)),
         (1, PiecewisePolynomial::discontinuous_linears(two(), &[[0.0, 1.0], [nan, 1.0]]).map(drop)),
@@ -60,9 +60,9 @@ fn entries_that_are_no_numbers_are_named() {
 #[test]
 fn entries_that_are_out_of_range_are_named() {
     let found = [
-        (2, 0.5, Partition::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(drop)),
-        (1, -1.0, Partition::from_lengths(vec![1.0, -1.0, 1.0]).map(drop)),
-        (2, 0.2, Partition::graded_to_points(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
+        (2, 0.5, Mesh::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(drop)),
+        (1, -1.0, Mesh::from_lengths(vec![1.0, -1.0, 1.0]).map(drop)),
+        (2, 0.2, Mesh::graded_to_points(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
         (2, 0.2, SingularFunction::new(&[0.0, 0.3, 0.2, 1.0], |x| x).map(drop)),
         (1, 0.3, Zones::union(&[(0.1, 0.3), (0.3, 0.1)]).map(drop)),
         (1, -0.2, Zones::from_lengths(&[0.1, 0.1, 0.1, -0.2]).map(drop)),
@@ -90,5 +90,5 @@ fn lengths_of_lists_are_named_with_what_was_expected() {
         MeshFunctional::new(two(), &[0.0]),
         Err(Error::LengthMismatch { given: 1, expected: 3, .. })
     ));
-    assert!(matches!(Partition::uniform(3, -1.0), Err(Error::OutOfRange { value: -1.0, .. })));
+    assert!(matches!(Mesh::uniform(3, -1.0), Err(Error::OutOfRange { value: -1.0, .. })));
 }

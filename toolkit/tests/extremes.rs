@@ -1,8 +1,8 @@
 //! The hardest admissible input gives digits; the inadmissible gives an error. Never a panic, never NaN.
 
 use fractional_sobolev::{
-    Error, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, SingularFunction, Tolerance,
-    closed_forms, gram_linears,
+    Error, GramOperator, Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms,
+    gram_linears,
 };
 
 /// Rounding of sums of one sign over at most 1e6 terms.
@@ -14,26 +14,24 @@ fn assert_digits(what: &str, value: f64, exact: f64) {
 }
 
 /// |x|²_ν on (0, 1).
-fn identity_squared(order: FractionalOrder) -> f64 {
+fn identity_squared(order: Order) -> f64 {
     1.0 / (order.complement() * (1.0 + 2.0 * order.complement()))
 }
 
 #[test]
 fn orders_at_the_ends_of_the_interval() {
     for nu in [1e-6, 1.0 - 1e-6, 1e-300, 1.0 - f64::EPSILON] {
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         let exact = identity_squared(order);
         assert_digits("closed form", closed_forms::power(1.0, order).unwrap().value, exact);
-        let u = PiecewisePolynomial::linears(
-            Partition::uniform(3, 1.0).unwrap(),
-            &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0],
-        )
-        .unwrap();
+        let u =
+            PiecewisePolynomial::linears(Mesh::uniform(3, 1.0).unwrap(), &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0])
+                .unwrap();
         let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
         assert_digits("piecewise", value, exact.sqrt());
     }
     for nu in [1e-6, 1.0 - 1e-6] {
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x).unwrap();
         let value = u.seminorm(order, Tolerance::new(1e-9).unwrap()).unwrap().value;
         assert!((value / identity_squared(order).sqrt() - 1.0).abs() < 1e-9, "closure {nu}: {value}");
@@ -44,8 +42,8 @@ fn orders_at_the_ends_of_the_interval() {
 fn intervals_of_any_length() {
     for length in [1e-300, 1e-150, 1e150, 1e300] {
         for nu in [1e-6, 0.3, 0.5, 0.9, 1.0 - 1e-6] {
-            let order = FractionalOrder::new(nu).unwrap();
-            let partition = Partition::uniform(4, length).unwrap();
+            let order = Order::new(nu).unwrap();
+            let partition = Mesh::uniform(4, length).unwrap();
             let u = PiecewisePolynomial::linears(partition, &[0.0, 0.25, 0.5, 0.75, 1.0]).unwrap();
             let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
             // The square scales with L^{1−2ν}; the power is taken of the root, where 1 − 2ν is halved.
@@ -58,28 +56,26 @@ fn intervals_of_any_length() {
 #[test]
 fn tiny_elements_beside_long_ones() {
     // The hat of height 1 over two elements of length 1e-300 in the middle of (0, 2).
-    let order = FractionalOrder::HALF;
+    let order = Order::HALF;
     let lengths = vec![1.0, 1e-300, 1e-300, 1.0];
-    let u =
-        PiecewisePolynomial::linears(Partition::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])
-            .unwrap();
+    let u = PiecewisePolynomial::linears(Mesh::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])
+        .unwrap();
     let tiny = u.seminorm(order, Tolerance::reference()).unwrap().value;
     // At ν = 1/2 the seminorm does not see scale: the same hat over 1e-20, whose surroundings are as good as
     // infinite.
     let lengths = vec![1.0, 1e-20, 1e-20, 1.0];
-    let v =
-        PiecewisePolynomial::linears(Partition::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])
-            .unwrap();
+    let v = PiecewisePolynomial::linears(Mesh::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0])
+        .unwrap();
     assert_digits("tiny hat", tiny, v.seminorm(order, Tolerance::reference()).unwrap().value);
-    assert!(matches!(Partition::from_lengths(vec![1e-300, 1e300]), Err(Error::OutOfRange { .. })));
+    assert!(matches!(Mesh::from_lengths(vec![1e-300, 1e300]), Err(Error::OutOfRange { .. })));
 }
 
 #[test]
 fn values_of_any_size() {
-    let order = FractionalOrder::new(0.7).unwrap();
+    let order = Order::new(0.7).unwrap();
     for size in [1e-150, 1e150] {
-        let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0).unwrap(), &[0.0, 0.5 * size, size])
-            .unwrap();
+        let u =
+            PiecewisePolynomial::linears(Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5 * size, size]).unwrap();
         let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
         assert_digits("values", value, size * identity_squared(order).sqrt());
         let dual = u.dual_norm(order, Tolerance::fast()).unwrap().value;
@@ -92,11 +88,11 @@ fn values_of_any_size() {
 
 #[test]
 fn one_element_and_a_million() {
-    let order = FractionalOrder::new(0.25).unwrap();
-    let one = gram_linears(&Partition::uniform(1, 1.0).unwrap(), order);
+    let order = Order::new(0.25).unwrap();
+    let one = gram_linears(&Mesh::uniform(1, 1.0).unwrap(), order);
     assert_digits("one element", one[(0, 0)], identity_squared(order));
     let n = 1_000_000;
-    let partition = Partition::uniform(n, 1.0).unwrap();
+    let partition = Mesh::uniform(n, 1.0).unwrap();
     let operator = GramOperator::constants(&partition, order, Tolerance::reference()).unwrap();
     let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
     let image = operator.apply(&step).unwrap();
@@ -109,15 +105,15 @@ fn one_element_and_a_million() {
 
 #[test]
 fn nan_infinite_and_repeated_input_are_errors() {
-    assert!(FractionalOrder::new(f64::NAN).is_err() && FractionalOrder::new(f64::INFINITY).is_err());
+    assert!(Order::new(f64::NAN).is_err() && Order::new(f64::INFINITY).is_err());
     for nodes in [&[0.0, 0.5, 0.5, 1.0][..], &[0.0, f64::NAN], &[f64::NEG_INFINITY, 0.0], &[1.0, 0.0]] {
-        assert!(Partition::from_nodes(nodes).is_err(), "{nodes:?}");
+        assert!(Mesh::from_nodes(nodes).is_err(), "{nodes:?}");
     }
-    let partition = || Partition::uniform(1, 1.0).unwrap();
+    let partition = || Mesh::uniform(1, 1.0).unwrap();
     for bad in [f64::NAN, f64::INFINITY] {
         assert!(PiecewisePolynomial::linears(partition(), &[0.0, bad]).is_err());
         let u = SingularFunction::new(&[0.0, 1.0], move |x: f64| if x > 0.5 { bad } else { x }).unwrap();
-        assert!(matches!(u.seminorm(FractionalOrder::HALF, Tolerance::fast()), Err(Error::NotFinite { .. })));
+        assert!(matches!(u.seminorm(Order::HALF, Tolerance::fast()), Err(Error::NotFinite { .. })));
         assert!(SingularFunction::new(&[0.0, bad], |x: f64| x).is_err());
     }
     assert!(SingularFunction::new(&[0.0, 0.0, 1.0], |x: f64| x).is_err());
@@ -133,7 +129,7 @@ fn infinite_norms_of_closures_are_recognised() {
     })
     .unwrap();
     for (u, nu) in [(&jump, 0.5), (&jump, 0.8), (&power, 0.3), (&power, 0.95), (&logarithm, 0.5)] {
-        let outcome = u.seminorm(FractionalOrder::new(nu).unwrap(), Tolerance::fast());
+        let outcome = u.seminorm(Order::new(nu).unwrap(), Tolerance::fast());
         assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "nu {nu}: {outcome:?}");
     }
 }
@@ -141,7 +137,7 @@ fn infinite_norms_of_closures_are_recognised() {
 #[test]
 fn closures_of_any_size_scale_out() {
     let tolerance = Tolerance::balanced();
-    for order in [0.25, 0.5, 0.9].map(|nu| FractionalOrder::new(nu).unwrap()) {
+    for order in [0.25, 0.5, 0.9].map(|nu| Order::new(nu).unwrap()) {
         let seminorm = closed_forms::power(1.0, order).unwrap().value.sqrt();
         let norm = (1.0 / 3.0_f64).sqrt().hypot(seminorm);
         for size in [1e-300, 1e-160, 1e-150, 1e150, 1e160, 1e300] {
@@ -168,7 +164,7 @@ fn closures_of_any_size_scale_out() {
 fn a_jump_that_is_not_declared_is_not_overlooked() {
     for at in [0.3, 0.37, 0.62] {
         let u = SingularFunction::new(&[0.0, 1.0], |x: f64| if x < at { 0.0 } else { 1.0 }).unwrap();
-        let found = u.seminorm(FractionalOrder::new(0.25).unwrap(), Tolerance::new(1e-6).unwrap());
+        let found = u.seminorm(Order::new(0.25).unwrap(), Tolerance::new(1e-6).unwrap());
         assert!(matches!(found, Err(Error::ToleranceNotMet { .. })), "jump at {at}: {found:?}");
     }
 }

@@ -17,9 +17,8 @@ mod references;
 use attack::cases;
 use common::SplitMix;
 use fractional_sobolev::{
-    BoundaryFunction, DualOf, Error, Estimate, FractionalOrder, GalleryFunction, Partition,
-    PiecewisePolynomial, PolygonalCurve, Position, Result, Rule, SingularFunction, Tolerance, Work,
-    closed_forms,
+    BoundaryFunction, Curve, DualOf, Error, Estimate, GalleryFunction, Mesh, Order, PiecewisePolynomial,
+    Position, Result, Rule, SingularFunction, Tolerance, Work, closed_forms,
 };
 use std::f64::consts::PI;
 
@@ -76,20 +75,20 @@ fn reference() -> Tolerance {
     Tolerance::new(1e-13).unwrap()
 }
 
-fn order(random: &mut SplitMix, high: f64) -> FractionalOrder {
+fn order(random: &mut SplitMix, high: f64) -> Order {
     if high > 0.5 && random.below(4) == 0 {
-        return FractionalOrder::HALF;
+        return Order::HALF;
     }
-    FractionalOrder::new(random.between(0.02, high)).unwrap()
+    Order::new(random.between(0.02, high)).unwrap()
 }
 
 /// Lengths of equal, unequal, graded elements.
-fn partition(random: &mut SplitMix, count: usize) -> Partition {
+fn partition(random: &mut SplitMix, count: usize) -> Mesh {
     match random.below(4) {
-        0 => Partition::uniform(count, 1.0).unwrap(),
-        1 => Partition::algebraic(count, random.between(1.5, 4.0), 1.0).unwrap(),
-        2 => Partition::two_sided_algebraic(count.div_ceil(2), random.between(1.5, 3.0), 1.0).unwrap(),
-        _ => Partition::from_lengths((0..count).map(|_| random.between(0.1, 1.0)).collect()).unwrap(),
+        0 => Mesh::uniform(count, 1.0).unwrap(),
+        1 => Mesh::algebraic(count, random.between(1.5, 4.0), 1.0).unwrap(),
+        2 => Mesh::two_sided_algebraic(count.div_ceil(2), random.between(1.5, 3.0), 1.0).unwrap(),
+        _ => Mesh::from_lengths((0..count).map(|_| random.between(0.1, 1.0)).collect()).unwrap(),
     }
 }
 
@@ -123,7 +122,7 @@ fn logarithm(random: &mut SplitMix) -> Case {
     let (alpha, asked) = (random.between(0.05, 0.47), tolerance(random));
     let exact = exactly(closed_forms::log_power(alpha).unwrap().value.sqrt());
     case(format!("log:{alpha}"), asked, exact, |asked| {
-        GalleryFunction::Log(alpha).seminorm(FractionalOrder::HALF, asked)
+        GalleryFunction::Log(alpha).seminorm(Order::HALF, asked)
     })
 }
 
@@ -176,7 +175,7 @@ fn closure(random: &mut SplitMix) -> Case {
         parts.sum::<f64>() + slope * (wave * at.x()).sin()
     };
     let u = SingularFunction::from_positions(&breaks, f).unwrap();
-    let zero = PiecewisePolynomial::constants(Partition::uniform(17, 1.0).unwrap(), &[0.0; 17]).unwrap();
+    let zero = PiecewisePolynomial::constants(Mesh::uniform(17, 1.0).unwrap(), &[0.0; 17]).unwrap();
     // The road is slower: of weak singularities it says what a second allows.
     let second = |norm: bool| {
         let tight = Tolerance::new((0.1 * asked.relative()).max(1e-9)).unwrap().with_work(1 << 22);
@@ -235,7 +234,7 @@ fn halved(u: &PiecewisePolynomial) -> PiecewisePolynomial {
     let at = |k: usize, t: f64| u.value(k, t).unwrap();
     let ends: Vec<[f64; 2]> =
         (0..u.partition().len()).flat_map(|k| [[at(k, 0.0), at(k, 0.5)], [at(k, 0.5), at(k, 1.0)]]).collect();
-    PiecewisePolynomial::discontinuous_linears(Partition::from_lengths(lengths).unwrap(), &ends).unwrap()
+    PiecewisePolynomial::discontinuous_linears(Mesh::from_lengths(lengths).unwrap(), &ends).unwrap()
 }
 
 /// L^q of random linears: ∫ |l|^q on an element is (r |r|^q − l |l|^q)/((q + 1)(r − l)) h.
@@ -299,23 +298,22 @@ fn boundary(random: &mut SplitMix) -> Case {
         })
         .collect();
     let cells = 2 + random.below(30);
-    let meshes: Vec<Partition> = (0..corners).map(|_| partition(random, cells)).collect();
-    let coarse = PolygonalCurve::closed(&vertices, &meshes).unwrap();
+    let meshes: Vec<Mesh> = (0..corners).map(|_| partition(random, cells)).collect();
+    let coarse = Curve::closed(&vertices, &meshes).unwrap();
     let values: Vec<f64> = (0..coarse.nodes().len()).map(|_| random.between(-1.0, 1.0)).collect();
     let u = BoundaryFunction::linears(coarse, &values).unwrap();
-    let halves: Vec<Partition> = meshes
+    let halves: Vec<Mesh> = meshes
         .iter()
         .map(|mesh| {
             let lengths = mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
-            Partition::from_lengths(lengths).unwrap()
+            Mesh::from_lengths(lengths).unwrap()
         })
         .collect();
     let larger: Vec<[f64; 2]> = vertices.iter().map(|[x, y]| [4.0 * x, 4.0 * y]).collect();
     let count = values.len();
     let between: Vec<f64> =
         (0..2 * count).map(|k| 0.5 * (values[k / 2] + values[k.div_ceil(2) % count])).collect();
-    let second =
-        BoundaryFunction::linears(PolygonalCurve::closed(&larger, &halves).unwrap(), &between).unwrap();
+    let second = BoundaryFunction::linears(Curve::closed(&larger, &halves).unwrap(), &between).unwrap();
     let found = Estimate::or_best(second.seminorm(order, Tolerance::new(1e-11).unwrap())).unwrap();
     let reference = found.times(4f64.powf(order.offset())).unwrap();
     let what = format!("linears on {corners} sides of {cells}, {order}");
@@ -359,7 +357,7 @@ fn regional_load(random: &mut SplitMix) -> Case {
         lengths.extend([share * h, (1.0 - share) * h]);
         ends.extend([[at(0.0), at(share)], [at(share), at(1.0)]]);
     }
-    let cut = Partition::from_lengths(lengths).unwrap();
+    let cut = Mesh::from_lengths(lengths).unwrap();
     let cut = PiecewisePolynomial::discontinuous_linears(cut, &ends).unwrap();
     let of = DualOf::Slobodeckij;
     let second = Estimate::or_best(cut.dual_norm_in(of, order, asked.relative().max(1e-6))).unwrap();

@@ -2,16 +2,16 @@
 //! its square or of a part of it, and says why more is not to be had.
 
 use fractional_sobolev::{
-    Constraint, DualOf, Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, Result,
-    SingularFunction, Tolerance, Zone, gamma,
+    Constraint, DualOf, Error, Estimate, Mesh, Order, PiecewisePolynomial, Result, SingularFunction,
+    Tolerance, Zone, gamma,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
     largest_mean,
 };
 
 const SHARPEST: f64 = 1e-15;
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 /// Refused at `asked`, and the best estimate encloses what a tolerance that can be met gives.
@@ -61,14 +61,14 @@ fn a_jump_that_is_not_declared_has_an_honest_best_value() {
 #[test]
 fn piecewise_functions_and_dual_norms_carry_theirs() {
     // Values that differ by few ulps on elements that shrink fast.
-    let partition = Partition::geometric(40, 0.1, 2.0).unwrap();
+    let partition = Mesh::geometric(40, 0.1, 2.0).unwrap();
     let values: Vec<f64> = (0..=partition.len()).map(|k| 1e-200 * (1.0 + 1e-9 * k as f64)).collect();
     let u = PiecewisePolynomial::linears(partition, &values).unwrap();
     let found = Estimate::or_best(u.seminorm(order(0.9), Tolerance::new(SHARPEST).unwrap())).unwrap();
     assert!(found.relative_error() < 1e-13, "{found}");
     let signs = |n: usize| {
         let values: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 5.0 } else { -5.0 }).collect();
-        PiecewisePolynomial::constants(Partition::uniform(n, 1.0).unwrap(), &values).unwrap()
+        PiecewisePolynomial::constants(Mesh::uniform(n, 1.0).unwrap(), &values).unwrap()
     };
     // The square of a functional's dual norm is what is computed inside.
     for (of, asked, met) in [(DualOf::Slobodeckij, 1e-13, 1e-3), (DualOf::Interpolation, SHARPEST, 1e-12)] {
@@ -93,9 +93,8 @@ fn constants_carry_theirs() {
     });
     assert_carries("element", SHARPEST, 1e-12, |t| element_constant(ErrorNorm::L2, order(0.3), t));
     assert_carries("projection", SHARPEST, 1e-10, |t| dual_projection_constant(0.3, t));
-    let near =
-        gamma(FractionalOrder::from_offset(1e-6).unwrap(), Constraint::vanishing_at(0.0), Tolerance::fast())
-            .map(|found| found.constant);
+    let near = gamma(Order::half_plus(1e-6).unwrap(), Constraint::vanishing_at(0.0), Tolerance::fast())
+        .map(|found| found.constant);
     assert!(matches!(near, Err(Error::ToleranceNotMet { best: None, .. })), "{near:?}");
 }
 

@@ -1,29 +1,28 @@
 //! Norms on polygonal curves: closed forms over corners, intervals, circles as limits of regular polygons.
 
 use fractional_sobolev::{
-    BoundaryFunction, DualOf, Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial,
-    PolygonalCurve, Tolerance,
+    BoundaryFunction, Curve, DualOf, Error, Estimate, Mesh, Order, PiecewisePolynomial, Tolerance,
 };
 use std::f64::consts::{PI, TAU};
 
 const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
-fn uniform(count: usize) -> Partition {
-    Partition::uniform(count, 1.0).unwrap()
+fn uniform(count: usize) -> Mesh {
+    Mesh::uniform(count, 1.0).unwrap()
 }
 
 /// A regular polygon in the unit circle, one element on every side.
-fn regular(count: usize) -> PolygonalCurve {
+fn regular(count: usize) -> Curve {
     let vertex = |k: usize| {
         let (sine, cosine) = (TAU * k as f64 / count as f64).sin_cos();
         [cosine, sine]
     };
     let vertices: Vec<[f64; 2]> = (0..count).map(vertex).collect();
-    PolygonalCurve::closed(&vertices, &vec![uniform(1); count]).unwrap()
+    Curve::closed(&vertices, &vec![uniform(1); count]).unwrap()
 }
 
 /// ∫∫ τ² d^{-1-2ν} over the unit square, d the distance of points at σ, τ from a corner of the angle ω, in
@@ -50,8 +49,8 @@ fn corners_of_every_angle() {
         for nu in [0.1, 0.5, 0.9] {
             let end = [f64::cos(angle), f64::sin(angle)];
             for count in [1, 5] {
-                let meshes = [uniform(count), Partition::algebraic(count, 2.0, 1.0).unwrap()];
-                let curve = PolygonalCurve::open(&[[1.0, 0.0], [0.0, 0.0], end], &meshes).unwrap();
+                let meshes = [uniform(count), Mesh::algebraic(count, 2.0, 1.0).unwrap()];
+                let curve = Curve::open(&[[1.0, 0.0], [0.0, 0.0], end], &meshes).unwrap();
                 let values: Vec<f64> = (0..=2 * count)
                     .map(|k| k.saturating_sub(count) as f64 / count as f64)
                     .map(|t| t * t)
@@ -69,15 +68,15 @@ fn corners_of_every_angle() {
 
 #[test]
 fn straight_curves_are_intervals() {
-    let (first, second) = (Partition::algebraic(20, 3.0, 1.0).unwrap(), uniform(13));
+    let (first, second) = (Mesh::algebraic(20, 3.0, 1.0).unwrap(), uniform(13));
     let lengths: Vec<f64> =
         first.lengths().iter().map(|h| 3.0 * h).chain(second.lengths().iter().map(|h| 2.0 * h)).collect();
     let direction = [0.6, 0.8];
     let at = |t: f64| [1.0 + t * direction[0], -2.0 + t * direction[1]];
-    let curve = PolygonalCurve::open(&[at(0.0), at(3.0), at(5.0)], &[first, second]).unwrap();
+    let curve = Curve::open(&[at(0.0), at(3.0), at(5.0)], &[first, second]).unwrap();
     let values: Vec<f64> = (0..34).map(|k| f64::sin(f64::from(k * k))).collect();
     let steps: Vec<f64> = (0..33).map(|k| f64::sin(f64::from(k * k))).collect();
-    let mesh = Partition::from_lengths(lengths).unwrap();
+    let mesh = Mesh::from_lengths(lengths).unwrap();
     let on_curve = BoundaryFunction::linears(curve.clone(), &values).unwrap();
     let flat = PiecewisePolynomial::linears(mesh.clone(), &values).unwrap();
     for nu in [0.1, 0.5, 0.95] {
@@ -100,10 +99,10 @@ fn straight_curves_are_intervals() {
 #[test]
 fn vertices_on_a_side_change_nothing() {
     let wave = |x: [f64; 2]| (3.0 * x[0]).sin() + x[1] * x[1];
-    let plain = PolygonalCurve::graded(&SQUARE, 6, 1.0).unwrap();
+    let plain = Curve::graded(&SQUARE, 6, 1.0).unwrap();
     let vertices = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.5]];
     let meshes = [uniform(3), uniform(3), uniform(6), uniform(6), uniform(3), uniform(3)];
-    let cut = PolygonalCurve::closed(&vertices, &meshes).unwrap();
+    let cut = Curve::closed(&vertices, &meshes).unwrap();
     for nu in [0.2, 0.5, 0.8] {
         let norms = [&plain, &cut].map(|curve| {
             let u = BoundaryFunction::interpolate(curve.clone(), wave).unwrap();
@@ -125,7 +124,7 @@ fn regular_polygons_become_the_circle() {
         let exact = (2.0 * PI * PI * f64::from(k)).sqrt();
         let off = |count: usize| {
             let u = BoundaryFunction::interpolate(regular(count), wave).unwrap();
-            u.seminorm(FractionalOrder::HALF, Tolerance::balanced()).unwrap().value / exact - 1.0
+            u.seminorm(Order::HALF, Tolerance::balanced()).unwrap().value / exact - 1.0
         };
         let (coarse, fine) = (off(150), off(300));
         assert!(fine.abs() < 2e-3 && (coarse / fine - 4.0).abs() < 0.2, "{k}: {coarse:e} {fine:e}");
@@ -133,7 +132,7 @@ fn regular_polygons_become_the_circle() {
         let dual = PI / (PI + exact * exact).sqrt();
         let off = |count: usize| {
             let u = BoundaryFunction::interpolate(regular(count), wave).unwrap();
-            let found = u.dual_norm(FractionalOrder::HALF, Tolerance::new(1e-6).unwrap()).unwrap();
+            let found = u.dual_norm(Order::HALF, Tolerance::new(1e-6).unwrap()).unwrap();
             found.value / dual - 1.0
         };
         let (coarse, fine) = (off(48), off(96));
@@ -146,7 +145,7 @@ fn regular_polygons_become_the_circle() {
 fn dual_norms_of_jumps_agree_on_two_meshes() {
     // One on the lower side, minus one on the upper one.
     let found = [(4, 1.0), (8, 3.0)].map(|(count, exponent)| {
-        let curve = PolygonalCurve::graded(&SQUARE, count, exponent).unwrap();
+        let curve = Curve::graded(&SQUARE, count, exponent).unwrap();
         let sign = |e: usize| {
             if e < count {
                 1.0
@@ -158,7 +157,7 @@ fn dual_norms_of_jumps_agree_on_two_meshes() {
         };
         let values: Vec<f64> = (0..4 * count).map(sign).collect();
         let u = BoundaryFunction::constants(curve, &values).unwrap();
-        Estimate::or_best(u.dual_norm(FractionalOrder::HALF, Tolerance::balanced())).unwrap()
+        Estimate::or_best(u.dual_norm(Order::HALF, Tolerance::balanced())).unwrap()
     });
     let [one, other] = found;
     assert!((one.value - other.value).abs() <= one.error + other.error, "{one} {other}");
@@ -167,7 +166,7 @@ fn dual_norms_of_jumps_agree_on_two_meshes() {
 
 #[test]
 fn powers_have_their_closed_forms() {
-    let u = BoundaryFunction::interpolate(PolygonalCurve::graded(&SQUARE, 6, 2.5).unwrap(), |x| x[0] - 0.5);
+    let u = BoundaryFunction::interpolate(Curve::graded(&SQUARE, 6, 2.5).unwrap(), |x| x[0] - 0.5);
     let u = u.unwrap();
     for q in [1.0, 2.0, 2.5, 40.0] {
         // |x - 1/2| on two sides, 1/2 on the others
@@ -184,7 +183,7 @@ fn powers_have_their_closed_forms() {
 fn duals_of_interpolation_spaces_have_their_fourier_series() {
     let triangle = [[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]];
     let (lengths, total) = ([3.0, 5.0, 4.0], 12.0);
-    let mesh = |k: usize| Partition::two_sided_algebraic(3 + k, 1.0 + k as f64, 1.0).unwrap();
+    let mesh = |k: usize| Mesh::two_sided_algebraic(3 + k, 1.0 + k as f64, 1.0).unwrap();
     let meshes = [mesh(0), mesh(1), mesh(2)];
     for (side, nu) in [(0, 0.3), (1, 0.3), (2, 0.3), (0, 0.5), (1, 0.75), (2, 0.95)] {
         // 1 on a side: c_k = sin(pi k l/L)/(pi k), the square L sum |c_k|^2 (1 + (2 pi k/L)^2)^-nu
@@ -200,7 +199,7 @@ fn duals_of_interpolation_spaces_have_their_fourier_series() {
         let rest = (TAU / total).powf(-2.0 * nu) / (PI * PI) * last.powf(-1.0 - 2.0 * nu) / (1.0 + 2.0 * nu);
         let sum: f64 = (1..=count).rev().map(term).sum::<f64>() + rest + mean * mean;
         let exact = (total * sum).sqrt();
-        let curve = PolygonalCurve::closed(&triangle, &meshes).unwrap();
+        let curve = Curve::closed(&triangle, &meshes).unwrap();
         let values: Vec<f64> = (meshes.iter().enumerate())
             .flat_map(|(k, mesh)| vec![f64::from(u8::from(k == side)); mesh.len()])
             .collect();
@@ -216,10 +215,10 @@ fn duals_of_interpolation_spaces_have_their_fourier_series() {
 #[test]
 fn duals_on_open_curves_know_the_arc_length_alone() {
     let nodes = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
-    let bent = PolygonalCurve::open(&nodes, &[uniform(3), uniform(3)]).unwrap();
+    let bent = Curve::open(&nodes, &[uniform(3), uniform(3)]).unwrap();
     let values = [0.3, -1.0, 2.0, 0.0, 0.5, 1.0, -0.7];
     let u = BoundaryFunction::linears(bent, &values).unwrap();
-    let straight = PiecewisePolynomial::linears(Partition::uniform(6, 2.0).unwrap(), &values).unwrap();
+    let straight = PiecewisePolynomial::linears(Mesh::uniform(6, 2.0).unwrap(), &values).unwrap();
     for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
         let [a, b] =
             [u.dual_norm_in(of, 0.4, 1e-9), straight.dual_norm_in(of, 0.4, 1e-9)].map(Result::unwrap);
@@ -232,7 +231,7 @@ fn duals_on_open_curves_know_the_arc_length_alone() {
 fn many_elements_of_a_closed_curve_are_a_matter_of_seconds() {
     // The same function on 100 000 elements and on 8.
     let of = |per_side: usize| {
-        let curve = PolygonalCurve::graded(&SQUARE, per_side, 1.0).unwrap();
+        let curve = Curve::graded(&SQUARE, per_side, 1.0).unwrap();
         BoundaryFunction::interpolate(curve, |x| x[0] + x[0] * 3.0 * x[1]).unwrap()
     };
     let [few, many] = [of(2), of(25_000)].map(|u| u.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8).unwrap());
@@ -244,17 +243,17 @@ fn faults_are_refused() {
     let mesh = || uniform(2);
     let crossed = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
     let meshes = [mesh(), mesh(), mesh(), mesh()];
-    assert!(matches!(PolygonalCurve::closed(&crossed, &meshes), Err(Error::Edge { .. })));
+    assert!(matches!(Curve::closed(&crossed, &meshes), Err(Error::Edge { .. })));
     let spike = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.0], [0.5, 1.0]];
-    assert!(matches!(PolygonalCurve::open(&spike, &meshes[..3]), Err(Error::EntryOutOfRange { .. })));
+    assert!(matches!(Curve::open(&spike, &meshes[..3]), Err(Error::EntryOutOfRange { .. })));
     let point = [[0.0, 0.0], [0.0, 0.0], [0.5, 1.0]];
-    assert!(matches!(PolygonalCurve::open(&point, &meshes[..2]), Err(Error::EntryOutOfRange { .. })));
-    assert!(matches!(PolygonalCurve::closed(&SQUARE, &meshes[..3]), Err(Error::LengthMismatch { .. })));
+    assert!(matches!(Curve::open(&point, &meshes[..2]), Err(Error::EntryOutOfRange { .. })));
+    assert!(matches!(Curve::closed(&SQUARE, &meshes[..3]), Err(Error::LengthMismatch { .. })));
     let bad = [[0.0, 0.0], [f64::NAN, 0.0], [0.5, 1.0]];
-    assert!(matches!(PolygonalCurve::closed(&bad, &meshes[..3]), Err(Error::NotFinite { .. })));
-    assert!(PolygonalCurve::closed(&SQUARE[..2], &meshes[..2]).is_err());
-    assert!(PolygonalCurve::graded(&SQUARE, 3, 1.0).is_err());
-    let curve = PolygonalCurve::closed(&SQUARE, &meshes).unwrap();
+    assert!(matches!(Curve::closed(&bad, &meshes[..3]), Err(Error::NotFinite { .. })));
+    assert!(Curve::closed(&SQUARE[..2], &meshes[..2]).is_err());
+    assert!(Curve::graded(&SQUARE, 3, 1.0).is_err());
+    let curve = Curve::closed(&SQUARE, &meshes).unwrap();
     assert!(BoundaryFunction::linears(curve.clone(), &[0.0; 9]).is_err());
     assert!(BoundaryFunction::constants(curve.clone(), &[f64::INFINITY; 8]).is_err());
     let zero = BoundaryFunction::constants(curve, &[0.0; 8]).unwrap();

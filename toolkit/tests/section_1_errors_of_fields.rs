@@ -1,8 +1,8 @@
 //! u − u_h in H^ν: against closures with every node as a break, closed forms, and laws of many elements.
 
 use fractional_sobolev::{
-    DualOf, Error, Estimate, FractionalOrder, GalleryFunction, Partition, PiecewisePolynomial, Position,
-    SingularFunction, Tolerance, closed_forms,
+    DualOf, Error, Estimate, GalleryFunction, Mesh, Order, PiecewisePolynomial, Position, SingularFunction,
+    Tolerance, closed_forms,
 };
 
 /// Random numbers of (0, 1).
@@ -15,8 +15,8 @@ impl Random {
     }
 }
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 fn asked(tolerance: f64) -> Tolerance {
@@ -80,7 +80,7 @@ fn random_field(random: &mut Random, sample: &Sample, count: usize) -> Piecewise
     let off = 0.02 * random.next();
     let values: Vec<f64> =
         nodes.iter().map(|&x| sample.value((x - sample.c).abs(), x) + off * (random.next() - 0.5)).collect();
-    PiecewisePolynomial::linears(Partition::from_nodes(&nodes).unwrap(), &values).unwrap()
+    PiecewisePolynomial::linears(Mesh::from_nodes(&nodes).unwrap(), &values).unwrap()
 }
 
 #[test]
@@ -116,9 +116,8 @@ fn random_errors_agree_with_closures_at_every_tolerance() {
 fn against_zero_the_error_is_the_function() {
     for (name, a) in [("power", 0.3), ("power", -0.2), ("power", 2.5)] {
         for count in [1, 7, 300] {
-            let zero =
-                PiecewisePolynomial::constants(Partition::uniform(count, 1.0).unwrap(), &vec![0.0; count])
-                    .unwrap();
+            let zero = PiecewisePolynomial::constants(Mesh::uniform(count, 1.0).unwrap(), &vec![0.0; count])
+                .unwrap();
             let nu = if a < 0.0 { 0.2 } else { 0.6 };
             let exact = closed_forms::power(a, order(nu)).unwrap().sqrt().unwrap();
             for tolerance in [1e-3, 1e-6, 1e-9] {
@@ -139,7 +138,7 @@ fn against_zero_the_error_is_the_function() {
 fn the_error_of_a_parabola_is_its_bubbles() {
     let u = SingularFunction::new(&[0.0, 1.0], |x| x * x).unwrap();
     for (count, grading) in [(300, 1.0), (300, 3.0), (20_000, 2.0)] {
-        let mesh = Partition::algebraic(count, grading, 1.0).unwrap();
+        let mesh = Mesh::algebraic(count, grading, 1.0).unwrap();
         let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
         let bubbles = mesh.lengths().iter().map(|h| vec![-h * h]).collect();
         let field = PiecewisePolynomial::linears(mesh.clone(), &values).unwrap();
@@ -163,7 +162,7 @@ fn smooth_ends_below_rounding_are_no_waves() {
     let (a, nu) = (0.75, 0.5);
     let u = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(a)).unwrap();
     let error = |count: usize| {
-        let mesh = Partition::uniform(count, 1.0).unwrap();
+        let mesh = Mesh::uniform(count, 1.0).unwrap();
         let values: Vec<f64> = mesh.from_left().iter().map(|x| x.powf(a)).collect();
         let field = PiecewisePolynomial::linears(mesh, &values).unwrap();
         u.minus(&field).seminorm(order(nu), asked(1e-6)).unwrap()
@@ -175,7 +174,7 @@ fn smooth_ends_below_rounding_are_no_waves() {
     // A parabola, whose difference is known to be its bubbles.
     let count = 100_000;
     let parabola = SingularFunction::new(&[0.0, 1.0], |x| x * x).unwrap();
-    let mesh = Partition::uniform(count, 1.0).unwrap();
+    let mesh = Mesh::uniform(count, 1.0).unwrap();
     let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
     let bubbles = vec![vec![-1e-10]; count];
     let field = PiecewisePolynomial::linears(mesh.clone(), &values).unwrap();
@@ -189,20 +188,20 @@ fn smooth_ends_below_rounding_are_no_waves() {
 fn jumps_and_other_intervals_are_refused() {
     let u = SingularFunction::new(&[0.0, 1.0], |x| x).unwrap();
     let steps = PiecewisePolynomial::constants(
-        Partition::uniform(8, 1.0).unwrap(),
+        Mesh::uniform(8, 1.0).unwrap(),
         &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
     )
     .unwrap();
-    let found = u.minus(&steps).seminorm(FractionalOrder::HALF, Tolerance::fast());
+    let found = u.minus(&steps).seminorm(Order::HALF, Tolerance::fast());
     assert!(matches!(found, Err(Error::InfiniteNorm { .. })));
     assert!(u.minus(&steps).seminorm(order(0.4), Tolerance::fast()).is_ok());
-    let longer = PiecewisePolynomial::constants(Partition::uniform(8, 2.0).unwrap(), &[0.0; 8]).unwrap();
+    let longer = PiecewisePolynomial::constants(Mesh::uniform(8, 2.0).unwrap(), &[0.0; 8]).unwrap();
     assert!(matches!(u.minus(&longer).l2_norm(Tolerance::fast()), Err(Error::OutOfRange { .. })));
     let name = GalleryFunction::Power(0.2);
     let power = name.function().unwrap();
     let singular = power.minus(&longer).seminorm(order(0.8), Tolerance::fast());
     assert!(singular.is_err());
-    let flat = PiecewisePolynomial::constants(Partition::uniform(8, 1.0).unwrap(), &[0.0; 8]).unwrap();
+    let flat = PiecewisePolynomial::constants(Mesh::uniform(8, 1.0).unwrap(), &[0.0; 8]).unwrap();
     let singular = power.minus(&flat).seminorm(order(0.8), Tolerance::fast());
     assert!(matches!(singular, Err(Error::InfiniteNorm { .. })), "{singular:?}");
 }
@@ -212,7 +211,7 @@ fn lebesgue_and_dual_norms_of_errors_are_those_of_the_difference() {
     // x^0.6 + 0.5 sin 4x against its interpolant: by a closure whose breaks are all nodes.
     let sample = Sample { c: 0.3, a: 0.6, b: 0.5, w: 4.0 };
     let u = sample.function();
-    let mesh = Partition::uniform(12, 1.0).unwrap();
+    let mesh = Mesh::uniform(12, 1.0).unwrap();
     let values: Vec<f64> = mesh.nodes().iter().map(|x| sample.value((x - 0.3).abs(), *x)).collect();
     let field = PiecewisePolynomial::linears(mesh, &values).unwrap();
     let all = sample.by_closure(&field);

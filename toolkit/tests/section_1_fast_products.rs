@@ -1,6 +1,6 @@
 //! Fast products with Gram matrices against the dense matrices, and against each other.
 
-use fractional_sobolev::{FractionalOrder, GramOperator, Partition, Tolerance, gram_constants, gram_linears};
+use fractional_sobolev::{GramOperator, Mesh, Order, Tolerance, gram_constants, gram_linears};
 
 /// Asked of the operators.
 const ASKED: f64 = 1e-12;
@@ -41,17 +41,17 @@ fn check(what: &str, operator: &GramOperator, matrix: &nalgebra::DMatrix<f64>) {
 }
 
 /// Ratio of a geometric mesh of n elements that reaches `smallest`.
-fn geometric(n: usize, smallest: f64) -> Partition {
-    Partition::geometric(n - 1, smallest.powf(1.0 / (n - 1) as f64), 1.0).unwrap()
+fn geometric(n: usize, smallest: f64) -> Mesh {
+    Mesh::geometric(n - 1, smallest.powf(1.0 / (n - 1) as f64), 1.0).unwrap()
 }
 
-fn meshes(n: usize) -> Vec<(&'static str, Partition)> {
+fn meshes(n: usize) -> Vec<(&'static str, Mesh)> {
     let ratio = 1e-30f64.powf(2.0 / n as f64);
     vec![
-        ("uniform", Partition::uniform(n, 1.0).unwrap()),
+        ("uniform", Mesh::uniform(n, 1.0).unwrap()),
         ("geometric to 1e-30", geometric(n, 1e-30)),
-        ("two-sided to 1e-30", Partition::two_sided(n / 2, ratio, 1.0).unwrap()),
-        ("strongly graded", Partition::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
+        ("two-sided to 1e-30", Mesh::two_sided(n / 2, ratio, 1.0).unwrap()),
+        ("strongly graded", Mesh::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
         ("geometric to 1e-250", geometric(n / 4, 1e-250)),
     ]
 }
@@ -60,7 +60,7 @@ fn meshes(n: usize) -> Vec<(&'static str, Partition)> {
 fn hats_agree_with_the_dense_matrix() {
     for (name, partition) in meshes(2000) {
         for nu in ["0.1", "1/2", "0.9"] {
-            let order: FractionalOrder = nu.parse().unwrap();
+            let order: Order = nu.parse().unwrap();
             let operator = GramOperator::linears(&partition, order, Tolerance::new(ASKED).unwrap()).unwrap();
             check(&format!("P1 {name} nu {nu}"), &operator, &gram_linears(&partition, order));
         }
@@ -71,7 +71,7 @@ fn hats_agree_with_the_dense_matrix() {
 fn indicators_agree_with_the_dense_matrix() {
     for (name, partition) in meshes(1000) {
         for nu in ["1e-6", "0.25", "0.499999"] {
-            let order: FractionalOrder = nu.parse().unwrap();
+            let order: Order = nu.parse().unwrap();
             let operator =
                 GramOperator::constants(&partition, order, Tolerance::new(ASKED).unwrap()).unwrap();
             let matrix = gram_constants(&partition, order).unwrap();
@@ -82,8 +82,8 @@ fn indicators_agree_with_the_dense_matrix() {
 
 #[test]
 fn both_fast_methods_agree_on_a_large_uniform_mesh() {
-    let partition = Partition::uniform(20_000, 1.0).unwrap();
-    let order = FractionalOrder::new(0.6).unwrap();
+    let partition = Mesh::uniform(20_000, 1.0).unwrap();
+    let order = Order::new(0.6).unwrap();
     let tolerance = Tolerance::new(ASKED).unwrap();
     let fourier = GramOperator::linears(&partition, order, tolerance).unwrap();
     let tree = GramOperator::linears_hierarchical(&partition, order, tolerance).unwrap();
@@ -96,8 +96,8 @@ fn both_fast_methods_agree_on_a_large_uniform_mesh() {
 
 #[test]
 fn wrong_vectors_are_errors() {
-    let partition = Partition::uniform(4, 1.0).unwrap();
-    let operator = GramOperator::linears(&partition, FractionalOrder::HALF, Tolerance::balanced()).unwrap();
+    let partition = Mesh::uniform(4, 1.0).unwrap();
+    let operator = GramOperator::linears(&partition, Order::HALF, Tolerance::balanced()).unwrap();
     assert!(operator.apply(&[0.0; 4]).is_err());
     assert!(operator.apply(&[0.0, f64::NAN, 0.0, 0.0, 0.0]).is_err());
 }
@@ -105,12 +105,11 @@ fn wrong_vectors_are_errors() {
 #[test]
 fn one_and_two_elements_work() {
     for n in [1, 2, 3] {
-        let partition = Partition::uniform(n, 1.0).unwrap();
-        let matrix = gram_linears(&partition, FractionalOrder::HALF);
+        let partition = Mesh::uniform(n, 1.0).unwrap();
+        let matrix = gram_linears(&partition, Order::HALF);
         for operator in [
-            GramOperator::linears(&partition, FractionalOrder::HALF, Tolerance::balanced()).unwrap(),
-            GramOperator::linears_hierarchical(&partition, FractionalOrder::HALF, Tolerance::balanced())
-                .unwrap(),
+            GramOperator::linears(&partition, Order::HALF, Tolerance::balanced()).unwrap(),
+            GramOperator::linears_hierarchical(&partition, Order::HALF, Tolerance::balanced()).unwrap(),
         ] {
             check(&format!("{n} elements"), &operator, &matrix);
         }

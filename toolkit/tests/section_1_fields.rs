@@ -1,25 +1,25 @@
 //! Fields on many elements: norms by moments against all pairs and closed forms, at every tolerance.
 
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms,
+    Estimate, Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms,
 };
 
 const TOLERANCES: [f64; 3] = [1e-4, 1e-8, 1e-12];
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 /// Lengths over three decades without a pattern.
-fn uneven(count: usize) -> Partition {
+fn uneven(count: usize) -> Mesh {
     let length = |k: usize| 10f64.powf(-3.0 * ((k * k) as f64 * 0.618).fract());
-    Partition::from_lengths((0..count).map(length).collect()).unwrap()
+    Mesh::from_lengths((0..count).map(length).collect()).unwrap()
 }
 
 #[test]
 fn moments_agree_with_all_pairs_for_every_degree() {
     let wave = |x: f64| (0.3 * x).sin() + 0.1 * (5.0 * x).cos();
-    for mesh in [uneven(200), Partition::algebraic(200, 3.0, 1.0).unwrap()] {
+    for mesh in [uneven(200), Mesh::algebraic(200, 3.0, 1.0).unwrap()] {
         for degree in [1, 2, 5] {
             let u = PiecewisePolynomial::interpolate(mesh.clone(), degree, wave).unwrap();
             for nu in [0.05, 0.5, 0.95] {
@@ -58,7 +58,7 @@ fn jumps_and_constants_on_many_elements() {
 #[test]
 fn a_hundred_thousand_nodes_reach_the_last_tolerance() {
     for nu in [0.2, 0.5, 0.9] {
-        let mesh = Partition::algebraic(100_000, 2.0, 1.0).unwrap();
+        let mesh = Mesh::algebraic(100_000, 2.0, 1.0).unwrap();
         let values: Vec<f64> = mesh.from_left().iter().map(|x| 1.0 + x).collect();
         let u = PiecewisePolynomial::linears(mesh, &values).unwrap();
         // At ν = 0.9 the rounding of the values of neighbours is 2e-12, and the refusal carries the value.

@@ -1,6 +1,6 @@
 //! Section 1, (1.1): Gram matrices of |·|_ν against 40-digit references, entry by entry.
 
-use fractional_sobolev::{Error, FractionalOrder, Partition, gram_constants, gram_linears, mass_linears};
+use fractional_sobolev::{Error, Mesh, Order, gram_constants, gram_linears, mass_linears};
 use nalgebra::DMatrix;
 use serde_json::Value;
 
@@ -24,9 +24,9 @@ fn from_hex(value: &Value) -> f64 {
     whole * 2f64.powi(-fraction_bits) * 2f64.powi(exponent.parse().unwrap())
 }
 
-fn mesh_and_order(case: &Value) -> (Partition, FractionalOrder) {
+fn mesh_and_order(case: &Value) -> (Mesh, Order) {
     let nodes: Vec<f64> = case["nodes_hex"].as_array().unwrap().iter().map(from_hex).collect();
-    (Partition::from_nodes(&nodes).unwrap(), FractionalOrder::new(from_hex(&case["nu_hex"])).unwrap())
+    (Mesh::from_nodes(&nodes).unwrap(), Order::new(from_hex(&case["nu_hex"])).unwrap())
 }
 
 fn check_entries(case: &Value, key: &str, matrix: &DMatrix<f64>) {
@@ -78,16 +78,16 @@ fn entries_of_constants_have_twelve_digits_on_every_mesh() {
 
 /// Meshes unlike the reference ones: two-sided, tiny elements inside, alternating long and short, a thousand
 /// elements.
-fn further_meshes() -> Vec<(&'static str, Partition)> {
+fn further_meshes() -> Vec<(&'static str, Mesh)> {
     let alternating = (0..60).map(|i| [1e-7, 1.0, 3.0, 1e-300][i % 4]).collect();
     vec![
-        ("one element", Partition::uniform(1, 3.0).unwrap()),
-        ("two-sided", Partition::two_sided(80, 0.3, 2.0).unwrap()),
-        ("interior point", Partition::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
-        ("alternating", Partition::from_lengths(alternating).unwrap()),
-        ("uniform", Partition::uniform(400, 1.0).unwrap()),
-        ("tiny", Partition::uniform(9, 1e-299).unwrap()),
-        ("huge", Partition::uniform(9, 1e300).unwrap()),
+        ("one element", Mesh::uniform(1, 3.0).unwrap()),
+        ("two-sided", Mesh::two_sided(80, 0.3, 2.0).unwrap()),
+        ("interior point", Mesh::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
+        ("alternating", Mesh::from_lengths(alternating).unwrap()),
+        ("uniform", Mesh::uniform(400, 1.0).unwrap()),
+        ("tiny", Mesh::uniform(9, 1e-299).unwrap()),
+        ("huge", Mesh::uniform(9, 1e300).unwrap()),
     ]
 }
 
@@ -95,7 +95,7 @@ fn further_meshes() -> Vec<(&'static str, Partition)> {
 fn constants_are_mapped_to_zero_on_every_element() {
     for (name, partition) in further_meshes() {
         for nu in ["1e-6", "0.2", "0.499", "1/2-1e-18", "1/2", "1/2+1e-18", "0.8", "0.999999"] {
-            let order: FractionalOrder = nu.parse().unwrap();
+            let order: Order = nu.parse().unwrap();
             check_row_sums(&format!("P1 {name} nu {nu}"), &gram_linears(&partition, order));
             if order.is_below_half() {
                 let matrix = gram_constants(&partition, order).unwrap();
@@ -108,11 +108,11 @@ fn constants_are_mapped_to_zero_on_every_element() {
 #[test]
 fn scaling_the_interval_scales_the_form() {
     // |u(·/s)|² on (0, s) is s^{1-2ν} |u|² on (0, 1): exact to rounding of the power.
-    let order = FractionalOrder::new(0.3).unwrap();
+    let order = Order::new(0.3).unwrap();
     let lengths = vec![0.1, 1e-9, 0.4, 0.2, 1e-3];
     let scaled = lengths.iter().map(|h| h * 1e40).collect();
-    let unit = gram_linears(&Partition::from_lengths(lengths).unwrap(), order);
-    let large = gram_linears(&Partition::from_lengths(scaled).unwrap(), order);
+    let unit = gram_linears(&Mesh::from_lengths(lengths).unwrap(), order);
+    let large = gram_linears(&Mesh::from_lengths(scaled).unwrap(), order);
     let factor = 1e40f64.powf(0.4);
     for i in 0..6 {
         for j in 0..6 {
@@ -124,14 +124,14 @@ fn scaling_the_interval_scales_the_form() {
 
 #[test]
 fn constants_have_no_seminorm_from_one_half_on() {
-    let partition = Partition::uniform(3, 1.0).unwrap();
-    let outcome = gram_constants(&partition, FractionalOrder::HALF);
+    let partition = Mesh::uniform(3, 1.0).unwrap();
+    let outcome = gram_constants(&partition, Order::HALF);
     assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "{outcome:?}");
 }
 
 #[test]
 fn mass_of_hats_sums_to_the_length() {
-    let partition = Partition::two_sided(30, 0.1, 5.0).unwrap();
+    let partition = Mesh::two_sided(30, 0.1, 5.0).unwrap();
     let (diagonal, off_diagonal) = mass_linears(&partition);
     let total = diagonal.iter().sum::<f64>() + 2.0 * off_diagonal.iter().sum::<f64>();
     assert!((total - 5.0).abs() < ROW_SUM_TOLERANCE * 5.0, "{total}");

@@ -2,8 +2,7 @@
 //! met.
 
 use fractional_sobolev::{
-    Estimate, FractionalOrder, Partition, PiecewisePolynomial, Position, Result, SingularFunction, Tolerance,
-    closed_forms,
+    Estimate, Mesh, Order, PiecewisePolynomial, Position, Result, SingularFunction, Tolerance, closed_forms,
 };
 
 /// Cases of each of the five kinds.
@@ -31,14 +30,14 @@ impl Random {
         Tolerance::new(10f64.powf(self.between(-9.0, -3.0))).unwrap()
     }
 
-    fn order(&mut self, high: f64) -> FractionalOrder {
-        FractionalOrder::new(self.between(0.02, high)).unwrap()
+    fn order(&mut self, high: f64) -> Order {
+        Order::new(self.between(0.02, high)).unwrap()
     }
 
     /// Up to 12 elements, of lengths over eight decades.
-    fn partition(&mut self) -> Partition {
+    fn partition(&mut self) -> Mesh {
         let count = 1 + (12.0 * self.next()) as usize;
-        Partition::from_lengths((0..count).map(|_| 10f64.powf(self.between(-8.0, 0.0))).collect()).unwrap()
+        Mesh::from_lengths((0..count).map(|_| 10f64.powf(self.between(-8.0, 0.0))).collect()).unwrap()
     }
 }
 

@@ -1,9 +1,7 @@
 //! Norms, means and L^q norms of closures, norms of order 1 + nu, and piecewise linears on many elements,
 //! each against a closed form.
 
-use fractional_sobolev::{
-    FractionalOrder, Partition, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms,
-};
+use fractional_sobolev::{Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms};
 
 /// Asked of every quadrature; the true error is at most this by the contract of an estimate.
 const ASKED: f64 = 1e-10;
@@ -40,7 +38,7 @@ fn order_above_one_adds_the_derivative() {
     let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x * x).unwrap();
     let slope = SingularFunction::new(&[0.0, 1.0], |x: f64| 2.0 * x).unwrap();
     for nu in [1e-6, 0.01, 0.25, 0.5, 0.75, 0.99] {
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         let squared = closed_forms::power(1.0, order).unwrap().value;
         let expected = (0.2 + 4.0 / 3.0 + 4.0 * squared).sqrt();
         let norm = u.norm_with_derivative(&slope, order, asked()).unwrap();
@@ -48,17 +46,17 @@ fn order_above_one_adds_the_derivative() {
         assert!((norm.value - expected).abs() <= 10.0 * norm.error, "nu {nu}: {norm:?}");
     }
     let shorter = SingularFunction::new(&[0.0, 0.5], |x: f64| 2.0 * x).unwrap();
-    assert!(u.norm_with_derivative(&shorter, FractionalOrder::HALF, asked()).is_err());
+    assert!(u.norm_with_derivative(&shorter, Order::HALF, asked()).is_err());
 }
 
 #[test]
 fn thousands_of_elements_change_nothing() {
     let count = 5000;
-    let partition = Partition::uniform(count, 1.0).unwrap();
+    let partition = Mesh::uniform(count, 1.0).unwrap();
     let hat: Vec<f64> = (0..=count).map(|k| 1.0 - (2.0 * k as f64 / count as f64 - 1.0).abs()).collect();
     let u = PiecewisePolynomial::linears(partition, &hat).unwrap();
     for nu in [0.25, 0.5, 0.75] {
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         let exact = closed_forms::hat(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
         let seminorm = u.seminorm(order, asked()).unwrap();
         assert_close(&format!("hat on {count} elements, nu {nu}"), seminorm.value, exact, ASKED);

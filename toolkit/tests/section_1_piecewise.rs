@@ -1,26 +1,25 @@
 //! Section 1, (1.1): norms of piecewise polynomials, each value by two roads.
 
 use fractional_sobolev::{
-    Error, FractionalOrder, Partition, PiecewisePolynomial, Tolerance, closed_forms, gram_constants,
-    gram_linears,
+    Error, Mesh, Order, PiecewisePolynomial, Tolerance, closed_forms, gram_constants, gram_linears,
 };
 
 /// Both roads are exact to rounding; sums of up to 1e5 terms of one sign.
 const ROUNDING_TOLERANCE: f64 = 1e-12;
 
-fn orders() -> Vec<FractionalOrder> {
+fn orders() -> Vec<Order> {
     ["1e-6", "0.1", "0.4", "1/2-1e-12", "1/2", "0.7", "0.999", "0.999999"]
         .iter()
         .map(|t| t.parse().unwrap())
         .collect()
 }
 
-fn meshes() -> Vec<Partition> {
+fn meshes() -> Vec<Mesh> {
     vec![
-        Partition::uniform(1, 1.0).unwrap(),
-        Partition::uniform(7, 1.0).unwrap(),
-        Partition::geometric(40, 0.2, 1.0).unwrap(),
-        Partition::from_lengths(vec![0.1, 1e-12, 0.4, 1e-5, 0.49999]).unwrap(),
+        Mesh::uniform(1, 1.0).unwrap(),
+        Mesh::uniform(7, 1.0).unwrap(),
+        Mesh::geometric(40, 0.2, 1.0).unwrap(),
+        Mesh::from_lengths(vec![0.1, 1e-12, 0.4, 1e-5, 0.49999]).unwrap(),
     ]
 }
 
@@ -102,8 +101,8 @@ fn monomials_have_their_closed_form_on_any_mesh() {
 fn norms_of_order_above_one_take_the_derivative() {
     // x² on (0,1): ||x²||² + ||2x||² + 4 |x|²_ν = 1/5 + 4/3 + 4/((1−ν)(3−2ν))
     let nu = 0.6;
-    let order = FractionalOrder::new(nu).unwrap();
-    let u = PiecewisePolynomial::interpolate(Partition::uniform(5, 1.0).unwrap(), 2, |x| x * x).unwrap();
+    let order = Order::new(nu).unwrap();
+    let u = PiecewisePolynomial::interpolate(Mesh::uniform(5, 1.0).unwrap(), 2, |x| x * x).unwrap();
     let expected = (0.2 + 4.0 / 3.0 + 4.0 / ((1.0 - nu) * (3.0 - 2.0 * nu))).sqrt();
     assert_close(
         "norm",
@@ -114,14 +113,14 @@ fn norms_of_order_above_one_take_the_derivative() {
 
 #[test]
 fn discontinuous_linears_are_finite_below_one_half_only() {
-    let partition = Partition::from_lengths(vec![0.25, 0.75]).unwrap();
+    let partition = Mesh::from_lengths(vec![0.25, 0.75]).unwrap();
     let u = PiecewisePolynomial::discontinuous_linears(partition, &[[0.0, 1.0], [0.0, 1.0]]).unwrap();
-    let below = FractionalOrder::new(0.3).unwrap();
+    let below = Order::new(0.3).unwrap();
     // The jump alone is the indicator of the second element; x/h − 1/2 differs from it by a continuous
     // function.
     assert!(u.seminorm(below, Tolerance::reference()).is_ok());
     for outcome in [
-        u.seminorm(FractionalOrder::HALF, Tolerance::fast()),
+        u.seminorm(Order::HALF, Tolerance::fast()),
         u.norm_with_derivative(&u.derivative().unwrap(), below, Tolerance::fast()),
     ] {
         assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "{outcome:?}");
@@ -130,9 +129,9 @@ fn discontinuous_linears_are_finite_below_one_half_only() {
 
 #[test]
 fn restriction_drops_the_rest_of_the_interval() {
-    let u = PiecewisePolynomial::linears(Partition::uniform(4, 2.0).unwrap(), &[9.0, 0.0, 1.0, 0.0, -7.0])
-        .unwrap();
-    let order = FractionalOrder::new(0.75).unwrap();
+    let u =
+        PiecewisePolynomial::linears(Mesh::uniform(4, 2.0).unwrap(), &[9.0, 0.0, 1.0, 0.0, -7.0]).unwrap();
+    let order = Order::new(0.75).unwrap();
     let hat = u.restrict(1..3).unwrap().seminorm(order, Tolerance::reference()).unwrap().value;
     let expected = closed_forms::hat(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
     assert_close("hat", hat, expected);
@@ -140,17 +139,14 @@ fn restriction_drops_the_rest_of_the_interval() {
 
 #[test]
 fn lebesgue_norms_and_means() {
-    let u = PiecewisePolynomial::linears(
-        Partition::from_lengths(vec![1.0, 2.0]).unwrap(),
-        &[-1.0, 1.0, 1.0 + 1e-9],
-    )
-    .unwrap();
+    let u =
+        PiecewisePolynomial::linears(Mesh::from_lengths(vec![1.0, 2.0]).unwrap(), &[-1.0, 1.0, 1.0 + 1e-9])
+            .unwrap();
     assert_close("mean", u.mean(Tolerance::reference()).unwrap().value, (2.0 + 1e-9) / 3.0);
     let cubic = u.lq_norm(3.0, Tolerance::reference()).unwrap().value;
     assert_close("L3", cubic.powi(3), 0.25 + 2.0 + 3e-9);
     assert_close("Linf", u.lq_norm(f64::INFINITY, Tolerance::reference()).unwrap().value, 1.0 + 1e-9);
-    let w =
-        PiecewisePolynomial::interpolate(Partition::uniform(2, 1.0).unwrap(), 2, |x| x * x - 0.1).unwrap();
+    let w = PiecewisePolynomial::interpolate(Mesh::uniform(2, 1.0).unwrap(), 2, |x| x * x - 0.1).unwrap();
     // ∫ |x² − c| = (4/3) c^{3/2} + 1/3 − c
     let exact = 4.0 / 3.0 * 0.1f64.powf(1.5) + 1.0 / 3.0 - 0.1;
     let estimate = w.lq_norm(1.0, Tolerance::new(1e-10).unwrap()).unwrap();
@@ -160,7 +156,7 @@ fn lebesgue_norms_and_means() {
 
 #[test]
 fn values_of_any_size_scale_out() {
-    let partition = Partition::geometric(30, 0.3, 1.0).unwrap();
+    let partition = Mesh::geometric(30, 0.3, 1.0).unwrap();
     let base = values(32);
     for order in orders() {
         let unit = PiecewisePolynomial::linears(partition.clone(), &base).unwrap();

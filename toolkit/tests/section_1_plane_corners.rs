@@ -1,6 +1,6 @@
 //! Section 1 in the plane: corner singularities on sectors, by two roads and against polygons.
 
-use fractional_sobolev::{Error, FractionalOrder, PlaneFunction, Rule, SectorPower, Tolerance, Triangles};
+use fractional_sobolev::{Error, Order, PlaneFunction, Rule, SectorPower, Tolerance, Triangles};
 use std::f64::consts::PI;
 
 /// Two roads.
@@ -57,7 +57,7 @@ fn two_roads_agree_up_to_the_limit_of_finiteness() {
             [(0.5, PI / angle, 0.3), (-0.4, 1.0, 0.55), (-0.299, 0.7, 0.7), (2.0 / 3.0, 2.0 / 3.0, 0.6)]
         {
             let w = SectorPower::new(a, b, angle, 1.0).unwrap();
-            let found = w.seminorm(FractionalOrder::new(s).unwrap(), Tolerance::new(1e-10).unwrap()).unwrap();
+            let found = w.seminorm(Order::new(s).unwrap(), Tolerance::new(1e-10).unwrap()).unwrap();
             let other = by_cells(a, b, angle, s);
             let difference = (found.value.powi(2) / other - 1.0).abs();
             assert!(difference < TWO_ROADS, "{angle} {a} {b} {s}: {found} {} {difference:e}", other.sqrt());
@@ -69,7 +69,7 @@ fn two_roads_agree_up_to_the_limit_of_finiteness() {
 
 #[test]
 fn a_linear_function_has_the_norm_of_polygons_in_the_limit() {
-    let (angle, order) = (0.8, FractionalOrder::new(0.6).unwrap());
+    let (angle, order) = (0.8, Order::new(0.6).unwrap());
     let polygon = |sides: usize| {
         let at = |k: usize| (angle * k as f64 / sides as f64).sin_cos();
         let mut nodes = vec![[0.0, 0.0]];
@@ -93,7 +93,7 @@ fn a_linear_function_has_the_norm_of_polygons_in_the_limit() {
 
 #[test]
 fn scaling_and_infinite_norms() {
-    let order = FractionalOrder::new(0.7).unwrap();
+    let order = Order::new(0.7).unwrap();
     let norm = |a: f64, radius: f64| {
         SectorPower::new(a, 1.0, 2.0, radius).unwrap().seminorm(order, Tolerance::balanced())
     };

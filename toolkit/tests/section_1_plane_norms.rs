@@ -7,7 +7,7 @@ mod plane_duffy;
 
 use common::SplitMix;
 use fractional_sobolev::{
-    Error, FractionalOrder, PlaneFunction, Rule, Tolerance, Triangles, coordinate_on_unit_square,
+    Error, Order, PlaneFunction, Rule, Tolerance, Triangles, coordinate_on_unit_square,
 };
 use rayon::prelude::*;
 use serde_json::Value;
@@ -31,8 +31,8 @@ fn points(value: &Value) -> Vec<[f64; 2]> {
     value.as_array().unwrap().iter().map(|p| numbers(p).try_into().unwrap()).collect()
 }
 
-fn order(s: f64) -> FractionalOrder {
-    FractionalOrder::new(s).unwrap()
+fn order(s: f64) -> Order {
+    Order::new(s).unwrap()
 }
 
 fn squared(w: &PlaneFunction, s: f64) -> f64 {
@@ -97,7 +97,7 @@ fn mesh(random: &mut SplitMix, most: usize) -> Triangles {
     Triangles::new(nodes, triangles).unwrap()
 }
 
-fn function(random: &mut SplitMix, mesh: Triangles) -> (PlaneFunction, FractionalOrder) {
+fn function(random: &mut SplitMix, mesh: Triangles) -> (PlaneFunction, Order) {
     let constant = random.uniform() < 0.3;
     let count = if constant { mesh.triangles().len() } else { mesh.nodes().len() };
     let values = (0..count).map(|_| random.between(-1.0, 1.0)).collect();
@@ -275,7 +275,7 @@ fn triangles_of_very_different_sizes_stand_side_by_side() {
 fn infinite_norms_and_bad_meshes_are_errors() {
     let square = Triangles::grid([1, 1], 1.0).unwrap();
     let jump = PlaneFunction::constants(square.clone(), vec![0.0, 1.0]).unwrap();
-    let error = jump.seminorm(FractionalOrder::HALF, Tolerance::fast()).unwrap_err();
+    let error = jump.seminorm(Order::HALF, Tolerance::fast()).unwrap_err();
     assert!(error.to_string().contains("jumps across an edge"), "{error}");
     assert!(matches!(
         jump.norm_with_gradient(order(0.2), Tolerance::fast()),

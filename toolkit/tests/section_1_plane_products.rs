@@ -4,7 +4,7 @@
 mod common;
 use common::SplitMix;
 use fractional_sobolev::{
-    Error, FractionalOrder, GridOperator, PlaneFunction, Tolerance, Triangles, coordinate_on_unit_square,
+    Error, GridOperator, Order, PlaneFunction, Tolerance, Triangles, coordinate_on_unit_square,
 };
 
 /// Asked of entries, and what a form may be off by.
@@ -16,7 +16,7 @@ fn a_product_is_the_derivative_of_the_seminorm() {
     let mut random = SplitMix::new(5);
     let asked = Tolerance::new(ASKED).unwrap();
     for (squares, s) in [([1, 1], 0.3), ([3, 2], 0.5), ([7, 6], 0.8), ([11, 1], 0.95)] {
-        let order = FractionalOrder::new(s).unwrap();
+        let order = Order::new(s).unwrap();
         let operator = GridOperator::new(squares, 0.5, order, asked).unwrap();
         let mut values = || -> Vec<f64> { (0..operator.size()).map(|_| random.between(-1.0, 1.0)).collect() };
         let (v, w) = (values(), values());
@@ -41,7 +41,7 @@ fn a_product_is_the_derivative_of_the_seminorm() {
 
 #[test]
 fn many_squares_give_the_closed_form() {
-    let order = FractionalOrder::HALF;
+    let order = Order::HALF;
     let n = 60;
     let operator = GridOperator::new([n, n], 1.0 / n as f64, order, Tolerance::new(1e-10).unwrap()).unwrap();
     let x: Vec<f64> = (0..operator.size()).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
@@ -53,12 +53,9 @@ fn many_squares_give_the_closed_form() {
 #[test]
 fn bad_input_is_an_error() {
     let fast = Tolerance::fast();
-    assert!(matches!(
-        GridOperator::new([0, 3], 1.0, FractionalOrder::HALF, fast),
-        Err(Error::CountOutOfRange { .. })
-    ));
-    assert!(GridOperator::new([2, 3], 0.0, FractionalOrder::HALF, fast).is_err());
-    let operator = GridOperator::new([2, 3], 1.0, FractionalOrder::HALF, fast).unwrap();
+    assert!(matches!(GridOperator::new([0, 3], 1.0, Order::HALF, fast), Err(Error::CountOutOfRange { .. })));
+    assert!(GridOperator::new([2, 3], 0.0, Order::HALF, fast).is_err());
+    let operator = GridOperator::new([2, 3], 1.0, Order::HALF, fast).unwrap();
     assert!(matches!(operator.apply(&[1.0]), Err(Error::LengthMismatch { .. })));
     assert!(matches!(operator.apply(&[f64::NAN; 12]), Err(Error::NotFinite { .. })));
 }

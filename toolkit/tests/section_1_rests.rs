@@ -4,7 +4,7 @@
 #[allow(dead_code)]
 mod common;
 use common::SplitMix;
-use fractional_sobolev::{Estimate, FractionalOrder, SingularFunction, Tolerance, closed_forms};
+use fractional_sobolev::{Estimate, Order, SingularFunction, Tolerance, closed_forms};
 
 /// Γ(n + 1).
 fn factorial(n: usize) -> f64 {
@@ -59,7 +59,7 @@ fn a_slow_power_of_the_seminorm_is_within_the_estimate() {
     let mut random = SplitMix::new(10);
     for _ in 0..60 {
         let nu = random.between(0.05, 0.9);
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         let slow = order.offset() + random.between(0.05, 0.5);
         let small = 10f64.powf(random.between(-5.0, -1.0));
         let asked = Tolerance::new(10f64.powf(random.between(-8.0, -2.0))).unwrap();

@@ -5,13 +5,13 @@
 mod common;
 use common::SplitMix;
 use fractional_sobolev::{
-    DualOf, Error, Estimate, FractionalOrder, MeshFunctional, Partition, PiecewisePolynomial, Rule,
-    SingularFunction, Tolerance,
+    DualOf, Error, Estimate, Mesh, MeshFunctional, Order, PiecewisePolynomial, Rule, SingularFunction,
+    Tolerance,
 };
 use std::f64::consts::PI;
 
-fn order(nu: f64) -> FractionalOrder {
-    FractionalOrder::new(nu).unwrap()
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
 }
 
 fn tolerance(relative: f64) -> Tolerance {
@@ -48,7 +48,7 @@ impl Pieces {
     fn function(&self) -> PiecewisePolynomial {
         let ends: Vec<[f64; 2]> = self.values.iter().map(|v| [v[0], v[1]]).collect();
         let bubbles = |v: &[f64; 4]| if v[2..] == [0.0, 0.0] { Vec::new() } else { v[2..].to_vec() };
-        let partition = Partition::from_lengths(self.lengths.clone()).unwrap();
+        let partition = Mesh::from_lengths(self.lengths.clone()).unwrap();
         PiecewisePolynomial::with_bubbles(partition, &ends, self.values.iter().map(bubbles).collect())
             .unwrap()
     }
@@ -152,7 +152,7 @@ fn square_wave(elements: f64, nu: f64) -> f64 {
 fn square_waves_on_up_to_a_hundred_thousand_elements() {
     for n in [2usize, 50, 3000, 100_000] {
         let signs: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
-        let wave = PiecewisePolynomial::constants(Partition::uniform(n, 1.0).unwrap(), &signs).unwrap();
+        let wave = PiecewisePolynomial::constants(Mesh::uniform(n, 1.0).unwrap(), &signs).unwrap();
         for nu in [0.1, 0.5, 0.9] {
             let exact = square_wave(n as f64, nu);
             let found = wave.dual_norm_in(DualOf::InterpolationZero, order(nu), tolerance(1e-8)).unwrap();
@@ -169,8 +169,8 @@ fn a_partition_cut_further_has_the_same_norm() {
     let values: Vec<f64> = lengths.iter().map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
     let cut: Vec<f64> = lengths.iter().flat_map(|h| [0.3 * h, 0.7 * h]).collect();
     let twice: Vec<f64> = values.iter().flat_map(|v| [*v, *v]).collect();
-    let whole = PiecewisePolynomial::constants(Partition::from_lengths(lengths).unwrap(), &values).unwrap();
-    let halves = PiecewisePolynomial::constants(Partition::from_lengths(cut).unwrap(), &twice).unwrap();
+    let whole = PiecewisePolynomial::constants(Mesh::from_lengths(lengths).unwrap(), &values).unwrap();
+    let halves = PiecewisePolynomial::constants(Mesh::from_lengths(cut).unwrap(), &twice).unwrap();
     for nu in [0.05, 0.5, 0.95] {
         for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
             let [a, b] = [&whole, &halves].map(|u| u.dual_norm_in(of, order(nu), tolerance(1e-10)).unwrap());
@@ -192,7 +192,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
         }))
         .collect();
     let value = |layers: usize, ratio: f64| {
-        let mesh = Partition::graded_to_points(&breaks, layers, ratio).unwrap();
+        let mesh = Mesh::graded_to_points(&breaks, layers, ratio).unwrap();
         let rule = Rule::gauss_legendre(4).unwrap();
         let (mut load, mut element) = (vec![0.0; mesh.len() + 1], 0);
         for (i, h) in mesh.lengths().iter().enumerate() {
@@ -259,12 +259,12 @@ fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
 fn random_signs_on_a_hundred_thousand_elements() {
     let mut random = SplitMix::new(17);
     let values: Vec<f64> = (0..100_000).map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
-    let load = PiecewisePolynomial::constants(Partition::uniform(100_000, 1.0).unwrap(), &values).unwrap();
+    let load = PiecewisePolynomial::constants(Mesh::uniform(100_000, 1.0).unwrap(), &values).unwrap();
     let find = |nu, t| load.dual_norm(order(nu), tolerance(t));
     let (wide, sharp) = (find(0.9, 1e-5).unwrap(), find(0.9, 1e-9).unwrap());
     assert!((wide.value - sharp.value).abs() <= wide.error + sharp.error, "{wide} {sharp}");
     let half = find(0.5, 1e-5).unwrap();
-    let cosines = load.dual_norm_in(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-8)).unwrap();
+    let cosines = load.dual_norm_in(DualOf::Interpolation, Order::HALF, tolerance(1e-8)).unwrap();
     assert!(half.value < cosines.value && cosines.value < 3.0 * half.value, "{half} {cosines}");
 }
 
@@ -276,7 +276,7 @@ fn random_signs(count: usize, random: &mut SplitMix) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn constants(lengths: &[f64], values: &[f64]) -> PiecewisePolynomial {
-    PiecewisePolynomial::constants(Partition::from_lengths(lengths.to_vec()).unwrap(), values).unwrap()
+    PiecewisePolynomial::constants(Mesh::from_lengths(lengths.to_vec()).unwrap(), values).unwrap()
 }
 
 /// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
@@ -324,7 +324,7 @@ fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
     // A step is a piecewise polynomial; at singularities sharper tolerances stay within wider ones.
     let step = |x: f64| if x < 0.3 { 1.0 } else { -2.0 };
     let declared = SingularFunction::new(&[0.0, 0.3, 1.0], step).unwrap();
-    let cells = Partition::from_lengths(vec![0.3, 0.7]).unwrap();
+    let cells = Mesh::from_lengths(vec![0.3, 0.7]).unwrap();
     let exact = PiecewisePolynomial::constants(cells, &[1.0, -2.0]).unwrap();
     let log = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
     let power = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
@@ -371,7 +371,7 @@ fn a_power_has_the_norm_of_its_cosine_series() {
         rest -= square;
     }
     let power = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
-    let found = power.dual_norm_in(DualOf::Interpolation, FractionalOrder::HALF, tolerance(1e-6)).unwrap();
+    let found = power.dual_norm_in(DualOf::Interpolation, Order::HALF, tolerance(1e-6)).unwrap();
     let bounds = [sum - 1e-6, sum + weight * rest + 1e-6];
     assert!(encloses(bounds, found), "{found} in {bounds:?}");
     assert!(!encloses(bounds, Estimate { value: 1.01 * found.value, ..found }));
@@ -379,9 +379,9 @@ fn a_power_has_the_norm_of_its_cosine_series() {
 
 #[test]
 fn plain_numbers_stand_for_orders_and_tolerances() {
-    let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0).unwrap(), &[0.0, 0.5, 1.0]).unwrap();
+    let u = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5, 1.0]).unwrap();
     let x = SingularFunction::new(&[0.0, 1.0], |x: f64| x).unwrap();
-    let half = FractionalOrder::HALF;
+    let half = Order::HALF;
     assert_eq!(u.norm(0.5, 1e-8), u.norm(half, tolerance(1e-8)));
     assert_eq!(x.seminorm(0.5, 1e-6), x.seminorm(half, tolerance(1e-6)));
     assert_eq!(u.lq_norm(3.0, 1e-8), u.lq_norm(3.0, tolerance(1e-8)));

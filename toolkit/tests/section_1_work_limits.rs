@@ -2,8 +2,8 @@
 //! of work is kept by every norm that evaluates a closure.
 
 use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, Partition, PiecewisePolynomial, Result, SingularFunction,
-    SingularPlaneFunction, Tolerance, Triangles,
+    Error, Estimate, Mesh, Order, PiecewisePolynomial, Result, SingularFunction, SingularPlaneFunction,
+    Tolerance, Triangles,
 };
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -40,13 +40,13 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
         (1e4 * x).sin() + (1e9 * x).sin().abs()
     };
     let u = SingularFunction::new(&[0.0, 1.0], noisy).unwrap();
-    let mesh = Partition::uniform(10, 1.0).unwrap();
+    let mesh = Mesh::uniform(10, 1.0).unwrap();
     let field = PiecewisePolynomial::linears(mesh, &[0.0; 11]).unwrap();
     let plane = Triangles::grid([2, 2], 1.0).unwrap();
     let w = SingularPlaneFunction::new(plane, &[], |at| noisy(at.x()[0])).unwrap();
     for limit in [100, 10_000, 300_000] {
         let tolerance = Tolerance::new(1e-9).unwrap().with_work(limit);
-        let order = FractionalOrder::new(0.4).unwrap();
+        let order = Order::new(0.4).unwrap();
         type Norm<'a> = (&'a str, u64, &'a dyn Fn() -> Result<Estimate>);
         let norms: [Norm<'_>; 11] = [
             ("seminorm", 1, &|| u.seminorm(order, tolerance)),

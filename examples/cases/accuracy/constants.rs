@@ -4,8 +4,8 @@ use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
 use experiments::SplitMix;
 use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
 use fractional_sobolev::{
-    Constraint, Estimate, FractionalOrder, Moment, Partition, Result, StrongForm, Work, Zone, end_limit,
-    gamma, half_order_moment,
+    Constraint, Estimate, Mesh, Moment, Order, Result, StrongForm, Work, Zone, end_limit, gamma,
+    half_order_moment,
     interpolation::{
         ErrorNorm, ProjectionNorm, element_constant, extremal_slopes, limits, mean_deviation,
         projection_norm_on_mesh,
@@ -97,7 +97,7 @@ fn moments(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let weight = |random: &mut SplitMix| [Moment::Mass, Moment::FromFreeEnd][random.below(2)];
     let half = draw(each, || {
         let (e, moment) = (10f64.powf(random.between(-4.0, -0.2)), weight(random));
-        Ok((half_order_moment(e, moment)?, ask(move |t| moment_norm(FractionalOrder::HALF, e, moment, t))))
+        Ok((half_order_moment(e, moment)?, ask(move |t| moment_norm(Order::HALF, e, moment, t))))
     })?;
     let strong = draw(each.min(3), || {
         let order = order(random, 0.1, 0.9)?;
@@ -141,7 +141,7 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let slopes = draw(each, || {
         let order = order(random, 0.02, 0.98)?;
         let a = order.value() - 0.5 + random.between(0.05, 2.0);
-        let mesh = Partition::uniform(1, 1.0)?;
+        let mesh = Mesh::uniform(1, 1.0)?;
         let of = move || InterpolationError::of_sample(SampleSlope::Power(a), &mesh, order);
         let exact = power_slope(a, order)?;
         Ok(match random.below(2) {

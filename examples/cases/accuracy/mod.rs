@@ -2,7 +2,7 @@
 //! way, over its range of parameters.
 
 use experiments::SplitMix;
-use fractional_sobolev::{Error, Estimate, FractionalOrder, Result, Tolerance, Work};
+use fractional_sobolev::{Error, Estimate, Order, Result, Tolerance, Work};
 use serde_json::Value;
 use std::time::Instant;
 
@@ -97,8 +97,8 @@ fn ask(ask: impl Fn(Tolerance) -> Result<Estimate> + 'static) -> Ask {
 }
 
 /// An order between the two.
-fn order(random: &mut SplitMix, low: f64, high: f64) -> Result<FractionalOrder> {
-    FractionalOrder::new(random.between(low, high))
+fn order(random: &mut SplitMix, low: f64, high: f64) -> Result<Order> {
+    Order::new(random.between(low, high))
 }
 
 /// Rows of a reference file.
@@ -114,8 +114,8 @@ fn number(row: &Value, key: &str) -> Result<f64> {
 }
 
 /// An order of such a row, by its decimal digits.
-fn order_of(row: &Value, key: &str) -> Result<FractionalOrder> {
-    row[key].as_str().map_or_else(|| FractionalOrder::new(number(row, key)?), str::parse)
+fn order_of(row: &Value, key: &str) -> Result<Order> {
+    row[key].as_str().map_or_else(|| Order::new(number(row, key)?), str::parse)
 }
 
 /// A printed number of at least 16 digits.

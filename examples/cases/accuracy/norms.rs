@@ -4,8 +4,8 @@ use super::{Ask, Family, ask, draw, formula, number, order, order_of, printed, r
 use experiments::SplitMix;
 use experiments::largest;
 use fractional_sobolev::{
-    DualOf, Estimate, FractionalOrder, GramOperator, Partition, PiecewisePolynomial, Result,
-    SingularFunction, Tolerance, Work, closed_forms, gram_linears,
+    DualOf, Estimate, GramOperator, Mesh, Order, PiecewisePolynomial, Result, SingularFunction, Tolerance,
+    Work, closed_forms, gram_linears,
 };
 
 const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/closed_forms.json");
@@ -70,7 +70,7 @@ fn closures(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
             _ => (-at.offset().ln_1p()).powf(alpha),
         })?;
         let exact = closed_forms::log_power(alpha)?.sqrt()?;
-        Ok((exact, ask(move |t| u.seminorm(FractionalOrder::HALF, t))))
+        Ok((exact, ask(move |t| u.seminorm(Order::HALF, t))))
     })?;
     let kinks = draw(each, || {
         let (order, c) = (order(random, 0.02, 0.98)?, random.between(0.01, 0.99));
@@ -122,7 +122,7 @@ fn closures(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
 fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let hats = draw(each, || {
         let (order, c) = (order(random, 0.02, 0.98)?, random.between(0.01, 0.99));
-        let mesh = Partition::graded_to_points(&[0.0, c, 1.0], 10 + random.below(60), 0.5)?;
+        let mesh = Mesh::graded_to_points(&[0.0, c, 1.0], 10 + random.below(60), 0.5)?;
         let values: Vec<f64> = (mesh.from_left().iter().zip(mesh.from_right()))
             .map(|(x, y)| (x / c).min(y / (1.0 - c)).clamp(0.0, 1.0))
             .collect();
@@ -131,24 +131,24 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     })?;
     let jumps = draw(each, || {
         let (order, p) = (order(random, 0.02, 0.49)?, random.between(0.01, 0.99));
-        let u = PiecewisePolynomial::constants(Partition::from_lengths(vec![p, 1.0 - p])?, &[0.0, 1.0])?;
+        let u = PiecewisePolynomial::constants(Mesh::from_lengths(vec![p, 1.0 - p])?, &[0.0, 1.0])?;
         Ok((closed_forms::jump(p, 1.0 - p, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
     })?;
     let degrees = draw(each, || {
         let (order, k) = (order(random, 0.02, 0.98)?, 1 + random.below(8));
-        let mesh = Partition::uniform(1 + random.below(20), 1.0)?;
+        let mesh = Mesh::uniform(1 + random.below(20), 1.0)?;
         let u = PiecewisePolynomial::interpolate(mesh, k, move |x| x.powi(k as i32))?;
         Ok((closed_forms::power(k as f64, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
     })?;
     let lebesgue = draw(each, || {
         let (q, k) = (random.between(1.0, 8.0), 1 + random.below(8));
-        let mesh = Partition::uniform(1 + random.below(20), 1.0)?;
+        let mesh = Mesh::uniform(1 + random.below(20), 1.0)?;
         let u = PiecewisePolynomial::interpolate(mesh, k, move |x| x.powi(k as i32))?;
         Ok((formula((1.0 + q * k as f64).powf(-1.0 / q))?, ask(move |t| u.lq_norm(q, t))))
     })?;
     let duals = draw(each, || {
         let order = order(random, 0.02, 0.98)?;
-        let mesh = Partition::uniform(2, 1.0)?;
+        let mesh = Mesh::uniform(2, 1.0)?;
         // The same numbers 8/(kπ)², k odd: of a sign among cosines, of a constant among sines.
         let (of, values) = match random.below(2) {
             0 => (DualOf::Interpolation, [1.0, -1.0]),
@@ -160,8 +160,8 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let products = draw(each.min(6), || {
         let (order, count) = (order(random, 0.02, 0.98)?, 100 + random.below(300));
         let mesh = match random.below(2) {
-            0 => Partition::uniform(count, 1.0)?,
-            _ => Partition::geometric(count - 1, 0.9, 1.0)?,
+            0 => Mesh::uniform(count, 1.0)?,
+            _ => Mesh::geometric(count - 1, 0.9, 1.0)?,
         };
         let x: Vec<f64> = (0..=count).map(|_| random.between(-1.0, 1.0)).collect();
         let matrix = gram_linears(&mesh, order);
@@ -216,7 +216,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
 }
 
 /// (Σ 8/(kπ)² (1 + (kπ)²)^{−ν})^{1/2} over odd k, the tail by its integral.
-fn modes(order: FractionalOrder) -> Result<Estimate> {
+fn modes(order: Order) -> Result<Estimate> {
     let (nu, pi, last) = (order.value(), std::f64::consts::PI, 20_000);
     let term = |k: usize| {
         let square = (k as f64 * pi).powi(2);

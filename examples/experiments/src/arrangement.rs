@@ -5,7 +5,7 @@ use crate::parallel;
 use crate::search::golden_section;
 use crate::zones::Condition;
 use fractional_sobolev::{Constraint, Zone, Zones, gamma};
-use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance};
+use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance};
 
 /// Most intervals of a random union.
 const MOST_INTERVALS: usize = 5;
@@ -27,7 +27,7 @@ const LEAST_ORDER: f64 = 1e-3;
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZoneCase {
     /// The order ν.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// The set E.
     pub zones: Zones,
     /// What is asked of functions on E.
@@ -64,7 +64,7 @@ impl ZoneCase {
             _ => random.between(LEAST_ORDER, 1.0 - LEAST_ORDER),
         };
         let condition = [Condition::MeanZero, Condition::Vanishing][random.below(2)];
-        Ok(Self { order: FractionalOrder::new(nu)?, zones: Zones::from_lengths(&lengths)?, condition })
+        Ok(Self { order: Order::new(nu)?, zones: Zones::from_lengths(&lengths)?, condition })
     }
 
     /// γ_E / γ_(0,θ), at most one.
@@ -72,9 +72,9 @@ impl ZoneCase {
     /// ```
     /// use experiments::arrangement::ZoneCase;
     /// use experiments::zones::Condition;
-    /// use fractional_sobolev::{FractionalOrder, Tolerance, Zones};
+    /// use fractional_sobolev::{Order, Tolerance, Zones};
     /// let zones = Zones::union(&[(0.2, 0.01), (0.7, 0.02)])?;
-    /// let case = ZoneCase { order: FractionalOrder::HALF, zones, condition: Condition::Vanishing };
+    /// let case = ZoneCase { order: Order::HALF, zones, condition: Condition::Vanishing };
     /// assert!(case.over_end(Tolerance::fast())?.value < 0.8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -124,15 +124,15 @@ pub fn random_zones(
 /// ```
 /// use experiments::arrangement::MovedZone;
 /// use experiments::zones::Condition;
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
-/// let found = MovedZone::new(FractionalOrder::HALF, 0.1, Condition::MeanZero, Tolerance::fast())?;
+/// use fractional_sobolev::{Order, Tolerance};
+/// let found = MovedZone::new(Order::HALF, 0.1, Condition::MeanZero, Tolerance::fast())?;
 /// assert!(found.least.value < 1.0 && found.whole.value <= found.least.value + 1e-3);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovedZone {
     /// The order ν.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// Mean zero or vanishing.
     pub condition: Condition,
     /// Where the constant of (a, a + θ) is least for a ≤ (1 − θ)/2, to a thousandth: a/(1 − θ), one half in
@@ -154,7 +154,7 @@ impl MovedZone {
     /// # Errors
     /// Those of [`gamma`] and [`Zone::at`].
     pub fn new(
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         theta: f64,
         condition: Condition,
         tolerance: impl Given<Tolerance>,
@@ -178,7 +178,7 @@ const GAPS: [f64; 16] =
 /// # Errors
 /// Those of [`ZoneCase::over_end`].
 fn opening_gap(
-    order: FractionalOrder,
+    order: Order,
     theta: f64,
     condition: Condition,
     tolerance: Tolerance,
@@ -199,7 +199,7 @@ const PLACED: f64 = 1e-3;
 /// The start a ∈ [0, (1 − θ)/2] of the zone (a, a + θ) with the least γ, as a share of 1 − θ, and its γ over
 /// that of (0, θ): places at equal steps, then golden sections around the best.
 fn best_place(
-    order: FractionalOrder,
+    order: Order,
     theta: f64,
     condition: Condition,
     tolerance: Tolerance,

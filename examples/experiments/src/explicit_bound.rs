@@ -2,7 +2,7 @@
 
 use crate::zones::Condition;
 use fractional_sobolev::{Constraint, END_SLOPE, end_limit, gamma};
-use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance};
+use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance};
 
 /// An upper bound of γ_θ(ν) for all zones of length θ with an explicit constant; found here and tested, not
 /// proved. With γ₁ the constant of the whole interval:
@@ -16,7 +16,7 @@ pub enum ExplicitBound {
     /// C θ^{ν−1/2}.
     Power {
         /// The order ν < 1/2.
-        order: FractionalOrder,
+        order: Order,
         /// C.
         factor: Estimate,
     },
@@ -35,13 +35,13 @@ impl ExplicitBound {
     /// # Errors
     /// Those of [`gamma_whole`], [`gamma_at_point`] and [`end_limit`].
     pub fn new(
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         condition: Condition,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Option<Self>> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let half = || {
-            gamma(FractionalOrder::HALF, Constraint::mean_zero(), tolerance)
+            gamma(Order::HALF, Constraint::mean_zero(), tolerance)
                 .map(|found| found.constant)
                 .map(|whole| Some(Self::RootOfLogarithm { whole }))
         };

@@ -3,7 +3,7 @@
 use crate::explicit_bound::ExplicitBound;
 use crate::zones::{Condition, Place};
 use fractional_sobolev::{Constraint, END_SLOPE, GammaBounds, INTERIOR_SLOPE, LimitLaw, Zone, gamma};
-use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolerance, Work};
+use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance, Work};
 
 /// Growth of γ between the last two of a sequence of zones (θ, γ), longest first: the slope of γ² against
 /// ln(1/θ) at ν = 1/2, the exponent of θ at other orders. The error adds those of the constants to the change
@@ -15,14 +15,14 @@ use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, Tolera
 ///
 /// ```
 /// use experiments::growth::growth;
-/// use fractional_sobolev::{Estimate, FractionalOrder};
+/// use fractional_sobolev::{Estimate, Order};
 /// let gamma = |theta: f64| Estimate::new(0.5 * theta.powf(-0.25), 1e-9, Default::default());
 /// let zones = [(1e-1, gamma(1e-1)?), (1e-2, gamma(1e-2)?), (1e-3, gamma(1e-3)?)];
-/// let found = growth(FractionalOrder::new(0.25)?, &zones)?;
+/// let found = growth(Order::new(0.25)?, &zones)?;
 /// assert!(found.is_some_and(|exponent| (exponent.value + 0.25).abs() <= exponent.error));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-pub fn growth(order: impl Given<FractionalOrder>, zones: &[(f64, Estimate)]) -> Result<Option<Estimate>> {
+pub fn growth(order: impl Given<Order>, zones: &[(f64, Estimate)]) -> Result<Option<Estimate>> {
     let order = order.given()?;
     for (index, &(value, _)) in zones.iter().enumerate() {
         if !(value > 0.0 && index.checked_sub(1).is_none_or(|k| value < zones[k].0)) {
@@ -46,14 +46,14 @@ pub fn growth(order: impl Given<FractionalOrder>, zones: &[(f64, Estimate)]) -> 
 /// ```
 /// use experiments::growth::{growth_limit, last_exponent};
 /// use experiments::zones::Place;
-/// use fractional_sobolev::{Estimate, FractionalOrder};
-/// assert_eq!(growth_limit(FractionalOrder::new(0.25)?, Place::End), -0.25);
+/// use fractional_sobolev::{Estimate, Order};
+/// assert_eq!(growth_limit(Order::new(0.25)?, Place::End), -0.25);
 /// let of = |x: f64| Ok::<_, fractional_sobolev::Error>((x, Estimate::new(x * x, 1e-9, Default::default())?));
 /// let square = last_exponent(&[of(1.0)?, of(2.0)?, of(4.0)?])?;
 /// assert!(square.is_some_and(|p| (p.value - 2.0).abs() <= p.error));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-pub fn growth_limit(order: FractionalOrder, place: Place) -> f64 {
+pub fn growth_limit(order: Order, place: Place) -> f64 {
     match place {
         _ if order.is_below_half() => order.offset(),
         _ if order.offset() > 0.0 => 0.0,
@@ -95,7 +95,7 @@ const NEAR_ONE: [f64; 3] = [1e-2, 1e-3, 1e-4];
 /// As [`gamma`].
 pub fn printed_exponent_near_one(tolerance: impl Given<Tolerance>) -> Result<Option<Estimate>> {
     let tolerance = tolerance.given()?;
-    let order = FractionalOrder::HALF;
+    let order = Order::HALF;
     let point = |distance: f64| -> Result<Point> {
         let theta = 1.0 - distance;
         let found = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant;
@@ -109,12 +109,12 @@ pub fn printed_exponent_near_one(tolerance: impl Given<Tolerance>) -> Result<Opt
 ///
 /// ```
 /// use experiments::growth::printed_growth;
-/// use fractional_sobolev::FractionalOrder;
-/// assert_eq!(printed_growth(FractionalOrder::new(0.25)?, 1e-4), 10.0);
-/// assert_eq!(printed_growth(FractionalOrder::new(0.75)?, 1e-4), 1.0);
+/// use fractional_sobolev::Order;
+/// assert_eq!(printed_growth(Order::new(0.25)?, 1e-4), 10.0);
+/// assert_eq!(printed_growth(Order::new(0.75)?, 1e-4), 1.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
+pub fn printed_growth(order: Order, theta: f64) -> f64 {
     if order.is_below_half() {
         theta.powf(order.offset())
     } else if order.offset() == 0.0 {
@@ -130,8 +130,8 @@ pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
 /// use experiments::explicit_bound::ExplicitBound;
 /// use experiments::growth::Scaling;
 /// use experiments::zones::{Condition, Place};
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
-/// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::fast());
+/// use fractional_sobolev::{Order, Tolerance};
+/// let (order, asked) = (Order::new(0.25)?, Tolerance::fast());
 /// let point = Scaling::new(order, Place::End, Condition::MeanZero, asked)?.point(1e-3)?;
 /// let bound = ExplicitBound::new(order, Condition::MeanZero, asked)?.map(|bound| bound.at(1e-3));
 /// assert!(bound.transpose()?.is_some_and(|bound| point.found.gamma.value < bound.value));
@@ -139,7 +139,7 @@ pub fn printed_growth(order: FractionalOrder, theta: f64) -> f64 {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Scaling {
-    order: FractionalOrder,
+    order: Order,
     place: Place,
     condition: Condition,
     tolerance: Tolerance,
@@ -164,7 +164,7 @@ pub struct Scaling {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScalingPoint {
     /// The order ν.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// Its length θ.
     pub theta: f64,
     /// The zone.
@@ -189,7 +189,7 @@ impl Scaling {
     /// # Errors
     /// Those of [`LimitLaw::new`] and [`ExplicitBound::new`].
     pub fn new(
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         place: Place,
         condition: Condition,
         tolerance: impl Given<Tolerance>,
@@ -234,9 +234,9 @@ impl Scaling {
 ///
 /// ```
 /// use experiments::growth::{looseness_at_half, printed_exponent_near_one};
-/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance};
+/// use fractional_sobolev::{Constraint, Order, gamma, Tolerance};
 /// let asked = Tolerance::fast();
-/// let short = gamma(FractionalOrder::HALF, Constraint::mean_zero_on(0.0..1e-6), asked)?.constant;
+/// let short = gamma(Order::HALF, Constraint::mean_zero_on(0.0..1e-6), asked)?.constant;
 /// assert!(looseness_at_half(1e-6, short, asked)?.value > 1.0);
 /// // (5.2) cannot hold up to θ = 1
 /// assert!(printed_exponent_near_one(asked)?.is_some_and(|p| p.value < 0.0));
@@ -251,7 +251,7 @@ pub fn looseness_at_half(
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let tolerance = tolerance.given()?;
-    let order = FractionalOrder::HALF;
+    let order = Order::HALF;
     let middle = gamma(order, Constraint::mean_zero_on(0.0..0.5), tolerance)?.constant;
     let printed = printed_growth(order, theta) / printed_growth(order, 0.5);
     let loose = middle.over(shorter)?;

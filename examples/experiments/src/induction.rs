@@ -1,7 +1,7 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
 
 use fractional_sobolev::{Constraint, ExtremalFunction, gamma};
-use fractional_sobolev::{Error, Estimate, FractionalOrder, Given, Result, SingularFunction, Tolerance};
+use fractional_sobolev::{Error, Estimate, Given, Order, Result, SingularFunction, Tolerance};
 
 /// The extremal function is interpolated by polynomials of this degree on its cells, each cut into pieces.
 const DEGREE: usize = 2;
@@ -53,8 +53,8 @@ pub struct InductionStep {
 ///
 /// ```
 /// use experiments::induction::scaling_defect;
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
-/// let defect = scaling_defect(FractionalOrder::HALF, 0.1, Tolerance::fast())?;
+/// use fractional_sobolev::{Order, Tolerance};
+/// let defect = scaling_defect(Order::HALF, 0.1, Tolerance::fast())?;
 /// assert!(defect.value <= 1e-3);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -62,7 +62,7 @@ pub struct InductionStep {
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ 1; those of the quadrature.
 pub fn scaling_defect(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     theta: f64,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
@@ -110,15 +110,15 @@ pub fn scaling_defect(
 ///
 /// ```
 /// use experiments::induction::closing_factor;
-/// use fractional_sobolev::FractionalOrder;
+/// use fractional_sobolev::Order;
 /// // 2 ln(1/θ)/ln(1/θ₀)
-/// assert!((closing_factor(FractionalOrder::HALF, 0.1, 0.001)? - 6.0).abs() < 1e-14);
+/// assert!((closing_factor(Order::HALF, 0.1, 0.001)? - 6.0).abs() < 1e-14);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < θ ≤ θ₀ < 1.
-pub fn closing_factor(order: impl Given<FractionalOrder>, start: f64, theta: f64) -> Result<f64> {
+pub fn closing_factor(order: impl Given<Order>, start: f64, theta: f64) -> Result<f64> {
     let order = order.given()?;
     Error::require(
         "theta",
@@ -158,13 +158,13 @@ pub fn closing_factor(order: impl Given<FractionalOrder>, start: f64, theta: f64
 ///
 /// ```
 /// use experiments::induction::induction;
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
-/// let steps = induction(FractionalOrder::HALF, 0.1, 1, Tolerance::fast())?;
+/// use fractional_sobolev::{Order, Tolerance};
+/// let steps = induction(Order::HALF, 0.1, 1, Tolerance::fast())?;
 /// assert!(steps[0].bound == 2.0 && steps[0].factor.value < 1.5);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 pub fn induction(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     theta: f64,
     steps: u32,
     tolerance: impl Given<Tolerance>,
@@ -212,12 +212,7 @@ pub fn induction(
 }
 
 /// The three quotients of (5.7) and that of (5.6) for the extremal function of V_{θ²}, in the variable x/θ.
-fn restricted(
-    order: FractionalOrder,
-    theta: f64,
-    gamma: Estimate,
-    u: &ExtremalFunction,
-) -> Result<[Estimate; 4]> {
+fn restricted(order: Order, theta: f64, gamma: Estimate, u: &ExtremalFunction) -> Result<[Estimate; 4]> {
     let whole = u.interpolate(DEGREE, PIECES, &[theta * theta, theta])?;
     let nodes = whole.partition().nodes();
     let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + AT_THETA)).count() - 1;

@@ -3,9 +3,7 @@
 use crate::growth::last_exponent;
 use crate::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
 use fractional_sobolev::{Constraint, GammaBounds, Zone, gamma};
-use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, Given, Partition, PiecewisePolynomial, Result, Tolerance,
-};
+use fractional_sobolev::{Error, Estimate, Given, Mesh, Order, PiecewisePolynomial, Result, Tolerance};
 
 /// ε/θ: where the odd extremal function starts to differ from zero.
 const SHARE: f64 = 1e-3;
@@ -49,16 +47,16 @@ pub struct Placed {
 ///
 /// ```
 /// use experiments::location::Places;
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
+/// use fractional_sobolev::{Order, Tolerance};
 /// // a zone of length 0.01 at the left end and in the middle
-/// let found = Places::new(FractionalOrder::HALF, 0.01, &[0.0, 0.5], Tolerance::fast())?;
+/// let found = Places::new(Order::HALF, 0.01, &[0.0, 0.5], Tolerance::fast())?;
 /// assert!(found.zones[1].gamma.value < found.zones[0].gamma.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Places {
     /// The order ν.
-    pub order: FractionalOrder,
+    pub order: Order,
     /// The zones.
     pub zones: Vec<Placed>,
     /// The left side of the step over its right side with γ_θ as the constant, for an odd extremal function.
@@ -75,7 +73,7 @@ impl Places {
     /// # Errors
     /// [`Error::EntryOutOfRange`] for a fraction outside [0, 1], and those of [`two_sided`] and [`Zone::at`].
     pub fn new(
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         theta: f64,
         fractions: &[f64],
         tolerance: impl Given<Tolerance>,
@@ -111,12 +109,12 @@ fn simple_bound(found: &GammaBounds) -> Result<Estimate> {
     Estimate::new(value, error, found.whole.work + found.dual_norm.work)
 }
 
-fn sign(order: FractionalOrder) -> Result<BothSides> {
-    let sign = PiecewisePolynomial::constants(Partition::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+fn sign(order: Order) -> Result<BothSides> {
+    let sign = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
     cut_in_two(&sign, 1, order, Tolerance::balanced())
 }
 
-fn ramps(order: FractionalOrder) -> Result<Option<Estimate>> {
+fn ramps(order: Order) -> Result<Option<Estimate>> {
     let quotient = |log: f64| -> Result<(f64, Estimate)> {
         Ok((log, trial_quotient(&truncated_logarithm(1.0, log)?, order, Tolerance::balanced())?))
     };

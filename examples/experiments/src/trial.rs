@@ -3,7 +3,7 @@
 use crate::growth::{growth, last_exponent};
 use fractional_sobolev::END_SLOPE;
 use fractional_sobolev::{
-    Error, Estimate, FractionalOrder, Given, Partition, PiecewisePolynomial, Result, Tolerance, closed_forms,
+    Error, Estimate, Given, Mesh, Order, PiecewisePolynomial, Result, Tolerance, closed_forms,
 };
 
 /// Ratio of neighbouring layers of a truncated logarithm, in ln x.
@@ -24,9 +24,9 @@ const DEGREE: usize = 2;
 ///
 /// ```
 /// use experiments::trial::{trial_quotient, truncated_logarithm};
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
+/// use fractional_sobolev::{Order, Tolerance};
 /// let [short, shorter] = [16.0, 64.0].map(|log| {
-///     trial_quotient(&truncated_logarithm(0.4, log)?, FractionalOrder::HALF, Tolerance::fast())
+///     trial_quotient(&truncated_logarithm(0.4, log)?, Order::HALF, Tolerance::fast())
 /// });
 /// assert!(shorter?.value > 1.5 * short?.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -44,17 +44,17 @@ pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<PiecewisePolynomial> 
     let value = |x: f64| {
         if x <= 0.0 { 0.0 } else { 1.0 - (-x.ln()).min(log).max(0.0).powf(alpha) / log.powf(alpha) }
     };
-    PiecewisePolynomial::interpolate(Partition::from_nodes(&nodes)?, DEGREE, value)
+    PiecewisePolynomial::interpolate(Mesh::from_nodes(&nodes)?, DEGREE, value)
 }
 
 /// The functions [`truncated_logarithm`] of one α beside the constants of the zones on which they vanish.
 ///
 /// ```
 /// use experiments::trial::{TruncatedFamily, peetre_tartar, truncated_slope};
-/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance, Zone};
+/// use fractional_sobolev::{Constraint, Order, gamma, Tolerance, Zone};
 /// let asked = Tolerance::fast();
 /// let (log, zone) = (16.0, Zone::end((-16f64).exp())?);
-/// let constant = gamma(FractionalOrder::HALF, Constraint::vanishing_on(zone), asked)?.constant;
+/// let constant = gamma(Order::HALF, Constraint::vanishing_on(zone), asked)?.constant;
 /// let family = TruncatedFamily::new(0.4, &[(log, constant)], asked)?;
 /// assert!(family.shares[0].value < 1.0);
 /// assert!((truncated_slope(1.0) - fractional_sobolev::END_SLOPE).abs() < 1e-15);
@@ -129,7 +129,7 @@ impl TruncatedFamily {
         let (mut quotients, mut shares, mut chain) = (Vec::new(), Vec::new(), Vec::new());
         for &(log, gamma) in constants {
             let w = truncated_logarithm(alpha, log)?;
-            let seminorm = w.seminorm(FractionalOrder::HALF, tolerance)?;
+            let seminorm = w.seminorm(Order::HALF, tolerance)?;
             let norm = w.l2_norm(Tolerance::reference())?;
             let quotient = norm.over(seminorm)?;
             if let Some((seminorm_of_u, norm_of_u)) = full {
@@ -144,7 +144,7 @@ impl TruncatedFamily {
             quotients.push((log, quotient));
         }
         let by_zone: Vec<_> = quotients.iter().map(|&(log, quotient)| ((-log).exp(), quotient)).collect();
-        let slope = growth(FractionalOrder::HALF, &by_zone)?;
+        let slope = growth(Order::HALF, &by_zone)?;
         Ok(Self { alpha, growth: last_exponent(&quotients)?, slope, quotients, shares, chain })
     }
 }
@@ -155,7 +155,7 @@ impl TruncatedFamily {
 /// Those of [`PiecewisePolynomial::seminorm`]; [`Error::NotFinite`] for a constant.
 pub fn trial_quotient(
     u: &PiecewisePolynomial,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -167,10 +167,10 @@ pub fn trial_quotient(
 ///
 /// ```
 /// use experiments::trial::{cut_in_two, mean_free_quotient, trial_quotient};
-/// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance};
-/// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
+/// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance};
+/// let (order, asked) = (Order::HALF, Tolerance::fast());
 /// // u = x: ‖x‖₀ = 1/√3, ‖x − 1/4‖₀ = (7/48)^{1/2}, |x|_{1/2} = 1
-/// let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
+/// let u = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
 /// assert!((trial_quotient(&u, order, asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-4);
 /// assert!((mean_free_quotient(&u, 0.5, order, asked)?.value - (7.0f64 / 48.0).sqrt()).abs() < 1e-4);
 /// // two halves: each has |u|² = 1/4 and length 1/2
@@ -184,7 +184,7 @@ pub fn trial_quotient(
 pub fn mean_free_quotient(
     u: &PiecewisePolynomial,
     theta: f64,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -208,9 +208,9 @@ pub fn mean_free_quotient(
 ///
 /// ```
 /// use experiments::trial::{BothSides, cut_in_two};
-/// use fractional_sobolev::{Partition, PiecewisePolynomial};
+/// use fractional_sobolev::{Mesh, PiecewisePolynomial};
 /// // sgn(x − 1/2) cut at its jump: no constant bounds the left side by the right one
-/// let sign = PiecewisePolynomial::constants(Partition::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+/// let sign = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
 /// let BothSides { left, right } = cut_in_two(&sign, 1, 0.25, 1e-8)?;
 /// assert!((left.value - 1.0).abs() < 1e-14 && right.value == 0.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -231,7 +231,7 @@ pub struct BothSides {
 pub fn cut_in_two(
     u: &PiecewisePolynomial,
     elements: usize,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<BothSides> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);

@@ -8,7 +8,7 @@ use crate::HasOutput;
 use clap::{Arg, ArgAction, Args, Command, Parser};
 use experiments::interpolation::SampleSlope;
 use experiments::zones::{Condition, Place};
-use fractional_sobolev::{FractionalOrder, GalleryFunction, Tolerance};
+use fractional_sobolev::{GalleryFunction, Order, Tolerance};
 use serde_json::{Value, json};
 use std::any::TypeId;
 
@@ -176,7 +176,7 @@ fn kind(argument: &Arg) -> Option<Kind> {
         (TypeId::of::<u32>(), Kind::Integer),
         (TypeId::of::<u64>(), Kind::Integer),
         (TypeId::of::<usize>(), Kind::Integer),
-        (TypeId::of::<FractionalOrder>(), Kind::Order),
+        (TypeId::of::<Order>(), Kind::Order),
         (TypeId::of::<Tolerance>(), Kind::Tolerance),
         (TypeId::of::<Condition>(), Kind::Choice(words(&["mean-zero", "vanishing"]))),
         (TypeId::of::<Place>(), Kind::Place(words(&["end", "centre"]))),
@@ -240,7 +240,7 @@ mod tests {
             pub tau: f64,
             /// Orders
             #[arg(long, value_delimiter = ',', default_values = ["0.25", "1/2"])]
-            pub nu: Vec<FractionalOrder>,
+            pub nu: Vec<Order>,
             /// Cone
             #[arg(long, default_value_t = Cone::Nodal)]
             pub cone: Cone,

@@ -27,7 +27,7 @@ impl OnTheLine for u32 {
     }
 }
 
-impl OnTheLine for fractional_sobolev::FractionalOrder {
+impl OnTheLine for fractional_sobolev::Order {
     fn place(&self) -> f64 {
         self.value()
     }
@@ -76,7 +76,7 @@ fn ends(interval: &str) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fractional_sobolev::FractionalOrder;
+    use fractional_sobolev::Order;
 
     #[test]
     fn brackets_decide_about_the_ends() {
@@ -86,7 +86,7 @@ mod tests {
         assert!(!is_in("[0, inf)", "inf") && !is_in("[0, 1]", "NaN") && !is_in("0, 1", "0.5"));
         assert_eq!(within::<usize>("[1, 16]")("16"), Ok(16));
         assert!(within::<usize>("[1, 16]")("17").is_err() && within::<usize>("[1, 16]")("-1").is_err());
-        let upper = within::<FractionalOrder>("(0.5, 1)");
+        let upper = within::<Order>("(0.5, 1)");
         assert!(upper("1/2").is_err() && upper("1/2+0.1").is_ok());
     }
 }

@@ -4,7 +4,7 @@
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Cell, Column, Format, Headline, Output, Result, Table};
 use experiments::growth::{ScalingPoint, printed_growth};
-use fractional_sobolev::{Constraint, FractionalOrder, Tolerance, gamma};
+use fractional_sobolev::{Constraint, Order, Tolerance, gamma};
 
 /// Points per cell of the graded mesh: the pictures resolve every scale between θ and 1.
 const PER_CELL: usize = 6;
@@ -19,12 +19,12 @@ const NEAREST: f64 = 1e-8;
 ///
 /// ```
 /// use example_frame::poincare::extremal_chart;
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
-/// let chart = extremal_chart(&[FractionalOrder::HALF], 1e-2, Tolerance::fast())?;
+/// use fractional_sobolev::{Order, Tolerance};
+/// let chart = extremal_chart(&[Order::HALF], 1e-2, Tolerance::fast())?;
 /// assert!(chart.svg()?.contains("γ = 0.8428"));
 /// # Ok::<(), example_frame::Error>(())
 /// ```
-pub fn extremal_chart(orders: &[FractionalOrder], theta: f64, tolerance: Tolerance) -> Result<Chart> {
+pub fn extremal_chart(orders: &[Order], theta: f64, tolerance: Tolerance) -> Result<Chart> {
     let x =
         Axis::logarithmic("x, distance from the end where the zone is (interval = 1)").range(NEAREST, 1.0);
     let y = Axis::linear("u, extremal function").range(-0.5, 1.5);
@@ -46,7 +46,7 @@ pub fn extremal_chart(orders: &[FractionalOrder], theta: f64, tolerance: Toleran
 ///
 /// # Errors
 /// As for [`gamma`].
-pub fn growth_chart(order: FractionalOrder, lengths: &[f64], tolerance: Tolerance) -> Result<Chart> {
+pub fn growth_chart(order: Order, lengths: &[f64], tolerance: Tolerance) -> Result<Chart> {
     let mut computed = Vec::new();
     for &theta in lengths {
         computed.push((theta, gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant.value));
@@ -74,18 +74,13 @@ const FRAMES: [f64; 9] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
 ///
 /// # Errors
 /// Those of the charts and of their files.
-pub fn frames(
-    headline: &mut Headline,
-    output: &Output,
-    orders: &[FractionalOrder],
-    lengths: &[f64],
-) -> Result<()> {
+pub fn frames(headline: &mut Headline, output: &Output, orders: &[Order], lengths: &[f64]) -> Result<()> {
     for &theta in lengths.iter().filter(|&&theta| theta < 1.0) {
         let chart = || extremal_chart(orders, theta, Tolerance::fast());
         headline.draw(output, &format!("lemma_5_2_extremal_{theta:e}"), chart)?;
     }
     for nu in FRAMES {
-        let chart = || growth_chart(FractionalOrder::new(nu)?, lengths, Tolerance::fast());
+        let chart = || growth_chart(Order::new(nu)?, lengths, Tolerance::fast());
         headline.draw(output, &format!("lemma_5_2_growth_{nu}"), chart)?;
     }
     Ok(())
@@ -109,7 +104,7 @@ pub fn curves_chart(points: &[(ScalingPoint, f64)]) -> Chart {
 }
 
 /// The file of [`curves_chart`]; with one order only its name carries the order.
-pub fn figure_name(orders: &[FractionalOrder]) -> String {
+pub fn figure_name(orders: &[Order]) -> String {
     match orders {
         [one] => format!("lemma_5_2_gamma_{one}").replace(['/', '.'], "_"),
         _ => "lemma_5_2_gamma".to_owned(),

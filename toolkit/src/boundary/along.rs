@@ -8,8 +8,8 @@ use super::function::BoundaryFunction;
 use crate::dual::DualOf;
 use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::mesh::Mesh;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::root::{accept, root_of_squares, scaled};
 
@@ -21,9 +21,9 @@ impl BoundaryFunction {
     /// [`PiecewisePolynomial::lq_norm`]. Cost O(N).
     ///
     /// ```
-    /// use fractional_sobolev::{BoundaryFunction, PolygonalCurve};
+    /// use fractional_sobolev::{BoundaryFunction, Curve};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let x = BoundaryFunction::interpolate(PolygonalCurve::graded(&square, 4, 2.0)?, |x| x[0])?;
+    /// let x = BoundaryFunction::interpolate(Curve::graded(&square, 4, 2.0)?, |x| x[0])?;
     /// // 1/4 on two sides, 1 and 0 on the others
     /// assert!((x.lq_norm(3.0, 1e-10)?.value - 1.5f64.cbrt()).abs() < 1e-14);
     /// assert_eq!(x.lq_norm(f64::INFINITY, 1e-10)?.value, 1.0);
@@ -52,9 +52,9 @@ impl BoundaryFunction {
     /// second, in place of the 1500 elements of `Slobodeckij`.
     ///
     /// ```
-    /// use fractional_sobolev::{BoundaryFunction, DualOf, PolygonalCurve};
+    /// use fractional_sobolev::{BoundaryFunction, DualOf, Curve};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let one = BoundaryFunction::interpolate(PolygonalCurve::graded(&square, 2, 1.0)?, |_| 1.0)?;
+    /// let one = BoundaryFunction::interpolate(Curve::graded(&square, 2, 1.0)?, |_| 1.0)?;
     /// for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
     ///     // attained by 1 itself, of eigenvalue 0: the L² norm
     ///     assert!((one.dual_norm_in(of, 0.5, 1e-8)?.value - 2.0).abs() < 1e-7);
@@ -68,7 +68,7 @@ impl BoundaryFunction {
     pub fn dual_norm_in(
         &self,
         of: DualOf,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -92,7 +92,7 @@ impl BoundaryFunction {
     /// The function of the arc length.
     fn along(&self) -> Result<PiecewisePolynomial> {
         let lengths = (0..self.curve().len()).map(|e| self.curve().element_length(e)).collect();
-        PiecewisePolynomial::discontinuous_linears(Partition::from_lengths(lengths)?, self.ends())
+        PiecewisePolynomial::discontinuous_linears(Mesh::from_lengths(lengths)?, self.ends())
     }
 
     /// (f(s) + f(L−s))/2 and (f(s) − f(L−s))/2 on (0, L/2), cut at the nodes of both halves.
@@ -125,7 +125,7 @@ impl BoundaryFunction {
                 back = length(f);
             }
         }
-        let partition = Partition::from_lengths(lengths)?;
+        let partition = Mesh::from_lengths(lengths)?;
         let odd = PiecewisePolynomial::discontinuous_linears(partition.clone(), &odd)?;
         Ok([PiecewisePolynomial::discontinuous_linears(partition, &even)?, odd])
     }

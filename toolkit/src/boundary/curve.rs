@@ -5,13 +5,13 @@
 //! there: no digits are lost towards a corner, whatever its angle.
 
 use crate::error::{Error, Result};
+use crate::mesh::Mesh;
 use crate::numeric::check::{require_entry, require_finite_at, require_length};
-use crate::partition::Partition;
 
 /// The boundary of a polygon, or an open polygonal curve, with elements on every side.
 #[doc(alias("polygon", "boundary mesh", "BEM"))]
 #[derive(Debug, Clone, PartialEq)]
-pub struct PolygonalCurve {
+pub struct Curve {
     vertices: Vec<[f64; 2]>,
     closed: bool,
     sides: Vec<Side>,
@@ -24,7 +24,7 @@ pub struct PolygonalCurve {
 struct Side {
     start: [f64; 2],
     direction: [f64; 2],
-    mesh: Partition,
+    mesh: Mesh,
 }
 
 /// How two elements lie to each other, with what distances need.
@@ -39,16 +39,16 @@ pub(super) enum Relation {
     Apart,
 }
 
-impl PolygonalCurve {
+impl Curve {
     /// The boundary of the polygon with these vertices, in either orientation; side k, from vertex k on, has
     /// the elements of `meshes[k]`, scaled to its length.
     ///
     /// ```
-    /// use fractional_sobolev::{Partition, PolygonalCurve};
+    /// use fractional_sobolev::{Mesh, Curve};
     /// let triangle = [[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]];
-    /// let graded = Partition::algebraic(3, 2.0, 1.0)?;
-    /// let meshes = [Partition::uniform(2, 1.0)?, graded, Partition::uniform(1, 1.0)?];
-    /// let curve = PolygonalCurve::closed(&triangle, &meshes)?;
+    /// let graded = Mesh::algebraic(3, 2.0, 1.0)?;
+    /// let meshes = [Mesh::uniform(2, 1.0)?, graded, Mesh::uniform(1, 1.0)?];
+    /// let curve = Curve::closed(&triangle, &meshes)?;
     /// assert!(curve.len() == 6 && curve.is_closed() && (curve.length() - 12.0).abs() < 1e-14);
     /// assert_eq!(curve.nodes()[1], [1.5, 0.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -58,24 +58,24 @@ impl PolygonalCurve {
     /// [`Error::CountOutOfRange`] with fewer than three vertices, [`Error::LengthMismatch`] unless there are
     /// as many meshes; [`Error::NotFinite`] by the vertex, [`Error::EntryOutOfRange`] by the side for one of
     /// length zero, by the vertex for sides that turn back; [`Error::Edge`] for a side that meets another.
-    pub fn closed(vertices: &[[f64; 2]], meshes: &[Partition]) -> Result<Self> {
+    pub fn closed(vertices: &[[f64; 2]], meshes: &[Mesh]) -> Result<Self> {
         Self::build(vertices, meshes, true)
     }
 
-    /// As [`PolygonalCurve::closed`] without the side from the last vertex to the first: part of a boundary.
+    /// As [`Curve::closed`] without the side from the last vertex to the first: part of a boundary.
     ///
     /// ```
-    /// use fractional_sobolev::{Partition, PolygonalCurve};
+    /// use fractional_sobolev::{Mesh, Curve};
     /// let corner = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
-    /// let mesh = Partition::uniform(4, 1.0)?;
-    /// let curve = PolygonalCurve::open(&corner, &[mesh.clone(), mesh])?;
+    /// let mesh = Mesh::uniform(4, 1.0)?;
+    /// let curve = Curve::open(&corner, &[mesh.clone(), mesh])?;
     /// assert!(curve.len() == 8 && curve.nodes().len() == 9 && !curve.is_empty());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As [`PolygonalCurve::closed`], two vertices being enough.
-    pub fn open(vertices: &[[f64; 2]], meshes: &[Partition]) -> Result<Self> {
+    /// As [`Curve::closed`], two vertices being enough.
+    pub fn open(vertices: &[[f64; 2]], meshes: &[Mesh]) -> Result<Self> {
         Self::build(vertices, meshes, false)
     }
 
@@ -83,25 +83,25 @@ impl PolygonalCurve {
     /// like (i/n)^β; β = 1 for equal ones. `count` is even.
     ///
     /// ```
-    /// use fractional_sobolev::PolygonalCurve;
+    /// use fractional_sobolev::Curve;
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let curve = PolygonalCurve::graded(&square, 4, 2.0)?;
+    /// let curve = Curve::graded(&square, 4, 2.0)?;
     /// assert_eq!(curve.nodes()[1], [0.125, 0.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As [`PolygonalCurve::closed`] and [`Partition::algebraic`]; [`Error::CountOutOfRange`] for an odd
+    /// As [`Curve::closed`] and [`Mesh::algebraic`]; [`Error::CountOutOfRange`] for an odd
     /// count.
     pub fn graded(vertices: &[[f64; 2]], count: usize, exponent: f64) -> Result<Self> {
         if !count.is_multiple_of(2) {
             return Err(Error::CountOutOfRange { name: "elements of a side", value: count, range: "even" });
         }
-        let mesh = Partition::two_sided_algebraic(count / 2, exponent, 1.0)?;
+        let mesh = Mesh::two_sided_algebraic(count / 2, exponent, 1.0)?;
         Self::closed(vertices, &vec![mesh; vertices.len()])
     }
 
-    fn build(vertices: &[[f64; 2]], meshes: &[Partition], closed: bool) -> Result<Self> {
+    fn build(vertices: &[[f64; 2]], meshes: &[Mesh], closed: bool) -> Result<Self> {
         let least = if closed { 3 } else { 2 };
         if vertices.len() < least {
             let (value, range) = (vertices.len(), if closed { ">= 3" } else { ">= 2" });
@@ -118,7 +118,7 @@ impl PolygonalCurve {
             let length = distance(start, end);
             require_entry("length of a side", k, length, "(0, inf)", length > 0.0 && length.is_finite())?;
             let share = length / mesh.total();
-            let mesh = Partition::from_lengths(mesh.lengths().iter().map(|h| h * share).collect())?;
+            let mesh = Mesh::from_lengths(mesh.lengths().iter().map(|h| h * share).collect())?;
             let direction = [(end[0] - start[0]) / length, (end[1] - start[1]) / length];
             sides.push(Side { start, direction, mesh });
         }
@@ -169,7 +169,7 @@ impl PolygonalCurve {
     pub(super) fn halved(&self) -> Result<Self> {
         let halves = |side: &Side| {
             let lengths = side.mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
-            Ok(Side { mesh: Partition::from_lengths(lengths)?, ..side.clone() })
+            Ok(Side { mesh: Mesh::from_lengths(lengths)?, ..side.clone() })
         };
         let sides: Vec<Side> = self.sides.iter().map(halves).collect::<Result<_>>()?;
         let elements = sides
@@ -219,7 +219,7 @@ impl PolygonalCurve {
         self.sides[side].mesh.lengths()[cell]
     }
 
-    /// The place of the point at distance t from the left end of an element, as [`PolygonalCurve::apart`]
+    /// The place of the point at distance t from the left end of an element, as [`Curve::apart`]
     /// wants it.
     pub(super) fn place(&self, e: usize, t: f64) -> Place {
         let (side, cell) = self.elements[e];

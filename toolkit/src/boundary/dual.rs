@@ -1,14 +1,14 @@
 //! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linears, and its limit on halved
 //! meshes.
 
-use super::curve::PolygonalCurve;
+use super::curve::Curve;
 use super::function::BoundaryFunction;
 use super::pairs::CurvePairs;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::dense::Cholesky;
 use crate::numeric::parallel;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use nalgebra::DMatrix;
 
 /// Elements of the finest mesh at most: a second of kernel values, and a dense factorization.
@@ -31,10 +31,10 @@ impl BoundaryFunction {
     /// give more digits.
     ///
     /// ```
-    /// use fractional_sobolev::{BoundaryFunction, FractionalOrder, PolygonalCurve, Tolerance};
+    /// use fractional_sobolev::{BoundaryFunction, Order, Curve, Tolerance};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let one = BoundaryFunction::interpolate(PolygonalCurve::graded(&square, 2, 1.0)?, |_| 1.0)?;
-    /// let found = one.dual_norm(FractionalOrder::HALF, Tolerance::balanced())?;
+    /// let one = BoundaryFunction::interpolate(Curve::graded(&square, 2, 1.0)?, |_| 1.0)?;
+    /// let found = one.dual_norm(Order::HALF, Tolerance::balanced())?;
     /// assert!((found.value - 2.0).abs() < 1e-8); // attained by 1 itself: the L² norm
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -43,11 +43,7 @@ impl BoundaryFunction {
     /// [`Error::CountOutOfRange`] for more than 1500 elements, [`Error::NotPositiveDefinite`],
     /// [`Error::ToleranceNotMet`] with the best value.
     #[doc(alias("boundary element", "H-1/2"))]
-    pub fn dual_norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         if self.curve().len() > MOST {
             let (name, range) = ("elements of a dual norm", "<= 1500");
@@ -95,7 +91,7 @@ fn limit(values: &[f64], limits: &mut Vec<f64>, work: Work) -> Result<Option<Est
 }
 
 /// √(bᵀ(M+A)⁻¹b) on one mesh.
-fn supremum(curve: &PolygonalCurve, ends: &[[f64; 2]], order: FractionalOrder) -> Result<f64> {
+fn supremum(curve: &Curve, ends: &[[f64; 2]], order: Order) -> Result<f64> {
     let n = curve.len();
     let nodes = n + usize::from(!curve.is_closed());
     let pairs = CurvePairs::new(curve, order, false, ENTRIES)?;

@@ -1,6 +1,6 @@
 //! Functions on polygonal curves: linear or constant on every element.
 
-use super::curve::PolygonalCurve;
+use super::curve::Curve;
 use super::pairs::CurvePairs;
 use crate::energy::PairSum;
 use crate::error::{Error, Given, Result};
@@ -8,7 +8,7 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::check::{require_length, require_values};
 use crate::numeric::memory::require_memory;
 use crate::numeric::scale::power_of_two;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use rayon::prelude::*;
 
@@ -19,36 +19,36 @@ const SHARE: f64 = 0.5;
 /// What ends the accuracy.
 const LIMIT: &str = "rounding of the values beside their differences";
 
-/// A function on a [`PolygonalCurve`]: continuous and linear on every element, or constant on every element.
+/// A function on a [`Curve`]: continuous and linear on every element, or constant on every element.
 #[doc(alias("H1/2", "H-1/2", "trace", "boundary element", "BEM", "Gagliardo"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryFunction {
-    curve: PolygonalCurve,
+    curve: Curve,
     /// values at the ends of the elements
     ends: Vec<[f64; 2]>,
     constants: bool,
 }
 
 impl BoundaryFunction {
-    /// Continuous and linear on every element, by its values at [`PolygonalCurve::nodes`].
+    /// Continuous and linear on every element, by its values at [`Curve::nodes`].
     ///
     /// ```
-    /// use fractional_sobolev::{BoundaryFunction, FractionalOrder, Partition, PolygonalCurve, Tolerance};
+    /// use fractional_sobolev::{BoundaryFunction, Order, Mesh, Curve, Tolerance};
     /// // 0 on one leg of a right angle, the distance from its corner on the other: 1 + 1
     /// let corner = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
-    /// let mesh = Partition::uniform(1, 1.0)?;
-    /// let curve = PolygonalCurve::open(&corner, &[mesh.clone(), mesh])?;
+    /// let mesh = Mesh::uniform(1, 1.0)?;
+    /// let curve = Curve::open(&corner, &[mesh.clone(), mesh])?;
     /// let u = BoundaryFunction::linears(curve, &[0.0, 0.0, 1.0])?;
     /// let asked = Tolerance::reference();
-    /// assert!((u.seminorm(FractionalOrder::HALF, asked)?.value.powi(2) - 2.0).abs() < 1e-12);
+    /// assert!((u.seminorm(Order::HALF, asked)?.value.powi(2) - 2.0).abs() < 1e-12);
     /// assert!((u.l2_norm(asked)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-14);
-    /// assert!((u.norm(FractionalOrder::HALF, asked)?.value.powi(2) - 7.0 / 3.0).abs() < 1e-12);
+    /// assert!((u.norm(Order::HALF, asked)?.value.powi(2) - 7.0 / 3.0).abs() < 1e-12);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn linears(curve: PolygonalCurve, values: &[f64]) -> Result<Self> {
+    pub fn linears(curve: Curve, values: &[f64]) -> Result<Self> {
         let count = curve.len() + usize::from(!curve.is_closed());
         require_values("values of nodes", values, count)?;
         let ends = (0..curve.len()).map(|e| curve.nodes_of(e).map(|k| values[k])).collect();
@@ -58,18 +58,18 @@ impl BoundaryFunction {
     /// Constant on every element, as normal derivatives are approximated.
     ///
     /// ```
-    /// use fractional_sobolev::{BoundaryFunction, FractionalOrder, PolygonalCurve, Tolerance};
+    /// use fractional_sobolev::{BoundaryFunction, Order, Curve, Tolerance};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let curve = PolygonalCurve::graded(&square, 2, 1.0)?;
+    /// let curve = Curve::graded(&square, 2, 1.0)?;
     /// let side = BoundaryFunction::constants(curve, &[1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])?;
-    /// assert!(side.seminorm(FractionalOrder::new(0.4)?, Tolerance::fast()).is_ok());
-    /// assert!(side.seminorm(FractionalOrder::HALF, Tolerance::fast()).is_err()); // a jump
+    /// assert!(side.seminorm(Order::new(0.4)?, Tolerance::fast()).is_ok());
+    /// assert!(side.seminorm(Order::HALF, Tolerance::fast()).is_err()); // a jump
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn constants(curve: PolygonalCurve, values: &[f64]) -> Result<Self> {
+    pub fn constants(curve: Curve, values: &[f64]) -> Result<Self> {
         require_length("values of elements", values.len(), curve.len())?;
         require_values("values of elements", values, curve.len())?;
         Ok(Self { curve, ends: values.iter().map(|&v| [v, v]).collect(), constants: true })
@@ -78,9 +78,9 @@ impl BoundaryFunction {
     /// The linear interpolant of a function of the plane at the nodes.
     ///
     /// ```
-    /// use fractional_sobolev::{BoundaryFunction, PolygonalCurve, Tolerance};
+    /// use fractional_sobolev::{BoundaryFunction, Curve, Tolerance};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let u = BoundaryFunction::interpolate(PolygonalCurve::graded(&square, 8, 1.0)?, |x| x[0])?;
+    /// let u = BoundaryFunction::interpolate(Curve::graded(&square, 8, 1.0)?, |x| x[0])?;
     /// assert!((u.l2_norm(Tolerance::fast())?.value.powi(2) - 5.0 / 3.0).abs() < 1e-14);
     /// assert_eq!(u.curve().len(), 32);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -88,13 +88,13 @@ impl BoundaryFunction {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value.
-    pub fn interpolate(curve: PolygonalCurve, f: impl Fn([f64; 2]) -> f64) -> Result<Self> {
+    pub fn interpolate(curve: Curve, f: impl Fn([f64; 2]) -> f64) -> Result<Self> {
         let values: Vec<f64> = curve.nodes().into_iter().map(f).collect();
         Self::linears(curve, &values)
     }
 
     /// The curve.
-    pub fn curve(&self) -> &PolygonalCurve {
+    pub fn curve(&self) -> &Curve {
         &self.curve
     }
 
@@ -116,11 +116,7 @@ impl BoundaryFunction {
     /// elements, [`Error::TooLarge`] beyond memory; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
     #[doc(alias("Gagliardo", "Slobodeckij", "boundary element"))]
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
@@ -129,11 +125,7 @@ impl BoundaryFunction {
     ///
     /// # Errors
     /// As [`BoundaryFunction::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
@@ -158,7 +150,7 @@ impl BoundaryFunction {
         power_of_two(self.ends.iter().flatten().fold(0.0, |most, v| v.abs().max(most)))
     }
 
-    fn seminorm_as_it_is(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let n = self.ends.len();
         let first = self.ends[0][0];
         if self.ends.iter().flatten().all(|&v| v == first) {

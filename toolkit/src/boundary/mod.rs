@@ -6,5 +6,5 @@ mod dual;
 mod function;
 mod pairs;
 
-pub use curve::PolygonalCurve;
+pub use curve::Curve;
 pub use function::BoundaryFunction;

@@ -10,10 +10,10 @@
 //! - others: cut until no piece is longer than the distance to the other, then Gauss rules whose order the
 //!   quotient of the two decides.
 
-use super::curve::{Place, PolygonalCurve, Relation};
+use super::curve::{Curve, Place, Relation};
 use crate::error::Result;
 use crate::kernel::power::PowerKernel;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 
 /// Points of a rule at most: enough for pieces as long as their distance.
@@ -21,7 +21,7 @@ const MOST_POINTS: usize = 16;
 
 /// The rules for one order.
 pub(super) struct CurvePairs<'a> {
-    curve: &'a PolygonalCurve,
+    curve: &'a Curve,
     kernel: PowerKernel,
     rules: Vec<Rule>,
     digits: f64,
@@ -33,12 +33,7 @@ pub(super) struct CurvePairs<'a> {
 type Part = (f64, f64);
 
 impl<'a> CurvePairs<'a> {
-    pub(super) fn new(
-        curve: &'a PolygonalCurve,
-        order: FractionalOrder,
-        constants: bool,
-        target: f64,
-    ) -> Result<Self> {
+    pub(super) fn new(curve: &'a Curve, order: Order, constants: bool, target: f64) -> Result<Self> {
         let kernel = PowerKernel::new(order);
         Ok(Self {
             curve,

@@ -10,9 +10,9 @@ use super::functional::DualOf;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::functions::{Arm, SingularFunction};
+use crate::mesh::Mesh;
 use crate::numeric::legendre;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::quadrature::Rule;
 
@@ -51,11 +51,7 @@ impl SingularFunction<'_> {
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] for a value of the function.
     #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
     }
 
@@ -66,7 +62,7 @@ impl SingularFunction<'_> {
     pub fn dual_norm_in(
         &self,
         of: DualOf,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -108,7 +104,7 @@ impl SingularFunction<'_> {
 impl Interpolant {
     /// The polynomial, and the L² norm of what it leaves.
     pub(crate) fn finish(self) -> Result<(PiecewisePolynomial, f64)> {
-        let partition = Partition::from_lengths(self.lengths)?;
+        let partition = Mesh::from_lengths(self.lengths)?;
         Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, self.left.sqrt()))
     }
 

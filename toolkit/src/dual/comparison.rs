@@ -14,8 +14,8 @@
 use super::cells::Cells;
 use super::cosines::{exact_form, symbol_constant};
 use crate::error::Result;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::mesh::Mesh;
+use crate::order::Order;
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -44,18 +44,12 @@ pub(super) struct Part {
 }
 
 impl Part {
-    pub(super) fn whole(partition: &Partition, weights: [f64; 2]) -> Self {
+    pub(super) fn whole(partition: &Mesh, weights: [f64; 2]) -> Self {
         Self { start: 0.0, length: 1.0, elements: 0..partition.len(), weights, near: [NEAR, NEAR] }
     }
 
     /// f within ℓ/2 of an end. m + a (ℓ^{-2ν} - 1)/ν beside a ℓ^{-2ν} leaves b there what it is.
-    pub(super) fn window(
-        &self,
-        partition: &Partition,
-        order: FractionalOrder,
-        length: f64,
-        right: bool,
-    ) -> Self {
+    pub(super) fn window(&self, partition: &Mesh, order: Order, length: f64, right: bool) -> Self {
         let (nu, [m, a]) = (order.value(), self.weights);
         let half = 0.5 * length * partition.total();
         let elements = if right {
@@ -77,14 +71,14 @@ impl Part {
 /// β_j and c.
 #[derive(Debug, Clone)]
 pub(super) struct Comparison {
-    order: FractionalOrder,
+    order: Order,
     pub(super) nodes: Vec<f64>,
     pub(super) constant: f64,
 }
 
 impl Comparison {
     /// For f of `count` elements, to a relative `tolerance`.
-    pub(super) fn new(order: FractionalOrder, [m, a]: [f64; 2], count: usize, tolerance: f64) -> Self {
+    pub(super) fn new(order: Order, [m, a]: [f64; 2], count: usize, tolerance: f64) -> Self {
         let (nu, constant) = (order.value(), symbol_constant(order));
         let at = |x: f64| m - a * (x.powf(-2.0 * nu) + (1.0 - x).powf(-2.0 * nu)) / nu;
         let (least, most) = (at(NEAR), at(0.5));
@@ -107,7 +101,7 @@ impl Comparison {
     }
 
     /// θ_j on the elements of f in a part, for every node; nothing where there is one node.
-    pub(super) fn shares(&self, partition: &Partition, part: &Part) -> Vec<Vec<f64>> {
+    pub(super) fn shares(&self, partition: &Mesh, part: &Part) -> Vec<Vec<f64>> {
         let mut shares = vec![Vec::with_capacity(part.elements.len()); self.nodes.len()];
         if self.nodes.len() == 1 {
             return Vec::new();
@@ -129,13 +123,7 @@ impl Comparison {
     }
 
     /// R for f without mean on the whole interval, and its error.
-    pub(super) fn exact(
-        &self,
-        partition: &Partition,
-        part: &Part,
-        f: Cells,
-        goal: f64,
-    ) -> Result<(f64, f64)> {
+    pub(super) fn exact(&self, partition: &Mesh, part: &Part, f: Cells, goal: f64) -> Result<(f64, f64)> {
         let symbol = part.weights[1] * self.constant;
         let shares = self.shares(partition, part);
         if shares.is_empty() {

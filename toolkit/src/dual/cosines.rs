@@ -15,7 +15,7 @@ use super::resolvent::{Ends, Load, geometric};
 use crate::error::{Error, Result};
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 use std::f64::consts::PI;
@@ -25,18 +25,13 @@ use std::sync::Arc;
 const MOST_NODES: f64 = 1e6;
 
 /// c of the symbol c |ξ|^{2ν}.
-pub(super) fn symbol_constant(order: FractionalOrder) -> f64 {
+pub(super) fn symbol_constant(order: Order) -> f64 {
     let sine = (PI * order.value().min(order.complement())).sin();
     2.0 * PI / (libm::tgamma(1.0 + 2.0 * order.value()) * sine)
 }
 
 /// ⟨f, (β + cA^ν)^{-1} f⟩ on (0, 1) for f without mean, and its error, to a relative `goal`.
-pub(super) fn exact_form(
-    cells: Cells,
-    order: FractionalOrder,
-    [beta, c]: [f64; 2],
-    goal: f64,
-) -> Result<(f64, f64)> {
+pub(super) fn exact_form(cells: Cells, order: Order, [beta, c]: [f64; 2], goal: f64) -> Result<(f64, f64)> {
     let (nu, complement) = (order.value(), order.complement());
     let sine = (PI * nu.min(complement)).sin() / PI;
     // Half width of the strip in which the integrand is analytic in y = ln s.
@@ -116,7 +111,7 @@ pub(super) struct Cosines {
 }
 
 impl Cosines {
-    pub(super) fn new(cells: usize, order: FractionalOrder) -> Self {
+    pub(super) fn new(cells: usize, order: Order) -> Self {
         let forward = RealFftPlanner::new().plan_fft_forward(2 * cells);
         let (spectrum, scratch) = (forward.make_output_vec(), forward.make_scratch_vec());
         let exponent = 2.0 * order.value();
@@ -180,7 +175,7 @@ impl Cosines {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Partition, PiecewisePolynomial};
+    use crate::{Mesh, PiecewisePolynomial};
 
     /// A step in the middle: Σ_{k odd} 8/(kπ)² / (β + c (kπ)^{2ν}), its tail without β by the midpoint rule.
     fn step_by_cosines(nu: f64, [beta, c]: [f64; 2]) -> (f64, f64) {
@@ -193,10 +188,10 @@ mod tests {
 
     #[test]
     fn small_and_large_shifts_are_summed_with_both_ends() {
-        let halves = Partition::uniform(2, 1.0).unwrap();
+        let halves = Mesh::uniform(2, 1.0).unwrap();
         let step = Cells::new(&PiecewisePolynomial::constants(halves, &[1.0, -1.0]).unwrap(), 1.0).unwrap();
         for nu in [0.1, 0.3, 0.5, 0.7, 0.9] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             for c in [0.1, 1.0, 9.0] {
                 // the last puts the pole of the weight beside that of the first wave
                 for beta in [0.0, 1e-30, 1e-9, 1e-4, 1e-2, 0.1, 1.0, 30.0, c * PI.powf(2.0 * nu)] {

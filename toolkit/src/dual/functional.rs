@@ -4,7 +4,7 @@
 use super::resolvent::Ends;
 use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
 /// The norm whose dual is meant.
@@ -22,8 +22,8 @@ use crate::piecewise::PiecewisePolynomial;
 /// second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's.
 ///
 /// ```
-/// use fractional_sobolev::{DualOf, Partition, PiecewisePolynomial};
-/// let sign = PiecewisePolynomial::constants(Partition::uniform(2, 1.0)?, &[1.0, -1.0])?;
+/// use fractional_sobolev::{DualOf, Mesh, PiecewisePolynomial};
+/// let sign = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0)?, &[1.0, -1.0])?;
 /// let cosines = sign.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8)?.value;
 /// let sines = sign.dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-8)?.value;
 /// assert!(sines < cosines);
@@ -45,7 +45,7 @@ impl PiecewisePolynomial {
     /// [`PiecewisePolynomial::norm`].
     ///
     /// The interpolation spaces: Balakrishnan's integral of resolvents, each in closed form on every element
-    /// and summed in O(N): all digits on every partition, some hundred passes (a fraction of a second for
+    /// and summed in O(N): all digits on every mesh, some hundred passes (a fraction of a second for
     /// 100 000 elements).
     ///
     /// The norm (1.1): Q_h + R − R_h, piecewise linears on M equal elements with what they miss taken from
@@ -55,8 +55,8 @@ impl PiecewisePolynomial {
     /// of doubling: honest, not proved.
     ///
     /// ```
-    /// use fractional_sobolev::{DualOf, Partition, PiecewisePolynomial};
-    /// let one = PiecewisePolynomial::constants(Partition::uniform(4, 1.0)?, &[1.0; 4])?;
+    /// use fractional_sobolev::{DualOf, Mesh, PiecewisePolynomial};
+    /// let one = PiecewisePolynomial::constants(Mesh::uniform(4, 1.0)?, &[1.0; 4])?;
     /// let found = one.dual_norm(0.5, 1e-8)?;
     /// assert!((found.value - 1.0).abs() < 1e-8); // attained by the constant itself
     /// assert!((one.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
@@ -70,11 +70,7 @@ impl PiecewisePolynomial {
     /// [`Error::ToleranceNotMet`]: crate::Error::ToleranceNotMet
     /// [`Error::NotFinite`]: crate::Error::NotFinite
     #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
     }
 
@@ -85,7 +81,7 @@ impl PiecewisePolynomial {
     pub fn dual_norm_in(
         &self,
         of: DualOf,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);

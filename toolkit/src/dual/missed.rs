@@ -11,9 +11,9 @@ use crate::error::Result;
 use crate::estimate::Tolerance;
 use crate::gram::GramOperator;
 use crate::gram::dense::mass_linears;
+use crate::mesh::Mesh;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::quadrature::Rule;
 use std::iter::once;
@@ -70,7 +70,7 @@ pub(super) struct Rough<'a> {
     pub(super) u: &'a PiecewisePolynomial,
     pub(super) unit: f64,
     pub(super) mean: f64,
-    pub(super) order: FractionalOrder,
+    pub(super) order: Order,
     pub(super) weights: [f64; 2],
     pub(super) comparison: Comparison,
 }
@@ -148,7 +148,7 @@ impl Rough<'_> {
 
     /// Q_h - R_h on a part.
     fn missed_on(&self, part: &Part, cells: usize, goal: f64) -> Result<Missed> {
-        let mesh = Partition::uniform(cells, 1.0)?;
+        let mesh = Mesh::uniform(cells, 1.0)?;
         let shares = self.comparison.shares(self.u.partition(), part);
         let mut loads = self.loads(part, cells, &shares)?;
         let mut load = loads.remove(0);

@@ -4,12 +4,12 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::gram::GramOperator;
 use crate::gram::dense::{gram_linears, mass_linears};
+use crate::mesh::Mesh;
 use crate::numeric::check::require_values;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::numeric::dense::{Cholesky, product};
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::order::Order;
 use crate::root::accept;
 use nalgebra::DMatrix;
 
@@ -20,16 +20,16 @@ const DENSE: usize = 300;
 /// residual.
 ///
 /// ```
-/// use fractional_sobolev::{MeshFunctional, Partition};
+/// use fractional_sobolev::{MeshFunctional, Mesh};
 /// // v ↦ ∫ v on (0, 1): the supremum is attained by the constant
-/// let f = MeshFunctional::new(Partition::uniform(4, 1.0)?, &[0.125, 0.25, 0.25, 0.25, 0.125])?;
+/// let f = MeshFunctional::new(Mesh::uniform(4, 1.0)?, &[0.125, 0.25, 0.25, 0.25, 0.125])?;
 /// assert!((f.dual_norm(0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[doc(alias("load vector", "residual", "dual norm"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshFunctional {
-    partition: Partition,
+    partition: Mesh,
     values: Vec<f64>,
 }
 
@@ -38,7 +38,7 @@ impl MeshFunctional {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`] with the index.
-    pub fn new(partition: Partition, values: &[f64]) -> Result<Self> {
+    pub fn new(partition: Mesh, values: &[f64]) -> Result<Self> {
         require_values("functional on hats", values, partition.len() + 1)?;
         Ok(Self { partition, values: values.to_vec() })
     }
@@ -52,11 +52,7 @@ impl MeshFunctional {
     /// # Errors
     /// [`Error::NotPositiveDefinite`], [`Error::ToleranceNotMet`] with the best value.
     #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let size = self.values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         if size == 0.0 {
@@ -76,7 +72,7 @@ impl MeshFunctional {
 }
 
 /// bᵀ (M + A)⁻¹ b by Cholesky.
-fn solve_dense(partition: &Partition, order: FractionalOrder, load: &[f64]) -> Result<Estimate> {
+fn solve_dense(partition: &Mesh, order: Order, load: &[f64]) -> Result<Estimate> {
     let gram = gram_linears(partition, order);
     let (diagonal, off) = mass_linears(partition);
     let n = load.len();
@@ -140,12 +136,7 @@ const SETTLED: usize = 20;
 ///
 /// bᵀx grows monotonically by the steps' contributions; it has settled when the last 20 of them add less than
 /// the tolerance.
-fn solve_iteratively(
-    partition: &Partition,
-    order: FractionalOrder,
-    load: &[f64],
-    tolerance: Tolerance,
-) -> Result<Estimate> {
+fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: Tolerance) -> Result<Estimate> {
     let n = load.len();
     let operator = GramOperator::linears(partition, order, Tolerance::reference())?;
     let (mass, off) = mass_linears(partition);

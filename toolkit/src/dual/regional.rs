@@ -19,7 +19,7 @@ use super::cosines::symbol_constant;
 use super::missed::Rough;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
 /// Equal elements at first and at most.
@@ -67,7 +67,7 @@ impl Rough<'_> {
 }
 
 impl PiecewisePolynomial {
-    pub(super) fn dual_of_regional(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub(super) fn dual_of_regional(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let unit = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
         if unit == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());

@@ -1,4 +1,4 @@
-//! Dual norms of the interpolation spaces by resolvents: every digit, on every partition, O(N) each.
+//! Dual norms of the interpolation spaces by resolvents: every digit, on every mesh, O(N) each.
 //!
 //! With A = -d²/dx² under the Neumann (cosines) or the Dirichlet condition (sines), Balakrishnan's formula is
 //!   ⟨f, (1+A)^{-ν} f⟩ = (sin πν / π) ∫_0^∞ s^{-ν} ⟨f, (1+s+A)^{-1} f⟩ ds,
@@ -19,7 +19,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use std::f64::consts::PI;
 
@@ -117,7 +117,7 @@ pub(super) fn geometric(rate: f64, step: f64, distance: f64) -> f64 {
 }
 
 /// ⟨f, (1+A)^{-ν} f⟩ / L and its error, to a relative `goal`; and how many values it took.
-fn power_form(load: &Load, order: FractionalOrder, goal: f64) -> (f64, f64, u64) {
+fn power_form(load: &Load, order: Order, goal: f64) -> (f64, f64, u64) {
     let (nu, complement) = (order.value(), order.complement());
     let step = 2.0 * PI * PI / (4.0 / goal).ln();
     // Below, ρ(τ) is ρ(1) up to e^y; above, the law of large τ holds and 1 + e^{-y} is 1.
@@ -156,7 +156,7 @@ impl PiecewisePolynomial {
     pub(super) fn dual_by_resolvents(
         &self,
         ends: Ends,
-        order: FractionalOrder,
+        order: Order,
         tolerance: Tolerance,
     ) -> Result<Estimate> {
         let unit = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
@@ -197,7 +197,7 @@ impl PiecewisePolynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DualOf, Partition};
+    use crate::{DualOf, Mesh};
     use std::f64::consts::PI;
 
     /// ‖1‖ in the dual of sines on (0, 1): 8/π² Σ_{odd k} k^{-2} (1 + k²π²)^{-ν}, the tail by the midpoint
@@ -212,9 +212,9 @@ mod tests {
 
     #[test]
     fn small_orders_are_summed_with_their_tail() {
-        let one = PiecewisePolynomial::linears(Partition::uniform(3, 1.0).unwrap(), &[1.0; 4]).unwrap();
+        let one = PiecewisePolynomial::linears(Mesh::uniform(3, 1.0).unwrap(), &[1.0; 4]).unwrap();
         for nu in [1e-6, 0.01, 0.1, 0.3, 0.5, 0.9] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let exact = one_exactly(nu);
             for tolerance in [1e-2, 1e-4, 1e-6, 1e-8] {
                 let tolerance = Tolerance::new(tolerance).unwrap();
@@ -228,10 +228,10 @@ mod tests {
 
     #[test]
     fn tighter_tolerances_stay_within_the_errors_of_wider_ones() {
-        let partition = Partition::from_lengths(vec![0.21, 0.33, 0.17, 0.29]).unwrap();
+        let partition = Mesh::from_lengths(vec![0.21, 0.33, 0.17, 0.29]).unwrap();
         let saw = PiecewisePolynomial::linears(partition, &[1.0, -1.0, 1.0, -1.0, 2.0]).unwrap();
         for nu in [1e-6, 0.01, 0.3, 0.7] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
                 let norm =
                     |tolerance| saw.dual_norm_in(of, order, Tolerance::new(tolerance).unwrap()).unwrap();
@@ -248,11 +248,11 @@ mod tests {
     #[test]
     fn sizes_scale_and_what_cannot_be_summed_is_an_error() {
         let one = |length: f64, value: f64| {
-            let cells = Partition::uniform(3, length).unwrap();
+            let cells = Mesh::uniform(3, length).unwrap();
             PiecewisePolynomial::linears(cells, &[value; 4]).unwrap()
         };
         let norm = |u: PiecewisePolynomial| {
-            u.dual_norm_in(DualOf::Interpolation, FractionalOrder::HALF, Tolerance::fast()).unwrap().value
+            u.dual_norm_in(DualOf::Interpolation, Order::HALF, Tolerance::fast()).unwrap().value
         };
         for (length, value) in [(1.0, 1e-300), (1.0, 1e300), (1e-300, 1.0), (1e300, 1.0)] {
             let exact = value * f64::sqrt(length);
@@ -261,9 +261,9 @@ mod tests {
         // 3000 jumps of both signs at random
         let signs: Vec<f64> =
             (0..3000u32).map(|i| f64::from(i.wrapping_mul(2_654_435_761) >> 31) - 0.5).collect();
-        let noise = PiecewisePolynomial::constants(Partition::uniform(3000, 1.0).unwrap(), &signs).unwrap();
+        let noise = PiecewisePolynomial::constants(Mesh::uniform(3000, 1.0).unwrap(), &signs).unwrap();
         let found = |tolerance| {
-            let order = FractionalOrder::new(0.01).unwrap();
+            let order = Order::new(0.01).unwrap();
             noise.dual_norm_in(DualOf::InterpolationZero, order, Tolerance::new(tolerance).unwrap())
         };
         assert!((found(1e-12).unwrap().value / found(1e-4).unwrap().value - 1.0).abs() < 1e-6);

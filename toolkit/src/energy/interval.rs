@@ -12,12 +12,12 @@ use crate::estimate::{Estimate, Work};
 use crate::gram::cluster::ClusterTree;
 use crate::kernel::chebyshev::Chebyshev;
 use crate::kernel::power::PowerKernel;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::mesh::Mesh;
+use crate::order::Order;
 use crate::root::ENTRY_ROUNDING;
 use rayon::prelude::*;
 
-/// A function on the cells of a partition whose near pairs are known.
+/// A function on the cells of a mesh whose near pairs are known.
 pub(crate) trait CellEnergies: Samples {
     /// ∫∫ over the cells e ≤ f, both orders: one cell twice, two neighbours, or two cells with the distance
     /// `gap` between them.
@@ -34,9 +34,9 @@ pub(crate) trait CellEnergies: Samples {
 
 /// The squared seminorm; far pairs to the relative accuracy `target`, which near ones have too.
 pub(crate) fn energy(
-    partition: &Partition,
+    partition: &Mesh,
     function: &impl CellEnergies,
-    order: FractionalOrder,
+    order: Order,
     target: f64,
 ) -> Result<Estimate> {
     let kernel = PowerKernel::new(order);
@@ -67,7 +67,7 @@ pub(crate) fn energy(
 }
 
 fn near_pair(
-    partition: &Partition,
+    partition: &Mesh,
     function: &impl CellEnergies,
     tree: &ClusterTree,
     a: usize,

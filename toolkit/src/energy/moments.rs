@@ -16,14 +16,14 @@
 use super::pair_sum::PairSum;
 use crate::gram::cluster::ClusterTree;
 use crate::kernel::chebyshev::Chebyshev;
+use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
-use crate::partition::Partition;
 
 /// Rounding of a pair, relative to its terms: the sums have some dozen terms each.
 const PAIR_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// A function known on the cells of a partition by points of a rule.
+/// A function known on the cells of a mesh by points of a rule.
 pub(crate) trait Samples: Sync {
     /// A value of the function on the cell.
     fn level(&self, cell: usize) -> f64;
@@ -45,7 +45,7 @@ pub(crate) struct MomentTree<'a> {
 impl<'a> MomentTree<'a> {
     pub(crate) fn new(
         tree: ClusterTree,
-        partition: &Partition,
+        partition: &Mesh,
         function: &impl Samples,
         chebyshev: &'a Chebyshev,
     ) -> Self {
@@ -69,7 +69,7 @@ impl<'a> MomentTree<'a> {
         found
     }
 
-    fn of_leaf(&self, c: usize, partition: &Partition, function: &impl Samples, moments: &mut [f64]) {
+    fn of_leaf(&self, c: usize, partition: &Mesh, function: &impl Samples, moments: &mut [f64]) {
         let cluster = &self.tree.clusters[c];
         if cluster.children.is_some() {
             return;

@@ -9,9 +9,9 @@ use super::samples::Sampled;
 use crate::energy::{CellEnergies, PairSum, Samples};
 use crate::error::Result;
 use crate::kernel::power::{GaussRules, PowerKernel};
+use crate::mesh::Mesh;
 use crate::numeric::parallel;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::order::Order;
 use crate::piecewise::{Cell, Piece, PolynomialPairs};
 use crate::quadrature::Rule;
 
@@ -30,7 +30,7 @@ pub(super) enum Content {
 pub(super) struct FieldCells {
     pub(super) parts: Vec<Part>,
     pub(super) contents: Vec<Content>,
-    pub(super) partition: Partition,
+    pub(super) partition: Mesh,
     /// of u − u_h, at the nodes between the cells
     pub(super) jumps: Vec<f64>,
 }
@@ -50,7 +50,7 @@ impl FieldCells {
         .into_iter()
         .collect::<Result<_>>()?;
         let (parts, contents): (Vec<Part>, Vec<Content>) = found.into_iter().flatten().unzip();
-        let partition = Partition::from_lengths(parts.iter().map(|part| part.length).collect())?;
+        let partition = Mesh::from_lengths(parts.iter().map(|part| part.length).collect())?;
         let jump = |part: &Part| {
             let at_node = part.from == 0.0 && part.element > 0;
             if at_node { -field.jump(part.element) } else { 0.0 }
@@ -95,7 +95,7 @@ pub(super) struct FieldEnergies<'a> {
 }
 
 impl<'a> FieldEnergies<'a> {
-    pub(super) fn new(cells: &'a FieldCells, order: FractionalOrder, target: f64) -> Result<Self> {
+    pub(super) fn new(cells: &'a FieldCells, order: Order, target: f64) -> Result<Self> {
         let (degrees, target) = (0..=cells.degree(), 0.1 * target);
         let pairs = |d: usize| PolynomialPairs::new(order, d.max(1), target);
         Ok(Self {

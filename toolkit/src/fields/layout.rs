@@ -5,8 +5,8 @@
 //! one as long as its distance to it. The halves of one break make its *patch*.
 
 use crate::error::{Error, Result};
+use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
-use crate::partition::Partition;
 
 /// A node and a break are one point when they differ by this, relative to the larger of the ends.
 const SAME: f64 = 4.0 * f64::EPSILON;
@@ -61,7 +61,7 @@ impl Part {
 }
 
 /// The cells of all elements, left to right.
-pub(super) fn layout(partition: &Partition, breaks: &[f64]) -> Result<Vec<Part>> {
+pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
     let size = breaks.iter().fold(0.0_f64, |most, c| most.max(c.abs())).max(partition.total());
     let end = partition.left() + partition.total();
     let last = breaks[breaks.len() - 1];
@@ -128,7 +128,7 @@ pub(super) fn layout(partition: &Partition, breaks: &[f64]) -> Result<Vec<Part>>
 
 /// The inner node at a distance from the left end; of several that are as good as there, the one between the
 /// shortest elements, to which the mesh is graded.
-fn node_at(partition: &Partition, offset: f64, tolerance: f64) -> Option<usize> {
+fn node_at(partition: &Mesh, offset: f64, tolerance: f64) -> Option<usize> {
     let nodes = partition.from_left();
     let first = nodes.partition_point(|&x| x < offset - tolerance).max(1);
     let end = nodes.partition_point(|&x| x <= offset + tolerance).min(partition.len());

@@ -8,7 +8,7 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::functions::SingularFunction;
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::piecewise::{Cell, Piece, PiecewisePolynomial};
 use crate::quadrature::Rule;
 use crate::root::{accept, root_of_squares, scaled};
@@ -38,11 +38,11 @@ pub(super) const LIMIT: &str = "rounding of the function beside a small differen
 /// point.
 ///
 /// ```
-/// use fractional_sobolev::{Partition, PiecewisePolynomial, SingularFunction};
+/// use fractional_sobolev::{Mesh, PiecewisePolynomial, SingularFunction};
 /// // x² and its interpolants: the rate of order 1/2
 /// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
 /// let error = |n: usize| {
-///     let mesh = Partition::uniform(n, 1.0)?;
+///     let mesh = Mesh::uniform(n, 1.0)?;
 ///     let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
 ///     u.minus(&PiecewisePolynomial::linears(mesh, &values)?).seminorm(0.5, 1e-6)
 /// };
@@ -61,10 +61,10 @@ impl SingularFunction<'_> {
     /// u − u_h, both on the same interval, for its norms.
     ///
     /// ```
-    /// use fractional_sobolev::{Partition, PiecewisePolynomial, SingularFunction};
+    /// use fractional_sobolev::{Mesh, PiecewisePolynomial, SingularFunction};
     /// // x - 1/2 against 0: 1 + 1/12
     /// let u = SingularFunction::new(&[0.0, 1.0], |x| x - 0.5)?;
-    /// let zero = PiecewisePolynomial::constants(Partition::uniform(10, 1.0)?, &[0.0; 10])?;
+    /// let zero = PiecewisePolynomial::constants(Mesh::uniform(10, 1.0)?, &[0.0; 10])?;
     /// let error = u.minus(&zero);
     /// assert!((error.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
     /// assert!((error.l2_norm(1e-8)?.value.powi(2) - 1.0 / 12.0).abs() < 1e-8);
@@ -83,11 +83,7 @@ impl FieldError<'_> {
     /// jumps and ν ≥ 1/2, and as [`SingularFunction::seminorm`]; [`Error::ToleranceNotMet`] with the best
     /// value.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("seminorm", self.parts(order, tolerance)?[0], tolerance, LIMIT)
     }
@@ -96,11 +92,7 @@ impl FieldError<'_> {
     ///
     /// # Errors
     /// As [`FieldError::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("norm", root_of_squares(&self.parts(order, tolerance)?)?, tolerance, LIMIT)
     }
@@ -118,7 +110,7 @@ impl FieldError<'_> {
     }
 
     /// The seminorm and the L² norm.
-    fn parts(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<[Estimate; 2]> {
+    fn parts(&self, order: Order, tolerance: Tolerance) -> Result<[Estimate; 2]> {
         let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
         let difference = Difference { function: &unit, field: &field };
@@ -136,7 +128,7 @@ impl FieldError<'_> {
 fn squared(
     difference: &Difference,
     cells: &FieldCells,
-    order: FractionalOrder,
+    order: Order,
     tolerance: Tolerance,
 ) -> Result<Estimate> {
     let target = SHARE * tolerance.relative();
@@ -196,7 +188,7 @@ struct Leftovers {
     mixed: f64,
 }
 
-fn leftovers(energies: &FieldEnergies, cells: &FieldCells, order: FractionalOrder) -> Leftovers {
+fn leftovers(energies: &FieldEnergies, cells: &FieldCells, order: Order) -> Leftovers {
     let nu = order.value();
     // ∫ |x−y|^{-1-2ν} dy beyond both ends of an interval of length one, from its ends or its middle
     let outside = 2.0 / nu;

@@ -5,8 +5,8 @@ use super::layout::Part;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::functions::{Position, SingularFunction};
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::mesh::Mesh;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
 /// More polynomials than these on a patch are no smooth function.
@@ -61,7 +61,7 @@ pub(super) fn patch<'a>(
 pub(super) fn by_polynomials(
     difference: &Difference,
     parts: &[Part],
-    order: FractionalOrder,
+    order: Order,
     tolerance: Tolerance,
 ) -> Result<Option<Estimate>> {
     let mut fitted: Vec<Fitted> = Vec::new();
@@ -90,7 +90,7 @@ pub(super) fn by_polynomials(
     let error = left_over.sum::<f64>().sqrt();
     let lengths = fitted.iter().map(|f| f.part.length).collect();
     let bubbles = fitted.into_iter().map(|f| f.piece.bubbles).collect();
-    let smooth = PiecewisePolynomial::with_bubbles(Partition::from_lengths(lengths)?, &ends, bubbles)?;
+    let smooth = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
     let found = match Estimate::or_best(smooth.seminorm(order, tolerance)) {
         Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. }) => return Ok(None),
         other => other?,

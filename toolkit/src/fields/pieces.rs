@@ -9,8 +9,8 @@ use crate::dual::closure::Interpolant;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::functions::SingularFunction;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::mesh::Mesh;
+use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::root::{accept, scaled};
 
@@ -34,10 +34,10 @@ impl FieldError<'_> {
     /// [`SingularFunction::lq_norm`].
     ///
     /// ```
-    /// use fractional_sobolev::{Partition, PiecewisePolynomial, SingularFunction};
+    /// use fractional_sobolev::{Mesh, PiecewisePolynomial, SingularFunction};
     /// // x² and its interpolant on 10 elements: at most h²/4, h² ∫ t(1-t) = h²/6 on average
     /// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
-    /// let mesh = Partition::uniform(10, 1.0)?;
+    /// let mesh = Mesh::uniform(10, 1.0)?;
     /// let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
     /// let field = PiecewisePolynomial::linears(mesh, &values)?;
     /// assert!((u.minus(&field).lq_norm(f64::INFINITY, 1e-6)?.value - 0.0025).abs() < 1e-8);
@@ -68,8 +68,7 @@ impl FieldError<'_> {
             }
         }
         if !lengths.is_empty() {
-            let smooth =
-                PiecewisePolynomial::with_bubbles(Partition::from_lengths(lengths)?, &ends, bubbles)?;
+            let smooth = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
             found.push(Estimate::or_best(smooth.lq_norm(q, tolerance))?);
         }
         let largest = found.iter().map(|e| e.value).fold(0.0, f64::max);
@@ -90,7 +89,7 @@ impl FieldError<'_> {
     /// The norm dual to [`FieldError::norm`], sup ∫ (u − u_h) v / ||v||_ν, as [`SingularFunction::dual_norm`].
     ///
     /// ```
-    /// use fractional_sobolev::{DualOf, Partition, PiecewisePolynomial, SingularFunction};
+    /// use fractional_sobolev::{DualOf, Mesh, PiecewisePolynomial, SingularFunction};
     /// // the means of a smooth function on n elements: of order h in L², h^{3/2} in the dual norm
     /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| (3.0 * x).sin())?;
     /// let error = |n: usize| {
@@ -99,7 +98,7 @@ impl FieldError<'_> {
     ///         let middle = 3.0 * h * (k as f64 + 0.5);
     ///         middle.sin() * (1.5 * h).sin() / (1.5 * h)
     ///     }).collect();
-    ///     let field = PiecewisePolynomial::constants(Partition::uniform(n, 1.0)?, &means)?;
+    ///     let field = PiecewisePolynomial::constants(Mesh::uniform(n, 1.0)?, &means)?;
     ///     let sines = u.minus(&field).dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-4)?;
     ///     let found = u.minus(&field).dual_norm(0.5, 1e-4)?;
     ///     assert!(sines.value < u.minus(&field).l2_norm(1e-4)?.value);
@@ -113,11 +112,7 @@ impl FieldError<'_> {
     /// [`Error::ToleranceNotMet`] with the best value, [`Error::NotFinite`] for a value of the function,
     /// [`Error::OutOfRange`] unless both live on the same interval.
     #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
     }
 
@@ -128,7 +123,7 @@ impl FieldError<'_> {
     pub fn dual_norm_in(
         &self,
         of: DualOf,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);

@@ -13,11 +13,11 @@ const SAMPLES: usize = 16;
 /// A point of the interval, known by its distance to the nearest break point.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Position, SingularFunction, Tolerance};
+/// use fractional_sobolev::{Order, Position, SingularFunction, Tolerance};
 /// // (x − 1/2) on both sides of the break 1/2, exact however close to it
 /// let f = |at: Position| if at.anchor() == 1 { at.offset() } else { at.x() - 0.5 };
 /// let u = SingularFunction::from_positions(&[0.0, 0.5, 1.0], f)?;
-/// assert!((u.seminorm(FractionalOrder::HALF, Tolerance::fast())?.value - 1.0).abs() < 1e-4);
+/// assert!((u.seminorm(Order::HALF, Tolerance::fast())?.value - 1.0).abs() < 1e-4);
 /// assert!(u.breaks().len() == 3 && u.length() == 1.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -51,12 +51,12 @@ impl Position<'_> {
     /// the sum of offset and the distance of two breaks. One formula then serves all breaks.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance};
+    /// use fractional_sobolev::{Order, SingularFunction, Tolerance};
     /// // ln|x - 3/10|, its square root at the left end
     /// let u = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| {
     ///     at.distance_to(0).sqrt() * at.log_distance_to(1)
     /// })?;
-    /// let found = u.seminorm(FractionalOrder::new(0.4)?, Tolerance::fast())?;
+    /// let found = u.seminorm(Order::new(0.4)?, Tolerance::fast())?;
     /// assert!(found.relative_error() <= 1e-4);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -134,14 +134,14 @@ impl<'a> SingularFunction<'a> {
     /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance, closed_forms};
+    /// use fractional_sobolev::{Order, SingularFunction, Tolerance, closed_forms};
     /// // |ln x|^(1/4): the distance from the break 0 is exact, the one from 1 enters by ln(1 - t)
     /// let u = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
     ///     0 => (-at.offset().ln()).powf(0.25),
     ///     _ => (-at.offset().ln_1p()).powf(0.25),
     /// })?;
     /// let exact = closed_forms::log_power(0.25)?.value.sqrt();
-    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// let found = u.seminorm(Order::HALF, Tolerance::fast())?;
     /// assert!((found.value / exact - 1.0).abs() < 1e-4);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -160,14 +160,14 @@ impl<'a> SingularFunction<'a> {
     /// are.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance, closed_forms};
+    /// use fractional_sobolev::{Order, SingularFunction, Tolerance, closed_forms};
     /// // |ln x|^0.45, nearly not in H^{1/2}: what lies below x = 1e-300 counts
     /// let u = SingularFunction::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
     ///     0 => (-at.log_distance()).powf(0.45),
     ///     _ => (-at.offset().ln_1p()).powf(0.45),
     /// })?;
     /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
-    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::fast())?;
+    /// let found = u.seminorm(Order::HALF, Tolerance::fast())?;
     /// assert!((found.value / exact - 1.0).abs() < 1e-4);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```

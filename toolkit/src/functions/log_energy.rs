@@ -17,7 +17,7 @@ use super::level::{Density, Level, LevelValue};
 use super::resolution::missed;
 use crate::error::Result;
 use crate::kernel::power::PowerKernel;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::{PowerWeightRule, Rule};
 
 /// Where a point of an arm is so deep that other breaks are as good as infinitely far in t.
@@ -59,11 +59,7 @@ struct Outer {
 }
 
 impl<'a> LogEnergy<'a> {
-    pub(crate) fn new(
-        function: &'a SingularFunction<'a>,
-        order: FractionalOrder,
-        level: Level,
-    ) -> Result<Self> {
+    pub(crate) fn new(function: &'a SingularFunction<'a>, order: Order, level: Level) -> Result<Self> {
         let arms = function.arms();
         let kernel = PowerKernel::new(order);
         Ok(Self {

@@ -8,7 +8,7 @@ use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled};
 
 impl SingularFunction<'_> {
@@ -24,9 +24,9 @@ impl SingularFunction<'_> {
     /// A function with many waves is interpolated on short cells instead, and takes O(cells).
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance};
+    /// use fractional_sobolev::{Order, SingularFunction, Tolerance};
     /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
-    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::balanced())?;
+    /// let found = u.seminorm(Order::HALF, Tolerance::balanced())?;
     /// assert!((found.value - 1.0).abs() < 1e-8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -38,11 +38,7 @@ impl SingularFunction<'_> {
     /// Refused are a function of the coordinate with a singularity at a break that is not 0, where x is rounded
     /// ([`SingularFunction::from_positions`] serves), and what takes more than [`Tolerance::with_work`] allows.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let (scale, unit) = self.of_moderate_size(tolerance)?;
         let waves = unit.seminorm_of_waves(order, tolerance);
@@ -60,8 +56,8 @@ impl SingularFunction<'_> {
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularFunction, Tolerance};
-    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+    /// use fractional_sobolev::{Order, SingularFunction, Tolerance};
+    /// let (order, asked) = (Order::HALF, Tolerance::balanced());
     /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x * x / 2.0)?;
     /// let slope = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
     /// // ||x||²_{1/2} = 1/3 + 1, and ||x²/2||²_{3/2} = 1/20 + 1/3 + 1
@@ -72,11 +68,7 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularFunction::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
         whole(parts, tolerance)
@@ -90,7 +82,7 @@ impl SingularFunction<'_> {
     pub fn norm_with_derivative(
         &self,
         derivative: &SingularFunction,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);

@@ -16,8 +16,8 @@ use super::resolution::of_residual;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::mesh::Mesh;
+use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 use crate::quadrature::Rule;
 
@@ -87,11 +87,7 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
-    pub(super) fn seminorm_of_waves(
-        &self,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-    ) -> Result<Option<Estimate>> {
+    pub(super) fn seminorm_of_waves(&self, order: Order, tolerance: Tolerance) -> Result<Option<Estimate>> {
         let asked = tolerance.relative();
         let mut best: Option<Estimate> = None;
         // A cell of about a wave: |e|_ν/|u|_ν is about ε (D/6)^ν.
@@ -182,7 +178,7 @@ impl SingularFunction<'_> {
         let residuals = flat.iter().map(|cell| cell.residual).collect();
         let points = 3 * (degree * count) as u64;
         let bubbles = flat.into_iter().map(|cell| cell.bubbles).collect();
-        let u = PiecewisePolynomial::with_bubbles(Partition::from_lengths(lengths)?, &ends, bubbles)?;
+        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
         Ok(Waves::Resolved(Box::new(Resolved { u, degree, residuals, points })))
     }
 
@@ -270,7 +266,7 @@ fn is_graded(cells: &[Cell]) -> bool {
 }
 
 impl Resolved {
-    fn seminorm(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let found = Estimate::or_best(self.u.seminorm(order, tolerance))?;
         let work = Work { points: found.work.points + self.points, ..found.work };
         Estimate::new(found.value, found.error + self.error(order), work)
@@ -284,7 +280,7 @@ impl Resolved {
     }
 
     /// The bound of |e|_ν.
-    fn error(&self, order: FractionalOrder) -> f64 {
+    fn error(&self, order: Order) -> f64 {
         let (kernel, total) = (PowerKernel::new(order), self.u.partition().total());
         let squares = self.residuals.iter().zip(self.u.partition().lengths()).map(|(residual, &length)| {
             of_residual(kernel, self.degree, residual + 4.0 * f64::EPSILON, length, total)

@@ -3,8 +3,8 @@
 
 use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
 use crate::kernel::cells::CellPairs;
+use crate::mesh::Mesh;
 use crate::numeric::parallel;
-use crate::partition::Partition;
 use rayon::prelude::*;
 
 /// Entries dealt out together.
@@ -21,7 +21,7 @@ pub(crate) struct Band {
 
 impl Band {
     /// For hats: everything but the pairs of cells that do not touch.
-    pub(crate) fn linears(partition: &Partition, cells: &CellPairs) -> Self {
+    pub(crate) fn linears(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
         Self {
@@ -36,7 +36,7 @@ impl Band {
     }
 
     /// For indicator functions.
-    pub(crate) fn constants(partition: &Partition, cells: &CellPairs) -> Self {
+    pub(crate) fn constants(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
         Self {

@@ -5,8 +5,8 @@
 //! interpolated in both variables with the relative error ρ^{-m}, ρ = 3 + √8, on m Chebyshev points each. All
 //! lengths and gaps are sums of element lengths, so that the construction holds on any grading.
 
+use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
-use crate::partition::Partition;
 
 /// Elements of a leaf at most.
 pub(crate) const LEAF: usize = 16;
@@ -36,13 +36,13 @@ pub(crate) struct Blocks {
 }
 
 impl ClusterTree {
-    pub(crate) fn new(partition: &Partition) -> Self {
+    pub(crate) fn new(partition: &Mesh) -> Self {
         Self::with_leaves(partition, LEAF, |_| true)
     }
 
     /// Leaves of at most `leaf` elements, and no cluster that ends at a node that `may_cut` forbids: the
     /// elements between two nodes that may cut stay together.
-    pub(crate) fn with_leaves(partition: &Partition, leaf: usize, may_cut: impl Fn(usize) -> bool) -> Self {
+    pub(crate) fn with_leaves(partition: &Mesh, leaf: usize, may_cut: impl Fn(usize) -> bool) -> Self {
         let mut tree = Self { clusters: Vec::new() };
         tree.grow(partition.lengths(), 0, partition.len(), leaf, &may_cut);
         tree
@@ -99,7 +99,7 @@ impl ClusterTree {
     }
 
     /// Cuts the square into far and near pairs.
-    pub(crate) fn blocks(&self, partition: &Partition) -> Blocks {
+    pub(crate) fn blocks(&self, partition: &Mesh) -> Blocks {
         let mut blocks = Blocks { far: vec![Vec::new(); self.clusters.len()], near: Vec::new() };
         let mut stack = vec![(0, 0)];
         while let Some((a, b)) = stack.pop() {

@@ -3,17 +3,17 @@
 
 use crate::error::{Error, Given, Result};
 use crate::kernel::cells::CellPairs;
+use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::order::Order;
 use nalgebra::DMatrix;
 
 /// Gram matrix of |·|_ν for the indicator functions of the elements; N × N.
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2: indicator functions are not in H^ν.
-pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>) -> Result<DMatrix<f64>> {
+pub fn gram_constants(partition: &Mesh, order: impl Given<Order>) -> Result<DMatrix<f64>> {
     let order = order.given()?;
     require_constants_finite(order)?;
     let cells = CellPairs::new(order);
@@ -41,16 +41,16 @@ pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>)
 /// that the row sums are a check. Cost O(N²); the entries of separate hats cost about 16 kernel values.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Partition, gram_constants, gram_linears, mass_constants, mass_linears};
-/// let mesh = Partition::uniform(2, 1.0)?;
-/// let a = gram_linears(&mesh, FractionalOrder::HALF);
+/// use fractional_sobolev::{Order, Mesh, gram_constants, gram_linears, mass_constants, mass_linears};
+/// let mesh = Mesh::uniform(2, 1.0)?;
+/// let a = gram_linears(&mesh, Order::HALF);
 /// // the identity, whose squared seminorm is one; constants are in the kernel
 /// let x = [0.0, 0.5, 1.0];
 /// let row = |i: usize| (0..3).map(|j| a[(i, j)] * x[j]).sum::<f64>();
 /// let squared: f64 = (0..3).map(|i| row(i) * x[i]).sum();
 /// assert!((squared - 1.0).abs() < 1e-14);
 /// assert!((a[(0, 0)] + a[(0, 1)] + a[(0, 2)]).abs() < 1e-14);
-/// let b = gram_constants(&mesh, FractionalOrder::new(0.25)?)?;
+/// let b = gram_constants(&mesh, Order::new(0.25)?)?;
 /// assert!((b[(0, 0)] + b[(0, 1)]).abs() < 1e-13);
 /// assert_eq!(mass_constants(&mesh), [0.5, 0.5]);
 /// let (diagonal, beside) = mass_linears(&mesh);
@@ -58,7 +58,7 @@ pub fn gram_constants(partition: &Partition, order: impl Given<FractionalOrder>)
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[doc(alias("stiffness matrix", "Gram matrix", "fractional Laplacian"))]
-pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> DMatrix<f64> {
+pub fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
     let far: Vec<FarRow> = parallel::map(n, &|e| FarRow::new(partition, &cells, e));
@@ -82,13 +82,13 @@ pub fn gram_linears(partition: &Partition, order: FractionalOrder) -> DMatrix<f6
 
 /// Gram matrix of L² for piecewise constants: the element lengths.
 #[doc(alias("mass matrix"))]
-pub fn mass_constants(partition: &Partition) -> Vec<f64> {
+pub fn mass_constants(partition: &Mesh) -> Vec<f64> {
     partition.lengths().to_vec()
 }
 
 /// Gram matrix of L² for hat functions: (diagonal, off-diagonal) of a tridiagonal matrix.
 #[doc(alias("mass matrix"))]
-pub fn mass_linears(partition: &Partition) -> (Vec<f64>, Vec<f64>) {
+pub fn mass_linears(partition: &Mesh) -> (Vec<f64>, Vec<f64>) {
     let lengths = partition.lengths();
     let mut diagonal = vec![0.0; lengths.len() + 1];
     for (i, &h) in lengths.iter().enumerate() {
@@ -98,7 +98,7 @@ pub fn mass_linears(partition: &Partition) -> (Vec<f64>, Vec<f64>) {
     (diagonal, lengths.iter().map(|h| h / 6.0).collect())
 }
 
-pub(crate) fn require_constants_finite(order: FractionalOrder) -> Result<()> {
+pub(crate) fn require_constants_finite(order: Order) -> Result<()> {
     if order.is_below_half() {
         return Ok(());
     }
@@ -106,13 +106,13 @@ pub(crate) fn require_constants_finite(order: FractionalOrder) -> Result<()> {
 }
 
 /// ∫\_{cell i} ∫\_{cell j} |x−y|^{-1-2ν} for i < j with the lengths between them summing to `gap`.
-pub(crate) fn constants_on(partition: &Partition, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
+pub(crate) fn constants_on(partition: &Mesh, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
     let (p, q) = (partition.lengths()[i], partition.lengths()[j]);
     if j == i + 1 { cells.touching_constants(p, q) } else { cells.separate_constants(p, q, gap) }
 }
 
 /// 2 ∫\_{cell} ∫\_{outside} |x−y|^{-1-2ν}.
-pub(crate) fn diagonal_constant(partition: &Partition, cells: &CellPairs, i: usize) -> f64 {
+pub(crate) fn diagonal_constant(partition: &Mesh, cells: &CellPairs, i: usize) -> f64 {
     let h = partition.lengths()[i];
     let outside = [partition.from_left()[i], partition.from_right()[i + 1]];
     let touching = |x: f64| if x > 0.0 { cells.touching_constants(h, x) } else { 0.0 };
@@ -126,7 +126,7 @@ pub(crate) struct FarRow {
 }
 
 impl FarRow {
-    pub(crate) fn new(partition: &Partition, cells: &CellPairs, e: usize) -> Self {
+    pub(crate) fn new(partition: &Mesh, cells: &CellPairs, e: usize) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
         let mut values = vec![[0.0; 2]; n.saturating_sub(e + 1)];
@@ -149,7 +149,7 @@ impl FarRow {
 }
 
 /// a(φ_i, φ_i).
-pub(crate) fn diagonal_linear(partition: &Partition, cells: &CellPairs, i: usize) -> f64 {
+pub(crate) fn diagonal_linear(partition: &Mesh, cells: &CellPairs, i: usize) -> f64 {
     let lengths = partition.lengths();
     let left = (i > 0).then(|| lengths[i - 1]);
     let right = lengths.get(i).copied();
@@ -176,7 +176,7 @@ pub(crate) fn diagonal_linear(partition: &Partition, cells: &CellPairs, i: usize
 }
 
 /// a(φ_i, φ_{i+1}) without the pair of cells i − 1, i + 1, which counts among the separate cells.
-pub(crate) fn neighbours_linear(partition: &Partition, cells: &CellPairs, i: usize) -> f64 {
+pub(crate) fn neighbours_linear(partition: &Mesh, cells: &CellPairs, i: usize) -> f64 {
     let lengths = partition.lengths();
     let h = lengths[i];
     let mut sum = -cells.own(h);

@@ -11,9 +11,9 @@ use crate::error::Result;
 use crate::kernel::cells::CellPairs;
 use crate::kernel::chebyshev::Chebyshev;
 use crate::kernel::power::PowerKernel;
+use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
-use crate::partition::Partition;
 use crate::quadrature::Rule;
 
 /// A dense block between the unknowns of two leaves, or of one leaf with itself; it acts from both sides.
@@ -38,7 +38,7 @@ pub(crate) struct Hierarchical {
 impl Hierarchical {
     /// `points`: m, Chebyshev points per cluster.
     pub(crate) fn new(
-        partition: &Partition,
+        partition: &Mesh,
         cells: &CellPairs,
         kernel: PowerKernel,
         linears: bool,
@@ -208,7 +208,7 @@ fn moments(lengths: &[f64], total: f64, chebyshev: &Chebyshev, rule: &Rule, line
 
 /// Entries of the unknowns of leaf a with those of leaf b from their separate cells, a left of b or the same.
 fn near_block(
-    partition: &Partition,
+    partition: &Mesh,
     cells: &CellPairs,
     tree: &ClusterTree,
     a: usize,

@@ -8,9 +8,9 @@ use crate::error::{Given, Result};
 use crate::estimate::Tolerance;
 use crate::kernel::cells::CellPairs;
 use crate::kernel::power::PowerKernel;
+use crate::mesh::Mesh;
 use crate::numeric::check::{require_finite_at, require_length};
-use crate::order::FractionalOrder;
-use crate::partition::Partition;
+use crate::order::Order;
 use rayon::prelude::*;
 
 /// Entries of a vector treated by one thread.
@@ -34,9 +34,9 @@ enum OffBand {
 /// |x − mean|.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, GramOperator, Partition, Tolerance};
-/// let (order, asked) = (FractionalOrder::new(0.25)?, Tolerance::balanced());
-/// let mesh = Partition::uniform(1000, 1.0)?;
+/// use fractional_sobolev::{Order, GramOperator, Mesh, Tolerance};
+/// let (order, asked) = (Order::new(0.25)?, Tolerance::balanced());
+/// let mesh = Mesh::uniform(1000, 1.0)?;
 /// let [fast, tree] = [
 ///     GramOperator::linears(&mesh, order, asked)?,
 ///     GramOperator::linears_hierarchical(&mesh, order, asked)?, // the road of graded meshes
@@ -64,10 +64,10 @@ impl GramOperator {
     /// For the hat functions of all N + 1 nodes; FFT when all lengths agree, else hierarchical.
     ///
     /// # Errors
-    /// None on a valid partition but what the rules of quadrature report.
+    /// None on a valid mesh but what the rules of quadrature report.
     pub fn linears(
-        partition: &Partition,
-        order: impl Given<FractionalOrder>,
+        partition: &Mesh,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -79,8 +79,8 @@ impl GramOperator {
     /// # Errors
     /// [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
     pub fn constants(
-        partition: &Partition,
-        order: impl Given<FractionalOrder>,
+        partition: &Mesh,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -93,8 +93,8 @@ impl GramOperator {
     /// # Errors
     /// As [`GramOperator::linears`].
     pub fn linears_hierarchical(
-        partition: &Partition,
-        order: impl Given<FractionalOrder>,
+        partition: &Mesh,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -102,8 +102,8 @@ impl GramOperator {
     }
 
     fn build(
-        partition: &Partition,
-        order: FractionalOrder,
+        partition: &Mesh,
+        order: Order,
         tolerance: Tolerance,
         linears: bool,
         uniform: Option<f64>,
@@ -151,9 +151,9 @@ impl GramOperator {
     /// A x.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, GramOperator, Partition, Tolerance};
-    /// let mesh = Partition::uniform(1000, 1.0)?;
-    /// let form = GramOperator::linears(&mesh, FractionalOrder::HALF, Tolerance::balanced())?;
+    /// use fractional_sobolev::{Order, GramOperator, Mesh, Tolerance};
+    /// let mesh = Mesh::uniform(1000, 1.0)?;
+    /// let form = GramOperator::linears(&mesh, Order::HALF, Tolerance::balanced())?;
     /// let x = mesh.nodes(); // the identity, whose seminorm is one
     /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
     /// assert!((squared - 1.0).abs() < 1e-7);

@@ -8,9 +8,9 @@
 use super::circulant::Circulant;
 use crate::error::Result;
 use crate::kernel::cells::CellPairs;
+use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
-use crate::partition::Partition;
 use rayon::prelude::*;
 
 /// Entries of an end row summed by one thread, plainly; the sums of the pieces are compensated.
@@ -26,7 +26,7 @@ pub(crate) struct Toeplitz {
 
 impl Toeplitz {
     /// Entries −2 ∫∫ over separate cells, for hats.
-    pub(crate) fn linears(partition: &Partition, cells: &CellPairs, h: f64) -> Result<Self> {
+    pub(crate) fn linears(partition: &Mesh, cells: &CellPairs, h: f64) -> Result<Self> {
         let n = partition.len();
         let gaps = multiples(h, n);
         // pairs[k]: two cells with k cells between them; the touching pair counts in the band
@@ -54,7 +54,7 @@ impl Toeplitz {
     }
 
     /// Entries −2 ∫∫ over separate cells, for indicator functions.
-    pub(crate) fn constants(partition: &Partition, cells: &CellPairs, h: f64) -> Result<Self> {
+    pub(crate) fn constants(partition: &Mesh, cells: &CellPairs, h: f64) -> Result<Self> {
         let n = partition.len();
         let gaps = multiples(h, n);
         let column: Vec<f64> = parallel::map(n, &|k| {

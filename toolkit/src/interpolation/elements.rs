@@ -3,10 +3,10 @@
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::require_entry;
-use crate::{Partition, PiecewisePolynomial};
+use crate::{Mesh, PiecewisePolynomial};
 use std::ops::Range;
 
-/// A partition into cells, grouped into elements.
+/// A mesh into cells, grouped into elements.
 ///
 /// # Method
 ///
@@ -15,20 +15,20 @@ use std::ops::Range;
 /// projection).
 ///
 /// ```
-/// use fractional_sobolev::{Partition, interpolation::{ElementMesh, lagrange}};
+/// use fractional_sobolev::{Mesh, interpolation::{ElementMesh, lagrange}};
 /// let mesh = ElementMesh::uniform(4, 8)?;
 /// assert!(mesh.elements().len() == 4 && mesh.cells().len() == 32 && mesh.h() == 0.25);
 /// // π^h of I^h x: the means of x
 /// let means = mesh.projection(&lagrange(mesh.cells(), |x| x)?)?;
 /// assert!((means.value(0, 0.5)? - 0.125).abs() < 1e-15);
-/// let cells = Partition::geometric(3, 0.5, 1.0)?;
+/// let cells = Mesh::geometric(3, 0.5, 1.0)?;
 /// assert_eq!(ElementMesh::single(cells.clone())?.h(), 1.0);
 /// assert_eq!(ElementMesh::new(cells, &[3, 1])?.h(), 0.5);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElementMesh {
-    cells: Partition,
+    cells: Mesh,
     elements: Vec<Range<usize>>,
 }
 
@@ -37,7 +37,7 @@ impl ElementMesh {
     ///
     /// # Errors
     /// [`Error::EntryOutOfRange`] for an element without cells, [`Error::LengthMismatch`] unless they add up.
-    pub fn new(cells: Partition, cells_per_element: &[usize]) -> Result<Self> {
+    pub fn new(cells: Mesh, cells_per_element: &[usize]) -> Result<Self> {
         let mut elements = Vec::with_capacity(cells_per_element.len());
         let mut start = 0;
         for (index, &count) in cells_per_element.iter().enumerate() {
@@ -58,8 +58,8 @@ impl ElementMesh {
     /// All cells in one element.
     ///
     /// # Errors
-    /// None: a partition has a cell.
-    pub fn single(cells: Partition) -> Result<Self> {
+    /// None: a mesh has a cell.
+    pub fn single(cells: Mesh) -> Result<Self> {
         let count = cells.len();
         Self::new(cells, &[count])
     }
@@ -70,12 +70,12 @@ impl ElementMesh {
     /// [`Error::CountOutOfRange`] without elements or cells.
     pub fn uniform(elements: usize, cells: usize) -> Result<Self> {
         let count = elements.saturating_mul(cells);
-        let partition = Partition::uniform(count, 1.0)?;
+        let partition = Mesh::uniform(count, 1.0)?;
         Self::new(partition, &vec![cells; elements])
     }
 
     /// The cells.
-    pub fn cells(&self) -> &Partition {
+    pub fn cells(&self) -> &Mesh {
         &self.cells
     }
 
@@ -107,7 +107,7 @@ impl ElementMesh {
             lengths.push(self.length(e));
             means.push(v.restrict(range.clone())?.mean(Tolerance::reference())?.value);
         }
-        PiecewisePolynomial::constants(Partition::from_lengths(lengths)?, &means)
+        PiecewisePolynomial::constants(Mesh::from_lengths(lengths)?, &means)
     }
 
     pub(super) fn require_cells(&self, v: &PiecewisePolynomial) -> Result<()> {
@@ -125,7 +125,7 @@ impl ElementMesh {
 /// # Errors
 /// [`Error::NotFinite`] for a value of u.
 #[doc(alias("nodal interpolation"))]
-pub fn lagrange(mesh: &Partition, u: impl Fn(f64) -> f64) -> Result<PiecewisePolynomial> {
+pub fn lagrange(mesh: &Mesh, u: impl Fn(f64) -> f64) -> Result<PiecewisePolynomial> {
     PiecewisePolynomial::interpolate(mesh.clone(), 1, u)
 }
 
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn the_slope_of_the_interpolant_is_the_projection_of_the_slope() {
-        let mesh = ElementMesh::new(Partition::two_sided(3, 0.4, 2.0).unwrap(), &[2, 5, 1]).unwrap();
+        let mesh = ElementMesh::new(Mesh::two_sided(3, 0.4, 2.0).unwrap(), &[2, 5, 1]).unwrap();
         let cubic = |x: f64| x * (1.0 - x * (2.0 - 0.7 * x));
         let u = PiecewisePolynomial::interpolate(mesh.cells().clone(), 3, cubic).unwrap();
         let projected = mesh.projection(&u.derivative().unwrap()).unwrap();
@@ -148,11 +148,11 @@ mod tests {
 
     #[test]
     fn bad_groups_are_errors() {
-        let cells = || Partition::uniform(4, 1.0).unwrap();
+        let cells = || Mesh::uniform(4, 1.0).unwrap();
         assert!(ElementMesh::new(cells(), &[2, 0, 2]).is_err());
         assert!(ElementMesh::new(cells(), &[2, 1]).is_err());
         assert!(ElementMesh::uniform(0, 3).is_err() && ElementMesh::uniform(usize::MAX, 3).is_err());
-        let other = PiecewisePolynomial::constants(Partition::uniform(2, 1.0).unwrap(), &[0.0, 1.0]).unwrap();
+        let other = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0).unwrap(), &[0.0, 1.0]).unwrap();
         assert!(ElementMesh::single(cells()).unwrap().projection(&other).is_err());
     }
 }

@@ -15,14 +15,14 @@ use super::elements::ElementMesh;
 use crate::error::{Error, Result};
 use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
-use crate::{FractionalOrder, Partition, gram_linears, mass_linears};
+use crate::{Mesh, Order, gram_linears, mass_linears};
 use nalgebra::DMatrix;
 
 /// Largest number of cells for which dense matrices are built.
 pub(super) const MAX_CELLS: usize = 4096;
 
 /// Integrals of the hats over the cells of a range, for all nodes.
-pub(super) fn hat_integrals(cells: &Partition, range: std::ops::Range<usize>) -> Vec<f64> {
+pub(super) fn hat_integrals(cells: &Mesh, range: std::ops::Range<usize>) -> Vec<f64> {
     let mut integrals = vec![0.0; cells.len() + 1];
     for i in range {
         integrals[i] += 0.5 * cells.lengths()[i];
@@ -32,7 +32,7 @@ pub(super) fn hat_integrals(cells: &Partition, range: std::ops::Range<usize>) ->
 }
 
 /// Gram matrix of L².
-pub(super) fn mass_form(cells: &Partition) -> DMatrix<f64> {
+pub(super) fn mass_form(cells: &Mesh) -> DMatrix<f64> {
     let (diagonal, off_diagonal) = mass_linears(cells);
     tridiagonal(&diagonal, &off_diagonal)
 }
@@ -46,13 +46,13 @@ fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> DMatrix<f64> {
 }
 
 /// |v|_r²: r = 0 is ‖v‖₀², r = 1 is ‖v'‖₀², between them the double integral of (1.1).
-pub(super) fn seminorm_form(cells: &Partition, r: f64) -> Result<DMatrix<f64>> {
+pub(super) fn seminorm_form(cells: &Mesh, r: f64) -> Result<DMatrix<f64>> {
     Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
     if r == 0.0 {
         return Ok(mass_form(cells));
     }
     if r < 1.0 {
-        return Ok(gram_linears(cells, FractionalOrder::new(r)?));
+        return Ok(gram_linears(cells, Order::new(r)?));
     }
     let mut diagonal = vec![0.0; cells.len() + 1];
     for (i, h) in cells.lengths().iter().enumerate() {
@@ -63,7 +63,7 @@ pub(super) fn seminorm_form(cells: &Partition, r: f64) -> Result<DMatrix<f64>> {
 }
 
 /// The form plus m mᵀ: positive definite.
-pub(super) fn without_constants(form: &DMatrix<f64>, cells: &Partition) -> DMatrix<f64> {
+pub(super) fn without_constants(form: &DMatrix<f64>, cells: &Mesh) -> DMatrix<f64> {
     let m = hat_integrals(cells, 0..cells.len());
     DMatrix::from_fn(m.len(), m.len(), |i, j| form[(i, j)] + m[i] * m[j])
 }

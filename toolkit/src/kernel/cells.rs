@@ -17,7 +17,7 @@
 
 use super::power::{PowerKernel, gauss_for, graded_gauss};
 use crate::numeric::scale::power_between;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 
 /// The integrals over pairs of cells for one order ν.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +39,7 @@ pub(crate) struct Touching {
 }
 
 impl CellPairs {
-    pub(crate) fn new(order: FractionalOrder) -> Self {
+    pub(crate) fn new(order: Order) -> Self {
         Self { kernel: PowerKernel::new(order) }
     }
 

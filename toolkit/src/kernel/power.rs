@@ -6,7 +6,7 @@
 //! for ℓ > 2x, where at most a digit is lost. For ℓ ≤ 2x the integrand is analytic in an ellipse of known
 //! size and a Gauss rule of known order is exact to rounding.
 
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 use std::sync::OnceLock;
 
@@ -128,7 +128,7 @@ pub(crate) fn log_ratio(x: f64, length: f64) -> f64 {
 }
 
 impl PowerKernel {
-    pub(crate) fn new(order: FractionalOrder) -> Self {
+    pub(crate) fn new(order: Order) -> Self {
         let one_minus = order.one_minus_twice();
         Self {
             twice: 2.0 * order.value(),

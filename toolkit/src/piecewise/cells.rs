@@ -5,7 +5,7 @@ use super::polynomial::PiecewisePolynomial;
 use crate::energy::{CellEnergies, PairSum, Samples, energy};
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 
 /// Elements of a leaf up to this degree, above which a pair of cells costs as much as one of clusters.
@@ -25,7 +25,7 @@ pub(crate) struct PolynomialCells<'a> {
 
 impl<'a> PolynomialCells<'a> {
     /// Rules to the relative accuracy `target`.
-    pub(crate) fn new(u: &'a PiecewisePolynomial, order: FractionalOrder, target: f64) -> Result<Self> {
+    pub(crate) fn new(u: &'a PiecewisePolynomial, order: Order, target: f64) -> Result<Self> {
         let degrees = 0..=u.degree();
         Ok(Self {
             u,
@@ -73,7 +73,7 @@ impl CellEnergies for PolynomialCells<'_> {
 
 impl PiecewisePolynomial {
     /// |u|²_ν by moments, far pairs to the tolerance.
-    pub(super) fn by_moments(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    pub(super) fn by_moments(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let target = SHARE * tolerance.relative();
         energy(self.partition(), &PolynomialCells::new(self, order, target)?, order, target)
     }

@@ -39,10 +39,10 @@ impl PiecewisePolynomial {
     /// rule and its two halves agree. At q = ∞ the largest |u|, also inside elements. Cost O(N).
     ///
     /// ```
-    /// use fractional_sobolev::{Partition, PiecewisePolynomial, Tolerance};
+    /// use fractional_sobolev::{Mesh, PiecewisePolynomial, Tolerance};
     /// let asked = Tolerance::balanced();
     /// // x² is of degree two: interpolated exactly; its derivative 2x is restricted to (1/2, 1)
-    /// let u = PiecewisePolynomial::interpolate(Partition::uniform(2, 1.0)?, 2, |x| x * x)?;
+    /// let u = PiecewisePolynomial::interpolate(Mesh::uniform(2, 1.0)?, 2, |x| x * x)?;
     /// assert!(u.degree() == 2 && u.is_continuous());
     /// assert!((u.mean(asked)?.value - 1.0 / 3.0).abs() < 1e-14);
     /// assert!((u.lq_norm(3.0, asked)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);

@@ -6,7 +6,7 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::power_of_two;
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 
@@ -39,11 +39,7 @@ impl PiecewisePolynomial {
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
@@ -51,10 +47,10 @@ impl PiecewisePolynomial {
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance};
-    /// let (order, asked) = (FractionalOrder::HALF, Tolerance::reference());
+    /// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance};
+    /// let (order, asked) = (Order::HALF, Tolerance::reference());
     /// // x²/2 as end values and a bubble: x²/2 = x/2 − x(1−x)/2
-    /// let mesh = Partition::uniform(1, 1.0)?;
+    /// let mesh = Mesh::uniform(1, 1.0)?;
     /// let u = PiecewisePolynomial::with_bubbles(mesh.clone(), &[[0.0, 0.5]], vec![vec![-0.5]])?;
     /// let slope = PiecewisePolynomial::discontinuous_linears(mesh, &[[0.0, 1.0]])?;
     /// assert!((slope.l2_norm(asked)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-14);
@@ -65,11 +61,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
@@ -83,7 +75,7 @@ impl PiecewisePolynomial {
     pub fn norm_with_derivative(
         &self,
         derivative: &Self,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -139,7 +131,7 @@ impl PiecewisePolynomial {
 
     /// |u|_ν with whatever error it has; computed for u over a power of two, lengths in units of one, where
     /// |u|_ν ~ L^{1/2−ν}.
-    fn seminorm_as_it_is(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         self.require_finite_seminorm(order)?;
         let scale = self.spread();
         let (unit, partition) = self.partition().of_moderate_lengths()?;
@@ -158,7 +150,7 @@ impl PiecewisePolynomial {
         scaled(scale, scaled(length, Estimate::new(root.value, root.error + rounding, root.work)?)?)
     }
 
-    fn require_finite_seminorm(&self, order: FractionalOrder) -> Result<()> {
+    fn require_finite_seminorm(&self, order: Order) -> Result<()> {
         if order.is_below_half() || self.is_continuous() {
             return Ok(());
         }

@@ -11,7 +11,7 @@ use crate::energy::PairSum;
 use crate::error::Result;
 use crate::kernel::power::{GaussRules, PowerKernel};
 use crate::numeric::scale::power_between;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::{PowerWeightRule, Rule};
 
 /// An element with its polynomial.
@@ -37,7 +37,7 @@ const OWN_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl PolynomialPairs {
     /// For polynomials up to `degree`; integrals of the kernel to the relative accuracy `target`.
-    pub(crate) fn new(order: FractionalOrder, degree: usize, target: f64) -> Result<Self> {
+    pub(crate) fn new(order: Order, degree: usize, target: f64) -> Result<Self> {
         let kernel = PowerKernel::new(order);
         let points = 2 * degree + 1;
         let mut pairs = Self {

@@ -1,9 +1,9 @@
-//! Piecewise polynomials on a [`Partition`].
+//! Piecewise polynomials on a [`Mesh`].
 
 use crate::error::{Error, Result};
+use crate::mesh::Mesh;
 use crate::numeric::check::{require_finite_at, require_length, require_values};
 use crate::numeric::legendre;
-use crate::partition::Partition;
 use crate::quadrature::Rule;
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ pub(crate) struct Piece {
     pub(crate) bubbles: Vec<f64>,
 }
 
-/// A polynomial on every element of a partition.
+/// A polynomial on every element of a mesh.
 ///
 /// On an element of length h, with t ∈ (0, 1) from left to right,
 /// u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
@@ -29,7 +29,7 @@ pub(crate) struct Piece {
 #[doc(alias("Gagliardo", "Slobodeckij", "fractional Sobolev", "H1/2", "P1", "P0", "finite element"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct PiecewisePolynomial {
-    partition: Partition,
+    partition: Mesh,
     pieces: Vec<Piece>,
 }
 
@@ -38,7 +38,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn constants(partition: Partition, values: &[f64]) -> Result<Self> {
+    pub fn constants(partition: Mesh, values: &[f64]) -> Result<Self> {
         require_length("values of elements", values.len(), partition.len())?;
         let ends: Vec<[f64; 2]> = values.iter().map(|&v| [v, v]).collect();
         Self::discontinuous_linears(partition, &ends)
@@ -47,16 +47,16 @@ impl PiecewisePolynomial {
     /// Continuous piecewise linear, one value per node.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance};
-    /// let u = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
-    /// let found = u.seminorm(FractionalOrder::HALF, Tolerance::reference())?;
+    /// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance};
+    /// let u = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
+    /// let found = u.seminorm(Order::HALF, Tolerance::reference())?;
     /// assert!((found.value - 1.0).abs() < 1e-12);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn linears(partition: Partition, values: &[f64]) -> Result<Self> {
+    pub fn linears(partition: Mesh, values: &[f64]) -> Result<Self> {
         require_values("values of nodes", values, partition.len() + 1)?;
         let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         Self::discontinuous_linears(partition, &ends)
@@ -66,7 +66,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn discontinuous_linears(partition: Partition, ends: &[[f64; 2]]) -> Result<Self> {
+    pub fn discontinuous_linears(partition: Mesh, ends: &[[f64; 2]]) -> Result<Self> {
         let none = vec![Vec::new(); ends.len()];
         Self::with_bubbles(partition, ends, none)
     }
@@ -75,7 +75,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::EntryOutOfRange`] beyond degree 20.
-    pub fn with_bubbles(partition: Partition, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
+    pub fn with_bubbles(partition: Mesh, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
         require_length("end values", ends.len(), partition.len())?;
         require_length("bubble coefficients", bubbles.len(), partition.len())?;
         let mut pieces = Vec::with_capacity(ends.len());
@@ -97,7 +97,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
-    pub fn interpolate(partition: Partition, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
+    pub fn interpolate(partition: Mesh, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
         if degree == 0 || degree > MAX_DEGREE {
             return Err(Error::CountOutOfRange { name: "polynomial degree", value: degree, range: "1..=20" });
         }
@@ -116,7 +116,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
-    pub(crate) fn of_values(partition: Partition, degree: usize, values: &[f64]) -> Result<Self> {
+    pub(crate) fn of_values(partition: Mesh, degree: usize, values: &[f64]) -> Result<Self> {
         if degree > MAX_DEGREE {
             return Err(Error::CountOutOfRange { name: "polynomial degree", value: degree, range: "0..=20" });
         }
@@ -133,7 +133,7 @@ impl PiecewisePolynomial {
         Self::with_bubbles(partition, &ends, bubbles)
     }
 
-    /// u − v on one partition.
+    /// u − v on one mesh.
     pub(crate) fn minus(&self, other: &Self) -> Result<Self> {
         let (mut ends, mut bubbles) = (Vec::new(), Vec::new());
         for (a, b) in self.pieces.iter().zip(&other.pieces) {
@@ -145,8 +145,8 @@ impl PiecewisePolynomial {
         Self::with_bubbles(self.partition.clone(), &ends, bubbles)
     }
 
-    /// The partition.
-    pub fn partition(&self) -> &Partition {
+    /// The mesh.
+    pub fn partition(&self) -> &Mesh {
         &self.partition
     }
 
@@ -172,7 +172,7 @@ impl PiecewisePolynomial {
     /// The part on the given elements.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for an empty range or one that leaves the partition.
+    /// [`Error::CountOutOfRange`] for an empty range or one that leaves the mesh.
     pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
         if elements.is_empty() || elements.end > self.pieces.len() {
             return Err(Error::CountOutOfRange {
@@ -182,7 +182,7 @@ impl PiecewisePolynomial {
             });
         }
         Ok(Self {
-            partition: Partition::from_lengths(self.partition.lengths()[elements.clone()].to_vec())?,
+            partition: Mesh::from_lengths(self.partition.lengths()[elements.clone()].to_vec())?,
             pieces: self.pieces[elements].to_vec(),
         })
     }
@@ -226,7 +226,7 @@ impl PiecewisePolynomial {
         Self { partition: self.partition.clone(), pieces: self.pieces.iter().map(scaled).collect() }
     }
 
-    pub(crate) fn on(self, partition: Partition) -> Self {
+    pub(crate) fn on(self, partition: Mesh) -> Self {
         Self { partition, ..self }
     }
 
@@ -313,7 +313,7 @@ mod tests {
 
     #[test]
     fn polynomials_are_reproduced_with_their_derivative() {
-        let partition = Partition::from_lengths(vec![0.3, 1e-9, 0.7]).unwrap();
+        let partition = Mesh::from_lengths(vec![0.3, 1e-9, 0.7]).unwrap();
         let cubic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - 4.0 * x));
         let u = PiecewisePolynomial::interpolate(partition, 3, cubic).unwrap();
         let v = u.derivative().unwrap();
@@ -330,7 +330,7 @@ mod tests {
 
     #[test]
     fn wrong_counts_and_values_are_errors() {
-        let partition = || Partition::uniform(2, 1.0).unwrap();
+        let partition = || Mesh::uniform(2, 1.0).unwrap();
         assert!(PiecewisePolynomial::constants(partition(), &[1.0]).is_err());
         assert!(PiecewisePolynomial::linears(partition(), &[1.0, f64::NAN, 0.0]).is_err());
         let u = PiecewisePolynomial::constants(partition(), &[1.0, 2.0]).unwrap();

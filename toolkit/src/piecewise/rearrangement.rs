@@ -2,7 +2,7 @@
 
 use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};
-use crate::partition::Partition;
+use crate::mesh::Mesh;
 
 impl PiecewisePolynomial {
     /// The decreasing rearrangement v* of a function of degree at most one, on the same interval.
@@ -15,10 +15,10 @@ impl PiecewisePolynomial {
     /// function is piecewise linear, and so is v*. Cost: (number of elements)².
     ///
     /// ```
-    /// use fractional_sobolev::{Partition, PiecewisePolynomial};
-    /// let tent = PiecewisePolynomial::linears(Partition::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
+    /// use fractional_sobolev::{Mesh, PiecewisePolynomial};
+    /// let tent = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
     /// let sorted = tent.decreasing_rearrangement()?;
-    /// assert!(sorted.partition().len() == 1 && sorted.value(0, 0.25)? == 0.75);
+    /// assert!(sorted.mesh().len() == 1 && sorted.value(0, 0.25)? == 0.75);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -51,19 +51,19 @@ impl PiecewisePolynomial {
                 push(across.map(|&(h, c, d)| h * ((high - low) / (c - d).abs())).sum(), [high, low]);
             }
         }
-        Self::discontinuous_linears(Partition::from_lengths(lengths)?, &ends)
+        Self::discontinuous_linears(Mesh::from_lengths(lengths)?, &ends)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::FractionalOrder;
+    use crate::Order;
     use crate::estimate::Tolerance;
 
     #[test]
     fn steps_are_sorted_with_their_lengths() {
-        let partition = Partition::from_lengths(vec![0.1, 0.2, 0.3, 0.4]).unwrap();
+        let partition = Mesh::from_lengths(vec![0.1, 0.2, 0.3, 0.4]).unwrap();
         let steps = PiecewisePolynomial::constants(partition, &[2.0, -1.0, 2.0, 5.0]).unwrap();
         let sorted = steps.decreasing_rearrangement().unwrap();
         assert_eq!(sorted.partition().lengths(), [0.4, 0.1 + 0.3, 0.2]);
@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn norms_stay_and_a_second_rearrangement_changes_nothing() {
         let lengths = vec![0.05, 0.3, 0.15, 0.1, 0.4];
-        let partition = Partition::from_lengths(lengths).unwrap();
+        let partition = Mesh::from_lengths(lengths).unwrap();
         let u = PiecewisePolynomial::linears(partition, &[0.3, -1.0, 0.7, 0.7, 2.0, 0.1]).unwrap();
         let sorted = u.decreasing_rearrangement().unwrap();
         assert!(sorted.is_continuous() && (sorted.partition().total() - 1.0).abs() < 1e-15);
@@ -84,11 +84,11 @@ mod tests {
             assert!((norm(&sorted) / norm(&u) - 1.0).abs() < 1e-9, "q = {q}");
         }
         let again = sorted.decreasing_rearrangement().unwrap();
-        let order = FractionalOrder::new(0.3).unwrap();
+        let order = Order::new(0.3).unwrap();
         let seminorm = |u: &PiecewisePolynomial| u.seminorm(order, Tolerance::balanced()).unwrap().value;
         assert!((seminorm(&again) / seminorm(&sorted) - 1.0).abs() < 1e-12);
         assert!(seminorm(&sorted) < seminorm(&u));
-        let parabola = PiecewisePolynomial::interpolate(Partition::uniform(2, 1.0).unwrap(), 2, |x| x * x);
+        let parabola = PiecewisePolynomial::interpolate(Mesh::uniform(2, 1.0).unwrap(), 2, |x| x * x);
         assert!(parabola.unwrap().decreasing_rearrangement().is_err());
     }
 }

@@ -9,7 +9,7 @@ use crate::gram::GramOperator;
 use crate::gram::dense::{FarRow, constants_on, neighbours_linear};
 use crate::kernel::cells::CellPairs;
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::root::ENTRY_ROUNDING;
 use rayon::prelude::*;
 use std::ops::Add;
@@ -31,7 +31,7 @@ impl PiecewisePolynomial {
     /// The squared seminorm of a function of moderate size and lengths.
     pub(super) fn seminorm_squared_of_moderate(
         &self,
-        order: FractionalOrder,
+        order: Order,
         tolerance: Tolerance,
     ) -> Result<Estimate> {
         if self.is_exactly(|piece| piece.left == piece.right) {
@@ -48,7 +48,7 @@ impl PiecewisePolynomial {
     fn faster(
         &self,
         product: impl FnOnce() -> Result<Estimate>,
-        order: FractionalOrder,
+        order: Order,
         tolerance: Tolerance,
     ) -> Result<Option<Estimate>> {
         if self.partition().uniform_length().is_some() {
@@ -65,7 +65,7 @@ impl PiecewisePolynomial {
         self.pieces().iter().all(|piece| piece.bubbles.is_empty() && shape(piece))
     }
 
-    fn constants_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn constants_squared(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let (partition, pieces) = (self.partition(), self.pieces());
         if pieces.iter().all(|piece| piece.left == pieces[0].left) {
             return Estimate::new(0.0, 0.0, Work::default());
@@ -98,7 +98,7 @@ impl PiecewisePolynomial {
         Estimate::new(value, ENTRY_ROUNDING * value, pair_work(n))
     }
 
-    fn linears_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn linears_squared(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let partition = self.partition();
         let cells = CellPairs::new(order);
         let n = partition.len();
@@ -127,7 +127,7 @@ impl PiecewisePolynomial {
         Estimate::new(value, ENTRY_ROUNDING * absolute, pair_work(n))
     }
 
-    fn pairs_squared(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn pairs_squared(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.partition().len() > DIRECT_POLYNOMIALS {
             let found = self.by_moments(order, tolerance)?;
             if is_enough(&found, tolerance) || self.partition().len() > PATIENT_POLYNOMIALS {

@@ -12,7 +12,7 @@ use super::leaves::{LEVELS, points};
 use super::means::{Means, Shape};
 use super::simplex::{Corner, NO_NODE, Simplex};
 use crate::error::Result;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 
 /// Hats of a square, counterclockwise from bottom left.
 pub(super) const HATS: usize = 4;
@@ -51,7 +51,7 @@ pub(super) struct CellPairs {
 }
 
 impl CellPairs {
-    pub(super) fn new(order: FractionalOrder, accuracy: f64) -> Result<Self> {
+    pub(super) fn new(order: Order, accuracy: f64) -> Result<Self> {
         let moments = (0..=POINTS.1).map(|q| Moments::new(q.max(1))).collect::<Result<_>>()?;
         Ok(Self {
             means: Means::new(order, Shape::Linears, accuracy),

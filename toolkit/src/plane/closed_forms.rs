@@ -2,7 +2,7 @@
 
 use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Work};
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 use crate::root::ENTRY_ROUNDING;
 
@@ -17,16 +17,16 @@ const POINTS: usize = 20;
 /// times (1+k²)^{-1-s} and k² (1+k²)^{-1-s}. As s → 1, (1−s)|x₁|²_s → π/2.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, coordinate_on_unit_square};
+/// use fractional_sobolev::{Order, coordinate_on_unit_square};
 /// let s = 1.0 - 1e-9;
-/// let squared = coordinate_on_unit_square(FractionalOrder::new(s)?)?;
+/// let squared = coordinate_on_unit_square(Order::new(s)?)?;
 /// assert!(((1.0 - s) * squared.value - std::f64::consts::FRAC_PI_2).abs() < 1e-8);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// None for an order in (0, 1).
-pub fn coordinate_on_unit_square(order: impl Given<FractionalOrder>) -> Result<Estimate> {
+pub fn coordinate_on_unit_square(order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     let two = 2.0 * order.complement();
     let (p, q) = (1.0 / (two * (1.0 + two)), 1.0 / ((1.0 + two) * (2.0 + two)));

@@ -9,9 +9,9 @@ use crate::numeric::check::require_values;
 /// A piecewise constant or a continuous piecewise linear function.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, PlaneFunction, Tolerance, Triangles};
+/// use fractional_sobolev::{Order, PlaneFunction, Tolerance, Triangles};
 /// let x = PlaneFunction::linears(Triangles::grid([1, 1], 1.0)?, vec![0.0, 1.0, 0.0, 1.0])?;
-/// let (order, asked) = (FractionalOrder::new(0.3)?, Tolerance::balanced());
+/// let (order, asked) = (Order::new(0.3)?, Tolerance::balanced());
 /// assert!((x.l2_norm(asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-14);
 /// assert!(x.norm(order, asked)?.value > x.l2_norm(asked)?.value);
 /// // the gradient (1, 0) on both triangles has no seminorm: ||x||²_{1+s} = 1/3 + 1

@@ -8,7 +8,7 @@ use crate::estimate::Tolerance;
 use crate::numeric::check::require_values;
 use crate::numeric::memory::require_memory;
 use crate::numeric::parallel;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
@@ -60,7 +60,7 @@ impl GridOperator {
     pub fn new(
         squares: [usize; 2],
         h: f64,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);

@@ -21,7 +21,7 @@ use super::leaves::{LEVELS, Leaves, Levels, add_square};
 use super::simplex::Simplex;
 use crate::error::Result;
 use crate::numeric::scale::power_of_two;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 
 /// What is integrated: differences of linear functions, or of constants.
@@ -38,13 +38,13 @@ const CELL_POINTS: usize = 12;
 /// Integrals for one order, one shape and one accuracy.
 #[derive(Debug, Clone)]
 pub(super) struct Means {
-    order: FractionalOrder,
+    order: Order,
     shape: Shape,
     leaves: Leaves,
 }
 
 impl Means {
-    pub(super) fn new(order: FractionalOrder, shape: Shape, accuracy: f64) -> Self {
+    pub(super) fn new(order: Order, shape: Shape, accuracy: f64) -> Self {
         Self { order, shape, leaves: Leaves::new(order.value(), accuracy) }
     }
 

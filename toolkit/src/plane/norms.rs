@@ -7,7 +7,7 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::numeric::sum::RunningSum;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled, scaled_root};
 
 /// How often the accuracy of every integral is raised.
@@ -38,10 +38,10 @@ impl PlaneFunction {
     /// that are apart are compressed: cost O(N log N), errors included.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, PlaneFunction, Tolerance, Triangles};
+    /// use fractional_sobolev::{Order, PlaneFunction, Tolerance, Triangles};
     /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
     /// let x = PlaneFunction::linears(triangle, vec![0.0, 1.0, 0.0])?;
-    /// let norm = x.seminorm(FractionalOrder::HALF, Tolerance::reference())?;
+    /// let norm = x.seminorm(Order::HALF, Tolerance::reference())?;
     /// assert!((norm.value.powi(2) - 0.501_532_942_386_591_2).abs() < 1e-14);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -50,11 +50,7 @@ impl PlaneFunction {
     /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles
     /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
@@ -63,11 +59,7 @@ impl PlaneFunction {
     ///
     /// # Errors
     /// As [`PlaneFunction::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
@@ -81,7 +73,7 @@ impl PlaneFunction {
     /// [`PlaneFunction::seminorm`].
     pub fn norm_with_gradient(
         &self,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -130,7 +122,7 @@ impl PlaneFunction {
     }
 
     /// |w|_s with whatever error it has; computed in units of the size of the polygon and of the values.
-    fn seminorm_as_it_is(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.is_constant() {
             return Estimate::new(0.0, 0.0, Work::default());
         }
@@ -144,13 +136,7 @@ impl PlaneFunction {
     }
 
     /// |w|²_s of w over a unit on the polygon over its extent.
-    fn squared(
-        &self,
-        order: FractionalOrder,
-        tolerance: Tolerance,
-        unit: f64,
-        extent: f64,
-    ) -> Result<Estimate> {
+    fn squared(&self, order: Order, tolerance: Tolerance, unit: f64, extent: f64) -> Result<Estimate> {
         let sum = PairSum::new(self, unit, extent);
         let mut accuracy = FIRST * tolerance.relative().max(ENTRY_ROUNDING);
         let (mut best, mut work) = (None::<Estimate>, Work::default());

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use std::f64::consts::PI;
@@ -69,10 +69,10 @@ impl SectorPower {
     /// r^a sin(bφ) for r < R, 0 < φ < ω.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
+    /// use fractional_sobolev::{Order, SectorPower, Tolerance};
     /// // The corner singularity of the L-shape.
     /// let w = SectorPower::new(2.0 / 3.0, 2.0 / 3.0, 1.5 * std::f64::consts::PI, 1.0)?;
-    /// let norm = w.seminorm(FractionalOrder::new(0.9)?, Tolerance::reference())?;
+    /// let norm = w.seminorm(Order::new(0.9)?, Tolerance::reference())?;
     /// assert!(norm.relative_error() < 1e-12);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -90,9 +90,9 @@ impl SectorPower {
     /// |∇(r^p sin(pφ))|_s on the half disc 0 < φ < π, r < R; scales like R^{p−s}.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
+    /// use fractional_sobolev::{Order, SectorPower, Tolerance};
     /// // p = 2: the gradient of 2xy, 2(y, x), on the half disc
-    /// let s = FractionalOrder::new(0.5)?;
+    /// let s = Order::new(0.5)?;
     /// let norm = SectorPower::harmonic_gradient(2.0, 1.0, s, Tolerance::reference())?;
     /// assert!(norm.relative_error() < 1e-12);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -103,7 +103,7 @@ impl SectorPower {
     pub fn harmonic_gradient(
         power: f64,
         radius: f64,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -116,9 +116,9 @@ impl SectorPower {
     /// and the displacement of a body is v/(2μ).
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SectorPower, Tolerance};
+    /// use fractional_sobolev::{Order, SectorPower, Tolerance};
     /// // p = 2, α = 1: v = (x² − 3y², 2xy), ∇v has x² twice with 4 and y² with 36 and 4.
-    /// let (s, asked) = (FractionalOrder::new(0.5)?, Tolerance::reference());
+    /// let (s, asked) = (Order::new(0.5)?, Tolerance::reference());
     /// let norm = SectorPower::elastic_gradient(2.0, 1.0, 1.0, s, asked)?;
     /// let y = SectorPower::new(1.0, 1.0, std::f64::consts::PI, 1.0)?.seminorm(s, asked)?;
     /// let both = SectorPower::harmonic_gradient(2.0, 1.0, s, asked)?;
@@ -133,7 +133,7 @@ impl SectorPower {
         power: f64,
         alpha: f64,
         radius: f64,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -154,11 +154,7 @@ impl SectorPower {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a ≤ s − 1, [`Error::ToleranceNotMet`].
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let gap = self.exponent + order.complement();
         if gap <= 0.0 {
@@ -175,7 +171,7 @@ impl SectorPower {
     }
 
     /// The double integral with n points in each direction, and how many points that is.
-    fn integral(&self, order: FractionalOrder, n: usize) -> Result<(f64, u64)> {
+    fn integral(&self, order: Order, n: usize) -> Result<(f64, u64)> {
         let near = self.angle.min(1.0);
         let (plain, power) = (Rule::gauss_legendre(n)?, 2.0 * order.complement() - 1.0);
         let weighted = Rule::gauss_jacobi(n, 0.0, power)?;
@@ -224,7 +220,7 @@ impl SectorPower {
         Ok((sum, points))
     }
 
-    fn density(&self, order: FractionalOrder, u: f64, psi: f64) -> f64 {
+    fn density(&self, order: Order, u: f64, psi: f64) -> f64 {
         let (b, s) = (self.frequency, order.value());
         let rest = self.angle - psi;
         let (tau, one_minus) = ((-self.exponent * u).exp(), -(-self.exponent * u).exp_m1());

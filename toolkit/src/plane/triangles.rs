@@ -72,8 +72,8 @@ impl Triangles {
     /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, GridOperator, Tolerance, Triangles, coordinate_on_unit_square};
-    /// let order = FractionalOrder::HALF;
+    /// use fractional_sobolev::{Order, GridOperator, Tolerance, Triangles, coordinate_on_unit_square};
+    /// let order = Order::HALF;
     /// let form = GridOperator::new([8, 8], 0.125, order, Tolerance::balanced())?;
     /// let x: Vec<f64> = Triangles::grid([8, 8], 0.125)?.nodes().iter().map(|p| p[0]).collect();
     /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();

@@ -2,7 +2,7 @@
 
 use super::constant::gamma;
 use super::constraint::Constraint;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::search::{golden_section, sign_change};
@@ -67,7 +67,7 @@ impl HalfBracket {
     /// ```
     pub fn new(log: f64) -> Result<Self> {
         Error::require("L", log, "[1, 1e15]", (1.0..=1e15).contains(&log))?;
-        let whole = gamma(FractionalOrder::HALF, Constraint::mean_zero(), Tolerance::balanced())?.constant;
+        let whole = gamma(Order::HALF, Constraint::mean_zero(), Tolerance::balanced())?.constant;
         let whole = whole.value + whole.error;
         let dual = Chains::new(whole, log)?.dual_norm() * (1.0 + ROUNDED_UP);
         Ok(Self { log, lower: ramp(log), upper: whole * whole + dual * dual })

@@ -5,7 +5,7 @@ use super::extremal::ExtremalFunction;
 use super::mesh::SHORTEST_RADIUS;
 use super::spaces::constant_and_function;
 use super::two_sided::{GammaBounds, two_sided};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
@@ -34,7 +34,7 @@ use crate::estimate::{Estimate, Tolerance};
 /// 1/2 that the constant is decided below r = 1e-290.
 #[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs", "eigenfunction"))]
 pub fn gamma(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     constraint: impl Given<Constraint>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Gamma> {
@@ -58,7 +58,7 @@ pub fn gamma(
 pub struct Gamma {
     /// γ.
     pub constant: Estimate,
-    order: FractionalOrder,
+    order: Order,
     constraint: Constraint,
     tolerance: Tolerance,
     function: ExtremalFunction,

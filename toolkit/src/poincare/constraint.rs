@@ -34,8 +34,8 @@ impl Constraint {
     /// Mean zero over (0,1).
     ///
     /// ```
-    /// use fractional_sobolev::{Constraint, FractionalOrder, gamma};
-    /// let near_one = FractionalOrder::new(1.0 - 1e-9)?;
+    /// use fractional_sobolev::{Constraint, Order, gamma};
+    /// let near_one = Order::new(1.0 - 1e-9)?;
     /// let found = gamma(near_one, Constraint::mean_zero(), 1e-8)?.constant.value / near_one.complement().sqrt();
     /// assert!((found - std::f64::consts::FRAC_1_PI).abs() < 1e-6);
     /// # Ok::<(), fractional_sobolev::Error>(())

@@ -7,7 +7,7 @@
 //! alike. The error estimate adds those of the points, each times the modulus of its Lagrange polynomial, to
 //! the change when a point is left out.
 
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::parallel;
@@ -32,7 +32,7 @@ pub(crate) struct Continuation {
 
 impl Continuation {
     /// For zones and parts beside them of length `shortest` at least; `None` for orders that are not small.
-    pub(crate) fn to(order: FractionalOrder, shortest: f64, tolerance: Tolerance) -> Option<Self> {
+    pub(crate) fn to(order: Order, shortest: f64, tolerance: Tolerance) -> Option<Self> {
         let order = order.value();
         if order >= SMALL {
             return None;
@@ -50,11 +50,11 @@ impl Continuation {
     /// What `solve` finds at the points: sharper than asked, or as asked where rounding forbids that.
     pub(crate) fn at_points<T: Send>(
         &self,
-        solve: impl Fn(FractionalOrder, Tolerance) -> Result<T> + Sync,
+        solve: impl Fn(Order, Tolerance) -> Result<T> + Sync,
     ) -> Result<Vec<T>> {
         let sharper = Tolerance::new((SHARE_OF_POINT * self.tolerance.relative()).max(SHARPEST))?;
         let at = |&nu: &f64| {
-            let order = FractionalOrder::new(nu)?;
+            let order = Order::new(nu)?;
             match solve(order, sharper) {
                 Err(Error::ToleranceNotMet { .. }) => solve(order, self.tolerance),
                 result => result,
@@ -101,14 +101,14 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     fn continuation() -> Continuation {
-        let order = FractionalOrder::new(1e-9).unwrap();
+        let order = Order::new(1e-9).unwrap();
         Continuation::to(order, 1e-3, Tolerance::balanced()).unwrap()
     }
 
     #[test]
     fn an_analytic_function_is_continued_to_its_value() {
         let exact = |nu: f64| (1.0 + nu).recip() * (3.0 * nu).exp();
-        let solve = |order: FractionalOrder, _| Estimate::new(exact(order.value()), 1e-14, Work::default());
+        let solve = |order: Order, _| Estimate::new(exact(order.value()), 1e-14, Work::default());
         let (points, at) = (continuation().at_points(solve).unwrap(), continuation().order);
         let found = continuation().value(&points).unwrap();
         assert!((found.value - exact(at)).abs() <= found.error, "{found} against {}", exact(at));

@@ -15,7 +15,7 @@ use super::slopes::local::Local;
 use super::slopes::mass::{Primitives, mass_gram};
 use super::slopes::space::SlopeSpace;
 use super::zone::Condition;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::Result;
 use crate::estimate::Work;
 use crate::numeric::pencil::Factored;
@@ -55,7 +55,7 @@ pub(crate) struct DualNorm {
 }
 
 impl Discrete {
-    pub(crate) fn new(order: FractionalOrder, constraint: &Constraint, model: &MeshModel) -> Result<Self> {
+    pub(crate) fn new(order: Order, constraint: &Constraint, model: &MeshModel) -> Result<Self> {
         let shortest = constraint.shortest();
         let unit = shortest.sqrt();
         let parts: Vec<f64> = constraint.parts.iter().map(|l| l / unit).collect();

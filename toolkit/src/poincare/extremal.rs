@@ -3,7 +3,7 @@
 use super::discrete::Discrete;
 use super::slopes::space::{SlopeSpace, legendre_primitives};
 use crate::error::Result;
-use crate::{Partition, PiecewisePolynomial};
+use crate::{Mesh, PiecewisePolynomial};
 
 /// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
 const ONE_NODE: f64 = 1e-10;
@@ -15,8 +15,8 @@ const MAKES_WAY: f64 = 1e-5;
 /// Returned by [`super::extremal`].
 ///
 /// ```
-/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance};
-/// let (order, asked) = (FractionalOrder::HALF, Tolerance::fast());
+/// use fractional_sobolev::{Constraint, Order, gamma, Tolerance};
+/// let (order, asked) = (Order::HALF, Tolerance::fast());
 /// let (gamma, u) = gamma(order, Constraint::mean_zero_on(0.0..0.01), asked).map(|found| (found.constant, found.extremal()))?;
 /// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(x)).abs() < 1e-9));
 /// // its interpolant nearly has the quotient γ
@@ -73,7 +73,7 @@ impl ExtremalFunction {
         nodes.sort_by(f64::total_cmp);
         nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
         nodes.push(1.0);
-        PiecewisePolynomial::interpolate(Partition::from_nodes(&nodes)?, degree, |x| self.value(x))
+        PiecewisePolynomial::interpolate(Mesh::from_nodes(&nodes)?, degree, |x| self.value(x))
     }
 
     /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.

@@ -5,7 +5,7 @@ use super::constraint::Constraint;
 use super::limits::interior_limit;
 use super::mellin::end_limit;
 use super::uniform::UniformLaw;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
@@ -26,8 +26,8 @@ const NEAR_HALF: f64 = 0.01;
 ///
 /// ```
 /// use experiments::zones::{Place};
-/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, LimitLaw, Tolerance};
-/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// use fractional_sobolev::{Constraint, Order, gamma, LimitLaw, Tolerance};
+/// let (order, asked) = (Order::HALF, Tolerance::balanced());
 /// if let Some(law) = LimitLaw::new(order, 0.0, asked)? {
 ///     let found = gamma(order, Constraint::mean_zero_on(0.0..1e-9), asked)?.constant;
 ///     assert!((law.gamma(1e-9)?.value / found.value - 1.0).abs() < 1e-2);
@@ -39,7 +39,7 @@ pub enum LimitLaw {
     /// B θ^{ν−1/2}.
     Power {
         /// The order ν < 1/2.
-        order: FractionalOrder,
+        order: Order,
         /// B.
         factor: Estimate,
     },
@@ -56,7 +56,7 @@ impl LimitLaw {
     /// # Errors
     /// Those of [`gamma`], [`end_limit`] and [`UniformLaw::new`].
     pub fn new(
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         place: f64,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Option<Self>> {

@@ -1,6 +1,6 @@
 //! The exact limits that the printed laws (5.1)-(5.3) should be compared with.
 
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;
@@ -22,15 +22,15 @@ const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 /// lim θ^{1/2−ν} γ_θ for a zone inside (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, interior_limit};
-/// let limit = interior_limit(FractionalOrder::new(0.25)?)?;
+/// use fractional_sobolev::{Order, interior_limit};
+/// let limit = interior_limit(Order::new(0.25)?)?;
 /// assert!((limit.value - (1.0 / (3.0 * std::f64::consts::PI)).sqrt()).abs() <= limit.error);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2.
-pub fn interior_limit(order: impl Given<FractionalOrder>) -> Result<Estimate> {
+pub fn interior_limit(order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     // tan(πν) = cot(π(1/2 − ν))

@@ -6,7 +6,7 @@ use super::mesh::MeshModel;
 use super::rounding::ROUNDING;
 use super::spaces::{continued, refine_until};
 use super::zone::{Condition, Zone};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
@@ -28,7 +28,7 @@ use crate::estimate::{Estimate, Tolerance, Work};
 /// [`gamma`]: super::gamma
 #[doc(alias("H-1/2", "dual norm"))]
 pub fn largest_mean(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     constraint: impl Given<Constraint>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
@@ -52,7 +52,7 @@ pub(crate) struct DualMoments {
     pub(crate) image: Estimate,
 }
 
-pub(crate) fn dual_moments(order: FractionalOrder, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
+pub(crate) fn dual_moments(order: Order, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
     let constraint = Constraint::on_zones(&Zone::end(theta)?.into(), Condition::MeanZero);
     let moments = |model: &MeshModel| -> Result<([f64; 3], Work)> {
         let discrete = Discrete::new(order, &constraint, model)?;

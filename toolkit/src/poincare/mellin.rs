@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::{FractionalOrder, HalfLineSymbol};
+use crate::{HalfLineSymbol, Order};
 use std::f64::consts::PI;
 
 /// Steps of the rule, each half of the one before, until two agree to the tolerance.
@@ -22,9 +22,9 @@ const ROUNDING: f64 = 1e-14;
 /// term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
 ///
 /// ```
-/// use fractional_sobolev::{end_limit, FractionalOrder, Tolerance};
+/// use fractional_sobolev::{end_limit, Order, Tolerance};
 /// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
-/// let order = FractionalOrder::from_offset(-1e-5)?;
+/// let order = Order::half_plus(-1e-5)?;
 /// let limit = end_limit(order, Tolerance::balanced())?.value.powi(2) * order.one_minus_twice();
 /// assert!((limit * std::f64::consts::PI.powi(2) / 1.5 - 1.0).abs() < 1e-3);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -33,7 +33,7 @@ const ROUNDING: f64 = 1e-14;
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]
 /// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
-pub fn end_limit(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+pub fn end_limit(order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     if limit.relative_error() > asked {
@@ -44,7 +44,7 @@ pub fn end_limit(order: impl Given<FractionalOrder>, tolerance: impl Given<Toler
 }
 
 /// B(ν) with the error that is reached, be it above the tolerance.
-pub(super) fn reached(order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+pub(super) fn reached(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     let (nu, p) = (order.value(), order.one_minus_twice());
     let symbol = HalfLineSymbol::new(p);
@@ -87,7 +87,7 @@ mod tests {
         let text = include_str!("../../tests/reference/limits_reference.json");
         let rows: serde_json::Value = serde_json::from_str(text).unwrap();
         for row in rows["B"].as_array().unwrap() {
-            let nu: FractionalOrder = row["nu"].as_str().unwrap().parse().unwrap();
+            let nu: Order = row["nu"].as_str().unwrap().parse().unwrap();
             let exact: f64 = row["B"].as_str().unwrap().parse().unwrap();
             for tolerance in [Tolerance::fast(), Tolerance::balanced(), Tolerance::new(1e-10).unwrap()] {
                 let limit = reached(nu, tolerance).unwrap();
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn an_order_that_rounds_too_near_one_half_is_refused() {
-        let near: FractionalOrder = "1/2-1e-9".parse().unwrap();
+        let near: Order = "1/2-1e-9".parse().unwrap();
         let refused = end_limit(near, Tolerance::balanced());
         assert!(matches!(refused, Err(Error::ToleranceNotMet { .. })), "{refused:?}");
         assert!(end_limit(near, Tolerance::fast()).is_ok());

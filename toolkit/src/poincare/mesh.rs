@@ -8,7 +8,7 @@
 //! with their distance from the features, so θ = 1e-300 costs few cells more than θ = 1e-3.
 
 use super::slopes::cell::Cell;
-use crate::FractionalOrder;
+use crate::Order;
 use std::ops::Range;
 
 /// The parameters of a mesh; two different models are compared to estimate the error.
@@ -52,7 +52,7 @@ impl MeshModel {
     /// orders and zones. Cutting r^{2ν} off at r = δ costs the fraction δ^{1+2ν} of the energy; cutting off
     /// r^ν, the behaviour beside a zone on which u vanishes, δ; cutting off r^{2ν−1}, the behaviour at a
     /// single such point, δ^{2ν−1}.
-    pub(crate) fn new(order: FractionalOrder, error: f64) -> Self {
+    pub(crate) fn new(order: Order, error: f64) -> Self {
         let digits = -error.log10();
         Self {
             finest: 1.5,

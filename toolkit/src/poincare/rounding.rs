@@ -2,7 +2,7 @@
 
 use super::constraint::Constraint;
 use super::slopes::local::{SHORT, negligible_for_jumps};
-use crate::FractionalOrder;
+use crate::Order;
 
 /// Relative error of assembly, factorization and quotient: 1.3e-13 was the worst seen where the space is
 /// exact.
@@ -20,7 +20,7 @@ const ROUNDING_OF_DIFFERENCES: f64 = 4e-16;
 const ROUNDING_OF_DIPS: f64 = 4e-15;
 
 /// Relative error of γ that no refinement of the space removes.
-pub(super) fn rounding(order: FractionalOrder, constraint: &Constraint) -> f64 {
+pub(super) fn rounding(order: Order, constraint: &Constraint) -> f64 {
     let neighbour = |part: Option<usize>| part.and_then(|k| constraint.parts.get(k)).copied();
     let (first, last) = (constraint.zones[0], constraint.zones[constraint.zones.len() - 1]);
     let sides = [neighbour(first.checked_sub(1)), neighbour(Some(last + 1))];

@@ -7,7 +7,7 @@ use super::discrete::Discrete;
 use super::extremal::ExtremalFunction;
 use super::mesh::MeshModel;
 use super::rounding::rounding;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
@@ -20,7 +20,7 @@ const COARSER: f64 = 4.0;
 
 /// γ with a function for which it is attained.
 pub(super) fn constant_and_function(
-    order: FractionalOrder,
+    order: Order,
     constraint: &Constraint,
     tolerance: Tolerance,
 ) -> Result<(Estimate, ExtremalFunction)> {
@@ -43,10 +43,10 @@ pub(super) fn constant_and_function(
 
 /// What `direct` finds, at small orders that have no digits of their own what is continued from larger ones.
 pub(super) fn continued(
-    order: FractionalOrder,
+    order: Order,
     constraint: &Constraint,
     tolerance: Tolerance,
-    direct: impl Fn(FractionalOrder, Tolerance) -> Result<Estimate> + Sync,
+    direct: impl Fn(Order, Tolerance) -> Result<Estimate> + Sync,
 ) -> Result<Estimate> {
     let larger = Continuation::to(order, constraint.shortest(), tolerance);
     if let Some(larger) = larger.as_ref().filter(|_| rounding(order, constraint) > tolerance.relative()) {
@@ -60,7 +60,7 @@ pub(super) fn continued(
 
 /// γ and its function from the same one of the two spaces that are compared.
 fn attained(
-    order: FractionalOrder,
+    order: Order,
     constraint: &Constraint,
     tolerance: Tolerance,
 ) -> Result<(Estimate, ExtremalFunction)> {
@@ -80,7 +80,7 @@ fn attained(
 
 /// A supremum over spaces, computed on two spaces, finer ones until their difference meets the tolerance.
 pub(crate) fn refine_until(
-    order: FractionalOrder,
+    order: Order,
     constraint: &Constraint,
     tolerance: Tolerance,
     solve: impl Fn(&MeshModel) -> Result<(f64, Work)> + Sync,
@@ -95,7 +95,7 @@ pub(crate) fn refine_until(
 
 /// Solves on two spaces and joins the results, until their relative error meets the tolerance.
 pub(super) fn refine<T: Send, R>(
-    order: FractionalOrder,
+    order: Order,
     rounding: f64,
     tolerance: Tolerance,
     solve: impl Fn(&MeshModel) -> Result<T> + Sync,

@@ -7,7 +7,7 @@ use super::mean::largest_mean;
 use super::mesh::MeshModel;
 use super::rounding::rounding;
 use super::spaces::{constant_and_function, refine};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
@@ -39,7 +39,7 @@ pub struct GammaBounds {
 }
 
 pub(super) fn two_sided(
-    order: FractionalOrder,
+    order: Order,
     parts: &Constraint,
     constant: Estimate,
     tolerance: Tolerance,
@@ -85,12 +85,7 @@ struct Sides {
 }
 
 impl Sides {
-    fn new(
-        order: FractionalOrder,
-        constraint: &Constraint,
-        model: &MeshModel,
-        whole: &Estimate,
-    ) -> Result<Self> {
+    fn new(order: Order, constraint: &Constraint, model: &MeshModel, whole: &Estimate) -> Result<Self> {
         let mut discrete = Discrete::new(order, constraint, model)?;
         let (gamma, _) = discrete.largest_quotient()?;
         let dual = discrete.dual_norm()?;

@@ -6,7 +6,7 @@ use super::limits::END_SLOPE;
 use super::mean::{DualMoments, dual_moments};
 use super::mellin;
 use super::slopes::kernel::exp_quotient;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
@@ -39,8 +39,8 @@ const NEAR_HALF: f64 = 1e-6;
 /// of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
 ///
 /// ```
-/// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance, UniformLaw};
-/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// use fractional_sobolev::{Constraint, Order, gamma, Tolerance, UniformLaw};
+/// let (order, asked) = (Order::HALF, Tolerance::balanced());
 /// let law = UniformLaw::new(order, asked)?;
 /// let found = gamma(order, Constraint::mean_zero_on(0.0..1e-30), asked)?.constant;
 /// let by_law = law.gamma(1e-30)?;
@@ -50,7 +50,7 @@ const NEAR_HALF: f64 = 1e-6;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UniformLaw {
-    order: FractionalOrder,
+    order: Order,
     /// A: the slope of γ² against ln(1/θ) at ν = 1/2.
     pub slope: Estimate,
     /// c.
@@ -93,7 +93,7 @@ impl UniformLaw {
     /// # Errors
     /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] when the dual norms cannot be had
     /// to the tolerance.
-    pub fn new(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+    pub fn new(order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         Error::require("nu", order.value(), "[0.4, 0.6]", order.offset().abs() <= 0.1)?;
         let p = order.one_minus_twice();

@@ -76,8 +76,8 @@ impl Zones {
     /// The intervals (a, a + ℓ) for pairs (a, ℓ), in any order.
     ///
     /// ```
-    /// use fractional_sobolev::{Constraint, FractionalOrder, gamma, Tolerance, Zone, Zones};
-    /// let found = |zone: Zones| gamma(FractionalOrder::HALF, Constraint::mean_zero_on(zone), Tolerance::fast()).map(|found| found.constant);
+    /// use fractional_sobolev::{Constraint, Order, gamma, Tolerance, Zone, Zones};
+    /// let found = |zone: Zones| gamma(Order::HALF, Constraint::mean_zero_on(zone), Tolerance::fast()).map(|found| found.constant);
     /// let apart = found(Zones::union(&[(0.2, 0.05), (0.7, 0.05)])?)?;
     /// assert!(apart.value < found(Zone::end(0.1)?.into())?.value);
     /// assert!(Zones::union(&[(0.2, 0.05), (0.22, 0.05)]).is_err());
@@ -199,12 +199,12 @@ fn require_count(count: usize) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Partition;
+    use crate::Mesh;
     use crate::estimate::{Estimate, Tolerance};
     use crate::numeric::pencil::Factored;
     use crate::poincare::zone::Condition;
     use crate::poincare::{Constraint, gamma, largest_mean};
-    use crate::{FractionalOrder, gram_linears, mass_linears};
+    use crate::{Order, gram_linears, mass_linears};
     use nalgebra::DMatrix;
 
     impl Condition {
@@ -220,9 +220,7 @@ mod tests {
     const CONDITIONS: [Condition; 2] = [Condition::MeanZero, Condition::Vanishing];
 
     fn found(nu: f64, zones: impl Given<Zones>, condition: Condition) -> Estimate {
-        gamma(FractionalOrder::new(nu).unwrap(), condition.on(zones), Tolerance::new(1e-6).unwrap())
-            .unwrap()
-            .constant
+        gamma(Order::new(nu).unwrap(), condition.on(zones), Tolerance::new(1e-6).unwrap()).unwrap().constant
     }
 
     #[test]
@@ -238,7 +236,7 @@ mod tests {
         }
         let whole = Zones::union(&[(0.0, 1.0)]).unwrap();
         assert!(
-            gamma(FractionalOrder::HALF, Constraint::vanishing_on(whole), Tolerance::fast())
+            gamma(Order::HALF, Constraint::vanishing_on(whole), Tolerance::fast())
                 .map(|found| found.constant)
                 .is_err()
         );
@@ -257,12 +255,12 @@ mod tests {
     /// A conforming value on continuous piecewise linear functions of a mesh that is graded to the ends of
     /// the intervals: the constant is a sum of basis functions there and no slope appears.
     fn with_linears(nu: f64, zones: &Zones, condition: Condition) -> f64 {
-        let order = FractionalOrder::new(nu).unwrap();
+        let order = Order::new(nu).unwrap();
         let mut points = vec![0.0, 1.0];
         points.extend(zones.intervals().iter().flat_map(|&(a, length)| [a, a + length]));
         points.sort_by(f64::total_cmp);
         points.dedup();
-        let partition = Partition::graded_to_points(&points, 14, 0.5).unwrap();
+        let partition = Mesh::graded_to_points(&points, 14, 0.5).unwrap();
         let nodes = partition.nodes();
         let inside =
             |x: f64| zones.intervals().iter().any(|&(a, length)| x > a - 1e-12 && x < a + length + 1e-12);
@@ -339,7 +337,7 @@ mod tests {
     #[test]
     fn the_extremal_function_meets_its_condition_and_the_dual_norm_is_below() {
         let zones = Zones::union(&[(0.1, 0.02), (0.3, 0.1), (0.8, 0.05)]).unwrap();
-        let (order, tolerance) = (FractionalOrder::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
+        let (order, tolerance) = (Order::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
         for condition in CONDITIONS {
             let (value, function) = gamma(order, condition.on(zones.clone()), tolerance)
                 .map(|found| (found.constant, found.extremal()))

@@ -7,7 +7,7 @@
 //! exponentially accurate uniformly in a. a^{1+2s} K and a^{2s−1} D are smooth in ln a: tabulated at
 //! Chebyshev points of cells in ln a.
 
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use std::f64::consts::PI;
 
 /// Chebyshev points of a cell, whose ends have the ratio e^{WIDTH}.
@@ -18,7 +18,7 @@ const NOTHING: f64 = 34.0;
 
 /// K and D as tables.
 pub(super) struct AngularKernel {
-    order: FractionalOrder,
+    order: Order,
     /// ln of the smallest angle.
     start: f64,
     /// The places of a cell in (0, 1) and their barycentric weights.
@@ -29,7 +29,7 @@ pub(super) struct AngularKernel {
 
 impl AngularKernel {
     /// For angles between `smallest` and π.
-    pub(super) fn new(order: FractionalOrder, tau: f64, smallest: f64) -> Self {
+    pub(super) fn new(order: Order, tau: f64, smallest: f64) -> Self {
         let start = smallest.ln();
         let cells = ((PI.ln() - start) / WIDTH).ceil() as usize;
         let places = std::array::from_fn(|i| {
@@ -65,7 +65,7 @@ impl AngularKernel {
 }
 
 /// (a^{1+2s} K, a^{2s−1} D) at one angle.
-fn scaled(order: FractionalOrder, tau: f64, a: f64) -> [f64; 2] {
+fn scaled(order: Order, tau: f64, a: f64) -> [f64; 2] {
     let s = order.value();
     let sine = (0.5 * a).sin();
     let step = (PI * PI / (NOTHING + PI * tau)).min(0.25);
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn tables_agree_with_sums_and_a_closed_form() {
-        let order = FractionalOrder::new(0.7).unwrap();
+        let order = Order::new(0.7).unwrap();
         for tau in [0.0, 3.0, 20.0] {
             let table = AngularKernel::new(order, tau, 1e-10);
             for a in [2e-10, 1e-3, 0.4, 1.3, 3.0, PI] {

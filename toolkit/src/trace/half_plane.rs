@@ -3,7 +3,7 @@
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::gamma::digamma_above_one;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use std::f64::consts::PI;
 
 /// Rounding of the closed form, relative: D is a difference of π tan(πσ) and at most a third of it.
@@ -30,8 +30,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// the Dirichlet integral.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, half_plane_trace};
-/// let near: FractionalOrder = "1/2+1e-9".parse()?;
+/// use fractional_sobolev::{Order, half_plane_trace};
+/// let near: Order = "1/2+1e-9".parse()?;
 /// let limit = half_plane_trace(near)?.value * 2e-9;
 /// assert!((limit - 3f64.sqrt() / std::f64::consts::PI).abs() < 1e-8);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -40,7 +40,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2, where functions have no trace.
 #[doc(alias("trace theorem", "trace constant"))]
-pub fn half_plane_trace(order: impl Given<FractionalOrder>) -> Result<Estimate> {
+pub fn half_plane_trace(order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     let sigma = require_trace(order)?;
     // −π cot(πs) = π tan(πσ), from the nearer end.
@@ -62,7 +62,7 @@ pub fn half_plane_trace_at_one() -> f64 {
 }
 
 /// σ = s − 1/2 where there is a trace.
-pub(super) fn require_trace(order: FractionalOrder) -> Result<f64> {
+pub(super) fn require_trace(order: Order) -> Result<f64> {
     Error::require("s - 1/2", order.offset(), "(0, 1/2)", order.offset() > 0.0)
 }
 
@@ -77,16 +77,16 @@ const STEP: f64 = 0.06;
 /// error below 1e-13 where φ > 1e-100. Cost: a few hundred exponentials.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, extension_profile};
+/// use fractional_sobolev::{Order, extension_profile};
 /// // sigma nearly 1/2: e^{-y}
-/// let value = extension_profile(FractionalOrder::new(0.999999)?, 1.0)?;
+/// let value = extension_profile(Order::new(0.999999)?, 1.0)?;
 /// assert!((value - (-1f64).exp()).abs() < 1e-5);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2 and unless 1e-30 ≤ y ≤ 1e3 or y = 0.
-pub fn extension_profile(order: impl Given<FractionalOrder>, y: f64) -> Result<f64> {
+pub fn extension_profile(order: impl Given<Order>, y: f64) -> Result<f64> {
     let order = order.given()?;
     let sigma = require_trace(order)?;
     if y == 0.0 {
@@ -116,11 +116,11 @@ mod tests {
             ("0.99", 0.040_416_295_790_515_6),
         ];
         for (s, square) in squares {
-            let found = half_plane_trace(s.parse::<FractionalOrder>().unwrap()).unwrap();
+            let found = half_plane_trace(s.parse::<Order>().unwrap()).unwrap();
             let error = (found.value - f64::sqrt(square)).abs();
             assert!(error < 1e-13 * found.value && found.relative_error() < 1e-13, "{s}: {found}");
         }
-        let near_one = FractionalOrder::new(1.0 - 1e-8).unwrap();
+        let near_one = Order::new(1.0 - 1e-8).unwrap();
         let normalised =
             half_plane_trace(near_one).unwrap().value * (0.5 * PI / near_one.complement()).sqrt();
         assert!((normalised - half_plane_trace_at_one()).abs() < 1e-7, "{normalised}");
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn the_profile_solves_its_equation() {
         // φ'' + (1−2σ)/y φ' = φ
-        let order = FractionalOrder::new(0.8).unwrap();
+        let order = Order::new(0.8).unwrap();
         let (y, h) = (0.7, 1e-3);
         let [a, b, c] = [y - h, y, y + h].map(|y| extension_profile(order, y).unwrap());
         let rest = (a - 2.0 * b + c) / (h * h) + 0.4 / y * (c - a) / (2.0 * h) - b;
@@ -138,8 +138,8 @@ mod tests {
 
     #[test]
     fn no_trace_up_to_one_half() {
-        assert!(half_plane_trace(FractionalOrder::HALF).is_err());
-        assert!(extension_profile(FractionalOrder::new(0.3).unwrap(), 1.0).is_err());
-        assert!(extension_profile(FractionalOrder::new(0.8).unwrap(), f64::NAN).is_err());
+        assert!(half_plane_trace(Order::HALF).is_err());
+        assert!(extension_profile(Order::new(0.3).unwrap(), 1.0).is_err());
+        assert!(extension_profile(Order::new(0.8).unwrap(), f64::NAN).is_err());
     }
 }

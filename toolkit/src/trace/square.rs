@@ -6,7 +6,7 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::dense::product;
 use crate::numeric::pencil::Factored;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
@@ -44,8 +44,8 @@ impl SquareTrace {
     /// Trial functions with polynomials in x and in y up to the degree, and y^{2s−1} times those up to 2.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SquareTrace, half_plane_trace};
-    /// let s = FractionalOrder::new(0.9)?;
+    /// use fractional_sobolev::{Order, SquareTrace, half_plane_trace};
+    /// let s = Order::new(0.9)?;
     /// let found = SquareTrace::new(s, 6)?.largest();
     /// assert!(found.value < half_plane_trace(s)?.value.powi(2));
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -54,7 +54,7 @@ impl SquareTrace {
     /// # Errors
     /// [`Error::OutOfRange`] unless 0.55 ≤ s ≤ 0.95, [`Error::CountOutOfRange`] for degrees outside 2..=20;
     /// [`Error::NotPositiveDefinite`] where the trial functions are dependent to rounding.
-    pub fn new(order: impl Given<FractionalOrder>, degree: usize) -> Result<Self> {
+    pub fn new(order: impl Given<Order>, degree: usize) -> Result<Self> {
         let order = order.given()?;
         Error::require("s", order.value(), "[0.55, 0.95]", (0.55..=0.95).contains(&order.value()))?;
         require_degree("degree", degree)?;
@@ -132,7 +132,7 @@ fn cosine_edge(modes: &[f64]) -> Result<DMatrix<f64>> {
 }
 
 /// The largest quotients of edge and square for odd and for even functions.
-fn quotients(order: FractionalOrder, degree: usize, points: usize) -> Result<[f64; 2]> {
+fn quotients(order: Order, degree: usize, points: usize) -> Result<[f64; 2]> {
     let steps = graded(order, points)?;
     let family = EdgeFamily { power: 2.0 * require_trace(order)?, smooth: degree, singular: SINGULAR };
     let of_y: Vec<Increments> =
@@ -143,7 +143,7 @@ fn quotients(order: FractionalOrder, degree: usize, points: usize) -> Result<[f6
 
 /// The larger quotient for one parity.
 fn quotient(
-    order: FractionalOrder,
+    order: Order,
     x: &Parity,
     y: &EdgeFamily,
     steps: &[(f64, f64)],
@@ -185,7 +185,7 @@ fn quotient(
 }
 
 /// Points and weights on (0, 1), graded to 0.
-fn graded(order: FractionalOrder, points: usize) -> Result<Vec<(f64, f64)>> {
+fn graded(order: Order, points: usize) -> Result<Vec<(f64, f64)>> {
     let missed = 2.0 * order.offset().min(order.complement());
     let cells = (INNERMOST.ln() / RATIO.ln() / missed).ceil() as i32;
     let rule = Rule::gauss_legendre(points)?;
@@ -205,7 +205,7 @@ mod tests {
     #[test]
     fn linear_functions_have_the_closed_form() {
         // w = x: the edge has ∫∫ |x−y|^{2−2s} = 2/((3−2s)(4−2s)).
-        let order = FractionalOrder::new(0.75).unwrap();
+        let order = Order::new(0.75).unwrap();
         let steps = graded(order, 8).unwrap();
         let (x, y) = (Parity { first: 1, degree: 1 }, EdgeFamily { power: 0.5, smooth: 0, singular: 0 });
         let of = |(a, v): (f64, f64)| 2.0 * v * a.powf(-1.5) * Increments::new(&x, a).unwrap().both[0];
@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn trial_functions_grow_and_stay_below_the_half_plane() {
         for s in [0.6, 0.95] {
-            let order = FractionalOrder::new(s).unwrap();
+            let order = Order::new(s).unwrap();
             let bound = half_plane_trace(order).unwrap().value.powi(2);
             let [few, more] = [3, 6].map(|degree| SquareTrace::new(order, degree).unwrap());
             for k in 0..2 {
@@ -240,8 +240,8 @@ mod tests {
 
     #[test]
     fn degrees_and_orders_outside_are_errors() {
-        assert!(SquareTrace::new(FractionalOrder::HALF, 4).is_err());
-        assert!(SquareTrace::new(FractionalOrder::new(0.8).unwrap(), 1).is_err());
+        assert!(SquareTrace::new(Order::HALF, 4).is_err());
+        assert!(SquareTrace::new(Order::new(0.8).unwrap(), 1).is_err());
         assert!(SquareTrace::at_one(0).is_err());
     }
 }

@@ -7,7 +7,7 @@ use super::wedge_elements::{Fineness, WedgeElements};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::pencil::Factored;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Two finenesses: the second is returned, the first judges it.
@@ -37,7 +37,7 @@ const LARGEST_TAU: f64 = 100.0;
 /// at π/2; there the quotient is the closed form for *every* τ, a second road to it.
 #[derive(Debug, Clone, Copy)]
 pub struct WedgeTrace {
-    order: FractionalOrder,
+    order: Order,
     angle: f64,
     mirrored: bool,
 }
@@ -46,8 +46,8 @@ impl WedgeTrace {
     /// The corner of angle ω, in radians.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, WedgeTrace, half_plane_trace};
-    /// let s = FractionalOrder::new(0.75)?;
+    /// use fractional_sobolev::{Order, WedgeTrace, half_plane_trace};
+    /// let s = Order::new(0.75)?;
     /// let corner = WedgeTrace::corner(s, std::f64::consts::FRAC_PI_2)?.quotient(1.0)?;
     /// // A right angle does no harm.
     /// assert!(corner.value < 0.7 * half_plane_trace(s)?.value.powi(2));
@@ -56,7 +56,7 @@ impl WedgeTrace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 1/2 < s and 0.1 ≤ ω ≤ π.
-    pub fn corner(order: impl Given<FractionalOrder>, angle: f64) -> Result<Self> {
+    pub fn corner(order: impl Given<Order>, angle: f64) -> Result<Self> {
         let order = order.given()?;
         require_trace(order)?;
         Error::require("angle", angle, ANGLES, (0.1..=PI).contains(&angle))?;
@@ -66,8 +66,8 @@ impl WedgeTrace {
     /// The half-plane with even boundary values.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, WedgeTrace, half_plane_trace};
-    /// let s = FractionalOrder::new(0.75)?;
+    /// use fractional_sobolev::{Order, WedgeTrace, half_plane_trace};
+    /// let s = Order::new(0.75)?;
     /// let flat = WedgeTrace::half_plane(s)?.quotient(2.0)?;
     /// assert!(flat.value <= half_plane_trace(s)?.value.powi(2) + flat.error);
     /// // s = 1, the mode τ → ∞ of any corner: 2π
@@ -78,7 +78,7 @@ impl WedgeTrace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for s ≤ 1/2.
-    pub fn half_plane(order: impl Given<FractionalOrder>) -> Result<Self> {
+    pub fn half_plane(order: impl Given<Order>) -> Result<Self> {
         let order = order.given()?;
         require_trace(order)?;
         Ok(Self { order, angle: FRAC_PI_2, mirrored: true })
@@ -156,7 +156,7 @@ mod tests {
     #[test]
     fn the_half_plane_has_its_constant_in_every_mode() {
         for (s, tau) in [(0.55, 0.0), (0.6, 8.0), (0.75, 0.5), (0.9, 2.0), (0.97, 0.0)] {
-            let order = FractionalOrder::new(s).unwrap();
+            let order = Order::new(s).unwrap();
             let exact = half_plane_trace(order).unwrap().value.powi(2);
             let found = WedgeTrace::half_plane(order).unwrap().quotient(tau).unwrap();
             let error = (found.value - exact).abs();
@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn near_one_the_corner_is_that_of_the_dirichlet_integral() {
-        let order = FractionalOrder::new(1.0 - 1e-5).unwrap();
+        let order = Order::new(1.0 - 1e-5).unwrap();
         let scale = 0.5 * PI / order.complement();
         for (angle, tau) in [(FRAC_PI_2, 0.0), (1.0, 1.5)] {
             let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
@@ -175,7 +175,7 @@ mod tests {
         }
         // The rules come as close as 1 − s; the quotient goes to its limit like 1 − s.
         for distance in [1e-3, 1e-5, 1e-8] {
-            let order = FractionalOrder::new(1.0 - distance).unwrap();
+            let order = Order::new(1.0 - distance).unwrap();
             let scale = 0.5 * PI / order.complement();
             for (angle, tau) in [(FRAC_PI_2, 0.0), (2.0, 1.0), (0.5, 0.3)] {
                 let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
@@ -191,9 +191,9 @@ mod tests {
 
     #[test]
     fn what_the_meshes_do_not_resolve_is_an_error() {
-        let order = FractionalOrder::new(0.75).unwrap();
+        let order = Order::new(0.75).unwrap();
         assert!(WedgeTrace::corner(order, 0.01).is_err() && WedgeTrace::corner(order, f64::NAN).is_err());
-        assert!(WedgeTrace::corner(FractionalOrder::HALF, 1.0).is_err());
+        assert!(WedgeTrace::corner(Order::HALF, 1.0).is_err());
         assert!(WedgeTrace::half_plane(order).unwrap().quotient(1e4).is_err());
     }
 }

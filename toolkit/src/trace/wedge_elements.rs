@@ -7,7 +7,7 @@
 use super::angular_kernel::AngularKernel;
 use crate::closed_forms;
 use crate::error::Result;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
@@ -38,7 +38,7 @@ pub(super) struct AngularForm {
 
 /// The mesh on (0, ω) with its rules.
 pub(super) struct WedgeElements {
-    order: FractionalOrder,
+    order: Order,
     angle: f64,
     /// Ends of the elements, from 0 to ω.
     cuts: Vec<f64>,
@@ -65,7 +65,7 @@ fn graded(beta: f64, fineness: Fineness) -> Result<Points> {
 }
 
 impl WedgeElements {
-    pub(super) fn new(order: FractionalOrder, angle: f64, fineness: Fineness) -> Result<Self> {
+    pub(super) fn new(order: Order, angle: f64, fineness: Fineness) -> Result<Self> {
         let (s, p) = (order.value(), fineness.degree);
         let half = 0.5 * angle;
         let left = ((fineness.first / half).ln() / RATIO.ln()).ceil() as i32;

@@ -1,6 +1,6 @@
 //! Squared seminorms by formulas of their own: sums of positive terms, singular ends taken out by hand.
 
-use fractional_sobolev::{FractionalOrder, Rule};
+use fractional_sobolev::{Order, Rule};
 use std::f64::consts::{LN_2, PI};
 
 /// ∫₀^∞ f for f smooth on [0, ∞) that falls like e^{-cy}: trapezoidal sum in τ, y = exp(τ − e^{-τ}).
@@ -20,7 +20,7 @@ fn half_line(c: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// R^{1−2ν}, the exponent as exact as it is known.
-fn scale(r: f64, order: FractionalOrder) -> f64 {
+fn scale(r: f64, order: Order) -> f64 {
     if order.value() < 0.25 {
         let root = r.powf(-order.value());
         r * root * root
@@ -31,7 +31,7 @@ fn scale(r: f64, order: FractionalOrder) -> f64 {
 
 /// |x^a|²_ν on (0, 1) = (a − ν + 1/2)^{-1} ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. Above t = 1/2 in w = 1 − t, where
 /// (1−t^a)² = a²w² + ..., the first term is integrated by hand; below in s = −ln t.
-pub fn power(a: f64, order: FractionalOrder) -> f64 {
+pub fn power(a: f64, order: Order) -> f64 {
     let (nu, p) = (order.value(), 2.0 * order.complement());
     let near = half_line(p + 1.0, |y| {
         let w = 0.5 * (-y).exp();
@@ -73,7 +73,7 @@ pub fn log_power(alpha: f64) -> f64 {
 
 /// ln of the unit in which |ln x|^α is of size 1 at the order ν < 1/2: its values where t^{2α} e^{−(1−2ν)t}
 /// is largest.
-pub fn log_unit(alpha: f64, order: FractionalOrder) -> f64 {
+pub fn log_unit(alpha: f64, order: Order) -> f64 {
     (alpha * ((2.0 * alpha / order.one_minus_twice()).ln() - 1.0)).max(0.0)
 }
 
@@ -83,7 +83,7 @@ pub const LEAST: f64 = 0.12;
 /// ||ln x|^α|²_ν for ν < 1/2 in the unit of [`log_unit`]: with x = e^{−t−r}, y = e^{−t},
 /// 2 ∫₀^∞ e^{−(1−2ν)t} ∫₀^∞ ((t+r)^α − t^α)² e^{−r} (1−e^{−r})^{-1-2ν} dr dt, trapezoidal sums in τ; near 0
 /// the integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
-pub fn log_power_below_half(alpha: f64, order: FractionalOrder) -> f64 {
+pub fn log_power_below_half(alpha: f64, order: Order) -> f64 {
     const STEP: f64 = 1.0 / 48.0;
     let (decay, twice, unit) = (order.one_minus_twice(), 2.0 * order.value(), log_unit(alpha, order));
     let points = |c: f64| -> Vec<(f64, f64)> {
@@ -123,7 +123,7 @@ pub fn log_power_below_half(alpha: f64, order: FractionalOrder) -> f64 {
 
 /// |cos kπx|²_ν on (0, 1) = 4 ω^{2ν} ∫₀^ω sin²(v/2) [1 − (v − sin v)/ω] v^{-1-2ν} dv, ω = kπ; Gauss's rule on
 /// every half period, the term v²/4 of the first one by hand.
-pub fn cosine(k: u32, order: FractionalOrder, rule: &Rule) -> f64 {
+pub fn cosine(k: u32, order: Order, rule: &Rule) -> f64 {
     let (nu, p, omega) = (order.value(), 2.0 * order.complement(), f64::from(k) * PI);
     let density = |v: f64| (0.5 * v).sin().powi(2) * (1.0 - (v - v.sin()) / omega);
     let first = 0.25 * PI.powf(p) / p
@@ -143,7 +143,7 @@ pub fn cosine(k: u32, order: FractionalOrder, rule: &Rule) -> f64 {
 }
 
 /// |u|²_ν of a function that is linear from `ends[i][0]` to `ends[i][1]` on elements of the given lengths.
-pub fn linears(lengths: &[f64], ends: &[[f64; 2]], order: FractionalOrder, rule: &Rule) -> f64 {
+pub fn linears(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Rule) -> f64 {
     let mut sum = 0.0;
     for (i, (&p, u)) in lengths.iter().zip(ends).enumerate() {
         let rise = u[1] - u[0];
@@ -162,7 +162,7 @@ pub fn linears(lengths: &[f64], ends: &[[f64; 2]], order: FractionalOrder, rule:
 
 /// ∫₀^p ∫₀^q (D + b y/q − a x/p)² (d+x+y)^{-1-2ν} dy dx for p ≤ q, in r = x + y: the integral across is
 /// exact, the one in r by Gauss's rule on panels (r, 2r + d). At d = 0 a jump D comes with a = b = 0.
-fn pair(d: f64, [p, a]: [f64; 2], [q, b]: [f64; 2], jump: f64, order: FractionalOrder, rule: &Rule) -> f64 {
+fn pair(d: f64, [p, a]: [f64; 2], [q, b]: [f64; 2], jump: f64, order: Order, rule: &Rule) -> f64 {
     let exponent = -1.0 - 2.0 * order.value();
     // Two points are exact for squares of linear functions.
     let mean = |difference: &dyn Fn(f64) -> f64| {

@@ -2,13 +2,13 @@
 //! Methods, Springer 2011, Section 5.2) with Gauss-Jacobi rules for touching triangles, cutting both
 //! triangles of other pairs into four until they are as far apart as they are large.
 
-use fractional_sobolev::{FractionalOrder, PlaneFunction, Rule};
+use fractional_sobolev::{Order, PlaneFunction, Rule};
 
 type Point = [f64; 2];
 type Triangle = [(Point, f64); 3];
 
 /// |w|²_s from the first rule that the one before agrees with.
-pub fn settled_seminorm_squared(w: &PlaneFunction, order: FractionalOrder, required: f64) -> f64 {
+pub fn settled_seminorm_squared(w: &PlaneFunction, order: Order, required: f64) -> f64 {
     let mut before = f64::INFINITY;
     for n in [9, 13, 18, 25, 36] {
         let value = seminorm_squared(w, order, n);
@@ -22,7 +22,7 @@ pub fn settled_seminorm_squared(w: &PlaneFunction, order: FractionalOrder, requi
 
 /// |w|²_s with n points in every direction, three times as many across edges, where the integrand is analytic
 /// in a narrow strip, and few in the directions in which it is a power times a polynomial.
-pub fn seminorm_squared(w: &PlaneFunction, order: FractionalOrder, n: usize) -> f64 {
+pub fn seminorm_squared(w: &PlaneFunction, order: Order, n: usize) -> f64 {
     let triangles = w.mesh().triangles();
     let road = Road::new(order.value(), if w.is_piecewise_constant() { 0 } else { 2 }, n);
     let mut sum = 0.0;

@@ -1,7 +1,7 @@
 //! Remark 2: in the dual norm of H^{1/2} Lagrange interpolation of H^{3/2} functions gains nothing over
 //! h^{3/2}.
 
-use fractional_sobolev::FractionalOrder;
+use fractional_sobolev::Order;
 use fractional_sobolev::interpolation::{ErrorNorm, element_constant};
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
@@ -69,7 +69,7 @@ impl AliasedWave {
     /// # Errors
     /// None for N ≥ 1; those of [`element_constant`] are passed on.
     pub fn dual_norm_of_error(self) -> Result<Estimate> {
-        let gamma = element_constant(ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::balanced())?;
+        let gamma = element_constant(ErrorNorm::Derivative, Order::HALF, Tolerance::balanced())?;
         let wave = gamma.value * gamma.value / (2.0 * self.elements as f64);
         // √(1 + w) − 1 without cancellation
         let excess = wave / (1.0 + (1.0 + wave).sqrt());
@@ -188,7 +188,7 @@ fn exponential_integral(x: f64) -> (f64, f64) {
 mod tests {
     use super::super::dual_norm::DualNorm;
     use super::*;
-    use fractional_sobolev::{Partition, PiecewisePolynomial};
+    use fractional_sobolev::{Mesh, PiecewisePolynomial};
 
     #[test]
     fn integral_functions_have_their_known_values() {
@@ -204,9 +204,9 @@ mod tests {
     fn the_closed_norm_is_that_of_the_wave() {
         for n in [1, 2, 5] {
             let omega = 2.0 * PI * n as f64;
-            let cells = Partition::uniform(8 * n, 1.0).unwrap();
+            let cells = Mesh::uniform(8 * n, 1.0).unwrap();
             let slope = PiecewisePolynomial::interpolate(cells, 10, |x| -omega * (omega * x).sin()).unwrap();
-            let seminorm = slope.seminorm(FractionalOrder::HALF, Tolerance::balanced()).unwrap();
+            let seminorm = slope.seminorm(Order::HALF, Tolerance::balanced()).unwrap();
             let closed = AliasedWave::new(n).unwrap().seminorm().unwrap();
             assert!((seminorm.value / closed.value - 1.0).abs() < 1e-10, "{n}: {seminorm} {closed}");
         }
@@ -216,7 +216,7 @@ mod tests {
     fn the_dual_norm_lies_within_its_bounds() {
         for n in [1, 4, 16] {
             let wave = AliasedWave::new(n).unwrap();
-            let cells = Partition::uniform(32 * n, 1.0).unwrap();
+            let cells = Mesh::uniform(32 * n, 1.0).unwrap();
             let starts = cells.from_left().to_vec();
             let h = cells.lengths()[0];
             let norm = DualNorm::new(&cells).unwrap().of(|i, t| wave.value(starts[i] + h * t)).unwrap();

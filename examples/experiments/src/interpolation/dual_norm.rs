@@ -2,11 +2,11 @@
 //! (1.1), on one mesh for many f. The toolkit's dual norms are in [`fractional_sobolev::dual`].
 
 use crate::scale::unit_of;
-use fractional_sobolev::Partition;
+use fractional_sobolev::Mesh;
 use fractional_sobolev::Rule;
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Work};
-use fractional_sobolev::{FractionalOrder, gram_linears, mass_linears};
+use fractional_sobolev::{Order, gram_linears, mass_linears};
 use nalgebra::Cholesky;
 use nalgebra::DMatrix;
 use nalgebra::Dyn;
@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1e-12;
 /// the error estimate. Cost O(N³).
 #[derive(Debug, Clone)]
 pub(crate) struct DualNorm {
-    cells: Partition,
+    cells: Mesh,
     fine: Solver,
     /// On the cells joined in pairs.
     coarse: Solver,
@@ -52,18 +52,18 @@ impl DualNorm {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for an odd number of cells or more than 4096 (the matrices are dense).
-    pub(crate) fn new(cells: &Partition) -> Result<Self> {
+    pub(crate) fn new(cells: &Mesh) -> Result<Self> {
         let count = cells.len();
         if !count.is_multiple_of(2) || count > MAX_CELLS {
             return Err(Error::CountOutOfRange { name: "cells", value: count, range: "even, <= 4096" });
         }
         let pairs = cells.lengths().chunks(2).map(|pair| pair.iter().sum()).collect();
-        let coarse = Solver::new(&Partition::from_lengths(pairs)?)?;
+        let coarse = Solver::new(&Mesh::from_lengths(pairs)?)?;
         Ok(Self { cells: cells.clone(), fine: Solver::new(cells)?, coarse })
     }
 
     /// The cells.
-    pub(crate) fn cells(&self) -> &Partition {
+    pub(crate) fn cells(&self) -> &Mesh {
         &self.cells
     }
 
@@ -136,7 +136,7 @@ fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
 }
 
 /// Integrals of the hats over the interval, for all nodes.
-fn hat_integrals(cells: &Partition) -> Vec<f64> {
+fn hat_integrals(cells: &Mesh) -> Vec<f64> {
     let mut integrals = vec![0.0; cells.len() + 1];
     for (i, h) in cells.lengths().iter().enumerate() {
         integrals[i] += 0.5 * h;
@@ -146,7 +146,7 @@ fn hat_integrals(cells: &Partition) -> Vec<f64> {
 }
 
 /// Gram matrix of L².
-fn mass_form(cells: &Partition) -> DMatrix<f64> {
+fn mass_form(cells: &Mesh) -> DMatrix<f64> {
     let (diagonal, off_diagonal) = mass_linears(cells);
     DMatrix::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
         0 => diagonal[i],
@@ -162,10 +162,10 @@ fn times(norm: Estimate, unit: f64) -> Result<Estimate> {
 }
 
 impl Solver {
-    fn new(cells: &Partition) -> Result<Self> {
+    fn new(cells: &Mesh) -> Result<Self> {
         let integrals = hat_integrals(cells);
         let total = cells.total();
-        let norm = gram_linears(cells, FractionalOrder::HALF) + mass_form(cells);
+        let norm = gram_linears(cells, Order::HALF) + mass_form(cells);
         let size = integrals.len();
         let fixed = DMatrix::from_fn(size, size, |i, j| {
             norm[(i, j)] + (integrals[i] / total) * (integrals[j] / total)
@@ -192,20 +192,20 @@ mod tests {
 
     #[test]
     fn the_dual_norm_of_a_constant_is_the_constant() {
-        for cells in [Partition::uniform(8, 1.0).unwrap(), Partition::two_sided(4, 0.3, 1.0).unwrap()] {
+        for cells in [Mesh::uniform(8, 1.0).unwrap(), Mesh::two_sided(4, 0.3, 1.0).unwrap()] {
             let norm = DualNorm::new(&cells).unwrap().of(|_, _| -3.0).unwrap();
             assert!((norm.value - 3.0).abs() < 1e-12, "{norm}");
             assert!(norm.error < 1e-10);
         }
-        assert!(DualNorm::new(&Partition::uniform(3, 1.0).unwrap()).is_err());
-        let norm = DualNorm::new(&Partition::uniform(2, 1.0).unwrap()).unwrap();
+        assert!(DualNorm::new(&Mesh::uniform(3, 1.0).unwrap()).is_err());
+        let norm = DualNorm::new(&Mesh::uniform(2, 1.0).unwrap()).unwrap();
         assert!(norm.of(|_, _| f64::NAN).is_err() && norm.of_load(&[1.0]).is_err());
     }
 
     #[test]
     fn refinement_stays_within_the_error() {
         let norm = |n: usize| {
-            let cells = Partition::uniform(n, 1.0).unwrap();
+            let cells = Mesh::uniform(n, 1.0).unwrap();
             DualNorm::new(&cells).unwrap().of(|i, t| (3.0 * (i as f64 + t) / n as f64).sin()).unwrap()
         };
         let finest = norm(256);
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn dual_norms_keep_their_digits_at_any_size() {
         for (length, height) in SIZES {
-            let cells = Partition::uniform(8, length).unwrap();
+            let cells = Mesh::uniform(8, length).unwrap();
             let dual = DualNorm::new(&cells).unwrap();
             // The dual norm of a constant v on an interval of length h is v h^{1/2}.
             let (constant, exact) = (dual.of(|_, _| height), height * length.sqrt());
@@ -260,7 +260,7 @@ mod tests {
                 let saw = |dual: &DualNorm, unit: f64| {
                     dual.of(|i, _| if i % 2 == 0 { unit } else { -unit }).unwrap()
                 };
-                let moderate = DualNorm::new(&Partition::uniform(8, 2f64.powi(-20)).unwrap()).unwrap();
+                let moderate = DualNorm::new(&Mesh::uniform(8, 2f64.powi(-20)).unwrap()).unwrap();
                 let reference = saw(&moderate, 1.0).value * 2f64.powi(20) * height * length;
                 let found = saw(&dual, height);
                 assert!(
@@ -274,10 +274,10 @@ mod tests {
     #[test]
     fn what_cannot_be_held_is_refused() {
         assert!(matches!(
-            DualNorm::new(&Partition::uniform(5000, 1.0).unwrap()),
+            DualNorm::new(&Mesh::uniform(5000, 1.0).unwrap()),
             Err(Error::CountOutOfRange { .. })
         ));
-        let dual = DualNorm::new(&Partition::uniform(2, 1e-100).unwrap()).unwrap();
+        let dual = DualNorm::new(&Mesh::uniform(2, 1e-100).unwrap()).unwrap();
         // On an interval of length h the dual norm of 1 is h^{1/2}.
         let norm = dual.of(|_, _| 1.0).unwrap();
         assert!((norm.value / 1e-50 - 1.0).abs() < 1e-10, "{norm}");
@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn the_solve_agrees_with_the_one_on_any_mesh() {
         // The same functional through a solve with the fast operator.
-        let cells = Partition::uniform(256, 1.0).unwrap();
+        let cells = Mesh::uniform(256, 1.0).unwrap();
         let load: Vec<f64> = (0..=256).map(|i| f64::from((37 * i) % 101) / 101.0 - 0.3).collect();
         let dense = DualNorm::new(&cells).unwrap().of_load(&load).unwrap();
         let other = MeshFunctional::new(cells, &load).unwrap().dual_norm(0.5, 1e-8).unwrap();

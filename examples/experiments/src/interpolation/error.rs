@@ -7,7 +7,7 @@ use crate::scale::{power_of_two, unit_of};
 use fractional_sobolev::interpolation::ElementMesh;
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
-use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
+use fractional_sobolev::{Mesh, Order, PiecewisePolynomial, closed_forms};
 
 /// The norms in Lemma 6.1 for one function on an interval, or in Lemma 6.2 on a mesh.
 ///
@@ -23,10 +23,10 @@ use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed
 ///
 /// ```
 /// use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
-/// use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, Tolerance, interpolation::{ElementMesh}};
+/// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance, interpolation::{ElementMesh}};
 /// // u = x²/2 on (0, 1), slope x: e = x(x−1)/2, ‖e‖₀² = 1/120, ‖e'‖₀² = 1/12, |u|_{3/2} = 1
-/// let order = FractionalOrder::HALF;
-/// let cells = Partition::uniform(2, 1.0)?;
+/// let order = Order::HALF;
+/// let cells = Mesh::uniform(2, 1.0)?;
 /// let slope = PiecewisePolynomial::linears(cells.clone(), &[0.0, 0.5, 1.0])?;
 /// let found = InterpolationError::of_slope(&slope, order, Tolerance::balanced())?;
 /// assert!((found.l2()?.value.powi(2) - 1.0 / 120.0).abs() < 1e-9 && found.h() == 1.0);
@@ -50,7 +50,7 @@ pub struct InterpolationError {
     seminorm: Estimate,
     h: f64,
     units: Units,
-    order: FractionalOrder,
+    order: Order,
 }
 
 /// Powers of two: what one unit of length and one of the slope stand for.
@@ -67,7 +67,7 @@ impl InterpolationError {
     /// [`Error::InfiniteNorm`] when v jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`].
     pub fn of_slope(
         slope: &PiecewisePolynomial,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -85,7 +85,7 @@ impl InterpolationError {
     pub fn on_elements(
         slope: &PiecewisePolynomial,
         mesh: &ElementMesh,
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -107,11 +107,7 @@ impl InterpolationError {
     /// # Errors
     /// [`Error::InfiniteNorm`] when the slope is not in H^ν; [`Error::OutOfRange`] unless the mesh is one of
     /// (0, 1).
-    pub fn of_sample(
-        slope: SampleSlope,
-        mesh: &Partition,
-        order: impl Given<FractionalOrder>,
-    ) -> Result<Self> {
+    pub fn of_sample(slope: SampleSlope, mesh: &Mesh, order: impl Given<Order>) -> Result<Self> {
         let order = order.given()?;
         let seminorm = slope.seminorm(order)?;
         let (l2, derivative) = sample_norms(slope, mesh)?;
@@ -244,7 +240,7 @@ fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)>
     let ends = (0..lengths.len()).map(|i| Ok([slope.value(i, 0.0)?, slope.value(i, 1.0)?]));
     let ends = ends.collect::<Result<Vec<[f64; 2]>>>()?;
     let units = Units { length: power_of_two(total), slope: unit_of(ends.iter().flatten()) };
-    let partition = Partition::from_lengths(lengths.iter().map(|h| h / units.length).collect())?;
+    let partition = Mesh::from_lengths(lengths.iter().map(|h| h / units.length).collect())?;
     let ends: Vec<[f64; 2]> = ends.iter().map(|pair| pair.map(|v| v / units.slope)).collect();
     Ok((PiecewisePolynomial::discontinuous_linears(partition, &ends)?, units))
 }
@@ -253,7 +249,7 @@ fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)>
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2, [`Error::OutOfRange`] for a not finite or above 1e4.
-pub fn power_slope(a: f64, order: impl Given<FractionalOrder>) -> Result<InterpolationError> {
+pub fn power_slope(a: f64, order: impl Given<Order>) -> Result<InterpolationError> {
     let order = order.given()?;
     let seminorm = closed_forms::power(a, order)?.sqrt()?;
     let (l2, derivative) = power_error_norms(a);
@@ -270,11 +266,11 @@ mod tests {
 
     #[test]
     fn a_linear_slope_has_the_power_s_norms() {
-        let partition = Partition::geometric(7, 0.3, 1.0).unwrap();
+        let partition = Mesh::geometric(7, 0.3, 1.0).unwrap();
         let nodes = partition.nodes();
         let slope = PiecewisePolynomial::linears(partition, &nodes).unwrap();
         for nu in [0.1, 0.5, 0.9] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let cells = InterpolationError::of_slope(&slope, order, Tolerance::reference()).unwrap();
             let closed = power_slope(1.0, order).unwrap();
             for (a, b) in [
@@ -290,9 +286,9 @@ mod tests {
 
     #[test]
     fn ratios_do_not_depend_on_the_length() {
-        let order = FractionalOrder::new(0.3).unwrap();
+        let order = Order::new(0.3).unwrap();
         let ratio = |h: f64| {
-            let partition = Partition::from_lengths(vec![0.2 * h, 0.5 * h, 0.3 * h]).unwrap();
+            let partition = Mesh::from_lengths(vec![0.2 * h, 0.5 * h, 0.3 * h]).unwrap();
             let slope = PiecewisePolynomial::linears(partition, &[0.0, 1.0, -1.0, 0.5]).unwrap();
             InterpolationError::of_slope(&slope, order, Tolerance::balanced()).unwrap()
         };
@@ -310,9 +306,9 @@ mod tests {
 
     #[test]
     fn affine_functions_have_no_ratio() {
-        let partition = Partition::uniform(3, 1.0).unwrap();
+        let partition = Mesh::uniform(3, 1.0).unwrap();
         let slope = PiecewisePolynomial::constants(partition, &[2.0; 3]).unwrap();
-        let order = FractionalOrder::new(0.3).unwrap();
+        let order = Order::new(0.3).unwrap();
         let error = InterpolationError::of_slope(&slope, order, Tolerance::fast()).unwrap();
         assert!(matches!(error.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));
         assert!(matches!(power_slope(0.0, order).unwrap().derivative_ratio(), Err(Error::OutOfRange { .. })));

@@ -5,17 +5,17 @@ use fractional_sobolev::Estimate;
 use fractional_sobolev::Result;
 use fractional_sobolev::interpolation::mesh_constant_on_cells;
 use fractional_sobolev::interpolation::{ErrorNorm, LocalConstants};
-use fractional_sobolev::{FractionalOrder, Partition};
+use fractional_sobolev::{Mesh, Order};
 
 /// Ratios ‖u − I^h u‖₀ / (h^{1+ν} |u|\_{1+ν}), ‖(u − I^h u)'‖₀ / (h^ν |u|\_{1+ν}) and that of the full norm, in
 /// this order, on N equal elements of (0, 1).
 ///
 /// ```
 /// use experiments::interpolation::{MeshRatios, SampleSlope};
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{LocalConstants}};
+/// use fractional_sobolev::{Order, Tolerance, interpolation::{LocalConstants}};
 /// let slope: SampleSlope = "power:0.3".parse()?;
-/// let best = LocalConstants::new(FractionalOrder::HALF, Tolerance::balanced())?;
-/// let found = MeshRatios::of_sample(slope, FractionalOrder::HALF, &best, 4, Some(8))?;
+/// let best = LocalConstants::new(Order::HALF, Tolerance::balanced())?;
+/// let found = MeshRatios::of_sample(slope, Order::HALF, &best, 4, Some(8))?;
 /// assert!(found.function[1].value < found.mesh.unwrap()[1].value);
 /// assert!(found.mesh.unwrap()[1].value < found.element[1].value);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -43,12 +43,12 @@ impl MeshRatios {
     /// Those of [`InterpolationError::of_sample`] and [`mesh_constant_on_cells`].
     pub fn of_sample(
         slope: SampleSlope,
-        order: FractionalOrder,
+        order: Order,
         best: &LocalConstants,
         elements: usize,
         cells: Option<usize>,
     ) -> Result<Self> {
-        let mesh = Partition::uniform(elements, 1.0)?;
+        let mesh = Mesh::uniform(elements, 1.0)?;
         let function = InterpolationError::of_sample(slope, &mesh, order)?.ratios()?;
         let largest = |cells| {
             let on_mesh = |norm| mesh_constant_on_cells(norm, order, elements, cells);

@@ -10,7 +10,7 @@ use crate::sum::RunningSum;
 use fractional_sobolev::Rule;
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
-use fractional_sobolev::{Partition, PiecewisePolynomial};
+use fractional_sobolev::{Mesh, PiecewisePolynomial};
 
 /// Relative rounding of the sums below: positive terms, each from a few operations on (v − v̄).
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -59,7 +59,7 @@ pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Esti
 /// [`Error::OutOfRange`] unless the mesh is one of (0, 1).
 pub(in crate::interpolation) fn sample_norms(
     slope: SampleSlope,
-    mesh: &Partition,
+    mesh: &Mesh,
 ) -> Result<(Estimate, Estimate)> {
     slope.check()?;
     require_unit(mesh)?;
@@ -79,7 +79,7 @@ pub(in crate::interpolation) fn sample_norms(
 }
 
 /// The mesh is one of (0, 1).
-pub(in crate::interpolation) fn require_unit(mesh: &Partition) -> Result<()> {
+pub(in crate::interpolation) fn require_unit(mesh: &Mesh) -> Result<()> {
     let total = mesh.total();
     let fits = mesh.left() == 0.0 && (total - 1.0).abs() <= ROUNDING;
     Error::require("length of the mesh", total, "{1}, from 0", fits).map(|_| ())

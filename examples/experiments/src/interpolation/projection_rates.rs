@@ -5,7 +5,7 @@ use super::projection_sample::{projection_dual_error, sample_projection_error};
 use super::rate::observed_rate;
 use super::sample::SampleSlope;
 use super::supremum::{SupremumRate, supremum_rate, wave_constant};
-use fractional_sobolev::Partition;
+use fractional_sobolev::Mesh;
 use fractional_sobolev::Result;
 use fractional_sobolev::interpolation::{ProjectionNorm, dual_projection_constant, projection_constant};
 use fractional_sobolev::{Estimate, Tolerance};
@@ -73,7 +73,7 @@ impl DualRates {
     /// them.
     pub fn new(coarsest: usize) -> Result<Self> {
         let elements = [1, 2, 4].map(|factor: usize| coarsest.saturating_mul(factor));
-        let norm = |n: usize| DualNorm::new(&Partition::uniform(n.saturating_mul(CELLS), 1.0)?);
+        let norm = |n: usize| DualNorm::new(&Mesh::uniform(n.saturating_mul(CELLS), 1.0)?);
         Ok(Self { elements, norms: [norm(elements[0])?, norm(elements[1])?, norm(elements[2])?] })
     }
 
@@ -154,6 +154,6 @@ impl ProjectionStudy {
 /// # Errors
 /// As [`sample_projection_error`].
 pub fn sample_projection_rate(phi: SampleSlope) -> Result<Estimate> {
-    let on = |n: usize| -> Result<_> { Ok((n, sample_projection_error(phi, &Partition::uniform(n, 1.0)?)?)) };
+    let on = |n: usize| -> Result<_> { Ok((n, sample_projection_error(phi, &Mesh::uniform(n, 1.0)?)?)) };
     observed_rate([on(MESHES[0])?, on(MESHES[1])?, on(MESHES[2])?])
 }

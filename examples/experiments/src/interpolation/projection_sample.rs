@@ -7,7 +7,7 @@ use super::{
     sample::SampleSlope,
 };
 use fractional_sobolev::Estimate;
-use fractional_sobolev::Partition;
+use fractional_sobolev::Mesh;
 use fractional_sobolev::Result;
 use fractional_sobolev::interpolation::ElementMesh;
 
@@ -15,12 +15,12 @@ use fractional_sobolev::interpolation::ElementMesh;
 ///
 /// ```
 /// use experiments::interpolation::{SampleSlope, sample_projection_dual_error, sample_projection_error};
-/// use fractional_sobolev::{Partition};
+/// use fractional_sobolev::{Mesh};
 /// // φ = x on 4 elements: h/√12
 /// let phi = SampleSlope::Power(1.0);
-/// let found = sample_projection_error(phi, &Partition::uniform(4, 1.0)?)?;
+/// let found = sample_projection_error(phi, &Mesh::uniform(4, 1.0)?)?;
 /// assert!((found.value - 0.25 / 12f64.sqrt()).abs() < 1e-12);
-/// let cells = Partition::uniform(32, 1.0)?;
+/// let cells = Mesh::uniform(32, 1.0)?;
 /// assert!(sample_projection_dual_error(phi, &cells, 8)?.value < found.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -28,7 +28,7 @@ use fractional_sobolev::interpolation::ElementMesh;
 /// # Errors
 /// [`Error::OutOfRange`](fractional_sobolev::Error::OutOfRange) unless the mesh is one of (0, 1), or for parameters of φ
 /// out of range.
-pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Estimate> {
+pub fn sample_projection_error(phi: SampleSlope, mesh: &Mesh) -> Result<Estimate> {
     sample_norms(phi, mesh).map(|(_, projection)| projection)
 }
 
@@ -41,7 +41,7 @@ pub fn sample_projection_error(phi: SampleSlope, mesh: &Partition) -> Result<Est
 /// [`Error::CountOutOfRange`](fractional_sobolev::Error::CountOutOfRange) for an odd number of cells or more than 4096.
 pub fn sample_projection_dual_error(
     phi: SampleSlope,
-    cells: &Partition,
+    cells: &Mesh,
     cells_per_element: usize,
 ) -> Result<Estimate> {
     projection_dual_error(phi, &DualNorm::new(cells)?, cells_per_element)
@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn loads_by_moments_are_those_of_points() {
         // φ = x: loads of φ − π φ by moments and by Gauss points.
-        let cells = Partition::uniform(32, 1.0).unwrap();
+        let cells = Mesh::uniform(32, 1.0).unwrap();
         let sample = sample_projection_dual_error(SampleSlope::Power(1.0), &cells, 4).unwrap();
         let direct = DualNorm::new(&cells).unwrap().of(|i, t| ((i % 4) as f64 + t - 2.0) / 32.0).unwrap();
         assert!((sample.value / direct.value - 1.0).abs() < 1e-10, "{sample} {direct}");

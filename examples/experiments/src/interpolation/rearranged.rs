@@ -3,7 +3,7 @@
 use super::rough::{RoughFamily, RoughSlopes};
 use crate::SplitMix;
 use crate::parallel;
-use fractional_sobolev::FractionalOrder;
+use fractional_sobolev::Order;
 use fractional_sobolev::Result;
 use fractional_sobolev::{Estimate, Tolerance};
 
@@ -27,7 +27,7 @@ pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(
     let mut random = SplitMix::new(seed);
     let orders: Vec<f64> = (0..count).map(|_| random.between(LEAST_ORDER, highest)).collect();
     let share = |k: usize| -> Result<Estimate> {
-        let order = FractionalOrder::new(orders[k])?;
+        let order = Order::new(orders[k])?;
         let function = RoughSlopes::new(family, order, seed.wrapping_add(k as u64)).draw()?;
         let sorted = function.decreasing_rearrangement()?;
         let seminorm = |u: &fractional_sobolev::PiecewisePolynomial| u.seminorm(order, Tolerance::balanced());

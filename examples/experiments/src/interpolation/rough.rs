@@ -3,7 +3,7 @@
 
 use crate::SplitMix;
 use fractional_sobolev::Result;
-use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial};
+use fractional_sobolev::{Mesh, Order, PiecewisePolynomial};
 use std::f64::consts::PI;
 
 /// Nodes of a sampled Weierstrass sum: three for the shortest wave kept.
@@ -22,7 +22,7 @@ pub enum RoughFamily {
 
 impl RoughFamily {
     /// The families with members in H^ν.
-    pub fn admissible(order: FractionalOrder) -> Vec<Self> {
+    pub fn admissible(order: Order) -> Vec<Self> {
         let mut families = vec![Self::Linears, Self::Weierstrass];
         if order.is_below_half() {
             families.push(Self::Steps);
@@ -66,8 +66,8 @@ impl Grading {
 ///
 /// ```
 /// use experiments::interpolation::{InterpolationError, RoughFamily, RoughSlopes};
-/// use fractional_sobolev::{FractionalOrder, Tolerance};
-/// let order = FractionalOrder::HALF;
+/// use fractional_sobolev::{Order, Tolerance};
+/// let order = Order::HALF;
 /// assert!(!RoughFamily::admissible(order).contains(&RoughFamily::Steps)); // steps are not in H^{1/2}
 /// let slope = RoughSlopes::new(RoughFamily::Linears, order, 7).draw()?;
 /// let found = InterpolationError::of_slope(&slope, order, Tolerance::fast())?;
@@ -77,20 +77,20 @@ impl Grading {
 #[derive(Debug, Clone)]
 pub struct RoughSlopes {
     family: RoughFamily,
-    order: FractionalOrder,
+    order: Order,
     numbers: SplitMix,
 }
 
 impl RoughSlopes {
     /// The sequence of a family with a seed.
-    pub fn new(family: RoughFamily, order: FractionalOrder, seed: u64) -> Self {
+    pub fn new(family: RoughFamily, order: Order, seed: u64) -> Self {
         Self { family, order, numbers: SplitMix::new(seed) }
     }
 
     /// The next slope.
     ///
     /// # Errors
-    /// None for the parameters drawn here; those of [`Partition`] and [`PiecewisePolynomial`] are passed on.
+    /// None for the parameters drawn here; those of [`Mesh`] and [`PiecewisePolynomial`] are passed on.
     pub fn draw(&mut self) -> Result<PiecewisePolynomial> {
         match self.family {
             RoughFamily::Linears => {
@@ -110,14 +110,14 @@ impl RoughSlopes {
     }
 
     /// A mesh with 1 to 10 layers towards both ends, or towards an inner point as well.
-    fn mesh(&mut self) -> Result<(Partition, f64)> {
+    fn mesh(&mut self) -> Result<(Mesh, f64)> {
         let layers = 1 + (self.numbers.uniform() * 10.0) as usize;
         let ratio = 0.1 + 0.7 * self.numbers.uniform();
         let inner = 0.1 + 0.8 * self.numbers.uniform();
         Ok(match Grading::of(self.numbers.uniform()) {
-            Grading::BothEnds => (Partition::two_sided(layers, ratio, 1.0)?, 0.0),
-            Grading::InnerPoint => (Partition::graded_to_points(&[0.0, inner, 1.0], layers, ratio)?, inner),
-            Grading::LeftEnd => (Partition::geometric(2 * layers, ratio, 1.0)?, 0.0),
+            Grading::BothEnds => (Mesh::two_sided(layers, ratio, 1.0)?, 0.0),
+            Grading::InnerPoint => (Mesh::graded_to_points(&[0.0, inner, 1.0], layers, ratio)?, inner),
+            Grading::LeftEnd => (Mesh::geometric(2 * layers, ratio, 1.0)?, 0.0),
         })
     }
 
@@ -146,7 +146,7 @@ impl RoughSlopes {
             waves.push((frequency * PI, frequency.powf(-decay), 2.0 * PI * self.numbers.uniform()));
             frequency *= base;
         }
-        let partition = Partition::uniform(WEIERSTRASS_CELLS, 1.0)?;
+        let partition = Mesh::uniform(WEIERSTRASS_CELLS, 1.0)?;
         PiecewisePolynomial::interpolate(partition, 1, |x| {
             waves.iter().map(|&(omega, amplitude, phase)| amplitude * (omega * x + phase).cos()).sum()
         })
@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn the_same_seed_gives_the_same_functions() {
-        let order = FractionalOrder::new(0.3).unwrap();
+        let order = Order::new(0.3).unwrap();
         for family in RoughFamily::admissible(order) {
             let draw = |seed: u64| RoughSlopes::new(family, order, seed).draw().unwrap();
             assert_eq!(draw(7), draw(7));

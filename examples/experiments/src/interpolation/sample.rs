@@ -4,7 +4,7 @@
 use super::panels::{PanelRules, Squares, panel_squares, panels};
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
-use fractional_sobolev::{FractionalOrder, Partition, PiecewisePolynomial, closed_forms};
+use fractional_sobolev::{Mesh, Order, PiecewisePolynomial, closed_forms};
 use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;
@@ -29,11 +29,11 @@ const WAVE_DEGREE: usize = 9;
 ///
 /// ```
 /// use experiments::interpolation::{SampleSlope};
-/// use fractional_sobolev::{FractionalOrder};
+/// use fractional_sobolev::{Order};
 /// let slope: SampleSlope = SampleSlope::Power(1.0);
-/// assert!(slope.value(0.25) == 0.25 && (slope.seminorm(FractionalOrder::HALF)?.value - 1.0).abs() < 1e-12);
+/// assert!(slope.value(0.25) == 0.25 && (slope.seminorm(Order::HALF)?.value - 1.0).abs() < 1e-12);
 /// let rough = SampleSlope::barely_in(0.5)?; // x^{0.005}
-/// assert!(rough.seminorm(FractionalOrder::new(0.51)?).is_err());
+/// assert!(rough.seminorm(Order::new(0.51)?).is_err());
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,7 +73,7 @@ impl SampleSlope {
     /// # Errors
     /// [`Error::InfiniteNorm`] outside the domain of the table above; [`Error::OutOfRange`] for parameters
     /// outside it.
-    pub fn seminorm(self, order: impl Given<FractionalOrder>) -> Result<Estimate> {
+    pub fn seminorm(self, order: impl Given<Order>) -> Result<Estimate> {
         let order = order.given()?;
         self.check()?;
         match self {
@@ -82,7 +82,7 @@ impl SampleSlope {
             SampleSlope::Constant => Estimate::new(0.0, 0.0, Work::default()),
             SampleSlope::Cosine(k) => {
                 let omega = PI * k as f64;
-                let partition = Partition::uniform(4 * k, 1.0)?;
+                let partition = Mesh::uniform(4 * k, 1.0)?;
                 let wave = PiecewisePolynomial::interpolate(partition, WAVE_DEGREE, |x| (omega * x).cos())?;
                 wave.seminorm(order, Tolerance::new(1e-10)?)
             }

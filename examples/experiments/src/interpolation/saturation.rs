@@ -6,7 +6,7 @@ use super::rate::observed_rate;
 use super::{error::InterpolationError, sample::SampleSlope};
 use fractional_sobolev::Estimate;
 use fractional_sobolev::{Error, Result};
-use fractional_sobolev::{FractionalOrder, Partition};
+use fractional_sobolev::{Mesh, Order};
 
 /// ‖φ − π^h φ‖₀ / (h ‖φ'‖₀/√12) for φ = x^a on N equal elements of (0, 1): tends to 1.
 ///
@@ -26,7 +26,7 @@ use fractional_sobolev::{FractionalOrder, Partition};
 /// [`Error::OutOfRange`] for a ≤ 1/2, where φ is not in H¹; [`Error::CountOutOfRange`] without elements.
 pub fn saturation_quotient(a: f64, elements: usize) -> Result<Estimate> {
     Error::require("exponent a", a, "(1/2, 1e4], where x^a is in H^1", a > 0.5 && a <= 1e4)?;
-    let error = sample_projection_error(SampleSlope::Power(a), &Partition::uniform(elements, 1.0)?)?;
+    let error = sample_projection_error(SampleSlope::Power(a), &Mesh::uniform(elements, 1.0)?)?;
     // ‖φ'‖₀ = a/√(2a − 1)
     let unit = elements as f64 * 12f64.sqrt() * (2.0 * a - 1.0).sqrt() / a;
     Estimate::new(error.value * unit, error.error * unit, error.work)
@@ -48,8 +48,8 @@ pub fn power_lagrange_rate(a: f64) -> Result<Estimate> {
 fn power_lagrange_error(a: f64, elements: usize) -> Result<Estimate> {
     Error::require("exponent a", a, "(1/2, 1e4], where x^a is in H^1", a > 0.5 && a <= 1e4)?;
     // The slope a x^{a−1}; the order only has to admit it.
-    let order = FractionalOrder::new((0.5 * (a - 0.5)).clamp(1e-3, 0.5))?;
-    let mesh = Partition::uniform(elements, 1.0)?;
+    let order = Order::new((0.5 * (a - 0.5)).clamp(1e-3, 0.5))?;
+    let mesh = Mesh::uniform(elements, 1.0)?;
     let error = InterpolationError::of_sample(SampleSlope::Power(a - 1.0), &mesh, order)?.l2()?;
     Estimate::new(a * error.value, a * error.error, error.work)
 }

@@ -2,7 +2,7 @@
 
 use super::dual_norm::DualNorm;
 use fractional_sobolev::Estimate;
-use fractional_sobolev::Partition;
+use fractional_sobolev::Mesh;
 use fractional_sobolev::Result;
 
 /// Cells per element of the dual norm.
@@ -21,7 +21,7 @@ const CELLS: usize = 4;
 /// # Errors
 /// [`Error::CountOutOfRange`](fractional_sobolev::Error::CountOutOfRange) without elements or for more than 1024 of them.
 pub fn smooth_dual_error(elements: usize) -> Result<Estimate> {
-    let cells = Partition::uniform(elements.saturating_mul(CELLS), 1.0)?;
+    let cells = Mesh::uniform(elements.saturating_mul(CELLS), 1.0)?;
     let h = 1.0 / elements as f64;
     DualNorm::new(&cells)?.of(|cell, t| {
         let (element, s) = (cell / CELLS, ((cell % CELLS) as f64 + t) / CELLS as f64);

@@ -155,12 +155,12 @@ pub fn wave_constant(norm: ProjectionNorm, r: f64, elements: usize) -> Result<Es
 mod tests {
     use super::*;
     use crate::interpolation::sample::SampleSlope;
-    use fractional_sobolev::FractionalOrder;
+    use fractional_sobolev::Order;
 
     #[test]
     fn the_wave_stays_below_its_bound_and_reaches_it() {
         for r in [0.1, 0.5, 0.9] {
-            let order = FractionalOrder::new(r).unwrap();
+            let order = Order::new(r).unwrap();
             let bound = wave_constant(ProjectionNorm::L2, r, 1).unwrap().value;
             let quotient = |n: usize| {
                 let seminorm = SampleSlope::Cosine(n).seminorm(order).unwrap().value;

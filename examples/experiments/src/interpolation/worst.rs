@@ -3,7 +3,7 @@
 
 use super::error::{InterpolationError, power_slope};
 use super::rough::{RoughFamily, RoughSlopes};
-use fractional_sobolev::FractionalOrder;
+use fractional_sobolev::Order;
 use fractional_sobolev::interpolation::LocalConstants;
 use fractional_sobolev::{Estimate, Tolerance};
 use fractional_sobolev::{Given, Result};
@@ -47,8 +47,8 @@ impl WorstRatios {
 ///
 /// ```
 /// use experiments::interpolation::{worst_ratios};
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{LocalConstants}};
-/// let order = FractionalOrder::HALF;
+/// use fractional_sobolev::{Order, Tolerance, interpolation::{LocalConstants}};
+/// let order = Order::HALF;
 /// let shares = worst_ratios(order, 3, 1)?.shares(&LocalConstants::new(order, Tolerance::fast())?)?;
 /// assert!(shares.iter().all(|share| share.value < 1.0));
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -56,7 +56,7 @@ impl WorstRatios {
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`](fractional_sobolev::Error::ToleranceNotMet) when a seminorm cannot be had to 1e-8.
-pub fn worst_ratios(order: impl Given<FractionalOrder>, functions: usize, seed: u64) -> Result<WorstRatios> {
+pub fn worst_ratios(order: impl Given<Order>, functions: usize, seed: u64) -> Result<WorstRatios> {
     let order = order.given()?;
     let mut tried = Vec::new();
     for family in RoughFamily::admissible(order) {

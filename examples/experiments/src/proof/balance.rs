@@ -32,7 +32,7 @@
 //! loses is a matter of (3.7).
 
 use crate::search::sign_change;
-use fractional_sobolev::{FractionalOrder, Partition, gram_constants, gram_linears};
+use fractional_sobolev::{Mesh, Order, gram_constants, gram_linears};
 use nalgebra::{Cholesky, DMatrix};
 use signorini::edge::Traces;
 use signorini::proof::ProofConstants;
@@ -63,7 +63,7 @@ impl Forms {
     }
 
     /// h² Fᵀ (h M + h^{1−2ν} K)⁻¹ F: dual products of the functionals on the element of length h.
-    fn dual(&self, h: f64, order: FractionalOrder) -> Result<[[f64; 2]; 2]> {
+    fn dual(&self, h: f64, order: Order) -> Result<[[f64; 2]; 2]> {
         let size = self.mass.nrows();
         if size == 0 {
             return Ok([[0.0; 2]; 2]);
@@ -89,10 +89,10 @@ struct ContactInterval {
 }
 
 impl ContactInterval {
-    fn new(a: f64, b: f64, traces: Traces, order: FractionalOrder) -> Result<Self> {
+    fn new(a: f64, b: f64, traces: Traces, order: Order) -> Result<Self> {
         let mut points = vec![0.0, a, 1.0 - b, 1.0];
         points.dedup();
-        let partition = Partition::graded_to_points(&points, LAYERS, RATIO)?;
+        let partition = Mesh::graded_to_points(&points, LAYERS, RATIO)?;
         let part = partition.len() / (points.len() - 1);
         let before = if a > 0.0 { part } else { 0 };
         let contact = before..before + part;
@@ -131,7 +131,7 @@ impl ContactInterval {
     }
 
     /// W and the direction (α, β) that attains it.
-    fn worst(&self, h: f64, order: FractionalOrder) -> Result<WorstPair> {
+    fn worst(&self, h: f64, order: Order) -> Result<WorstPair> {
         let (s, u) = (self.stress.dual(h, order)?, self.slope.dual(h, order)?);
         // max cᵀSc / cᵀU⁻¹c over c ≥ 0. One open end: U is singular, c is fixed.
         let [a, b] = self.ends;
@@ -167,11 +167,7 @@ impl ContactInterval {
     }
 }
 
-fn constants(
-    partition: &Partition,
-    order: FractionalOrder,
-    density: &dyn Fn(usize, usize) -> [f64; 2],
-) -> Result<Forms> {
+fn constants(partition: &Mesh, order: Order, density: &dyn Fn(usize, usize) -> [f64; 2]) -> Result<Forms> {
     let lengths = partition.lengths();
     let size = lengths.len();
     Ok(Forms {
@@ -184,11 +180,7 @@ fn constants(
     })
 }
 
-fn linears(
-    partition: &Partition,
-    order: FractionalOrder,
-    density: &dyn Fn(usize, usize) -> [f64; 2],
-) -> Forms {
+fn linears(partition: &Mesh, order: Order, density: &dyn Fn(usize, usize) -> [f64; 2]) -> Forms {
     let lengths = partition.lengths();
     let size = lengths.len() + 1;
     let mut mass = DMatrix::zeros(size, size);

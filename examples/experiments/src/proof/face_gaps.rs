@@ -7,7 +7,7 @@
 //! r^{1−ν} and |∇u|_ν ~ r^{−ν}, while Iu = −1 on all of T: the nodal quotient grows like r^{2ν−1}, the other
 //! falls like r^{1+2ν}.
 
-use fractional_sobolev::{Estimate, FractionalOrder, Given, PlaneFunction, Tolerance, Triangles};
+use fractional_sobolev::{Estimate, Given, Order, PlaneFunction, Tolerance, Triangles};
 use signorini::Result;
 
 /// Both quotients for one size of the gaps.
@@ -26,11 +26,7 @@ impl FaceGaps {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](signorini::ToolkitError::InfiniteNorm) for ν ≥ 1/2: σ jumps; [`ToolkitError::ToleranceNotMet`](signorini::ToolkitError::ToleranceNotMet).
-    pub fn new(
-        halvings: u32,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
+    pub fn new(halvings: u32, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let face = Face::new(halvings)?;
         let areas = face.mesh.areas();

@@ -11,7 +11,7 @@
 //! have a limit; the error is what the limit differs from that of the coarser two, and half of what it is
 //! away from the finest. An estimate, not a bound.
 
-use fractional_sobolev::{Estimate, FractionalOrder, GramOperator, GridOperator, Partition, Tolerance, Work};
+use fractional_sobolev::{Estimate, GramOperator, GridOperator, Mesh, Order, Tolerance, Work};
 use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::fem::{gradients, recovered_gradients};
 use signorini::{Error, Result, ToolkitError};
@@ -53,13 +53,9 @@ impl FineForms {
         let body = if tau == 2.0 {
             None
         } else {
-            Some(GridOperator::new([n, n], h, FractionalOrder::new(tau - 1.0)?, asked)?)
+            Some(GridOperator::new([n, n], h, Order::new(tau - 1.0)?, asked)?)
         };
-        let edge = GramOperator::linears(
-            &Partition::uniform(n, 1.0)?,
-            FractionalOrder::from_offset(tau - 2.0)?,
-            asked,
-        )?;
+        let edge = GramOperator::linears(&Mesh::uniform(n, 1.0)?, Order::half_plus(tau - 2.0)?, asked)?;
         Ok(Self { n, body, edge })
     }
 

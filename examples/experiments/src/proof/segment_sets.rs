@@ -12,7 +12,7 @@
 //! is a lower bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost O(N³).
 
 use crate::SplitMix;
-use fractional_sobolev::{FractionalOrder, Given, Partition, gram_linears};
+use fractional_sobolev::{Given, Mesh, Order, gram_linears};
 use nalgebra::{Cholesky, DMatrix};
 use rayon::prelude::*;
 use signorini::cone::Cone;
@@ -65,7 +65,7 @@ impl SegmentSets {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange).
-    pub fn new(order: impl Given<FractionalOrder>, cells: usize) -> Result<Self> {
+    pub fn new(order: impl Given<Order>, cells: usize) -> Result<Self> {
         if !(4..=1024).contains(&cells) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "cells",
@@ -73,7 +73,7 @@ impl SegmentSets {
                 range: "4 to 1024",
             }));
         }
-        let partition = Partition::uniform(cells, 1.0)?;
+        let partition = Mesh::uniform(cells, 1.0)?;
         Ok(Self { nodes: partition.nodes(), gram: gram_linears(&partition, order.given()?) })
     }
 
@@ -255,7 +255,7 @@ mod tests {
     use signorini::proof::{consistency_constant, worst_ratio};
 
     fn sets(nu: f64) -> SegmentSets {
-        SegmentSets::new(FractionalOrder::new(nu).unwrap(), 40).unwrap()
+        SegmentSets::new(Order::new(nu).unwrap(), 40).unwrap()
     }
 
     fn one_gap(cells: usize, gap: usize) -> Vec<bool> {
@@ -293,7 +293,7 @@ mod tests {
     #[test]
     fn no_random_set_passes_the_sharp_constant() {
         for nu in [0.1, 0.5, 0.9] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let sharp = consistency_constant(order, Tolerance::fast()).unwrap().value;
             for cone in [Cone::Nodal, Cone::Midpoint] {
                 let found = sets(nu).search(cone, 10, 200, 7).unwrap();

@@ -2,7 +2,7 @@
 
 use super::bound_row::BoundRow;
 use super::without_c_strip::strip_bounds;
-use fractional_sobolev::{FractionalOrder, Tolerance};
+use fractional_sobolev::{Order, Tolerance};
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::proof::{ExplicitBound, MeshShape, half_plane_korn};
@@ -18,7 +18,7 @@ use std::fmt;
 /// # Errors
 /// Those of [`product_constant`].
 pub fn segment_versions(tolerance: Tolerance) -> Result<[[f64; 3]; 2]> {
-    let (order, up) = (FractionalOrder::HALF, |found: SegmentConstant| found.value.value + found.value.error);
+    let (order, up) = (Order::HALF, |found: SegmentConstant| found.value.value + found.value.error);
     let product = up(product_constant(order, tolerance)?);
     let nodal = [product_bound(order), product, up(consistency_constant(order, tolerance)?)];
     Ok([nodal, [0.5 * nodal[0], 0.5 * product, 0.5 * product]])

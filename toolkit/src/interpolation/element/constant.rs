@@ -1,7 +1,7 @@
 //! Best constants of Lemma 6.1, (6.1), on one element, by an eigenproblem for the slope.
 
 use super::legendre::{converge, evaluate, odd_degrees, primitive_gram, seminorm_gram};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::pencil::Factored;
@@ -99,8 +99,8 @@ impl ElementExtremal {
 /// K^{-4(a+1/2−ν)}, measured K^{-5.6}: 1e-9 at K = 16, 1e-13 at K = 64. Cost O(K⁴).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{ErrorNorm, element_constant}};
-/// let slope = element_constant(ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::balanced())?;
+/// use fractional_sobolev::{Order, Tolerance, interpolation::{ErrorNorm, element_constant}};
+/// let slope = element_constant(ErrorNorm::Derivative, Order::HALF, Tolerance::balanced())?;
 /// assert!((slope.value - 0.291_564_029).abs() < 1e-8); // the paper's constant is 1
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -110,7 +110,7 @@ impl ElementExtremal {
 #[doc(alias("interpolation error", "Lagrange interpolation", "Bramble-Hilbert"))]
 pub fn element_constant(
     norm: ErrorNorm,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -120,8 +120,8 @@ pub fn element_constant(
 /// The best constant with its extremal function.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{ErrorNorm, element_extremal}};
-/// let found = element_extremal(ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::balanced())?;
+/// use fractional_sobolev::{Order, Tolerance, interpolation::{ErrorNorm, element_extremal}};
+/// let found = element_extremal(ErrorNorm::Derivative, Order::HALF, Tolerance::balanced())?;
 /// assert!((found.constant.value - 0.291_564_029).abs() < 1e-8);
 /// assert!((found.slope(0.25)? + found.slope(0.75)?).abs() < 1e-8); // odd about the centre
 /// assert!(found.error(0.0)?.abs() < 1e-12);
@@ -132,7 +132,7 @@ pub fn element_constant(
 /// As [`element_constant`].
 pub fn element_extremal(
     norm: ErrorNorm,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<ElementExtremal> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -164,8 +164,8 @@ fn normalised(gram: &DMatrix<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64
 /// C_1 rises with h and lies between h C_L2 and (C_H1² + h² C_L2²)^{1/2}, which brackets h*.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{ErrorNorm, element_constant, longest_element}};
-/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// use fractional_sobolev::{Order, Tolerance, interpolation::{ErrorNorm, element_constant, longest_element}};
+/// let (order, asked) = (Order::HALF, Tolerance::balanced());
 /// let h = longest_element(order, asked)?.value;
 /// assert!((element_constant(ErrorNorm::H1 { h }, order, asked)?.value - 1.0).abs() < 1e-7);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -173,10 +173,7 @@ fn normalised(gram: &DMatrix<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64
 ///
 /// # Errors
 /// As [`element_constant`].
-pub fn longest_element(
-    order: impl Given<FractionalOrder>,
-    tolerance: impl Given<Tolerance>,
-) -> Result<Estimate> {
+pub fn longest_element(order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     let l2 = element_constant(ErrorNorm::L2, order, tolerance)?;
     let derivative = element_constant(ErrorNorm::Derivative, order, tolerance)?.value;

@@ -6,7 +6,7 @@
 //! from the three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, without a
 //! difference. Domain 0 < ν < 1. Cost O(d²) points, O(d² K²) operations for K functions of degree at most d.
 
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::dense::transpose_times;
@@ -16,7 +16,7 @@ use nalgebra::DMatrix;
 
 /// Gram matrix of |·|_ν on (0, 1) for the φ_k of the given degrees (increasing, none zero), and its cost.
 pub(in crate::interpolation) fn seminorm_gram(
-    order: FractionalOrder,
+    order: Order,
     degrees: &[usize],
 ) -> Result<(DMatrix<f64>, Work)> {
     let top = degrees.last().copied().unwrap_or(1);
@@ -133,7 +133,7 @@ mod tests {
     fn low_degrees_have_their_closed_forms() {
         // |x|²_ν on (0,1) = 2/((2−2ν)(3−2ν)); φ_1 = √3 (2x−1).
         for nu in [1e-6, 0.3, 0.5, 0.7, 1.0 - 1e-6] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let (gram, _) = seminorm_gram(order, &[1, 2, 3]).unwrap();
             let exact = 12.0 / ((1.0 - nu) * (3.0 - 2.0 * nu));
             assert!((gram[(0, 0)] / exact - 1.0).abs() < 1e-14, "{nu}: {} {exact}", gram[(0, 0)]);
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn legendre_polynomials_are_eigenfunctions_in_the_limit_zero() {
         // ν → 0: eigenvalues 4 H_k of the form with 1/|x−y|.
-        let (gram, _) = seminorm_gram(FractionalOrder::new(1e-12).unwrap(), &[1, 2, 3, 4, 5]).unwrap();
+        let (gram, _) = seminorm_gram(Order::new(1e-12).unwrap(), &[1, 2, 3, 4, 5]).unwrap();
         let mut harmonic = 0.0;
         for k in 0..5 {
             harmonic += 1.0 / (k as f64 + 1.0);

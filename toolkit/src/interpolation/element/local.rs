@@ -2,7 +2,7 @@
 
 use super::constant::{ErrorNorm, element_constant, longest_element};
 use super::limits;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
@@ -15,9 +15,9 @@ const NEAR_ZERO: f64 = 1e-300;
 /// Best constants in place of the printed 1.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::LocalConstants};
+/// use fractional_sobolev::{Order, Tolerance, interpolation::LocalConstants};
 /// let bounds = LocalConstants::at_zero()?;
-/// let at = LocalConstants::new(FractionalOrder::HALF, Tolerance::fast())?;
+/// let at = LocalConstants::new(Order::HALF, Tolerance::fast())?;
 /// assert!(at.l2.value < bounds.l2.value && at.derivative.value < bounds.derivative.value);
 /// assert!(at.longest.value > bounds.longest.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -43,7 +43,7 @@ impl LocalConstants {
     ///
     /// # Errors
     /// As [`element_constant`].
-    pub fn new(order: impl Given<FractionalOrder>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+    pub fn new(order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let best = |norm| element_constant(norm, order, tolerance);
         let longest = longest_element(order, Tolerance::fast())?;
@@ -64,7 +64,7 @@ impl LocalConstants {
     /// # Errors
     /// As [`element_constant`].
     pub fn at_zero() -> Result<Self> {
-        let longest = longest_element(FractionalOrder::new(NEAR_ZERO)?, Tolerance::balanced())?;
+        let longest = longest_element(Order::new(NEAR_ZERO)?, Tolerance::balanced())?;
         let beside = |factor: f64| limits::at_zero(ErrorNorm::H1 { h: factor * longest.value });
         Ok(Self {
             l2: limits::at_zero(ErrorNorm::L2)?,

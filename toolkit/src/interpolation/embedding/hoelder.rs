@@ -7,7 +7,7 @@ use crate::estimate::{Estimate, Work};
 use crate::interpolation::forms::mass_form;
 use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
-use crate::{FractionalOrder, Partition, gram_linears};
+use crate::{Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
 
 /// N(0, θ) at the nodes θ of a mesh.
@@ -23,12 +23,12 @@ use nalgebra::DMatrix;
 /// 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Partition, interpolation::{EndIncrements, embedding_upper_bound}};
+/// use fractional_sobolev::{Order, Mesh, interpolation::{EndIncrements, embedding_upper_bound}};
 /// let (lower, theta) = EndIncrements::for_exponents_up_to(4.0)?.constant(0.5)?;
 /// // C(1/2) ≤ C(q) with q = 1/(1 − 1/2)
-/// let upper = embedding_upper_bound(FractionalOrder::HALF, 2.0)?;
+/// let upper = embedding_upper_bound(Order::HALF, 2.0)?;
 /// assert!(lower.value <= upper.value && theta <= 1.0);
-/// let coarse = EndIncrements::new(&Partition::geometric(10, 0.5, 1.0)?)?;
+/// let coarse = EndIncrements::new(&Mesh::geometric(10, 0.5, 1.0)?)?;
 /// assert_eq!(coarse.increments().count(), 11);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -39,15 +39,13 @@ pub struct EndIncrements {
 }
 
 impl EndIncrements {
-    /// On the nodes of a partition of (0, 1), which should be geometric to 0.
+    /// On the nodes of a mesh of (0, 1), which should be geometric to 0.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding.
-    pub fn new(partition: &Partition) -> Result<Self> {
+    pub fn new(partition: &Mesh) -> Result<Self> {
         let size = partition.len() + 1;
-        let norm = gram_linears(partition, FractionalOrder::HALF)
-            + mass_form(partition)
-            + primitive_form(partition)?;
+        let norm = gram_linears(partition, Order::HALF) + mass_form(partition) + primitive_form(partition)?;
         let broken =
             || Error::NotPositiveDefinite { what: "Gram matrix of the norm of H^{3/2}", pivot: size };
         let factor = Cholesky::new(&norm).ok_or_else(broken)?;
@@ -99,7 +97,7 @@ impl EndIncrements {
 }
 
 /// min_c ‖∫₀^x v + c‖₀² as a form of the nodal values of v, exact: the primitive is quadratic on a cell.
-fn primitive_form(partition: &Partition) -> Result<DMatrix<f64>> {
+fn primitive_form(partition: &Mesh) -> Result<DMatrix<f64>> {
     let rule = Rule::gauss_legendre(3)?;
     let (lengths, total) = (partition.lengths(), partition.total());
     let size = lengths.len() + 1;

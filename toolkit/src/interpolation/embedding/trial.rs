@@ -6,7 +6,7 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::forms::mass_form;
 use crate::numeric::dense::{Cholesky, product};
 use crate::quadrature::Rule;
-use crate::{FractionalOrder, Partition, PiecewisePolynomial, gram_linears};
+use crate::{Mesh, Order, PiecewisePolynomial, gram_linears};
 use nalgebra::DMatrix;
 
 /// Most steps of the ascent: some dozens do where the maximum is isolated.
@@ -40,8 +40,8 @@ pub(super) fn layers(q: f64) -> Result<usize> {
 }
 
 /// A mesh of (0, 1) with those layers at 0.
-pub(super) fn graded(q: f64) -> Result<Partition> {
-    Partition::geometric(layers(q)?, RATIO, 1.0)
+pub(super) fn graded(q: f64) -> Result<Mesh> {
+    Mesh::geometric(layers(q)?, RATIO, 1.0)
 }
 
 /// A function and its quotient ‖u‖\_{L^q}/‖u‖_ν: a lower bound of C(q).
@@ -73,19 +73,19 @@ pub struct EmbeddingTrial {
 /// quotient rises, ‖·‖_q being convex. Cost O(N³) once, O(N²) a step.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, interpolation::{EmbeddingSpace, critical_exponent, embedding_upper_bound}};
-/// let order = FractionalOrder::new(0.25)?;
+/// use fractional_sobolev::{Order, interpolation::{EmbeddingSpace, critical_exponent, embedding_upper_bound}};
+/// let order = Order::new(0.25)?;
 /// let q = critical_exponent(order)?; // 4: ‖u‖_{L⁴} ≤ C ‖u‖_{1/4}
 /// let lower = EmbeddingSpace::new(order, 20, 0.5)?.climb(q)?.quotient;
 /// assert!(lower.value <= embedding_upper_bound(order, q)?.value && lower.value > 0.999);
 /// EmbeddingSpace::at_critical_exponent(order)?;
-/// EmbeddingSpace::for_exponents_up_to(FractionalOrder::HALF, 4.0)?;
+/// EmbeddingSpace::for_exponents_up_to(Order::HALF, 4.0)?;
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct EmbeddingSpace {
-    order: FractionalOrder,
-    partition: Partition,
+    order: Order,
+    partition: Mesh,
     norm: DMatrix<f64>,
     factor: Cholesky,
 }
@@ -96,7 +96,7 @@ impl EmbeddingSpace {
     ///
     /// # Errors
     /// As [`EmbeddingSpace::new`]; [`Error::OutOfRange`] unless 2 ≤ q ≤ [`EmbeddingSpace::LARGEST`].
-    pub fn for_exponents_up_to(order: impl Given<FractionalOrder>, q: f64) -> Result<Self> {
+    pub fn for_exponents_up_to(order: impl Given<Order>, q: f64) -> Result<Self> {
         let order = order.given()?;
         Self::new(order, layers(q)?, RATIO)
     }
@@ -106,7 +106,7 @@ impl EmbeddingSpace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless ν < 1/2; as [`EmbeddingSpace::new`].
-    pub fn at_critical_exponent(order: impl Given<FractionalOrder>) -> Result<Self> {
+    pub fn at_critical_exponent(order: impl Given<Order>) -> Result<Self> {
         let order = order.given()?;
         let q = critical_exponent(order)?;
         Error::require("nu", order.value(), "(0, 1/2) for the critical exponent", q.is_finite())?;
@@ -116,9 +116,9 @@ impl EmbeddingSpace {
     /// Beyond this exponent the layers would leave the range of binary64.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, interpolation::EmbeddingSpace};
+    /// use fractional_sobolev::{Order, interpolation::EmbeddingSpace};
     /// let beyond = 1.01 * EmbeddingSpace::LARGEST;
-    /// assert!(EmbeddingSpace::for_exponents_up_to(FractionalOrder::HALF, beyond).is_err());
+    /// assert!(EmbeddingSpace::for_exponents_up_to(Order::HALF, beyond).is_err());
     /// ```
     pub const LARGEST: f64 = 1000.0;
 
@@ -127,13 +127,13 @@ impl EmbeddingSpace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν > 1/2 or a ratio outside (0, 1), or elements too short.
-    pub fn new(order: impl Given<FractionalOrder>, layers: usize, ratio: f64) -> Result<Self> {
+    pub fn new(order: impl Given<Order>, layers: usize, ratio: f64) -> Result<Self> {
         let order = order.given()?;
         critical_exponent(order)?;
-        let mut lengths = Partition::geometric(layers, ratio, 0.25)?.lengths().to_vec();
+        let mut lengths = Mesh::geometric(layers, ratio, 0.25)?.lengths().to_vec();
         let rest = (3.0 * ratio / (1.0 - ratio)).ceil().max(4.0) as usize;
         lengths.extend(vec![0.75 / rest as f64; rest]);
-        let partition = Partition::from_lengths(lengths)?;
+        let partition = Mesh::from_lengths(lengths)?;
         let norm = gram_linears(&partition, order) + mass_form(&partition);
         let pivot = partition.len();
         let factor = Cholesky::new(&norm)

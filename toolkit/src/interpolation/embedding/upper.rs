@@ -1,7 +1,7 @@
 //! C(q), the best constant of H^ν(0,1) ⊂ L^q(0,1), ν ≤ 1/2: ‖u‖\_{L^q} ≤ C(q) ‖u‖_ν with the full norm (1.1);
 //! (3.6), (3.10), (4.12).
 
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;
@@ -13,7 +13,7 @@ const TERMS: usize = 100_000;
 const ROUNDING: f64 = 1e-10;
 
 /// Checks ν ≤ 1/2 and 2 ≤ q ≤ 2/(1−2ν), q < ∞.
-pub(super) fn check(order: FractionalOrder, q: f64) -> Result<()> {
+pub(super) fn check(order: Order, q: f64) -> Result<()> {
     let nu = order.value();
     Error::require("nu", nu, "(0, 1/2] for the embedding in L^q", order.offset() <= 0.0)?;
     // q = 2/(1−2ν) itself is rounded.
@@ -26,7 +26,7 @@ pub(super) fn check(order: FractionalOrder, q: f64) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for ν > 1/2, where functions are continuous.
-pub fn critical_exponent(order: impl Given<FractionalOrder>) -> Result<f64> {
+pub fn critical_exponent(order: impl Given<Order>) -> Result<f64> {
     let order = order.given()?;
     Error::require("nu", order.value(), "(0, 1/2]", order.offset() <= 0.0)?;
     // + 0: 1 − 2ν may be −0.
@@ -67,7 +67,7 @@ pub fn critical_exponent(order: impl Given<FractionalOrder>) -> Result<f64> {
 /// # Errors
 /// [`Error::OutOfRange`] outside the domain.
 #[doc(alias("Sobolev embedding", "Sobolev inequality"))]
-pub fn embedding_upper_bound(order: impl Given<FractionalOrder>, q: f64) -> Result<Estimate> {
+pub fn embedding_upper_bound(order: impl Given<Order>, q: f64) -> Result<Estimate> {
     let order = order.given()?;
     check(order, q)?;
     let (nu, below) = (order.value(), -order.offset());

@@ -5,7 +5,7 @@ use crate::interpolation::element::ErrorNorm;
 use crate::interpolation::elements::ElementMesh;
 use crate::interpolation::forms::{lagrange_form, projection_form, without_constants};
 use crate::numeric::dense::{Cholesky, product};
-use crate::{FractionalOrder, PiecewisePolynomial, gram_linears};
+use crate::{Order, PiecewisePolynomial, gram_linears};
 use nalgebra::DMatrix;
 
 /// Steps at most. On one element the second eigenvalue is at most about 0.4 of the first and two dozen steps
@@ -25,8 +25,8 @@ const RISE: f64 = 1e-9;
 /// rises with every step. A second road to the best constants, from below. Cost O(N³) once, O(N²) per step.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Partition, Tolerance, interpolation::{ElementMesh, ErrorNorm, ascend}};
-/// let (order, mesh) = (FractionalOrder::HALF, ElementMesh::single(Partition::uniform(16, 1.0)?)?);
+/// use fractional_sobolev::{Order, Mesh, Tolerance, interpolation::{ElementMesh, ErrorNorm, ascend}};
+/// let (order, mesh) = (Order::HALF, ElementMesh::single(Mesh::uniform(16, 1.0)?)?);
 /// let best = ascend(ErrorNorm::Derivative, order, &mesh, &mesh.cells().nodes())?;
 /// let (norm, mean) = (best.l2_norm(Tolerance::fast())?.value, best.mean(Tolerance::fast())?.value);
 /// let found = (norm * norm - mean * mean).sqrt() / best.seminorm(order, Tolerance::fast())?.value;
@@ -39,7 +39,7 @@ const RISE: f64 = 1e-9;
 /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding (cells far too short).
 pub fn ascend(
     norm: ErrorNorm,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     mesh: &ElementMesh,
     start: &[f64],
 ) -> Result<PiecewisePolynomial> {

@@ -6,7 +6,7 @@ use crate::estimate::{Estimate, Tolerance};
 use crate::interpolation::element::ErrorNorm;
 use crate::interpolation::elements::ElementMesh;
 use crate::interpolation::extremal::{Forms, extremal, extremal_on_cells};
-use crate::{FractionalOrder, gram_linears};
+use crate::{Order, gram_linears};
 
 /// The best constant of Lemma 6.2 on `elements` equal elements: a lower bound, the best constant at most
 /// `error` above it.
@@ -23,8 +23,8 @@ use crate::{FractionalOrder, gram_linears};
 /// behaves like r^{2ν} at a node), at most like m^{-2}. Dense; cost O((N m)³).
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Tolerance, interpolation::{ErrorNorm, element_constant, mesh_constant, mesh_constant_on_cells}};
-/// let (norm, order, asked) = (ErrorNorm::Derivative, FractionalOrder::HALF, Tolerance::new(1e-2)?);
+/// use fractional_sobolev::{Order, Tolerance, interpolation::{ErrorNorm, element_constant, mesh_constant, mesh_constant_on_cells}};
+/// let (norm, order, asked) = (ErrorNorm::Derivative, Order::HALF, Tolerance::new(1e-2)?);
 /// let (mesh, one) = (mesh_constant(norm, order, 4, asked)?, element_constant(norm, order, asked)?);
 /// assert!(mesh.value < one.value);
 /// assert!((mesh_constant_on_cells(norm, order, 4, 8)?.value / mesh.value - 1.0).abs() < 0.1);
@@ -36,7 +36,7 @@ use crate::{FractionalOrder, gram_linears};
 /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) when it takes more than 4096 cells in all.
 pub fn mesh_constant(
     norm: ErrorNorm,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     elements: usize,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
@@ -55,7 +55,7 @@ pub fn mesh_constant(
 /// number of cells per element, or for more than 4096 cells in all.
 pub fn mesh_constant_on_cells(
     norm: ErrorNorm,
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     elements: usize,
     cells: usize,
 ) -> Result<Estimate> {
@@ -63,12 +63,12 @@ pub fn mesh_constant_on_cells(
     scaled(norm, order, elements, extremal_on_cells(elements, cells, |mesh| forms(norm, order, mesh))?)
 }
 
-fn forms(norm: ErrorNorm, order: FractionalOrder, mesh: &ElementMesh) -> Result<Forms> {
+fn forms(norm: ErrorNorm, order: Order, mesh: &ElementMesh) -> Result<Forms> {
     Ok((gram_linears(mesh.cells(), order), error_form(norm, mesh)?))
 }
 
 /// From elements of length 1/N to elements of length 1.
-fn scaled(norm: ErrorNorm, order: FractionalOrder, elements: usize, quotient: Estimate) -> Result<Estimate> {
+fn scaled(norm: ErrorNorm, order: Order, elements: usize, quotient: Estimate) -> Result<Estimate> {
     let power = match norm {
         ErrorNorm::L2 => 1.0 + order.value(),
         ErrorNorm::Derivative | ErrorNorm::H1 { .. } => order.value(),

@@ -1,6 +1,6 @@
 //! (4.6) and (4.7): best constants of the L² projection π^h onto piecewise constants.
 
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::element::{
@@ -63,7 +63,7 @@ pub fn projection_constant(r: f64, tolerance: impl Given<Tolerance>) -> Result<E
     if r == 1.0 {
         return Estimate::new(FRAC_1_PI, 0.0, Work::default());
     }
-    element_constant(ErrorNorm::Derivative, FractionalOrder::new(r)?, tolerance)
+    element_constant(ErrorNorm::Derivative, Order::new(r)?, tolerance)
 }
 
 /// Best C*(r) with which (4.7) follows element by element, 0 ≤ r ≤ 1; its square is the largest eigenvalue of
@@ -86,7 +86,7 @@ pub fn dual_projection_constant(r: f64, tolerance: impl Given<Tolerance>) -> Res
     Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
     converge("projection constant in the dual norm", tolerance, |count| {
         let degrees = odd_degrees(count);
-        let (half, mut work) = seminorm_gram(FractionalOrder::HALF, &degrees)?;
+        let (half, mut work) = seminorm_gram(Order::HALF, &degrees)?;
         let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: count };
         let inverse = Cholesky::new(&half).ok_or_else(broken)?.solve(&DMatrix::identity(count, count));
         let form = if r == 0.0 {
@@ -94,7 +94,7 @@ pub fn dual_projection_constant(r: f64, tolerance: impl Given<Tolerance>) -> Res
         } else if r == 1.0 {
             stiffness_gram(&degrees)
         } else {
-            let (gram, cost) = seminorm_gram(FractionalOrder::new(r)?, &degrees)?;
+            let (gram, cost) = seminorm_gram(Order::new(r)?, &degrees)?;
             work += cost;
             gram
         };

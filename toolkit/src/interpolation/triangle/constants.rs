@@ -5,7 +5,7 @@ use super::extremal::{TriangleExtremal, largest_quotient};
 use super::shape::TriangleShape;
 use super::space::{Forms, Space};
 use super::upper::bounds;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use nalgebra::DMatrix;
@@ -70,9 +70,9 @@ impl TriangleConstants {
     /// For an order s < 1, with polynomials up to a degree.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, interpolation::{TriangleConstants, TriangleShape}};
+    /// use fractional_sobolev::{Order, interpolation::{TriangleConstants, TriangleShape}};
     /// let shape = TriangleShape::right_isosceles()?;
-    /// let found = TriangleConstants::new(&shape, FractionalOrder::new(0.75)?, 10)?;
+    /// let found = TriangleConstants::new(&shape, Order::new(0.75)?, 10)?;
     /// assert!((found.derivative.value.value - 0.262_185_14).abs() < 1e-7);
     /// assert!(found.derivative.upper > Some(found.derivative.lower));
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -81,7 +81,7 @@ impl TriangleConstants {
     /// # Errors
     /// [`Error::OutOfRange`] for an order below 0.02, [`Error::CountOutOfRange`] for a degree outside 10 ...
     /// 30.
-    pub fn new(shape: &TriangleShape, order: impl Given<FractionalOrder>, degree: usize) -> Result<Self> {
+    pub fn new(shape: &TriangleShape, order: impl Given<Order>, degree: usize) -> Result<Self> {
         let order = order.given()?;
         let s = Error::require("s", order.value(), "[0.02, 1)", order.value() >= 0.02)?;
         require_degree(degree)?;

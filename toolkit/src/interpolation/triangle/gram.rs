@@ -6,7 +6,7 @@
 use super::basis::Polynomials;
 use super::ring::{directions, nodes};
 use super::shape::TriangleShape;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::Result;
 use crate::numeric::dense::times_transpose;
 use crate::quadrature::Rule;
@@ -68,7 +68,7 @@ impl CornerGram {
     pub(super) fn new(
         shape: &TriangleShape,
         apex: usize,
-        order: FractionalOrder,
+        order: Order,
         set: Polynomials,
         (exponent, count): (f64, usize),
         is_first: bool,

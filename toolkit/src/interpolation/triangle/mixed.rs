@@ -7,7 +7,7 @@
 
 use super::basis::{Angular, Powers};
 use super::shape::{TriangleShape, barycentric, dot};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::Result;
 use crate::quadrature::Rule;
 use nalgebra::DMatrix;
@@ -50,7 +50,7 @@ pub(super) fn corner_rule(shape: &TriangleShape, apex: usize, count: usize) -> R
 pub(super) fn between(
     shape: &TriangleShape,
     apex: usize,
-    order: FractionalOrder,
+    order: Order,
     powers: Powers,
 ) -> Result<DMatrix<f64>> {
     let [f, t] = shape.frame(apex);

@@ -8,7 +8,7 @@
 //! size ε: cells that grow away from 0. Gauss rules: geometric convergence in the number of points.
 
 use super::shape::{TriangleShape, dot};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::Result;
 use crate::numeric::dense::times_transpose;
 use crate::numeric::legendre;
@@ -32,7 +32,7 @@ const MORE: usize = 5;
 ///
 /// # Errors
 /// None for an order in (0, 1).
-pub(super) fn nodes(order: FractionalOrder) -> Result<Vec<(f64, f64)>> {
+pub(super) fn nodes(order: Order) -> Result<Vec<(f64, f64)>> {
     let plain = Rule::gauss_legendre(POINTS)?;
     let cut = |k: i32| 0.5 * SHRINK.powi(k);
     let mut nodes = Vec::new();
@@ -61,7 +61,7 @@ pub(super) fn nodes(order: FractionalOrder) -> Result<Vec<(f64, f64)>> {
 pub(super) fn directions(
     shape: &TriangleShape,
     apex: usize,
-    order: FractionalOrder,
+    order: Order,
     count: usize,
     epsilon: f64,
 ) -> Result<DMatrix<f64>> {

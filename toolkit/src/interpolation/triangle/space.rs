@@ -8,7 +8,7 @@ use super::basis::{Polynomials, Powers};
 use super::gram::CornerGram;
 use super::mixed::{between, corner_rule};
 use super::shape::{Barycentric, TriangleShape, barycentric};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::Result;
 use crate::numeric::dense::{product, times_transpose};
 use crate::quadrature::Rule;
@@ -80,7 +80,7 @@ impl Space {
     ///
     /// # Errors
     /// As the rules.
-    pub(super) fn forms(&self, order: FractionalOrder) -> Result<Forms> {
+    pub(super) fn forms(&self, order: Order) -> Result<Forms> {
         let count = self.polynomials.index().len();
         let size = count + 3 * self.powers.count;
         let [derivative, l2] = self.masses(size)?;

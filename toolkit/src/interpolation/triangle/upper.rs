@@ -14,7 +14,7 @@
 //! Finite for every s > 0, growing like 1/s as s → 0; near s = 1 it does not see that |g|_s grows.
 
 use super::shape::TriangleShape;
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::Result;
 use crate::quadrature::Rule;
 use std::f64::consts::PI;
@@ -28,7 +28,7 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// # Errors
 /// None.
-pub(super) fn bounds(shape: &TriangleShape, order: FractionalOrder) -> Result<[f64; 2]> {
+pub(super) fn bounds(shape: &TriangleShape, order: Order) -> Result<[f64; 2]> {
     let area = 0.5 * shape.twice();
     let poincare = (0.5 / area).sqrt();
     let series = -(-std::f64::consts::LN_2 * order.value()).exp_m1();

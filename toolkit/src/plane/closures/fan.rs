@@ -14,7 +14,7 @@
 use super::radial::{self, Points};
 use super::side::Side;
 use crate::error::{Error, Result};
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::plane::geometry::{dot, length, minus};
 use crate::plane::kernel::InversePower;
 use crate::quadrature::Rule;
@@ -28,7 +28,7 @@ const PATIENCE: usize = 20_000;
 
 /// What the integrals at one corner need.
 pub(super) struct Fan<'a> {
-    pub(super) order: FractionalOrder,
+    pub(super) order: Order,
     pub(super) kernel: &'a InversePower,
     /// Of every rule but the radial one.
     pub(super) points: usize,

@@ -39,14 +39,14 @@ impl<'a> SingularPlaneFunction<'a> {
     /// w on a triangulation; `corners` are pairs (node, a).
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularPlaneFunction, Tolerance, Triangles};
+    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles};
     /// // r^{-1/4} cos φ on a triangle, in H^s for s < 3/4
     /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
     /// let w = SingularPlaneFunction::new(triangle, &[(0, -0.25)], |at| {
     ///     at.radius(0).powf(-0.25) * at.angle(0).cos()
     /// })?;
-    /// assert!(w.seminorm(FractionalOrder::new(0.74)?, Tolerance::balanced()).is_ok());
-    /// assert!(w.seminorm(FractionalOrder::new(0.75)?, Tolerance::balanced()).is_err());
+    /// assert!(w.seminorm(Order::new(0.74)?, Tolerance::balanced()).is_ok());
+    /// assert!(w.seminorm(Order::new(0.75)?, Tolerance::balanced()).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///

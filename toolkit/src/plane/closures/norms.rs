@@ -6,7 +6,7 @@ use super::sums::{ClosureSum, Quantity};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::numeric::scale::power_of_two;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled, scaled_root};
 
 /// What ends the accuracy.
@@ -36,10 +36,10 @@ impl SingularPlaneFunction<'_> {
     /// come.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularPlaneFunction, Tolerance, Triangles, coordinate_on_unit_square};
+    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles, coordinate_on_unit_square};
     /// let square = Triangles::grid([1, 1], 1.0)?;
     /// let x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?;
-    /// let order = FractionalOrder::new(0.7)?;
+    /// let order = Order::new(0.7)?;
     /// let norm = x.seminorm(order, Tolerance::balanced())?;
     /// let exact = coordinate_on_unit_square(order)?.sqrt()?;
     /// assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
@@ -50,11 +50,7 @@ impl SingularPlaneFunction<'_> {
     /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps and s ≥
     /// 1/2; [`Error::OutOfRange`] for triangles that touch without a common node or are too close for their
     /// length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
-    pub fn seminorm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         judged("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
@@ -62,8 +58,8 @@ impl SingularPlaneFunction<'_> {
     /// The norm of order s: ||w||²_s = ||w||² + |w|²_s.
     ///
     /// ```
-    /// use fractional_sobolev::{FractionalOrder, SingularPlaneFunction, Tolerance, Triangles};
-    /// let (order, asked) = (FractionalOrder::new(0.3)?, Tolerance::balanced());
+    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles};
+    /// let (order, asked) = (Order::new(0.3)?, Tolerance::balanced());
     /// let on_square = |f: fn(f64) -> f64| {
     ///     SingularPlaneFunction::new(Triangles::grid([1, 1], 1.0)?, &[], move |at| f(at.x()[0]))
     /// };
@@ -78,11 +74,7 @@ impl SingularPlaneFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularPlaneFunction::seminorm`].
-    pub fn norm(
-        &self,
-        order: impl Given<FractionalOrder>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
+    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_as_it_is(tolerance)?];
         judged("norm", root_of_squares(&parts)?, tolerance)
@@ -96,7 +88,7 @@ impl SingularPlaneFunction<'_> {
     pub fn norm_with_gradient(
         &self,
         gradient: [&SingularPlaneFunction<'_>; 2],
-        order: impl Given<FractionalOrder>,
+        order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -127,11 +119,11 @@ impl SingularPlaneFunction<'_> {
 
     fn l2_as_it_is(&self, tolerance: Tolerance) -> Result<Estimate> {
         let view = self.view();
-        let sum = ClosureSum::new(view, FractionalOrder::HALF, tolerance, Quantity::Square)?;
+        let sum = ClosureSum::new(view, Order::HALF, tolerance, Quantity::Square)?;
         scaled(view.extent, scaled_root(view.unit, sum.square()?)?)
     }
 
-    fn seminorm_as_it_is(&self, order: FractionalOrder, tolerance: Tolerance) -> Result<Estimate> {
+    fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let infinite = |why| Err(Error::InfiniteNorm { order: order.value(), why });
         if self.corners().all.iter().any(|corner| corner.exponent + order.complement() <= f64::EPSILON) {
             return infinite("r^a times a smooth angular part is in H^s near a corner only for a > s - 1");

@@ -6,7 +6,7 @@
 //! rules in ln ρ come first, and the weighted rule takes what is left.
 
 use crate::error::Result;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::quadrature::{PowerWeightRule, Rule};
 
 /// Points and weights.
@@ -78,6 +78,6 @@ pub(super) fn left_out(digits: f64, exponent: f64) -> f64 {
 }
 
 /// For squares of differences at a corner with exponent a: ∫₀¹ ρ^{1−2s} Δ(ρ)² dρ.
-pub(super) fn for_differences(order: FractionalOrder, exponent: f64, approach: Approach) -> Result<Points> {
+pub(super) fn for_differences(order: Order, exponent: f64, approach: Approach) -> Result<Points> {
     rule(2.0 * order.complement(), 2.0 * exponent, approach)
 }

@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::numeric::parallel;
 use crate::numeric::sum::compensated;
-use crate::order::FractionalOrder;
+use crate::order::Order;
 use crate::plane::kernel::InversePower;
 use crate::root::ENTRY_ROUNDING;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -58,7 +58,7 @@ struct Found {
 /// Sums of one function for one order.
 pub(super) struct ClosureSum<'a> {
     view: View<'a>,
-    order: FractionalOrder,
+    order: Order,
     kernel: InversePower,
     /// Relative accuracy asked of the square.
     accuracy: f64,
@@ -79,7 +79,7 @@ pub(super) enum Quantity {
 impl<'a> ClosureSum<'a> {
     pub(super) fn new(
         view: View<'a>,
-        order: FractionalOrder,
+        order: Order,
         tolerance: Tolerance,
         quantity: Quantity,
     ) -> Result<Self> {

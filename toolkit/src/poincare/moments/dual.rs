@@ -1,6 +1,6 @@
 //! Moments of functions that vanish on a zone at one end: M(e) = sup ∫₀ᵉ m(x) w(x) dx / |w|_ν.
 
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::poincare::constraint::Constraint;
@@ -54,9 +54,9 @@ impl Moment {
 /// at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Moment, moment_norm, Tolerance};
+/// use fractional_sobolev::{Order, Moment, moment_norm, Tolerance};
 /// let [mass, first] = [Moment::Mass, Moment::FromFreeEnd]
-///     .map(|moment| moment_norm(FractionalOrder::HALF, 0.5, moment, Tolerance::balanced()));
+///     .map(|moment| moment_norm(Order::HALF, 0.5, moment, Tolerance::balanced()));
 /// assert!(first?.value < 0.5 * mass?.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -65,7 +65,7 @@ impl Moment {
 /// [`Error::OutOfRange`] unless 1e-300 ≤ e ≤ 1 − 1e-15; [`Error::ToleranceNotMet`] as for
 /// [`crate::poincare::gamma`].
 pub fn moment_norm(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     length: f64,
     moment: Moment,
     tolerance: impl Given<Tolerance>,
@@ -77,8 +77,8 @@ pub fn moment_norm(
 /// The same given the length of the zone in place of what it leaves, for zones down to 1e-300.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Moment, moment_norm, moment_norm_beside, Tolerance};
-/// let (order, asked) = (FractionalOrder::HALF, Tolerance::balanced());
+/// use fractional_sobolev::{Order, Moment, moment_norm, moment_norm_beside, Tolerance};
+/// let (order, asked) = (Order::HALF, Tolerance::balanced());
 /// let left = moment_norm(order, 0.75, Moment::Mass, asked)?.value;
 /// let zone = moment_norm_beside(order, 0.25, Moment::Mass, asked)?.value;
 /// assert!((left / zone - 1.0).abs() < 1e-8);
@@ -88,7 +88,7 @@ pub fn moment_norm(
 /// # Errors
 /// As for [`moment_norm`], with the zone's length in place of e.
 pub fn moment_norm_beside(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     zone: f64,
     moment: Moment,
     tolerance: impl Given<Tolerance>,
@@ -97,12 +97,7 @@ pub fn moment_norm_beside(
     on(order, &beside(zone)?, moment, tolerance)
 }
 
-fn on(
-    order: FractionalOrder,
-    constraint: &Constraint,
-    moment: Moment,
-    tolerance: Tolerance,
-) -> Result<Estimate> {
+fn on(order: Order, constraint: &Constraint, moment: Moment, tolerance: Tolerance) -> Result<Estimate> {
     let direct = |order, tolerance| {
         refine_until(order, constraint, tolerance, |model| {
             let discrete = Discrete::new(order, constraint, model)?;
@@ -120,8 +115,8 @@ fn on(
 /// subtracted from 1: it vanishes on (0, 1 − e). On a space for the tolerance asked for.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, Moment, moment_extremal, Tolerance};
-/// let w = moment_extremal(FractionalOrder::HALF, 0.5, Moment::Mass, Tolerance::fast())?;
+/// use fractional_sobolev::{Order, Moment, moment_extremal, Tolerance};
+/// let w = moment_extremal(Order::HALF, 0.5, Moment::Mass, Tolerance::fast())?;
 /// assert!(w.value(0.25).abs() < 1e-12 && w.value(1.0).abs() > 0.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -129,7 +124,7 @@ fn on(
 /// # Errors
 /// As for [`moment_norm`].
 pub fn moment_extremal(
-    order: impl Given<FractionalOrder>,
+    order: impl Given<Order>,
     length: f64,
     moment: Moment,
     tolerance: impl Given<Tolerance>,
@@ -208,7 +203,7 @@ mod tests {
     fn the_mass_is_the_dual_norm_of_the_mean() {
         for nu in [0.1, 0.5, 0.9] {
             for length in [1e-3, 0.3, 0.8] {
-                let order = FractionalOrder::new(nu).unwrap();
+                let order = Order::new(nu).unwrap();
                 let tolerance = Tolerance::balanced();
                 let mass = moment_norm(order, length, Moment::Mass, tolerance).unwrap();
                 let zone = Zone::end(1.0 - length).unwrap();
@@ -222,7 +217,7 @@ mod tests {
     #[test]
     fn near_order_one_the_moments_are_those_of_the_slope() {
         // (1-ν)|w|² = ∫w'² + O(1-ν), so that M/√(1-ν) is off by O(1-ν).
-        let order = FractionalOrder::from_offset(0.5 - 1e-6).unwrap();
+        let order = Order::half_plus(0.5 - 1e-6).unwrap();
         let e: f64 = 0.4;
         let limits = [
             (Moment::Mass, (e.powi(3) / 3.0).sqrt()),
@@ -237,7 +232,7 @@ mod tests {
 
     #[test]
     fn the_extremal_function_has_its_moment() {
-        let (order, e) = (FractionalOrder::new(0.3).unwrap(), 0.6);
+        let (order, e) = (Order::new(0.3).unwrap(), 0.6);
         let tolerance = Tolerance::balanced();
         for (moment, weight) in [
             (Moment::Mass, [1.0, 0.0]),
@@ -264,7 +259,7 @@ mod tests {
     #[test]
     fn moments_add_up_and_bad_lengths_are_refused() {
         // A supremum: M of x + (e − x) = e is at most the sum.
-        let order = FractionalOrder::HALF;
+        let order = Order::HALF;
         let norm = |moment| moment_norm(order, 0.7, moment, Tolerance::balanced()).unwrap().value;
         let (mass, parts) = (0.7 * norm(Moment::Mass), [norm(Moment::FromFreeEnd), norm(Moment::FromZone)]);
         assert!(parts[0] < parts[1] && parts[1] < mass && mass < parts[0] + parts[1], "{mass} {parts:?}");

@@ -177,7 +177,7 @@ fn ratio(k: usize, roots: &[Root]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::FractionalOrder;
+    use crate::Order;
     use crate::estimate::Tolerance;
     use crate::poincare::moment_norm;
 
@@ -186,7 +186,7 @@ mod tests {
         for length in [1e-3, 0.1, 0.25, 0.5, 0.6, 0.7] {
             for moment in [Moment::Mass, Moment::FromFreeEnd, Moment::FromZone] {
                 let tolerance = Tolerance::new(1e-10).unwrap();
-                let slopes = moment_norm(FractionalOrder::HALF, length, moment, tolerance).unwrap();
+                let slopes = moment_norm(Order::HALF, length, moment, tolerance).unwrap();
                 let closed = half_order_moment(length, moment).unwrap();
                 let apart = (slopes.value - closed.value).abs();
                 assert!(apart <= slopes.error + closed.error, "{length} {moment:?}: {slopes} {closed}");

@@ -3,7 +3,7 @@
 
 use super::dual::Moment;
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::poincare::slopes::kernel::exp_quotient;
 
@@ -54,8 +54,8 @@ pub struct MomentBounds {
 /// of the basis for one ν, all e.
 ///
 /// ```
-/// use fractional_sobolev::{FractionalOrder, half_order_moment, Moment, StrongForm};
-/// let bounds = StrongForm::new(FractionalOrder::HALF)?.moment(0.5, Moment::Mass)?;
+/// use fractional_sobolev::{Order, half_order_moment, Moment, StrongForm};
+/// let bounds = StrongForm::new(Order::HALF)?.moment(0.5, Moment::Mass)?;
 /// let exact = half_order_moment(0.5, Moment::Mass)?;
 /// assert!(bounds.lower <= exact.value + exact.error && exact.value - exact.error <= bounds.upper);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -70,7 +70,7 @@ impl StrongForm {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3].
-    pub fn new(order: impl Given<FractionalOrder>) -> Result<Self> {
+    pub fn new(order: impl Given<Order>) -> Result<Self> {
         let order = order.given()?;
         let nu = order.value();
         let inside = (1e-3 - 1e-12..=1.0 - 1e-3 + 1e-12).contains(&nu);
@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn both_roads_agree_to_nine_digits() {
         for nu in [0.001, 0.01, 0.1, 0.25, 0.4, 0.499, 0.5, 0.501, 0.6, 0.75, 0.9, 0.99, 0.999] {
-            let order = FractionalOrder::new(nu).unwrap();
+            let order = Order::new(nu).unwrap();
             let strong = StrongForm::new(order).unwrap();
             for length in [0.2, 0.5, 0.8] {
                 for moment in MOMENTS {
@@ -213,8 +213,8 @@ mod tests {
 
     #[test]
     fn orders_and_lengths_beyond_the_domain_are_refused() {
-        assert!(StrongForm::new(FractionalOrder::new(1e-4).unwrap()).is_err());
-        let strong = StrongForm::new(FractionalOrder::HALF).unwrap();
+        assert!(StrongForm::new(Order::new(1e-4).unwrap()).is_err());
+        let strong = StrongForm::new(Order::HALF).unwrap();
         assert!(strong.moment(0.001, Moment::Mass).is_err() && strong.moment(1.0, Moment::Mass).is_err());
     }
 }

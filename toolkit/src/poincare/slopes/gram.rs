@@ -11,7 +11,7 @@ use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
 use super::local::Local;
 use super::nodes::Nodes;
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre};
-use crate::FractionalOrder;
+use crate::Order;
 use crate::error::Result;
 use crate::estimate::Work;
 use crate::numeric::parallel;
@@ -32,7 +32,7 @@ const COARSE_DIGITS: f64 = 6.0;
 pub(crate) fn seminorm_gram(
     space: &SlopeSpace,
     local: Option<&Local>,
-    order: FractionalOrder,
+    order: Order,
     n: usize,
 ) -> Result<(DMatrix<f64>, Work)> {
     let assembly = Assembly::new(space, local, order, n)?;
@@ -85,12 +85,7 @@ pub(super) struct Assembly<'a> {
 }
 
 impl<'a> Assembly<'a> {
-    fn new(
-        space: &'a SlopeSpace,
-        local: Option<&'a Local>,
-        order: FractionalOrder,
-        n: usize,
-    ) -> Result<Self> {
+    fn new(space: &'a SlopeSpace, local: Option<&'a Local>, order: Order, n: usize) -> Result<Self> {
         let p = order.one_minus_twice();
         let functions = space.cells.iter().map(|cell| cell.functions).max().unwrap_or(1);
         let close = |n: usize| CLOSE_POINTS.0 * n / CLOSE_POINTS.1;

@@ -1,4 +1,4 @@
-//! Partitions of an interval given by the *lengths* of their elements.
+//! meshes of an interval given by the *lengths* of their elements.
 
 use super::grading::{algebraic_lengths, geometric_lengths, require_length_of_interval};
 use crate::error::{Error, Result};
@@ -25,21 +25,21 @@ const BYTES: usize = 48;
 /// relative error about 1 ulp whatever the count.
 ///
 /// ```
-/// use fractional_sobolev::Partition;
-/// let mesh = Partition::from_nodes(&[0.0, 0.25, 1.0])?;
-/// assert_eq!(mesh.lengths(), Partition::from_lengths(vec![0.25, 0.75])?.lengths());
+/// use fractional_sobolev::Mesh;
+/// let mesh = Mesh::from_nodes(&[0.0, 0.25, 1.0])?;
+/// assert_eq!(mesh.lengths(), Mesh::from_lengths(vec![0.25, 0.75])?.lengths());
 /// assert!(mesh.len() == 2 && !mesh.is_empty() && mesh.total() == 1.0 && mesh.left() == 0.0);
 /// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
 /// assert_eq!((mesh.distance(0, 2), mesh.uniform_length()), (1.0, None));
 /// // graded to both ends, and to a point inside
-/// assert_eq!(Partition::two_sided(1, 0.5, 1.0)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
-/// let graded = Partition::graded_to_points(&[0.0, 0.3, 1.0], 20, 0.5)?;
+/// assert_eq!(Mesh::two_sided(1, 0.5, 1.0)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+/// let graded = Mesh::graded_to_points(&[0.0, 0.3, 1.0], 20, 0.5)?;
 /// assert!(graded.lengths().iter().any(|&h| h < 1e-6));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[doc(alias("mesh", "grid", "graded mesh", "interval"))]
 #[derive(Debug, Clone, PartialEq)]
-pub struct Partition {
+pub struct Mesh {
     left: f64,
     lengths: Vec<f64>,
     /// distance of node i from the left end
@@ -48,8 +48,8 @@ pub struct Partition {
     from_right: Vec<f64>,
 }
 
-impl Partition {
-    /// The partition with the given element lengths, left end at 0.
+impl Mesh {
+    /// The mesh with the given element lengths, left end at 0.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without elements, [`Error::EntryOutOfRange`] for a length that is not positive
@@ -59,10 +59,10 @@ impl Partition {
         Self::at(0.0, lengths)
     }
 
-    /// The partition with the given nodes; lengths are their differences.
+    /// The mesh with the given nodes; lengths are their differences.
     ///
     /// # Errors
-    /// As [`Partition::from_lengths`]; [`Error::EntryOutOfRange`] unless nodes increase; [`Error::NotFinite`].
+    /// As [`Mesh::from_lengths`]; [`Error::EntryOutOfRange`] unless nodes increase; [`Error::NotFinite`].
     pub fn from_nodes(nodes: &[f64]) -> Result<Self> {
         require_finite("node", nodes)?;
         for (k, pair) in nodes.windows(2).enumerate() {
@@ -75,7 +75,7 @@ impl Partition {
     /// `count` elements of equal length on (0, length).
     ///
     /// # Errors
-    /// As [`Partition::from_lengths`]; [`Error::TooLarge`] for more elements than memory holds.
+    /// As [`Mesh::from_lengths`]; [`Error::TooLarge`] for more elements than memory holds.
     pub fn uniform(count: usize, length: f64) -> Result<Self> {
         require_memory("elements", count, BYTES)?;
         require_length_of_interval(length)?;
@@ -86,14 +86,14 @@ impl Partition {
     /// length L σ^m.
     ///
     /// ```
-    /// use fractional_sobolev::Partition;
-    /// let mesh = Partition::geometric(3, 0.5, 1.0)?;
+    /// use fractional_sobolev::Mesh;
+    /// let mesh = Mesh::geometric(3, 0.5, 1.0)?;
     /// assert_eq!(mesh.nodes(), [0.0, 0.125, 0.25, 0.5, 1.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As [`Partition::uniform`]; [`Error::OutOfRange`] unless 0 < σ < 1.
+    /// As [`Mesh::uniform`]; [`Error::OutOfRange`] unless 0 < σ < 1.
     pub fn geometric(layers: usize, ratio: f64, length: f64) -> Result<Self> {
         require_memory("layers", layers, BYTES)?;
         Self::from_lengths(geometric_lengths(layers, ratio, length)?)
@@ -103,23 +103,23 @@ impl Partition {
     /// them. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
     ///
     /// ```
-    /// use fractional_sobolev::Partition;
-    /// assert_eq!(Partition::algebraic(4, 2.0, 16.0)?.nodes(), [0.0, 1.0, 4.0, 9.0, 16.0]);
-    /// assert_eq!(Partition::two_sided_algebraic(2, 2.0, 8.0)?.nodes(), [0.0, 1.0, 4.0, 7.0, 8.0]);
+    /// use fractional_sobolev::Mesh;
+    /// assert_eq!(Mesh::algebraic(4, 2.0, 16.0)?.nodes(), [0.0, 1.0, 4.0, 9.0, 16.0]);
+    /// assert_eq!(Mesh::two_sided_algebraic(2, 2.0, 8.0)?.nodes(), [0.0, 1.0, 4.0, 7.0, 8.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As [`Partition::uniform`]; [`Error::OutOfRange`] unless 0 < β < ∞.
+    /// As [`Mesh::uniform`]; [`Error::OutOfRange`] unless 0 < β < ∞.
     pub fn algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
         require_memory("elements", count, BYTES)?;
         Self::from_lengths(algebraic_lengths(count, exponent, length)?)
     }
 
-    /// As [`Partition::algebraic`] from both ends: `count` elements on either half.
+    /// As [`Mesh::algebraic`] from both ends: `count` elements on either half.
     ///
     /// # Errors
-    /// As [`Partition::algebraic`].
+    /// As [`Mesh::algebraic`].
     pub fn two_sided_algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
         require_memory("elements", count, 2 * BYTES)?;
         let mut lengths = algebraic_lengths(count, exponent, 0.5 * length)?;
@@ -131,7 +131,7 @@ impl Partition {
     /// Geometric from both ends towards the middle: the shortest elements, L/2 σ^m, lie at the two ends.
     ///
     /// # Errors
-    /// As [`Partition::geometric`].
+    /// As [`Mesh::geometric`].
     pub fn two_sided(layers: usize, ratio: f64, length: f64) -> Result<Self> {
         require_memory("layers", layers, 2 * BYTES)?;
         let mut lengths = geometric_lengths(layers, ratio, 0.5 * length)?;
@@ -143,7 +143,7 @@ impl Partition {
     /// Geometric towards the ends of the interval and towards every given break point in it.
     ///
     /// # Errors
-    /// As [`Partition::two_sided`], on each part between neighbouring points.
+    /// As [`Mesh::two_sided`], on each part between neighbouring points.
     pub fn graded_to_points(points: &[f64], layers: usize, ratio: f64) -> Result<Self> {
         let coarse = Self::from_nodes(points)?;
         require_memory("layers", layers, 2 * BYTES * coarse.len())?;
@@ -154,7 +154,7 @@ impl Partition {
         Self::at(coarse.left, lengths)
     }
 
-    /// (λ, the partition in units of λ), λ a power of two: where lengths lie beyond 1e-100 ... 1e100, the one
+    /// (λ, the mesh in units of λ), λ a power of two: where lengths lie beyond 1e-100 ... 1e100, the one
     /// between the shortest and the longest, so that squares and powers of them are numbers of binary64; else
     /// 1.
     pub(crate) fn of_moderate_lengths(&self) -> Result<(f64, Self)> {
@@ -191,7 +191,7 @@ impl Partition {
         self.lengths.len()
     }
 
-    /// Never true: a partition has at least one element.
+    /// Never true: a mesh has at least one element.
     pub fn is_empty(&self) -> bool {
         self.lengths.is_empty()
     }
@@ -257,25 +257,25 @@ mod tests {
 
     #[test]
     fn distances_are_sums_of_lengths() {
-        let partition = Partition::from_lengths(vec![1.0, 1e-300, 2e-300, 1.0]).unwrap();
+        let partition = Mesh::from_lengths(vec![1.0, 1e-300, 2e-300, 1.0]).unwrap();
         assert_eq!(partition.distance(1, 3), 3e-300);
         assert_eq!(partition.total(), 2.0);
         assert_eq!(partition.from_right()[3], 1.0);
-        let many = Partition::uniform(1_000_000, 1.0).unwrap();
+        let many = Mesh::uniform(1_000_000, 1.0).unwrap();
         assert!((many.total() - 1.0).abs() < 1e-15);
     }
 
     #[test]
     fn constructors_have_the_nodes_they_promise() {
-        let geometric = Partition::geometric(3, 0.5, 8.0).unwrap();
+        let geometric = Mesh::geometric(3, 0.5, 8.0).unwrap();
         assert_eq!(geometric.nodes(), [0.0, 1.0, 2.0, 4.0, 8.0]);
-        let two = Partition::two_sided(2, 0.5, 8.0).unwrap();
+        let two = Mesh::two_sided(2, 0.5, 8.0).unwrap();
         assert_eq!(two.nodes(), [0.0, 1.0, 2.0, 4.0, 6.0, 7.0, 8.0]);
-        let graded = Partition::graded_to_points(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
+        let graded = Mesh::graded_to_points(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
         assert_eq!(graded.len(), 8);
         assert_eq!(graded.total(), 1.0);
         for exponent in [0.5, 1.0, 3.0, 20.0] {
-            let mesh = Partition::algebraic(1000, exponent, 2.0).unwrap();
+            let mesh = Mesh::algebraic(1000, exponent, 2.0).unwrap();
             for (i, x) in mesh.nodes().into_iter().enumerate() {
                 let exact = 2.0 * (i as f64 / 1000.0).powf(exponent);
                 assert!((x - exact).abs() <= 1e-14 * exact, "{exponent} {i}: {x:e} {exact:e}");
@@ -285,16 +285,16 @@ mod tests {
 
     #[test]
     fn bad_partitions_are_errors() {
-        assert!(Partition::from_nodes(&[0.0, 1.0, 1.0]).is_err());
-        assert!(Partition::from_nodes(&[0.0, f64::NAN, 1.0]).is_err());
-        assert!(Partition::from_nodes(&[0.0, f64::INFINITY]).is_err());
-        assert!(Partition::from_nodes(&[]).is_err());
-        assert!(Partition::uniform(0, 1.0).is_err());
-        assert!(Partition::from_lengths(vec![1e-300, 1e300]).is_err());
-        assert!(Partition::geometric(3, 1.0, 1.0).is_err());
+        assert!(Mesh::from_nodes(&[0.0, 1.0, 1.0]).is_err());
+        assert!(Mesh::from_nodes(&[0.0, f64::NAN, 1.0]).is_err());
+        assert!(Mesh::from_nodes(&[0.0, f64::INFINITY]).is_err());
+        assert!(Mesh::from_nodes(&[]).is_err());
+        assert!(Mesh::uniform(0, 1.0).is_err());
+        assert!(Mesh::from_lengths(vec![1e-300, 1e300]).is_err());
+        assert!(Mesh::geometric(3, 1.0, 1.0).is_err());
         for exponent in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e5] {
-            assert!(Partition::algebraic(3, exponent, 1.0).is_err(), "{exponent}");
+            assert!(Mesh::algebraic(3, exponent, 1.0).is_err(), "{exponent}");
         }
-        assert!(Partition::algebraic(0, 2.0, 1.0).is_err());
+        assert!(Mesh::algebraic(0, 2.0, 1.0).is_err());
     }
 }
