@@ -65,7 +65,7 @@ fn tiny_and_huge_elements_and_values_keep_their_ratios() {
             let values = [0.0, 1.0, -1.0, 0.5].map(|v| v * height);
             let slope = PiecewisePolynomial::linears(Mesh::from_lengths(lengths).unwrap(), &values).unwrap();
             let element = InterpolationError::of_slope(&slope, order(nu), Tolerance::balanced()).unwrap();
-            let mesh = ElementMesh::new(slope.partition().clone(), &[2, 1]).unwrap();
+            let mesh = ElementMesh::new(slope.mesh().clone(), &[2, 1]).unwrap();
             let elements =
                 InterpolationError::on_elements(&slope, &mesh, order(nu), Tolerance::balanced()).unwrap();
             let projected = mesh.projection(&slope).unwrap();

@@ -288,8 +288,7 @@ fn extremal_function_attains_the_constant_and_meets_its_condition() {
         let norm = interpolant.l2_norm(Tolerance::reference()).unwrap().value;
         // Quadratic interpolation on cells of ratio two is good to 1e-4 in energy.
         assert!((norm - 1.0).abs() < 1e-3 && (norm / seminorm / found.value - 1.0).abs() < 1e-3, "nu {nu}");
-        let inside =
-            interpolant.partition().nodes().iter().filter(|&&x| x <= theta * (1.0 + 1e-12)).count() - 1;
+        let inside = interpolant.mesh().nodes().iter().filter(|&&x| x <= theta * (1.0 + 1e-12)).count() - 1;
         let mean = interpolant.restrict(0..inside).unwrap().mean(Tolerance::reference()).unwrap().value;
         assert!(mean.abs() < 1e-3, "nu {nu}: mean {mean}");
     }

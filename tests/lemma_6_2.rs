@@ -35,7 +35,7 @@ fn no_rough_function_exceeds_the_constants_of_one_element() {
             let mut slopes = RoughSlopes::new(family, nu, 62);
             for index in 0..40 {
                 let slope = slopes.draw().unwrap();
-                let cells = slope.partition().len();
+                let cells = slope.mesh().len();
                 // elements of 1, 2, 3, ... cells, the rest in one: lengths over many decades
                 let mut groups = Vec::new();
                 let mut left = cells;
@@ -44,7 +44,7 @@ fn no_rough_function_exceeds_the_constants_of_one_element() {
                     groups.push(next);
                     left -= next;
                 }
-                let mesh = ElementMesh::new(slope.partition().clone(), &groups).unwrap();
+                let mesh = ElementMesh::new(slope.mesh().clone(), &groups).unwrap();
                 let error =
                     InterpolationError::on_elements(&slope, &mesh, nu, Tolerance::balanced()).unwrap();
                 let (a, b) = (error.l2_ratio().unwrap(), error.derivative_ratio().unwrap());

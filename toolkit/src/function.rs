@@ -428,9 +428,7 @@ impl<'a> Function<'a> {
     pub fn minus<'b>(&'b self, other: &'b Function<'_>) -> Result<Function<'b>> {
         let kind = match (&self.kind, &other.kind) {
             (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => Kind::Difference(u.minus(v)),
-            (Kind::Piecewise(u), Kind::Piecewise(v)) if u.partition() == v.partition() => {
-                Kind::Piecewise(u.minus(v)?)
-            }
+            (Kind::Piecewise(u), Kind::Piecewise(v)) if u.mesh() == v.mesh() => Kind::Piecewise(u.minus(v)?),
             _ => {
                 return Err(Error::Incompatible {
                     what: "difference with",

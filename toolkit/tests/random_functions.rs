@@ -83,7 +83,7 @@ fn order(random: &mut SplitMix, high: f64) -> Order {
 }
 
 /// Lengths of equal, unequal, graded elements.
-fn partition(random: &mut SplitMix, count: usize) -> Mesh {
+fn mesh(random: &mut SplitMix, count: usize) -> Mesh {
     match random.below(4) {
         0 => Mesh::uniform(count, 1.0).unwrap(),
         1 => Mesh::algebraic(count, random.between(1.5, 4.0), 1.0).unwrap(),
@@ -224,16 +224,16 @@ fn linear(random: &mut SplitMix) -> Case {
     let u = PiecewisePolynomial::linears(mesh, &values).unwrap();
     let halves = halved(&u);
     let second = Estimate::or_best(halves.seminorm(order, Tolerance::new(1e-11).unwrap())).unwrap();
-    let what = format!("linears on {} elements, {order}", u.partition().len());
+    let what = format!("linears on {} elements, {order}", u.mesh().len());
     case(what, asked, second, |asked| u.seminorm(order, asked))
 }
 
 /// Every element cut in two.
 fn halved(u: &PiecewisePolynomial) -> PiecewisePolynomial {
-    let lengths = u.partition().lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
+    let lengths = u.mesh().lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
     let at = |k: usize, t: f64| u.value(k, t).unwrap();
     let ends: Vec<[f64; 2]> =
-        (0..u.partition().len()).flat_map(|k| [[at(k, 0.0), at(k, 0.5)], [at(k, 0.5), at(k, 1.0)]]).collect();
+        (0..u.mesh().len()).flat_map(|k| [[at(k, 0.0), at(k, 0.5)], [at(k, 0.5), at(k, 1.0)]]).collect();
     PiecewisePolynomial::discontinuous_linears(Mesh::from_lengths(lengths).unwrap(), &ends).unwrap()
 }
 
@@ -352,7 +352,7 @@ fn regional_load(random: &mut SplitMix) -> Case {
     let (u, what) = load(random, 4.0);
     let share = random.between(0.3, 0.4);
     let (mut lengths, mut ends) = (Vec::new(), Vec::new());
-    for (k, h) in u.partition().lengths().iter().enumerate() {
+    for (k, h) in u.mesh().lengths().iter().enumerate() {
         let at = |t: f64| u.value(k, t).unwrap();
         lengths.extend([share * h, (1.0 - share) * h]);
         ends.extend([[at(0.0), at(share)], [at(share), at(1.0)]]);

@@ -51,12 +51,12 @@ impl Sample {
 
     /// u − u_h with all nodes declared.
     fn by_closure(self, field: &PiecewisePolynomial) -> SingularFunction<'_> {
-        let mut breaks = field.partition().nodes();
+        let mut breaks = field.mesh().nodes();
         breaks.push(self.c);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         let k = breaks.iter().position(|&x| x == self.c).unwrap();
-        let nodes = field.partition().nodes();
+        let nodes = field.mesh().nodes();
         SingularFunction::from_positions(&breaks.clone(), move |at: Position| {
             let right = at.offset() > 0.0 || at.offset() == 0.0 && at.offset().is_sign_positive();
             let start = breaks[at.anchor() - usize::from(!right)];
@@ -100,7 +100,7 @@ fn random_errors_agree_with_closures_at_every_tolerance() {
         for tolerance in [1e-2, 1e-4, 1e-6] {
             let found = u.minus(&field).seminorm(order(nu), asked(tolerance)).unwrap();
             let off = (found.value - exact.value).abs();
-            let words = format!("{case}: {sample:?} nu {nu} {tolerance} {:?}", field.partition().nodes());
+            let words = format!("{case}: {sample:?} nu {nu} {tolerance} {:?}", field.mesh().nodes());
             assert!(off <= found.error + exact.error, "{words}: {found} {exact}");
             assert!(found.relative_error() <= tolerance, "{words}: {found}");
             let found = u.minus(&field).l2_norm(asked(tolerance)).unwrap();

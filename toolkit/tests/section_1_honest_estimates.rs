@@ -35,7 +35,7 @@ impl Random {
     }
 
     /// Up to 12 elements, of lengths over eight decades.
-    fn partition(&mut self) -> Mesh {
+    fn mesh(&mut self) -> Mesh {
         let count = 1 + (12.0 * self.next()) as usize;
         Mesh::from_lengths((0..count).map(|_| 10f64.powf(self.between(-8.0, 0.0))).collect()).unwrap()
     }
@@ -95,7 +95,7 @@ fn hat(random: &mut Random) -> Case {
 
 fn monomial(random: &mut Random) -> Case {
     let order = random.order(0.98);
-    let partition = random.partition();
+    let partition = random.mesh();
     let degree = 1 + (5.0 * random.next()) as usize;
     let tolerance = random.tolerance();
     let total = partition.total();
@@ -112,7 +112,7 @@ fn monomial(random: &mut Random) -> Case {
 
 fn linear(random: &mut Random) -> Case {
     let order = random.order(0.98);
-    let partition = random.partition();
+    let partition = random.mesh();
     let tolerance = random.tolerance();
     let values: Vec<f64> = (0..=partition.len()).map(|_| random.between(-1.0, 1.0)).collect();
     let u = PiecewisePolynomial::linears(partition.clone(), &values).unwrap();

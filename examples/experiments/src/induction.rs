@@ -214,7 +214,7 @@ pub fn induction(
 /// The three quotients of (5.7) and that of (5.6) for the extremal function of V_{θ²}, in the variable x/θ.
 fn restricted(order: Order, theta: f64, gamma: Estimate, u: &ExtremalFunction) -> Result<[Estimate; 4]> {
     let whole = u.interpolate(DEGREE, PIECES, &[theta * theta, theta])?;
-    let nodes = whole.partition().nodes();
+    let nodes = whole.mesh().nodes();
     let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + AT_THETA)).count() - 1;
     let (zone, part) = (whole.restrict(0..before(theta * theta))?, whole.restrict(0..before(theta))?);
     // (5.5): |u|_I = θ^{ν−1/2} |ũ|, ‖u‖ = θ^{−1/2} ‖ũ‖

@@ -189,7 +189,7 @@ pub fn mean_free_quotient(
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     let near = |x: f64| (x - theta).abs() <= ONE_NODE * theta;
-    let node = u.partition().nodes().iter().position(|&x| near(x)).filter(|&k| k > 0);
+    let node = u.mesh().nodes().iter().position(|&x| near(x)).filter(|&k| k > 0);
     let elements = node.ok_or(Error::OutOfRange { name: "theta", value: theta, range: "the nodes" })?;
     let (zone, whole) =
         (u.restrict(0..elements)?.mean(Tolerance::reference())?, u.mean(Tolerance::reference())?);
@@ -237,10 +237,10 @@ pub fn cut_in_two(
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     let (mut square, mut error) = (0.0, 0.0);
     let left = u.l2_norm(Tolerance::reference())?;
-    for range in [0..elements, elements..u.partition().len()] {
+    for range in [0..elements, elements..u.mesh().len()] {
         let piece = u.restrict(range)?;
         let seminorm = piece.seminorm(order, tolerance)?;
-        let scale = piece.partition().total().powf(2.0 * order.value());
+        let scale = piece.mesh().total().powf(2.0 * order.value());
         square += scale * seminorm.value * seminorm.value;
         error += 2.0 * scale * seminorm.value * seminorm.error;
     }

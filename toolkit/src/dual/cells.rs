@@ -69,8 +69,8 @@ impl Run {
 impl Cells {
     /// u over `unit`, on the interval as (0, 1).
     pub(super) fn new(u: &PiecewisePolynomial, unit: f64) -> Result<Self> {
-        let (degree, total) = (u.degree(), u.partition().total());
-        let lengths: Vec<f64> = u.partition().lengths().iter().map(|h| h / total).collect();
+        let (degree, total) = (u.degree(), u.mesh().total());
+        let lengths: Vec<f64> = u.mesh().lengths().iter().map(|h| h / total).collect();
         let rule = Rule::gauss_legendre(degree + 1)?;
         let mut legendre_values = vec![0.0; degree + 1];
         let mut values = vec![0.0; lengths.len() * (degree + 1)];

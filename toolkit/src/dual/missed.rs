@@ -77,18 +77,18 @@ pub(super) struct Rough<'a> {
 
 impl Rough<'_> {
     pub(super) fn whole(&self) -> Part {
-        Part::whole(self.u.partition(), self.weights)
+        Part::whole(self.u.mesh(), self.weights)
     }
 
     /// Whether every element of f is cut into the same number of equal elements.
     pub(super) fn cuts_alike(&self, cells: usize) -> bool {
-        let partition = self.u.partition();
+        let partition = self.u.mesh();
         partition.uniform_length().is_some() && cells.is_multiple_of(partition.len())
     }
 
     /// ∫ f φ_i on M equal elements of a part, and ∫ θ f φ_i for every θ.
     fn loads(&self, part: &Part, cells: usize, shares: &[Vec<f64>]) -> Result<Vec<Vec<f64>>> {
-        let partition = self.u.partition();
+        let partition = self.u.mesh();
         let rule = Rule::gauss_legendre(self.u.degree() / 2 + 2)?;
         let mut loads = vec![vec![0.0; cells + 1]; 1 + shares.len()];
         let mut add = |cell: usize, element: usize, [s0, s1]: [f64; 2], [t0, t1]: [f64; 2]| {
@@ -149,7 +149,7 @@ impl Rough<'_> {
     /// Q_h - R_h on a part.
     fn missed_on(&self, part: &Part, cells: usize, goal: f64) -> Result<Missed> {
         let mesh = Mesh::uniform(cells, 1.0)?;
-        let shares = self.comparison.shares(self.u.partition(), part);
+        let shares = self.comparison.shares(self.u.mesh(), part);
         let mut loads = self.loads(part, cells, &shares)?;
         let mut load = loads.remove(0);
         let (mass, off) = mass_linears(&mesh);
@@ -199,7 +199,7 @@ impl Rough<'_> {
     /// Q_h - R_h on M equal elements, with the windows of the ends.
     pub(super) fn missed(&self, cells: usize, goal: f64) -> Result<Missed> {
         let whole = self.whole();
-        let (mut sum, partition) = (self.missed_on(&whole, cells, goal)?, self.u.partition());
+        let (mut sum, partition) = (self.missed_on(&whole, cells, goal)?, self.u.mesh());
         let (kept, windows) = (cells / WINDOW, if self.comparison.nodes.len() > 1 { WINDOWS } else { 0 });
         for depth in 0..windows {
             let length = kept as f64 / cells as f64 / FINER.pow(depth as u32) as f64;

@@ -72,7 +72,7 @@ impl PiecewisePolynomial {
         if unit == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
-        let (total, nu) = (self.partition().total(), order.value());
+        let (total, nu) = (self.mesh().total(), order.value());
         let cells = Cells::new(self, unit)?;
         let mean = cells.mean();
         let rest = cells.minus(mean)?;
@@ -86,7 +86,7 @@ impl PiecewisePolynomial {
         let square = rest.square();
         // Q is at most ∥f∥²: what is left of a constant is its rounding
         if square <= ulps * ulps {
-            return finish(0.0, square, Work { points: self.partition().len() as u64, ..Work::default() });
+            return finish(0.0, square, Work { points: self.mesh().len() as u64, ..Work::default() });
         }
         // 1 + A = (m + a A) / factor in units of the interval
         let scale = total.powf(2.0 * nu);
@@ -96,12 +96,12 @@ impl PiecewisePolynomial {
             return finish(square, 4.0 * f64::EPSILON * square, Work::default());
         }
         let goal = (1e-2 * tolerance.relative()).max(f64::EPSILON);
-        let comparison = Comparison::new(order, weights, self.partition().len(), tolerance.relative());
+        let comparison = Comparison::new(order, weights, self.mesh().len(), tolerance.relative());
         let rough = Rough { u: self, unit, mean, order, weights, comparison };
-        let (exact, exact_error) = rough.comparison.exact(self.partition(), &rough.whole(), rest, goal)?;
-        let mut first = match self.partition().uniform_length() {
-            Some(_) => self.partition().len(),
-            None => (2 * self.partition().len()).next_power_of_two(),
+        let (exact, exact_error) = rough.comparison.exact(self.mesh(), &rough.whole(), rest, goal)?;
+        let mut first = match self.mesh().uniform_length() {
+            Some(_) => self.mesh().len(),
+            None => (2 * self.mesh().len()).next_power_of_two(),
         };
         // Above order 1/2 meshes coarser than that of f will often do.
         let coarser = if nu >= 0.5 { 64 } else { 4 };

@@ -163,7 +163,7 @@ impl PiecewisePolynomial {
         if unit == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
-        let total = self.partition().total();
+        let total = self.mesh().total();
         let cells = Cells::new(self, unit)?;
         let (mut mean, mut rest) = (0.0, cells);
         if ends == Ends::Neumann {
@@ -172,15 +172,14 @@ impl PiecewisePolynomial {
             // what is left of a constant is its rounding
             let ulps = 8.0 * f64::EPSILON * mean.abs();
             if rest.square() <= ulps * ulps {
-                let work = Work { points: self.partition().len() as u64, ..Work::default() };
+                let work = Work { points: self.mesh().len() as u64, ..Work::default() };
                 return Estimate::new(mean.abs(), 2.0 * ulps, work)?.times(unit)?.times(total.sqrt());
             }
         }
         let shifted = 4.0 * f64::EPSILON * mean.abs();
         let goal = (1e-2 * tolerance.relative()).max(f64::EPSILON);
         let (value, error, passes) = power_form(&Load::new(ends, total, rest, 1.0)?, order, goal);
-        let work =
-            Work { points: passes * self.partition().len() as u64, iterations: passes, ..Work::default() };
+        let work = Work { points: passes * self.mesh().len() as u64, iterations: passes, ..Work::default() };
         let error = error + 2.0 * shifted * value.max(0.0).sqrt() + 2.0 * shifted * mean.abs();
         let found =
             Estimate::new(mean * mean + value, error, work)?.sqrt()?.times(unit)?.times(total.sqrt())?;

@@ -38,7 +38,7 @@ pub(super) struct FieldCells {
 impl FieldCells {
     pub(super) fn new(difference: &Difference, tolerance: f64) -> Result<Self> {
         let (function, field) = (difference.function, difference.field);
-        let planned = layout(field.partition(), function.breaks())?;
+        let planned = layout(field.mesh(), function.breaks())?;
         let found: Vec<Vec<(Part, Content)>> = parallel::map_together(planned.len(), TOGETHER, &|k| {
             let part = &planned[k];
             if part.is_singular {

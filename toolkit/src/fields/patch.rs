@@ -37,7 +37,7 @@ pub(super) fn patch<'a>(
     if !right.is_empty() {
         breaks.push(centre + other);
     }
-    let lengths = field.partition().lengths();
+    let lengths = field.mesh().lengths();
     let difference = move |position: Position| {
         let (offset, depth) = if position.anchor() == at {
             (position.offset(), Some(position.log_distance()))

@@ -274,15 +274,15 @@ impl Resolved {
 
     fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
         let found = self.u.l2_norm(tolerance)?;
-        let squares = self.residuals.iter().zip(self.u.partition().lengths());
+        let squares = self.residuals.iter().zip(self.u.mesh().lengths());
         let error = squares.map(|(e, h)| h * e * e).sum::<f64>().sqrt();
         Estimate::new(found.value, found.error + error, found.work)
     }
 
     /// The bound of |e|_ν.
     fn error(&self, order: Order) -> f64 {
-        let (kernel, total) = (PowerKernel::new(order), self.u.partition().total());
-        let squares = self.residuals.iter().zip(self.u.partition().lengths()).map(|(residual, &length)| {
+        let (kernel, total) = (PowerKernel::new(order), self.u.mesh().total());
+        let squares = self.residuals.iter().zip(self.u.mesh().lengths()).map(|(residual, &length)| {
             of_residual(kernel, self.degree, residual + 4.0 * f64::EPSILON, length, total)
         });
         squares.sum::<f64>().sqrt()

@@ -111,10 +111,10 @@ impl ElementMesh {
     }
 
     pub(super) fn require_cells(&self, v: &PiecewisePolynomial) -> Result<()> {
-        if v.partition().lengths() == self.cells.lengths() {
+        if v.mesh().lengths() == self.cells.lengths() {
             return Ok(());
         }
-        let (given, expected) = (v.partition().len(), self.cells.len());
+        let (given, expected) = (v.mesh().len(), self.cells.len());
         Err(Error::LengthMismatch { name: "cells of the function (lengths must agree)", given, expected })
     }
 }
@@ -139,7 +139,7 @@ mod tests {
         let cubic = |x: f64| x * (1.0 - x * (2.0 - 0.7 * x));
         let u = PiecewisePolynomial::interpolate(mesh.cells().clone(), 3, cubic).unwrap();
         let projected = mesh.projection(&u.derivative().unwrap()).unwrap();
-        let interpolant = lagrange(projected.partition(), cubic).unwrap().derivative().unwrap();
+        let interpolant = lagrange(projected.mesh(), cubic).unwrap().derivative().unwrap();
         for e in 0..3 {
             let (a, b) = (projected.value(e, 0.5).unwrap(), interpolant.value(e, 0.5).unwrap());
             assert!((a - b).abs() < 1e-14, "{e}: {a} {b}");

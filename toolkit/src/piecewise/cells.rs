@@ -38,7 +38,7 @@ impl<'a> PolynomialCells<'a> {
     }
 
     fn cell(&self, e: usize) -> Cell<'_> {
-        Cell { length: self.u.partition().lengths()[e], piece: &self.u.pieces()[e] }
+        Cell { length: self.u.mesh().lengths()[e], piece: &self.u.pieces()[e] }
     }
 }
 
@@ -75,6 +75,6 @@ impl PiecewisePolynomial {
     /// |u|²_ν by moments, far pairs to the tolerance.
     pub(super) fn by_moments(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let target = SHARE * tolerance.relative();
-        energy(self.partition(), &PolynomialCells::new(self, order, target)?, order, target)
+        energy(self.mesh(), &PolynomialCells::new(self, order, target)?, order, target)
     }
 }

@@ -21,9 +21,9 @@ impl PiecewisePolynomial {
     pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let _: Tolerance = tolerance.given()?;
         let rule = Rule::gauss_legendre(self.degree() + 1)?;
-        let total = self.partition().total();
+        let total = self.mesh().total();
         let (mut sum, mut absolute) = (RunningSum::default(), 0.0);
-        for (piece, &h) in self.pieces().iter().zip(self.partition().lengths()) {
+        for (piece, &h) in self.pieces().iter().zip(self.mesh().lengths()) {
             sum.add(h / total * rule.integrate(|t| piece.value(t)));
             absolute += h / total * piece.size();
         }
@@ -62,10 +62,10 @@ impl PiecewisePolynomial {
             return accept("L^inf norm", peak, tolerance, "rounding of the values");
         }
         let scale = peak.value;
-        let total = self.partition().total();
+        let total = self.mesh().total();
         let rule = Rule::gauss_legendre(12)?;
         let (mut sum, mut error, mut points) = (RunningSum::default(), 0.0, 0);
-        for (piece, &h) in self.pieces().iter().zip(self.partition().lengths()) {
+        for (piece, &h) in self.pieces().iter().zip(self.mesh().lengths()) {
             let weight = h / total;
             if piece.bubbles.is_empty() {
                 sum.add(weight * linear_power(piece.left / scale, piece.right / scale, q));

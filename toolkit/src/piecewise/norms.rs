@@ -79,8 +79,8 @@ impl PiecewisePolynomial {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let total = derivative.partition().total();
-        let same = self.partition().total() == total;
+        let total = derivative.mesh().total();
+        let same = self.mesh().total() == total;
         Error::require("length of the derivative's interval", total, "that of the function", same)?;
         if !self.is_continuous() {
             return Err(Error::InfiniteNorm {
@@ -103,8 +103,8 @@ impl PiecewisePolynomial {
         let rule = Rule::gauss_legendre(self.degree() + 1)?;
         let mut sum = RunningSum::default();
         // The length may overflow a product of its own; the root is taken of values in units of the interval.
-        let total = self.partition().total();
-        for (piece, &h) in self.pieces().iter().zip(self.partition().lengths()) {
+        let total = self.mesh().total();
+        for (piece, &h) in self.pieces().iter().zip(self.mesh().lengths()) {
             sum.add(h / total * rule.integrate(|t| (piece.value(t) / scale).powi(2)));
         }
         let value = scale * (total.sqrt() * sum.value().sqrt());
@@ -134,7 +134,7 @@ impl PiecewisePolynomial {
     fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         self.require_finite_seminorm(order)?;
         let scale = self.spread();
-        let (unit, partition) = self.partition().of_moderate_lengths()?;
+        let (unit, partition) = self.mesh().of_moderate_lengths()?;
         let moderate = self.scaled_by(1.0 / scale).on(partition);
         let root = moderate.seminorm_squared_of_moderate(order, tolerance)?.sqrt()?;
         // ν − 1/2 is rounded for small ν, and the logarithm of the unit may be 700.
@@ -145,7 +145,7 @@ impl PiecewisePolynomial {
         };
         // Exponents like 3 − 2ν are rounded, and they multiply logarithms of such lengths.
         let logarithm =
-            self.partition().lengths().iter().fold(0.0, |most: f64, length| most.max(length.ln().abs()));
+            self.mesh().lengths().iter().fold(0.0, |most: f64, length| most.max(length.ln().abs()));
         let rounding = if unit == 1.0 { 0.0 } else { (4.0 + 0.15 * logarithm) * f64::EPSILON * root.value };
         scaled(scale, scaled(length, Estimate::new(root.value, root.error + rounding, root.work)?)?)
     }

@@ -146,7 +146,7 @@ impl PiecewisePolynomial {
     }
 
     /// The mesh.
-    pub fn partition(&self) -> &Mesh {
+    pub fn mesh(&self) -> &Mesh {
         &self.partition
     }
 

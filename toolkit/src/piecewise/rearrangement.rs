@@ -30,8 +30,8 @@ impl PiecewisePolynomial {
             let (value, range) = (self.degree(), "[0, 1]");
             return Err(Error::CountOutOfRange { name: "degree of a function to rearrange", value, range });
         }
-        let elements: Vec<(f64, f64, f64)> = (0..self.partition().len())
-            .map(|i| Ok((self.partition().lengths()[i], self.value(i, 0.0)?, self.value(i, 1.0)?)))
+        let elements: Vec<(f64, f64, f64)> = (0..self.mesh().len())
+            .map(|i| Ok((self.mesh().lengths()[i], self.value(i, 0.0)?, self.value(i, 1.0)?)))
             .collect::<Result<_>>()?;
         let mut values: Vec<f64> = elements.iter().flat_map(|&(_, left, right)| [left, right]).collect();
         values.sort_by(|a, b| b.total_cmp(a));
@@ -66,7 +66,7 @@ mod tests {
         let partition = Mesh::from_lengths(vec![0.1, 0.2, 0.3, 0.4]).unwrap();
         let steps = PiecewisePolynomial::constants(partition, &[2.0, -1.0, 2.0, 5.0]).unwrap();
         let sorted = steps.decreasing_rearrangement().unwrap();
-        assert_eq!(sorted.partition().lengths(), [0.4, 0.1 + 0.3, 0.2]);
+        assert_eq!(sorted.mesh().lengths(), [0.4, 0.1 + 0.3, 0.2]);
         let value = |i: usize| sorted.value(i, 0.5).unwrap();
         assert_eq!([value(0), value(1), value(2)], [5.0, 2.0, -1.0]);
         assert!(sorted.is_continuous() == steps.is_continuous());
@@ -78,7 +78,7 @@ mod tests {
         let partition = Mesh::from_lengths(lengths).unwrap();
         let u = PiecewisePolynomial::linears(partition, &[0.3, -1.0, 0.7, 0.7, 2.0, 0.1]).unwrap();
         let sorted = u.decreasing_rearrangement().unwrap();
-        assert!(sorted.is_continuous() && (sorted.partition().total() - 1.0).abs() < 1e-15);
+        assert!(sorted.is_continuous() && (sorted.mesh().total() - 1.0).abs() < 1e-15);
         for q in [1.0, 2.0, 5.0] {
             let norm = |u: &PiecewisePolynomial| u.lq_norm(q, Tolerance::new(1e-10).unwrap()).unwrap().value;
             assert!((norm(&sorted) / norm(&u) - 1.0).abs() < 1e-9, "q = {q}");

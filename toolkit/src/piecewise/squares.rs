@@ -51,14 +51,14 @@ impl PiecewisePolynomial {
         order: Order,
         tolerance: Tolerance,
     ) -> Result<Option<Estimate>> {
-        if self.partition().uniform_length().is_some() {
+        if self.mesh().uniform_length().is_some() {
             let found = product()?;
             if is_enough(&found, tolerance) {
                 return Ok(Some(found));
             }
         }
         let found = self.by_moments(order, tolerance)?;
-        Ok((is_enough(&found, tolerance) || self.partition().len() > PATIENT).then_some(found))
+        Ok((is_enough(&found, tolerance) || self.mesh().len() > PATIENT).then_some(found))
     }
 
     fn is_exactly(&self, shape: impl Fn(&Piece) -> bool) -> bool {
@@ -66,7 +66,7 @@ impl PiecewisePolynomial {
     }
 
     fn constants_squared(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let (partition, pieces) = (self.partition(), self.pieces());
+        let (partition, pieces) = (self.mesh(), self.pieces());
         if pieces.iter().all(|piece| piece.left == pieces[0].left) {
             return Estimate::new(0.0, 0.0, Work::default());
         }
@@ -99,7 +99,7 @@ impl PiecewisePolynomial {
     }
 
     fn linears_squared(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let partition = self.partition();
+        let partition = self.mesh();
         let cells = CellPairs::new(order);
         let n = partition.len();
         let mut nodal: Vec<f64> = self.pieces().iter().map(|piece| piece.left).collect();
@@ -128,14 +128,14 @@ impl PiecewisePolynomial {
     }
 
     fn pairs_squared(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        if self.partition().len() > DIRECT_POLYNOMIALS {
+        if self.mesh().len() > DIRECT_POLYNOMIALS {
             let found = self.by_moments(order, tolerance)?;
-            if is_enough(&found, tolerance) || self.partition().len() > PATIENT_POLYNOMIALS {
+            if is_enough(&found, tolerance) || self.mesh().len() > PATIENT_POLYNOMIALS {
                 return Ok(found);
             }
         }
         let pairs = PolynomialPairs::new(order, self.degree().max(1), EXACT)?;
-        let lengths = self.partition().lengths();
+        let lengths = self.mesh().lengths();
         let n = lengths.len();
         let cell = |i: usize| Cell { length: lengths[i], piece: &self.pieces()[i] };
         let total = (0..n)

@@ -74,7 +74,7 @@ impl InterpolationError {
         let (slope, units) = in_units(slope)?;
         let seminorm = slope.seminorm(order, tolerance)?;
         let (l2, derivative) = error_norms(&slope)?;
-        Ok(Self { h: slope.partition().total(), l2, derivative, seminorm, units, order })
+        Ok(Self { h: slope.mesh().total(), l2, derivative, seminorm, units, order })
     }
 
     /// On a mesh: Lemma 6.2 for the slope v of u, and (4.6) for φ = v.
@@ -210,10 +210,10 @@ impl Units {
 
 /// The slope lives on the cells of the mesh.
 fn require_cells(mesh: &ElementMesh, slope: &PiecewisePolynomial) -> Result<()> {
-    if slope.partition().lengths() == mesh.cells().lengths() {
+    if slope.mesh().lengths() == mesh.cells().lengths() {
         return Ok(());
     }
-    let (given, expected) = (slope.partition().len(), mesh.cells().len());
+    let (given, expected) = (slope.mesh().len(), mesh.cells().len());
     Err(Error::LengthMismatch { name: "cells of the function (lengths must agree)", given, expected })
 }
 
@@ -236,7 +236,7 @@ fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)>
     if slope.degree() > 1 {
         return Ok((slope.clone(), Units::ONE));
     }
-    let (lengths, total) = (slope.partition().lengths(), slope.partition().total());
+    let (lengths, total) = (slope.mesh().lengths(), slope.mesh().total());
     let ends = (0..lengths.len()).map(|i| Ok([slope.value(i, 0.0)?, slope.value(i, 1.0)?]));
     let ends = ends.collect::<Result<Vec<[f64; 2]>>>()?;
     let units = Units { length: power_of_two(total), slope: unit_of(ends.iter().flatten()) };

@@ -17,7 +17,7 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// (‖e‖₀, ‖e'‖₀).
 pub(super) fn error_norms(slope: &PiecewisePolynomial) -> Result<(Estimate, Estimate)> {
-    let partition = slope.partition();
+    let partition = slope.mesh();
     let mean = slope.mean(Tolerance::reference())?.value;
     let rule = Rule::gauss_legendre(slope.degree() + 2)?;
     let total = partition.total();

@@ -167,7 +167,7 @@ mod tests {
             let mut slopes = RoughSlopes::new(family, order, 1);
             for _ in 0..200 {
                 let slope = slopes.draw().unwrap();
-                assert!((slope.partition().total() - 1.0).abs() < 1e-14);
+                assert!((slope.mesh().total() - 1.0).abs() < 1e-14);
             }
         }
     }
