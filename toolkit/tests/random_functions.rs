@@ -83,7 +83,7 @@ fn order(random: &mut SplitMix, high: f64) -> Order {
 }
 
 /// Lengths of equal, unequal, graded elements.
-fn mesh(random: &mut SplitMix, count: usize) -> Mesh {
+fn partition(random: &mut SplitMix, count: usize) -> Mesh {
     match random.below(4) {
         0 => Mesh::uniform(count, 1.0).unwrap(),
         1 => Mesh::algebraic(count, random.between(1.5, 4.0), 1.0).unwrap(),
