@@ -33,7 +33,7 @@ impl ExplicitBound {
     /// The bound for an order; `None` for functions that vanish on the zone when ν ≤ 1/2.
     ///
     /// # Errors
-    /// Those of [`gamma_whole`], [`gamma_at_point`] and [`end_limit`].
+    /// Those of [`gamma`] and [`end_limit`].
     pub fn new(
         order: impl Given<Order>,
         condition: Condition,

@@ -207,7 +207,7 @@ impl Scaling {
     /// The zone of length θ.
     ///
     /// # Errors
-    /// Those of [`two_sided`] and [`Place::zone`].
+    /// Those of [`Gamma::bounds`](fractional_sobolev::Gamma::bounds) and [`Place::zone`].
     pub fn point(&self, theta: f64) -> Result<ScalingPoint> {
         let zone = self.place.zone(theta)?;
         let found =

@@ -154,7 +154,7 @@ pub fn closing_factor(order: impl Given<Order>, start: f64, theta: f64) -> Resul
 /// and (5.6) ‖u‖\_{0,I} ≤ θ^{−1/2} |c| + θ^{−ν} γ_θ |u|\_{ν,I}.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless 0 < θ < 1 and θ^(2^steps) ≥ 1e-300; those of [`extremal`].
+/// [`Error::OutOfRange`] unless 0 < θ < 1 and θ^(2^steps) ≥ 1e-300; those of [`gamma`].
 ///
 /// ```
 /// use experiments::induction::induction;

@@ -71,7 +71,7 @@ impl Places {
     /// Zones (a, a+θ) at a = `fractions` × (1 − θ).
     ///
     /// # Errors
-    /// [`Error::EntryOutOfRange`] for a fraction outside [0, 1], and those of [`two_sided`] and [`Zone::at`].
+    /// [`Error::EntryOutOfRange`] for a fraction outside [0, 1], and those of [`Gamma::bounds`](fractional_sobolev::Gamma::bounds) and [`Zone::at`].
     pub fn new(
         order: impl Given<Order>,
         theta: f64,

@@ -97,7 +97,7 @@ pub struct VariantRow {
 /// point goes to n = 128, elimination to n = 1024. `report` is called before each solution.
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless 2 ≤ levels ≤ 9; whatever meshes, problems, solvers and `report` return.
+/// [`ToolkitError::CountOutOfRange`] unless 2 ≤ levels ≤ 9; whatever meshes, problems, solvers and `report` return.
 pub fn manufactured_by_every_variant(
     n: usize,
     levels: usize,

@@ -15,7 +15,7 @@ const NEAREST: f64 = 1e-8;
 /// zone is shaded, and the legend carries γ_θ(ν).
 ///
 /// # Errors
-/// As for [`extremal`].
+/// As for [`fractional_sobolev::gamma`].
 ///
 /// ```
 /// use example_frame::poincare::extremal_chart;

@@ -12,7 +12,7 @@ const MAKES_WAY: f64 = 1e-5;
 
 /// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
 ///
-/// Returned by [`super::extremal`].
+/// Returned by [`crate::Gamma::extremal`].
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Order, gamma, Tolerance};
