@@ -20,12 +20,11 @@ const NEAR_HALF: f64 = 0.01;
 /// | --- | --- | --- | --- |
 /// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, `end_limit` | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
 /// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), [`super::UniformLaw`] | γ² ~ L/(2π²) |
-/// | > 1/2 | C | γ₀(ν), `gamma_at_point` | the same at the point |
+/// | > 1/2 | C | γ₀(ν), `Constraint::vanishing_at` | the same at the point |
 ///
 /// A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν.
 ///
 /// ```
-/// use experiments::zones::{Place};
 /// use fractional_sobolev::{Constraint, Order, gamma, LimitLaw, Tolerance};
 /// let (order, asked) = (Order::HALF, Tolerance::balanced());
 /// if let Some(law) = LimitLaw::new(order, 0.0, asked)? {
