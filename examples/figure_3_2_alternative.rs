@@ -7,7 +7,7 @@
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
 use experiments::proof::{Against, AlternativeCase, AlternativeStudy, Exponent};
-use signorini::proof::{Case, Section, ThetaRule, printed_exponent};
+use signorini::proof::{Alternative, Section, ThetaRule, printed_exponent};
 use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;
 
@@ -72,7 +72,7 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
     let carriers = last.map(|row| (row.classification.carriers(CARRIES) as f64, 0.0));
     let pair = last.zip(other.rows.last()).map(|(a, b)| (&a.classification, &b.classification));
     let moved = pair.map(|(a, b)| (a.differences(b) as f64, 0.0));
-    let carried = last.map(|row| row.classification.term(Case::Second) / row.classification.total());
+    let carried = last.map(|row| row.classification.term(Alternative::Second) / row.classification.total());
     let totals: Vec<(f64, f64)> =
         study.rows.iter().map(|r| (1.0 / r.n as f64, r.classification.total())).collect();
     let order = Exponent::fit(&totals).ok().filter(|_| !options.over_theta).map(|e| (e.value, e.uncertainty));

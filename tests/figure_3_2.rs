@@ -3,7 +3,7 @@
 use signorini::edge::{EdgeTrace, Interval};
 
 use experiments::proof::{Against, AlternativeCase};
-use signorini::proof::{Case, NearVertices, Section, ThetaRule};
+use signorini::proof::{Alternative, Section, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]
@@ -22,9 +22,11 @@ fn every_segment_of_the_block_is_in_a_case() {
             AlternativeCase::new(Section::Three, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
         for row in &study.rows {
             let found = &row.classification;
-            assert_eq!(found.count(Case::Neither), 0, "{scene} tau {tau} n {}", row.n);
-            let counted: usize =
-                [Case::First, Case::Second, Case::Both].map(|case| found.count(case)).iter().sum();
+            assert_eq!(found.count(Alternative::Neither), 0, "{scene} tau {tau} n {}", row.n);
+            let counted: usize = [Alternative::First, Alternative::Second, Alternative::Both]
+                .map(|case| found.count(case))
+                .iter()
+                .sum();
             assert_eq!(counted, row.n, "{scene} tau {tau} n {}", row.n);
             assert!(
                 found.segments().iter().all(|s| s.term >= 0.0),
@@ -82,7 +84,8 @@ fn classification_agrees_with_the_definition_point_by_point() {
         let trace = EdgeTrace::new(nodes, displacement, force, 0.0).unwrap();
         // no grid point within rounding of a limit: theta is not a multiple of the grid
         let theta = 0.013 + 0.9 * random();
-        let found = NearVertices::new(theta).unwrap().classify(&trace, Interval { start: 0.0, end: 1.0 });
+        let edge = Interval { start: 0.0, end: 1.0 };
+        let found = Alternative::on_segment(Section::Three, &trace, edge, theta).unwrap();
         let zero_at = |x: f64| trace.displacement_at(x) == 0.0;
         let near = |from_right: bool| {
             (0..GRID)
@@ -90,8 +93,8 @@ fn classification_agrees_with_the_definition_point_by_point() {
                 .take_while(|&d| d < theta)
                 .any(|d| zero_at(if from_right { 1.0 - d } else { d }))
         };
-        assert_eq!(found.first, near(false) && near(true), "case {case}, theta {theta}");
-        assert!(found.first || found.second, "case {case}, theta {theta}");
+        assert_eq!(found.first(), near(false) && near(true), "case {case}, theta {theta}");
+        assert!(found.first() || found.second(), "case {case}, theta {theta}");
     }
 }
 
@@ -112,7 +115,7 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
             for row in case.over_size().unwrap().rows.iter().chain(&case.over_theta().unwrap().rows) {
                 let found = &row.classification;
                 assert_eq!(
-                    found.count(Case::Neither),
+                    found.count(Alternative::Neither),
                     0,
                     "{scene} {against} n {} theta {}",
                     row.n,
@@ -144,8 +147,10 @@ fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
         )
     };
     let study = case.over_theta().unwrap();
-    let first = |c: &signorini::proof::Classification| c.count(Case::First) + c.count(Case::Both);
-    let second = |c: &signorini::proof::Classification| c.count(Case::Second) + c.count(Case::Both);
+    let first =
+        |c: &signorini::proof::Classification| c.count(Alternative::First) + c.count(Alternative::Both);
+    let second =
+        |c: &signorini::proof::Classification| c.count(Alternative::Second) + c.count(Alternative::Both);
     for pair in study.rows.windows(2) {
         assert!(first(&pair[0].classification) >= first(&pair[1].classification));
         assert!(second(&pair[0].classification) <= second(&pair[1].classification));
@@ -162,27 +167,31 @@ fn trace(contact: &[(f64, f64)]) -> EdgeTrace {
 }
 
 /// A name, the contact set of the edge, the expected case.
-type Expected<'a> = (&'a str, &'a [(f64, f64)], Case);
+type Expected<'a> = (&'a str, &'a [(f64, f64)], Alternative);
 
 #[test]
 fn degenerate_segments_have_the_expected_class() {
     // the segment [1/4, 3/4], theta = 1/4: pieces of length 1/8 at the vertices
     let segment = Interval { start: 0.25, end: 0.75 };
     let cases: [Expected; 10] = [
-        ("full contact", &[(0.0, 1.0)], Case::First),
-        ("no contact", &[], Case::Second),
-        ("contact elsewhere only", &[(0.0, 0.1875), (0.8125, 1.0)], Case::Second),
-        ("contact up to the left vertex, transition at a node", &[(0.0, 0.25)], Case::Second),
-        ("contact from the right vertex on", &[(0.75, 1.0)], Case::Second),
-        ("transition at either vertex", &[(0.0, 0.25), (0.75, 1.0)], Case::Both),
-        ("one contact point in the middle", &[(0.5, 0.5)], Case::Second),
-        ("two contact points, one near each vertex", &[(0.3125, 0.3125), (0.6875, 0.6875)], Case::First),
-        ("contact begins exactly at distance h theta", &[(0.375, 0.75)], Case::Second),
-        ("contact begins one cell before that", &[(0.359375, 0.75)], Case::First),
+        ("full contact", &[(0.0, 1.0)], Alternative::First),
+        ("no contact", &[], Alternative::Second),
+        ("contact elsewhere only", &[(0.0, 0.1875), (0.8125, 1.0)], Alternative::Second),
+        ("contact up to the left vertex, transition at a node", &[(0.0, 0.25)], Alternative::Second),
+        ("contact from the right vertex on", &[(0.75, 1.0)], Alternative::Second),
+        ("transition at either vertex", &[(0.0, 0.25), (0.75, 1.0)], Alternative::Both),
+        ("one contact point in the middle", &[(0.5, 0.5)], Alternative::Second),
+        (
+            "two contact points, one near each vertex",
+            &[(0.3125, 0.3125), (0.6875, 0.6875)],
+            Alternative::First,
+        ),
+        ("contact begins exactly at distance h theta", &[(0.375, 0.75)], Alternative::Second),
+        ("contact begins one cell before that", &[(0.359375, 0.75)], Alternative::First),
     ];
-    let rule = NearVertices::new(0.25).unwrap();
     for (name, contact, expected) in cases {
-        assert_eq!(rule.classify(&trace(contact), segment).case(), expected, "{name}");
+        let found = Alternative::on_segment(Section::Three, &trace(contact), segment, 0.25);
+        assert_eq!(found.unwrap(), expected, "{name}");
     }
 }
 

@@ -3,7 +3,7 @@
 use signorini::edge::{EdgeTrace, Interval};
 
 use experiments::proof::{Against, AlternativeCase};
-use signorini::proof::{Case, Section, SetDiameter, ThetaRule};
+use signorini::proof::{Alternative, Section, ThetaRule};
 use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]
@@ -19,7 +19,7 @@ fn first_cases_carry_no_pressure_far_from_the_contact_set() {
             AlternativeCase::new(Section::Four, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
         for row in &study.rows {
             let found = &row.classification;
-            assert_eq!(found.count(Case::Neither), 0, "{scene} tau {tau} n {}", row.n);
+            assert_eq!(found.count(Alternative::Neither), 0, "{scene} tau {tau} n {}", row.n);
             assert_eq!(found.segments().len(), row.n);
             assert!(
                 found.segments().iter().all(|s| s.term >= 0.0),
@@ -34,7 +34,7 @@ fn theta_moves_segments_from_the_second_to_the_first_case() {
     let count = |theta: f64| {
         let rule = ThetaRule::Fixed(theta);
         let study = AlternativeCase::new(Section::Four, MeshScene::Block, 16, rule).over_size().unwrap();
-        study.rows[2].classification.count(Case::First)
+        study.rows[2].classification.count(Alternative::First)
     };
     let counts = [0.01, 0.2, 0.6, 0.95].map(count);
     assert!(counts.windows(2).all(|pair| pair[0] <= pair[1]), "{counts:?}");
@@ -67,7 +67,7 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
             for row in case.over_size().unwrap().rows.iter().chain(&case.over_theta().unwrap().rows) {
                 let found = &row.classification;
                 assert_eq!(
-                    found.count(Case::Neither),
+                    found.count(Alternative::Neither),
                     0,
                     "{scene} {against} n {} theta {}",
                     row.n,
@@ -80,7 +80,7 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
 }
 
 /// A name, the contact set of the edge, the expected case.
-type Expected<'a> = (&'a str, &'a [(f64, f64)], Case);
+type Expected<'a> = (&'a str, &'a [(f64, f64)], Alternative);
 
 #[test]
 fn degenerate_segments_have_the_expected_class() {
@@ -88,26 +88,26 @@ fn degenerate_segments_have_the_expected_class() {
     // the segment [1/4, 3/4], theta = 1/4: h_e theta = 1/8
     let segment = Interval { start: 0.25, end: 0.75 };
     let cases: [Expected; 9] = [
-        ("full contact", &[(0.0, 1.0)], Case::Second),
-        ("no contact", &[], Case::First),
-        ("one contact point", &[(0.5, 0.5)], Case::First),
+        ("full contact", &[(0.0, 1.0)], Alternative::Second),
+        ("no contact", &[], Alternative::First),
+        ("one contact point", &[(0.5, 0.5)], Alternative::First),
         (
             "the contact set of the edge is that point and another elsewhere",
             &[(0.5, 0.5), (0.9, 1.0)],
-            Case::First,
+            Alternative::First,
         ),
-        ("contact ends exactly at a vertex: one point", &[(0.0, 0.25)], Case::First),
-        ("a point at either vertex", &[(0.0, 0.25), (0.75, 1.0)], Case::Second),
-        ("transition exactly at a node, diameter equal to h theta", &[(0.0, 0.375)], Case::Both),
-        ("one cell less", &[(0.0, 0.359375)], Case::First),
-        ("two pieces further apart", &[(0.25, 0.25), (0.5, 0.5)], Case::Second),
+        ("contact ends exactly at a vertex: one point", &[(0.0, 0.25)], Alternative::First),
+        ("a point at either vertex", &[(0.0, 0.25), (0.75, 1.0)], Alternative::Second),
+        ("transition exactly at a node, diameter equal to h theta", &[(0.0, 0.375)], Alternative::Both),
+        ("one cell less", &[(0.0, 0.359375)], Alternative::First),
+        ("two pieces further apart", &[(0.25, 0.25), (0.5, 0.5)], Alternative::Second),
     ];
-    let rule = SetDiameter::new(0.25).unwrap();
     for (name, contact, expected) in cases {
         let touching = |x: f64| contact.iter().any(|&(a, b)| x >= a && x <= b);
         let displacement = nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
         let force = nodes.iter().map(|&x| if touching(x) { 1.0 } else { 0.0 }).collect();
         let trace = EdgeTrace::new(nodes.clone(), displacement, force, 0.0).unwrap();
-        assert_eq!(rule.classify(&trace, segment).case(), expected, "{name}");
+        let found = Alternative::on_segment(Section::Four, &trace, segment, 0.25);
+        assert_eq!(found.unwrap(), expected, "{name}");
     }
 }

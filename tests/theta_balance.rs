@@ -3,7 +3,7 @@
 
 use experiments::proof::ElementBalance;
 use signorini::cone::Cone;
-use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
+use signorini::edge::{ContactPair, Traces};
 use signorini::strip::{EdgeData, Levels, Sides};
 
 #[allow(dead_code)]
@@ -36,7 +36,6 @@ fn no_random_pair_exceeds_the_worst_pair() {
         let worst = balance.worst_pairs(h).unwrap().iter().fold(0.0, |m: f64, p| m.max(p.value));
         let traces = Traces::for_regularity(tau);
         let order = balance.constants().order();
-        let form = SeminormForm::new(traces, order, cells).unwrap();
         let mut closest = 0.0f64;
         for _ in 0..200 {
             // Contact on [a, 1 - b] with powers of the distance on either side of the transitions.
@@ -56,7 +55,7 @@ fn no_random_pair_exceeds_the_worst_pair() {
             let forces = (0..=cells).map(force).collect();
             let scene = EdgeData::new(cells, Sides::Natural, values, forces).unwrap();
             let pair = ContactPair::of_scene(&scene, traces).unwrap();
-            let norms = SegmentNorms::new(&pair.edge(), 2.0, &form).unwrap();
+            let norms = pair.norms(1, order, 2.0).unwrap()[0];
             let size = (norms.stress.norm_squared() * norms.slope.norm_squared()).sqrt();
             let quotient = norms.nodal_term / size;
             closest = closest.max(quotient / worst);

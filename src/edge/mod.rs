@@ -4,9 +4,8 @@
 //! | paper | here |
 //! | --- | --- |
 //! | u_N and −σ_N dΓ of a computed solution | [`EdgeTrace`]: nodal values and point forces |
-//! | (u_N, σ_N) with finite norms of order ν = τ − 3/2 | [`ContactPair`], cut into [`Segment`]s T ∩ Γ_C |
-//! | norms (1.1) on a segment | [`SegmentNorms`] |
-//! | seminorms on a segment | [`SeminormForm`], [`seminorm_by_quadrature`] |
+//! | (u_N, σ_N) with finite norms of order ν = τ − 3/2 | [`ContactPair`] |
+//! | norms (1.1) on each segment T ∩ Γ_C | [`ContactPair::norms`], [`SegmentNorms`] |
 //! | ‖u_N‖_{τ−1/2}, ‖σ_N‖_{τ−3/2} on Γ_C | [`edge_norms`] |
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
 //! | contact and gaps in ln r, r the distance from an end | [`radial_intervals`] |
@@ -37,9 +36,8 @@ mod trace;
 
 pub use consistency::{midpoint_term, nodal_term};
 pub use consistency_levels::consistency_terms;
-pub use norms::{EdgeNorms, edge_norm, edge_norms};
-pub use pair::{ContactPair, Segment, Traces};
+pub use norms::{EdgeNorms, edge_norms};
+pub use pair::{ContactPair, Traces};
 pub use radial::{RadialInterval, radial_intervals};
 pub use segment::{SegmentNorms, TraceNorms};
-pub use seminorm::{SegmentTrace, SeminormForm, seminorm_by_quadrature};
 pub use trace::{EdgeTrace, Interval};

@@ -21,14 +21,6 @@ pub struct EdgeNorms {
     pub pressure: f64,
 }
 
-/// (‖u_N‖²_{τ−1/2} + ‖σ_N‖²_{τ−3/2})^{1/2}, 3/2 < τ < 2.
-///
-/// # Errors
-/// As [`edge_norms`].
-pub fn edge_norm(scene: &EdgeData, tau: f64) -> Result<f64> {
-    Ok(edge_norms(scene, tau)?.norm)
-}
-
 /// Norm and seminorms, 3/2 < τ < 2.
 ///
 /// # Errors
@@ -97,12 +89,12 @@ mod tests {
         // terms are left.
         let square = |cells: usize| {
             let scene = TransitionPowers::of_regularity(tau).data(a, cells).unwrap();
-            edge_norm(&scene, at).unwrap().powi(2)
+            edge_norms(&scene, at).unwrap().norm.powi(2)
         };
         let (coarse, fine, ratio) = (square(1 << 14), square(1 << 16), 4f64.powf(-0.3));
         let limit = ((fine - ratio * coarse) / (1.0 - ratio)).sqrt();
         assert!((limit / exact - 1.0).abs() < 5e-3, "{limit} {exact}");
         let scene = TransitionPowers::of_regularity(tau).data(a, 64).unwrap();
-        assert!(edge_norm(&scene, 2.0).is_err() && edge_norm(&scene, 1.5).is_err());
+        assert!(edge_norms(&scene, 2.0).is_err() && edge_norms(&scene, 1.5).is_err());
     }
 }

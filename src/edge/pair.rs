@@ -136,7 +136,7 @@ impl ContactPair {
     }
 
     /// Which functions the traces are.
-    pub fn traces(&self) -> Traces {
+    pub(super) fn traces(&self) -> Traces {
         self.traces
     }
 
@@ -145,16 +145,11 @@ impl ContactPair {
         self.slopes.len()
     }
 
-    /// The whole edge as one segment.
-    pub fn edge(&self) -> Segment<'_> {
-        self.segment(0, self.cells())
-    }
-
     /// The n equal contact segments of a coarse mesh.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N.
-    pub fn segments(&self, n: usize) -> Result<impl Iterator<Item = Segment<'_>>> {
+    pub(super) fn segments(&self, n: usize) -> Result<impl Iterator<Item = Segment<'_>>> {
         if n == 0 || !self.cells().is_multiple_of(n) {
             let range = "the divisors of the number of fine cells";
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "segments", value: n, range }));
@@ -176,7 +171,7 @@ impl ContactPair {
 
 /// The pair on one segment T ∩ Γ_C.
 #[derive(Debug, Clone, Copy)]
-pub struct Segment<'a> {
+pub(super) struct Segment<'a> {
     pub(super) traces: Traces,
     /// Length of a cell.
     pub(super) cell: f64,
@@ -187,7 +182,7 @@ pub struct Segment<'a> {
 
 impl Segment<'_> {
     /// h_e.
-    pub fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.cell * self.slopes.len() as f64
     }
 
@@ -216,7 +211,7 @@ mod tests {
                 let scene = source.data(tau, 1 << 10, sides).unwrap();
                 for traces in [Traces::Constants, Traces::Linears] {
                     let pair = ContactPair::of_scene(&scene, traces).unwrap();
-                    let edge = pair.edge();
+                    let edge = pair.segment(0, pair.cells());
                     for i in 0..pair.cells() {
                         let open =
                             edge.values[i] != 0.0 || edge.values[i + 1] != 0.0 || edge.slopes[i] != [0.0; 2];
@@ -238,7 +233,7 @@ mod tests {
     #[test]
     fn the_slope_integrates_to_the_displacement() {
         let pair = ContactPair::smooth_transition(1 << 8, 0.3, 2.25).unwrap();
-        let edge = pair.edge();
+        let edge = pair.segment(0, pair.cells());
         for i in 0..pair.cells() {
             let step = 0.5 * edge.cell * (edge.slopes[i][0] + edge.slopes[i][1]);
             assert!((edge.values[i + 1] - edge.values[i] - step).abs() < 1e-14);

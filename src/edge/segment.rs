@@ -1,12 +1,13 @@
 //! Every norm of a pair (u_N, σ_N) on one contact segment that the proofs of Theorems 3.1 and 4.1 name.
 //!
 //! Traces are polynomials on cells, so all integrals of products are exact (three Gauss points per cell); L^q
-//! norms in closed form; seminorms by [`SeminormForm`]. Cost: O(K log K) for a segment of K cells.
+//! norms in closed form; seminorms of order ν by the Gram matrix of the cells of a segment as a fast product.
 
-use super::pair::Segment;
+use super::pair::{ContactPair, Segment};
 use super::seminorm::SeminormForm;
 use crate::error::Result;
-use fractional_sobolev::{Estimate, Rule};
+use fractional_sobolev::{Estimate, Given, Order, Rule};
+use rayon::prelude::*;
 
 /// The norms of one segment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,11 +99,7 @@ impl TraceNorms {
 }
 
 impl SegmentNorms {
-    /// All norms of a segment, L^q with the given q.
-    ///
-    /// # Errors
-    /// As [`SeminormForm::squared`].
-    pub fn new(segment: &Segment<'_>, q: f64, form: &SeminormForm) -> Result<Self> {
+    fn new(segment: &Segment<'_>, q: f64, form: &SeminormForm) -> Result<Self> {
         let stress = TraceNorms::new(segment, segment.pressures, q, form)?;
         let slope = TraceNorms::new(segment, segment.slopes, q, form)?;
         let integrals = Integrals::new(segment)?;
@@ -142,6 +139,20 @@ impl SegmentNorms {
     /// diam C_T, `None` without contact.
     pub fn contact_diameter(&self) -> Option<f64> {
         self.zero_distance.map(|[left, right]| (self.length - left - right).max(0.0))
+    }
+}
+
+impl ContactPair {
+    /// The norms on each of n equal contact segments, in order; n = 1 is the whole edge. Seminorms of order ν, L^q
+    /// norms with the given q ≥ 1, rounding relative to the norms. Cost: O(N log(N/n)) for N cells.
+    ///
+    /// # Errors
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N;
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2.
+    pub fn norms(&self, segments: usize, order: impl Given<Order>, q: f64) -> Result<Vec<SegmentNorms>> {
+        let parts: Vec<Segment<'_>> = self.segments(segments)?.collect();
+        let form = SeminormForm::new(self.traces(), order.given()?, self.cells() / segments)?;
+        parts.par_iter().map(|segment| SegmentNorms::new(segment, q, &form)).collect()
     }
 }
 

@@ -25,7 +25,7 @@ impl Interval {
     }
 
     /// The common part, if there is one; it may be a point.
-    pub fn intersection(&self, other: &Interval) -> Option<Interval> {
+    fn intersection(&self, other: &Interval) -> Option<Interval> {
         let (start, end) = (self.start.max(other.start), self.end.min(other.end));
         (start <= end).then_some(Interval { start, end })
     }
@@ -118,12 +118,12 @@ impl EdgeTrace {
 
     /// The parts of the contact set in a segment, in order; touching a vertex counts. Cost: logarithmic, and
     /// those parts.
-    pub fn contact_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
+    pub(crate) fn contact_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
         parts_in(&self.contact, segment)
     }
 
     /// The parts of the support of σ_N in a segment.
-    pub fn pressed_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
+    pub(crate) fn pressed_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
         parts_in(&self.pressed, segment)
     }
 

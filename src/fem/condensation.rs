@@ -110,11 +110,6 @@ impl Condensation {
         &self.schur
     }
 
-    /// Number of stored entries of the factor.
-    pub fn factor_entries(&self) -> usize {
-        self.fronts.iter().map(Front::entries).sum()
-    }
-
     /// Forward elimination of a load on all unknowns; entries at prescribed unknowns are ignored.
     pub fn reduce(&self, load: &[f64]) -> Reduced {
         let mut values: Vec<f64> = self.unknowns.iter().map(|&unknown| load[unknown as usize]).collect();

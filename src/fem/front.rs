@@ -116,10 +116,6 @@ impl Front {
         Ok((self, Update { rows, values: update }))
     }
 
-    pub(super) fn entries(&self) -> usize {
-        self.panel.len()
-    }
-
     fn columns(&self) -> impl DoubleEndedIterator<Item = (usize, &[f64], &[f64])> {
         let p = self.pivots.len();
         let height = p + self.rows.len();

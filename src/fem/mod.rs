@@ -14,7 +14,6 @@ mod loads;
 mod matrix;
 mod ordering;
 mod pool;
-mod recovery;
 mod stencil;
 mod stress;
 
@@ -29,6 +28,5 @@ pub use frame::Frame;
 pub(crate) use frame::Frames;
 pub use loads::{consistent_load, surface_load, volume_load};
 pub use matrix::BlockMatrix;
-pub use recovery::recovered_gradients;
 pub(crate) use stencil::{Block, NEIGHBOURS, Stencils};
 pub use stress::{Stress, gradients, stresses};

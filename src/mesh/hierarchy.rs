@@ -6,7 +6,7 @@
 
 use super::bisection::bisect;
 use super::edges::Edges;
-use super::geometry::{BoundaryEdge, Part, Point, distance, middle};
+use super::geometry::{BoundaryEdge, Point, distance, middle};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::memory::require_memory;
@@ -74,6 +74,15 @@ impl Hierarchy {
     /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as little
     /// as keeps the mesh conforming and its angles bounded below (longest edges are halved first).
     ///
+    /// ```
+    /// use signorini::mesh::{Hierarchy, Part, Sides, unit_square};
+    /// let mut hierarchy = Hierarchy::new(unit_square(4, Sides::HANGING)?);
+    /// let on = hierarchy.finest().nodes_on(Part::Contact);
+    /// hierarchy.refine_where(|mesh, t| mesh.triangles()[t].iter().any(|&node| on[node]))?;
+    /// assert!(hierarchy.finest().triangles().len() > 32);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`Hierarchy::refined`].
     pub fn refine_where(&mut self, marked: impl Fn(&Triangulation, usize) -> bool) -> Result<()> {
@@ -129,18 +138,6 @@ impl Hierarchy {
         for _ in 0..times {
             self.refine_where(|mesh, t| distance(middle(mesh.corners(t)), point) < radius)?;
             radius *= 0.5;
-        }
-        Ok(())
-    }
-
-    /// Adds `times` levels graded toward the boundary edges with the given label.
-    ///
-    /// # Errors
-    /// As for [`Hierarchy::refined`].
-    pub fn refine_toward_part(&mut self, part: Part, times: usize) -> Result<()> {
-        for _ in 0..times {
-            let on = self.finest().nodes_on(part);
-            self.refine_where(|mesh, t| mesh.triangles()[t].iter().any(|&node| on[node]))?;
         }
         Ok(())
     }

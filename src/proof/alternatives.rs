@@ -19,79 +19,77 @@ use crate::error::Result;
 
 /// Which cases hold on a segment; at least one does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Alternative {
-    /// The first case holds.
-    pub first: bool,
-    /// The second case holds.
-    pub second: bool,
-}
-
-/// What is said of a segment: one case, the other, or both.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Case {
-    /// The first only.
+pub enum Alternative {
+    /// The first case only.
     First,
-    /// The second only.
+    /// The second case only.
     Second,
-    /// Both.
+    /// Both cases.
     Both,
-    /// None: would contradict the paper.
+    /// No case: would contradict the paper.
     Neither,
 }
 
 impl Alternative {
+    fn new(first: bool, second: bool) -> Self {
+        match (first, second) {
+            (true, true) => Alternative::Both,
+            (true, false) => Alternative::First,
+            (false, true) => Alternative::Second,
+            (false, false) => Alternative::Neither,
+        }
+    }
+
+    /// The first case holds, alone or with the second.
+    pub fn first(self) -> bool {
+        matches!(self, Alternative::First | Alternative::Both)
+    }
+
+    /// The second case holds, alone or with the first.
+    pub fn second(self) -> bool {
+        matches!(self, Alternative::Second | Alternative::Both)
+    }
+
     /// The cases that hold on a segment of length h with these norms. Section 3: zeros of u_N nearer than h θ to both
     /// vertices; σ_N = 0 on a length of at least h θ at a vertex. Section 4: diam C_T ≤ h θ, where an empty C_T
     /// counts as 0; diam C_T ≥ h θ for a set that is not empty.
     pub fn of_norms(section: Section, norms: &SegmentNorms, theta: f64) -> Self {
         let reach = norms.length * theta;
         match section {
-            Section::Three => Self {
-                first: norms.zero_distance.is_some_and(|d| d.iter().all(|&d| d < reach)),
-                second: norms.free_length >= reach,
-            },
-            Section::Four => Self {
-                first: norms.contact_diameter().is_none_or(|d| d <= reach),
-                second: norms.contact_diameter().is_some_and(|d| d >= reach),
-            },
+            Section::Three => Self::new(
+                norms.zero_distance.is_some_and(|d| d.iter().all(|&d| d < reach)),
+                norms.free_length >= reach,
+            ),
+            Section::Four => Self::new(
+                norms.contact_diameter().is_none_or(|d| d <= reach),
+                norms.contact_diameter().is_some_and(|d| d >= reach),
+            ),
         }
     }
 
-    /// Which cases hold, as one value.
-    pub fn case(&self) -> Case {
-        match (self.first, self.second) {
-            (true, true) => Case::Both,
-            (true, false) => Case::First,
-            (false, true) => Case::Second,
-            (false, false) => Case::Neither,
-        }
-    }
-}
-
-/// The alternative of Section 3, by zeros near both vertices.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NearVertices {
-    theta: f64,
-}
-
-impl NearVertices {
+    /// The cases that hold on a segment of the edge, by the zeros of u_N and the support of σ_N of the trace.
+    /// Section 3: zeros of u_N nearer than h θ to both vertices; no force on a piece of length h θ at a vertex.
+    /// Section 4: the diameter of the contact set of the segment, 0 for the empty set, against h θ.
+    ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < θ < 1.
-    pub fn new(theta: f64) -> Result<Self> {
-        checked_theta(theta).map(|theta| Self { theta })
+    pub fn on_segment(section: Section, trace: &EdgeTrace, segment: Interval, theta: f64) -> Result<Self> {
+        let reach = segment.length() * checked_theta(theta)?;
+        Ok(match section {
+            Section::Three => Self::near_vertices(trace, segment, reach),
+            Section::Four => {
+                let diameter = set_diameter(trace, segment);
+                Self::new(diameter <= reach, diameter >= reach)
+            }
+        })
     }
 
-    /// The cases that hold on `segment`.
-    pub fn classify(&self, trace: &EdgeTrace, segment: Interval) -> Alternative {
-        let reach = segment.length() * self.theta;
+    fn near_vertices(trace: &EdgeTrace, segment: Interval, reach: f64) -> Self {
         let near_start = trace.contact_in(segment).next().is_some_and(|c| c.start - segment.start < reach);
         let near_end = trace.contact_in(segment).next_back().is_some_and(|c| segment.end - c.end < reach);
         let start_piece = Interval { start: segment.start, end: segment.start + reach };
         let end_piece = Interval { start: segment.end - reach, end: segment.end };
-        Alternative {
-            first: near_start && near_end,
-            second: is_unpressed(trace, start_piece) || is_unpressed(trace, end_piece),
-        }
+        Self::new(near_start && near_end, is_unpressed(trace, start_piece) || is_unpressed(trace, end_piece))
     }
 }
 
@@ -102,31 +100,11 @@ fn is_unpressed(trace: &EdgeTrace, piece: Interval) -> bool {
         .all(|common| common.length() == 0.0 && (common.start <= piece.start || common.end >= piece.end))
 }
 
-/// The alternative of Section 4, by the diameter of the contact set of the segment.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SetDiameter {
-    theta: f64,
-}
-
-impl SetDiameter {
-    /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < θ < 1.
-    pub fn new(theta: f64) -> Result<Self> {
-        checked_theta(theta).map(|theta| Self { theta })
-    }
-
-    /// diam C_T; zero when C_T is empty or one point.
-    pub fn diameter(trace: &EdgeTrace, segment: Interval) -> f64 {
-        let mut zeros = trace.contact_in(segment);
-        let Some(first) = zeros.next() else { return 0.0 };
-        zeros.next_back().unwrap_or(first).end - first.start
-    }
-
-    /// The cases that hold on `segment`.
-    pub fn classify(&self, trace: &EdgeTrace, segment: Interval) -> Alternative {
-        let (diameter, limit) = (Self::diameter(trace, segment), segment.length() * self.theta);
-        Alternative { first: diameter <= limit, second: diameter >= limit }
-    }
+/// diam C_T; zero when C_T is empty or one point.
+fn set_diameter(trace: &EdgeTrace, segment: Interval) -> f64 {
+    let mut zeros = trace.contact_in(segment);
+    let Some(first) = zeros.next() else { return 0.0 };
+    zeros.next_back().unwrap_or(first).end - first.start
 }
 
 #[cfg(test)]
@@ -146,41 +124,43 @@ mod tests {
 
     #[test]
     fn section_3_names_the_cases_of_figure_3_2() {
-        let quarter = NearVertices::new(0.25).unwrap();
         let cases = [
-            (vec![(0.0, 1.0)], Case::First),
-            (vec![], Case::Second),
-            (vec![(0.0, 0.5)], Case::Second),
-            (vec![(0.1, 0.9)], Case::First),
-            (vec![(0.0, 0.0), (1.0, 1.0)], Case::Both),
-            (vec![(0.5, 0.5)], Case::Second),
-            (vec![(0.3, 1.0)], Case::Second),
-            (vec![(0.2, 1.0)], Case::First),
-            (vec![(0.0, 0.0)], Case::Second),
+            (vec![(0.0, 1.0)], Alternative::First),
+            (vec![], Alternative::Second),
+            (vec![(0.0, 0.5)], Alternative::Second),
+            (vec![(0.1, 0.9)], Alternative::First),
+            (vec![(0.0, 0.0), (1.0, 1.0)], Alternative::Both),
+            (vec![(0.5, 0.5)], Alternative::Second),
+            (vec![(0.3, 1.0)], Alternative::Second),
+            (vec![(0.2, 1.0)], Alternative::First),
+            (vec![(0.0, 0.0)], Alternative::Second),
         ];
         for (contact, expected) in cases {
-            assert_eq!(quarter.classify(&trace(&contact), SEGMENT).case(), expected, "{contact:?}");
+            let found = Alternative::on_segment(Section::Three, &trace(&contact), SEGMENT, 0.25);
+            assert_eq!(found.unwrap(), expected, "{contact:?}");
         }
     }
 
     #[test]
     fn section_4_compares_the_diameter() {
-        let half = SetDiameter::new(0.5).unwrap();
         let cases = [
-            (vec![], Case::First),
-            (vec![(0.5, 0.5)], Case::First),
-            (vec![(0.2, 0.3), (0.5, 0.6)], Case::First),
-            (vec![(0.0, 0.5)], Case::Both),
-            (vec![(0.0, 0.0), (1.0, 1.0)], Case::Second),
-            (vec![(0.0, 1.0)], Case::Second),
+            (vec![], Alternative::First),
+            (vec![(0.5, 0.5)], Alternative::First),
+            (vec![(0.2, 0.3), (0.5, 0.6)], Alternative::First),
+            (vec![(0.0, 0.5)], Alternative::Both),
+            (vec![(0.0, 0.0), (1.0, 1.0)], Alternative::Second),
+            (vec![(0.0, 1.0)], Alternative::Second),
         ];
         for (contact, expected) in cases {
-            assert_eq!(half.classify(&trace(&contact), SEGMENT).case(), expected, "{contact:?}");
+            let found = Alternative::on_segment(Section::Four, &trace(&contact), SEGMENT, 0.5);
+            assert_eq!(found.unwrap(), expected, "{contact:?}");
         }
     }
 
     #[test]
     fn theta_outside_zero_and_one_is_refused() {
-        assert!(NearVertices::new(1.0).is_err() && SetDiameter::new(f64::NAN).is_err());
+        for (section, theta) in [(Section::Three, 1.0), (Section::Four, f64::NAN)] {
+            assert!(Alternative::on_segment(section, &trace(&[]), SEGMENT, theta).is_err());
+        }
     }
 }

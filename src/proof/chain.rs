@@ -38,19 +38,21 @@ pub fn segment_chain(
     }
 }
 
-/// The last step: the larger of the factors of both cases, with both laws, by which the squared norms of the whole
-/// edge are multiplied.
-pub fn edge_factor(section: Section, h: f64, theta: f64, constants: &ProofConstants) -> TwoLaws {
-    let laws = constants.law(theta);
-    let (first, second) = match section {
-        Section::Three => (
-            section_three::first_factor(h, theta, constants),
-            laws.map(|law| section_three::second_factor(h, constants, law)),
-        ),
-        Section::Four => (
-            section_four::first_factor(h, theta, constants),
-            laws.map(|law| section_four::second_factor(h, constants, law)),
-        ),
-    };
-    if constants.tau() > 2.0 { second } else { second.map(|s| s.max(first)) }
+impl ProofConstants {
+    /// The last step of the chain, [`Step::WholeEdge`]: the larger of the factors of both cases, with both laws, by
+    /// which the squared norms of the whole edge are multiplied.
+    pub fn edge_factor(&self, section: Section, h: f64, theta: f64) -> TwoLaws {
+        let laws = self.law(theta);
+        let (first, second) = match section {
+            Section::Three => (
+                section_three::first_factor(h, theta, self),
+                laws.map(|law| section_three::second_factor(h, self, law)),
+            ),
+            Section::Four => (
+                section_four::first_factor(h, theta, self),
+                laws.map(|law| section_four::second_factor(h, self, law)),
+            ),
+        };
+        if self.tau() > 2.0 { second } else { second.map(|s| s.max(first)) }
+    }
 }

@@ -1,7 +1,8 @@
 //! Every contact segment of a coarse mesh, its cases, and what it adds to the consistency term.
 
-use super::alternatives::{Alternative, Case, NearVertices, SetDiameter};
+use super::alternatives::Alternative;
 use super::section::Section;
+use super::theta::checked_theta;
 use crate::edge::{EdgeTrace, Interval, midpoint_term, nodal_term};
 use crate::error::{Error, Result};
 
@@ -28,13 +29,14 @@ impl Classification {
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 < θ < 1 and the vertices increase.
     pub fn new(section: Section, trace: &EdgeTrace, vertices: &[f64], theta: f64) -> Result<Self> {
-        let (near_vertices, set_diameter) = (NearVertices::new(theta)?, SetDiameter::new(theta)?);
+        checked_theta(theta)?;
         let segments = vertices.windows(2).map(|pair| {
             let segment = Interval { start: pair[0], end: pair[1] };
             Error::require("vertex", pair[1], "increasing vertices", pair[0] < pair[1])?;
-            let (alternative, term) = match section {
-                Section::Three => (near_vertices.classify(trace, segment), nodal_term(trace, segment)),
-                Section::Four => (set_diameter.classify(trace, segment), midpoint_term(trace, segment)),
+            let alternative = Alternative::on_segment(section, trace, segment, theta)?;
+            let term = match section {
+                Section::Three => nodal_term(trace, segment),
+                Section::Four => midpoint_term(trace, segment),
             };
             Ok(ClassifiedSegment { segment, alternative, term })
         });
@@ -47,12 +49,12 @@ impl Classification {
     }
 
     /// Number of segments of this case.
-    pub fn count(&self, case: Case) -> usize {
+    pub fn count(&self, case: Alternative) -> usize {
         self.in_case(case).count()
     }
 
     /// The consistency term summed over the segments of this case.
-    pub fn term(&self, case: Case) -> f64 {
+    pub fn term(&self, case: Alternative) -> f64 {
         sum(self.in_case(case).map(|s| s.term))
     }
 
@@ -74,12 +76,12 @@ impl Classification {
     }
 
     /// The segments of this case, as intervals.
-    pub fn intervals(&self, case: Case) -> Vec<(f64, f64)> {
+    pub fn intervals(&self, case: Alternative) -> Vec<(f64, f64)> {
         self.in_case(case).map(|s| (s.segment.start, s.segment.end)).collect()
     }
 
-    fn in_case(&self, case: Case) -> impl Iterator<Item = &ClassifiedSegment> {
-        self.segments.iter().filter(move |s| s.alternative.case() == case)
+    fn in_case(&self, case: Alternative) -> impl Iterator<Item = &ClassifiedSegment> {
+        self.segments.iter().filter(move |s| s.alternative == case)
     }
 }
 
@@ -99,9 +101,9 @@ mod tests {
         let force = nodes.iter().map(|&x| if x <= 0.625 { 1.0 } else { 0.0 }).collect();
         let trace = EdgeTrace::new(nodes, displacement, force, 1e-12).unwrap();
         let classified = Classification::new(Section::Three, &trace, &[0.0, 0.5, 1.0], 0.25).unwrap();
-        assert_eq!((classified.count(Case::First), classified.count(Case::Second)), (1, 1));
-        assert_eq!(classified.term(Case::First), 0.0);
-        assert_eq!(classified.intervals(Case::Second), vec![(0.5, 1.0)]);
+        assert_eq!((classified.count(Alternative::First), classified.count(Alternative::Second)), (1, 1));
+        assert_eq!(classified.term(Alternative::First), 0.0);
+        assert_eq!(classified.intervals(Alternative::Second), vec![(0.5, 1.0)]);
         // one force in the open segment at a quarter of its length, half a force at the shared vertex (u = 0
         // there)
         assert_eq!(classified.total(), 0.25);

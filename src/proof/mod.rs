@@ -20,8 +20,8 @@ mod theorem_constants;
 mod theta;
 mod worst_pair;
 
-pub use alternatives::{Alternative, Case, NearVertices, SetDiameter};
-pub use chain::{edge_factor, segment_chain, segment_checks};
+pub use alternatives::Alternative;
+pub use chain::{segment_chain, segment_checks};
 pub use check::Check;
 pub use classification::{Classification, ClassifiedSegment};
 pub use constants::ProofConstants;

@@ -19,12 +19,12 @@ pub(super) fn checks(
     let size = norms.force * norms.projection_error[1];
     let mut checks =
         vec![Check::equal(Inequality::MeanZero, norms.projection_term, norms.midpoint_term, size)];
-    if constants.tau() <= 2.0 && Alternative::of_norms(Section::Four, norms, setting.theta).first {
+    if constants.tau() <= 2.0 && Alternative::of_norms(Section::Four, norms, setting.theta).first() {
         first_case(norms, constants, setting.theta, &mut checks);
     }
     let has_contact = norms.zero_distance.is_some();
     if has_contact
-        && (constants.tau() > 2.0 || Alternative::of_norms(Section::Four, norms, setting.theta).second)
+        && (constants.tau() > 2.0 || Alternative::of_norms(Section::Four, norms, setting.theta).second())
     {
         second_case(norms, constants, setting, &mut checks);
     }
@@ -108,7 +108,7 @@ pub(super) fn chain(
         // No contact: the term is zero and nothing is estimated.
         return bounds.map(TwoLaws::same);
     };
-    if constants.tau() <= 2.0 && Alternative::of_norms(Section::Four, norms, theta).first {
+    if constants.tau() <= 2.0 && Alternative::of_norms(Section::Four, norms, theta).first() {
         let (q, power, slope) = (constants.q(), constants.hoelder(), norms.slope.l2);
         let full = norms.stress.norm_squared().sqrt();
         let own = constants.pointwise * h.sqrt() * slope * diameter.powf(power);

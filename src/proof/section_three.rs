@@ -17,10 +17,10 @@ pub(super) fn checks(
     setting: &SegmentSetting,
 ) -> Vec<Check> {
     let mut checks = Vec::new();
-    if Alternative::of_norms(Section::Three, norms, setting.theta).first {
+    if Alternative::of_norms(Section::Three, norms, setting.theta).first() {
         first_case(norms, constants, setting.theta, &mut checks);
     }
-    if Alternative::of_norms(Section::Three, norms, setting.theta).second {
+    if Alternative::of_norms(Section::Three, norms, setting.theta).second() {
         second_case(norms, constants, setting, &mut checks);
     }
     checks
@@ -125,7 +125,7 @@ pub(super) fn chain(
     let mut bounds = [0.0; Step::ALL.len() - 1];
     bounds[0] = norms.nodal_term;
     if let Some(distance) =
-        norms.zero_distance.filter(|_| Alternative::of_norms(Section::Three, norms, theta).first)
+        norms.zero_distance.filter(|_| Alternative::of_norms(Section::Three, norms, theta).first())
     {
         let (q, power) = (constants.q(), constants.hoelder());
         let own = distance[0].max(distance[1]).powf(power);

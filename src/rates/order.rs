@@ -61,7 +61,7 @@ impl fmt::Display for ErrorModel {
 ///
 /// The uncertainty has one meaning: p differs from the limit order by at most this, as far as the levels tell.
 /// It is the largest of four numbers: the change of p when levels are left out, three standard errors from the
-/// residuals, the change under the next model of [`ErrorModel`], and a quarter of what the smooth part O(h)
+/// residuals, the change under the next model (e = C h^p; e² = A h^{2p} + B h²; the same with D h³), and a quarter of what the smooth part O(h)
 /// changes. It is no bound: on synthetic series with a smooth part, log-periodic terms and noise the true order
 /// lies within it in at least 95 % of the cases. A factor |ln h|^q is read as a power: the uncertainty does not
 /// cover it. Cost: a few hundred least squares problems of the size of the series.

@@ -31,7 +31,6 @@ mod zeros;
 
 pub use arc::ArcExponent;
 pub use contact_zone::ContactZone;
-pub use faer::c64;
 pub use mode::Mode;
 pub use regularity::{CornerRegularity, SignCondition};
 pub use spectrum::{Exponent, LARGEST, Spectrum};

@@ -59,7 +59,7 @@ impl Mode {
         };
         let mut mode = Self { wedge: *wedge, lambda, coefficients, origin, is_turned };
         let rays = (0..=RAYS).map(|k| wedge.angle() * k as f64 / RAYS as f64);
-        let sizes = rays.flat_map(|theta| mode.displacement(theta));
+        let sizes = rays.flat_map(|theta| mode.rows(theta).into_iter().take(2));
         let largest = sizes.fold(zero, |m, u| if u.norm() > m.norm() { u } else { m });
         // As a complex number, so that the largest displacement becomes real, too.
         let is_usable = largest.norm() > 0.0 && largest.norm().is_finite();
@@ -92,16 +92,17 @@ impl Mode {
         [radial, tangential * sign, normal * self.lambda, shear * self.lambda * sign]
     }
 
-    /// U(θ), 0 ≤ θ ≤ ω.
-    pub fn displacement(&self, theta: f64) -> [c64; 2] {
+    /// U(θ), 0 ≤ θ ≤ ω: radial and tangential component, each as real and imaginary part; scalar (u, 0).
+    pub fn displacement(&self, theta: f64) -> [(f64, f64); 2] {
         let [a, b, ..] = self.rows(theta);
-        [a, b]
+        [a, b].map(|u| (u.re, u.im))
     }
 
-    /// Σ(θ): the traction across the ray θ, without its factor r^{λ−1}.
-    pub fn traction(&self, theta: f64) -> [c64; 2] {
+    /// Σ(θ): the traction across the ray θ, without its factor r^{λ−1}; normal and tangential component, each as
+    /// real and imaginary part.
+    pub fn traction(&self, theta: f64) -> [(f64, f64); 2] {
         let [.., a, b] = self.rows(theta);
-        [a, b]
+        [a, b].map(|t| (t.re, t.im))
     }
 
     /// (u_N, σ_N) at a side, the first or the second: outward displacement and normal stress; scalar (u,

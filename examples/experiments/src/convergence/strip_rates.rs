@@ -13,7 +13,7 @@ use super::strip_levels::StripLevels;
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use signorini::cone::Cone;
-use signorini::edge::{consistency_terms, edge_norm};
+use signorini::edge::{consistency_terms, edge_norms};
 use signorini::strip::{EdgeData, EdgeOperator, Levels, Reference, StripKind, StripProblem};
 use signorini::{Error, Result, ToolkitError};
 
@@ -81,7 +81,7 @@ impl RateStrip {
                     Some(scene) => scene,
                     None => (family.member)(0, self.reference_cells)?,
                 };
-                norm = Some(edge_norm(&scene, family.tau)?);
+                norm = Some(edge_norms(&scene, family.tau)?.norm);
             }
         }
         let planned = self.levels.cells().count();

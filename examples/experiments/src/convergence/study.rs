@@ -107,8 +107,9 @@ impl RateStudy {
         };
         let (with, without) = (ConvergenceOrder::against(points, Some(h))?, ConvergenceOrder::of(points)?);
         let change = (with.order - without.order).abs();
-        let fit = if self.tau <= ROUGH { with } else { without };
-        Some(ConvergenceOrder { uncertainty: fit.uncertainty.max(UNRESOLVED * change), ..fit })
+        let mut fit = if self.tau <= ROUGH { with } else { without };
+        fit.uncertainty = fit.uncertainty.max(UNRESOLVED * change);
+        Some(fit)
     }
 
     /// quantity / bound(h) on every level that counts.

@@ -43,12 +43,11 @@
 use super::case::ProofCase;
 use super::inequality_profile::{InequalityProfile, tally};
 use super::resolution::Resolution;
-use rayon::prelude::*;
 use signorini::Result;
-use signorini::edge::{ContactPair, SegmentNorms, SeminormForm, Traces};
+use signorini::edge::{ContactPair, SegmentNorms, Traces};
 use signorini::proof::ProofConstants;
 use signorini::proof::Section;
-use signorini::proof::{Alternative, SegmentSetting, edge_factor, segment_chain, segment_checks};
+use signorini::proof::{Alternative, SegmentSetting, segment_chain, segment_checks};
 use signorini::proof::{Step, TwoLaws};
 
 /// One mesh.
@@ -110,15 +109,16 @@ impl ProofCase {
         let traces = Traces::for_regularity(self.tau);
         let finest = self.levels.cells().last().unwrap_or(1);
         let pairs = self.pairs(self.resolution.cells(finest), traces)?;
-        let whole = SeminormForm::new(traces, constants.order(), pairs[0].cells())?;
         let squares = pairs
             .iter()
             .map(|pair| {
-                let edge = SegmentNorms::new(&pair.edge(), constants.q(), &whole)?;
-                Ok(0.5 * (edge.stress.norm_squared() + edge.displacement_norm_squared()))
+                let edge = pair.norms(1, constants.order(), constants.q())?;
+                let square = |norms: &SegmentNorms| {
+                    0.5 * (norms.stress.norm_squared() + norms.displacement_norm_squared())
+                };
+                Ok(edge.iter().map(square).sum())
             })
             .collect::<Result<Vec<f64>>>()?;
-        let mut form: Option<SeminormForm> = None;
         let mut levels = Vec::new();
         for n in self.levels.cells() {
             let own = match self.resolution {
@@ -126,12 +126,7 @@ impl ProofCase {
                 _ => None,
             };
             let pairs = own.as_ref().unwrap_or(&pairs);
-            let cells = pairs[0].cells() / n;
-            let form = match form.take().filter(|form| form.cells() == cells) {
-                Some(known) => form.insert(known),
-                None => form.insert(SeminormForm::new(traces, constants.order(), cells)?),
-            };
-            levels.push(self.level(n, pairs, &squares, form, constants)?);
+            levels.push(self.level(n, pairs, &squares, constants)?);
         }
         Ok(ProofProfile { case: self.clone(), levels })
     }
@@ -141,7 +136,6 @@ impl ProofCase {
         n: usize,
         pairs: &[ContactPair],
         squares: &[f64],
-        form: &SeminormForm,
         constants: &ProofConstants,
     ) -> Result<LevelProfile> {
         let h = 1.0 / n as f64;
@@ -151,13 +145,7 @@ impl ProofCase {
             (Vec::new(), [TwoLaws::default(); Step::ALL.len()], CaseCounts::default());
         let share = 1.0 / pairs.len() as f64;
         for (pair, square) in pairs.iter().zip(squares) {
-            let segments: Vec<_> = pair.segments(n)?.collect();
-            let q = constants.q();
-            let norms: Vec<SegmentNorms> = segments
-                .par_iter()
-                .map(|segment| SegmentNorms::new(segment, q, form))
-                .collect::<Result<_>>()?;
-            for segment in &norms {
+            for segment in &pair.norms(n, constants.order(), constants.q())? {
                 let setting = self.setting(segment, theta, gamma, constants)?;
                 self.count(segment, theta, &mut cases);
                 let checks = segment_checks(self.section, segment, constants, &setting);
@@ -165,7 +153,7 @@ impl ProofCase {
                 tally(&mut inequalities, &checks);
                 rungs.iter_mut().zip(chain).for_each(|(total, part)| total.add(part, share));
             }
-            let factors = edge_factor(self.section, h, theta, constants);
+            let factors = constants.edge_factor(self.section, h, theta);
             rungs[Step::WholeEdge as usize].add(factors.map(|factor| factor * square), share);
         }
         Ok(LevelProfile { n, theta, cases, inequalities, rungs })
@@ -179,7 +167,7 @@ impl ProofCase {
         gamma: f64,
         constants: &ProofConstants,
     ) -> Result<SegmentSetting> {
-        let is_first = Alternative::of_norms(self.section, norms, theta).first;
+        let is_first = Alternative::of_norms(self.section, norms, theta).first();
         let zone = match self.section {
             Section::Three if !is_first => Some(norms.free_length),
             Section::Four if !is_first => norms.contact_diameter(),
@@ -197,9 +185,9 @@ impl ProofCase {
     }
 
     fn count(&self, norms: &SegmentNorms, theta: f64, cases: &mut CaseCounts) {
-        let Alternative { first, second } = Alternative::of_norms(self.section, norms, theta);
-        cases.first += usize::from(first);
-        cases.second += usize::from(second);
-        cases.neither += usize::from(!first && !second);
+        let found = Alternative::of_norms(self.section, norms, theta);
+        cases.first += usize::from(found.first());
+        cases.second += usize::from(found.second());
+        cases.neither += usize::from(found == Alternative::Neither);
     }
 }

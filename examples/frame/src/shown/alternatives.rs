@@ -4,15 +4,15 @@ use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Column, Format, Result, Table};
 use experiments::convergence::observed_orders;
 use experiments::proof::{AlternativeRow, AlternativeStudy};
-use signorini::proof::{Case, Classification};
+use signorini::proof::{Alternative, Classification};
 use signorini::scenes::Scene;
 
 /// Points of a trace that are drawn.
 const DRAWN: usize = 2000;
 
 /// Cases with their names and colours.
-pub const CASES: [(Case, &str, usize); 3] =
-    [(Case::First, "first", 4), (Case::Second, "second", 5), (Case::Both, "both", 2)];
+pub const CASES: [(Alternative, &str, usize); 3] =
+    [(Alternative::First, "first", 4), (Alternative::Second, "second", 5), (Alternative::Both, "both", 2)];
 
 /// Counts and consistency terms by case, one row per mesh or θ.
 ///
@@ -37,8 +37,8 @@ pub fn table(study: &AlternativeStudy) -> Result<Table> {
     let mut table = Table::new(columns);
     for (row, order) in study.rows.iter().zip(observed_orders(&sizes, &totals)?) {
         let found = &row.classification;
-        let counts =
-            [Case::First, Case::Second, Case::Both, Case::Neither].map(|case| found.count(case) as f64);
+        let counts = [Alternative::First, Alternative::Second, Alternative::Both, Alternative::Neither]
+            .map(|case| found.count(case) as f64);
         let terms = CASES.map(|(case, ..)| found.term(case));
         let numbers = [[row.n as f64, row.theta].as_slice(), &counts, &terms].concat();
         table.push(numbers.into_iter().map(Into::into).chain([order.into()]).collect());
@@ -66,7 +66,8 @@ pub fn edge_chart(label: &str, study: &AlternativeStudy, row: &AlternativeRow) -
     for (case, name, colour) in CASES {
         let intervals = row.classification.intervals(case);
         if !intervals.is_empty() {
-            let name = if case == Case::Both { "both cases".to_owned() } else { format!("{name} case") };
+            let name =
+                if case == Alternative::Both { "both cases".to_owned() } else { format!("{name} case") };
             chart = chart.with_bands(name, intervals, PALETTE[colour]);
         }
     }
