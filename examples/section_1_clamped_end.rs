@@ -27,7 +27,7 @@ const POISSON: [f64; 4] = [-0.5, 0.0, 0.25, 0.35];
 /// Loads and their directions in degrees; a scalar body knows the first two.
 const LOADS: [(&str, f64); 4] = [("pull", 90.0), ("press", -90.0), ("back", 180.0), ("forth", 0.0)];
 /// A scaled condition may be violated by this, as in Section 2.
-const JUDGED: f64 = 1e-10;
+const KKT_LIMIT: f64 = 1e-10;
 /// What a second solver and a sum of forces must confirm.
 const DIGITS: f64 = 1e-8;
 /// Solves all bodies under all loads, each with the name of its load.
@@ -68,7 +68,7 @@ pub fn findings(options: &Options, cases: &[(&str, EndCase)]) -> Vec<Finding> {
         ("shape", "the zone's pressure is the closed form to {percent} %", shape, 0.05, "width of the rings"),
         ("deeper", "half the decades give the same places", deeper, 0.5 * two_rings, "one ring"),
         ("angles", "twice the angles move a border by {percent} % of ln r", moved, 0.25, "h^2/epsilon^2"),
-        ("kkt", "every condition is met in every decade", kkt, JUDGED, "as in Section 2"),
+        ("kkt", "every condition is met in every decade", kkt, KKT_LIMIT, "as in Section 2"),
         ("starts", "no contact and full contact lead to one set", starts, 0.0, "one solution"),
         ("cones", "the midpoint cone's borders are {value} decades apart", cones, two_rings, "two rings"),
         ("sets", "two solvers find one set, node by node, in every decade", sets, 0.0, "one solution"),

@@ -1,11 +1,11 @@
-//! Section 2: problems on meshes by two unrelated solvers, judged by one function. Scalar: Remark 1.
+//! Section 2: problems on meshes by two independent solvers, with the KKT residuals of each. Scalar: Remark 1.
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --cone midpoint`
 
 use example_frame::{Error, Finding, Headline, Result, contact};
 use experiments::contact_levels::{SceneRun, SceneStudy};
 use fractional_sobolev::Tolerance;
-use signorini::cone::{Cone, Judgement, NOISE};
+use signorini::cone::{Cone, KKT_ROUNDING, KktResiduals};
 use signorini::contact::{Accuracy, Solver};
 use signorini::scenes::MeshScene::{Corner, Leaning, Raised, Taper};
 use signorini::scenes::{MeshScene, Setting};
@@ -93,21 +93,21 @@ pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
 
 /// A scaled condition may be violated by the error asked for, or by a duality gap of 1e-13 over 1000
 /// unknowns.
-const JUDGED: f64 = 1e-10;
+const KKT_LIMIT: f64 = 1e-10;
 /// What a sum over all nodes, or a second solver, must confirm.
 const EIGHT_DIGITS: f64 = 1e-8;
 
 /// What decides: every solution meets the four conditions, forces add up, solvers and packages agree.
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let Computed { subject, runs } = computed;
-    let judged: Option<Vec<Judgement>> = runs.iter().map(|run| run.judged().ok()).collect();
+    let kkt: Option<Vec<KktResiduals>> = runs.iter().map(|run| run.kkt().ok()).collect();
     let sum = contact::worst(runs.iter().map(|run| run.solution.balance));
     let force = runs.last().map(|run| run.solution.contact_force).map(|f| (f, sum * f.abs()));
-    let asked = runs.iter().filter_map(|run| Some(run.error?.relative_error())).fold(JUDGED, f64::max);
+    let asked = runs.iter().filter_map(|run| Some(run.error?.relative_error())).fold(KKT_LIMIT, f64::max);
     let stalled = runs.iter().filter(|run| !run.solution.status.is_converged()).count();
     let mut found = vec![
         Finding::claim("forces", "loads, reactions and contact force add up to zero")
-            .number(sum, NOISE)
+            .number(sum, KKT_ROUNDING)
             .at_most(asked.max(EIGHT_DIGITS), "eight digits of a sum over all nodes, or the error asked for")
             .otherwise("too few digits: loads, reactions and contact force add up to {value}"),
         Finding::claim("push", "the foundation pushes with {value}")
@@ -121,7 +121,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
         Finding::claim("unique", "there is one solution").by_proof("section_2_elastic_contact"),
     ];
     for (key, holds, fails, figure) in contact::CONDITIONS {
-        let worst = judged.as_ref().map(|all| (contact::worst(all.iter().map(figure)), NOISE));
+        let worst = kkt.as_ref().map(|all| (contact::worst(all.iter().map(figure)), KKT_ROUNDING));
         let condition = Finding::claim(key, holds).number_or(worst, "a force or a gap is not a number");
         let bound = "a duality gap of 1e-13 over 1000 unknowns, or the error asked for";
         found.push(condition.at_most(asked, bound).otherwise(fails));

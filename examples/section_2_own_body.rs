@@ -5,7 +5,7 @@
 use example_frame::contact::{self, Load, Own, OwnOptions, Subject, worst};
 use example_frame::{Finding, Headline, Result};
 use experiments::contact_levels::SceneRun;
-use signorini::cone::{Cone, Judgement, NOISE};
+use signorini::cone::{Cone, KKT_ROUNDING, KktResiduals};
 use signorini::fem::{Form, Lame};
 use std::process::ExitCode;
 
@@ -63,13 +63,13 @@ pub fn compute(options: &Options) -> Result<Computed> {
 /// What a sum over all nodes, a second solver or another frame must confirm.
 const EIGHT_DIGITS: f64 = 1e-8;
 /// A scaled condition may be violated by a duality gap of 1e-13 over 1000 unknowns.
-const JUDGED: f64 = 1e-10;
+const KKT_LIMIT: f64 = 1e-10;
 
 /// What decides: forces balance, every condition is met, solvers agree, J falls, and directions do not
 /// matter.
 pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     let Computed { runs, resultants, turned, .. } = computed;
-    let judged: Option<Vec<Judgement>> = runs.iter().map(|run| run.judged().ok()).collect();
+    let kkt: Option<Vec<KktResiduals>> = runs.iter().map(|run| run.kkt().ok()).collect();
     let imbalance = |forces: &[[f64; 2]; 3]| {
         let size = |[x, y]: [f64; 2]| x.hypot(y);
         let sum = forces.iter().fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
@@ -78,7 +78,7 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     let force = runs.last().map(|run| (run.solution.contact_force, run.solution.balance));
     let mut found = vec![
         Finding::claim("forces", "the resultants of load, clamp and floor add up to zero")
-            .number(worst(resultants.iter().map(imbalance)), NOISE)
+            .number(worst(resultants.iter().map(imbalance)), KKT_ROUNDING)
             .at_most(EIGHT_DIGITS, "eight digits of a sum over all nodes")
             .otherwise("the resultants of load, clamp and floor add up to {value} of their sizes"),
         Finding::claim("push", "the floor pushes with {value}")
@@ -88,9 +88,10 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
             .told(),
     ];
     for (key, holds, fails, figure) in contact::CONDITIONS {
-        let worst = judged.as_ref().map(|all| (worst(all.iter().map(figure)), NOISE));
+        let worst = kkt.as_ref().map(|all| (worst(all.iter().map(figure)), KKT_ROUNDING));
         let condition = Finding::claim(key, holds).number_or(worst, "a force or a gap is not a number");
-        found.push(condition.at_most(JUDGED, "a duality gap of 1e-13 over 1000 unknowns").otherwise(fails));
+        found
+            .push(condition.at_most(KKT_LIMIT, "a duality gap of 1e-13 over 1000 unknowns").otherwise(fails));
     }
     found.extend(contact::solvers_agree(runs, EIGHT_DIGITS));
     let apart = |[a, b]: [f64; 2]| if a == b { 0.0 } else { (a - b).abs() / a.abs() };

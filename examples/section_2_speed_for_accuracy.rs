@@ -6,7 +6,7 @@
 use example_frame::{Finding, Headline, Result, contact, progress};
 use experiments::solver_variants::{SolverVariant, VariantRow, manufactured_by_every_variant};
 use peak_alloc::PeakAlloc;
-use signorini::cone::{Cone, NOISE};
+use signorini::cone::{Cone, KKT_ROUNDING};
 use std::process::ExitCode;
 
 #[global_allocator]
@@ -31,7 +31,7 @@ example_frame::options! {
 pub struct Computed {
     /// Coarsest mesh first.
     pub rows: Vec<VariantRow>,
-    /// The most bytes held for each solution, its problem and its judgement.
+    /// The most bytes held for each solution, its problem and its KKT residuals.
     pub peaks: Vec<f64>,
 }
 
@@ -62,7 +62,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
 }
 
 /// What a condition may be violated by: a duality gap of 1e-13 summed over the unknowns of a mesh of n = 32.
-const JUDGED: f64 = 1e-10;
+const KKT_LIMIT: f64 = 1e-10;
 /// The order settles from mesh to mesh, as the transition moves in its cell: a tenth.
 const SETTLING: f64 = 0.1;
 /// Digits of the error that two ways to one discrete solution share: half of those of J.
@@ -101,20 +101,20 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
         Finding::claim("conditions", "every exact solution meets the discrete conditions")
             .number(
                 contact::worst(rows.iter().filter(|row| row.road != SolverVariant::Share).map(|row| row.kkt)),
-                NOISE,
+                KKT_ROUNDING,
             )
-            .at_most(JUDGED, "a duality gap of 1e-13 over 1000 unknowns")
+            .at_most(KKT_LIMIT, "a duality gap of 1e-13 over 1000 unknowns")
             .otherwise("a discrete condition is violated by {value}"),
         Finding::claim("roads", "every exact road ends at the same error")
-            .number(contact::worst(apart(false)), NOISE)
+            .number(contact::worst(apart(false)), KKT_ROUNDING)
             .at_most(SHARED, "six digits of the error")
             .otherwise("two roads differ by {value} of the error"),
         Finding::claim("share", "a hundredth of the error of discretisation is worth nothing")
-            .number(contact::worst(apart(true)), NOISE)
+            .number(contact::worst(apart(true)), KKT_ROUNDING)
             .at_most(WORTHLESS, "a thousandth of the error")
             .otherwise("an inexact solution changes the error by {value}"),
         Finding::claim("promise", "every true algebraic error is at most {value} of its estimate")
-            .number(contact::worst(promised), NOISE)
+            .number(contact::worst(promised), KKT_ROUNDING)
             .at_most(1.0, "the estimate")
             .otherwise("a true algebraic error is {value} of its estimate")
             .told(),

@@ -69,7 +69,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
 }
 
 /// Every scaled KKT figure must be below this.
-const JUDGED: f64 = 1e-10;
+const KKT_LIMIT: f64 = 1e-10;
 /// Inner iterations allowed in a step, whatever n and the gaps: the preconditioned spectrum is bounded.
 const INNER: f64 = 30.0;
 /// What an order may lack while error/bound climbs to its limit: a fat Cantor set lacks 0.03 on 3-11.
@@ -84,7 +84,7 @@ pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> V
     let falls = if exact { EXACT.to_owned() } else { format!("error {error:.4e} at n = {:.0}", 1.0 / h) };
     let mut found = vec![
         Finding::remark("error", falls).number(error, bar).at_most(errors[0].1, "coarsest level").told(),
-        Finding::claim("kkt", "KKT {value}").number(kkt, 0.0).at_most(JUDGED, "scaled violations").told(),
+        Finding::claim("kkt", "KKT {value}").number(kkt, 0.0).at_most(KKT_LIMIT, "scaled violations").told(),
         Finding::claim("converged", "every level is solved").number(unsolved, 0.0).at_most(0.0, "levels not"),
         Finding::claim("inner", "at most {value} inner steps").number(inner, 0.0).at_most(INNER, "all n"),
     ];

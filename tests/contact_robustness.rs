@@ -193,10 +193,10 @@ fn energy_scale(solution: &ContactSolution) -> f64 {
 
 fn judged(solution: &ContactSolution, case: &str) {
     assert!(
-        !solution.status.is_converged() || solution.judgement.worst() <= KKT,
+        !solution.status.is_converged() || solution.kkt.worst() <= KKT,
         "{case}: {} but {:?}",
         solution.status,
-        solution.judgement
+        solution.kkt
     );
 }
 
@@ -292,7 +292,7 @@ fn nested_starts_need_at_most_four_steps() {
                 let steps = fine.work.iterations;
                 println!("{scene} {cone} n = {n}: {steps} steps, {cold:?} from no contact");
                 assert!(steps <= 4, "{scene} {cone} n = {n}: {steps} steps");
-                let figures = [fine.judgement.worst(), fine.balance];
+                let figures = [fine.kkt.worst(), fine.balance];
                 assert!(figures.iter().all(|&f| f <= FIGURES), "{scene} {cone} n = {n}: {figures:?}");
                 coarse = fine;
             }
@@ -346,7 +346,7 @@ fn weak_contact_is_reported_and_not_in_the_way() {
                 solution.status.is_converged(),
                 "{cone} {solver}: {} {:?}",
                 solution.status,
-                solution.judgement
+                solution.kkt
             );
             assert!(solution.margins.is_weak(1e-12), "{cone} {solver}");
             assert_eq!(solution.energy, 0.0, "{cone} {solver}");

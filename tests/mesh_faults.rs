@@ -27,7 +27,7 @@ fn gmsh_files_are_read() {
     let problem = ContactProblem::new(mesh, elastic(), &load).unwrap();
     let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
     assert_eq!(solution.contact_set.count(), 3);
-    assert!(solution.judgement.worst() < 1e-14);
+    assert!(solution.kkt.worst() < 1e-14);
 }
 
 #[test]

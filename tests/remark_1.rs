@@ -23,7 +23,7 @@ fn both_solvers_agree_on_a_closed_edge_in_both_cones() {
             for cone in Cone::ALL {
                 let [one, other] = [Solver::ActiveSet, Solver::InteriorPoint]
                     .map(|solver| problem.solve(cone, solver).unwrap());
-                assert!(one.status.is_converged() && one.judgement.worst() < 1e-12, "{n} {cone}");
+                assert!(one.status.is_converged() && one.kkt.worst() < 1e-12, "{n} {cone}");
                 assert_eq!(one.positions.len(), 4 * n, "{n} {cone}");
                 assert!(one.positions.windows(2).all(|pair| pair[0] < pair[1]), "{n} {cone}");
                 let apart = (one.energy - other.energy).abs() / other.energy.abs();
@@ -42,7 +42,7 @@ fn full_contact_on_a_ring_is_solved() {
     let problem = ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &load).unwrap();
     for cone in Cone::ALL {
         let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
-        assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-12, "{cone}");
+        assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{cone}");
         assert_eq!(solution.contact_set.count(), 16, "{cone}");
         assert!(solution.multiplier.iter().all(|&force| force > 0.0), "{cone}: {:?}", solution.multiplier);
         let other = problem.solve(cone, Solver::InteriorPoint).unwrap();

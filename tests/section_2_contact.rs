@@ -186,7 +186,7 @@ fn planted_faults_turn_finding_verdict_and_exit_code() {
         runs[0].solution.multiplier[last] = 1e-3 * force;
         runs[0].solution.gap[last] = -1e-3 * displacement;
     });
-    turns("balance", |runs| runs[0].solution.judgement.balance = 1e-9);
+    turns("balance", |runs| runs[0].solution.kkt.balance = 1e-9);
     turns("forces", |runs| runs[0].solution.balance = 1e-7);
     turns("solvers", |runs| runs[1].solution.energy *= 1.0 + 1e-7);
     turns("packages", |runs| runs.iter_mut().for_each(|run| run.solution.energy *= 1.0 + 1e-10));

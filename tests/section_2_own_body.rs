@@ -140,7 +140,7 @@ fn two_contact_edges_have_two_normals() {
     let by_sets = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
     let by_barrier = problem.solve(Cone::Nodal, Solver::InteriorPoint).unwrap();
     assert!((by_sets.energy / by_barrier.energy - 1.0).abs() < 1e-8);
-    assert!(by_sets.judgement.worst() < SUMS && by_sets.balance < SUMS, "{:?}", by_sets.judgement);
+    assert!(by_sets.kkt.worst() < SUMS && by_sets.balance < SUMS, "{:?}", by_sets.kkt);
     // The conditions once more, in Cartesian components: K u - F is the force of the floors, along the
     // normals.
     let mut rest = stiffness(&mesh, &form, &Frame::cartesian()).multiply(&by_sets.displacement);

@@ -69,7 +69,7 @@ fn corner_shows_its_exponent() {
         hierarchy.refine_toward_point([0.0, 0.0], 16).unwrap();
         let problem = MeshScene::Corner.on_with(hierarchy.finest().clone(), &setting).unwrap();
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
-        assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-13, "{angle}");
+        assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{angle}");
         let near = |bound: f64| {
             let at = problem.edge().arc().iter().rposition(|&r| r <= bound).unwrap();
             (problem.edge().arc()[at], solution.normal_displacement[at])
@@ -112,7 +112,7 @@ fn nearly_incompressible_blocks_lock_and_both_solvers_say_the_same() {
         let [a, b] = [Solver::ActiveSet, Solver::InteriorPoint]
             .map(|solver| problem.solve(Cone::Nodal, solver).unwrap());
         assert!((a.energy / b.energy - 1.0).abs() < 1e-8, "{poisson}: {:e} {:e}", a.energy, b.energy);
-        assert!(a.judgement.worst() < 1e-13, "{poisson}");
+        assert!(a.kkt.worst() < 1e-13, "{poisson}");
         let (apart, rounding) = ((a.energy - b.energy).abs(), a.energy_rounding + b.energy_rounding);
         assert!(apart <= 5.0 * rounding, "{poisson}: apart by {apart:e}, rounding {rounding:e}");
         a.energy.abs()

@@ -41,7 +41,7 @@ fn compare(case: &Value, solution: &EdgeSolution) {
         close("u_N", *got, *expected, scale);
     }
     assert!(solution.status.is_converged(), "{name}: {}", solution.status);
-    assert!(solution.judgement.worst() < KKT, "{name}: {:?}", solution.judgement);
+    assert!(solution.kkt.worst() < KKT, "{name}: {:?}", solution.kkt);
 }
 
 fn cone(case: &Value) -> Cone {

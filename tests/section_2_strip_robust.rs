@@ -55,7 +55,7 @@ proptest! {
         for cone in Cone::ALL {
             let solution = solve(strip.operator(), force.clone(), cone);
             prop_assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
-            prop_assert!(solution.judgement.worst() < KKT, "{cone}: {:?}", solution.judgement);
+            prop_assert!(solution.kkt.worst() < KKT, "{cone}: {:?}", solution.kkt);
             let (bound, fixed) = (vec![0.0; cone.constraints(33)], vec![false; 33]);
             let problem = EdgeProblem { stiffness: &matrix, load: &force, bound: &bound, fixed: &fixed, cone, ends: Ends::Open };
             let outcome = solve_on_edge(&problem, ContactSet::empty(cone.constraints(33))).unwrap();
@@ -72,7 +72,7 @@ proptest! {
         for cone in Cone::ALL {
             let solution = solve(strip.operator(), smoothed(&raw, mean, smooth), cone);
             prop_assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
-            prop_assert!(solution.judgement.worst() < KKT, "{cone}: {:?}", solution.judgement);
+            prop_assert!(solution.kkt.worst() < KKT, "{cone}: {:?}", solution.kkt);
         }
     }
 }
@@ -120,13 +120,13 @@ fn no_contact_and_full_contact() {
             let closed = solve(operator, weights(1.0), cone);
             assert!(closed.status.is_converged(), "{cone} {}", closed.status);
             assert_eq!(closed.contact.count(), closed.contact.constraints(), "{cone}");
-            assert!(closed.values.iter().all(|v| v.abs() < 1e-12) && closed.judgement.worst() < 1e-12);
+            assert!(closed.values.iter().all(|v| v.abs() < 1e-12) && closed.kkt.worst() < 1e-12);
             let nothing = solve(operator, vec![0.0; operator.nodes()], cone);
             assert!(nothing.status.is_converged() && nothing.energy == 0.0);
         }
     }
     let smallest = ScalarStrip::new(2, 1).unwrap();
-    assert!(solve(smallest.operator(), vec![1.0, -1.0, 0.5], Cone::Midpoint).judgement.worst() < 1e-12);
+    assert!(solve(smallest.operator(), vec![1.0, -1.0, 0.5], Cone::Midpoint).kkt.worst() < 1e-12);
 }
 
 fn refused<T: std::fmt::Debug, E: std::fmt::Display + std::fmt::Debug>(

@@ -43,7 +43,7 @@ fn contact_beside_a_clamped_end_takes_few_steps_in_either_cone() {
         let scene = ClosedForm { two_transitions, lame: None };
         let coarse = scene.problem(128).unwrap().solve(cone, Solver::ActiveSet).unwrap();
         let (nested, cold) = scene.problem(256).unwrap().solve_after_beside_cold(&coarse).unwrap();
-        assert!(nested.status.is_converged() && nested.judgement.worst() < 1e-12, "{scene} {cone}");
+        assert!(nested.status.is_converged() && nested.kkt.worst() < 1e-12, "{scene} {cone}");
         for steps in [coarse.history.len() as u64, nested.work.iterations, cold.unwrap()] {
             assert!(steps <= 20, "{scene} {cone}: {steps} steps");
         }
@@ -180,7 +180,7 @@ fn quadratics_obey_the_interpolation_constant() {
 fn contact_at_clamped_ends_is_found_in_the_midpoint_cone() {
     let scene = ClosedForm { two_transitions: true, lame: None };
     let solution = scene.problem(512).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
-    assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-12, "{:?}", solution.status);
+    assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{:?}", solution.status);
 }
 
 #[test]

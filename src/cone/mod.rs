@@ -1,5 +1,5 @@
-//! (2.9) and (4.1): the two discrete cones on a contact edge, open or periodic, and how a solution in them is
-//! judged.
+//! (2.9) and (4.1): the two discrete cones on a contact edge, open or periodic, and the KKT residuals of
+//! a solution in them.
 //!
 //! With w_i = (u_N)(x_i) at the nodes of the contact edge, in order, a cone is { w : B w ≤ g }:
 //!
@@ -14,15 +14,15 @@
 //!
 //! No other room knows more of the cones than this one tells: constraints and forces ([`EdgeCone`]), the
 //! faces that a contact set cuts out and their coordinates, projections, multipliers from forces, refinement
-//! of a [`ContactSet`], and the Karush-Kuhn-Tucker figures ([`Evidence`], [`Judgement`], [`Margins`]). It
+//! of a [`ContactSet`], and the KKT residuals ([`KktTerms`], [`KktResiduals`], [`Margins`]). It
 //! knows no mesh and no operator.
 
 mod contact_set;
 mod derivative;
 mod edge_cone;
 mod face;
-mod judge;
 mod kind;
+mod kkt;
 mod projection;
 mod sawtooth;
 mod status;
@@ -30,8 +30,8 @@ mod status;
 pub use contact_set::ContactSet;
 pub use edge_cone::{EdgeCone, Ends};
 pub(crate) use face::{Block, Face};
-pub use judge::{Evidence, Judgement, Margins, NOISE};
 pub use kind::Cone;
+pub use kkt::{KKT_ROUNDING, KktResiduals, KktTerms, Margins};
 pub(crate) use projection::{Weighted, active_on_ring, project_weighted};
 pub(crate) use sawtooth::Coordinates;
 pub use status::Status;

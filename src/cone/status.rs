@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-/// How an iteration ended; the numbers say how far it came. The judgement of the solution stands beside it.
+/// How an iteration ended. Independent of the KKT residuals of the solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Status {
     /// The stopping rule of the solver was met.
     Converged,
-    /// No further progress; `residual` is the worst figure of the judgement.
+    /// No further progress; `residual` is the largest KKT residual.
     Stalled {
         /// Worst of balance, sign, gap and complementarity.
         residual: f64,

@@ -1,12 +1,12 @@
 //! The Karush-Kuhn-Tucker figures ring by ring around a point, each ring by its own scales.
 //!
 //! Near a singular point displacements and forces fall like a power of r: over forty decades nothing of what
-//! happens there is seen beside the largest force. Every ring is judged by [`Evidence`] with the largest
+//! happens there is seen beside the largest force. Every ring has residuals by [`KktTerms`] with the largest
 //! force size (abs(K) abs(u) + abs(F))_i and the largest displacement of the ring itself.
 
 use super::problem::ContactProblem;
 use super::solution::{ContactSolution, gap_of, sizes};
-use crate::cone::{Evidence, Judgement};
+use crate::cone::{KktResiduals, KktTerms};
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, distance};
 use crate::numeric::check::require_values;
@@ -19,12 +19,12 @@ impl ContactProblem {
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the bounds increase; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when
     /// the solution is not one of this problem.
-    pub fn judge_by_radius(
+    pub fn kkt_by_radius(
         &self,
         solution: &ContactSolution,
         centre: Point,
         bounds: &[f64],
-    ) -> Result<Vec<Judgement>> {
+    ) -> Result<Vec<KktResiduals>> {
         require_values("displacement", &solution.displacement, self.unknowns())?;
         if let Some(pair) = bounds.windows(2).find(|pair| pair[0] >= pair[1] || pair[1].is_nan()) {
             return Err(Error::Toolkit(ToolkitError::OutOfRange {
@@ -54,14 +54,14 @@ impl ContactProblem {
                 (0..u.len()).filter(|&i| !self.prescribed[i] && inside(radius[i / c])).collect();
             let constraints: Vec<usize> = (0..gap.len()).filter(|&i| inside(place[i])).collect();
             let pick = |values: &[f64], from: &[usize]| from.iter().map(|&i| values[i]).collect::<Vec<f64>>();
-            Evidence {
+            KktTerms {
                 residual: &pick(&residual, &unknowns),
                 multiplier: &pick(&solution.multiplier, &constraints),
                 gap: &pick(&gap, &constraints),
                 force: largest(&pick(&sizes, &unknowns)),
                 displacement: largest(&pick(&u, &unknowns)),
             }
-            .judge()
+            .residuals()
         };
         bounds.windows(2).map(ring).collect()
     }

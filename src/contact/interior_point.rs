@@ -50,7 +50,7 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
         },
     )?;
     if let Status::Stalled { residual } = &mut solution.status {
-        *residual = solution.judgement.worst();
+        *residual = solution.kkt.worst();
     }
     solution.seconds = Seconds {
         assembly: problem.assembly_seconds(),

@@ -51,7 +51,7 @@ impl ContactProblem {
     /// let load = Field::Vector(&|[x, _]| [0.0, 1.0 - 3.0 * x]).sample(mesh.nodes())?;
     /// let problem = ContactProblem::new(mesh, Form::elastic(Lame::new(1.0, 1.0)?), &load)?;
     /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
-    /// assert!(solution.contact_force > 0.0 && solution.judgement.worst() < 1e-12);
+    /// assert!(solution.contact_force > 0.0 && solution.kkt.worst() < 1e-12);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///

@@ -8,7 +8,7 @@
 
 use super::problem::ContactProblem;
 use super::solver::Solver;
-use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Judgement, Margins, Status};
+use crate::cone::{Cone, ContactSet, EdgeCone, KktResiduals, KktTerms, Margins, Status};
 use crate::error::Result;
 use crate::mesh::Point;
 use crate::numeric::check::require_values;
@@ -16,7 +16,7 @@ use crate::numeric::scale::largest;
 use crate::numeric::sum::{careful_dot, compensated};
 use fractional_sobolev::Work;
 
-/// A solution judged worse than this did not converge, whatever its solver says.
+/// Largest KKT residual of a solution that counts as converged.
 pub(super) const ACCEPTED: f64 = 1e-8;
 
 /// Wall-clock seconds by phase.
@@ -28,7 +28,7 @@ pub struct Seconds {
     pub factorization: f64,
     /// The contact iteration.
     pub contact: f64,
-    /// Recovery of the displacement, refinement, judgement.
+    /// Recovery of the displacement, refinement, KKT residuals.
     pub recovery: f64,
 }
 
@@ -66,11 +66,11 @@ pub struct ContactSolution {
     pub contact_set: ContactSet,
     /// How the solver ended.
     pub status: Status,
-    /// The four KKT figures.
-    pub judgement: Judgement,
-    /// The force scale of the judgement: max_i (|K||u| + |F|)_i.
+    /// The four scaled KKT residuals.
+    pub kkt: KktResiduals,
+    /// The force scale of the KKT residuals: max_i (|K||u| + |F|)_i.
     pub force_scale: f64,
-    /// The displacement scale of the judgement.
+    /// The displacement scale of the KKT residuals.
     pub displacement_scale: f64,
     /// Distance from weak contact.
     pub margins: Margins,
@@ -102,11 +102,11 @@ pub(super) struct Candidate {
     pub(super) history: Vec<ContactSet>,
     pub(super) work: Work,
     pub(super) seconds: Seconds,
-    /// Judged worse than this it did not converge; infinite where an estimate of the error decides.
+    /// Largest KKT residual that counts as converged; infinite where an estimate of the error decides.
     pub(super) accepted: f64,
 }
 
-/// Judges a candidate and computes what is reported of it; the same for every solver. A displacement so large
+/// The KKT residuals of a candidate and what is reported of it; the same for every solver. A displacement so large
 /// that its energy is not a number of binary64 is an error.
 pub(super) fn conclude(
     problem: &ContactProblem,
@@ -132,20 +132,18 @@ pub(super) fn conclude(
     let energy = 0.5 * careful_dot(u, &stress_force) - careful_dot(u, &problem.load);
     let energy_rounding = f64::EPSILON * u.iter().zip(&sizes).map(|(u, size)| u * size).fold(0.0, f64::hypot);
     require_values("energy J", &[energy, energy_rounding], 2)?;
-    let evidence = Evidence {
+    let terms = KktTerms {
         residual: &free,
         multiplier: &candidate.multiplier,
         gap: &gap,
         force: force_scale,
         displacement: displacement_scale,
     };
-    let judgement = evidence.judge()?;
-    let margins = free_margins(problem, edge_cone, &evidence, &candidate.contact_set)?;
+    let kkt = terms.residuals()?;
+    let margins = free_margins(problem, edge_cone, &terms, &candidate.contact_set)?;
     let (reaction, balance) = global_balance(problem, u, &residual, &edge_force);
     let status = match candidate.status {
-        Status::Converged if judgement.worst() > candidate.accepted => {
-            Status::Stalled { residual: judgement.worst() }
-        }
+        Status::Converged if kkt.worst() > candidate.accepted => Status::Stalled { residual: kkt.worst() },
         status => status,
     };
     Ok(ContactSolution {
@@ -161,7 +159,7 @@ pub(super) fn conclude(
         gap,
         contact_set: candidate.contact_set,
         status,
-        judgement,
+        kkt,
         force_scale,
         displacement_scale,
         margins,
@@ -205,17 +203,17 @@ fn tractions(problem: &ContactProblem, stress_force: &[f64], lengths: &[f64]) ->
 fn free_margins(
     problem: &ContactProblem,
     cone: EdgeCone,
-    evidence: &Evidence<'_>,
+    terms: &KktTerms<'_>,
     set: &ContactSet,
 ) -> Result<Margins> {
     let normals = problem.normal_unknowns();
-    let free: Vec<usize> = (0..evidence.gap.len())
+    let free: Vec<usize> = (0..terms.gap.len())
         .filter(|&i| cone.support(i).any(|node| !problem.prescribed[normals[node]]))
         .collect();
     let pick = |values: &[f64]| -> Vec<f64> { free.iter().map(|&i| values[i]).collect() };
-    let (multiplier, gap) = (pick(evidence.multiplier), pick(evidence.gap));
+    let (multiplier, gap) = (pick(terms.multiplier), pick(terms.gap));
     let active: Vec<bool> = free.iter().map(|&i| set.contains(i)).collect();
-    Evidence { multiplier: &multiplier, gap: &gap, ..*evidence }.margins(&active)
+    KktTerms { multiplier: &multiplier, gap: &gap, ..*terms }.margins(&active)
 }
 
 /// B u − g.

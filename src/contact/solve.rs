@@ -20,7 +20,7 @@ impl ContactProblem {
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, scenes::MeshScene};
     /// let solution = MeshScene::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-    /// assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-12);
+    /// assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///

@@ -82,7 +82,7 @@ mod tests {
             let is_one = found.len() == 2 || cone == Cone::Midpoint;
             assert!(is_one && found[0].in_contact, "{cone}: {} stretches", found.len());
             let bounds: Vec<f64> = (0..41).rev().map(|k| 10f64.powi(-k)).collect();
-            let judged = problem.judge_by_radius(&solution, [0.0; 2], &bounds).unwrap();
+            let judged = problem.kkt_by_radius(&solution, [0.0; 2], &bounds).unwrap();
             assert!(judged.iter().all(|ring| ring.worst() < 1e-10), "{cone}: {judged:?}");
         }
     }

@@ -55,7 +55,7 @@ impl ClosedForm {
                 Some(coarse) => problem.solve_after(coarse)?,
                 None => problem.solve(cone, Solver::ActiveSet)?,
             };
-            let kkt = solution.judgement.worst();
+            let kkt = solution.kkt.worst();
             if !solution.status.is_converged() {
                 let why = "the active-set iteration did not converge";
                 return Err(Error::out_of_reach("contact conditions", 1e-8, kkt, why));

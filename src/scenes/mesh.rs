@@ -285,7 +285,7 @@ mod tests {
                 MeshScene::Closed => assert_eq!(count, all, "{scene}"),
                 _ => assert!(0 < count && count < all, "{scene}: {count} of {all}"),
             }
-            assert!(solution.status.is_converged() && solution.judgement.worst() < 1e-13, "{scene}");
+            assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{scene}");
         }
         let setting = Setting { angle: 10.0, ..Setting::default() };
         for scene in [MeshScene::Corner, MeshScene::Leaning, MeshScene::Raised, MeshScene::Taper] {

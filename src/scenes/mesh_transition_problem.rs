@@ -176,10 +176,7 @@ mod tests {
             let problem = scene.problem(16).unwrap();
             let [nodal, midpoint] = [Cone::Nodal, Cone::Midpoint].map(|cone| {
                 let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
-                assert!(
-                    solution.status.is_converged() && solution.judgement.worst() < 1e-12,
-                    "{scene} {cone}"
-                );
+                assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{scene} {cone}");
                 let error = scene.error(&problem, &solution.displacement).unwrap();
                 assert!(error.error < 1e-3 * error.value, "{scene} {cone}: {error:?}");
                 (solution.contact_set.count(), error.value)

@@ -100,7 +100,7 @@ impl RoughTransition {
                 None => problem.solve(cone, Solver::ActiveSet)?,
             };
             if !solution.status.is_converged() {
-                let reached = solution.judgement.worst();
+                let reached = solution.kkt.worst();
                 let why = "the active-set iteration did not converge";
                 return Err(Error::out_of_reach("contact conditions", 1e-8, reached, why));
             }

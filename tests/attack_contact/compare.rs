@@ -73,7 +73,7 @@ pub fn compare(
         Solver::ActiveSet => 0.0,
         // What balance it says it left, relative to its force scale.
         _ => {
-            let left = solution.judgement.balance * times_power(solution.force_scale, -scene.force_unit());
+            let left = solution.kkt.balance * times_power(solution.force_scale, -scene.force_unit());
             ITERATED * energy_norm + program.energy_of_residual(left)
         }
     };
@@ -207,7 +207,7 @@ fn not_finite(solution: &ContactSolution) -> Option<&'static str> {
         solution.reaction[0],
         solution.reaction[1],
         solution.balance,
-        solution.judgement.worst(),
+        solution.kkt.worst(),
         solution.margins.pressure.unwrap_or(0.0),
         solution.margins.gap.unwrap_or(0.0),
     ];

@@ -88,7 +88,7 @@ impl Counts {
                     count.given_up += 1;
                     None
                 }
-                Ok(Outcome::Status) => Some(format!("{} {:?}", solution.status, solution.judgement)),
+                Ok(Outcome::Status) => Some(format!("{} {:?}", solution.status, solution.kkt)),
             },
         };
         if let Some(what) = what {

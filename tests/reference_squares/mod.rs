@@ -59,7 +59,7 @@ fn check_row(row: &Value, solution: &ContactSolution, case: &str) {
         .collect();
     assert_eq!(runs, expected, "{case}");
     assert!(solution.balance <= BALANCE, "{case}: balance {:e}", solution.balance);
-    assert!(solution.judgement.worst() <= KKT, "{case}: {:?}", solution.judgement);
+    assert!(solution.kkt.worst() <= KKT, "{case}: {:?}", solution.kkt);
 }
 
 pub fn solvers_agree(scene: MeshScene, cone: Cone) {
@@ -72,6 +72,6 @@ pub fn solvers_agree(scene: MeshScene, cone: Cone) {
         assert!(apart <= SOLVERS, "{case}: energies apart by {apart:e}");
         assert_eq!(interior.contact_set, direct.contact_set, "{case}");
         assert!(interior.balance <= BALANCE, "{case}: balance {:e}", interior.balance);
-        assert!(interior.judgement.worst() <= KKT, "{case}: {:?}", interior.judgement);
+        assert!(interior.kkt.worst() <= KKT, "{case}: {:?}", interior.kkt);
     }
 }

@@ -84,7 +84,7 @@ pub struct VariantRow {
     pub algebraic: Option<f64>,
     /// The algebraic error as multigrid estimates it, relative.
     pub estimate: Option<f64>,
-    /// For mesh, assembly, solution and judgement.
+    /// For mesh, assembly, solution and KKT residuals.
     pub seconds: f64,
     /// Iterations.
     pub steps: usize,
@@ -129,7 +129,7 @@ pub fn manufactured_by_every_variant(
                 Some(direct) if road != SolverVariant::Nested => Some(apart(&problem, &solution, direct)?),
                 _ => None,
             };
-            let (steps, kkt) = (solution.work.iterations as usize, solution.judgement.worst());
+            let (steps, kkt) = (solution.work.iterations as usize, solution.kkt.worst());
             rows.push(VariantRow { n, road, error, algebraic, estimate, seconds, steps, kkt });
             if matches!(road, SolverVariant::Cold | SolverVariant::Nested) || here.is_none() {
                 here = Some(solution);

@@ -1,8 +1,8 @@
 //! What the contact iteration on the edge hands back.
 
-use crate::cone::{Cone, ContactSet, Judgement, Margins, Status};
+use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 
-/// A discrete contact solution on the edge, with its judgement.
+/// A discrete contact solution on the edge, with its KKT residuals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeSolution {
     /// u_N at the edge nodes.
@@ -17,8 +17,8 @@ pub struct EdgeSolution {
     pub energy: f64,
     /// How the iteration ended.
     pub status: Status,
-    /// The four KKT figures.
-    pub judgement: Judgement,
+    /// The four scaled KKT residuals.
+    pub kkt: KktResiduals,
     /// Distance from weak contact.
     pub margins: Margins,
     /// Inner iterations of each step.

@@ -13,7 +13,7 @@
 
 use super::inner::FaceSolver;
 use super::solution::EdgeSolution;
-use crate::cone::{Cone, ContactSet, EdgeCone, Evidence, Face, Status};
+use crate::cone::{Cone, ContactSet, EdgeCone, Face, KktTerms, Status};
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::require_finite;
 use crate::numeric::scale::largest;
@@ -247,7 +247,7 @@ impl<'a> Iteration<'a> {
         let residual: Vec<f64> = (0..nodes).map(|i| held[i] - surplus[i]).collect();
         let gap = self.cone.apply(&self.values);
         let displacement = largest(&self.values);
-        let evidence = Evidence {
+        let terms = KktTerms {
             residual: &residual,
             multiplier: &multiplier,
             gap: &gap,
@@ -255,12 +255,12 @@ impl<'a> Iteration<'a> {
             force: self.operator.norm() * displacement + largest(self.b),
             displacement,
         };
-        let judgement = evidence.judge()?;
+        let kkt = terms.residuals()?;
         let status = match status {
-            Status::Stalled { .. } => Status::Stalled { residual: judgement.worst() },
+            Status::Stalled { .. } => Status::Stalled { residual: kkt.worst() },
             status => status,
         };
-        let margins = evidence.margins(&self.active)?;
+        let margins = terms.margins(&self.active)?;
         let energy = 0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
         Ok(EdgeSolution {
             multiplier,
@@ -269,7 +269,7 @@ impl<'a> Iteration<'a> {
             cone: self.cone.kind(),
             energy,
             status,
-            judgement,
+            kkt,
             margins,
             inner_iterations: self.inner,
         })

@@ -209,7 +209,7 @@ pub(super) fn toolkit() -> String {
             Box(0.5, 155.0, "best constants", INK),
             Box(0.87, 155.0, "contact", INK),
             Box(0.3, 55.0, "a number and its error", GREEN),
-            Box(0.84, 55.0, "a status, a judgement", GREEN),
+            Box(0.84, 55.0, "a status, KKT residuals", GREEN),
         ],
         &[(0, 3), (1, 4), (2, 5), (2, 3), (3, 6), (4, 6), (5, 7)],
     )

@@ -2,28 +2,28 @@
 
 use super::levels::SceneRun;
 use signorini::Result;
-use signorini::cone::{Evidence, Judgement, NOISE};
+use signorini::cone::{KKT_ROUNDING, KktResiduals, KktTerms};
 use signorini::contact::ContactSolution;
 
 /// Both force and gap below this, relative to their largest: √(duality gap) of the interior-point method.
 const WEAK: f64 = 1e-6;
 
 impl SceneRun {
-    /// The Karush-Kuhn-Tucker figures of multipliers and gaps as they stand; the balance is that of the
+    /// The KKT residuals of multipliers and gaps as they stand; the balance is that of the
     /// solution.
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](signorini::ToolkitError::NotFinite) where a multiplier or a gap is not a number.
-    pub fn judged(&self) -> Result<Judgement> {
+    pub fn kkt(&self) -> Result<KktResiduals> {
         let solution = &self.solution;
-        let evidence = Evidence {
+        let terms = KktTerms {
             residual: &[],
             multiplier: &solution.multiplier,
             gap: &solution.gap,
             force: solution.force_scale,
             displacement: solution.displacement_scale,
         };
-        Ok(Judgement { balance: solution.judgement.balance, ..evidence.judge()? })
+        Ok(KktResiduals { balance: solution.kkt.balance, ..terms.residuals()? })
     }
 
     /// How many constraints are weak: force and gap both below 1e-6 of their largest, so that no solver can
@@ -71,7 +71,7 @@ pub fn sets_apart(runs: &[SceneRun]) -> Option<(usize, usize)> {
 /// |J|; where contact prevents every displacement J is rounding, and force times displacement is its scale.
 fn energy_scale(solution: &ContactSolution) -> f64 {
     let largest = solution.displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
-    if largest <= NOISE * solution.displacement_scale {
+    if largest <= KKT_ROUNDING * solution.displacement_scale {
         solution.force_scale * solution.displacement_scale
     } else {
         solution.energy.abs()

@@ -10,7 +10,7 @@
 
 use crate::line::Line;
 use signorini::Result;
-use signorini::cone::{Cone, ContactSet, Judgement};
+use signorini::cone::{Cone, ContactSet, KktResiduals};
 use signorini::contact::{ContactSolution, Solver};
 use signorini::edge::{RadialInterval, radial_intervals};
 use signorini::scenes::ClampedEnd;
@@ -36,7 +36,7 @@ pub struct EndRun {
     /// Contact and gaps, from the end outwards.
     pub intervals: Vec<RadialInterval>,
     /// The conditions of every decade [10^−k, 10^{−k+1}), outermost first, by the scales of the decade.
-    pub decades: Vec<Judgement>,
+    pub decades: Vec<KktResiduals>,
     /// The power of the pressure at the end; `None` without fourteen decades of contact there.
     pub power: Option<f64>,
     /// How far the pressure is from the closed form; `None` without a zone that ends inside, or for scalar
@@ -67,7 +67,7 @@ impl EndRun {
         let intervals = radial_intervals(&solution.positions[fan..], &read)?;
         let count = (-scene.smallest.log10()).ceil() as i32;
         let bounds: Vec<f64> = (0..=count).rev().map(|k| 10f64.powi(-k)).collect();
-        let mut decades = problem.judge_by_radius(&solution, [0.0; 2], &bounds)?;
+        let mut decades = problem.kkt_by_radius(&solution, [0.0; 2], &bounds)?;
         decades.reverse();
         let pressure: Vec<(f64, f64)> =
             radii.iter().copied().zip(solution.pressure.iter().copied()).skip(1).collect();
@@ -85,7 +85,7 @@ impl EndRun {
 
     /// The worst figure of any decade.
     pub fn worst_decade(&self) -> f64 {
-        self.decades.iter().map(Judgement::worst).fold(0.0, f64::max)
+        self.decades.iter().map(KktResiduals::worst).fold(0.0, f64::max)
     }
 
     /// True when the body touches at the end.

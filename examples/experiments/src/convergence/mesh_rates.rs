@@ -65,7 +65,7 @@ impl MeshRates {
         let solution = solve(&problem, &hierarchy, Cone::Nodal)?;
         if !solution.status.is_converged() {
             let why = "the finest mesh stands for the exact solution and its iteration did not end";
-            let reached = solution.judgement.worst();
+            let reached = solution.kkt.worst();
             return Err(ToolkitError::out_of_reach("reference solution", ALGEBRAIC, reached, why).into());
         }
         let tau = match self.constant_load {
@@ -185,7 +185,7 @@ impl LevelProblem for Reference {
             contact_runs: solution.contact_set.runs().len(),
             inner_iterations: Vec::new(),
             status: solution.status,
-            kkt: solution.judgement.worst(),
+            kkt: solution.kkt.worst(),
         }
     }
 }

@@ -84,7 +84,7 @@ impl LevelProblem for StripLevels<'_> {
             contact_runs: edge.contact.runs().len(),
             inner_iterations: edge.inner_iterations.clone(),
             status: edge.status,
-            kkt: edge.judgement.worst(),
+            kkt: edge.kkt.worst(),
         }
     }
 }

@@ -113,7 +113,7 @@ impl LevelProblem for OnePosition {
             contact_runs: solution.contact_set.runs().len(),
             inner_iterations: Vec::new(),
             status: solution.status,
-            kkt: solution.judgement.worst(),
+            kkt: solution.kkt.worst(),
         }
     }
 }

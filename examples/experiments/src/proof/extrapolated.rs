@@ -167,7 +167,7 @@ fn solve(
             None => problem.solve(cone, Solver::ActiveSet)?,
         };
         if !solution.status.is_converged() {
-            let reached = solution.judgement.worst();
+            let reached = solution.kkt.worst();
             let why = "the active-set iteration did not converge";
             return Err(ToolkitError::out_of_reach("contact conditions", 1e-8, reached, why).into());
         }

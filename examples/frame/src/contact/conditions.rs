@@ -2,10 +2,10 @@
 
 use crate::Finding;
 use experiments::contact_levels::{SceneRun, energies_apart, sets_apart};
-use signorini::cone::Judgement;
+use signorini::cone::KktResiduals;
 
 /// Key, words if met, words if not, figure.
-pub type Condition = (&'static str, &'static str, &'static str, fn(&Judgement) -> f64);
+pub type Condition = (&'static str, &'static str, &'static str, fn(&KktResiduals) -> f64);
 /// Karush, Kuhn and Tucker, each scaled by the size of what it compares.
 pub const CONDITIONS: [Condition; 4] = [
     ("balance", "forces balance at every node", "a node is off balance by {value}", |j| j.balance),

@@ -42,7 +42,7 @@ pub(super) fn quote_and_draw(
         return Ok(None);
     };
     let (solution, key) = (&last.solution, &drawing.key);
-    let kkt = worst(runs.iter().map(|run| run.solution.judgement.worst()));
+    let kkt = worst(runs.iter().map(|run| run.solution.kkt.worst()));
     let active = solution.contact_set.count() as f64;
     let (energy, force) = (solution.energy, solution.contact_force);
     for (what, value) in [("energy", energy), ("force", force), ("active", active), ("kkt", kkt)] {

@@ -22,7 +22,12 @@ pub fn road_table(rows: &[VariantRow], peaks: &[f64]) -> Table {
             "energy norm of the difference from elimination, relative",
         ),
         Column::new("estimate", "estimate", Format::Scientific(1), "the same as multigrid estimates it"),
-        Column::new("seconds", "seconds", Format::Scientific(1), "mesh, assembly, solution and judgement"),
+        Column::new(
+            "seconds",
+            "seconds",
+            Format::Scientific(1),
+            "mesh, assembly, solution and KKT residuals",
+        ),
         Column::new("peak", "MB", digits, "the most memory held for it, in 10^6 bytes"),
         Column::new("iterations", "steps", digits, ""),
         Column::new("kkt", "KKT", Format::Scientific(1), "worst scaled KKT figure"),

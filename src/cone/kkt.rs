@@ -1,9 +1,8 @@
-//! One judge for every contact solution, whatever computed it: the Karush-Kuhn-Tucker conditions, each
-//! scaled.
+//! KKT residuals of a contact solution, each scaled; the same for every solver.
 //!
 //! For min ½ u'K u − F'u subject to B u ≤ g, with multipliers λ:
 //!
-//! | figure | condition | measure |
+//! | residual | condition | measure |
 //! | --- | --- | --- |
 //! | balance | K u − F + B'λ = 0 | max_i abs(residual_i) / force |
 //! | sign | λ ≥ 0 | max_i (−λ_i)₊ / λ scale |
@@ -12,19 +11,19 @@
 //!
 //! force = max_i (abs(K) abs(u) + abs(F))_i is the size of what is summed in the balance (a backward error in
 //! the sense of Oettli and Prager, normwise); displacement = max abs(u) and max abs(g). The λ scale is max
-//! abs(λ), unless all multipliers lie below the rounding of the balance, [`NOISE`] · force: then it is force.
-//! All figures are invariant under scaling of load, stiffness and lengths. A figure 0/0 (no load) is 0.
+//! abs(λ), unless all multipliers lie below the rounding of the balance, [`KKT_ROUNDING`] · force: then it is force.
+//! All residuals are invariant under scaling of load, stiffness and lengths. A residual 0/0 (no load) is 0.
 //! Cost: O(length).
 
 use crate::error::Result;
 use crate::numeric::check::{require_finite, require_length};
 
 /// Multipliers below this multiple of the force scale are rounding of the balance (about 500 ε).
-pub const NOISE: f64 = 1e-13;
+pub const KKT_ROUNDING: f64 = 1e-13;
 
-/// What the judge looks at. Vectors in any order, as long as `multiplier` and `gap` agree.
+/// The terms of the KKT conditions at a candidate solution. Vectors in any order, as long as `multiplier` and `gap` agree.
 #[derive(Debug, Clone, Copy)]
-pub struct Evidence<'a> {
+pub struct KktTerms<'a> {
     /// K u − F + B'λ on every unknown that is not prescribed.
     pub residual: &'a [f64],
     /// λ, one per constraint.
@@ -37,9 +36,9 @@ pub struct Evidence<'a> {
     pub displacement: f64,
 }
 
-/// The four scaled figures; 0 is perfect.
+/// The four scaled residuals of the KKT conditions; all 0 at an exact solution.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Judgement {
+pub struct KktResiduals {
     /// Balance of forces.
     pub balance: f64,
     /// Contact forces only push: λ ≥ 0, σ_N ≤ 0.
@@ -50,8 +49,8 @@ pub struct Judgement {
     pub complementarity: f64,
 }
 
-impl Judgement {
-    /// The worst of the four.
+impl KktResiduals {
+    /// The largest of the four.
     pub fn worst(&self) -> f64 {
         self.balance.max(self.sign).max(self.gap).max(self.complementarity)
     }
@@ -75,17 +74,16 @@ impl Margins {
     }
 }
 
-impl Evidence<'_> {
-    /// The four figures.
+impl KktTerms<'_> {
+    /// The four scaled residuals.
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite): a solution that is not a number is
-    /// not judged.
-    pub fn judge(&self) -> Result<Judgement> {
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite): for values that are not finite.
+    pub fn residuals(&self) -> Result<KktResiduals> {
         self.check()?;
         let force_of_contact = self.multiplier_scale();
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-        Ok(Judgement {
+        Ok(KktResiduals {
             balance: ratio(largest(&mut self.residual.iter().map(|r| r.abs())), self.force),
             sign: ratio(largest(&mut self.multiplier.iter().map(|&l| -l)), force_of_contact),
             gap: ratio(largest(&mut self.gap.iter().copied()), self.displacement),
@@ -102,7 +100,7 @@ impl Evidence<'_> {
     /// The margins of strict complementarity for the given active set.
     ///
     /// # Errors
-    /// As for [`Evidence::judge`].
+    /// As for [`KktTerms::residuals`].
     pub fn margins(&self, active: &[bool]) -> Result<Margins> {
         self.check()?;
         require_length("contact set", active.len(), self.gap.len())?;
@@ -117,9 +115,9 @@ impl Evidence<'_> {
     }
 
     /// max |λ|, or the force scale when every multiplier is rounding.
-    pub fn multiplier_scale(&self) -> f64 {
+    fn multiplier_scale(&self) -> f64 {
         let largest = self.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
-        if largest > NOISE * self.force { largest } else { self.force }
+        if largest > KKT_ROUNDING * self.force { largest } else { self.force }
     }
 
     fn check(&self) -> Result<()> {
@@ -146,29 +144,29 @@ fn ratio(a: f64, b: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn evidence<'a>(residual: &'a [f64], multiplier: &'a [f64], gap: &'a [f64]) -> Evidence<'a> {
-        Evidence { residual, multiplier, gap, force: 2.0, displacement: 0.5 }
+    fn candidate<'a>(residual: &'a [f64], multiplier: &'a [f64], gap: &'a [f64]) -> KktTerms<'a> {
+        KktTerms { residual, multiplier, gap, force: 2.0, displacement: 0.5 }
     }
 
     #[test]
-    fn each_condition_has_its_figure() {
-        let judged = evidence(&[0.2, -0.4], &[4.0, -1.0, 0.0], &[0.0, 0.0, -0.1]).judge().unwrap();
-        assert_eq!((judged.balance, judged.sign), (0.2, 0.25));
-        assert_eq!((judged.gap, judged.complementarity), (0.0, 0.0));
-        let judged = evidence(&[], &[4.0, 2.0], &[0.1, -0.25]).judge().unwrap();
-        assert_eq!((judged.gap, judged.complementarity), (0.2, 0.25));
+    fn each_condition_has_its_residual() {
+        let kkt = candidate(&[0.2, -0.4], &[4.0, -1.0, 0.0], &[0.0, 0.0, -0.1]).residuals().unwrap();
+        assert_eq!((kkt.balance, kkt.sign), (0.2, 0.25));
+        assert_eq!((kkt.gap, kkt.complementarity), (0.0, 0.0));
+        let kkt = candidate(&[], &[4.0, 2.0], &[0.1, -0.25]).residuals().unwrap();
+        assert_eq!((kkt.gap, kkt.complementarity), (0.2, 0.25));
     }
 
     #[test]
-    fn what_is_not_a_number_is_not_judged() {
-        assert!(evidence(&[f64::NAN], &[], &[]).judge().is_err());
-        assert!(evidence(&[], &[1.0], &[]).judge().is_err());
+    fn values_that_are_not_finite_are_rejected() {
+        assert!(candidate(&[f64::NAN], &[], &[]).residuals().is_err());
+        assert!(candidate(&[], &[1.0], &[]).residuals().is_err());
     }
 
     #[test]
     fn margins_see_weak_contact() {
         let margins =
-            evidence(&[], &[4.0, 1e-14, 0.0], &[0.0, 0.0, -0.1]).margins(&[true, true, false]).unwrap();
+            candidate(&[], &[4.0, 1e-14, 0.0], &[0.0, 0.0, -0.1]).margins(&[true, true, false]).unwrap();
         assert_eq!(margins.gap, Some(0.2));
         assert!(margins.is_weak(1e-12) && !margins.is_weak(1e-16));
     }
