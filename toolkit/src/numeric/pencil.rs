@@ -16,6 +16,7 @@ const INSIGNIFICANT: f64 = 1e-13;
 const NEGLIGIBLE: f64 = 1e-30;
 
 /// The factorized matrix.
+#[derive(Debug, Clone)]
 pub(crate) struct Factored {
     scale: Vec<f64>,
     scaled: DMatrix<f64>,

@@ -3,7 +3,7 @@
 use super::constraint::Constraint;
 use super::extremal::ExtremalFunction;
 use super::mesh::SHORTEST_RADIUS;
-use super::spaces::constant_and_function;
+use super::spaces::{Attained, attained};
 use super::two_sided::{GammaBounds, two_sided};
 use crate::Order;
 use crate::error::{Error, Given, Result};
@@ -47,8 +47,8 @@ pub fn gamma(
             return Err(Error::out_of_reach("Poincare constant", tolerance.relative(), reached, why));
         }
     }
-    let (constant, function) = constant_and_function(order, &constraint, tolerance)?;
-    Ok(Gamma { constant, order, constraint, tolerance, function })
+    let found = attained(order, &constraint, tolerance)?;
+    Ok(Gamma { constant: found.constant, order, constraint, tolerance, found })
 }
 
 /// A Poincaré constant with the function for which it is attained.
@@ -61,7 +61,7 @@ pub struct Gamma {
     order: Order,
     constraint: Constraint,
     tolerance: Tolerance,
-    function: ExtremalFunction,
+    found: Attained,
 }
 
 impl Gamma {
@@ -77,11 +77,12 @@ impl Gamma {
     /// ```
     #[doc(alias("eigenfunction", "minimiser"))]
     pub fn extremal(&self) -> ExtremalFunction {
-        self.function.clone()
+        self.found.function.clone()
     }
 
-    /// Two bounds that do not use the eigenvalue, at about the cost of the constant (short proof: ‖u‖₀² =
-    /// ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u over (0,1)).
+    /// Two bounds that do not use the eigenvalue (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m
+    /// the mean of u over (0,1)). Cost: γ₁, and one linear solve with the factorized matrices of [`gamma`],
+    /// which a `Gamma` holds (about a megabyte).
     ///
     /// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when
     /// the representer of m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
@@ -99,6 +100,6 @@ impl Gamma {
     pub fn bounds(&self) -> Result<GammaBounds> {
         let order = self.order.value();
         Error::require("nu", order, "bounds of a zone, not of a point", !self.constraint.is_point())?;
-        two_sided(self.order, &self.constraint, self.constant, self.tolerance)
+        two_sided(self.order, &self.constraint, &self.found, self.tolerance)
     }
 }

@@ -23,6 +23,7 @@ use nalgebra::DMatrix;
 use std::ops::Range;
 
 /// Space, matrices and factorization.
+#[derive(Debug, Clone)]
 pub(crate) struct Discrete {
     pub(crate) space: SlopeSpace,
     /// The group of cells with another basis, for a short zone inside.

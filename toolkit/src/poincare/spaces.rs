@@ -10,6 +10,7 @@ use super::rounding::rounding;
 use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use std::sync::Arc;
 
 /// How often the space is refined when the two spaces still differ too much.
 const REFINEMENTS: usize = 3;
@@ -18,17 +19,24 @@ const REFINEMENTS: usize = 3;
 const FINER: f64 = 0.02;
 const COARSER: f64 = 4.0;
 
+/// γ, a function for which it is attained, and the two spaces on which it was found.
+#[derive(Debug, Clone)]
+pub(super) struct Attained {
+    pub(super) constant: Estimate,
+    pub(super) function: ExtremalFunction,
+    /// None where γ is continued from larger orders.
+    pub(super) spaces: Option<Arc<[Discrete; 2]>>,
+}
+
 /// γ with a function for which it is attained.
-pub(super) fn constant_and_function(
-    order: Order,
-    constraint: &Constraint,
-    tolerance: Tolerance,
-) -> Result<(Estimate, ExtremalFunction)> {
-    let direct = |order, tolerance| attained(order, constraint, tolerance);
+pub(super) fn attained(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Attained> {
+    let direct = |order, tolerance| on_two_spaces(order, constraint, tolerance);
     let larger = Continuation::to(order, constraint.shortest(), tolerance);
     let continued = |larger: &Continuation| {
-        let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(direct)?.into_iter().unzip();
-        Ok((larger.value(&values)?, ExtremalFunction::combined(&larger.all_weights(), functions)))
+        let at = |order, tolerance| direct(order, tolerance).map(|found| (found.constant, found.function));
+        let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(at)?.into_iter().unzip();
+        let function = ExtremalFunction::combined(&larger.all_weights(), functions);
+        Ok(Attained { constant: larger.value(&values)?, function, spaces: None })
     };
     let digits = rounding(order, constraint) <= tolerance.relative();
     match larger {
@@ -59,23 +67,21 @@ pub(super) fn continued(
 }
 
 /// γ and its function from the same one of the two spaces that are compared.
-fn attained(
-    order: Order,
-    constraint: &Constraint,
-    tolerance: Tolerance,
-) -> Result<(Estimate, ExtremalFunction)> {
+fn on_two_spaces(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Attained> {
     let rounding = rounding(order, constraint);
-    let solve = |model: &MeshModel| -> Result<(f64, Work, ExtremalFunction)> {
+    let solve = |model: &MeshModel| -> Result<(f64, ExtremalFunction, Discrete)> {
         let mut discrete = Discrete::new(order, constraint, model)?;
         let (value, coefficients) = discrete.largest_quotient()?;
-        Ok((value, discrete.work, ExtremalFunction::new(&discrete, coefficients)))
+        Ok((value, ExtremalFunction::new(&discrete, coefficients), discrete))
     };
-    let join = |fine: (f64, Work, ExtremalFunction), coarse: (f64, Work, ExtremalFunction)| {
-        let (apart, work) = ((fine.0 - coarse.0).abs(), fine.1 + coarse.1);
-        let (value, _, function) = if fine.0 >= coarse.0 { fine } else { coarse };
-        Ok((Estimate::new(value, apart + rounding * value, work)?, function))
+    type Solved = (f64, ExtremalFunction, Discrete);
+    let join = |fine: Solved, coarse: Solved| {
+        let (apart, work) = ((fine.0 - coarse.0).abs(), fine.2.work + coarse.2.work);
+        let (value, function) = if fine.0 >= coarse.0 { (fine.0, fine.1) } else { (coarse.0, coarse.1) };
+        let constant = Estimate::new(value, apart + rounding * value, work)?;
+        Ok(Attained { constant, function, spaces: Some(Arc::new([fine.2, coarse.2])) })
     };
-    refine(order, rounding, tolerance, solve, join, |found| found.0)
+    refine(order, rounding, tolerance, solve, join, |found| found.constant)
 }
 
 /// A supremum over spaces, computed on two spaces, finer ones until their difference meets the tolerance.
@@ -94,7 +100,7 @@ pub(crate) fn refine_until(
 }
 
 /// Solves on two spaces and joins the results, until their relative error meets the tolerance.
-pub(super) fn refine<T: Send, R>(
+fn refine<T: Send, R>(
     order: Order,
     rounding: f64,
     tolerance: Tolerance,

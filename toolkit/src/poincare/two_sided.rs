@@ -1,15 +1,13 @@
 //! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
 
 use super::constraint::Constraint;
-use super::continuation::Continuation;
-use super::discrete::Discrete;
+use super::discrete::{Discrete, DualNorm};
 use super::mean::largest_mean;
-use super::mesh::MeshModel;
 use super::rounding::rounding;
-use super::spaces::{constant_and_function, refine};
+use super::spaces::{Attained, attained};
 use crate::Order;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::error::Result;
+use crate::estimate::{Estimate, Tolerance};
 
 /// γ between two bounds that do not use the eigenvalue itself.
 ///
@@ -38,30 +36,28 @@ pub struct GammaBounds {
     pub dual_norm: Estimate,
 }
 
+/// The bounds for what was found on two spaces: the dual norm on each of them.
 pub(super) fn two_sided(
     order: Order,
-    parts: &Constraint,
-    constant: Estimate,
+    constraint: &Constraint,
+    found: &Attained,
     tolerance: Tolerance,
 ) -> Result<GammaBounds> {
-    let (whole, _) = constant_and_function(order, &Constraint::mean_zero(), tolerance)?;
-    let direct = refine(
-        order,
-        rounding(order, parts),
-        tolerance,
-        |model| Sides::new(order, parts, model, &whole),
-        |fine, coarse| fine.join(&coarse, whole),
-        |found| found.gamma,
-    );
-    match direct {
-        // At small orders that have no digits of their own both are continued from larger ones.
-        Err(Error::ToleranceNotMet { .. })
-            if Continuation::to(order, parts.shortest(), tolerance).is_some() =>
-        {
-            let dual_norm = largest_mean(order, parts, tolerance)?;
-            Ok(GammaBounds::of_estimates(constant, whole, dual_norm))
+    let whole = || attained(order, &Constraint::mean_zero(), tolerance).map(|found| found.constant);
+    match &found.spaces {
+        Some(spaces) => {
+            let [fine, coarse] = spaces.as_ref();
+            let duals = || rayon::join(|| fine.dual_norm(), || coarse.dual_norm());
+            let (whole, (fine_dual, coarse_dual)) = rayon::join(whole, duals);
+            let whole = whole?;
+            let sides = [Sides::new(fine, &fine_dual?, &whole), Sides::new(coarse, &coarse_dual?, &whole)];
+            GammaBounds::of_sides(found.constant, rounding(order, constraint), sides, whole)
         }
-        result => result,
+        // At small orders that have no digits of their own both are continued from larger ones.
+        None => {
+            let whole = whole()?;
+            Ok(GammaBounds::of_estimates(found.constant, whole, largest_mean(order, constraint, tolerance)?))
+        }
     }
 }
 
@@ -73,45 +69,34 @@ impl GammaBounds {
         let upper = upper.max(gamma.value + gamma.error);
         Self { gamma, lower: gamma.value - gamma.error, upper, whole, dual_norm }
     }
-}
 
-/// γ, its upper bound and N on one space.
-struct Sides {
-    gamma: f64,
-    upper: f64,
-    norm: f64,
-    rounding: f64,
-    work: Work,
-}
-
-impl Sides {
-    fn new(order: Order, constraint: &Constraint, model: &MeshModel, whole: &Estimate) -> Result<Self> {
-        let mut discrete = Discrete::new(order, constraint, model)?;
-        let (gamma, _) = discrete.largest_quotient()?;
-        let dual = discrete.dual_norm()?;
-        let whole_here = (whole.value + whole.error) / discrete.factor;
+    fn of_sides(gamma: Estimate, rounding: f64, [fine, coarse]: [Sides; 2], whole: Estimate) -> Result<Self> {
+        let estimate =
+            |a: f64, b: f64| Estimate::new(a.max(b), (a - b).abs() + rounding * a.max(b), gamma.work);
+        let dual_norm = estimate(fine.norm, coarse.norm)?;
+        let upper = estimate(fine.upper, coarse.upper)?;
         Ok(Self {
             gamma,
-            upper: dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor,
-            norm: dual.square.sqrt() * discrete.factor,
-            rounding: rounding(order, constraint),
-            work: discrete.work,
-        })
-    }
-
-    fn join(&self, coarse: &Self, whole: Estimate) -> Result<GammaBounds> {
-        let work = self.work + coarse.work;
-        let estimate =
-            |a: f64, b: f64| Estimate::new(a.max(b), (a - b).abs() + self.rounding * a.max(b), work);
-        let gamma = estimate(self.gamma, coarse.gamma)?;
-        let dual_norm = estimate(self.norm, coarse.norm)?;
-        let upper = estimate(self.upper, coarse.upper)?;
-        Ok(GammaBounds {
-            gamma,
-            lower: gamma.value * (1.0 - self.rounding),
+            lower: gamma.value * (1.0 - rounding),
             upper: upper.value + upper.error + dual_norm.error,
             whole,
             dual_norm,
         })
+    }
+}
+
+/// The upper bound and N on one space.
+struct Sides {
+    upper: f64,
+    norm: f64,
+}
+
+impl Sides {
+    fn new(discrete: &Discrete, dual: &DualNorm, whole: &Estimate) -> Self {
+        let whole_here = (whole.value + whole.error) / discrete.factor;
+        Self {
+            upper: dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor,
+            norm: dual.square.sqrt() * discrete.factor,
+        }
     }
 }
