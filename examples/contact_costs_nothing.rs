@@ -5,10 +5,12 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::rates::STEADY;
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::convergence::{Levels, StripCase};
 use experiments::proof::{CostRow, CostStudy};
+use experiments::{KnownLevel, known_levels};
 use signorini::cone::Cone;
-use signorini::scenes::{ClosedForm, ClosedFormLevel, StripCase};
-use signorini::strip::{Levels, Reference, StripKind};
+use signorini::scenes::KnownSolution;
+use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -39,7 +41,7 @@ const SCENES: [(&str, f64); 7] = [
 ];
 
 /// Strips; the scalar problem in closed form with one transition, nodal and midpoint cone.
-pub type Computed = (Vec<CostStudy>, [Vec<ClosedFormLevel>; 2]);
+pub type Computed = (Vec<CostStudy>, [Vec<KnownLevel>; 2]);
 
 /// Solves every scene on every mesh.
 pub fn compute(options: &Options) -> Result<Computed> {
@@ -54,7 +56,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
             bar.inc(1);
         }
     }
-    let mesh = |c| ClosedForm { two_transitions: false, lame: None }.levels(c, options.finest, || ());
+    let mesh = |c| known_levels(&KnownSolution::one_transition(None), c, options.finest, || ());
     Ok((cases, [mesh(cones[0])?, mesh(cones[1])?]))
 }
 
@@ -68,7 +70,7 @@ pub fn findings((cases, meshes): &Computed) -> Vec<Finding> {
     let falk = nodal.map(|row| row.error / (row.interpolation + 2.0 * row.consistency)).reduce(f64::max);
     let least = cases.iter().flat_map(|case| &case.rows).map(CostRow::over_best).reduce(f64::min);
     let natural = cases.iter().filter(|case| case.tau > 2.0).filter_map(to_interpolation);
-    let mesh = meshes.iter().filter_map(|levels| ClosedFormLevel::limit(levels));
+    let mesh = meshes.iter().filter_map(|levels| KnownLevel::limit(levels));
     let mesh = mesh.map(|(quotient, change)| (quotient, change + ROUNDING));
     let kept = |case: &&CostStudy| case.cone == Cone::Nodal && case.scene == cases[0].scene;
     let limits: Vec<(f64, f64)> = cases.iter().filter(kept).filter_map(to_interpolation).collect();

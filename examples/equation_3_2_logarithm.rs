@@ -7,9 +7,9 @@
 use example_frame::figures::Chart;
 use example_frame::rates::{LogarithmRow, complete, error_over_h, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use experiments::convergence::Levels;
 use signorini::cone::Cone;
 use signorini::rates::Bound;
-use signorini::strip::Levels;
 use std::process::ExitCode;
 
 example_frame::options! {

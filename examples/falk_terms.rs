@@ -4,11 +4,12 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use experiments::convergence::{Levels, StripCase};
 use experiments::proof::{Exponent, FalkRow, falk_terms};
 use signorini::cone::Cone;
 use signorini::proof::printed_exponent;
-use signorini::scenes::{StripCase, StripScene};
-use signorini::strip::{Levels, Reference, StripKind};
+use signorini::scenes::StripScene;
+use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 
 example_frame::options! {

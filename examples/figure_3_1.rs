@@ -6,10 +6,10 @@
 use example_frame::rates::{HALF_WIDTH, order_columns, orders_on_curves};
 use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use experiments::convergence::StripGroup;
+use experiments::convergence::{Levels, StripGroup};
 use signorini::rates::Bound;
 use signorini::scenes::StripScene;
-use signorini::strip::{Levels, StripKind};
+use signorini::strip::StripKind;
 use std::process::ExitCode;
 
 example_frame::options! {

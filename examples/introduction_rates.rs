@@ -8,8 +8,8 @@
 use example_frame::rates::{HALF_WIDTH, order_columns, printed_and_measured, printed_rates};
 use example_frame::rates::{Printed, RateRow, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
+use experiments::convergence::Levels;
 use signorini::rates::Bound;
-use signorini::strip::Levels;
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -4,11 +4,11 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
-use experiments::convergence::{CaseStudy, Solved, Trend};
+use experiments::convergence::{CaseStudy, Levels, Solved, StripCase, Trend};
 use signorini::cone::Cone;
 use signorini::rates::Bound;
-use signorini::scenes::{StripCase, StripScene};
-use signorini::strip::{Levels, Reference, StripKind};
+use signorini::scenes::StripScene;
+use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 
 example_frame::options! {

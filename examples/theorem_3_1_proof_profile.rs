@@ -4,11 +4,11 @@
 
 use example_frame::shown::ladder::{ladder_table, line_table, show, title};
 use example_frame::{Finding, Headline, Result, within};
+use experiments::convergence::Levels;
 use experiments::proof::{LimitLine, LimitLines, Rung, limit_lines};
 use experiments::proof::{ProofCase, ProofProfile, Resolution};
 use signorini::proof::{Section, Step, ThetaRule};
 use signorini::scenes::StripScene;
-use signorini::strip::Levels;
 use std::process::ExitCode;
 
 example_frame::options! {

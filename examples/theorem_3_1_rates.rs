@@ -8,11 +8,11 @@
 use example_frame::rates::{LevelStore, RatePlan, RateRow, against_theorem, complete, largest, lowest};
 use example_frame::rates::{level_table, rate_table, term_above_one, term_remarks, write_and_draw};
 use example_frame::{Finding, Headline, Result};
-use experiments::convergence::Quantity;
+use experiments::convergence::{Levels, Quantity};
 use signorini::cone::Cone;
 use signorini::rates::Bound;
 use signorini::scenes::Scene;
-use signorini::strip::{Levels, StripKind};
+use signorini::strip::StripKind;
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -10,7 +10,7 @@ use example_frame::{Headline, Result, progress, within};
 use experiments::proof::{NumberedRow, NumberedStudy};
 use signorini::cone::Cone;
 use signorini::proof::TheoremConstants;
-use signorini::scenes::RoughTransition;
+use signorini::scenes::KnownSolution;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -46,7 +46,7 @@ pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
     let mut studies = Vec::new();
     for &tau in &options.tau {
         let numbers = TheoremConstants::new(tau)?;
-        let scene = RoughTransition::new(tau - 1.0 + options.above)?;
+        let scene = KnownSolution::power(tau - 1.0 + options.above, None)?;
         for cone in [Cone::Nodal, Cone::Midpoint] {
             studies.push(NumberedStudy::new(numbers, scene, cone, options.finest)?);
             bar.inc(1);

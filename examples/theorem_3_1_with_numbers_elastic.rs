@@ -10,7 +10,7 @@ use experiments::proof::NumberedStudy;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::proof::TheoremConstants;
-use signorini::scenes::RoughTransition;
+use signorini::scenes::KnownSolution;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -50,7 +50,7 @@ pub fn compute(options: &Options) -> Result<Vec<NumberedStudy>> {
     let mut studies = Vec::new();
     for &tau in &options.tau {
         let numbers = TheoremConstants::new(tau)?;
-        let scene = RoughTransition::new(tau - 1.0 + options.above)?.elastic(lame);
+        let scene = KnownSolution::power(tau - 1.0 + options.above, Some(lame))?;
         for cone in [Cone::Nodal, Cone::Midpoint] {
             studies.push(NumberedStudy::new(numbers, scene, cone, options.finest)?);
             bar.inc(1);

@@ -4,13 +4,13 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::convergence::Levels;
 use experiments::proof::{BoundProblem, BoundRow, BoundStudy, segment_versions};
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::proof::MeshShape;
-use signorini::scenes::ClosedForm;
-use signorini::strip::Levels;
+use signorini::scenes::KnownSolution;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -53,8 +53,10 @@ pub fn compute(options: &Options) -> Result<Vec<BoundStudy>> {
     let bar = progress(8 * u64::from(options.finest - 1));
     let (mut studies, mut strips) = (Vec::new(), Vec::new());
     for (cone, segment) in [Cone::Nodal, Cone::Midpoint].into_iter().zip(&segments) {
-        for (lame, two_transitions) in [(None, false), (None, true), (lame, false), (lame, true)] {
-            let scene = ClosedForm { two_transitions, lame };
+        for scene in [None, lame]
+            .into_iter()
+            .flat_map(|lame| [KnownSolution::one_transition(lame), KnownSolution::two_transitions(lame)])
+        {
             studies.push(BoundStudy::square(scene, cone, segment, options.finest, || bar.inc(1))?);
         }
         strips.push(BoundStudy::strip(GAPS, cone, segment, options.levels, || ())?);
@@ -101,8 +103,10 @@ pub fn run(options: &Options) -> Result<Headline> {
     let mut headline =
         Headline::new("Theorems 3.1, 4.1, tau = 2", claim, table(&studies), findings(&studies));
     for study in &studies {
-        if let BoundProblem::Square(ClosedForm { two_transitions: false, lame }) = study.problem {
-            let kind = if lame.is_some() { "elastic" } else { "scalar" };
+        if let BoundProblem::Square(known) = study.problem
+            && known.transitions().len() == 1
+        {
+            let kind = if known.lame().is_some() { "elastic" } else { "scalar" };
             for ([name, _], bound) in VERSIONS.iter().zip(&study.bounds) {
                 headline.quote(format!("without.c.{kind}.{}.{name}", study.cone), bound.constant());
             }
@@ -145,9 +149,7 @@ fn draw(studies: &[BoundStudy]) -> Chart {
     let x = Axis::logarithmic("h, mesh size (side of the square or period of the strip = 1)");
     let y = Axis::logarithmic("bound / error");
     let mut chart = Chart::new("How far the bound without C is from the error", x, y);
-    let drawn = |study: &&BoundStudy| {
-        !matches!(study.problem, BoundProblem::Square(ClosedForm { two_transitions: true, .. }))
-    };
+    let drawn = |study: &&BoundStudy| !matches!(study.problem, BoundProblem::Square(known) if known.transitions().len() == 2);
     for study in studies.iter().filter(drawn) {
         let points = |row: &BoundRow| Some((1.0 / row.n as f64, row.effectivity(VERSIONS.len() - 1, true)?));
         let points = study.rows.iter().filter_map(points).collect();

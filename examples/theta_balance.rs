@@ -4,8 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use experiments::convergence::Levels;
 use experiments::proof::{BalanceExponents, BalanceRow, ElementBalance, worst_of_cases};
-use signorini::strip::Levels;
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -10,6 +10,7 @@
 use example_frame::Expression;
 use example_frame::contact::Material;
 use experiments::SplitMix;
+use experiments::convergence::Levels;
 use experiments::interpolation::SampleSlope;
 use experiments::proof::Resolution;
 use experiments::zones::{Condition, Place};
@@ -19,7 +20,7 @@ use signorini::Error;
 use signorini::ToolkitError;
 use signorini::mesh::parse_msh;
 use signorini::scenes::{MeshScene, Scene, StripScene};
-use signorini::strip::{EdgeData, Levels, Sides};
+use signorini::strip::{EdgeData, Sides};
 use std::collections::BTreeSet;
 use std::fmt::{Debug, Display};
 use std::panic::{AssertUnwindSafe, catch_unwind};

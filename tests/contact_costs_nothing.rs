@@ -5,10 +5,10 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::convergence::{Levels, StripCase};
 use experiments::proof::{contact_cost, falk_terms};
 use signorini::cone::Cone;
-use signorini::scenes::StripCase;
-use signorini::strip::{Levels, Reference, StripKind};
+use signorini::strip::{Reference, StripKind};
 
 fn options() -> example::Options {
     example::Options { levels: Levels::new(4, 10).unwrap(), finest: 5, ..example::Options::default() }

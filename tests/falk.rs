@@ -1,9 +1,10 @@
 //! Falk's lemma for both cones: its terms on computed solutions, their known infima, and (4.8).
 
+use experiments::convergence::{Levels, StripCase};
 use experiments::proof::falk_terms;
 use signorini::cone::Cone;
-use signorini::scenes::{StripCase, StripScene};
-use signorini::strip::{Levels, Reference, StripKind};
+use signorini::scenes::StripScene;
+use signorini::strip::{Reference, StripKind};
 
 #[allow(dead_code)]
 #[path = "../examples/falk_terms.rs"]

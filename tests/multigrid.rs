@@ -2,6 +2,7 @@
 //! steps.
 
 use experiments::SplitMix;
+use experiments::contact_levels::known_energy;
 use experiments::hard_cases::HardCase;
 use fractional_sobolev::Tolerance;
 use signorini::Error;
@@ -317,7 +318,7 @@ fn energies_are_those_of_other_packages() {
     let mut known = 0;
     for scene in MeshScene::all() {
         for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [16, 32, 64].map(|n| (cone, n))) {
-            let Some(j) = scene.known_energy(cone, n) else { continue };
+            let Some(j) = known_energy(scene, cone, n) else { continue };
             let found = multigrid(&scene.problem(n).unwrap(), cone, None, 1e-12);
             assert_eq!(found.fallback, None, "{scene} {cone} {n}");
             assert!((found.solution.energy / j - 1.0).abs() <= 1e-10, "{scene} {cone} {n}");

@@ -5,7 +5,7 @@ use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::Form;
 use signorini::mesh::{Part, Sides, unit_square};
-use signorini::scenes::{MeshScene, MeshTransition, TransitionPowers};
+use signorini::scenes::{KnownSolution, MeshScene, TransitionPowers};
 
 #[allow(dead_code)]
 #[path = "../examples/remark_1_whole_boundary.rs"]
@@ -16,7 +16,7 @@ const ENERGY: f64 = 1e-8;
 
 #[test]
 fn both_solvers_agree_on_a_closed_edge_in_both_cones() {
-    let transition = MeshTransition::new(TransitionPowers::of_regularity(1.75), 0.37, true).unwrap();
+    let transition = KnownSolution::whole_boundary(TransitionPowers::of_regularity(1.75), 0.37).unwrap();
     for n in [3, 4, 9, 16] {
         for problem in [MeshScene::MembraneReaction.problem(n).unwrap(), transition.problem(n).unwrap()] {
             assert!(problem.edge().is_closed() && problem.edge().nodes().len() == 4 * n);

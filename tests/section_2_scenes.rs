@@ -6,9 +6,9 @@ mod section_2_scalar_contact;
 
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver};
-use signorini::fem::{Cubature, Field, error_norms};
+use signorini::fem::Field;
 use signorini::mesh::Hierarchy;
-use signorini::scenes::{MeshScene, Setting, manufactured};
+use signorini::scenes::{KnownSolution, MeshScene, Setting};
 
 fn solved(scene: MeshScene, n: usize, cone: Cone) -> (ContactProblem, ContactSolution) {
     let problem = scene.problem(n).unwrap();
@@ -24,14 +24,11 @@ fn order(coarse: f64, fine: f64, factor: f64) -> f64 {
 #[test]
 fn known_solution_is_approached_at_the_optimal_rate() {
     // u in H^{5/2-ε}: order 1 in the energy norm, close to 2 in L². Bounded from both sides.
-    let exact = Field::Scalar(&manufactured::exact);
-    let gradient = |point| [manufactured::gradient(point), [0.0; 2]];
-    let rule = Cubature::new(4).unwrap().singular_at(&[[manufactured::TRANSITION, 0.0]]);
+    let known = KnownSolution::three_halves();
     for cone in Cone::ALL {
         let norms = [16, 64].map(|n| {
             let (problem, solution) = solved(MeshScene::Manufactured, n, cone);
-            let values = &solution.displacement;
-            error_norms(problem.mesh(), problem.form(), values, (&exact, &gradient), &rule).unwrap()
+            known.error_norms(&problem, &solution.displacement).unwrap()
         });
         let [coarse, fine] = norms;
         assert_eq!(fine.h1, fine.energy, "the form is the Dirichlet form");
@@ -44,7 +41,8 @@ fn known_solution_is_approached_at_the_optimal_rate() {
 #[test]
 fn known_contact_set_and_force_are_found() {
     // Contact ends within two cells of 0.4; the total force is ∫ (3/2) (a − x)^{1/2} = a^{3/2}.
-    let exact = manufactured::TRANSITION.powf(1.5);
+    let transition = KnownSolution::three_halves().transitions()[0];
+    let exact = transition.powf(1.5);
     for cone in Cone::ALL {
         let mut off = Vec::new();
         for n in [32, 128] {
@@ -52,7 +50,7 @@ fn known_contact_set_and_force_are_found() {
             let runs = solution.contact_set.runs();
             assert_eq!(runs.len(), 1, "{cone}");
             let end = solution.positions[runs[0].end - 1];
-            assert!((end - manufactured::TRANSITION).abs() <= 2.0 / n as f64, "{cone}: {end}");
+            assert!((end - transition).abs() <= 2.0 / n as f64, "{cone}: {end}");
             off.push((solution.contact_force - exact).abs());
         }
         assert!(off[1] < 0.3 * off[0] && off[0] < 0.01, "{cone}: force off by {off:?}");
@@ -173,7 +171,7 @@ fn traction_from_the_residual_is_the_contact_pressure() {
     let (problem, solution) = solved(MeshScene::Manufactured, 128, Cone::Nodal);
     for (&x, [normal, _]) in problem.edge().arc().iter().zip(&solution.traction) {
         if (0.1..0.35).contains(&x) {
-            assert!((normal - manufactured::normal_derivative(x)).abs() < 2e-3, "{x}: {normal}");
+            assert!((normal - KnownSolution::three_halves().normal_stress(x)).abs() < 2e-3, "{x}: {normal}");
         }
     }
 }

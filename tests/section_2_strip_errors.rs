@@ -1,7 +1,7 @@
 //! Section 2 on a strip: the energy errors computed from the edge alone, against whole fields and extended
 //! precision.
 
-use experiments::convergence::{mean_errors, strip_levels};
+use experiments::convergence::{Levels, mean_errors, strip_levels};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use qd::Quad;
@@ -9,8 +9,7 @@ use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{
-    EdgeData, EdgeSolution, ExactEdge, ExactElastic, Levels, Reference, Sides, StripKind, StripProblem,
-    solve_contact,
+    EdgeData, EdgeSolution, ExactEdge, ExactElastic, Reference, Sides, StripKind, StripProblem, solve_contact,
 };
 
 /// The accuracy promised for every printed error, relative.

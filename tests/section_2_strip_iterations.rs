@@ -1,10 +1,10 @@
 //! Section 2 on a strip: inner iterations of every step stay bounded over levels, numbers of gaps, cones and
 //! kinds.
 
-use experiments::convergence::{CaseStudy, Level, strip_levels};
+use experiments::convergence::{CaseStudy, Level, Levels, StripCase, strip_levels};
 use signorini::cone::Cone;
-use signorini::scenes::{StripCase, StripScene};
-use signorini::strip::{Levels, Reference, Sides, StripKind, StripProblem};
+use signorini::scenes::StripScene;
+use signorini::strip::{Reference, Sides, StripKind, StripProblem};
 
 /// Required of every step on every level.
 const BOUND: usize = 30;

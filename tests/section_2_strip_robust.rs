@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use example_frame::{Outcome, Verdict};
-use experiments::convergence::Level;
+use experiments::convergence::{Level, Levels};
 use faer::Mat;
 use proptest::prelude::*;
 use signorini::Error;
@@ -12,8 +12,7 @@ use signorini::contact::{EdgeProblem, solve_on_edge};
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
 use signorini::strip::{
-    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Levels, Reference, ScalarStrip, Sides,
-    solve_contact,
+    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Reference, ScalarStrip, Sides, solve_contact,
 };
 use std::sync::LazyLock;
 

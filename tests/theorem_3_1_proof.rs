@@ -1,10 +1,11 @@
 //! Theorem 3.1, its proof: (3.3)-(3.15) on computed pairs, each side by itself, and the ladder of bounds.
 
+use experiments::convergence::Levels;
 use experiments::proof::{ProofCase, Resolution};
 use signorini::edge::{ContactPair, EdgeTrace, Interval, Traces};
 use signorini::proof::{Alternative, ProofConstants, Section, Step, ThetaRule};
 use signorini::scenes::StripScene;
-use signorini::strip::{EdgeData, Levels, Sides};
+use signorini::strip::{EdgeData, Sides};
 
 mod proof_cases;
 #[allow(dead_code)]

@@ -9,7 +9,7 @@ use example_frame::Outcome;
 use experiments::proof::NumberedStudy;
 use fractional_sobolev::{Order, SectorPower, Tolerance, closed_forms};
 use signorini::proof::TheoremConstants;
-use signorini::scenes::{EdgeDatum, RoughTransition};
+use signorini::scenes::{EdgeDatum, KnownSolution};
 
 fn order(s: f64) -> Order {
     Order::new(s).unwrap()
@@ -44,7 +44,7 @@ fn the_norm_of_the_gradient_has_its_components_and_its_limit() {
 /// Between the seminorm on the side where it lives and that with the jump to zero beyond.
 #[test]
 fn seminorms_of_the_edge_scale_and_hold_those_of_their_side() {
-    let scene = RoughTransition::new(0.8).unwrap();
+    let scene = KnownSolution::power(0.8, None).unwrap();
     let (nu, fast) = (order(0.15), Tolerance::fast());
     let one = |part| scene.edge_seminorm(EdgeDatum::Slope, part, nu, fast).unwrap().value;
     let side = closed_forms::power(-0.2, nu).unwrap().value.sqrt();
@@ -59,7 +59,7 @@ fn seminorms_of_the_edge_scale_and_hold_those_of_their_side() {
 #[test]
 fn what_is_not_in_the_space_is_an_error() {
     let numbers = TheoremConstants::new(1.75).unwrap();
-    let rough = RoughTransition::new(0.74).unwrap();
+    let rough = KnownSolution::power(0.74, None).unwrap();
     assert!(NumberedStudy::new(numbers, rough, signorini::cone::Cone::Nodal, 3).is_err());
     assert!(TheoremConstants::new(1.5).is_err() && TheoremConstants::new(2.1).is_err());
     let options = example::Options { above: 0.0, ..example::Options::default() };

@@ -5,13 +5,14 @@
 mod example;
 
 use example_frame::Outcome;
+use experiments::known_levels;
 use experiments::proof::BoundStudy;
 use fractional_sobolev::Rule;
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::fem::{Form, Lame};
 use signorini::proof::{ExplicitBound, MeshShape, half_plane_korn};
-use signorini::scenes::ClosedForm;
+use signorini::scenes::KnownSolution;
 use std::f64::consts::PI;
 
 fn options() -> example::Options {
@@ -38,9 +39,8 @@ fn the_bound_is_above_the_error_on_every_mesh() {
 /// a clamped end and a gap.
 #[test]
 fn contact_beside_a_clamped_end_takes_few_steps_in_either_cone() {
-    for (two_transitions, cone) in [false, true].into_iter().flat_map(|two| Cone::ALL.map(|cone| (two, cone)))
-    {
-        let scene = ClosedForm { two_transitions, lame: None };
+    let scenes = [KnownSolution::one_transition(None), KnownSolution::two_transitions(None)];
+    for (scene, cone) in scenes.into_iter().flat_map(|scene| Cone::ALL.map(|cone| (scene, cone))) {
         let coarse = scene.problem(128).unwrap().solve(cone, Solver::ActiveSet).unwrap();
         let (nested, cold) = scene.problem(256).unwrap().solve_after_beside_cold(&coarse).unwrap();
         assert!(nested.status.is_converged() && nested.kkt.worst() < 1e-12, "{scene} {cone}");
@@ -178,7 +178,7 @@ fn quadratics_obey_the_interpolation_constant() {
 /// the right place: changing sides by the least index did not end on this mesh.
 #[test]
 fn contact_at_clamped_ends_is_found_in_the_midpoint_cone() {
-    let scene = ClosedForm { two_transitions: true, lame: None };
+    let scene = KnownSolution::two_transitions(None);
     let solution = scene.problem(512).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
     assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{:?}", solution.status);
 }
@@ -193,6 +193,5 @@ fn bad_bounds_are_refused() {
     let good = bound(&Form::LAPLACE, shape, 0.25).unwrap();
     assert!(good.bound(0.0, 1.0, 1.0).is_err() && good.bound(0.1, 1.0, 2.0).is_err());
     assert!(good.bound(0.1, f64::INFINITY, 1.0).is_err());
-    let scene = ClosedForm { two_transitions: false, lame: None };
-    assert!(scene.levels(Cone::Nodal, 1, || ()).is_err());
+    assert!(known_levels(&KnownSolution::one_transition(None), Cone::Nodal, 1, || ()).is_err());
 }

@@ -1,9 +1,9 @@
 //! Theorem 4.1, its proof: (4.9)-(4.14) on computed pairs, each side by itself, and the ladder of bounds.
 
+use experiments::convergence::Levels;
 use experiments::proof::ProofCase;
 use signorini::proof::Section;
 use signorini::scenes::StripScene;
-use signorini::strip::Levels;
 
 mod proof_cases;
 #[allow(dead_code)]

@@ -1,10 +1,11 @@
 //! Section 3, "Globally": the bounds of both cases over θ against the worst complementary pair of one
 //! element.
 
+use experiments::convergence::Levels;
 use experiments::proof::ElementBalance;
 use signorini::cone::Cone;
 use signorini::edge::{ContactPair, Traces};
-use signorini::strip::{EdgeData, Levels, Sides};
+use signorini::strip::{EdgeData, Sides};
 
 #[allow(dead_code)]
 #[path = "../examples/theta_balance.rs"]

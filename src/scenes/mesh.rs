@@ -6,7 +6,7 @@
 //! replaced by their P1 interpolants. How smooth the solutions are follows from corners and contact set:
 //! `regularity`.
 
-use super::manufactured;
+use super::known::{KnownSolution, three_halves_problem};
 use super::registry::registry;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
@@ -44,7 +44,7 @@ registry! {
 
         /// Scalar, with known solution −Re (z − a)^{3/2} and contact set [0, a]; f = 0.
         Manufactured("manufactured") => Body {
-            load: Load::Exact { solution: manufactured::exact, problem: manufactured::problem },
+            load: Load::Exact { solution: KnownSolution::three_halves, problem: three_halves_problem },
             ..SCALAR
         };
 
@@ -107,7 +107,7 @@ enum Load {
     /// f alone, vertical for elastic scenes.
     Volume(fn(Point) -> f64),
     /// All data from a known solution; `problem` takes the factor on them.
-    Exact { solution: fn(Point) -> f64, problem: fn(Triangulation, f64) -> Result<ContactProblem> },
+    Exact { solution: fn() -> KnownSolution, problem: fn(Triangulation, f64) -> Result<ContactProblem> },
 }
 
 /// λ = μ = 1, which is Poisson's ratio 1/4, on the square hanging from its top, without load.
@@ -198,10 +198,10 @@ impl MeshScene {
         ((if self.is_elastic() { ELASTIC } else { SCALAR }).form)(&Setting::default())
     }
 
-    /// The solution where it is known in closed form, default setting: u as a function of the point.
-    pub fn solution(self) -> Option<fn(Point) -> f64> {
+    /// The solution where it is known in closed form, default setting.
+    pub fn solution(self) -> Option<KnownSolution> {
         match self.form().load {
-            Load::Exact { solution, .. } => Some(solution),
+            Load::Exact { solution, .. } => Some(solution()),
             Load::Volume(_) => None,
         }
     }

@@ -22,7 +22,7 @@ mod solver;
 mod transfer;
 
 pub use edge_data::EdgeData;
-pub use exact::{ExactEdge, ExactElastic, Levels, Reference, StripKind, StripProblem};
+pub use exact::{ExactEdge, ExactElastic, Reference, StripKind, StripProblem};
 pub use operator::edge::EdgeOperator;
 pub use operator::elastic::{ElasticLoad, ElasticStrip};
 pub use operator::load::EdgeLoad;

@@ -1,9 +1,9 @@
 //! Every inequality of one section on scenes x h x theta x tau: what the proofs of both theorems are held to.
 
+use experiments::convergence::Levels;
 use experiments::proof::{ProofCase, Resolution};
 use signorini::proof::{ProofConstants, Section, Step, ThetaRule};
 use signorini::scenes::StripScene;
-use signorini::strip::Levels;
 
 /// Rungs that coincide agree to the rounding of their sums and to the error of the constants, about 1e-9.
 pub const RUNG: f64 = 1e-8;

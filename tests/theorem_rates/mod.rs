@@ -2,12 +2,12 @@
 
 use example_frame::rates::RateRow;
 use example_frame::{Finding, Headline, Outcome, Table, Verdict};
-use experiments::convergence::{MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
+use experiments::convergence::{Levels, MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::cone::Cone;
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
 use signorini::rates::Bound;
 use signorini::scenes::{MeshScene, Setting, StripScene};
-use signorini::strip::{Levels, Sides, StripKind};
+use signorini::strip::{Sides, StripKind};
 
 /// Options of either example for one transition on few levels.
 macro_rules! one_transition {

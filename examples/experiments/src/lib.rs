@@ -9,6 +9,7 @@ pub mod growth;
 pub mod hard_cases;
 pub mod induction;
 pub mod interpolation;
+mod known_levels;
 mod line;
 pub mod location;
 mod parallel;
@@ -23,5 +24,6 @@ pub mod trial;
 pub mod wedge_grid;
 pub mod zones;
 
+pub use known_levels::{KnownLevel, known_levels};
 pub use random::SplitMix;
 pub use scale::largest;

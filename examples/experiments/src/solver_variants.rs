@@ -5,15 +5,11 @@
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
-use signorini::fem::{Cubature, Field, error_norms};
-use signorini::scenes::MeshScene;
-use signorini::scenes::manufactured;
+use signorini::scenes::KnownSolution;
 use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 use std::time::Instant;
 
-/// Points along each side of a triangle's rule; graded toward the transition.
-const POINTS: usize = 4;
 /// Cells along each side up to which the interior-point method takes its turn.
 const INTERIOR: usize = 128;
 /// Cells along each side up to which elimination takes its turn: some 4 GB at n = 1024 for two components.
@@ -92,7 +88,7 @@ pub struct VariantRow {
     pub kkt: f64,
 }
 
-/// [`MeshScene::Manufactured`] on n, 2n, ..., 2^{levels − 1} n squares along each side, coarsest first; on
+/// [`KnownSolution::three_halves`] on n, 2n, ..., 2^{levels − 1} n squares along each side, coarsest first; on
 /// the coarsest mesh there is no nested start, and where nothing coarser is left no multigrid; the interior
 /// point goes to n = 128, elimination to n = 1024. `report` is called before each solution.
 ///
@@ -111,20 +107,18 @@ pub fn manufactured_by_every_variant(
             range: "[2, 9]",
         }));
     }
-    let rule = Cubature::new(POINTS)?.singular_at(&[[manufactured::TRANSITION, 0.0]]);
-    let exact = Field::Scalar(&manufactured::exact);
-    let gradient = |point| [manufactured::gradient(point), [0.0; 2]];
+    let known = KnownSolution::three_halves();
     let (mut rows, mut coarse): (Vec<VariantRow>, Option<ContactSolution>) = (Vec::new(), None);
     for n in (0..levels).map(|level| n.saturating_mul(1 << level)) {
         let mut here: Option<ContactSolution> = None;
         for road in SolverVariant::ALL.into_iter().filter(|road| road.is_taken(n)) {
             report(n, road)?;
             let start = Instant::now();
-            let problem = MeshScene::Manufactured.problem(n)?;
+            let problem = known.problem(n)?;
             let Some((solution, estimate)) = travel(road, &problem, cone, coarse.as_ref())? else { continue };
             let seconds = start.elapsed().as_secs_f64();
             let values = &solution.displacement;
-            let error = error_norms(problem.mesh(), problem.form(), values, (&exact, &gradient), &rule)?.h1;
+            let error = known.error_norms(&problem, values)?.h1;
             let algebraic = match &here {
                 Some(direct) if road != SolverVariant::Nested => Some(apart(&problem, &solution, direct)?),
                 _ => None,

@@ -189,12 +189,13 @@ fn kind(argument: &Arg) -> Option<Kind> {
 
 /// Types of the contact rooms.
 fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
+    use experiments::convergence::Levels;
     use experiments::proof::{Against, Resolution};
     use signorini::cone::Cone;
     use signorini::contact::Solver;
     use signorini::scenes::{MeshScene, Scene, StripScene};
     use signorini::singular::Sides;
-    use signorini::strip::{Levels, Reference, StripKind};
+    use signorini::strip::{Reference, StripKind};
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
     // A scene that needs the name of a file has no default and is not read from its bare name.
     let is_whole = |name: &&str| name.parse::<StripScene>().is_ok();
@@ -228,9 +229,9 @@ fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use experiments::convergence::Levels;
     use signorini::cone::Cone;
     use signorini::scenes::Scene;
-    use signorini::strip::Levels;
 
     crate::options! {
         /// What it does

@@ -3,13 +3,11 @@
 mod difference;
 mod elastic;
 mod grids;
-mod levels;
 mod problem;
 mod reference;
 mod scalar;
 
 pub use elastic::ExactElastic;
-pub use levels::Levels;
 pub use problem::{StripKind, StripProblem};
 pub use reference::Reference;
 pub use scalar::ExactEdge;

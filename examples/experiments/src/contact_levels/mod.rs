@@ -2,11 +2,13 @@
 //! are apart: `section_2_elastic_contact`, `section_2_scalar_contact`, `section_2_own_body`.
 
 mod comparison;
+mod known;
 mod levels;
 mod own_body;
 mod study;
 
 pub use comparison::{energies_apart, sets_apart};
+pub use known::known_energy;
 pub use levels::{SceneRun, StudyProgress};
 pub use own_body::OwnBody;
 pub use study::SceneStudy;

@@ -1,5 +1,6 @@
 //! A scene on one mesh or on nested ones, by one solver or by two, and how far two solutions are apart.
 
+use super::known::known_energy;
 use super::levels::{
     How, LEVELS, Level, SceneRun, StudyProgress, asked, solve_levels, solvers_for, unknowns,
 };
@@ -32,10 +33,10 @@ pub struct SceneStudy {
 }
 
 impl SceneStudy {
-    /// J on n × n squares as other packages have found it ([`MeshScene::known_energy`]); `None` for another
+    /// J on n × n squares as other packages have found it ([`known_energy`]); `None` for another
     /// setting.
     pub fn known_energy(&self, n: usize) -> Option<f64> {
-        self.scene.known_energy(self.cone, n).filter(|_| self.setting == Setting::default())
+        known_energy(self.scene, self.cone, n).filter(|_| self.setting == Setting::default())
     }
 
     /// About what the finest level takes, in bytes: elimination 100 log₂ N for each of N unknowns, the interior

@@ -4,9 +4,10 @@
 //! evenly spread positions has no such phase.
 
 use super::level_loop::Level;
+use super::strip_case::StripCase;
 use super::strip_levels::strip_levels;
 use fractional_sobolev::{Estimate, Work};
-use signorini::scenes::{StripCase, StripScene};
+use signorini::scenes::StripScene;
 use signorini::strip::{EdgeData, StripProblem};
 use signorini::{Error, Result, ToolkitError};
 

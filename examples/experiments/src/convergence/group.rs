@@ -1,13 +1,14 @@
 //! Several families on one strip: operators and exact error forms are made once.
 
 use super::family::SceneFamily;
+use super::levels::Levels;
 use super::memory::LevelMemory;
 use super::strip_rates::RateStrip;
 use super::study::RateStudy;
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::scenes::StripScene;
-use signorini::strip::{Levels, StripKind};
+use signorini::strip::StripKind;
 
 /// Families of scenes on one strip, with its levels and its reference grid.
 pub struct StripGroup {

@@ -1,10 +1,11 @@
 //! Finished levels that need not be solved again: a study asks for them by what they depend on.
 
 use super::level::RateLevel;
+use super::levels::Levels;
 use super::subject::FamilyScene;
 use signorini::Result;
 use signorini::cone::Cone;
-use signorini::strip::{Levels, StripKind};
+use signorini::strip::StripKind;
 use std::fmt;
 
 /// Everything a level of a member of a family on a strip depends on.

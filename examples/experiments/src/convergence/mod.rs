@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | operator, load, contact solution, error, level after level | [`solve_levels`], [`LevelProblem`] |
 //! | the levels of a strip; of a case at all positions | [`StripLevels`], [`strip_levels`]; [`CaseStudy`] |
+//! | a scene of the strip with levels, cone and positions: what is solved | [`StripCase`], [`Levels`] |
 //! | a scene in one cone, strips and meshes | [`RateStrip`], [`StripGroup`], [`MeshRates`], [`RateStudy`] |
 //! | one transition on meshes, against its known solution | [`TransitionRates`] |
 //! | the scenes' regularity beside their orders | [`scene_orders`] |
@@ -18,16 +19,16 @@ mod clamped_end;
 mod clamped_end_case;
 mod corner_reading;
 mod family;
-
 mod group;
 mod level;
 mod level_loop;
+mod levels;
 mod logarithm;
 mod memory;
 mod mesh_rates;
 mod orders;
 mod scene_orders;
-
+mod strip_case;
 mod strip_levels;
 mod strip_rates;
 mod study;
@@ -43,11 +44,13 @@ pub use family::SceneFamily;
 pub use group::StripGroup;
 pub use level::{Flag, RateLevel};
 pub use level_loop::{Facts, Level, LevelProblem, solve_levels};
+pub use levels::Levels;
 pub use logarithm::LogarithmFit;
 pub use memory::{LevelKey, LevelMemory, NoMemory};
 pub use mesh_rates::MeshRates;
 pub use orders::observed_orders;
 pub use scene_orders::{SceneOrder, scene_orders};
+pub use strip_case::StripCase;
 pub use strip_levels::{StripLevels, StripSolution, strip_levels};
 pub use strip_rates::RateStrip;
 pub use study::{Quantity, RateReference, RateStudy};

@@ -5,9 +5,10 @@
 //! the ratio of errors, alternates with the position of the transition in its cell.
 
 use super::level_loop::{Facts, Level, LevelProblem, solve_levels};
+use super::levels::Levels;
 use fractional_sobolev::Estimate;
 use signorini::cone::Cone;
-use signorini::strip::{EdgeOperator, EdgeSolution, Levels, StripProblem, solve_contact};
+use signorini::strip::{EdgeOperator, EdgeSolution, StripProblem, solve_contact};
 use signorini::{Error, Result, ToolkitError};
 
 /// A problem on a strip with its levels.

@@ -8,13 +8,14 @@
 use super::family::SceneFamily;
 use super::level::RateLevel;
 use super::level_loop::solve_levels;
+use super::levels::Levels;
 use super::memory::{LevelKey, LevelMemory};
 use super::strip_levels::StripLevels;
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use signorini::cone::Cone;
 use signorini::edge::{consistency_terms, edge_norms};
-use signorini::strip::{EdgeData, EdgeOperator, Levels, Reference, StripKind, StripProblem};
+use signorini::strip::{EdgeData, EdgeOperator, Reference, StripKind, StripProblem};
 use signorini::{Error, Result, ToolkitError};
 
 /// The reference grid is this much finer than the finest level that counts.

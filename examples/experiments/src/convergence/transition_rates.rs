@@ -11,13 +11,15 @@ use super::subject::Subject;
 use fractional_sobolev::Estimate;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver};
-use signorini::scenes::{MeshTransition, TransitionPowers};
+use signorini::scenes::{KnownSolution, TransitionPowers};
 use signorini::{Error, Result, ToolkitError};
 
 /// Where the transition lies.
 const POSITIONS: [f64; 2] = [1.0 / 3.0, 2.0 / 3.0];
 /// Squares along each side of the finest mesh: by elimination some ten seconds.
 const LARGEST: usize = 1024;
+/// Relative accuracy of the errors: what rules with four and five points leave.
+const QUADRATURE: f64 = 1e-2;
 
 /// One transition on uniform meshes of the square.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +47,7 @@ impl TransitionRates {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for no level or a finest mesh of more than 1024 squares; as
-    /// [`MeshTransition::new`]; those of solvers and norms.
+    /// [`KnownSolution::transition`]; those of solvers and norms.
     pub fn study(&self, cones: &[Cone], mut report: impl FnMut()) -> Result<Vec<RateStudy>> {
         let finest = u32::try_from(self.levels.saturating_sub(1))
             .ok()
@@ -63,7 +65,10 @@ impl TransitionRates {
         let of_cone = |&cone: &Cone| {
             let mut members: Vec<Vec<RateLevel>> = Vec::new();
             for position in POSITIONS {
-                let scene = MeshTransition::new(self.powers, position, self.whole_boundary)?;
+                let scene = match self.whole_boundary {
+                    true => KnownSolution::whole_boundary(self.powers, position)?,
+                    false => KnownSolution::transition(self.powers, position)?,
+                };
                 let problem = OnePosition { scene, coarsest: self.coarsest, levels: self.levels };
                 let note = |_, _: &_, _: &_| {
                     report();
@@ -84,7 +89,7 @@ impl TransitionRates {
 
 /// The levels at one position.
 struct OnePosition {
-    scene: MeshTransition,
+    scene: KnownSolution,
     coarsest: usize,
     levels: usize,
 }
@@ -103,7 +108,7 @@ impl LevelProblem for OnePosition {
     }
 
     fn error(&self, _: usize, (problem, solution): &Self::Solution) -> Result<Estimate> {
-        self.scene.error(problem, &solution.displacement)
+        self.scene.error(problem, &solution.displacement, QUADRATURE)
     }
 
     fn facts(&self, level: usize, (problem, solution): &Self::Solution) -> Facts {

@@ -1,12 +1,13 @@
 //! What the proofs are profiled on: a manufactured pair, mesh sizes, the resolution and θ as a function of h.
 
 use super::resolution::Resolution;
+use crate::convergence::Levels;
 use signorini::edge::{ContactPair, Traces};
 use signorini::proof::ProofConstants;
 use signorini::proof::Section;
 use signorini::proof::ThetaRule;
 use signorini::scenes::StripScene;
-use signorini::strip::{Levels, Sides};
+use signorini::strip::Sides;
 use signorini::{Error, Result, ToolkitError};
 
 /// Largest number of positions of a transition.

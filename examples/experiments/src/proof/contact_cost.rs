@@ -24,11 +24,11 @@
 //! solution for the forces A g that hold the exact edge: no contact problem. Cost as for [`super::falk_terms`].
 
 use super::exponent::Exponent;
-use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
+use crate::convergence::{Level, StripCase, StripLevels, StripSolution, solve_levels};
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::edge::consistency_terms;
-use signorini::scenes::{StripCase, StripScene};
+use signorini::scenes::StripScene;
 use signorini::strip::{Sides, StripProblem};
 use std::f64::consts::LN_2;
 

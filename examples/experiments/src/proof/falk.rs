@@ -1,10 +1,9 @@
 //! `falk_terms`: the terms of Falk's lemma on the meshes of a problem of the strip.
 
-use crate::convergence::{Level, StripLevels, StripSolution, solve_levels};
+use crate::convergence::{Level, StripCase, StripLevels, StripSolution, solve_levels};
 use signorini::Result;
 use signorini::edge::EdgeTrace;
 use signorini::proof::FalkTerms;
-use signorini::scenes::StripCase;
 use signorini::strip::StripProblem;
 
 /// The terms on one mesh, mean over the positions of the transition.

@@ -5,13 +5,13 @@
 
 use super::case::ProofCase;
 use super::profile::LevelProfile;
+use crate::convergence::Levels;
 use signorini::Result;
 use signorini::proof::Inequality;
 use signorini::proof::Section;
 use signorini::proof::Step;
 use signorini::proof::ThetaRule;
 use signorini::scenes::StripScene;
-use signorini::strip::Levels;
 
 /// A line over all pairs on which it was checked.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,11 +1,12 @@
 //! `theorem_3_1_with_numbers` and `_elastic`: the theorems with explicit constants beside the error of a problem whose
 //! solution is known.
 
+use crate::known_levels::{KnownLevel, known_levels};
 use fractional_sobolev::{Estimate, Tolerance};
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::proof::TheoremConstants;
-use signorini::scenes::{EdgeDatum, RoughLevel, RoughTransition};
+use signorini::scenes::{EdgeDatum, KnownSolution};
 
 /// Relative accuracy of the norms; all are rounded up by their errors.
 const ACCURACY: f64 = 1e-5;
@@ -33,7 +34,7 @@ pub struct NumberedStudy {
     /// Constants.
     pub numbers: TheoremConstants,
     /// The scene.
-    pub scene: RoughTransition,
+    pub scene: KnownSolution,
     /// The cone.
     pub cone: Cone,
     /// |∇u|_{τ−1} on the half disc.
@@ -42,6 +43,12 @@ pub struct NumberedStudy {
     pub edge: [f64; 2],
     /// Coarsest mesh first.
     pub rows: Vec<NumberedRow>,
+}
+
+/// The segment with the transition inside, of n equal ones.
+fn segment(transition: f64, n: usize) -> [f64; 2] {
+    let first = (transition * n as f64).floor();
+    [first, first + 1.0].map(|i| i / n as f64)
 }
 
 fn up(estimate: Estimate) -> f64 {
@@ -53,8 +60,8 @@ impl NumberedStudy {
     /// Laplacian.
     ///
     /// # Errors
-    /// [`ToolkitError::InfiniteNorm`](signorini::ToolkitError::InfiniteNorm) where u is not in H^τ, p ≤ τ − 1; as [`RoughTransition::levels`].
-    pub fn new(numbers: TheoremConstants, scene: RoughTransition, cone: Cone, finest: u32) -> Result<Self> {
+    /// [`ToolkitError::InfiniteNorm`](signorini::ToolkitError::InfiniteNorm) where u is not in H^τ, p ≤ τ − 1; as [`known_levels`].
+    pub fn new(numbers: TheoremConstants, scene: KnownSolution, cone: Cone, finest: u32) -> Result<Self> {
         let numbers = scene.lame().map_or(numbers, |lame| numbers.elastic(lame));
         let (tau, asked) = (numbers.tau, Tolerance::new(ACCURACY)?);
         let norm = up(scene.body_seminorm(tau, asked)?);
@@ -64,10 +71,10 @@ impl NumberedStudy {
             Ok([one(EdgeDatum::Pressure)?, one(EdgeDatum::Slope)?])
         };
         let edge = both([0.0, 1.0])?;
-        let row = |level: RoughLevel| -> Result<NumberedRow> {
-            let RoughLevel { n, error, interpolation } = level;
+        let row = |level: KnownLevel| -> Result<NumberedRow> {
+            let KnownLevel { n, error, interpolation } = level;
             let h = 1.0 / n as f64;
-            let [pressure, slope] = both(scene.segment(n))?;
+            let [pressure, slope] = both(segment(scene.transitions()[0], n))?;
             let smooth = numbers.interpolation * h.powf(tau - 1.0) * norm;
             Ok(NumberedRow {
                 n,
@@ -77,7 +84,7 @@ impl NumberedStudy {
                 near: numbers.bound(cone, h, interpolation, pressure * slope, edge[0]),
             })
         };
-        let rows = scene.levels(cone, finest)?.into_iter().map(row).collect::<Result<_>>()?;
+        let rows = known_levels(&scene, cone, finest, || ())?.into_iter().map(row).collect::<Result<_>>()?;
         Ok(Self { numbers, scene, cone, norm, edge, rows })
     }
 }

@@ -24,11 +24,12 @@
 
 use super::bound_row::BoundRow;
 use super::contact_cost::{CostRow, contact_cost};
+use crate::convergence::{Levels, StripCase};
 use fractional_sobolev::{Estimate, Order, SingularFunction, Tolerance, Work};
 use signorini::cone::Cone;
 use signorini::proof::MeshShape;
-use signorini::scenes::{StripCase, StripScene};
-use signorini::strip::{Levels, Reference, StripKind};
+use signorini::scenes::StripScene;
+use signorini::strip::{Reference, StripKind};
 use signorini::{Error, Result, ToolkitError};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -2,14 +2,18 @@
 
 use super::bound_row::BoundRow;
 use super::without_c_strip::strip_bounds;
+use crate::convergence::Levels;
+use crate::known_levels::{KnownLevel, known_levels};
 use fractional_sobolev::{Order, Tolerance};
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::proof::{ExplicitBound, MeshShape, half_plane_korn};
 use signorini::proof::{SegmentConstant, consistency_constant, product_bound, product_constant};
-use signorini::scenes::{ClosedForm, ClosedFormLevel};
-use signorini::strip::Levels;
+use signorini::scenes::KnownSolution;
 use std::fmt;
+
+/// Relative accuracy of |u|₂, rounded up by its error.
+const SMOOTHNESS: f64 = 1e-2;
 
 /// The three constants c, K, κ of a segment at ν = 1/2 for the bounds of the nodal and of the midpoint cone; K
 /// and κ are rounded up by their errors. The midpoint cone has half of a product of two L¹ norms, whatever the
@@ -28,7 +32,7 @@ pub fn segment_versions(tolerance: Tolerance) -> Result<[[f64; 3]; 2]> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BoundProblem {
     /// The unit square.
-    Square(ClosedForm),
+    Square(KnownSolution),
     /// The scalar strip with this many gaps between natural transitions.
     Strip(usize),
 }
@@ -60,30 +64,31 @@ impl BoundStudy {
     /// called after each mesh.
     ///
     /// # Errors
-    /// As [`ClosedForm::levels`] and [`ExplicitBound::new`].
+    /// As [`known_levels`] and [`ExplicitBound::new`].
     pub fn square(
-        scene: ClosedForm,
+        scene: KnownSolution,
         cone: Cone,
         segment: &[f64],
         finest: u32,
         report: impl FnMut(),
     ) -> Result<Self> {
         // B plays no part in scalar problems.
-        let korn = scene.lame.map_or(1.0, half_plane_korn);
+        let korn = scene.lame().map_or(1.0, half_plane_korn);
         let shape = MeshShape::right_isosceles();
         let bound = |&c: &f64| ExplicitBound::new(&scene.form(), cone, shape, c, korn);
         let bounds: Vec<ExplicitBound> = segment.iter().map(bound).collect::<Result<_>>()?;
-        let whole = scene.second_seminorm(1)?;
+        let whole = scene.second_seminorm(1, SMOOTHNESS)?;
         let whole = whole.value + whole.error;
-        let row = |level: ClosedFormLevel| {
-            let ClosedFormLevel { n, error, interpolation, near, .. } = level;
+        let row = |level: KnownLevel| {
+            let KnownLevel { n, error, interpolation } = level;
+            let near = scene.second_seminorm(n, SMOOTHNESS)?;
             let (h, near) = (1.0 / n as f64, (near.value + near.error).min(whole));
             let of =
                 |near| bounds.iter().map(|bound| bound.bound(h, whole, near)).collect::<Result<Vec<f64>>>();
             let share = Some(near / whole);
             Ok(BoundRow { n, error, interpolation, share, near: of(near)?, whole: Some(of(whole)?) })
         };
-        let rows = scene.levels(cone, finest, report)?.into_iter().map(row).collect::<Result<_>>()?;
+        let rows = known_levels(&scene, cone, finest, report)?.into_iter().map(row).collect::<Result<_>>()?;
         Ok(Self { problem: BoundProblem::Square(scene), cone, rows, bounds })
     }
 

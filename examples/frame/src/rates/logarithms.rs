@@ -2,10 +2,10 @@
 
 use super::plan::both_cones;
 use crate::Result;
-use experiments::convergence::{LogarithmFit, Quantity, RateStudy, SceneFamily, StripGroup};
+use experiments::convergence::{Levels, LogarithmFit, Quantity, RateStudy, SceneFamily, StripGroup};
 use signorini::rates::Bound;
 use signorini::scenes::{StripScene, TransitionPowers};
-use signorini::strip::{Levels, StripKind};
+use signorini::strip::StripKind;
 
 /// Powers α of one transition: a kink outside H², and three in it; then those of 22, and of a Cantor set.
 const ALPHAS: [f64; 4] = [0.0, 0.75, 1.0, 1.5];

@@ -3,10 +3,10 @@
 use super::row::RateRow;
 use super::store::LevelStore;
 use crate::{Error, Result, announce_memory, progress};
-use experiments::convergence::{LevelMemory, MeshRates, StripGroup, TransitionRates};
+use experiments::convergence::{LevelMemory, Levels, MeshRates, StripGroup, TransitionRates};
 use signorini::cone::Cone;
 use signorini::scenes::{MeshScene, Scene, Setting, StripScene};
-use signorini::strip::{Levels, StripKind};
+use signorini::strip::StripKind;
 
 /// What is solved: groups of scenes on strips, whose exact solution is known, and corners on meshes.
 pub struct RatePlan {

@@ -3,9 +3,9 @@
 use super::plan::{both_cones, on_meshes};
 use super::row::RateRow;
 use crate::Result;
-use experiments::convergence::{SceneFamily, StripGroup, TransitionRates};
+use experiments::convergence::{Levels, SceneFamily, StripGroup, TransitionRates};
 use signorini::scenes::{StripScene, TransitionPowers};
-use signorini::strip::{Levels, StripKind};
+use signorini::strip::StripKind;
 
 /// What stands for a regularity. On a strip: one transition, one in H² (slopes like |ln r|^{−1}), 22, a fat
 /// Cantor set, an elastic one and one in H²; on meshes: one transition, one in H².

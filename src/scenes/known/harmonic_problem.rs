@@ -1,38 +1,37 @@
-//! The contact problem of a transition with known solution, and the error of a discrete one.
+//! The contact problem of a transition with known solution.
 //!
-//! Loads and norms are integrated by rules graded toward the transition: on its segment x = a ± L t^m.
+//! Loads are integrated by rules graded toward the transition: on its segment x = a ± L t^m.
 
-use super::mesh_transition::{MeshTransition, SLOPE};
+use super::harmonic::{Harmonic, SLOPE};
 use crate::contact::ContactProblem;
 use crate::error::Result;
-use crate::fem::{Cubature, Field, Form, error_norms};
+use crate::fem::{Cubature, Field, Form};
 use crate::mesh::{Part, Point, Sides, Triangulation, distance, unit_square};
-use fractional_sobolev::{Estimate, Rule, Work};
+use fractional_sobolev::Rule;
 
-/// Points along each side of a triangle's rule, below p = 1 and from there on; for the error the coarser one
-/// says how exact the finer is.
-const POINTS: [[usize; 2]; 2] = [[4, 5], [3, 4]];
+/// Points along each side of a triangle's rule for errors, below p = 1 and from there on; one less for loads.
+const POINTS: [usize; 2] = [5, 4];
 /// Gauss points on a segment, and m: t^{mp−1} is smooth enough for p ≥ 3/10.
 const EDGE_POINTS: usize = 24;
 const GRADING: i32 = 12;
 
-impl MeshTransition {
+impl Harmonic {
     /// The problem on the structured mesh with n × n squares.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
-    pub fn problem(&self, n: usize) -> Result<ContactProblem> {
+    pub(super) fn problem(&self, n: usize) -> Result<ContactProblem> {
         let other = if self.whole_boundary { Part::Contact } else { Part::Dirichlet };
         let mesh = unit_square(n, Sides { bottom: Part::Contact, right: other, top: other, left: other })?;
         let load = self.edge_load(&mesh)?;
         let zero = vec![0.0; load.len()];
         let u = |point: Point| self.displacement(point);
         let mut problem = if self.whole_boundary {
-            let mut problem = ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &zero)?;
-            problem.add_volume_load(&Field::Scalar(&u), &self.rule(self.points()[0])?)?;
+            let mut problem = ContactProblem::new(mesh, self.form(), &zero)?;
+            problem.add_volume_load(&Field::Scalar(&u), &self.rule(self.points() - 1)?)?;
             problem
         } else {
-            let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &zero)?;
+            let mut problem = ContactProblem::new(mesh, self.form(), &zero)?;
             problem.set_dirichlet(&Field::Scalar(&u))?;
             problem
         };
@@ -40,23 +39,13 @@ impl MeshTransition {
         Ok(problem)
     }
 
-    /// a(u − v, u − v)^{1/2} for nodal values v on the mesh of a problem; the error is what a rule of fewer
-    /// points changes.
-    ///
-    /// # Errors
-    /// As [`error_norms`].
-    pub fn error(&self, problem: &ContactProblem, values: &[f64]) -> Result<Estimate> {
-        let (u, gradient) = (|point| self.displacement(point), |point| [self.gradient(point), [0.0; 2]]);
-        let norm = |points| {
-            let exact = (&Field::Scalar(&u), &gradient as &dyn Fn(Point) -> [Point; 2]);
-            error_norms(problem.mesh(), problem.form(), values, exact, &self.rule(points)?)
-        };
-        let [coarse, fine] = self.points();
-        let [coarse, fine] = [norm(coarse)?.energy, norm(fine)?.energy];
-        Ok(Estimate::new(fine, fine - coarse, Work::default())?)
+    /// The bilinear form.
+    pub(super) fn form(&self) -> Form {
+        if self.whole_boundary { Form::Scalar { reaction: 1.0 } } else { Form::LAPLACE }
     }
 
-    fn points(&self) -> [usize; 2] {
+    /// Points along each side of a triangle's rule for errors.
+    pub(super) fn points(&self) -> usize {
         POINTS[usize::from(self.powers.opening >= 1.0)]
     }
 
@@ -80,7 +69,7 @@ impl MeshTransition {
             if from[1] == 0.0 && to[1] == 0.0 {
                 for (t, weight, beyond) in self.points_on_bottom(from[0], length, &rule) {
                     let slope = self.potential(beyond, 0.0)[1].im + SLOPE;
-                    add(t, weight, slope - self.stress(beyond));
+                    add(t, weight, slope - self.normal_stress(beyond));
                 }
                 continue;
             }
@@ -115,12 +104,9 @@ impl MeshTransition {
 
 #[cfg(test)]
 mod tests {
-    use super::super::mesh_transition::tests::scenes;
+    use super::super::harmonic::tests::scenes;
     use super::*;
-    use crate::cone::Cone;
-    use crate::contact::Solver;
     use crate::mesh::doubled_area;
-    use crate::scenes::TransitionPowers;
 
     /// a(u, φ_i) = ∫ f φ_i + ∫ (g + σ_N) φ_i at every node that is not held: u solves the problem of its
     /// loads.
@@ -158,7 +144,7 @@ mod tests {
                     let start = i as f64 / n as f64;
                     for (t, weight, beyond) in scene.points_on_bottom(start, 1.0 / n as f64, &rule) {
                         for (node, share) in [(i, 1.0 - t), (i + 1, t)] {
-                            load[node] += weight * share / n as f64 * scene.stress(beyond);
+                            load[node] += weight * share / n as f64 * scene.normal_stress(beyond);
                         }
                     }
                 }
@@ -168,30 +154,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn contact_is_found_where_it_is_in_both_cones() {
-        for scene in scenes(true).into_iter().chain(scenes(false)) {
-            let problem = scene.problem(16).unwrap();
-            let [nodal, midpoint] = [Cone::Nodal, Cone::Midpoint].map(|cone| {
-                let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
-                assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{scene} {cone}");
-                let error = scene.error(&problem, &solution.displacement).unwrap();
-                assert!(error.error < 1e-3 * error.value, "{scene} {cone}: {error:?}");
-                (solution.contact_set.count(), error.value)
-            });
-            assert!(nodal.0.abs_diff(2 * 16 / 3) <= 2, "{scene}: {nodal:?}");
-            // The errors of the two cones are of one size on every scene.
-            assert!(
-                midpoint.1 < 1.5 * nodal.1 && nodal.1 < 1.5 * midpoint.1,
-                "{scene}: {nodal:?} {midpoint:?}"
-            );
-        }
-        for opening in [0.2, 0.95, 1.6, f64::NAN] {
-            let powers = TransitionPowers { opening, ..TransitionPowers::of_regularity(1.75) };
-            assert!(MeshTransition::new(powers, 0.5, true).is_err(), "{opening}");
-        }
-        assert!(MeshTransition::new(TransitionPowers::of_regularity(1.75), 1.0, true).is_err());
     }
 }

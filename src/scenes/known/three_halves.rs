@@ -10,26 +10,26 @@ use crate::fem::{Field, Form};
 use crate::mesh::{Part, Point, Triangulation};
 
 /// The end of contact: no node of a uniform dyadic mesh, and 2/5 of the edge.
-pub const TRANSITION: f64 = 0.4;
+pub(super) const TRANSITION: f64 = 0.4;
 
 fn polar([x, y]: Point) -> (f64, f64) {
     ((x - TRANSITION).hypot(y), y.atan2(x - TRANSITION))
 }
 
 /// u.
-pub fn exact(point: Point) -> f64 {
+pub(super) fn displacement(point: Point) -> f64 {
     let (r, phi) = polar(point);
     -r * r.sqrt() * (1.5 * phi).cos()
 }
 
 /// ∇u.
-pub fn gradient(point: Point) -> Point {
+pub(super) fn gradient(point: Point) -> Point {
     let (r, phi) = polar(point);
     [-1.5 * r.sqrt() * (0.5 * phi).cos(), 1.5 * r.sqrt() * (0.5 * phi).sin()]
 }
 
 /// σ_N = ∂u/∂n on the contact edge.
-pub fn normal_derivative(x: f64) -> f64 {
+pub(super) fn normal_stress(x: f64) -> f64 {
     -1.5 * (TRANSITION - x).max(0.0).sqrt()
 }
 
@@ -37,10 +37,10 @@ pub fn normal_derivative(x: f64) -> f64 {
 ///
 /// # Errors
 /// As for [`ContactProblem::new`].
-pub fn problem(mesh: Triangulation, scale: f64) -> Result<ContactProblem> {
+pub(in super::super) fn problem(mesh: Triangulation, scale: f64) -> Result<ContactProblem> {
     let load = vec![0.0; mesh.nodes().len()];
     let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &load)?;
-    problem.set_dirichlet(&Field::Scalar(&|point| scale * exact(point)))?;
+    problem.set_dirichlet(&Field::Scalar(&|point| scale * displacement(point)))?;
     problem.add_boundary_load(Part::Neumann, &|point, normal| {
         let [x, y] = gradient(point);
         Ok([scale * (x * normal[0] + y * normal[1]), 0.0])
@@ -56,16 +56,16 @@ mod tests {
     fn solution_satisfies_what_is_claimed() {
         for i in 0..=20 {
             let x = f64::from(i) / 20.0;
-            let (u, slope) = (exact([x, 0.0]), -gradient([x, 0.0])[1]);
+            let (u, slope) = (displacement([x, 0.0]), -gradient([x, 0.0])[1]);
             assert!(u <= 1e-16 && slope <= 1e-16 && (u * slope).abs() < 1e-16, "{x}: {u} {slope}");
-            assert!((slope - normal_derivative(x)).abs() < 1e-15, "{x}");
+            assert!((slope - normal_stress(x)).abs() < 1e-15, "{x}");
         }
         // Differences: gradient and Laplacian at an inner point, steps where rounding and truncation balance.
         let (h, [x, y]) = (1e-4, [0.7, 0.3]);
-        let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(exact);
+        let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(displacement);
         let slope = gradient([x, y]);
         assert!(((sides[0] - sides[1]) / (2.0 * h) - slope[0]).abs() < 1e-8);
         assert!(((sides[2] - sides[3]) / (2.0 * h) - slope[1]).abs() < 1e-8);
-        assert!((sides.iter().sum::<f64>() - 4.0 * exact([x, y])).abs() / (h * h) < 1e-6);
+        assert!((sides.iter().sum::<f64>() - 4.0 * displacement([x, y])).abs() / (h * h) < 1e-6);
     }
 }

@@ -1,9 +1,10 @@
 //! A case of the strip: one scene, or one transition at several positions, on all levels.
 
-use super::strip::StripScene;
-use crate::cone::Cone;
-use crate::error::{Error, Result, ToolkitError};
-use crate::strip::{Levels, Reference, StripKind};
+use super::levels::Levels;
+use signorini::cone::Cone;
+use signorini::scenes::StripScene;
+use signorini::strip::{Reference, StripKind};
+use signorini::{Error, Result, ToolkitError};
 
 /// Largest number of positions of a transition.
 const POSITIONS: usize = 1024;
@@ -32,7 +33,7 @@ impl StripCase {
     /// of 1/count for an odd count, so that the places are evenly spread over the cells of every level.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for no position or too many.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for no position or too many.
     pub fn sources(&self) -> Result<Vec<StripScene>> {
         let count = self.positions;
         if !(1..=POSITIONS).contains(&count) {

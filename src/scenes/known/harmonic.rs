@@ -6,13 +6,13 @@
 //!
 //! u is harmonic. On y = 0 it is zero beyond a, and before a it is −r^p, at p = 1 like −r ℓ(r)^{−α}: contact
 //! [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; a load g = ∂u/∂n − σ_N on the edge makes up for the rest, as on a
-//! strip ([`super::TransitionPowers`]). −s y keeps u < 0 on the other sides, and no element sees it.
+//! strip ([`TransitionPowers`]). −s y keeps u < 0 on the other sides, and no element sees it.
 //!
 //! * *three sides held*: −Δu = 0, u is prescribed on them;
 //! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where
 //!   they are open. The load is normal to a side that turns at the corners; u has one value there.
 
-use super::transition_powers::TransitionPowers;
+use super::super::transition_powers::TransitionPowers;
 use crate::error::{Error, Result};
 use crate::mesh::Point;
 use realfft::num_complex::Complex;
@@ -24,19 +24,19 @@ pub(super) const SLOPE: f64 = 4.0;
 
 /// One transition on a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeshTransition {
+pub(super) struct Harmonic {
     pub(super) powers: TransitionPowers,
     pub(super) position: f64,
     pub(super) whole_boundary: bool,
 }
 
-impl MeshTransition {
+impl Harmonic {
     /// The powers of a transition at `position`, with contact conditions on the bottom or everywhere.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < a < 1; for p ≠ 1 also |p − 1| ≥ 1/10
     /// and α = 0.
-    pub fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
+    pub(super) fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
         let TransitionPowers { opening, pressure, logarithm } = powers;
         let is_in = (0.3..=1.5).contains(&opening) && (opening == 1.0 || (opening - 1.0).abs() > 0.0999);
         Error::require("p", opening, "[3/10, 9/10], 1, [11/10, 3/2]", is_in)?;
@@ -71,18 +71,18 @@ impl MeshTransition {
     }
 
     /// u.
-    pub fn displacement(&self, [x, y]: Point) -> f64 {
+    pub(super) fn displacement(&self, [x, y]: Point) -> f64 {
         self.potential(x - self.position, y)[0].re - SLOPE * y
     }
 
     /// ∇u.
-    pub fn gradient(&self, [x, y]: Point) -> Point {
+    pub(super) fn gradient(&self, [x, y]: Point) -> Point {
         let slope = self.potential(x - self.position, y)[1];
         [slope.re, -slope.im - SLOPE]
     }
 
     /// σ_N on the bottom at x − a.
-    pub fn stress(&self, beyond: f64) -> f64 {
+    pub(super) fn normal_stress(&self, beyond: f64) -> f64 {
         if beyond <= 0.0 {
             return 0.0;
         }
@@ -91,7 +91,7 @@ impl MeshTransition {
     }
 }
 
-impl fmt::Display for MeshTransition {
+impl fmt::Display for Harmonic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let TransitionPowers { opening, pressure, logarithm } = self.powers;
         let where_ = if self.whole_boundary { "whole boundary" } else { "bottom" };
@@ -103,7 +103,7 @@ impl fmt::Display for MeshTransition {
 pub(super) mod tests {
     use super::*;
 
-    pub(crate) fn scenes(whole_boundary: bool) -> Vec<MeshTransition> {
+    pub(in super::super) fn scenes(whole_boundary: bool) -> Vec<Harmonic> {
         let of_tau = [1.4, 1.5, 1.75, 2.1, 2.25, 2.5].map(TransitionPowers::of_regularity);
         let of_log = [0.0, 0.75, 1.0, 1.5].map(|logarithm| TransitionPowers {
             opening: 1.0,
@@ -111,7 +111,7 @@ pub(super) mod tests {
             logarithm,
         });
         let all = of_tau.into_iter().chain(of_log);
-        all.map(|powers| MeshTransition::new(powers, 1.0 / 3.0, whole_boundary).unwrap()).collect()
+        all.map(|powers| Harmonic::new(powers, 1.0 / 3.0, whole_boundary).unwrap()).collect()
     }
 
     #[test]
@@ -125,7 +125,10 @@ pub(super) mod tests {
                     if beyond > 0.0 { bottom.abs() < 1e-15 } else { bottom < 0.0 },
                     "{scene} {t} {bottom}"
                 );
-                assert!(scene.stress(beyond) <= 0.0 && bottom * scene.stress(beyond) == 0.0, "{scene} {t}");
+                assert!(
+                    scene.normal_stress(beyond) <= 0.0 && bottom * scene.normal_stress(beyond) == 0.0,
+                    "{scene} {t}"
+                );
                 for point in [[0.0, t], [1.0, t], [t, 1.0]] {
                     assert!(scene.displacement(point) < 0.0, "{scene} {point:?}");
                 }

@@ -14,9 +14,9 @@
 //! ν < p − 1/2. For p = 3/2 no load would be left.
 
 use crate::error::{Error, Result, ToolkitError};
-use crate::fem::{Form, Lame};
+use crate::fem::Lame;
 use crate::mesh::Point;
-use fractional_sobolev::{Estimate, Given, Order, Position, SectorPower, SingularFunction, Tolerance, Work};
+use fractional_sobolev::{Estimate, Order, Position, SectorPower, SingularFunction, Tolerance, Work};
 use std::f64::consts::PI;
 
 /// a: no node of uniform dyadic meshes.
@@ -24,11 +24,11 @@ pub(super) const TRANSITION: f64 = 0.4;
 /// Of a dozen operations.
 const ROUNDING: f64 = 1e-14;
 
-/// The scene, by its power and material.
+/// The solution, by its power and material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RoughTransition {
-    power: f64,
-    lame: Option<Lame>,
+pub(super) struct Power {
+    pub(super) power: f64,
+    pub(super) lame: Option<Lame>,
 }
 
 /// Which function of the edge.
@@ -40,40 +40,19 @@ pub enum EdgeDatum {
     Slope,
 }
 
-impl RoughTransition {
+impl Power {
     /// u ∈ H^τ for τ < p + 1.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u would be linear).
-    pub fn new(power: f64) -> Result<Self> {
+    pub(super) fn new(power: f64, lame: Option<Lame>) -> Result<Self> {
         let admissible = power > 0.5 && power < 1.5 && (power - 1.0).abs() >= 0.01;
         let power = Error::require("p", power, "(1/2, 3/2), not about 1", admissible)?;
-        Ok(Self { power, lame: None })
-    }
-
-    /// The elastic scene with the same power.
-    #[must_use]
-    pub fn elastic(self, lame: Lame) -> Self {
-        Self { lame: Some(lame), ..self }
-    }
-
-    /// Lamé's constants; none for the scalar scene.
-    pub fn lame(&self) -> Option<Lame> {
-        self.lame
-    }
-
-    /// The form.
-    pub fn form(&self) -> Form {
-        self.lame.map_or(Form::LAPLACE, Form::elastic)
-    }
-
-    /// p.
-    pub fn power(&self) -> f64 {
-        self.power
+        Ok(Self { power, lame })
     }
 
     /// The radius of the half disc about the transition that holds the square.
-    pub fn radius(&self) -> f64 {
+    fn radius(&self) -> f64 {
         TRANSITION.max(1.0 - TRANSITION).hypot(1.0)
     }
 
@@ -92,7 +71,7 @@ impl RoughTransition {
     }
 
     /// u; a scalar solution has second entry 0.
-    pub fn displacement(&self, point: Point) -> Point {
+    pub(super) fn displacement(&self, point: Point) -> Point {
         let ((r, phi), p) = (Self::polar(point), self.power);
         let size = -self.sign() * r.powf(p);
         let (sin, cos) = (p * phi).sin_cos();
@@ -103,7 +82,7 @@ impl RoughTransition {
     }
 
     /// ∇u: row c is the gradient of component c.
-    pub fn gradient(&self, point: Point) -> [Point; 2] {
+    pub(super) fn gradient(&self, point: Point) -> [Point; 2] {
         let ((r, phi), q) = (Self::polar(point), self.power - 1.0);
         let size = -self.sign() * self.power * r.powf(q);
         let (sin, cos) = (q * phi).sin_cos();
@@ -121,8 +100,7 @@ impl RoughTransition {
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ p + 1; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1 < τ ≤ 2; as
     /// [`SectorPower::elastic_gradient`].
-    pub fn body_seminorm(&self, tau: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(super) fn body_seminorm(&self, tau: f64, tolerance: Tolerance) -> Result<Estimate> {
         let (p, radius, q) = (self.power, self.radius(), self.power - 1.0);
         let material = self.lame.map(Self::moduli);
         if tau == 2.0 {
@@ -148,8 +126,14 @@ impl RoughTransition {
     }
 
     /// σ_N before the transition, over r^{p−1}.
-    pub(super) fn pressure(&self) -> f64 {
+    fn pressure(&self) -> f64 {
         -self.power * (PI * self.power).sin().abs()
+    }
+
+    /// σ_N at (x, 0).
+    pub(super) fn normal_stress(&self, x: f64) -> f64 {
+        let before = TRANSITION - x;
+        if before > 0.0 { self.pressure() * before.powf(self.power - 1.0) } else { 0.0 }
     }
 
     /// u_N' beyond it, over r^{p−1}.
@@ -161,14 +145,13 @@ impl RoughTransition {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for ν ≥ p − 1/2; as [`SingularFunction::seminorm`].
-    pub fn edge_seminorm(
+    pub(super) fn edge_seminorm(
         &self,
         datum: EdgeDatum,
         [from, to]: [f64; 2],
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
+        order: Order,
+        tolerance: Tolerance,
     ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
         if order.value() >= self.power - 0.5 {
             let why = "r^(p-1) on one side of a point is in H^nu only for nu < p - 1/2";
             return Err(Error::Toolkit(ToolkitError::InfiniteNorm { order: order.value(), why }));
@@ -187,12 +170,6 @@ impl RoughTransition {
         Ok(SingularFunction::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
     }
 
-    /// The segment with the transition inside, of n equal ones.
-    pub fn segment(&self, n: usize) -> [f64; 2] {
-        let first = (TRANSITION * n as f64).floor();
-        [first, first + 1.0].map(|i| i / n as f64)
-    }
-
     /// What the edge carries besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in
     /// the gap.
     pub(super) fn loads(&self) -> [f64; 2] {
@@ -208,7 +185,7 @@ mod tests {
     #[test]
     fn conditions_hold_and_the_load_is_what_is_left() {
         for power in [0.65, 0.8, 0.95, 1.1, 1.3] {
-            let scene = RoughTransition::new(power).unwrap();
+            let scene = Power::new(power, None).unwrap();
             for i in 0..=20 {
                 let x = f64::from(i) / 20.0 + 1e-3;
                 let (r, side) = ((x - TRANSITION).abs(), usize::from(x > TRANSITION));
@@ -235,7 +212,7 @@ mod tests {
     fn an_elastic_body_meets_all_conditions_and_is_in_balance() {
         let lame = Lame::new(1.3, 0.7).unwrap();
         for power in [0.65, 0.8, 0.95, 1.1, 1.3] {
-            let scene = RoughTransition::new(power).unwrap().elastic(lame);
+            let scene = Power::new(power, Some(lame)).unwrap();
             for i in 0..=20 {
                 let x = f64::from(i) / 20.0 + 1e-3;
                 let (r, side) = ((x - TRANSITION).abs(), usize::from(x > TRANSITION));
@@ -264,8 +241,8 @@ mod tests {
 
     #[test]
     fn bad_powers_and_infinite_norms_are_errors() {
-        assert!(RoughTransition::new(1.0).is_err() && RoughTransition::new(0.4).is_err());
-        let scene = RoughTransition::new(0.8).unwrap();
+        assert!(Power::new(1.0, None).is_err() && Power::new(0.4, None).is_err());
+        let scene = Power::new(0.8, None).unwrap();
         let order = Order::new(0.3).unwrap();
         assert!(scene.edge_seminorm(EdgeDatum::Slope, [0.0, 1.0], order, Tolerance::fast()).is_err());
     }

@@ -1,6 +1,6 @@
-//! Levels of a study, by name.
+//! The numbers of cells of a study of the strip, from a range of levels.
 
-use crate::error::{Error, Result, ToolkitError};
+use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
@@ -15,7 +15,7 @@ impl Levels {
     /// 1 ≤ coarsest ≤ finest ≤ 22.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) otherwise.
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) otherwise.
     pub fn new(coarsest: u32, finest: u32) -> Result<Self> {
         for (name, value) in [("coarsest level", coarsest), ("finest level", finest)] {
             if !(1..=22).contains(&value) {
@@ -39,7 +39,7 @@ impl Levels {
     /// Fails unless there are at least `least` levels; `range` says so.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange).
+    /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange).
     pub fn require_count(self, least: usize, range: &'static str) -> Result<()> {
         let value = self.cells().count();
         if value >= least {
