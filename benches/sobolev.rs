@@ -3,13 +3,13 @@
 #![allow(missing_docs)] // criterion_group writes public items of its own
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use fractional_sobolev::{GramOperator, Mesh, Order, SingularFunction, Tolerance, gram_linears};
+use fractional_sobolev::{Function, GramOperator, Mesh, Order, Tolerance, gram_linears};
 use std::hint::black_box;
 
 fn closures(c: &mut Criterion) {
     let mut group = c.benchmark_group("closure x^0.6, nu 0.25");
     let order = Order::new(0.25).unwrap();
-    let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(0.6)).unwrap();
+    let u = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(0.6)).unwrap();
     for asked in [1e-3, 1e-7, 1e-11] {
         let tolerance = Tolerance::new(asked).unwrap();
         group.bench_with_input(BenchmarkId::from_parameter(tolerance), &tolerance, |b, &t| {

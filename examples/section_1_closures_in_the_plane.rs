@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{Error, Estimate, Order, SectorPower, SingularPlaneFunction, Tolerance, Triangles};
+use fractional_sobolev::{Error, Estimate, Function, Order, Tolerance, Triangles};
 use std::f64::consts::{PI, SQRT_2};
 use std::process::ExitCode;
 
@@ -52,7 +52,7 @@ fn shapes() -> [Shape; 4] {
 fn norm(o: &Options, shape: &Shape, gap: f64, cut: bool, delta: f64) -> fractional_sobolev::Result<Estimate> {
     let (a, b, star) = (gap - o.s.complement(), PI / shape.2, Triangles::star(&shape.1)?);
     let mesh = if cut { star.cut_at(0, 0.45)? } else { star };
-    let w = SingularPlaneFunction::new(mesh, &[(0, if delta > 0.0 { a + 2.0 } else { a })], |at| {
+    let w = Function::from_plane_positions(&mesh, &[(0, if delta > 0.0 { a + 2.0 } else { a })], |at| {
         let r = at.radius(0);
         r.powf(a) * (b * at.angle(0)).sin() / (1.0 + (delta / r).powi(2))
     })?;
@@ -63,7 +63,7 @@ fn norm(o: &Options, shape: &Shape, gap: f64, cut: bool, delta: f64) -> fraction
 pub fn compute(options: &Options) -> Result<(Vec<Row>, usize, Vec<Estimate>)> {
     let shapes = shapes();
     let row = |(shape, &gap): (&Shape, &f64)| -> Result<Row> {
-        let w = |radius| SectorPower::new(gap - options.s.complement(), PI / shape.2, shape.2, radius);
+        let w = |radius| Function::sector_power(gap - options.s.complement(), PI / shape.2, shape.2, radius);
         let sector = |radius| w(radius)?.seminorm(options.s, options.tolerance);
         let roads = [norm(options, shape, gap, false, 0.0)?, norm(options, shape, gap, true, 0.0)?];
         Ok(Row(shape.0, gap, roads, [sector(shape.3[0])?, sector(shape.3[1])?]))

@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed, within};
-use fractional_sobolev::{Error, Estimate, Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance};
+use fractional_sobolev::{Error, Estimate, Function, Mesh, Order, Tolerance};
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
@@ -62,13 +62,13 @@ pub fn limit(options: &Options, beta: f64) -> Option<f64> {
 /// Every grading with every number of elements.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let alpha = options.alpha;
-    let u = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(alpha))?;
+    let u = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(alpha))?;
     let meshes = options.grading.iter().flat_map(|&b| options.elements.iter().map(move |&n| (b, n)));
     let row = |(beta, n): (f64, usize)| {
         let mesh = Mesh::algebraic(n, beta, 1.0)?;
         let values: Vec<f64> = mesh.from_left().iter().map(|x| x.powf(alpha)).collect();
-        let field = PiecewisePolynomial::linears(mesh, &values)?;
-        let best = || Estimate::or_best(u.minus(&field).seminorm(options.nu, options.tolerance));
+        let field = Function::linears(&mesh, &values)?;
+        let best = || Estimate::or_best(u.minus(&field)?.seminorm(options.nu, options.tolerance));
         let (seconds, found) = timed(best)?;
         Ok(Row(beta, n, found, seconds))
     };

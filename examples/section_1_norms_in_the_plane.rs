@@ -5,9 +5,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use experiments::SplitMix;
-use fractional_sobolev::{
-    Error, Estimate, Order, PlaneFunction, Tolerance, Triangles, coordinate_on_unit_square,
-};
+use fractional_sobolev::{Error, Estimate, Function, Order, Tolerance, Triangles, closed_forms};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -85,15 +83,15 @@ const LIMIT: f64 = 1e-6;
 /// Every norm of every order.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let mesh = jittered(options.squares as usize)?;
-    let values = mesh.nodes().iter().map(|node| node[0]).collect();
-    let coordinate = PlaneFunction::linears(mesh, values)?;
-    let step = PlaneFunction::constants(Triangles::grid([1, 1], 1.0)?, vec![1.0, 0.0])?;
+    let values: Vec<f64> = mesh.nodes().iter().map(|node| node[0]).collect();
+    let coordinate = Function::on_triangles(&mesh, 1, &values)?;
+    let step = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 0, &[1.0, 0.0])?;
     let row = |&order: &Order| -> Result<Row> {
         let found = match step.seminorm(order, options.tolerance) {
             Err(Error::InfiniteNorm { .. }) => None,
             other => Some(other?),
         };
-        let exact = coordinate_on_unit_square(order)?.sqrt()?;
+        let exact = closed_forms::coordinate_on_square_seminorm_squared(order)?.sqrt()?;
         Ok(Row { order, coordinate: coordinate.seminorm(order, options.tolerance)?, exact, step: found })
     };
     options.s.iter().map(row).collect()

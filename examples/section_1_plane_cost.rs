@@ -5,8 +5,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
 use fractional_sobolev::{
-    Estimate, GridOperator, Order, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance, Triangles,
-    coordinate_on_unit_square,
+    Estimate, Function, GridOperator, Order, PlanePosition, Tolerance, Triangles, closed_forms,
 };
 use std::process::ExitCode;
 
@@ -43,13 +42,14 @@ const LARGE: f64 = 1e-8;
 
 /// Every road to the norms of x₁ and of r^{2/3} cos(2φ/3) on the unit square.
 fn roads(s: Order) -> Result<Vec<Row>> {
-    let (exact, square) = (coordinate_on_unit_square(s)?.sqrt()?, Triangles::grid([1, 1], 1.0)?);
+    let (exact, square) =
+        (closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?, Triangles::grid([1, 1], 1.0)?);
     let power = |at: &PlanePosition<'_>| at.radius(0).powf(POWER) * (POWER * at.angle(0)).cos();
-    let cut = SingularPlaneFunction::new(square.cut_at(0, 0.45)?, &[(0, POWER)], power)?;
+    let cut = Function::from_plane_positions(&square.cut_at(0, 0.45)?, &[(0, POWER)], power)?;
     let reference = cut.seminorm(s, Tolerance::new(0.1 * LARGE)?)?;
-    let by_faces = PlaneFunction::linears(square.clone(), vec![0.0, 1.0, 0.0, 1.0])?;
-    let by_points = SingularPlaneFunction::new(square.clone(), &[], |at| at.x()[0])?;
-    let singular = SingularPlaneFunction::new(square, &[(0, POWER)], power)?;
+    let by_faces = Function::on_triangles(&square, 1, &[0.0, 1.0, 0.0, 1.0])?;
+    let by_points = Function::from_plane_positions(&square, &[], |at| at.x()[0])?;
+    let singular = Function::from_plane_positions(&square, &[(0, POWER)], power)?;
     let mut rows = Vec::new();
     let mut push = |road: usize, step, (seconds, found): (f64, Estimate), exact: Estimate| {
         let off = (found.value / exact.value - 1.0).abs() + exact.relative_error();
@@ -66,7 +66,8 @@ fn roads(s: Order) -> Result<Vec<Row>> {
     for cells in CELLS {
         let mesh = Triangles::grid([cells; 2], 1.0 / cells as f64)?;
         let value = |p: &[f64; 2]| p[0].hypot(p[1]).powf(POWER) * (POWER * p[1].atan2(p[0])).cos();
-        let w = PlaneFunction::linears(mesh.clone(), mesh.nodes().iter().map(value).collect())?;
+        let values: Vec<f64> = mesh.nodes().iter().map(value).collect();
+        let w = Function::on_triangles(&mesh, 1, &values)?;
         let found = timed(|| w.seminorm(s, Tolerance::balanced()))?;
         push(3, 2.0 * (cells * cells) as f64, found, reference);
     }
@@ -76,7 +77,8 @@ fn roads(s: Order) -> Result<Vec<Row>> {
 
 /// The roads, a product on a uniform grid and a sum over a bent one.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let (exact, n) = (coordinate_on_unit_square(options.s)?.value, options.squares as usize);
+    let (exact, n) =
+        (closed_forms::coordinate_on_square_seminorm_squared(options.s)?.value, options.squares as usize);
     let large = Tolerance::new(LARGE)?;
     let operator = GridOperator::new([n; 2], 1.0 / n as f64, options.s, large)?;
     let x: Vec<f64> = (0..operator.size()).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
@@ -86,7 +88,8 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let n = (0.5 * f64::from(options.triangles)).sqrt().ceil();
     let bent = |[x, y]: [f64; 2]| [x + x * (1.0 - x) * (y - 0.4), y - y * (1.0 - y) * (x - 0.3)];
     let mesh = Triangles::grid([n as usize; 2], 1.0 / n)?.mapped(bent)?;
-    let w = PlaneFunction::linears(mesh.clone(), mesh.nodes().iter().map(|p| p[0]).collect())?;
+    let values: Vec<f64> = mesh.nodes().iter().map(|p| p[0]).collect();
+    let w = Function::on_triangles(&mesh, 1, &values)?;
     let (seconds, found) = timed(|| w.seminorm(options.s, large))?;
     let bent = [seconds, (found.value / exact.sqrt() - 1.0).abs(), found.relative_error()];
     Ok(Computed(roads(options.s)?, grid, bent, POWER + 1.0 - options.s.value()))

@@ -4,7 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{BoundaryFunction, Curve, Estimate, Mesh, Order, closed_forms};
+use fractional_sobolev::{Curve, Estimate, Function, Mesh, Order, closed_forms};
 use std::f64::consts::{LN_2, PI, TAU};
 use std::process::ExitCode;
 
@@ -49,7 +49,7 @@ fn shape(polygon: &str) -> (Vec<[f64; 2]>, f64) {
     }
 }
 
-fn square(u: &BoundaryFunction, options: &Options) -> Result<Estimate> {
+fn square(u: &Function<'_>, options: &Options) -> Result<Estimate> {
     let found = u.seminorm(options.nu, ASKED[0])?;
     Ok(Estimate::new(found.value.powi(2), 2.0 * found.value * found.error, found.work)?)
 }
@@ -63,15 +63,17 @@ fn row(options: &Options, polygon: &str, n: usize) -> Result<Row> {
     let elements = |k: usize| Mesh::uniform(n * side(k).0.round() as usize, 1.0);
     let meshes: Vec<Mesh> = (0..points.len()).map(elements).collect::<fractional_sobolev::Result<_>>()?;
     let curve = Curve::closed(&points, &meshes)?;
-    let x = BoundaryFunction::interpolate(curve.clone(), |x| x[0])?;
+    let x = {
+        let values: Vec<f64> = curve.nodes().iter().map(|x| x[0]).collect();
+        Function::on_curve(&curve, 1, &values)?
+    };
     let coordinate = square(&x, options)?.times(2.0 * curve.length().powi(-2))?;
     let hat: Vec<f64> = (0..curve.len()).map(|k| f64::from(k == 0)).collect();
-    let corner = square(&BoundaryFunction::linears(curve, &hat)?, options)?;
+    let corner = square(&Function::on_curve(&curve, 1, &hat)?, options)?;
     let graded = Curve::graded(&points, n, GRADED)?;
     let normal: Vec<f64> =
         (0..graded.len()).map(|e| side(e / n)).map(|(length, rise)| rise / length).collect();
-    let dual =
-        Estimate::or_best(BoundaryFunction::constants(graded, &normal)?.dual_norm(options.nu, ASKED[1]))?;
+    let dual = Estimate::or_best(Function::on_curve(&graded, 0, &normal)?.norm(-options.nu, ASKED[1]))?;
     let share = dual.recip()?.over(x.norm(options.nu, ASKED[0])?)?.times(area)?;
     Ok(Row(polygon.to_owned(), n, [coordinate, corner, dual, share]))
 }
@@ -82,8 +84,8 @@ fn circle(options: &Options, k: u32) -> Result<Wave> {
         let points: Vec<[f64; 2]> = angles.clone().map(|t| [t.cos(), t.sin()]).collect();
         let curve = Curve::closed(&points, &vec![Mesh::uniform(1, 1.0)?; count])?;
         let values: Vec<f64> = angles.map(|t| (f64::from(k) * t).cos()).collect();
-        let found = square(&BoundaryFunction::linears(curve, &values)?, options)?;
-        Ok((count, found.over(closed_forms::cosine_on_circle(k, options.nu)?)?))
+        let found = square(&Function::on_curve(&curve, 1, &values)?, options)?;
+        Ok((count, found.over(closed_forms::cosine_on_circle_seminorm_squared(k, options.nu)?)?))
     };
     SIDES.iter().map(one).collect()
 }

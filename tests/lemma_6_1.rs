@@ -165,7 +165,7 @@ fn the_extremal_function_attains_its_constant() {
             let extremal = element_extremal(norm, order(nu), Tolerance::balanced()).unwrap();
             // interpolated on a graded mesh with cubics: a slope of another kind, other quadrature
             let partition = Mesh::two_sided(12, 0.4, 1.0).unwrap();
-            let slope = fractional_sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
+            let slope = fractional_sobolev::Function::interpolate(&partition, 8, |x| {
                 extremal.slope(x.min(1.0)).unwrap()
             })
             .unwrap();
@@ -236,10 +236,9 @@ fn one_function_breaks_the_second_line_on_a_long_element() {
     let found = |h: f64| {
         let extremal = element_extremal(ErrorNorm::H1 { h }, nu, Tolerance::balanced()).unwrap();
         let partition = fractional_sobolev::Mesh::two_sided(12, 0.4, 1.0).unwrap();
-        let slope = fractional_sobolev::PiecewisePolynomial::interpolate(partition, 8, |x| {
-            extremal.slope(x.min(1.0)).unwrap()
-        })
-        .unwrap();
+        let slope =
+            fractional_sobolev::Function::interpolate(&partition, 8, |x| extremal.slope(x.min(1.0)).unwrap())
+                .unwrap();
         let error = InterpolationError::of_slope(&slope, nu, Tolerance::balanced()).unwrap();
         // on (0, h) the squared norm is that of the derivative plus h² times that of the function
         error.derivative_ratio().unwrap().value.hypot(h * error.l2_ratio().unwrap().value)

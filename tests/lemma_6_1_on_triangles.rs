@@ -6,7 +6,7 @@ mod example;
 
 use example_frame::Outcome;
 use fractional_sobolev::{
-    Order, PlaneFunction, Tolerance, Triangles,
+    Function, Order, Tolerance, Triangles,
     interpolation::{TriangleConstants, TriangleShape, kobayashi},
 };
 
@@ -46,7 +46,7 @@ fn neither_the_numbering_of_the_corners_nor_the_place_matters() {
 fn a_parabola_stays_below_both_constants() {
     let corners = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     let triangle = Triangles::new(corners, vec![[0, 1, 2]]).unwrap();
-    let x = PlaneFunction::linears(triangle, vec![0.0, 1.0, 0.0]).unwrap();
+    let x = Function::on_triangles(&triangle, 1, &[0.0, 1.0, 0.0]).unwrap();
     let shape = TriangleShape::right_isosceles().unwrap();
     // u − Iu = x(x − 1)/2: ‖x − 1/2‖² = 1/24, ‖x(x−1)/2‖² = 1/4 ∫ x²(1−x)³ = 1/240.
     for s in [0.25, 0.6, 0.9] {

@@ -8,9 +8,7 @@ mod plane_polar;
 
 use example_frame::Outcome;
 use experiments::SplitMix;
-use fractional_sobolev::{
-    Error, Estimate, Order, PlaneFunction, PlanePosition, SingularPlaneFunction, Tolerance, Triangles,
-};
+use fractional_sobolev::{Error, Estimate, Function, Order, PlanePosition, Tolerance, Triangles};
 use plane_polar::Star;
 use std::f64::consts::PI;
 
@@ -43,7 +41,7 @@ fn power(a: f64, b: f64) -> impl Fn(&PlanePosition<'_>) -> f64 + Sync {
     move |at| at.radius(0).powf(a) * (b * at.angle(0)).sin()
 }
 
-fn seminorm(w: &SingularPlaneFunction<'_>, s: f64, tolerance: f64) -> fractional_sobolev::Result<Estimate> {
+fn seminorm(w: &Function<'_>, s: f64, tolerance: f64) -> fractional_sobolev::Result<Estimate> {
     w.seminorm(Order::new(s)?, Tolerance::new(tolerance)?)
 }
 
@@ -61,7 +59,7 @@ fn two_roads_agree_up_to_the_limit_of_finiteness() {
             let other = Star::new(&points).squared(a, b, s).sqrt();
             let cut = (gap < 0.1 && gap > 1e-4).then(|| star.cut_at(0, 0.45).unwrap());
             for mesh in std::iter::once(star).chain(cut) {
-                let w = SingularPlaneFunction::new(mesh, &[(0, a)], power(a, b)).unwrap();
+                let w = Function::from_plane_positions(&mesh, &[(0, a)], power(a, b)).unwrap();
                 let found = seminorm(&w, s, 1e-8).unwrap();
                 let difference = off(found, other);
                 assert!(difference < TWO_ROADS, "{angle} {gap} {s}: {found} {other} {difference:e}");
@@ -71,8 +69,8 @@ fn two_roads_agree_up_to_the_limit_of_finiteness() {
     }
     // A frequency that is off by 1e-6 is seen.
     let (points, star) = (&polygons()[0].0, Star::new(&polygons()[0].0));
-    let w =
-        SingularPlaneFunction::new(Triangles::star(points).unwrap(), &[(0, 0.4)], power(0.4, 2.0)).unwrap();
+    let w = Function::from_plane_positions(&Triangles::star(points).unwrap(), &[(0, 0.4)], power(0.4, 2.0))
+        .unwrap();
     let wrong = off(seminorm(&w, 0.6, 1e-8).unwrap(), star.squared(0.4, 2.0 + 2e-6, 0.6).sqrt());
     println!("two roads: {worst:.1e}, a wrong frequency: {wrong:.1e}");
     assert!(wrong > 10.0 * TWO_ROADS);
@@ -85,9 +83,9 @@ fn piecewise_linears_and_steps_have_their_norms() {
     let mesh = Triangles::grid([3, 2], 0.5).unwrap().mapped(moved).unwrap();
     let nodes = mesh.nodes().to_vec();
     let values: Vec<f64> = nodes.iter().map(|p| (3.0 * p[0]).sin() + p[1] * p[0]).collect();
-    let linear = PlaneFunction::linears(mesh.clone(), values.clone()).unwrap();
+    let linear = Function::on_triangles(&mesh, 1, &values).unwrap();
     let steps: Vec<f64> = (0..mesh.triangles().len()).map(|k| (k as f64).sin()).collect();
-    let step = PlaneFunction::constants(mesh.clone(), steps.clone()).unwrap();
+    let step = Function::on_triangles(&mesh, 0, &steps).unwrap();
     let cross =
         |u: [f64; 2], v: [f64; 2], w: [f64; 2]| (v[0] - u[0]) * (w[1] - u[1]) - (v[1] - u[1]) * (w[0] - u[0]);
     let at_corners = |at: &PlanePosition<'_>| {
@@ -96,9 +94,10 @@ fn piecewise_linears_and_steps_have_their_norms() {
         let parts = cross(x, q, r) * values[a] + cross(p, x, r) * values[b] + cross(p, q, x) * values[c];
         parts / cross(p, q, r)
     };
-    let smooth = SingularPlaneFunction::new(mesh.clone(), &[], at_corners).unwrap();
-    let jumps = SingularPlaneFunction::new(mesh.clone(), &[], |at| steps[at.triangle()]).unwrap();
-    let of = |known: &PlaneFunction, w: &SingularPlaneFunction<'_>, s: f64| {
+    let smooth = Function::from_plane_positions(&mesh, &[], at_corners).unwrap();
+    let jumping = || Function::from_plane_positions(&mesh, &[], |at| steps[at.triangle()]).unwrap();
+    let jumps = jumping();
+    let of = |known: &Function<'_>, w: &Function<'_>, s: f64| {
         let order = Order::new(s).unwrap();
         let exact = known.seminorm(order, Tolerance::new(1e-12).unwrap()).unwrap();
         let found = seminorm(w, s, 1e-9).unwrap();
@@ -108,13 +107,12 @@ fn piecewise_linears_and_steps_have_their_norms() {
     [0.05, 0.5, 0.75, 1.0 - 1e-8].into_iter().for_each(|s| of(&linear, &smooth, s));
     [0.05, 0.3, 0.5 - 1e-9].into_iter().for_each(|s| of(&step, &jumps, s));
     for (known, w) in [(&linear, &smooth), (&step, &jumps)] {
-        let found = w.l2_norm(Tolerance::new(1e-11).unwrap()).unwrap();
-        assert!(off(found, known.l2_norm(1e-12).unwrap().value) < 1e-12);
+        let found = w.norm(0.0, Tolerance::new(1e-11).unwrap()).unwrap();
+        assert!(off(found, known.norm(0.0, 1e-12).unwrap().value) < 1e-12);
     }
     let error = seminorm(&jumps, 0.5, 1e-4).unwrap_err();
     assert!(matches!(error, Error::InfiniteNorm { .. }) && error.to_string().contains("s >= 1/2"), "{error}");
-    let order = Order::new(0.3).unwrap();
-    assert!(jumps.norm_with_gradient([&jumps, &jumps], order, Tolerance::fast()).is_err());
+    assert!(jumps.with_gradient(vec![jumping(), jumping()]).norm(1.3, Tolerance::fast()).is_err());
 }
 
 #[test]
@@ -126,14 +124,15 @@ fn norms_of_order_one_and_more_take_the_gradient() {
         let of = move |at: &PlanePosition<'_>| {
             p * at.radius(0).powf(p - 1.0) * ((p - 1.0) * at.angle(0) + shift).sin()
         };
-        SingularPlaneFunction::new(mesh.clone(), &[(0, p - 1.0)], of).unwrap()
+        Function::from_plane_positions(&mesh, &[(0, p - 1.0)], of).unwrap()
     };
-    let w = SingularPlaneFunction::new(mesh.clone(), &[(0, p)], power(p, p)).unwrap();
+    let w = Function::from_plane_positions(&mesh, &[(0, p)], power(p, p)).unwrap();
+    let w = w.with_gradient(vec![part(0.0), part(0.5 * PI)]);
     let (order, asked) = (Order::new(0.4).unwrap(), Tolerance::new(1e-7).unwrap());
     let gradient = [part(0.0), part(0.5 * PI)];
-    let norm = w.norm_with_gradient([&gradient[0], &gradient[1]], order, asked).unwrap().value;
-    let l2 = |w: &SingularPlaneFunction<'_>| w.l2_norm(asked).unwrap().value.powi(2);
-    let half = |w: &SingularPlaneFunction<'_>| w.norm(order, asked).unwrap().value.powi(2);
+    let norm = w.norm(order.plus_one(), asked).unwrap().value;
+    let l2 = |w: &Function<'_>| w.norm(0.0, asked).unwrap().value.powi(2);
+    let half = |w: &Function<'_>| w.norm(order, asked).unwrap().value.powi(2);
     let sum = l2(&w) + gradient.iter().map(half).sum::<f64>();
     assert!((norm * norm / sum - 1.0).abs() < 1e-6);
     // ∫ r^{2p} sin²(pφ) by Gauss rules in polar coordinates, sector by sector.
@@ -166,7 +165,7 @@ fn estimates_are_honest() {
         };
         let star = Triangles::star(&points).unwrap();
         let mesh = if case % 3 == 0 { star.cut_at(0, random.between(0.3, 0.7)).unwrap() } else { star };
-        let w = SingularPlaneFunction::new(mesh, &[(0, a)], of).unwrap();
+        let w = Function::from_plane_positions(&mesh, &[(0, a)], of).unwrap();
         let found = seminorm(&w, s, 10f64.powf(random.between(-5.0, -1.5))).unwrap();
         let exact = seminorm(&w, s, 1e-8).unwrap();
         let quotient = (found.value - exact.value).abs() / (found.error + exact.error);
@@ -185,22 +184,23 @@ fn distances_from_a_corner_are_exact_down_to_1e_100() {
     // |w(·/l)|_s = l^{1−s}|w|_s.
     let scaled = |l: f64| {
         let of = |at: &PlanePosition<'_>| (at.radius(0) / l).powf(a) * (2.0 * at.angle(0)).sin();
-        seminorm(&SingularPlaneFunction::new(star(l), &[(0, a)], of).unwrap(), 0.3, 1e-8).unwrap().value
+        seminorm(&Function::from_plane_positions(&star(l), &[(0, a)], of).unwrap(), 0.3, 1e-8).unwrap().value
     };
     for l in [1e-100f64, 1e100] {
         assert!((scaled(l) / scaled(1.0) / l.powf(0.7) - 1.0).abs() < 1e-13);
     }
     // The corner elsewhere, turned: the same norm, which distances that are rounded would not give.
     let turned = star(1.0).mapped(|[x, y]| [3.0 + 0.6 * x - 0.8 * y, -2.0 + 0.8 * x + 0.6 * y]).unwrap();
-    let w = SingularPlaneFunction::new(turned.clone(), &[(0, a)], power(a, 2.0)).unwrap();
+    let w = Function::from_plane_positions(&turned, &[(0, a)], power(a, 2.0)).unwrap();
     assert!((seminorm(&w, 0.3, 1e-8).unwrap().value / scaled(1.0) - 1.0).abs() < 1e-12);
     // r^a times r²/(r² + δ²): what is missing below δ scales like δ^{2(a+1−s)}.
     let (s, gap) = (0.625, 0.01);
-    let whole = seminorm(&SingularPlaneFunction::new(star(1.0), &[(0, a)], power(a, 2.0)).unwrap(), s, 1e-6);
+    let whole =
+        seminorm(&Function::from_plane_positions(&star(1.0), &[(0, a)], power(a, 2.0)).unwrap(), s, 1e-6);
     let whole = whole.unwrap().value.powi(2);
     let missing = |delta: f64| {
         let of = |at: &PlanePosition<'_>| power(a, 2.0)(at) / (1.0 + (delta / at.radius(0)).powi(2));
-        let w = SingularPlaneFunction::new(turned.clone(), &[(0, a + 2.0)], of).unwrap();
+        let w = Function::from_plane_positions(&turned, &[(0, a + 2.0)], of).unwrap();
         (whole - seminorm(&w, s, 1e-6).unwrap().value.powi(2)) / delta.powf(2.0 * gap)
     };
     let near = missing(1e-20);
@@ -210,7 +210,7 @@ fn distances_from_a_corner_are_exact_down_to_1e_100() {
         let x = at.x();
         power(a, 2.0)(at) / (1.0 + (1e-20 / (x[0] - 3.0).hypot(x[1] + 2.0)).powi(2))
     };
-    let w = SingularPlaneFunction::new(turned.clone(), &[(0, a + 2.0)], blind).unwrap();
+    let w = Function::from_plane_positions(&turned, &[(0, a + 2.0)], blind).unwrap();
     let seen = seminorm(&w, s, 1e-4).map(|found| (whole - found.value.powi(2)) / 1e-20f64.powf(2.0 * gap));
     assert!(!seen.is_ok_and(|seen| (seen / near - 1.0).abs() < 1e-2));
 }
@@ -219,16 +219,16 @@ fn distances_from_a_corner_are_exact_down_to_1e_100() {
 fn what_cannot_be_is_an_error() {
     let star = || Triangles::star(&[[1.0, 0.0], [0.0, 1.0]]).unwrap();
     let declared =
-        |corners: &[(usize, f64)]| SingularPlaneFunction::new(star(), corners, |_| 1.0).map(|_| ());
+        |corners: &[(usize, f64)]| Function::from_plane_positions(&star(), corners, |_| 1.0).map(|_| ());
     assert!(matches!(declared(&[(0, -1.0)]), Err(Error::OutOfRange { .. })));
     assert!(matches!(declared(&[(0, f64::NAN)]), Err(Error::OutOfRange { .. })));
     assert!(matches!(declared(&[(7, 0.5)]), Err(Error::Node { .. })));
     assert!(matches!(declared(&[(0, 0.5), (0, 0.5)]), Err(Error::Node { .. })));
     assert!(matches!(declared(&[(0, 0.5), (1, 0.5)]), Err(Error::Triangle { .. })));
     assert!(matches!(star().cut_at(0, 1.0), Err(Error::OutOfRange { .. })));
-    let nan = SingularPlaneFunction::new(star(), &[], |at| (at.x()[0] - 0.5).sqrt());
+    let nan = Function::from_plane_positions(&star(), &[], |at| (at.x()[0] - 0.5).sqrt());
     assert!(matches!(nan.map(|_| ()), Err(Error::NotFinite { .. })));
-    let w = |a: f64| SingularPlaneFunction::new(star(), &[(0, a)], power(a, 2.0)).unwrap();
+    let w = |a: f64| Function::from_plane_positions(&star(), &[(0, a)], power(a, 2.0)).unwrap();
     for (a, s) in [(-0.3, 0.7), (-0.5, 0.5), (-0.9, 0.2)] {
         let error = seminorm(&w(a), s, 1e-4).unwrap_err();
         assert!(
@@ -237,16 +237,16 @@ fn what_cannot_be_is_an_error() {
         );
     }
     // What is rougher than declared is not believed, nor a corner that was not declared.
-    let rough = SingularPlaneFunction::new(star(), &[(0, 0.5)], power(-0.8, 2.0)).unwrap();
+    let rough = Function::from_plane_positions(&star(), &[(0, 0.5)], power(-0.8, 2.0)).unwrap();
     let hidden =
-        SingularPlaneFunction::new(star(), &[], |at| at.x()[0].hypot(at.x()[1]).powf(-0.25)).unwrap();
+        Function::from_plane_positions(&star(), &[], |at| at.x()[0].hypot(at.x()[1]).powf(-0.25)).unwrap();
     for w in [&rough, &hidden] {
         assert!(matches!(
             seminorm(w, 0.7, 1e-6),
             Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. })
         ));
     }
-    let constant = SingularPlaneFunction::new(star(), &[], |_| 3.0).unwrap();
+    let constant = Function::from_plane_positions(&star(), &[], |_| 3.0).unwrap();
     assert_eq!(seminorm(&constant, 0.7, 1e-6).unwrap().value, 0.0);
 }
 

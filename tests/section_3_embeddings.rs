@@ -28,7 +28,7 @@ fn no_rough_function_exceeds_the_upper_bound() {
                 let norm = u.norm(nu, Tolerance::balanced()).unwrap().value;
                 for q in [2.0, 3.0, 20.0, 200.0_f64] {
                     let q = q.min(critical_exponent(nu).unwrap());
-                    let quotient = u.lq_norm(q, Tolerance::balanced()).unwrap().value / norm;
+                    let quotient = u.lp(q, Tolerance::balanced()).unwrap().value / norm;
                     let bound = embedding_upper_bound(nu, q).unwrap().value;
                     assert!(quotient <= bound, "{family:?} {index} nu {nu} q {q}: {quotient} above {bound}");
                 }

@@ -7,7 +7,7 @@ mod example;
 
 use example_frame::Outcome;
 use experiments::proof::NumberedStudy;
-use fractional_sobolev::{Order, SectorPower, Tolerance, closed_forms};
+use fractional_sobolev::{Function, Order, Tolerance, closed_forms};
 use signorini::proof::TheoremConstants;
 use signorini::scenes::{EdgeDatum, KnownSolution};
 
@@ -27,15 +27,17 @@ fn the_bound_is_above_the_error_for_every_tau_and_both_cones() {
 fn the_norm_of_the_gradient_has_its_components_and_its_limit() {
     let (p, radius) = (1.5, 1.3);
     for s in [0.3, 0.7] {
-        let whole = SectorPower::harmonic_gradient(p, radius, order(s), Tolerance::balanced()).unwrap();
-        let sine = SectorPower::new(p - 1.0, p - 1.0, std::f64::consts::PI, radius).unwrap();
+        let whole = Function::sector_power(p, p, std::f64::consts::PI, radius).unwrap();
+        let whole = whole.seminorm(order(s).plus_one(), Tolerance::balanced()).unwrap();
+        let sine = Function::sector_power(p - 1.0, p - 1.0, std::f64::consts::PI, radius).unwrap();
         let sine = p * sine.seminorm(order(s), Tolerance::balanced()).unwrap().value;
         // cos(φ/2) is sin(φ/2) seen from the other side of the half disc.
         let exact = 2f64.sqrt() * sine;
         assert!((whole.value / exact - 1.0).abs() < 1e-10, "{s}: {} {exact}", whole.value);
     }
     let s = 1.0 - 1e-8;
-    let near = SectorPower::harmonic_gradient(p, radius, order(s), Tolerance::fast()).unwrap().value;
+    let near = Function::sector_power(p, p, std::f64::consts::PI, radius).unwrap();
+    let near = near.seminorm(order(s).plus_one(), Tolerance::fast()).unwrap().value;
     let limit =
         std::f64::consts::FRAC_PI_2 * p * p * (p - 1.0) * std::f64::consts::PI * radius.powf(2.0 * p - 2.0);
     assert!((1e-8 * near * near / limit - 1.0).abs() < 1e-6);
@@ -47,7 +49,7 @@ fn seminorms_of_the_edge_scale_and_hold_those_of_their_side() {
     let scene = KnownSolution::power(0.8, None).unwrap();
     let (nu, fast) = (order(0.15), Tolerance::fast());
     let one = |part| scene.edge_seminorm(EdgeDatum::Slope, part, nu, fast).unwrap().value;
-    let side = closed_forms::power(-0.2, nu).unwrap().value.sqrt();
+    let side = closed_forms::power_seminorm_squared(-0.2, nu).unwrap().value.sqrt();
     let size = 0.8 * (0.8 * std::f64::consts::PI).sin();
     // (0.4, 1) alone: 0.6^{−0.2 + 1/2 − ν} |t^{−0.2}| on the unit interval.
     assert!(one([0.0, 1.0]) > size * side * 0.6f64.powf(0.15));

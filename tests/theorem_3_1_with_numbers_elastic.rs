@@ -6,7 +6,7 @@
 mod example;
 
 use example_frame::Outcome;
-use fractional_sobolev::{Order, SectorPower, Tolerance};
+use fractional_sobolev::{Function, Order, Tolerance};
 use signorini::fem::Lame;
 use signorini::proof::TheoremConstants;
 use signorini::scenes::{EdgeDatum, KnownSolution};
@@ -98,7 +98,7 @@ fn what_is_not_in_the_space_is_an_error() {
     let scene = KnownSolution::power(0.74, Some(Lame::new(1.0, 1.0).unwrap())).unwrap();
     assert!(scene.body_seminorm(1.75, Tolerance::fast()).is_err());
     assert!(scene.body_seminorm(2.0, Tolerance::fast()).is_err());
-    assert!(SectorPower::elastic_gradient(1.5, 0.0, 1.0, order(0.5), Tolerance::fast()).is_err());
+    assert!(Function::elastic_corner(1.5, 0.0, 1.0).is_err());
     let options = example::Options { mu: -1.0, ..example::Options::default() };
     assert!(example::compute(&options).is_err());
 }

@@ -1,8 +1,7 @@
 //! What `extremes` plants: hard input with its value found another way, and input that has no answer.
 
 use fractional_sobolev::{
-    Constraint, GramOperator, Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance, UniformLaw,
-    closed_forms, gamma,
+    Constraint, Function, GramOperator, Mesh, Order, Tolerance, UniformLaw, closed_forms, gamma,
 };
 use signorini::cone::Cone;
 use signorini::contact::Solver;
@@ -54,7 +53,7 @@ pub const INADMISSIBLE: [Bad; 8] = [
         "a step, order 1/2",
         "seminorm",
         || {
-            let step = SingularFunction::new(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 })?;
+            let step = Function::from_fn(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 })?;
             Ok(step.seminorm(Order::HALF, Tolerance::fast())?.value)
         },
         infinite,
@@ -63,7 +62,7 @@ pub const INADMISSIBLE: [Bad; 8] = [
         "|ln x|^0.6, order 1/2",
         "seminorm",
         || {
-            let slow = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+            let slow = Function::from_positions(&[0.0, 1.0], |at| match at.anchor() {
                 0 => (-at.offset().ln()).powf(0.6),
                 _ => (-at.offset().ln_1p()).powf(0.6),
             })?;
@@ -75,7 +74,7 @@ pub const INADMISSIBLE: [Bad; 8] = [
         "a function with value NaN",
         "seminorm",
         || {
-            let torn = SingularFunction::new(&[0.0, 1.0], |x: f64| if x > 0.5 { f64::NAN } else { x })?;
+            let torn = Function::from_fn(&[0.0, 1.0], |x: f64| if x > 0.5 { f64::NAN } else { x })?;
             Ok(torn.seminorm(Order::HALF, Tolerance::fast())?.value)
         },
         |error| matches!(error, Error::Toolkit(ToolkitError::NotFinite { .. })),
@@ -121,7 +120,7 @@ fn infinite(error: &Error) -> bool {
 /// |x|_ν on (0, L), height H: H L^{1/2 − ν} / √((1−ν)(3−2ν)).
 fn ramp(order: Order, length: f64, height: f64) -> Result<Pair> {
     let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|v| v * height);
-    let u = PiecewisePolynomial::linears(Mesh::uniform(4, length)?, &values)?;
+    let u = Function::linears(&Mesh::uniform(4, length)?, &values)?;
     let unit = (order.complement() * (1.0 + 2.0 * order.complement())).sqrt().recip();
     let exact = height * unit * length.powf(-order.offset());
     Ok((u.seminorm(order, Tolerance::reference())?.value, exact))
@@ -130,7 +129,7 @@ fn ramp(order: Order, length: f64, height: f64) -> Result<Pair> {
 /// At ν = 1/2 the seminorm does not see scale.
 fn hat(width: f64) -> Result<f64> {
     let mesh = Mesh::from_lengths(vec![1.0, width, width, 1.0])?;
-    let u = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
+    let u = Function::linears(&mesh, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
     Ok(u.seminorm(Order::HALF, Tolerance::reference())?.value)
 }
 
@@ -139,7 +138,7 @@ fn million_cells() -> Result<Pair> {
     let operator = GramOperator::constants(&Mesh::uniform(n, 1.0)?, order, Tolerance::reference())?;
     let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
     let form: f64 = step.iter().zip(operator.apply(&step)?).map(|(x, y)| x * y).sum();
-    Ok((form, closed_forms::jump(0.5, 0.5, order)?.value))
+    Ok((form, closed_forms::jump_seminorm_squared(0.5, 0.5, order)?.value))
 }
 
 fn short_zone() -> Result<Pair> {

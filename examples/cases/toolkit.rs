@@ -3,8 +3,8 @@
 
 use experiments::largest;
 use fractional_sobolev::{
-    Constraint, Estimate, GramOperator, Mesh, Order, PiecewisePolynomial, Result, SingularFunction,
-    Tolerance, Work, Zone, closed_forms, gamma, gram_linears,
+    Constraint, Estimate, Function, GramOperator, Mesh, Order, Result, Tolerance, Work, Zone, closed_forms,
+    gamma, gram_linears,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
 };
 
@@ -16,8 +16,8 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
     let half = Order::HALF;
     let power = |name, a: f64, nu| -> Result<Case<'a>> {
         let order = Order::new(nu)?;
-        let u = SingularFunction::new(&[0.0, 1.0], move |x: f64| x.powf(a))?;
-        let exact = closed_forms::power(a, order)?.value.sqrt();
+        let u = Function::from_fn(&[0.0, 1.0], move |x: f64| x.powf(a))?;
+        let exact = closed_forms::power_seminorm_squared(a, order)?.value.sqrt();
         Ok((name, exact, Box::new(move |tolerance| u.seminorm(order, tolerance))))
     };
     let best = |name, nu, norm, exact| -> Result<Case<'a>> {
@@ -34,14 +34,14 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
             }),
         ))
     };
-    let slow = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+    let slow = Function::from_positions(&[0.0, 1.0], |at| match at.anchor() {
         0 => (-at.offset().ln()).powf(0.25),
         _ => (-at.offset().ln_1p()).powf(0.25),
     })?;
-    let slow_exact = closed_forms::log_power(0.25)?.value.sqrt();
+    let slow_exact = closed_forms::log_power_seminorm_squared(0.25)?.value.sqrt();
     let values: Vec<f64> = (0..=1000).map(|i| f64::from(500 - (i - 500i32).abs()) / 500.0).collect();
-    let hat = PiecewisePolynomial::linears(Mesh::uniform(1000, 1.0)?, &values)?;
-    let hat_exact = closed_forms::hat(0.0, 0.5, 0.5, 0.0, half)?.value.sqrt();
+    let hat = Function::linears(&Mesh::uniform(1000, 1.0)?, &values)?;
+    let hat_exact = closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, half)?.value.sqrt();
     let graded = Mesh::geometric(1999, 1e-30f64.powf(1.0 / 1999.0), 1.0)?;
     let x: Vec<f64> = (0..=2000).map(|i| ((i * 7919) % 1000) as f64 / 1000.0).collect();
     let matrix = gram_linears(&graded, half);
@@ -51,7 +51,7 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
         let apart: Vec<f64> = fast.iter().zip(&dense).map(|(a, b)| a - b).collect();
         Estimate::new(1.0 + largest(&apart) / largest(&dense), tolerance.relative(), Work::default())
     };
-    let one = PiecewisePolynomial::constants(Mesh::uniform(8, 1.0)?, &[1.0; 8])?;
+    let one = Function::constants(&Mesh::uniform(8, 1.0)?, &[1.0; 8])?;
     // γ₁(1/2)², the best constant of (4.7) at r = 1/2
     let whole: f64 = 0.291_564_029_207_657_16;
     Ok(vec![
@@ -65,7 +65,7 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
         ),
         ("fast product and its setup, geometric 1e-30, N 2000", 1.0, Box::new(product)),
         ("hat on 1000 elements, nu 1/2", hat_exact, Box::new(move |tolerance| hat.seminorm(half, tolerance))),
-        ("dual norm of a constant", 1.0, Box::new(move |t| one.dual_norm(half, t))),
+        ("dual norm of a constant", 1.0, Box::new(move |t| one.norm(-half, t))),
         best("interpolation C_L2, nu 1/2", 0.5, ErrorNorm::L2, 0.092_742_524_652_174_63)?,
         best("interpolation C_H1, nu 0.99", 0.99, ErrorNorm::Derivative, 0.032_024_593_023_715_79)?,
         (

@@ -1,15 +1,17 @@
-//! Closed forms of |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν} on intervals, arranged so that no digits cancel.
+//! Closed forms of |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{d+2ν} on intervals (d = 1), the circle (d = 1) and the square
+//! (d = 2), arranged so that no digits cancel.
 //!
 //! | function | on | domain |
 //! | --- | --- | --- |
-//! | [`power`]: x^a | (0, 1) | a > ν − 1/2 |
-//! | [`jump`]: 0 on a cell, 1 on the next | (0, p + q) | ν < 1/2 |
-//! | [`hat`]: piecewise linear hat | an interval around it | 0 < ν < 1 |
-//! | [`log_power`]: \|ln x\|^α | (0, 1) | ν = 1/2, 0 < α < 1/2 |
-//! | [`cosine_on_circle`]: cos kφ | the unit circle | 0 < ν < 1 |
+//! | [`power_seminorm_squared`]: x^a | (0, 1) | a > ν − 1/2 |
+//! | [`jump_seminorm_squared`]: 0 on a cell, 1 on the next | (0, p + q) | ν < 1/2 |
+//! | [`hat_seminorm_squared`]: piecewise linear hat | an interval around it | 0 < ν < 1 |
+//! | [`log_power_seminorm_squared`]: \|ln x\|^α | (0, 1) | ν = 1/2, 0 < α < 1/2 |
+//! | [`cosine_on_circle_seminorm_squared`]: cos kφ | the unit circle | 0 < ν < 1 |
+//! | [`coordinate_on_square_seminorm_squared`]: x₁ | the unit square | 0 < ν < 1 |
 //!
-//! Every value is the *squared* seminorm; all are sums of positive terms or differences of well separated
-//! ones.
+//! Every value is the *squared* seminorm, as the names say, but that of [`power_seminorm`]; all are sums of positive
+//! terms or differences of well separated ones. They are exact to rounding and take no tolerance.
 
 use super::gram::dense::{diagonal_linear, require_constants_finite};
 use super::kernel::cells::CellPairs;
@@ -17,9 +19,14 @@ use super::mesh::Mesh;
 use super::order::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
+use crate::quadrature::Rule;
 
 /// Rounding of the sums below, in units of the value: at most a few hundred operations, all of one sign.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+/// Points for an integrand analytic in an ellipse with ρ = 2 + √5 about (0, 1), singular at ±i: ρ^{-2n} <
+/// 1e-24.
+const SQUARE_POINTS: usize = 20;
 
 /// |x^a|²_ν on (0, 1) = 2/(2a−2ν+1) [B(1,−2ν) − 2B(a+1,−2ν) + B(2a+1,−2ν)], B the continued Beta function.
 ///
@@ -33,14 +40,14 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// ```
 /// use fractional_sobolev::{Order, closed_forms};
 /// // |x - y|^2 / |x - y|^2 over the unit square
-/// let squared = closed_forms::power(1.0, Order::HALF)?;
+/// let squared = closed_forms::power_seminorm_squared(1.0, Order::HALF)?;
 /// assert!((squared.value - 1.0).abs() < 1e-14);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] for a not finite or above 1e4.
-pub fn power(a: f64, order: impl Given<Order>) -> Result<Estimate> {
+pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     Error::require("exponent a", a, "finite and at most 1e4", a.is_finite() && a <= 1e4)?;
     if a == 0.0 {
@@ -66,13 +73,24 @@ pub fn power(a: f64, order: impl Given<Order>) -> Result<Estimate> {
 
 /// |x^a|_ν itself, right also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up to
 /// relative terms of the size of a.
-pub(super) fn root_of_power(a: f64, order: Order) -> Result<Estimate> {
+///
+/// ```
+/// use fractional_sobolev::closed_forms;
+/// let tiny = closed_forms::power_seminorm(1e-200, 0.25)?; // its square is 0 in binary64
+/// assert!(tiny.value > 1e-201 && tiny.relative_error() < 1e-12);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`power_seminorm_squared`].
+pub fn power_seminorm(a: f64, order: impl Given<Order>) -> Result<Estimate> {
+    let order = order.given()?;
     const TINY: f64 = 1e-30;
     if a == 0.0 || a.abs() >= TINY || a <= order.offset() {
-        return power(a, order)?.sqrt();
+        return power_seminorm_squared(a, order)?.sqrt();
     }
     let gaps = (TINY - order.offset()) / (a - order.offset());
-    let found = power(TINY, order)?.sqrt()?.times(gaps.sqrt() * (a.abs() / TINY))?;
+    let found = power_seminorm_squared(TINY, order)?.sqrt()?.times(gaps.sqrt() * (a.abs() / TINY))?;
     Estimate::new(found.value, found.error + f64::MIN_POSITIVE * f64::EPSILON, found.work)
 }
 
@@ -120,15 +138,15 @@ fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
 /// use fractional_sobolev::{Order, closed_forms};
 /// let order = Order::new(0.25)?;
 /// // 2 (1 + 1 − √2) / (1/2 · 1/2)
-/// let squared = closed_forms::jump(1.0, 1.0, order)?;
+/// let squared = closed_forms::jump_seminorm_squared(1.0, 1.0, order)?;
 /// assert!((squared.value - 8.0 * (2.0 - 2f64.sqrt())).abs() < 1e-13);
-/// assert!(closed_forms::jump(1.0, 1.0, Order::HALF).is_err()); // a jump is not in H^{1/2}
+/// assert!(closed_forms::jump_seminorm_squared(1.0, 1.0, Order::HALF).is_err()); // a jump is not in H^{1/2}
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Mesh::from_lengths`] for bad lengths.
-pub fn jump(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
+pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     require_constants_finite(order)?;
     Mesh::from_lengths(vec![p, q])?;
@@ -142,7 +160,7 @@ pub fn jump(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
 ///
 /// ```
 /// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance, closed_forms};
-/// let squared = closed_forms::hat(1.0, 2.0, 1.0, 0.0, Order::HALF)?;
+/// let squared = closed_forms::hat_seminorm_squared(1.0, 2.0, 1.0, 0.0, Order::HALF)?;
 /// let mesh = Mesh::from_nodes(&[0.0, 1.0, 3.0, 4.0])?;
 /// let hat = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0])?;
 /// let norm = hat.seminorm(Order::HALF, Tolerance::reference())?;
@@ -152,7 +170,13 @@ pub fn jump(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
 ///
 /// # Errors
 /// As [`Mesh::from_lengths`] for bad lengths.
-pub fn hat(before: f64, rise: f64, fall: f64, after: f64, order: impl Given<Order>) -> Result<Estimate> {
+pub fn hat_seminorm_squared(
+    before: f64,
+    rise: f64,
+    fall: f64,
+    after: f64,
+    order: impl Given<Order>,
+) -> Result<Estimate> {
     let order = order.given()?;
     let mut lengths = vec![rise, fall];
     let mut peak = 1;
@@ -174,14 +198,14 @@ pub fn hat(before: f64, rise: f64, fall: f64, after: f64, order: impl Given<Orde
 ///
 /// ```
 /// use fractional_sobolev::closed_forms;
-/// let squared = closed_forms::cosine_on_circle(3, 0.5)?;
+/// let squared = closed_forms::cosine_on_circle_seminorm_squared(3, 0.5)?;
 /// assert!((squared.value / (6.0 * std::f64::consts::PI.powi(2)) - 1.0).abs() < 1e-14);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for an order outside (0, 1).
-pub fn cosine_on_circle(k: u32, order: impl Given<Order>) -> Result<Estimate> {
+pub fn cosine_on_circle_seminorm_squared(k: u32, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     if k == 0 {
         return Estimate::new(0.0, 0.0, Work::default());
@@ -195,6 +219,31 @@ pub fn cosine_on_circle(k: u32, order: impl Given<Order>) -> Result<Estimate> {
     Estimate::new(value, rounding * value, Work::default())
 }
 
+/// |x₁|²_s on the unit square: 4 ∫₀¹ (1+k²)^{-s} (p − qk) dk, p = 1/((2−2s)(3−2s)), q = 1/((3−2s)(4−2s)).
+///
+/// The covariogram of the square is (1−|z₁|)(1−|z₂|), so that |x₁|²_s = 4 ∫∫ (1−u)(1−v) u² (u²+v²)^{-1-s}
+/// over (0,1)². With v = uk for v < u and u = vk for v > u the integral in the larger variable is p − qk,
+/// times (1+k²)^{-1-s} and k² (1+k²)^{-1-s}. As s → 1, (1−s)|x₁|²_s → π/2.
+///
+/// ```
+/// use fractional_sobolev::{Order, closed_forms};
+/// let s = 1.0 - 1e-9;
+/// let squared = closed_forms::coordinate_on_square_seminorm_squared(Order::new(s)?)?;
+/// assert!(((1.0 - s) * squared.value - std::f64::consts::FRAC_PI_2).abs() < 1e-8);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// None for an order in (0, 1).
+pub fn coordinate_on_square_seminorm_squared(order: impl Given<Order>) -> Result<Estimate> {
+    let order = order.given()?;
+    let two = 2.0 * order.complement();
+    let (p, q) = (1.0 / (two * (1.0 + two)), 1.0 / ((1.0 + two) * (2.0 + two)));
+    let part = |k: f64| (p - q * k) * (-order.value() * (k * k).ln_1p()).exp();
+    let value = 4.0 * Rule::gauss_legendre(SQUARE_POINTS)?.integrate(part);
+    Estimate::new(value, ROUNDING * value, Work { points: SQUARE_POINTS as u64, ..Work::default() })
+}
+
 /// ||ln x|^α|²_{1/2} on (0, 1) = 2 ζ(1+2α) [Γ(1+α)²/cos(πα) − Γ(1+2α)].
 ///
 /// In t = −ln x the form is ∫∫ (s^α−t^α)² / (4 sinh²((s−t)/2)); with r = s − t it factors into ∫ r^{2α+1}/(4
@@ -203,7 +252,7 @@ pub fn cosine_on_circle(k: u32, order: impl Given<Order>) -> Result<Estimate> {
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for α ≥ 1/2, [`Error::OutOfRange`] for α ≤ 0 or NaN.
-pub fn log_power(alpha: f64) -> Result<Estimate> {
+pub fn log_power_seminorm_squared(alpha: f64) -> Result<Estimate> {
     Error::require("alpha", alpha, "(0, 1/2)", alpha > 0.0 && alpha.is_finite())?;
     if alpha >= 0.5 {
         return Err(Error::InfiniteNorm {

@@ -8,20 +8,24 @@ use super::mesh::Mesh;
 use super::nearly_one::NearlyOne;
 use super::order::{Order, SobolevOrder};
 use super::piecewise::PiecewisePolynomial;
-use super::plane::{PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles};
+use super::plane::{
+    ElasticCorner, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles,
+};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::root::root_of_squares;
+use std::ops::Range;
 
 /// A real function on an interval, a polygonal curve or a triangulation, given by a formula or by values.
 ///
 /// | given by | constructor |
 /// | --- | --- |
 /// | a formula with breakpoints | [`from_fn`](Self::from_fn), [`from_positions`](Self::from_positions), [`power`](Self::power) |
-/// | values on a mesh of an interval | [`linears`](Self::linears), [`constants`](Self::constants), [`piecewise`](Self::piecewise) |
+/// | values on a mesh of an interval | [`linears`](Self::linears), [`constants`](Self::constants), [`piecewise`](Self::piecewise), [`interpolate`](Self::interpolate) |
 /// | values ⟨f, φ_i⟩ on the hat functions of a mesh | [`load`](Self::load) |
 /// | values on a triangulation | [`on_triangles`](Self::on_triangles) |
-/// | a formula on a triangulation, with singular corners | [`from_plane_positions`](Self::from_plane_positions), [`sector_power`](Self::sector_power) |
+/// | a formula on a triangulation, with singular corners | [`from_plane_positions`](Self::from_plane_positions) |
+/// | a corner singularity on a sector | [`sector_power`](Self::sector_power), [`elastic_corner`](Self::elastic_corner) |
 /// | values on a polygonal curve | [`on_curve`](Self::on_curve) |
 ///
 /// # Method
@@ -61,6 +65,7 @@ enum Kind<'a> {
     Plane(PlaneFunction),
     PlaneFormula(SingularPlaneFunction<'a>),
     Sector(SectorPower),
+    Elastic(ElasticCorner),
     Curve(BoundaryFunction),
 }
 
@@ -104,7 +109,7 @@ impl<'a> Function<'a> {
     ///     0 => (-at.log_distance()).powf(0.45),
     ///     _ => (-at.offset().ln_1p()).powf(0.45),
     /// })?;
-    /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
+    /// let exact = closed_forms::log_power_seminorm_squared(0.45)?.value.sqrt();
     /// assert!((u.seminorm(0.5, 1e-4)?.value / exact - 1.0).abs() < 1e-4);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -120,7 +125,7 @@ impl<'a> Function<'a> {
     /// ```
     /// use fractional_sobolev::{Function, closed_forms};
     /// for a in [0.3, 1e-12] {
-    ///     let exact = closed_forms::power(a, 0.25)?.value.sqrt();
+    ///     let exact = closed_forms::power_seminorm_squared(a, 0.25)?.value.sqrt();
     ///     assert!((Function::power(a)?.seminorm(0.25, 1e-8)?.value / exact - 1.0).abs() < 1e-7);
     /// }
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -181,6 +186,24 @@ impl<'a> Function<'a> {
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
     pub fn piecewise(mesh: &Mesh, degree: usize, values: &[f64]) -> Result<Self> {
         PiecewisePolynomial::of_values(mesh.clone(), degree, values).map(Self::from)
+    }
+
+    /// The continuous piecewise polynomial of degree p that agrees with f at the nodes; what f has beside its linear
+    /// interpolant is projected in L²(t(1−t)) on every element, so that polynomials of degree p are reproduced. f is
+    /// called with the distance from the left end of the mesh.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Mesh};
+    /// let square = Function::interpolate(&Mesh::uniform(2, 1.0)?, 2, |x| x * x)?;
+    /// assert!((square.value(1, 0.5)? - 0.75f64.powi(2)).abs() < 1e-15);
+    /// assert!((square.lp(3.0, 1e-8)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
+    pub fn interpolate(mesh: &Mesh, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
+        PiecewisePolynomial::interpolate(mesh.clone(), degree, f).map(Self::from)
     }
 
     /// A functional by its values ⟨f, φ_i⟩ on the hat functions of a mesh. It has norms of order −1 < s < 0 only,
@@ -244,19 +267,46 @@ impl<'a> Function<'a> {
         SingularPlaneFunction::new(mesh.clone(), corners, f).map(Kind::PlaneFormula).map(Self::of)
     }
 
-    /// r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω, for seminorms of order 0 < s < 1 in the plane.
+    /// r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω: its seminorms of order 0 < s < 1, and for a = b, where it is
+    /// harmonic, those of order 1 < s < 2, |∇u|\_{s−1}. They scale like R^{a+1−s}.
     ///
     /// ```
     /// use fractional_sobolev::Function;
+    /// // the corner singularity of the L-shape
     /// let corner = Function::sector_power(2.0 / 3.0, 2.0 / 3.0, 1.5 * std::f64::consts::PI, 1.0)?;
-    /// assert!(corner.seminorm(0.5, 1e-8)?.relative_error() <= 1e-8);
+    /// assert!(corner.seminorm(0.9, 1e-12)?.relative_error() <= 1e-12);
+    /// assert!(corner.seminorm(1.6, 1e-12)?.relative_error() <= 1e-12); // finite for s < 5/3
+    /// assert!(corner.seminorm(1.7, 1e-12).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless a > −1 and the angle and the radius are admissible.
+    /// [`Error::OutOfRange`] unless −1 < a ≤ 20, 0 < b ≤ 20, 0 < ω ≤ 7π/4, R > 0.
+    #[doc(alias("corner singularity", "L-shape"))]
     pub fn sector_power(exponent: f64, frequency: f64, angle: f64, radius: f64) -> Result<Self> {
         SectorPower::new(exponent, frequency, angle, radius).map(Kind::Sector).map(Self::of)
+    }
+
+    /// The elastic displacement v = (α Re z^p − y Im pz^{p−1}, (1+α) Im z^p − y Re pz^{p−1}) on the half disc |z| < R,
+    /// y > 0, with zero shear on y = 0: its seminorms of order 1 < s < 2, |∇v|\_{s−1} of all four derivatives. They
+    /// scale like R^{p+1−s}. α = μ/(λ+μ), and the displacement of a body is v/(2μ).
+    ///
+    /// ```
+    /// use fractional_sobolev::Function;
+    /// use std::f64::consts::PI;
+    /// // p = 2, α = 1: v = (x² − 3y², 2xy), ∇v has x² twice with 4 and y² with 36 and 4
+    /// let norm = Function::elastic_corner(2.0, 1.0, 1.0)?.seminorm(1.5, 1e-12)?.value;
+    /// let y = Function::sector_power(1.0, 1.0, PI, 1.0)?.seminorm(0.5, 1e-12)?.value;
+    /// let both = Function::sector_power(2.0, 2.0, PI, 1.0)?.seminorm(1.5, 1e-12)?.value;
+    /// assert!((norm / (2.0 * both.powi(2) + 32.0 * y.powi(2)).sqrt() - 1.0).abs() < 1e-12);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 0 < p ≤ 20, α > 0, R > 0.
+    #[doc(alias("Westergaard"))]
+    pub fn elastic_corner(power: f64, alpha: f64, radius: f64) -> Result<Self> {
+        ElasticCorner::new(power, alpha, radius).map(Kind::Elastic).map(Self::of)
     }
 
     /// The function on a polygonal curve with the given values: continuous and linear with one value per node (degree
@@ -297,8 +347,19 @@ impl<'a> Function<'a> {
         Self { gradient, ..self }
     }
 
-    /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖\_{−s}, for s = 0 the L² norm. A plain number
-    /// serves as s; orders near ±1/2 and 3/2 keep their distance from it as [`SobolevOrder`].
+    /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖\_{−s}, for s = 0 the L² norm.
+    ///
+    /// s is a plain number or an [`Order`]; near ±1/2 and 3/2, where the distance from these counts, `-order` and
+    /// [`Order::plus_one`] keep all its digits.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Order};
+    /// let u = Function::from_fn(&[0.0, 1.0], |x| x)?;
+    /// assert_eq!(u.norm(Order::HALF, 1e-8)?, u.norm(0.5, 1e-8)?);
+    /// assert_eq!(u.norm(-Order::HALF, 1e-6)?, u.norm(-0.5, 1e-6)?);
+    /// assert!(u.norm(2.0, 1e-8).is_err() && u.norm(-1.0, 1e-8).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with the best value; [`Error::OutOfRange`] for s outside
@@ -307,7 +368,7 @@ impl<'a> Function<'a> {
     pub fn norm(&self, s: impl Given<SobolevOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match s.given()? {
-            SobolevOrder::Dual(order) => self.dual_norm_in(DualOf::Slobodeckij, order, tolerance),
+            SobolevOrder::Dual(order) => self.dual_norm(DualOf::Slobodeckij, order, tolerance),
             SobolevOrder::Zero => self.lp(2.0, tolerance),
             SobolevOrder::Fractional(order) => match &self.kind {
                 Kind::Formula(u) => u.norm(order, tolerance),
@@ -317,20 +378,48 @@ impl<'a> Function<'a> {
                 Kind::Plane(u) => u.norm(order, tolerance),
                 Kind::PlaneFormula(u) => u.norm(order, tolerance),
                 Kind::Curve(u) => u.norm(order, tolerance),
-                Kind::Load(_) | Kind::Sector(_) => Err(self.refused("norm of positive order")),
+                Kind::Load(_) | Kind::Sector(_) | Kind::Elastic(_) => {
+                    Err(self.refused("norm of positive order"))
+                }
             },
-            SobolevOrder::One => self.first_norm(tolerance),
+            SobolevOrder::One => {
+                let mut parts = vec![self.lp(2.0, tolerance)?];
+                parts.extend(self.gradient_norms(tolerance)?);
+                root_of_squares(&parts)
+            }
             SobolevOrder::OnePlus(order) => self.norm_above_one(order, tolerance),
         }
     }
 
-    /// |u|_s, 0 < s < 1.
+    /// |u|_s for 0 < s < 2: |u|_1 = ‖∇u‖, and |u|_s = |∇u|\_{s−1} beyond. s as for [`Function::norm`].
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Order};
+    /// let slope = Function::from_fn(&[0.0, 1.0], |x| x)?;
+    /// let u = Function::from_fn(&[0.0, 1.0], |x| x * x / 2.0)?.with_gradient(vec![slope]);
+    /// for s in [Order::HALF.plus_one(), Order::new(0.5)?.plus_one()] {
+    ///     assert!((u.seminorm(s, 1e-8)?.value - 1.0).abs() < 1e-8); // |x|_{1/2} = 1
+    /// }
+    /// assert!((u.seminorm(1.0, 1e-8)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-8);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Function::norm`].
     #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (s.given()?, tolerance.given()?);
+    pub fn seminorm(
+        &self,
+        s: impl Given<SobolevOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
+        let order = match s.given()? {
+            SobolevOrder::Fractional(order) => order,
+            SobolevOrder::One => return root_of_squares(&self.gradient_norms(tolerance)?),
+            SobolevOrder::OnePlus(order) => return self.seminorm_above_one(order, tolerance),
+            SobolevOrder::Zero => return Err(order_outside(0.0)),
+            SobolevOrder::Dual(order) => return Err(order_outside(-order.value())),
+        };
         match &self.kind {
             Kind::Formula(u) => u.seminorm(order, tolerance),
             Kind::NearlyOne(u, _) => u.seminorm(order, tolerance),
@@ -340,7 +429,7 @@ impl<'a> Function<'a> {
             Kind::PlaneFormula(u) => u.seminorm(order, tolerance),
             Kind::Sector(u) => u.seminorm(order, tolerance),
             Kind::Curve(u) => u.seminorm(order, tolerance),
-            Kind::Load(_) => Err(self.refused("seminorm")),
+            Kind::Load(_) | Kind::Elastic(_) => Err(self.refused("seminorm of order below 1")),
         }
     }
 
@@ -363,9 +452,7 @@ impl<'a> Function<'a> {
             Kind::Curve(u) => u.lq_norm(q, tolerance),
             Kind::Plane(u) if square => u.l2_norm(tolerance),
             Kind::PlaneFormula(u) if square => u.l2_norm(tolerance),
-            Kind::Plane(_) | Kind::PlaneFormula(_) | Kind::Load(_) | Kind::Sector(_) => {
-                Err(self.refused("norm in L^q"))
-            }
+            _ => Err(self.refused("norm in L^q")),
         }
     }
 
@@ -381,30 +468,31 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// sup ∫ u v / ‖v‖ for the norm that [`DualOf`] names.
+    /// sup ∫ u v / ‖v‖ for the norm of order 0 < s < 1 that [`DualOf`] names; [`Function::norm`] of order −s is that
+    /// of [`DualOf::Slobodeckij`].
     ///
     /// ```
     /// use fractional_sobolev::{DualOf, Function, Mesh};
     /// let one = Function::constants(&Mesh::uniform(4, 1.0)?, &[1.0; 4])?;
-    /// assert!((one.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
+    /// assert!((one.dual_norm(DualOf::Interpolation, 0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
     /// As [`Function::norm`].
-    pub fn dual_norm_in(
+    #[doc(alias("H-1/2", "negative norm"))]
+    pub fn dual_norm(
         &self,
         of: DualOf,
-        order: impl Given<Order>,
+        s: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
-        let direct = of == DualOf::Slobodeckij;
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.dual_norm_in(of, order, tolerance),
-            Kind::Piecewise(u) => u.dual_norm_in(of, order, tolerance),
-            Kind::Difference(u) => u.dual_norm_in(of, order, tolerance),
-            Kind::Load(u) if direct => u.dual_norm(order, tolerance),
-            Kind::Curve(u) if direct => u.dual_norm(order, tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.dual_norm_in(of, s, tolerance),
+            Kind::Piecewise(u) => u.dual_norm_in(of, s, tolerance),
+            Kind::Difference(u) => u.dual_norm_in(of, s, tolerance),
+            Kind::Curve(u) => u.dual_norm_in(of, s, tolerance),
+            Kind::Load(u) if of == DualOf::Slobodeckij => u.dual_norm(s, tolerance),
             _ => Err(self.refused("dual norm")),
         }
     }
@@ -441,28 +529,113 @@ impl<'a> Function<'a> {
         Ok(Function::of(kind))
     }
 
-    /// ‖u‖_1.
-    fn first_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let mut parts = vec![self.lp(2.0, tolerance)?];
+    /// The derivative of a piecewise polynomial, element by element.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Mesh};
+    /// let hat = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
+    /// assert_eq!(hat.derivative()?.value(1, 0.5)?, -2.0);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a function of another kind, [`Error::NotFinite`] when a slope overflows.
+    pub fn derivative(&self) -> Result<Self> {
+        self.polynomials("derivative")?.derivative().map(Self::from)
+    }
+
+    /// The largest degree of a piecewise polynomial on an element, an upper bound where it was declared higher.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Mesh};
+    /// let u = Function::interpolate(&Mesh::uniform(3, 1.0)?, 4, |x| x.sin())?;
+    /// assert_eq!([u.degree()?, u.derivative()?.degree()?], [4, 3]);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a function that is no piecewise polynomial.
+    pub fn degree(&self) -> Result<usize> {
+        self.polynomials("degree").map(PiecewisePolynomial::degree)
+    }
+
+    /// The value at the local coordinate t ∈ \[0, 1\] of an element, from left to right.
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a function that is no piecewise polynomial; [`Error::CountOutOfRange`] when there is
+    /// no such element; [`Error::OutOfRange`] for t outside \[0, 1\].
+    pub fn value(&self, element: usize, t: f64) -> Result<f64> {
+        self.polynomials("value on an element")?.value(element, t)
+    }
+
+    /// The mesh of a piecewise polynomial on an interval.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Mesh};
+    /// let u = Function::linears(&Mesh::uniform(4, 1.0)?, &[0.0, 1.0, 2.0, 0.0, 0.0])?;
+    /// let part = u.restrict(1..3)?;
+    /// assert!(part.mesh()?.total() == 0.5 && part.value(0, 0.5)? == 1.5);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a function that is no piecewise polynomial.
+    pub fn mesh(&self) -> Result<&Mesh> {
+        self.polynomials("mesh").map(PiecewisePolynomial::mesh)
+    }
+
+    /// The part of a piecewise polynomial on the given elements.
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a function that is no piecewise polynomial; [`Error::CountOutOfRange`] for an empty
+    /// range or one that leaves the mesh.
+    pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
+        self.polynomials("restriction to elements")?.restrict(elements).map(Self::from)
+    }
+
+    /// The decreasing rearrangement u* of a piecewise polynomial of degree at most one, on the same interval: it
+    /// takes every range of values on a set of the same measure as u. Cost: (number of elements)².
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Mesh};
+    /// let tent = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
+    /// let sorted = tent.decreasing_rearrangement()?;
+    /// assert!(sorted.mesh()?.len() == 1 && sorted.value(0, 0.25)? == 0.75);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] for a function that is no piecewise polynomial, [`Error::CountOutOfRange`] for a higher
+    /// degree; [`Error::OutOfRange`] when u* has elements more than 1e303 times shorter than the interval.
+    #[doc(alias("monotone rearrangement"))]
+    pub fn decreasing_rearrangement(&self) -> Result<Self> {
+        self.polynomials("rearrangement")?.decreasing_rearrangement().map(Self::from)
+    }
+
+    /// The piecewise polynomial that this function is.
+    pub(crate) fn polynomials(&self, quantity: &str) -> Result<&PiecewisePolynomial> {
         match &self.kind {
-            Kind::Piecewise(u) if u.is_continuous() => parts.push(u.derivative()?.l2_norm(tolerance)?),
+            Kind::Piecewise(u) => Ok(u),
+            _ => Err(self.refused(quantity)),
+        }
+    }
+
+    /// The L² norms of the partial derivatives.
+    fn gradient_norms(&self, tolerance: Tolerance) -> Result<Vec<Estimate>> {
+        match &self.kind {
+            Kind::Piecewise(u) if u.is_continuous() => Ok(vec![u.derivative()?.l2_norm(tolerance)?]),
             Kind::Piecewise(_) => {
                 let why = "a function that jumps has no derivative in L^2";
-                return Err(Error::InfiniteNorm { order: 1.0, why });
+                Err(Error::InfiniteNorm { order: 1.0, why })
             }
             Kind::Plane(u) if !u.is_piecewise_constant() => {
-                for part in u.gradient()? {
-                    parts.push(part.l2_norm(tolerance)?);
-                }
+                u.gradient()?.iter().map(|part| part.l2_norm(tolerance)).collect()
             }
             _ if !self.gradient.is_empty() => {
-                for part in &self.gradient {
-                    parts.push(part.lp(2.0, tolerance)?);
-                }
+                self.gradient.iter().map(|part| part.lp(2.0, tolerance)).collect()
             }
-            _ => return Err(self.refused("norm of order 1")),
+            _ => Err(self.refused("norm of order 1")),
         }
-        root_of_squares(&parts)
     }
 
     /// ‖u‖_{1+ν}.
@@ -481,6 +654,28 @@ impl<'a> Function<'a> {
         }
     }
 
+    /// |∇u|_ν.
+    fn seminorm_above_one(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let why = "a function that jumps has no derivative in L^2";
+        let infinite = || Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
+        match &self.kind {
+            Kind::Piecewise(u) if u.is_continuous() => u.derivative()?.seminorm(order, tolerance),
+            Kind::Piecewise(_) => infinite(),
+            Kind::Plane(u) if u.is_piecewise_constant() => infinite(),
+            Kind::Plane(u) => {
+                let [x, y] = u.gradient()?.map(|part| part.seminorm(order, tolerance));
+                root_of_squares(&[x?, y?])
+            }
+            Kind::Elastic(u) => u.gradient_seminorm(order, tolerance),
+            Kind::Sector(u) => u.gradient_seminorm(order, tolerance)?.ok_or_else(|| self.refused("gradient")),
+            _ if !self.gradient.is_empty() => {
+                let parts = self.gradient.iter().map(|part| part.seminorm(order, tolerance));
+                root_of_squares(&parts.collect::<Result<Vec<_>>>()?)
+            }
+            _ => Err(self.refused("seminorm of order above 1")),
+        }
+    }
+
     fn describe(&self) -> &'static str {
         match self.kind {
             Kind::Formula(_) | Kind::NearlyOne(..) => "a formula on an interval",
@@ -490,6 +685,7 @@ impl<'a> Function<'a> {
             Kind::Plane(_) => "values on a triangulation",
             Kind::PlaneFormula(_) => "a formula on a triangulation",
             Kind::Sector(_) => "a power on a sector",
+            Kind::Elastic(_) => "an elastic displacement at a corner",
             Kind::Curve(_) => "values on a polygonal curve",
         }
     }
@@ -500,14 +696,15 @@ impl<'a> Function<'a> {
             Kind::Formula(_) | Kind::NearlyOne(..) => {
                 "norms of order below 1; of order below 2 with Function::with_gradient"
             }
-            Kind::Piecewise(_) => "norms of order in (-1, 2), L^q norms, the mean",
+            Kind::Piecewise(_) => "norms of order in (-1, 2), L^q norms, the mean, values, parts",
             Kind::Load(_) => "norms of order in (-1, 0)",
             Kind::Difference(_) => "norms of order in (-1, 1), L^q norms",
             Kind::Plane(_) => "norms of order in [0, 2), the L^2 norm",
             Kind::PlaneFormula(_) => {
                 "norms of order in [0, 1), the L^2 norm; of order below 2 with Function::with_gradient"
             }
-            Kind::Sector(_) => "seminorms of order in (0, 1)",
+            Kind::Sector(_) => "seminorms of order in (0, 1); of order in (1, 2) where it is harmonic",
+            Kind::Elastic(_) => "seminorms of order in (1, 2)",
             Kind::Curve(_) => "norms of order in (-1, 1), L^q norms",
         };
         Error::Incompatible { what: "the", given: quantity.to_owned(), with: self.describe(), expected }
@@ -518,6 +715,10 @@ impl From<PiecewisePolynomial> for Function<'_> {
     fn from(u: PiecewisePolynomial) -> Self {
         Self::of(Kind::Piecewise(u))
     }
+}
+
+fn order_outside(value: f64) -> Error {
+    Error::OutOfRange { name: "order of the seminorm", value, range: "(0, 2)" }
 }
 
 /// True for degree 1, false for degree 0.

@@ -58,10 +58,10 @@ impl GalleryFunction {
     pub fn closed_form(&self, order: impl Given<Order>) -> Result<Option<Estimate>> {
         let order = order.given()?;
         let squared = match self {
-            Self::Power(a) => return closed_forms::root_of_power(*a, order).map(Some),
-            Self::Step(at) => closed_forms::jump(*at, 1.0 - at, order)?,
-            Self::Hat => closed_forms::hat(0.0, 0.5, 0.5, 0.0, order)?,
-            Self::Log(alpha) if order.offset() == 0.0 => closed_forms::log_power(*alpha)?,
+            Self::Power(a) => return closed_forms::power_seminorm(*a, order).map(Some),
+            Self::Step(at) => closed_forms::jump_seminorm_squared(*at, 1.0 - at, order)?,
+            Self::Hat => closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, order)?,
+            Self::Log(alpha) if order.offset() == 0.0 => closed_forms::log_power_seminorm_squared(*alpha)?,
             _ => return Ok(None),
         };
         squared.sqrt().map(Some)

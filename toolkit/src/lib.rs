@@ -41,12 +41,9 @@ pub use gallery::GalleryFunction;
 pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
 pub use matrix::Gram;
 pub use mesh::Mesh;
-pub use order::{Order, SobolevOrder};
+pub use order::Order;
 pub use piecewise::PiecewisePolynomial;
-pub use plane::{
-    GridOperator, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles,
-    coordinate_on_unit_square,
-};
+pub use plane::{GridOperator, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles};
 pub use poincare::{
     Constraint, END_SLOPE, ExtremalFunction, Gamma, GammaBounds, HalfBracket, INTERIOR_SLOPE, LawRest,
     LimitLaw, Moment, MomentBounds, StrongForm, UniformLaw, Zone, Zones, end_limit, gamma, half_order_moment,

@@ -79,6 +79,20 @@ impl Order {
         -2.0 * self.offset
     }
 
+    /// The order 1 + ν of a norm or seminorm, with all digits of ν − 1/2.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Mesh, Order};
+    /// // u′ = ±1 jumps: finite below 3/2, however close
+    /// let tent = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 0.5, 0.0])?;
+    /// assert!(tent.seminorm(Order::half_plus(-1e-20)?.plus_one(), 1e-8)?.value > 1e9);
+    /// assert!(tent.seminorm(Order::HALF.plus_one(), 1e-8).is_err());
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    pub const fn plus_one(self) -> SobolevOrder {
+        SobolevOrder::OnePlus(self)
+    }
+
     /// ν < 1/2, the range in which piecewise constants belong to H^ν.
     pub fn is_below_half(self) -> bool {
         self.offset < 0.0
@@ -149,17 +163,7 @@ fn unreadable(text: &str) -> Error {
 
 /// The order s of a norm, −1 < s < 2, by its fractional part, so that the distance from ±1/2 and 3/2 keeps its digits.
 ///
-/// A plain number or a [`Order`] does where one is asked for.
-///
-/// ```
-/// use fractional_sobolev::{Order, Function, SobolevOrder};
-/// let u = Function::from_fn(&[0.0, 1.0], |x| x)?;
-/// let half = Order::HALF;
-/// assert_eq!(u.norm(SobolevOrder::Fractional(half), 1e-8)?, u.norm(0.5, 1e-8)?);
-/// assert_eq!(u.norm(SobolevOrder::Dual(half), 1e-6)?, u.norm(-0.5, 1e-6)?);
-/// assert!(u.norm(2.0, 1e-8).is_err() && u.norm(-1.0, 1e-8).is_err());
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
+/// Given as a plain number, an [`Order`] ν for s = ν, `-ν`, or [`Order::plus_one`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SobolevOrder {
     /// s = −ν: the norm dual to that of order ν.
@@ -172,6 +176,15 @@ pub enum SobolevOrder {
     One,
     /// s = 1 + ν.
     OnePlus(Order),
+}
+
+/// The order −ν of a dual norm, with all digits of ν − 1/2.
+impl std::ops::Neg for Order {
+    type Output = SobolevOrder;
+
+    fn neg(self) -> SobolevOrder {
+        SobolevOrder::Dual(self)
+    }
 }
 
 impl Given<SobolevOrder> for SobolevOrder {

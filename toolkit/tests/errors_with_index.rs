@@ -1,8 +1,7 @@
 //! A bad entry of a list is named by its index and its value, wherever the toolkit takes lists.
 
 use fractional_sobolev::{
-    BoundaryFunction, Curve, Error, GramOperator, Mesh, MeshFunctional, PiecewisePolynomial, PlaneFunction,
-    Result, SingularFunction, Triangles, Zones, interpolation::ElementMesh,
+    Curve, Error, Function, GramOperator, Mesh, Result, Triangles, Zones, interpolation::ElementMesh,
 };
 
 /// (index, value) that the error names, in its fields and in its words.
@@ -38,15 +37,15 @@ fn entries_that_are_no_numbers_are_named() {
     let found = [
         (1, Mesh::from_nodes(&[0.0, nan, 1.0]).map(drop)),
         (1, Mesh::from_lengths(vec![1.0, nan]).map(drop)),
-        (2, PiecewisePolynomial::linears(two(), &[0.0, 1.0, nan]).map(drop)),
-        (0, PiecewisePolynomial::constants(two(), &[nan, 1.0]).map(drop)),
-        (1, PiecewisePolynomial::discontinuous_linears(two(), &[[0.0, 1.0], [nan, 1.0]]).map(drop)),
-        (1, MeshFunctional::new(two(), &[0.0, nan, 1.0]).map(drop)),
+        (2, Function::linears(&two(), &[0.0, 1.0, nan]).map(drop)),
+        (0, Function::constants(&two(), &[nan, 1.0]).map(drop)),
+        (1, Function::piecewise(&two(), 1, [[0.0, 1.0], [nan, 1.0]].as_flattened()).map(drop)),
+        (1, Function::load(&two(), &[0.0, nan, 1.0]).map(drop)),
         (2, GramOperator::linears(&two(), 0.5, 1e-8).unwrap().apply(&[0.0, 0.0, nan]).map(drop)),
-        (1, SingularFunction::new(&[0.0, nan, 1.0], |x| x).map(drop)),
-        (5, BoundaryFunction::linears(curve(), &values).map(drop)),
-        (5, BoundaryFunction::constants(curve(), &values).map(drop)),
-        (2, PlaneFunction::linears(triangles(), vec![0.0, 0.0, nan]).map(drop)),
+        (1, Function::from_fn(&[0.0, nan, 1.0], |x| x).map(drop)),
+        (5, Function::on_curve(&curve(), 1, &values).map(drop)),
+        (5, Function::on_curve(&curve(), 0, &values).map(drop)),
+        (2, Function::on_triangles(&triangles(), 1, &[0.0, 0.0, nan]).map(drop)),
         (2, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, nan]])),
         (1, Zones::union(&[(0.1, 0.1), (nan, 0.1)]).map(drop)),
         (1, Zones::union(&[(0.1, 0.1), (0.5, nan)]).map(drop)),
@@ -63,15 +62,10 @@ fn entries_that_are_out_of_range_are_named() {
         (2, 0.5, Mesh::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(drop)),
         (1, -1.0, Mesh::from_lengths(vec![1.0, -1.0, 1.0]).map(drop)),
         (2, 0.2, Mesh::graded_to_points(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
-        (2, 0.2, SingularFunction::new(&[0.0, 0.3, 0.2, 1.0], |x| x).map(drop)),
+        (2, 0.2, Function::from_fn(&[0.0, 0.3, 0.2, 1.0], |x| x).map(drop)),
         (1, 0.3, Zones::union(&[(0.1, 0.3), (0.3, 0.1)]).map(drop)),
         (1, -0.2, Zones::from_lengths(&[0.1, 0.1, 0.1, -0.2]).map(drop)),
         (1, 0.0, ElementMesh::new(two(), &[2, 0]).map(drop)),
-        (
-            1,
-            25.0,
-            PiecewisePolynomial::with_bubbles(two(), &[[0.0; 2]; 2], vec![vec![], vec![0.0; 24]]).map(drop),
-        ),
         (1, 0.0, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])),
         (2, 0.0, polygon(&[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 1.0]])),
         (0, 0.0, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [2.0, 0.0]])),
@@ -84,10 +78,10 @@ fn entries_that_are_out_of_range_are_named() {
 
 #[test]
 fn lengths_of_lists_are_named_with_what_was_expected() {
-    let short = PiecewisePolynomial::linears(two(), &[0.0]).unwrap_err();
+    let short = Function::linears(&two(), &[0.0]).unwrap_err();
     assert_eq!(short.to_string(), "values of nodes has length 1, expected 3");
     assert!(matches!(
-        MeshFunctional::new(two(), &[0.0]),
+        Function::load(&two(), &[0.0]),
         Err(Error::LengthMismatch { given: 1, expected: 3, .. })
     ));
     assert!(matches!(Mesh::uniform(3, -1.0), Err(Error::OutOfRange { value: -1.0, .. })));

@@ -2,8 +2,7 @@
 //! its square or of a part of it, and says why more is not to be had.
 
 use fractional_sobolev::{
-    Constraint, DualOf, Error, Estimate, Mesh, Order, PiecewisePolynomial, Result, SingularFunction,
-    Tolerance, Zone, gamma,
+    Constraint, DualOf, Error, Estimate, Function, Mesh, Order, Result, Tolerance, Zone, gamma,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
     largest_mean,
 };
@@ -34,24 +33,23 @@ fn assert_encloses(what: &str, found: Result<Estimate>, exact: f64, uncertain: f
 
 #[test]
 fn closures_carry_the_norm_and_not_its_square() {
-    let root = SingularFunction::new(&[0.0, 1.0], |x: f64| 3e100 * x.sqrt()).unwrap();
+    let root = Function::from_fn(&[0.0, 1.0], |x: f64| 3e100 * x.sqrt()).unwrap();
     assert_carries("seminorm", SHARPEST, 1e-10, |t| root.seminorm(order(0.75), t));
     assert_carries("norm", SHARPEST, 1e-10, |t| root.norm(order(0.75), t));
-    assert_encloses("L^3", root.lq_norm(3.0, Tolerance::new(SHARPEST).unwrap()), 3e100 * 0.4f64.cbrt(), 1e86);
+    assert_encloses("L^3", root.lp(3.0, Tolerance::new(SHARPEST).unwrap()), 3e100 * 0.4f64.cbrt(), 1e86);
     assert_encloses("mean", root.mean(Tolerance::new(SHARPEST).unwrap()), 2e100, 1e86);
-    let slope = SingularFunction::from_positions(&[0.0, 1.0], |p| p.x().powf(-0.2)).unwrap();
-    let whole = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(0.8) / 0.8).unwrap();
-    assert_carries("norm of order 1 + nu", SHARPEST, 1e-9, |t| {
-        whole.norm_with_derivative(&slope, order(0.2), t)
-    });
+    let slope = Function::from_positions(&[0.0, 1.0], |p| p.x().powf(-0.2)).unwrap();
+    let whole = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(0.8) / 0.8).unwrap();
+    let whole = whole.with_gradient(vec![slope]);
+    assert_carries("norm of order 1 + nu", SHARPEST, 1e-9, |t| whole.norm(order(0.2).plus_one(), t));
 }
 
 #[test]
 fn a_jump_that_is_not_declared_has_an_honest_best_value() {
     for at in [0.2, 0.3, 0.37, 0.62, 0.9] {
         let jumps = |x: f64| if x < at { 0.0 } else { 1.0 };
-        let u = SingularFunction::new(&[0.0, 1.0], jumps).unwrap();
-        let declared = SingularFunction::new(&[0.0, at, 1.0], jumps).unwrap();
+        let u = Function::from_fn(&[0.0, 1.0], jumps).unwrap();
+        let declared = Function::from_fn(&[0.0, at, 1.0], jumps).unwrap();
         let exact = declared.seminorm(order(0.25), Tolerance::new(1e-6).unwrap()).unwrap();
         let found = u.seminorm(order(0.25), Tolerance::new(1e-6).unwrap());
         assert_encloses(&format!("jump at {at}"), found, exact.value, exact.error);
@@ -63,16 +61,16 @@ fn piecewise_functions_and_dual_norms_carry_theirs() {
     // Values that differ by few ulps on elements that shrink fast.
     let partition = Mesh::geometric(40, 0.1, 2.0).unwrap();
     let values: Vec<f64> = (0..=partition.len()).map(|k| 1e-200 * (1.0 + 1e-9 * k as f64)).collect();
-    let u = PiecewisePolynomial::linears(partition, &values).unwrap();
+    let u = Function::linears(&partition, &values).unwrap();
     let found = Estimate::or_best(u.seminorm(order(0.9), Tolerance::new(SHARPEST).unwrap())).unwrap();
     assert!(found.relative_error() < 1e-13, "{found}");
     let signs = |n: usize| {
         let values: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 5.0 } else { -5.0 }).collect();
-        PiecewisePolynomial::constants(Mesh::uniform(n, 1.0).unwrap(), &values).unwrap()
+        Function::constants(&Mesh::uniform(n, 1.0).unwrap(), &values).unwrap()
     };
     // The square of a functional's dual norm is what is computed inside.
     for (of, asked, met) in [(DualOf::Slobodeckij, 1e-13, 1e-3), (DualOf::Interpolation, SHARPEST, 1e-12)] {
-        assert_carries("dual norm", asked, met, |t| signs(50).dual_norm_in(of, order(0.5), t));
+        assert_carries("dual norm", asked, met, |t| signs(50).dual_norm(of, order(0.5), t));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Closed forms of squared seminorms against references computed in multiple precision.
 
-use fractional_sobolev::{Error, Order, Position, SingularFunction, Tolerance, closed_forms};
+use fractional_sobolev::{Error, Function, Order, Position, Tolerance, closed_forms};
 use serde_json::Value;
 
 /// A few hundred operations of one sign.
@@ -19,7 +19,7 @@ fn powers_have_twelve_digits() {
     for row in references().iter().filter(|row| row["function"] == "x^a") {
         let order: Order = row["nu"].as_str().unwrap().parse().unwrap();
         let a = number(row, "a");
-        let estimate = closed_forms::power(a, order).unwrap();
+        let estimate = closed_forms::power_seminorm_squared(a, order).unwrap();
         let exact = number(row, "seminorm_sq");
         let error = (estimate.value / exact - 1.0).abs();
         assert!(
@@ -35,7 +35,7 @@ fn powers_have_twelve_digits() {
 fn powers_of_the_logarithm_have_twelve_digits() {
     for row in references().iter().filter(|row| row["function"] == "|ln x|^alpha") {
         let alpha = number(row, "alpha");
-        let estimate = closed_forms::log_power(alpha).unwrap();
+        let estimate = closed_forms::log_power_seminorm_squared(alpha).unwrap();
         let exact = number(row, "seminorm_sq");
         let error = (estimate.value / exact - 1.0).abs();
         assert!(
@@ -52,7 +52,7 @@ fn the_identity_has_the_elementary_value() {
     for nu in [1e-6, 0.3, 0.5, 0.7, 1.0 - 1e-6] {
         let order = Order::new(nu).unwrap();
         let exact = 1.0 / ((1.0 - nu) * (3.0 - 2.0 * nu));
-        let value = closed_forms::power(1.0, order).unwrap().value;
+        let value = closed_forms::power_seminorm_squared(1.0, order).unwrap().value;
         assert!((value / exact - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{nu}");
     }
 }
@@ -64,7 +64,7 @@ fn large_exponents_stay_accurate() {
     let a = 40;
     let exact: f64 =
         (0..a).flat_map(|i| (0..a).map(move |j| 1.0 / f64::from(i + j + 1))).sum::<f64>() / f64::from(a);
-    let value = closed_forms::power(f64::from(a), Order::HALF).unwrap().value;
+    let value = closed_forms::power_seminorm_squared(f64::from(a), Order::HALF).unwrap().value;
     assert!((value / exact - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{value} {exact}");
 }
 
@@ -72,25 +72,25 @@ fn large_exponents_stay_accurate() {
 fn infinite_norms_say_why() {
     let order = Order::new(0.75).unwrap();
     for outcome in [
-        closed_forms::power(0.25, order),
-        closed_forms::jump(0.5, 0.5, order),
-        closed_forms::jump(0.5, 0.5, Order::HALF),
-        closed_forms::log_power(0.5),
+        closed_forms::power_seminorm_squared(0.25, order),
+        closed_forms::jump_seminorm_squared(0.5, 0.5, order),
+        closed_forms::jump_seminorm_squared(0.5, 0.5, Order::HALF),
+        closed_forms::log_power_seminorm_squared(0.5),
     ] {
         assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "{outcome:?}");
     }
-    assert!(closed_forms::power(f64::NAN, order).is_err());
-    assert!(closed_forms::log_power(-0.1).is_err());
+    assert!(closed_forms::power_seminorm_squared(f64::NAN, order).is_err());
+    assert!(closed_forms::log_power_seminorm_squared(-0.1).is_err());
 }
 
 #[test]
 fn jumps_and_hats_have_elementary_values() {
     // ν = 1/4, p = q = 1: 2 (2 − √2) / (1/4)
     let quarter = Order::new(0.25).unwrap();
-    let jump = closed_forms::jump(1.0, 1.0, quarter).unwrap().value;
+    let jump = closed_forms::jump_seminorm_squared(1.0, 1.0, quarter).unwrap().value;
     assert!((jump / (8.0 * (2.0 - 2f64.sqrt())) - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{jump}");
     // ν = 1/2, hat over two unit elements alone: own cells 1 each, touching cells 2 ∫∫ (s−t)²/(s+t)²
-    let hat = closed_forms::hat(0.0, 1.0, 1.0, 0.0, Order::HALF).unwrap().value;
+    let hat = closed_forms::hat_seminorm_squared(0.0, 1.0, 1.0, 0.0, Order::HALF).unwrap().value;
     let touching = 2.0 * (3.0 - 4.0 * 2f64.ln()); // ∫∫ = ∫₀¹ ((1−η)/(1+η))² dη · (2/2) · 1 = 3 − 4 ln 2
     assert!((hat / (2.0 + touching) - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{hat} {}", 2.0 + touching);
 }
@@ -110,7 +110,7 @@ fn log_power(alpha: f64) -> impl Fn(Position) -> f64 + Sync {
 }
 
 /// Checks a closure against the square of its seminorm, at every tolerance down to `finest`.
-fn check_closure(what: &str, u: &SingularFunction, order: Order, squared: f64, finest: f64) {
+fn check_closure(what: &str, u: &Function<'_>, order: Order, squared: f64, finest: f64) {
     for asked in ASKED.into_iter().filter(|&asked| asked >= finest) {
         let estimate = u
             .seminorm(order, Tolerance::new(asked).unwrap())
@@ -136,7 +136,7 @@ fn powers_as_closures_reach_the_tolerance_asked() {
     for row in references().iter().filter(|row| row["function"] == "x^a") {
         let order: Order = row["nu"].as_str().unwrap().parse().unwrap();
         let a = number(row, "a");
-        let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
+        let u = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
         check_closure(&format!("x^{a}, nu {order}"), &u, order, number(row, "seminorm_sq"), 1e-11);
     }
 }
@@ -146,7 +146,7 @@ fn powers_of_the_logarithm_as_closures_reach_the_tolerance_asked() {
     for row in references().iter().filter(|row| row["function"] == "|ln x|^alpha") {
         let alpha = number(row, "alpha");
         // At α = 0.4 a quarter of the seminorm lies below x = 1e-300.
-        let u = SingularFunction::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        let u = Function::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
         check_closure(&format!("|ln x|^{alpha}"), &u, Order::HALF, number(row, "seminorm_sq"), 1e-11);
     }
 }
@@ -155,7 +155,7 @@ fn powers_of_the_logarithm_as_closures_reach_the_tolerance_asked() {
 fn truncated_logarithms_as_closures_reach_the_tolerance_asked() {
     for row in references().iter().filter(|row| row["function"] == "min(|ln x|^alpha, N)") {
         let (alpha, top, cut) = (number(row, "alpha"), number(row, "N"), number(row, "x_cut"));
-        let u = SingularFunction::from_positions(&[0.0, cut, 1.0], move |at: Position| {
+        let u = Function::from_positions(&[0.0, cut, 1.0], move |at: Position| {
             let minus_log = match at.anchor() {
                 0 => return top,
                 1 if at.offset() < 0.0 => return top,
@@ -180,15 +180,15 @@ fn truncated_logarithms_as_closures_reach_the_tolerance_asked() {
 fn very_slow_logarithms_agree_with_their_closed_form() {
     // At α = 0.49 the integrand still counts at ln x = −1e300.
     for (alpha, asked) in [(0.45, 1e-11), (0.49, 1e-8)] {
-        let u = SingularFunction::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
-        let exact = closed_forms::log_power(alpha).unwrap().value.sqrt();
+        let u = Function::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        let exact = closed_forms::log_power_seminorm_squared(alpha).unwrap().value.sqrt();
         let estimate = u.seminorm(Order::HALF, Tolerance::new(asked).unwrap()).unwrap();
         let error = (estimate.value / exact - 1.0).abs();
         println!("|ln x|^{alpha}: {error:.1e}, estimated {:.1e}", estimate.relative_error());
         assert!(error <= asked && error <= 10.0 * estimate.relative_error(), "alpha {alpha}: {error:e}");
     }
     for alpha in [0.5, 0.6] {
-        let u = SingularFunction::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        let u = Function::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
         let outcome = u.seminorm(Order::HALF, Tolerance::balanced());
         assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "alpha {alpha}: {outcome:?}");
     }
@@ -200,8 +200,8 @@ fn a_logarithm_on_both_sides_of_a_break_agrees_with_its_extrapolation() {
     let value = |log: f64| (4f64.ln() - log).powf(0.25);
     let breaks = [-1.0, 0.0, 2.0];
     let log_of = |at: Position| (if at.anchor() == 1 { at.offset() } else { at.x() }).abs().ln();
-    let extrapolated = SingularFunction::from_positions(&breaks, |at| value(log_of(at))).unwrap();
-    let followed = SingularFunction::from_log_distances(&breaks, |at: Position| {
+    let extrapolated = Function::from_positions(&breaks, |at| value(log_of(at))).unwrap();
+    let followed = Function::from_log_distances(&breaks, |at: Position| {
         value(if at.anchor() == 1 { at.log_distance() } else { log_of(at) })
     })
     .unwrap();

@@ -1,6 +1,6 @@
 //! Dual norms of order ν: exact values, two solvers, and the order between the three norms.
 
-use fractional_sobolev::{DualOf, Mesh, MeshFunctional, Order, PiecewisePolynomial, Tolerance};
+use fractional_sobolev::{DualOf, Function, Mesh, Order, Tolerance};
 
 /// Solver tolerance 1e-10, and as much for the comparison.
 const SOLVER_TOLERANCE: f64 = 1e-8;
@@ -8,9 +8,9 @@ const SOLVER_TOLERANCE: f64 = 1e-8;
 #[test]
 fn constants_have_their_l2_norm_in_both_duals() {
     // v ↦ ∫ v is maximal at v = 1, whose seminorm vanishes: sup = √L in either norm.
-    let u = PiecewisePolynomial::constants(Mesh::uniform(3, 2.0).unwrap(), &[1.0; 3]).unwrap();
+    let u = Function::constants(&Mesh::uniform(3, 2.0).unwrap(), &[1.0; 3]).unwrap();
     for of in [DualOf::Slobodeckij, DualOf::Interpolation] {
-        let value = u.dual_norm_in(of, Order::HALF, Tolerance::new(1e-9).unwrap()).unwrap().value;
+        let value = u.dual_norm(of, Order::HALF, Tolerance::new(1e-9).unwrap()).unwrap().value;
         assert!((value - 2f64.sqrt()).abs() < SOLVER_TOLERANCE, "{of:?}: {value}");
     }
 }
@@ -23,9 +23,8 @@ fn dense_and_iterative_solves_agree() {
     };
     let small = Mesh::geometric(298, 0.9, 1.0).unwrap();
     let large = Mesh::geometric(300, 0.9, 1.0).unwrap();
-    let dual = |mesh: &Mesh, values: &[f64]| {
-        MeshFunctional::new(mesh.clone(), values).unwrap().dual_norm(order, 1e-9).unwrap()
-    };
+    let dual =
+        |mesh: &Mesh, values: &[f64]| Function::load(&mesh, values).unwrap().norm(-order, 1e-9).unwrap();
     let dense = dual(&small, &functional(&small));
     // Two more elements of length 1e-14 at the end change nothing that can be seen; the solver changes.
     let mut load = functional(&large);
@@ -45,9 +44,9 @@ fn dense_and_iterative_solves_agree() {
 #[test]
 fn the_three_norms_are_ordered_and_equivalent() {
     // sign(x − 1/2): mean zero, a jump
-    let u = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0).unwrap(), &[-1.0, 1.0]).unwrap();
+    let u = Function::constants(&Mesh::uniform(2, 1.0).unwrap(), &[-1.0, 1.0]).unwrap();
     let tolerance = Tolerance::new(1e-5).unwrap();
-    let value = |of| u.dual_norm_in(of, Order::HALF, tolerance).unwrap().value;
+    let value = |of| u.dual_norm(of, Order::HALF, tolerance).unwrap().value;
     let (slobodeckij, cosines, sines) =
         (value(DualOf::Slobodeckij), value(DualOf::Interpolation), value(DualOf::InterpolationZero));
     // cosine series of the sign: 8/π² Σ_{odd} k^{-2} (1 + (kπ)²)^{-1/2}

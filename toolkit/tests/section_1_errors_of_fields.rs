@@ -1,9 +1,6 @@
 //! u − u_h in H^ν: against closures with every node as a break, closed forms, and laws of many elements.
 
-use fractional_sobolev::{
-    DualOf, Error, Estimate, GalleryFunction, Mesh, Order, PiecewisePolynomial, Position, SingularFunction,
-    Tolerance, closed_forms,
-};
+use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Position, Tolerance, closed_forms};
 
 /// Random numbers of (0, 1).
 struct Random(u64);
@@ -41,23 +38,21 @@ impl Sample {
         distance.powf(self.a) + self.b * (self.w * x).sin()
     }
 
-    fn function(self) -> SingularFunction<'static> {
+    fn function(self) -> Function<'static> {
         let k = usize::from(self.c > 0.0);
-        SingularFunction::from_positions(&self.breaks(), move |at: Position| {
-            self.value(at.distance_to(k), at.x())
-        })
-        .unwrap()
+        Function::from_positions(&self.breaks(), move |at: Position| self.value(at.distance_to(k), at.x()))
+            .unwrap()
     }
 
     /// u − u_h with all nodes declared.
-    fn by_closure(self, field: &PiecewisePolynomial) -> SingularFunction<'_> {
-        let mut breaks = field.mesh().nodes();
+    fn by_closure<'a>(self, field: &'a Function<'_>) -> Function<'a> {
+        let mut breaks = field.mesh().unwrap().nodes();
         breaks.push(self.c);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         let k = breaks.iter().position(|&x| x == self.c).unwrap();
-        let nodes = field.mesh().nodes();
-        SingularFunction::from_positions(&breaks.clone(), move |at: Position| {
+        let nodes = field.mesh().unwrap().nodes();
+        Function::from_positions(&breaks.clone(), move |at: Position| {
             let right = at.offset() > 0.0 || at.offset() == 0.0 && at.offset().is_sign_positive();
             let start = breaks[at.anchor() - usize::from(!right)];
             let element = nodes.partition_point(|&x| x <= start) - 1;
@@ -69,7 +64,7 @@ impl Sample {
     }
 }
 
-fn random_field(random: &mut Random, sample: &Sample, count: usize) -> PiecewisePolynomial {
+fn random_field(random: &mut Random, sample: &Sample, count: usize) -> Function<'static> {
     let mut nodes: Vec<f64> = (1..count).map(|_| random.next()).chain([0.0, 1.0]).collect();
     if sample.c > 0.0 && random.next() < 0.5 {
         nodes.push(sample.c);
@@ -80,7 +75,7 @@ fn random_field(random: &mut Random, sample: &Sample, count: usize) -> Piecewise
     let off = 0.02 * random.next();
     let values: Vec<f64> =
         nodes.iter().map(|&x| sample.value((x - sample.c).abs(), x) + off * (random.next() - 0.5)).collect();
-    PiecewisePolynomial::linears(Mesh::from_nodes(&nodes).unwrap(), &values).unwrap()
+    Function::linears(&Mesh::from_nodes(&nodes).unwrap(), &values).unwrap()
 }
 
 #[test]
@@ -96,14 +91,14 @@ fn random_errors_agree_with_closures_at_every_tolerance() {
         let field = random_field(&mut random, &sample, elements);
         let (u, closure) = (sample.function(), sample.by_closure(&field));
         let exact = Estimate::or_best(closure.seminorm(order(nu), asked(1e-8))).unwrap();
-        let plain = Estimate::or_best(closure.l2_norm(asked(1e-11))).unwrap();
+        let plain = Estimate::or_best(closure.norm(0.0, asked(1e-11))).unwrap();
         for tolerance in [1e-2, 1e-4, 1e-6] {
-            let found = u.minus(&field).seminorm(order(nu), asked(tolerance)).unwrap();
+            let found = u.minus(&field).unwrap().seminorm(order(nu), asked(tolerance)).unwrap();
             let off = (found.value - exact.value).abs();
-            let words = format!("{case}: {sample:?} nu {nu} {tolerance} {:?}", field.mesh().nodes());
+            let words = format!("{case}: {sample:?} nu {nu} {tolerance} {:?}", field.mesh().unwrap().nodes());
             assert!(off <= found.error + exact.error, "{words}: {found} {exact}");
             assert!(found.relative_error() <= tolerance, "{words}: {found}");
-            let found = u.minus(&field).l2_norm(asked(tolerance)).unwrap();
+            let found = u.minus(&field).unwrap().norm(0.0, asked(tolerance)).unwrap();
             assert!(
                 (found.value - plain.value).abs() <= found.error + plain.error,
                 "{words}: {found} {plain}"
@@ -116,17 +111,12 @@ fn random_errors_agree_with_closures_at_every_tolerance() {
 fn against_zero_the_error_is_the_function() {
     for (name, a) in [("power", 0.3), ("power", -0.2), ("power", 2.5)] {
         for count in [1, 7, 300] {
-            let zero = PiecewisePolynomial::constants(Mesh::uniform(count, 1.0).unwrap(), &vec![0.0; count])
-                .unwrap();
+            let zero = Function::constants(&Mesh::uniform(count, 1.0).unwrap(), &vec![0.0; count]).unwrap();
             let nu = if a < 0.0 { 0.2 } else { 0.6 };
-            let exact = closed_forms::power(a, order(nu)).unwrap().sqrt().unwrap();
+            let exact = closed_forms::power_seminorm_squared(a, order(nu)).unwrap().sqrt().unwrap();
             for tolerance in [1e-3, 1e-6, 1e-9] {
-                let found = GalleryFunction::Power(a)
-                    .function()
-                    .unwrap()
-                    .minus(&zero)
-                    .seminorm(order(nu), asked(tolerance))
-                    .unwrap();
+                let u = Function::power(a).unwrap();
+                let found = u.minus(&zero).unwrap().seminorm(order(nu), asked(tolerance)).unwrap();
                 let off = (found.value - exact.value).abs();
                 assert!(off <= found.error + exact.error, "{name} {a} {count} {tolerance}: {found} {exact}");
             }
@@ -136,18 +126,17 @@ fn against_zero_the_error_is_the_function() {
 
 #[test]
 fn the_error_of_a_parabola_is_its_bubbles() {
-    let u = SingularFunction::new(&[0.0, 1.0], |x| x * x).unwrap();
+    let u = Function::from_fn(&[0.0, 1.0], |x| x * x).unwrap();
     for (count, grading) in [(300, 1.0), (300, 3.0), (20_000, 2.0)] {
         let mesh = Mesh::algebraic(count, grading, 1.0).unwrap();
         let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
-        let bubbles = mesh.lengths().iter().map(|h| vec![-h * h]).collect();
-        let field = PiecewisePolynomial::linears(mesh.clone(), &values).unwrap();
-        let ends = vec![[0.0; 2]; count];
-        let exact = PiecewisePolynomial::with_bubbles(mesh, &ends, bubbles).unwrap();
+        let field = Function::linears(&mesh, &values).unwrap();
+        let bubbles: Vec<f64> = mesh.lengths().iter().flat_map(|h| [0.0, -0.25 * h * h, 0.0]).collect();
+        let exact = Function::piecewise(&mesh, 2, &bubbles).unwrap();
         for nu in [0.25, 0.5, 0.75] {
             let exact = exact.seminorm(order(nu), asked(1e-9)).unwrap();
             for tolerance in [1e-3, 1e-6] {
-                let found = u.minus(&field).seminorm(order(nu), asked(tolerance)).unwrap();
+                let found = u.minus(&field).unwrap().seminorm(order(nu), asked(tolerance)).unwrap();
                 let off = (found.value - exact.value).abs();
                 assert!(off <= found.error + exact.error, "{count} {nu} {tolerance}: {found} {exact}");
                 assert!(found.work.total() < 20_000_000 + 8000 * count as u64, "{:?}", found.work);
@@ -160,12 +149,12 @@ fn the_error_of_a_parabola_is_its_bubbles() {
 fn smooth_ends_below_rounding_are_no_waves() {
     // At x = 1 the interpolant of x^0.75 on 10^5 equal elements is off by 10^-12: rounding is most of it there.
     let (a, nu) = (0.75, 0.5);
-    let u = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(a)).unwrap();
+    let u = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(a)).unwrap();
     let error = |count: usize| {
         let mesh = Mesh::uniform(count, 1.0).unwrap();
         let values: Vec<f64> = mesh.from_left().iter().map(|x| x.powf(a)).collect();
-        let field = PiecewisePolynomial::linears(mesh, &values).unwrap();
-        u.minus(&field).seminorm(order(nu), asked(1e-6)).unwrap()
+        let field = Function::linears(&mesh, &values).unwrap();
+        u.minus(&field).unwrap().seminorm(order(nu), asked(1e-6)).unwrap()
     };
     // The first elements alone count: scaling by x = t/N, and what ends at N elements is of the order 1/N².
     let (coarse, fine) = (error(20_000), error(100_000));
@@ -173,36 +162,33 @@ fn smooth_ends_below_rounding_are_no_waves() {
     assert!((rate - 0.75).abs() < 1e-4, "{rate} {coarse} {fine}");
     // A parabola, whose difference is known to be its bubbles.
     let count = 100_000;
-    let parabola = SingularFunction::new(&[0.0, 1.0], |x| x * x).unwrap();
+    let parabola = Function::from_fn(&[0.0, 1.0], |x| x * x).unwrap();
     let mesh = Mesh::uniform(count, 1.0).unwrap();
     let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
-    let bubbles = vec![vec![-1e-10]; count];
-    let field = PiecewisePolynomial::linears(mesh.clone(), &values).unwrap();
-    let exact = PiecewisePolynomial::with_bubbles(mesh, &vec![[0.0; 2]; count], bubbles).unwrap();
+    let bubbles = [0.0, -0.25e-10, 0.0].repeat(count);
+    let field = Function::linears(&mesh, &values).unwrap();
+    let exact = Function::piecewise(&mesh, 2, &bubbles).unwrap();
     let exact = exact.seminorm(order(nu), asked(1e-9)).unwrap();
-    let found = Estimate::or_best(parabola.minus(&field).seminorm(order(nu), asked(1e-4))).unwrap();
+    let found = Estimate::or_best(parabola.minus(&field).unwrap().seminorm(order(nu), asked(1e-4))).unwrap();
     assert!((found.value - exact.value).abs() <= found.error + exact.error, "{found} {exact}");
 }
 
 #[test]
 fn jumps_and_other_intervals_are_refused() {
-    let u = SingularFunction::new(&[0.0, 1.0], |x| x).unwrap();
-    let steps = PiecewisePolynomial::constants(
-        Mesh::uniform(8, 1.0).unwrap(),
-        &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
-    )
-    .unwrap();
-    let found = u.minus(&steps).seminorm(Order::HALF, Tolerance::fast());
+    let u = Function::from_fn(&[0.0, 1.0], |x| x).unwrap();
+    let steps =
+        Function::constants(&Mesh::uniform(8, 1.0).unwrap(), &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
+            .unwrap();
+    let found = u.minus(&steps).unwrap().seminorm(Order::HALF, Tolerance::fast());
     assert!(matches!(found, Err(Error::InfiniteNorm { .. })));
-    assert!(u.minus(&steps).seminorm(order(0.4), Tolerance::fast()).is_ok());
-    let longer = PiecewisePolynomial::constants(Mesh::uniform(8, 2.0).unwrap(), &[0.0; 8]).unwrap();
-    assert!(matches!(u.minus(&longer).l2_norm(Tolerance::fast()), Err(Error::OutOfRange { .. })));
-    let name = GalleryFunction::Power(0.2);
-    let power = name.function().unwrap();
-    let singular = power.minus(&longer).seminorm(order(0.8), Tolerance::fast());
+    assert!(u.minus(&steps).unwrap().seminorm(order(0.4), Tolerance::fast()).is_ok());
+    let longer = Function::constants(&Mesh::uniform(8, 2.0).unwrap(), &[0.0; 8]).unwrap();
+    assert!(matches!(u.minus(&longer).unwrap().norm(0.0, Tolerance::fast()), Err(Error::OutOfRange { .. })));
+    let power = Function::power(0.2).unwrap();
+    let singular = power.minus(&longer).unwrap().seminorm(order(0.8), Tolerance::fast());
     assert!(singular.is_err());
-    let flat = PiecewisePolynomial::constants(Mesh::uniform(8, 1.0).unwrap(), &[0.0; 8]).unwrap();
-    let singular = power.minus(&flat).seminorm(order(0.8), Tolerance::fast());
+    let flat = Function::constants(&Mesh::uniform(8, 1.0).unwrap(), &[0.0; 8]).unwrap();
+    let singular = power.minus(&flat).unwrap().seminorm(order(0.8), Tolerance::fast());
     assert!(matches!(singular, Err(Error::InfiniteNorm { .. })), "{singular:?}");
 }
 
@@ -213,19 +199,19 @@ fn lebesgue_and_dual_norms_of_errors_are_those_of_the_difference() {
     let u = sample.function();
     let mesh = Mesh::uniform(12, 1.0).unwrap();
     let values: Vec<f64> = mesh.nodes().iter().map(|x| sample.value((x - 0.3).abs(), *x)).collect();
-    let field = PiecewisePolynomial::linears(mesh, &values).unwrap();
+    let field = Function::linears(&mesh, &values).unwrap();
     let all = sample.by_closure(&field);
     for q in [1.0, 2.0, 3.5] {
         let (a, b) =
-            (u.minus(&field).lq_norm(q, 1e-6).unwrap(), Estimate::or_best(all.lq_norm(q, 1e-6)).unwrap());
+            (u.minus(&field).unwrap().lp(q, 1e-6).unwrap(), Estimate::or_best(all.lp(q, 1e-6)).unwrap());
         assert!((a.value - b.value).abs() <= a.error + b.error, "{q}: {a} {b}");
     }
-    let l2 = u.minus(&field).l2_norm(1e-8).unwrap();
-    assert!((u.minus(&field).lq_norm(2.0, 1e-8).unwrap().value / l2.value - 1.0).abs() < 1e-7);
+    let l2 = u.minus(&field).unwrap().norm(0.0, 1e-8).unwrap();
+    assert!((u.minus(&field).unwrap().lp(2.0, 1e-8).unwrap().value / l2.value - 1.0).abs() < 1e-7);
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
-        let a = u.minus(&field).dual_norm_in(of, 0.5, 1e-5).unwrap();
-        let b = Estimate::or_best(all.dual_norm_in(of, 0.5, 1e-5)).unwrap();
+        let a = u.minus(&field).unwrap().dual_norm(of, 0.5, 1e-5).unwrap();
+        let b = Estimate::or_best(all.dual_norm(of, 0.5, 1e-5)).unwrap();
         assert!((a.value - b.value).abs() <= a.error + b.error && a.value < l2.value, "{of:?}: {a} {b}");
     }
-    assert!(u.minus(&field).lq_norm(0.5, 1e-6).is_err());
+    assert!(u.minus(&field).unwrap().lp(0.5, 1e-6).is_err());
 }

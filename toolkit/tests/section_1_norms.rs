@@ -1,7 +1,7 @@
 //! Norms, means and L^q norms of closures, norms of order 1 + nu, and piecewise linears on many elements,
 //! each against a closed form.
 
-use fractional_sobolev::{Mesh, Order, PiecewisePolynomial, SingularFunction, Tolerance, closed_forms};
+use fractional_sobolev::{Function, Mesh, Order, Tolerance, closed_forms};
 
 /// Asked of every quadrature; the true error is at most this by the contract of an estimate.
 const ASKED: f64 = 1e-10;
@@ -19,14 +19,14 @@ fn assert_close(what: &str, value: f64, expected: f64, tolerance: f64) {
 #[test]
 fn means_and_lebesgue_norms_of_powers_are_beta_integrals() {
     for a in [-0.3, 0.001, 0.5, 3.0, 40.0] {
-        let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
+        let u = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
         assert_close(&format!("mean of x^{a}"), u.mean(asked()).unwrap().value, 1.0 / (a + 1.0), ASKED);
         for q in [1.0_f64, 1.5, 2.0, 3.0, 7.25] {
             if a * q <= -1.0 {
-                assert!(u.lq_norm(q, asked()).is_err(), "x^{a} is not in L^{q}");
+                assert!(u.lp(q, asked()).is_err(), "x^{a} is not in L^{q}");
                 continue;
             }
-            let norm = u.lq_norm(q, asked()).unwrap().value;
+            let norm = u.lp(q, asked()).unwrap().value;
             assert_close(&format!("L^{q} norm of x^{a}"), norm, (a * q + 1.0).powf(-1.0 / q), ASKED);
         }
     }
@@ -35,18 +35,18 @@ fn means_and_lebesgue_norms_of_powers_are_beta_integrals() {
 #[test]
 fn order_above_one_adds_the_derivative() {
     // u = x^2, u' = 2 x: |u|_0^2 = 1/5, |u'|_0^2 = 4/3 and |u'|_nu^2 = 4 |x|_nu^2.
-    let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x * x).unwrap();
-    let slope = SingularFunction::new(&[0.0, 1.0], |x: f64| 2.0 * x).unwrap();
+    let parabola = |slope| Function::from_fn(&[0.0, 1.0], |x: f64| x * x).unwrap().with_gradient(vec![slope]);
+    let u = parabola(Function::from_fn(&[0.0, 1.0], |x: f64| 2.0 * x).unwrap());
     for nu in [1e-6, 0.01, 0.25, 0.5, 0.75, 0.99] {
         let order = Order::new(nu).unwrap();
-        let squared = closed_forms::power(1.0, order).unwrap().value;
+        let squared = closed_forms::power_seminorm_squared(1.0, order).unwrap().value;
         let expected = (0.2 + 4.0 / 3.0 + 4.0 * squared).sqrt();
-        let norm = u.norm_with_derivative(&slope, order, asked()).unwrap();
+        let norm = u.norm(order.plus_one(), asked()).unwrap();
         assert_close(&format!("||x^2|| of order 1 + {nu}"), norm.value, expected, ASKED);
         assert!((norm.value - expected).abs() <= 10.0 * norm.error, "nu {nu}: {norm:?}");
     }
-    let shorter = SingularFunction::new(&[0.0, 0.5], |x: f64| 2.0 * x).unwrap();
-    assert!(u.norm_with_derivative(&shorter, Order::HALF, asked()).is_err());
+    let shorter = Function::from_fn(&[0.0, 0.5], |x: f64| 2.0 * x).unwrap();
+    assert!(parabola(shorter).norm(1.5, asked()).is_err());
 }
 
 #[test]
@@ -54,10 +54,10 @@ fn thousands_of_elements_change_nothing() {
     let count = 5000;
     let partition = Mesh::uniform(count, 1.0).unwrap();
     let hat: Vec<f64> = (0..=count).map(|k| 1.0 - (2.0 * k as f64 / count as f64 - 1.0).abs()).collect();
-    let u = PiecewisePolynomial::linears(partition, &hat).unwrap();
+    let u = Function::linears(&partition, &hat).unwrap();
     for nu in [0.25, 0.5, 0.75] {
         let order = Order::new(nu).unwrap();
-        let exact = closed_forms::hat(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
+        let exact = closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
         let seminorm = u.seminorm(order, asked()).unwrap();
         assert_close(&format!("hat on {count} elements, nu {nu}"), seminorm.value, exact, ASKED);
     }

@@ -1,6 +1,6 @@
 //! Section 1 in the plane: corner singularities on sectors, by two roads and against polygons.
 
-use fractional_sobolev::{Error, Order, PlaneFunction, Rule, SectorPower, Tolerance, Triangles};
+use fractional_sobolev::{Error, Function, Order, Rule, Tolerance, Triangles};
 use std::f64::consts::PI;
 
 /// Two roads.
@@ -56,7 +56,7 @@ fn two_roads_agree_up_to_the_limit_of_finiteness() {
         for (a, b, s) in
             [(0.5, PI / angle, 0.3), (-0.4, 1.0, 0.55), (-0.299, 0.7, 0.7), (2.0 / 3.0, 2.0 / 3.0, 0.6)]
         {
-            let w = SectorPower::new(a, b, angle, 1.0).unwrap();
+            let w = Function::sector_power(a, b, angle, 1.0).unwrap();
             let found = w.seminorm(Order::new(s).unwrap(), Tolerance::new(1e-10).unwrap()).unwrap();
             let other = by_cells(a, b, angle, s);
             let difference = (found.value.powi(2) / other - 1.0).abs();
@@ -74,16 +74,16 @@ fn a_linear_function_has_the_norm_of_polygons_in_the_limit() {
         let at = |k: usize| (angle * k as f64 / sides as f64).sin_cos();
         let mut nodes = vec![[0.0, 0.0]];
         nodes.extend((0..=sides).map(|k| [at(k).1, at(k).0]));
-        let values = nodes.iter().map(|node| node[1]).collect();
+        let values: Vec<f64> = nodes.iter().map(|node| node[1]).collect();
         let mesh = Triangles::new(nodes, (1..=sides).map(|k| [0, k, k + 1]).collect()).unwrap();
-        let w = PlaneFunction::linears(mesh, values).unwrap();
+        let w = Function::on_triangles(&mesh, 1, &values).unwrap();
         w.seminorm(order, Tolerance::new(1e-7).unwrap()).unwrap().value.powi(2)
     };
     let (coarse, fine) = (polygon(6), polygon(12));
     // The missing area falls like the inverse square of the number of sides.
     let limit = fine + (fine - coarse) / 3.0;
     let found =
-        SectorPower::new(1.0, 1.0, angle, 1.0).unwrap().seminorm(order, Tolerance::balanced()).unwrap();
+        Function::sector_power(1.0, 1.0, angle, 1.0).unwrap().seminorm(order, Tolerance::balanced()).unwrap();
     let difference = (found.value.powi(2) / limit - 1.0).abs();
     println!("{coarse} {fine} {limit} {} {difference:e}", found.value.powi(2));
     assert!(difference < 1e-4);
@@ -95,7 +95,7 @@ fn a_linear_function_has_the_norm_of_polygons_in_the_limit() {
 fn scaling_and_infinite_norms() {
     let order = Order::new(0.7).unwrap();
     let norm = |a: f64, radius: f64| {
-        SectorPower::new(a, 1.0, 2.0, radius).unwrap().seminorm(order, Tolerance::balanced())
+        Function::sector_power(a, 1.0, 2.0, radius).unwrap().seminorm(order, Tolerance::balanced())
     };
     let quotient = norm(0.4, 1e-100).unwrap().value / norm(0.4, 1.0).unwrap().value;
     assert!((quotient / 1e-100f64.powf(0.7) - 1.0).abs() < 1e-12);
@@ -109,8 +109,8 @@ fn scaling_and_infinite_norms() {
             "{error}"
         );
     }
-    for bad in [SectorPower::new(-1.0, 1.0, 1.0, 1.0), SectorPower::new(0.5, 1.0, 6.0, 1.0)] {
+    for bad in [Function::sector_power(-1.0, 1.0, 1.0, 1.0), Function::sector_power(0.5, 1.0, 6.0, 1.0)] {
         assert!(matches!(bad, Err(Error::OutOfRange { .. })));
     }
-    assert!(SectorPower::new(0.5, f64::NAN, 1.0, 1.0).is_err());
+    assert!(Function::sector_power(0.5, f64::NAN, 1.0, 1.0).is_err());
 }

@@ -6,9 +6,8 @@ mod common;
 mod plane_duffy;
 
 use common::SplitMix;
-use fractional_sobolev::{
-    Error, Order, PlaneFunction, Rule, Tolerance, Triangles, coordinate_on_unit_square,
-};
+use fractional_sobolev::{Error, Function, Order, Rule, Tolerance, Triangles, closed_forms};
+use plane_duffy::Values;
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -35,17 +34,17 @@ fn order(s: f64) -> Order {
     Order::new(s).unwrap()
 }
 
-fn squared(w: &PlaneFunction, s: f64) -> f64 {
-    w.seminorm(order(s), Tolerance::reference()).unwrap().value.powi(2)
+fn squared(w: &Values, s: f64) -> f64 {
+    w.function().seminorm(order(s), Tolerance::reference()).unwrap().value.powi(2)
 }
 
-fn linear_on(corners: [[f64; 2]; 3], gradient: [f64; 2]) -> PlaneFunction {
+fn linear_on(corners: [[f64; 2]; 3], gradient: [f64; 2]) -> Values {
     let values = corners.map(|[x, y]| gradient[0] * x + gradient[1] * y).to_vec();
     let mesh = Triangles::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
-    PlaneFunction::linears(mesh, values).unwrap()
+    Values { mesh, degree: 1, values }
 }
 
-fn function_of(case: &Value) -> (PlaneFunction, f64) {
+fn function_of(case: &Value) -> (Values, f64) {
     if case["case"] == "linear on one triangle" {
         let corners = points(&case["triangle"]).try_into().unwrap();
         return (linear_on(corners, numbers(&case["gradient"]).try_into().unwrap()), ONE_TRIANGLE);
@@ -54,9 +53,7 @@ fn function_of(case: &Value) -> (PlaneFunction, f64) {
     let triangles = triangles.map(|t| [0, 1, 2].map(|k| t[k].as_u64().unwrap() as usize)).collect();
     let mesh = Triangles::new(points(&case["points"]), triangles).unwrap();
     let values = numbers(&case["values"]);
-    let function =
-        if case["case"] == "P0 on mesh" { PlaneFunction::constants } else { PlaneFunction::linears };
-    (function(mesh, values).unwrap(), MESHES)
+    (Values { mesh, degree: usize::from(case["case"] != "P0 on mesh"), values }, MESHES)
 }
 
 #[test]
@@ -97,13 +94,12 @@ fn mesh(random: &mut SplitMix, most: usize) -> Triangles {
     Triangles::new(nodes, triangles).unwrap()
 }
 
-fn function(random: &mut SplitMix, mesh: Triangles) -> (PlaneFunction, Order) {
+fn function(random: &mut SplitMix, mesh: Triangles) -> (Values, Order) {
     let constant = random.uniform() < 0.3;
     let count = if constant { mesh.triangles().len() } else { mesh.nodes().len() };
     let values = (0..count).map(|_| random.between(-1.0, 1.0)).collect();
     let high = if constant { 0.48 } else { 0.98 };
-    let made = if constant { PlaneFunction::constants } else { PlaneFunction::linears };
-    (made(mesh, values).unwrap(), order(random.between(0.02, high)))
+    (Values { mesh, degree: usize::from(!constant), values }, order(random.between(0.02, high)))
 }
 
 #[test]
@@ -116,7 +112,7 @@ fn two_roads_agree_on_random_meshes() {
         })
         .collect();
     let differences = cases.par_iter().map(|(w, order)| {
-        let one = w.seminorm(*order, Tolerance::new(1e-10).unwrap()).unwrap().value.powi(2);
+        let one = w.function().seminorm(*order, Tolerance::new(1e-10).unwrap()).unwrap().value.powi(2);
         let other = plane_duffy::settled_seminorm_squared(w, *order, 5e-10);
         let difference = (one / other - 1.0).abs();
         assert!(difference < TWO_ROADS, "s {order}: {one} {other} {difference:e}\n{w:?}");
@@ -139,8 +135,8 @@ fn estimates_are_honest_and_not_timid() {
     let quotients: Vec<f64> = cases
         .par_iter()
         .map(|((w, order), asked)| {
-            let found = w.seminorm(*order, *asked).unwrap();
-            let exact = w.seminorm(*order, Tolerance::reference()).unwrap().value;
+            let found = w.function().seminorm(*order, *asked).unwrap();
+            let exact = w.function().seminorm(*order, Tolerance::reference()).unwrap().value;
             let error = (found.value - exact).abs();
             // Where both are as exact as the reference there is nothing to compare.
             let error = if error <= 2e-12 * exact { found.error } else { error };
@@ -163,25 +159,21 @@ fn scaling_rotation_and_constants() {
     for _ in 0..20 {
         let mesh = mesh(&mut random, 2);
         let (w, order) = function(&mut random, mesh);
-        let seminorm = |w: &PlaneFunction| w.seminorm(order, Tolerance::reference()).unwrap().value;
-        let like = |mesh: Triangles, values: Vec<f64>| {
-            let made =
-                if w.is_piecewise_constant() { PlaneFunction::constants } else { PlaneFunction::linears };
-            made(mesh, values).unwrap()
-        };
+        let seminorm = |w: &Values| w.function().seminorm(order, Tolerance::reference()).unwrap().value;
+        let like = |mesh: Triangles, values: Vec<f64>| Values { mesh, degree: w.degree, values };
         let norm = seminorm(&w);
         for l in [1e-100, 3e-7, 1e5, 1e100] {
-            let larger = like(w.mesh().mapped(|p| p.map(|x| l * x)).unwrap(), w.values().to_vec());
+            let larger = like(w.mesh.mapped(|p| p.map(|x| l * x)).unwrap(), w.values.clone());
             let expected = l.powf(order.complement()) * norm;
             assert!((seminorm(&larger) / expected - 1.0).abs() < IDENTITY, "{l} {order}");
         }
         let (sin, cos) = random.between(0.0, 6.0).sin_cos();
         let turn = |[x, y]: [f64; 2]| [cos * x - sin * y + 1.0, sin * x + cos * y - 2.0];
-        let turned = like(w.mesh().mapped(turn).unwrap(), w.values().to_vec());
+        let turned = like(w.mesh.mapped(turn).unwrap(), w.values.clone());
         assert!((seminorm(&turned) / norm - 1.0).abs() < IDENTITY);
-        let moved = like(w.mesh().clone(), w.values().iter().map(|v| 3e150 * (v + 0.5)).collect());
+        let moved = like(w.mesh.clone(), w.values.iter().map(|v| 3e150 * (v + 0.5)).collect());
         assert!((seminorm(&moved) / (3e150 * norm) - 1.0).abs() < IDENTITY);
-        let constant = like(w.mesh().clone(), vec![0.7; w.values().len()]);
+        let constant = like(w.mesh.clone(), vec![0.7; w.values.len()]);
         assert_eq!(seminorm(&constant), 0.0);
     }
 }
@@ -193,9 +185,8 @@ fn order_one_is_a_limit() {
     for _ in 0..10 {
         let mesh = mesh(&mut random, 3);
         let values = mesh.nodes().iter().map(|_| random.between(-1.0, 1.0)).collect();
-        let w = PlaneFunction::linears(mesh, values).unwrap();
-        let gradient: f64 =
-            w.gradient().unwrap().map(|part| part.l2_norm(1e-12).unwrap().value.powi(2)).iter().sum();
+        let w = Values { mesh, degree: 1, values };
+        let gradient = w.function().seminorm(1.0, 1e-12).unwrap().value.powi(2);
         let limit = std::f64::consts::FRAC_PI_2 * gradient;
         let value = (1.0 - s) * squared(&w, s);
         assert!((value / limit - 1.0).abs() < 1e-6, "{value} {limit}");
@@ -244,7 +235,7 @@ fn slivers_and_sizes_keep_their_digits() {
                 let corners = [[0.0, 0.0], [1.0, 0.0], [x, height]];
                 let exact = by_covariogram(corners, gradient, s).sqrt() * f64::powf(size, 2.0 - s);
                 let w = linear_on(corners.map(|p| p.map(|x| size * x)), gradient);
-                let found = w.seminorm(order(s), Tolerance::reference()).unwrap();
+                let found = w.function().seminorm(order(s), Tolerance::reference()).unwrap();
                 let error = (found.value / exact - 1.0).abs();
                 assert!(error < ONE_TRIANGLE, "s {s} apex {x} size {size}: {error:e}");
             }
@@ -265,7 +256,7 @@ fn triangles_of_very_different_sizes_stand_side_by_side() {
     }
     let mut values = vec![0.0; nodes.len()];
     values[0] = 1.0;
-    let w = PlaneFunction::linears(Triangles::new(nodes, triangles).unwrap(), values).unwrap();
+    let w = Function::on_triangles(&Triangles::new(nodes, triangles).unwrap(), 1, &values).unwrap();
     let found = w.seminorm(order(0.4), Tolerance::new(1e-5).unwrap()).unwrap();
     let size = 1e-60;
     assert!(found.value > size && found.value < 10.0 * size, "{found}");
@@ -274,27 +265,24 @@ fn triangles_of_very_different_sizes_stand_side_by_side() {
 #[test]
 fn infinite_norms_and_bad_meshes_are_errors() {
     let square = Triangles::grid([1, 1], 1.0).unwrap();
-    let jump = PlaneFunction::constants(square.clone(), vec![0.0, 1.0]).unwrap();
+    let jump = Function::on_triangles(&square, 0, &[0.0, 1.0]).unwrap();
     let error = jump.seminorm(Order::HALF, Tolerance::fast()).unwrap_err();
     assert!(error.to_string().contains("jumps across an edge"), "{error}");
-    assert!(matches!(
-        jump.norm_with_gradient(order(0.2), Tolerance::fast()),
-        Err(Error::InfiniteNorm { .. })
-    ));
-    let hat = PlaneFunction::linears(square.clone(), vec![1.0, 0.0, 0.0, 0.0]).unwrap();
-    assert!(hat.norm_with_gradient(order(0.4), Tolerance::fast()).is_ok());
-    assert!(matches!(hat.norm_with_gradient(order(0.6), Tolerance::fast()), Err(Error::InfiniteNorm { .. })));
+    assert!(matches!(jump.norm(1.2, Tolerance::fast()), Err(Error::InfiniteNorm { .. })));
+    let hat = Function::on_triangles(&square, 1, &[1.0, 0.0, 0.0, 0.0]).unwrap();
+    assert!(hat.norm(1.4, Tolerance::fast()).is_ok());
+    assert!(matches!(hat.norm(1.6, Tolerance::fast()), Err(Error::InfiniteNorm { .. })));
     // A hanging node: the middle of the long side of one triangle is a corner of two others.
     let nodes = vec![[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [1.0, 0.0], [1.0, -1.0]];
     let hanging = Triangles::new(nodes, vec![[0, 1, 2], [0, 4, 3], [3, 4, 1]]).unwrap();
-    let w = PlaneFunction::linears(hanging, vec![0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
+    let w = Function::on_triangles(&hanging, 1, &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
     assert!(matches!(w.seminorm(order(0.4), Tolerance::fast()), Err(Error::OutOfRange { .. })));
     let flat = Triangles::new(vec![[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], vec![[0, 1, 2]]);
     assert!(matches!(flat, Err(Error::Triangle { .. })));
     assert!(Triangles::new(vec![], vec![]).is_err());
     assert!(Triangles::new(vec![[0.0, f64::NAN]; 3], vec![[0, 1, 2]]).is_err());
     assert!(Triangles::new(vec![[0.0, 1.0]; 3], vec![[0, 1, 3]]).is_err());
-    assert!(PlaneFunction::linears(square, vec![0.0; 3]).is_err());
+    assert!(Function::on_triangles(&square, 1, &[0.0; 3]).is_err());
 }
 
 #[test]
@@ -306,7 +294,7 @@ fn clusters_give_what_all_pairs_give() {
         let coarse = Triangles::grid([8, 8], 1.0).unwrap();
         let corners: Vec<f64> = coarse.nodes().iter().map(|_| random.between(-1.0, 1.0)).collect();
         let inside: Vec<f64> = coarse.triangles().iter().map(|_| random.between(-1.0, 1.0)).collect();
-        let on = |mesh: &Triangles, factor: usize| -> PlaneFunction {
+        let on = |mesh: &Triangles, factor: usize| -> Function<'static> {
             let cell = |x: f64| (x as usize).min(7);
             let place = |[x, y]: [f64; 2]| (cell(x), cell(y), x - cell(x) as f64, y - cell(y) as f64);
             if is_constant {
@@ -316,8 +304,8 @@ fn clusters_give_what_all_pairs_give() {
                     let (i, j, x, y) = place(middle(t));
                     inside[2 * (8 * j + i) + usize::from(y > x)]
                 };
-                return PlaneFunction::constants(mesh.clone(), mesh.triangles().iter().map(value).collect())
-                    .unwrap();
+                let values: Vec<f64> = mesh.triangles().iter().map(value).collect();
+                return Function::on_triangles(mesh, 0, &values).unwrap();
             }
             let value = |&p: &[f64; 2]| {
                 let (i, j, x, y) = place(p);
@@ -325,9 +313,9 @@ fn clusters_give_what_all_pairs_give() {
                 let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
                 if x >= y { a + x * (b - a) + y * (c - b) } else { a + y * (d - a) + x * (c - d) }
             };
-            let values = mesh.nodes().iter().map(value).collect();
+            let values: Vec<f64> = mesh.nodes().iter().map(value).collect();
             assert_eq!(mesh.nodes().len(), (8 * factor + 1).pow(2));
-            PlaneFunction::linears(mesh.clone(), values).unwrap()
+            Function::on_triangles(mesh, 1, &values).unwrap()
         };
         let exact = on(&coarse, 1).seminorm(order(s), Tolerance::new(1e-11).unwrap()).unwrap();
         for (factor, asked) in [(2, 1e-5), (3, 1e-7)] {
@@ -344,10 +332,11 @@ fn large_bent_meshes_are_honest() {
     // Ten thousand triangles, most pairs far: judged by one point less alone the error is 2.3 times the
     // estimate.
     let s = order(0.75);
-    let exact = coordinate_on_unit_square(s).unwrap().value.sqrt();
+    let exact = closed_forms::coordinate_on_square_seminorm_squared(s).unwrap().value.sqrt();
     let bent = |[x, y]: [f64; 2]| [x + x * (1.0 - x) * (y - 0.4), y - y * (1.0 - y) * (x - 0.3)];
     let mesh = Triangles::grid([71; 2], 1.0 / 71.0).unwrap().mapped(bent).unwrap();
-    let w = PlaneFunction::linears(mesh.clone(), mesh.nodes().iter().map(|p| p[0]).collect()).unwrap();
+    let values: Vec<f64> = mesh.nodes().iter().map(|p| p[0]).collect();
+    let w = Function::on_triangles(&mesh, 1, &values).unwrap();
     let asked = 1e-6;
     let found = w.seminorm(s, Tolerance::new(asked).unwrap()).unwrap();
     let error = (found.value - exact).abs();

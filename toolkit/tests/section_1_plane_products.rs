@@ -3,9 +3,7 @@
 #[allow(dead_code)]
 mod common;
 use common::SplitMix;
-use fractional_sobolev::{
-    Error, GridOperator, Order, PlaneFunction, Tolerance, Triangles, coordinate_on_unit_square,
-};
+use fractional_sobolev::{Error, Function, GridOperator, Order, Tolerance, Triangles, closed_forms};
 
 /// Asked of entries, and what a form may be off by.
 const ASKED: f64 = 1e-11;
@@ -23,7 +21,7 @@ fn a_product_is_the_derivative_of_the_seminorm() {
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let form = |a: &[f64], b: &[f64]| dot(&operator.apply(a).unwrap(), b);
         let exact = |values: &[f64]| {
-            let w = PlaneFunction::linears(Triangles::grid(squares, 0.5).unwrap(), values.to_vec()).unwrap();
+            let w = Function::on_triangles(&Triangles::grid(squares, 0.5).unwrap(), 1, &values).unwrap();
             w.seminorm(order, asked).unwrap().value.powi(2)
         };
         let (vv, ww) = (exact(&v), exact(&w));
@@ -46,7 +44,7 @@ fn many_squares_give_the_closed_form() {
     let operator = GridOperator::new([n, n], 1.0 / n as f64, order, Tolerance::new(1e-10).unwrap()).unwrap();
     let x: Vec<f64> = (0..operator.size()).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
     let form: f64 = operator.apply(&x).unwrap().iter().zip(&x).map(|(a, b)| a * b).sum();
-    let exact = coordinate_on_unit_square(order).unwrap().value;
+    let exact = closed_forms::coordinate_on_square_seminorm_squared(order).unwrap().value;
     assert!((form / exact - 1.0).abs() < 1e-9, "{form} {exact}");
 }
 

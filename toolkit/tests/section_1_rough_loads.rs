@@ -4,10 +4,7 @@
 #[allow(dead_code)]
 mod common;
 use common::SplitMix;
-use fractional_sobolev::{
-    DualOf, Error, Estimate, Mesh, MeshFunctional, Order, PiecewisePolynomial, Rule, SingularFunction,
-    Tolerance,
-};
+use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Rule, Tolerance};
 use std::f64::consts::PI;
 
 fn order(nu: f64) -> Order {
@@ -45,12 +42,16 @@ impl Pieces {
         Self { lengths, values }
     }
 
-    fn function(&self) -> PiecewisePolynomial {
-        let ends: Vec<[f64; 2]> = self.values.iter().map(|v| [v[0], v[1]]).collect();
-        let bubbles = |v: &[f64; 4]| if v[2..] == [0.0, 0.0] { Vec::new() } else { v[2..].to_vec() };
+    fn function(&self) -> Function<'static> {
         let partition = Mesh::from_lengths(self.lengths.clone()).unwrap();
-        PiecewisePolynomial::with_bubbles(partition, &ends, self.values.iter().map(bubbles).collect())
-            .unwrap()
+        let straight = self.values.iter().all(|v| v[2..] == [0.0, 0.0]);
+        let degree = if straight { 1 } else { 3 };
+        let at = |v: &[f64; 4], t: f64| {
+            v[0] * (1.0 - t) + v[1] * t + t * (1.0 - t) * (v[2] + v[3] * (2.0 * t - 1.0))
+        };
+        let points = |v| (0..=degree).map(move |k| at(v, k as f64 / degree as f64));
+        let values: Vec<f64> = self.values.iter().flat_map(points).collect();
+        Function::piecewise(&partition, degree, &values).unwrap()
     }
 
     fn total(&self) -> f64 {
@@ -124,7 +125,7 @@ fn spectral_sums_are_enclosed_and_a_spoiled_value_is_not() {
         for (of, zero) in [(DualOf::Interpolation, false), (DualOf::InterpolationZero, true)] {
             let bounds = pieces.enclosure(zero, nu, 6000);
             for asked in [1e-3, 1e-8, 1e-12] {
-                let found = pieces.function().dual_norm_in(of, order(nu), tolerance(asked)).unwrap();
+                let found = pieces.function().dual_norm(of, order(nu), tolerance(asked)).unwrap();
                 assert!(encloses(bounds, found), "{case} {of:?} {nu}: {found} in {bounds:?}");
                 if asked == 1e-12 {
                     sharp += 1;
@@ -152,10 +153,10 @@ fn square_wave(elements: f64, nu: f64) -> f64 {
 fn square_waves_on_up_to_a_hundred_thousand_elements() {
     for n in [2usize, 50, 3000, 100_000] {
         let signs: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
-        let wave = PiecewisePolynomial::constants(Mesh::uniform(n, 1.0).unwrap(), &signs).unwrap();
+        let wave = Function::constants(&Mesh::uniform(n, 1.0).unwrap(), &signs).unwrap();
         for nu in [0.1, 0.5, 0.9] {
             let exact = square_wave(n as f64, nu);
-            let found = wave.dual_norm_in(DualOf::InterpolationZero, order(nu), tolerance(1e-8)).unwrap();
+            let found = wave.dual_norm(DualOf::InterpolationZero, order(nu), tolerance(1e-8)).unwrap();
             let off = (found.value - exact).abs();
             assert!(off <= found.error + 1e-11 * exact, "{n} {nu}: {found} against {exact:e}, {off:e}");
         }
@@ -169,14 +170,14 @@ fn a_partition_cut_further_has_the_same_norm() {
     let values: Vec<f64> = lengths.iter().map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
     let cut: Vec<f64> = lengths.iter().flat_map(|h| [0.3 * h, 0.7 * h]).collect();
     let twice: Vec<f64> = values.iter().flat_map(|v| [*v, *v]).collect();
-    let whole = PiecewisePolynomial::constants(Mesh::from_lengths(lengths).unwrap(), &values).unwrap();
-    let halves = PiecewisePolynomial::constants(Mesh::from_lengths(cut).unwrap(), &twice).unwrap();
+    let whole = Function::constants(&Mesh::from_lengths(lengths).unwrap(), &values).unwrap();
+    let halves = Function::constants(&Mesh::from_lengths(cut).unwrap(), &twice).unwrap();
     for nu in [0.05, 0.5, 0.95] {
         for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
-            let [a, b] = [&whole, &halves].map(|u| u.dual_norm_in(of, order(nu), tolerance(1e-10)).unwrap());
+            let [a, b] = [&whole, &halves].map(|u| u.dual_norm(of, order(nu), tolerance(1e-10)).unwrap());
             let off = (a.value - b.value).abs();
             assert!(off <= a.error + b.error, "{of:?} {nu}: {a} and {b}, {off:e} apart");
-            let refused = whole.dual_norm_in(of, order(nu), tolerance(1e-15));
+            let refused = whole.dual_norm(of, order(nu), tolerance(1e-15));
             assert!(matches!(refused, Err(Error::ToleranceNotMet { best: Some(_), .. })), "{refused:?}");
         }
     }
@@ -210,7 +211,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
                 load[i + 1] += w * h * f * t;
             }
         }
-        MeshFunctional::new(mesh, &load).unwrap().dual_norm(order(nu), tolerance(1e-11)).unwrap().value
+        Function::load(&mesh, &load).unwrap().norm(-order(nu), tolerance(1e-11)).unwrap().value
     };
     let (coarse, fine) = (value(16, 0.5), value(32, 0.5f64.sqrt()));
     (fine, 0.5 * (fine - coarse).abs())
@@ -225,7 +226,7 @@ fn the_norm_of_1_1_agrees_with_graded_meshes() {
         pieces.values.truncate(3);
         let nu = [0.15, 0.35, 0.5, 0.65, 0.9][case % 5];
         let (below, missing) = from_graded_meshes(&pieces, nu);
-        let found = pieces.function().dual_norm(order(nu), tolerance(1e-7)).unwrap();
+        let found = pieces.function().norm(-order(nu), tolerance(1e-7)).unwrap();
         let above = found.value + found.error - below;
         assert!(above >= -1e-11 * below, "{case} {nu}: {found} is below {below:e}");
         assert!(
@@ -242,7 +243,7 @@ fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
     for case in 0..100 {
         let pieces = Pieces::random(&mut random);
         let nu = [0.25, 0.4, 0.5, 0.7, 0.9][case % 5];
-        let find = |t| Estimate::or_best(pieces.function().dual_norm(order(nu), tolerance(t)));
+        let find = |t| Estimate::or_best(pieces.function().norm(-order(nu), tolerance(t)));
         let fine = find(1e-6).unwrap();
         for wide in [1e-2, 1e-3, 1e-4] {
             let found = find(wide).unwrap();
@@ -259,12 +260,12 @@ fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
 fn random_signs_on_a_hundred_thousand_elements() {
     let mut random = SplitMix::new(17);
     let values: Vec<f64> = (0..100_000).map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
-    let load = PiecewisePolynomial::constants(Mesh::uniform(100_000, 1.0).unwrap(), &values).unwrap();
-    let find = |nu, t| load.dual_norm(order(nu), tolerance(t));
+    let load = Function::constants(&Mesh::uniform(100_000, 1.0).unwrap(), &values).unwrap();
+    let find = |nu, t| load.norm(-order(nu), tolerance(t));
     let (wide, sharp) = (find(0.9, 1e-5).unwrap(), find(0.9, 1e-9).unwrap());
     assert!((wide.value - sharp.value).abs() <= wide.error + sharp.error, "{wide} {sharp}");
     let half = find(0.5, 1e-5).unwrap();
-    let cosines = load.dual_norm_in(DualOf::Interpolation, Order::HALF, tolerance(1e-8)).unwrap();
+    let cosines = load.dual_norm(DualOf::Interpolation, Order::HALF, tolerance(1e-8)).unwrap();
     assert!(half.value < cosines.value && cosines.value < 3.0 * half.value, "{half} {cosines}");
 }
 
@@ -275,8 +276,8 @@ fn random_signs(count: usize, random: &mut SplitMix) -> (Vec<f64>, Vec<f64>) {
     (lengths, values)
 }
 
-fn constants(lengths: &[f64], values: &[f64]) -> PiecewisePolynomial {
-    PiecewisePolynomial::constants(Mesh::from_lengths(lengths.to_vec()).unwrap(), values).unwrap()
+fn constants(lengths: &[f64], values: &[f64]) -> Function<'static> {
+    Function::constants(&Mesh::from_lengths(lengths.to_vec()).unwrap(), values).unwrap()
 }
 
 /// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
@@ -290,8 +291,7 @@ fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
         let scale = [1e-3, 0.1][case % 2];
         let lengths: Vec<f64> = lengths.iter().map(|h| scale * h).collect();
         let nu = random.between(0.05, 0.8);
-        let find =
-            |u: &PiecewisePolynomial, t| Estimate::or_best(u.dual_norm(order(nu), tolerance(t))).unwrap();
+        let find = |u: &Function<'_>, t| Estimate::or_best(u.norm(-order(nu), tolerance(t))).unwrap();
         let whole = find(&constants(&lengths, &values), 1e-7);
         let cut = |h: &[f64]| h.iter().flat_map(|h| [0.25 * h, 0.45 * h, 0.3 * h]).collect::<Vec<f64>>();
         let thrice: Vec<f64> = values.iter().flat_map(|&v| [v; 3]).collect();
@@ -313,7 +313,7 @@ fn random_signs_on_a_hundred_thousand_unequal_elements() {
     let load = constants(&lengths, &values);
     for (nu, sharper) in [(0.3, 1e-7), (0.5, 1e-9)] {
         // reached at all is the point; two tolerances take other meshes and nodes
-        let [a, b] = [1e-8, sharper].map(|t| load.dual_norm(order(nu), tolerance(t)).unwrap());
+        let [a, b] = [1e-8, sharper].map(|t| load.norm(-order(nu), tolerance(t)).unwrap());
         assert!(a.relative_error() <= 1e-8, "{nu}: {a}");
         assert!((a.value - b.value).abs() <= a.error + b.error, "{nu}: {a} {b}");
     }
@@ -323,24 +323,23 @@ fn random_signs_on_a_hundred_thousand_unequal_elements() {
 fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
     // A step is a piecewise polynomial; at singularities sharper tolerances stay within wider ones.
     let step = |x: f64| if x < 0.3 { 1.0 } else { -2.0 };
-    let declared = SingularFunction::new(&[0.0, 0.3, 1.0], step).unwrap();
+    let declared = Function::from_fn(&[0.0, 0.3, 1.0], step).unwrap();
     let cells = Mesh::from_lengths(vec![0.3, 0.7]).unwrap();
-    let exact = PiecewisePolynomial::constants(cells, &[1.0, -2.0]).unwrap();
-    let log = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
-    let power = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
+    let exact = Function::constants(&cells, &[1.0, -2.0]).unwrap();
+    let log = Function::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
+    let power = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
         for nu in [0.3, 0.5, 0.8] {
             let [a, b] = [
-                declared.dual_norm_in(of, order(nu), tolerance(1e-6)).unwrap(),
-                exact.dual_norm_in(of, order(nu), tolerance(1e-7)).unwrap(),
+                declared.dual_norm(of, order(nu), tolerance(1e-6)).unwrap(),
+                exact.dual_norm(of, order(nu), tolerance(1e-7)).unwrap(),
             ];
             assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?} {nu}: {a} {b}");
             for u in [&log, &power] {
-                let [wide, sharp] =
-                    [1e-3, 1e-6].map(|t| u.dual_norm_in(of, order(nu), tolerance(t)).unwrap());
+                let [wide, sharp] = [1e-3, 1e-6].map(|t| u.dual_norm(of, order(nu), tolerance(t)).unwrap());
                 let off = (wide.value - sharp.value).abs();
                 assert!(off <= wide.error + sharp.error, "{of:?} {nu}: {wide} {sharp}");
-                let l2 = u.l2_norm(tolerance(1e-3)).unwrap();
+                let l2 = u.norm(0.0, tolerance(1e-3)).unwrap();
                 assert!(sharp.value < l2.value + l2.error, "{sharp} {l2}");
             }
         }
@@ -370,8 +369,8 @@ fn a_power_has_the_norm_of_its_cosine_series() {
         sum += weight * square;
         rest -= square;
     }
-    let power = SingularFunction::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
-    let found = power.dual_norm_in(DualOf::Interpolation, Order::HALF, tolerance(1e-6)).unwrap();
+    let power = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
+    let found = power.dual_norm(DualOf::Interpolation, Order::HALF, tolerance(1e-6)).unwrap();
     let bounds = [sum - 1e-6, sum + weight * rest + 1e-6];
     assert!(encloses(bounds, found), "{found} in {bounds:?}");
     assert!(!encloses(bounds, Estimate { value: 1.01 * found.value, ..found }));
@@ -379,13 +378,13 @@ fn a_power_has_the_norm_of_its_cosine_series() {
 
 #[test]
 fn plain_numbers_stand_for_orders_and_tolerances() {
-    let u = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5, 1.0]).unwrap();
-    let x = SingularFunction::new(&[0.0, 1.0], |x: f64| x).unwrap();
+    let u = Function::linears(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5, 1.0]).unwrap();
+    let x = Function::from_fn(&[0.0, 1.0], |x: f64| x).unwrap();
     let half = Order::HALF;
     assert_eq!(u.norm(0.5, 1e-8), u.norm(half, tolerance(1e-8)));
     assert_eq!(x.seminorm(0.5, 1e-6), x.seminorm(half, tolerance(1e-6)));
-    assert_eq!(u.lq_norm(3.0, 1e-8), u.lq_norm(3.0, tolerance(1e-8)));
-    let dual = |of| (u.dual_norm_in(of, 0.5, 1e-8).unwrap(), x.dual_norm_in(of, 0.5, 1e-6).unwrap());
+    assert_eq!(u.lp(3.0, 1e-8), u.lp(3.0, tolerance(1e-8)));
+    let dual = |of| (u.dual_norm(of, 0.5, 1e-8).unwrap(), x.dual_norm(of, 0.5, 1e-6).unwrap());
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
         let (a, b) = dual(of);
         assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?}: {a} {b}");
@@ -394,7 +393,7 @@ fn plain_numbers_stand_for_orders_and_tolerances() {
         u.norm(1.0, 1e-8),
         u.norm(0.5, 0.0),
         u.norm(f64::NAN, 1e-8),
-        x.dual_norm_in(DualOf::Interpolation, 0.5, 2.0),
+        x.dual_norm(DualOf::Interpolation, 0.5, 2.0),
     ] {
         assert!(matches!(bad, Err(Error::OutOfRange { .. })), "{bad:?}");
     }

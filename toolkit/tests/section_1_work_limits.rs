@@ -1,10 +1,7 @@
 //! Section 1: functions whose norms rounding spoils are refused at once, with a value and a way out; a limit
 //! of work is kept by every norm that evaluates a closure.
 
-use fractional_sobolev::{
-    Error, Estimate, Mesh, Order, PiecewisePolynomial, Result, SingularFunction, SingularPlaneFunction,
-    Tolerance, Triangles,
-};
+use fractional_sobolev::{Error, Estimate, Function, Mesh, Order, Result, Tolerance, Triangles};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 fn refusal(found: &Result<Estimate>) -> (Option<Estimate>, &'static str) {
@@ -16,8 +13,8 @@ fn refusal(found: &Result<Estimate>) -> (Option<Estimate>, &'static str) {
 
 #[test]
 fn a_logarithm_of_rounded_distances_is_refused_quickly() {
-    let rounded = SingularFunction::new(&[0.0, 0.3, 1.0], |x: f64| (x - 0.3).abs().ln()).unwrap();
-    let exact = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
+    let rounded = Function::from_fn(&[0.0, 0.3, 1.0], |x: f64| (x - 0.3).abs().ln()).unwrap();
+    let exact = Function::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
     for (order, tolerance) in [(0.45, 1e-6_f64), (0.45, 1e-10), (0.3, 1e-10), (0.49, 1e-4)] {
         let reference = exact.seminorm(order, tolerance.min(1e-6)).unwrap();
         let found = rounded.seminorm(order, tolerance);
@@ -39,11 +36,11 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
         count.fetch_add(1, Ordering::Relaxed);
         (1e4 * x).sin() + (1e9 * x).sin().abs()
     };
-    let u = SingularFunction::new(&[0.0, 1.0], noisy).unwrap();
+    let u = Function::from_fn(&[0.0, 1.0], noisy).unwrap();
     let mesh = Mesh::uniform(10, 1.0).unwrap();
-    let field = PiecewisePolynomial::linears(mesh, &[0.0; 11]).unwrap();
+    let field = Function::linears(&mesh, &[0.0; 11]).unwrap();
     let plane = Triangles::grid([2, 2], 1.0).unwrap();
-    let w = SingularPlaneFunction::new(plane, &[], |at| noisy(at.x()[0])).unwrap();
+    let w = Function::from_plane_positions(&plane, &[], |at| noisy(at.x()[0])).unwrap();
     for limit in [100, 10_000, 300_000] {
         let tolerance = Tolerance::new(1e-9).unwrap().with_work(limit);
         let order = Order::new(0.4).unwrap();
@@ -51,15 +48,15 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
         let norms: [Norm<'_>; 11] = [
             ("seminorm", 1, &|| u.seminorm(order, tolerance)),
             ("norm", 2, &|| u.norm(order, tolerance)),
-            ("l2", 1, &|| u.l2_norm(tolerance)),
-            ("l3", 1, &|| u.lq_norm(3.0, tolerance)),
-            ("sup", 1, &|| u.lq_norm(f64::INFINITY, tolerance)),
+            ("l2", 1, &|| u.norm(0.0, tolerance)),
+            ("l3", 1, &|| u.lp(3.0, tolerance)),
+            ("sup", 1, &|| u.lp(f64::INFINITY, tolerance)),
             ("mean", 2, &|| u.mean(tolerance)),
-            ("dual", 2, &|| u.dual_norm(order, tolerance)),
-            ("error", 2, &|| u.minus(&field).norm(order, tolerance)),
-            ("error in L2", 1, &|| u.minus(&field).l2_norm(tolerance)),
+            ("dual", 2, &|| u.norm(-order, tolerance)),
+            ("error", 2, &|| u.minus(&field).unwrap().norm(order, tolerance)),
+            ("error in L2", 1, &|| u.minus(&field).unwrap().norm(0.0, tolerance)),
             ("plane", 1, &|| w.seminorm(order, tolerance)),
-            ("plane L2", 1, &|| w.l2_norm(tolerance)),
+            ("plane L2", 1, &|| w.norm(0.0, tolerance)),
         ];
         for (name, integrals, norm) in norms {
             count.store(0, Ordering::Relaxed);
@@ -75,7 +72,7 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
         }
     }
     // The limit is far from what smooth functions need.
-    let smooth = SingularFunction::new(&[0.0, 1.0], |x: f64| x.exp()).unwrap();
+    let smooth = Function::from_fn(&[0.0, 1.0], |x: f64| x.exp()).unwrap();
     let few = Tolerance::balanced().with_work(500_000);
     assert!(smooth.norm(0.5, few).is_ok() && smooth.norm(0.5, few.with_work(500)).is_err());
 }

@@ -4,8 +4,8 @@ use super::{Ask, Family, ask, draw, formula, number, order, order_of, printed, r
 use experiments::SplitMix;
 use experiments::largest;
 use fractional_sobolev::{
-    DualOf, Estimate, GramOperator, Mesh, Order, PiecewisePolynomial, Result, SingularFunction, Tolerance,
-    Work, closed_forms, gram_linears,
+    DualOf, Estimate, Function, GramOperator, Mesh, Order, Result, Tolerance, Work, closed_forms,
+    gram_linears,
 };
 
 const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/closed_forms.json");
@@ -26,10 +26,10 @@ fn closed() -> Result<Vec<Family>> {
             .map(|row| {
                 let asked: Ask = if function == "x^a" {
                     let (a, order) = (number(row, "a")?, order_of(row, "nu")?);
-                    ask(move |_| closed_forms::power(a, order))
+                    ask(move |_| closed_forms::power_seminorm_squared(a, order))
                 } else {
                     let alpha = number(row, "alpha")?;
-                    ask(move |_| closed_forms::log_power(alpha))
+                    ask(move |_| closed_forms::log_power_seminorm_squared(alpha))
                 };
                 Ok((printed(row, "seminorm_sq")?, asked))
             })
@@ -39,7 +39,7 @@ fn closed() -> Result<Vec<Family>> {
     Ok(vec![
         Family {
             name: "power",
-            functions: "closed_forms::power",
+            functions: "closed_forms::power_seminorm_squared",
             range: "0.01 <= nu <= 0.999",
             by,
             least: 0.0,
@@ -47,7 +47,7 @@ fn closed() -> Result<Vec<Family>> {
         },
         Family {
             name: "log power",
-            functions: "closed_forms::log_power",
+            functions: "closed_forms::log_power_seminorm_squared",
             range: "nu = 1/2",
             by,
             least: 0.0,
@@ -60,29 +60,32 @@ fn closures(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let powers = draw(each, || {
         let order = order(random, 0.02, 0.98)?;
         let a = order.value() - 0.5 + random.between(0.05, 2.0);
-        let u = SingularFunction::new(&[0.0, 1.0], move |x: f64| x.powf(a))?;
-        Ok((closed_forms::power(a, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
+        let u = Function::from_fn(&[0.0, 1.0], move |x: f64| x.powf(a))?;
+        Ok((closed_forms::power_seminorm_squared(a, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
     })?;
     let logarithms = draw(each, || {
         let alpha = random.between(0.02, 0.4);
-        let u = SingularFunction::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
+        let u = Function::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
             0 => (-at.log_distance()).powf(alpha),
             _ => (-at.offset().ln_1p()).powf(alpha),
         })?;
-        let exact = closed_forms::log_power(alpha)?.sqrt()?;
+        let exact = closed_forms::log_power_seminorm_squared(alpha)?.sqrt()?;
         Ok((exact, ask(move |t| u.seminorm(Order::HALF, t))))
     })?;
     let kinks = draw(each, || {
         let (order, c) = (order(random, 0.02, 0.98)?, random.between(0.01, 0.99));
-        let u = SingularFunction::new(&[0.0, c, 1.0], move |x| (x / c).min((1.0 - x) / (1.0 - c)))?;
-        Ok((closed_forms::hat(0.0, c, 1.0 - c, 0.0, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
+        let u = Function::from_fn(&[0.0, c, 1.0], move |x| (x / c).min((1.0 - x) / (1.0 - c)))?;
+        Ok((
+            closed_forms::hat_seminorm_squared(0.0, c, 1.0 - c, 0.0, order)?.sqrt()?,
+            ask(move |t| u.seminorm(order, t)),
+        ))
     })?;
     let lebesgue = draw(each, || {
         let (a, q) = (random.between(-0.1, 3.0), random.between(1.0, 8.0));
-        let u = SingularFunction::new(&[0.0, 1.0], move |x: f64| x.powf(a))?;
-        Ok((formula((1.0 + q * a).powf(-1.0 / q))?, ask(move |t| u.lq_norm(q, t))))
+        let u = Function::from_fn(&[0.0, 1.0], move |x: f64| x.powf(a))?;
+        Ok((formula((1.0 + q * a).powf(-1.0 / q))?, ask(move |t| u.lp(q, t))))
     })?;
-    let functions = "SingularFunction::seminorm";
+    let functions = "Function::seminorm";
     Ok(vec![
         Family {
             name: "u: power",
@@ -110,7 +113,7 @@ fn closures(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "u: L^q",
-            functions: "SingularFunction::lq_norm",
+            functions: "Function::lp",
             range: "x^a, 1 <= q < 8",
             by: "closed form",
             least: 0.0,
@@ -126,25 +129,34 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let values: Vec<f64> = (mesh.from_left().iter().zip(mesh.from_right()))
             .map(|(x, y)| (x / c).min(y / (1.0 - c)).clamp(0.0, 1.0))
             .collect();
-        let u = PiecewisePolynomial::linears(mesh, &values)?;
-        Ok((closed_forms::hat(0.0, c, 1.0 - c, 0.0, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
+        let u = Function::linears(&mesh, &values)?;
+        Ok((
+            closed_forms::hat_seminorm_squared(0.0, c, 1.0 - c, 0.0, order)?.sqrt()?,
+            ask(move |t| u.seminorm(order, t)),
+        ))
     })?;
     let jumps = draw(each, || {
         let (order, p) = (order(random, 0.02, 0.49)?, random.between(0.01, 0.99));
-        let u = PiecewisePolynomial::constants(Mesh::from_lengths(vec![p, 1.0 - p])?, &[0.0, 1.0])?;
-        Ok((closed_forms::jump(p, 1.0 - p, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
+        let u = Function::constants(&Mesh::from_lengths(vec![p, 1.0 - p])?, &[0.0, 1.0])?;
+        Ok((
+            closed_forms::jump_seminorm_squared(p, 1.0 - p, order)?.sqrt()?,
+            ask(move |t| u.seminorm(order, t)),
+        ))
     })?;
     let degrees = draw(each, || {
         let (order, k) = (order(random, 0.02, 0.98)?, 1 + random.below(8));
         let mesh = Mesh::uniform(1 + random.below(20), 1.0)?;
-        let u = PiecewisePolynomial::interpolate(mesh, k, move |x| x.powi(k as i32))?;
-        Ok((closed_forms::power(k as f64, order)?.sqrt()?, ask(move |t| u.seminorm(order, t))))
+        let u = Function::interpolate(&mesh, k, move |x| x.powi(k as i32))?;
+        Ok((
+            closed_forms::power_seminorm_squared(k as f64, order)?.sqrt()?,
+            ask(move |t| u.seminorm(order, t)),
+        ))
     })?;
     let lebesgue = draw(each, || {
         let (q, k) = (random.between(1.0, 8.0), 1 + random.below(8));
         let mesh = Mesh::uniform(1 + random.below(20), 1.0)?;
-        let u = PiecewisePolynomial::interpolate(mesh, k, move |x| x.powi(k as i32))?;
-        Ok((formula((1.0 + q * k as f64).powf(-1.0 / q))?, ask(move |t| u.lq_norm(q, t))))
+        let u = Function::interpolate(&mesh, k, move |x| x.powi(k as i32))?;
+        Ok((formula((1.0 + q * k as f64).powf(-1.0 / q))?, ask(move |t| u.lp(q, t))))
     })?;
     let duals = draw(each, || {
         let order = order(random, 0.02, 0.98)?;
@@ -154,8 +166,8 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
             0 => (DualOf::Interpolation, [1.0, -1.0]),
             _ => (DualOf::InterpolationZero, [1.0, 1.0]),
         };
-        let u = PiecewisePolynomial::constants(mesh, &values)?;
-        Ok((modes(order)?, ask(move |t| u.dual_norm_in(of, order, t))))
+        let u = Function::constants(&mesh, &values)?;
+        Ok((modes(order)?, ask(move |t| u.dual_norm(of, order, t))))
     })?;
     let products = draw(each.min(6), || {
         let (order, count) = (order(random, 0.02, 0.98)?, 100 + random.below(300));
@@ -175,7 +187,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         };
         Ok((formula(1.0)?, ask(product)))
     })?;
-    let functions = "PiecewisePolynomial::seminorm";
+    let functions = "Function::seminorm";
     let by = "closed form";
     Ok(vec![
         Family { name: "P: hats", functions, range: "hats, graded meshes", by, least: 0.0, cases: hats },
@@ -190,7 +202,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         Family { name: "P: degree", functions, range: "degree 1 to 8", by, least: 0.0, cases: degrees },
         Family {
             name: "P: L^q",
-            functions: "PiecewisePolynomial::lq_norm",
+            functions: "Function::lp",
             range: "degree 1 to 8",
             by,
             least: 0.0,
@@ -198,7 +210,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "dual norm",
-            functions: "PiecewisePolynomial::dual_norm",
+            functions: "Function::dual_norm",
             range: "steps, 0.02 < nu < 0.98",
             by: "sum over modes",
             least: 0.0,

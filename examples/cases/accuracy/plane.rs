@@ -2,10 +2,7 @@
 
 use super::{Family, ask, draw, number, order, order_of, rows};
 use experiments::SplitMix;
-use fractional_sobolev::{
-    Error, Estimate, GridOperator, PlaneFunction, Result, SingularPlaneFunction, Triangles, Work,
-    coordinate_on_unit_square,
-};
+use fractional_sobolev::{Error, Estimate, Function, GridOperator, Result, Triangles, Work, closed_forms};
 use serde_json::Value;
 
 const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/plane_reference.json");
@@ -20,11 +17,7 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let mesh = Triangles::new(points(row)?, triangles(row)?)?;
         let values: Vec<f64> = numbers(&row["values"])?;
         let is_linear = row["case"] == "P1 on mesh";
-        let w = if is_linear {
-            PlaneFunction::linears(mesh, values)?
-        } else {
-            PlaneFunction::constants(mesh, values)?
-        };
+        let w = Function::on_triangles(&mesh, usize::from(is_linear), &values)?;
         // Twelve digits of the square.
         let square = number(row, "seminorm_sq")?;
         let exact = Estimate::new(square, 1e-12 * square, Work::default())?.sqrt()?;
@@ -34,14 +27,20 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let grids = draw(each.min(8), || {
         let (order, n) = (order(random, 0.05, 0.95)?, 1 + random.below(4));
         let mesh = Triangles::grid([n, n], 1.0 / n as f64)?;
-        let values = mesh.nodes().iter().map(|p| p[0]).collect();
-        let w = PlaneFunction::linears(mesh, values)?;
-        Ok((coordinate_on_unit_square(order)?.sqrt()?, ask(move |t| w.seminorm(order, t))))
+        let values: Vec<f64> = mesh.nodes().iter().map(|p| p[0]).collect();
+        let w = Function::on_triangles(&mesh, 1, &values)?;
+        Ok((
+            closed_forms::coordinate_on_square_seminorm_squared(order)?.sqrt()?,
+            ask(move |t| w.seminorm(order, t)),
+        ))
     })?;
     let closures = draw(each.min(4), || {
         let order = order(random, 0.05, 0.95)?;
-        let w = SingularPlaneFunction::new(Triangles::grid([1, 1], 1.0)?, &[], |at| at.x()[0])?;
-        Ok((coordinate_on_unit_square(order)?.sqrt()?, ask(move |t| w.seminorm(order, t))))
+        let w = Function::from_plane_positions(&Triangles::grid([1, 1], 1.0)?, &[], |at| at.x()[0])?;
+        Ok((
+            closed_forms::coordinate_on_square_seminorm_squared(order)?.sqrt()?,
+            ask(move |t| w.seminorm(order, t)),
+        ))
     })?;
     let products = draw(each.min(8), || {
         let (order, n) = (order(random, 0.05, 0.95)?, 1 + random.below(16));
@@ -51,13 +50,13 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
             let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
             Estimate::new(squared, t.relative() * squared, Work::default())
         };
-        Ok((coordinate_on_unit_square(order)?, ask(product)))
+        Ok((closed_forms::coordinate_on_square_seminorm_squared(order)?, ask(product)))
     })?;
     let by = "one integral";
     Ok(vec![
         Family {
             name: "plane mesh",
-            functions: "PlaneFunction::seminorm",
+            functions: "Function::seminorm",
             range: "two to eight triangles",
             by: "12 digits, another program",
             least: 0.0,
@@ -65,7 +64,7 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "plane grid",
-            functions: "PlaneFunction::seminorm",
+            functions: "Function::seminorm",
             range: "x on grids",
             by,
             least: 0.0,
@@ -73,7 +72,7 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "plane u",
-            functions: "SingularPlaneFunction::seminorm",
+            functions: "Function::seminorm",
             range: "x on a square",
             by,
             least: 0.0,

@@ -1,7 +1,7 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
 
 use fractional_sobolev::{Constraint, ExtremalFunction, gamma};
-use fractional_sobolev::{Error, Estimate, Given, Order, Result, SingularFunction, Tolerance};
+use fractional_sobolev::{Error, Estimate, Function, Given, Order, Result, Tolerance};
 
 /// The extremal function is interpolated by polynomials of this degree on its cells, each cut into pieces.
 const DEGREE: usize = 2;
@@ -69,7 +69,7 @@ pub fn scaling_defect(
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     Error::require("theta", theta, "(0, 1]", theta > 0.0 && theta <= 1.0)?;
     let on = |end: f64| {
-        SingularFunction::from_positions(&[0.0, end], move |at| {
+        Function::from_positions(&[0.0, end], move |at| {
             let distance = (at.offset() / end).abs();
             match at.anchor() {
                 0 => distance.powf(0.6) * (1.0 - distance),
@@ -83,7 +83,7 @@ pub fn scaling_defect(
         let error = quotient * (long.relative_error() + short.relative_error());
         Estimate::new((quotient - 1.0).abs(), error, long.work + short.work)
     };
-    let norms = off(stretched.l2_norm(tolerance)?, unit.l2_norm(tolerance)?, theta.sqrt())?;
+    let norms = off(stretched.norm(0.0, tolerance)?, unit.norm(0.0, tolerance)?, theta.sqrt())?;
     let seminorms = off(
         stretched.seminorm(order, tolerance)?,
         unit.seminorm(order, tolerance)?,
@@ -214,7 +214,7 @@ pub fn induction(
 /// The three quotients of (5.7) and that of (5.6) for the extremal function of V_{θ²}, in the variable x/θ.
 fn restricted(order: Order, theta: f64, gamma: Estimate, u: &ExtremalFunction) -> Result<[Estimate; 4]> {
     let whole = u.interpolate(DEGREE, PIECES, &[theta * theta, theta])?;
-    let nodes = whole.mesh().nodes();
+    let nodes = whole.mesh()?.nodes();
     let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + AT_THETA)).count() - 1;
     let (zone, part) = (whole.restrict(0..before(theta * theta))?, whole.restrict(0..before(theta))?);
     // (5.5): |u|_I = θ^{ν−1/2} |ũ|, ‖u‖ = θ^{−1/2} ‖ũ‖
@@ -223,8 +223,8 @@ fn restricted(order: Order, theta: f64, gamma: Estimate, u: &ExtremalFunction) -
     let seminorm = scaled(part.seminorm(order, Tolerance::fast())?, scale)?;
     let everywhere = scaled(whole.seminorm(order, Tolerance::fast())?, scale)?;
     let root = theta.sqrt().recip();
-    let norm = scaled(part.l2_norm(Tolerance::reference())?, root)?;
-    let stretched = scaled(whole.l2_norm(Tolerance::reference())?, root)?;
+    let norm = scaled(part.norm(0.0, Tolerance::reference())?, root)?;
+    let stretched = scaled(whole.norm(0.0, Tolerance::reference())?, root)?;
     let mean = part.mean(Tolerance::reference())?;
     let poincare = norm.over(seminorm)?.over(gamma)?;
     let missed = zone.mean(Tolerance::reference())?.value.abs() / norm.value * poincare.value;

@@ -3,7 +3,7 @@
 use crate::growth::last_exponent;
 use crate::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
 use fractional_sobolev::{Constraint, GammaBounds, Zone, gamma};
-use fractional_sobolev::{Error, Estimate, Given, Mesh, Order, PiecewisePolynomial, Result, Tolerance};
+use fractional_sobolev::{Error, Estimate, Function, Given, Mesh, Order, Result, Tolerance};
 
 /// ε/θ: where the odd extremal function starts to differ from zero.
 const SHARE: f64 = 1e-3;
@@ -110,7 +110,7 @@ fn simple_bound(found: &GammaBounds) -> Result<Estimate> {
 }
 
 fn sign(order: Order) -> Result<BothSides> {
-    let sign = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+    let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
     cut_in_two(&sign, 1, order, Tolerance::balanced())
 }
 

@@ -2,9 +2,7 @@
 
 use crate::growth::{growth, last_exponent};
 use fractional_sobolev::END_SLOPE;
-use fractional_sobolev::{
-    Error, Estimate, Given, Mesh, Order, PiecewisePolynomial, Result, Tolerance, closed_forms,
-};
+use fractional_sobolev::{Error, Estimate, Function, Given, Mesh, Order, Result, Tolerance, closed_forms};
 
 /// Ratio of neighbouring layers of a truncated logarithm, in ln x.
 const LAYER: f64 = 0.35;
@@ -31,7 +29,7 @@ const DEGREE: usize = 2;
 /// assert!(shorter?.value > 1.5 * short?.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<PiecewisePolynomial> {
+pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<Function<'static>> {
     Error::require("alpha", alpha, "(0, 1]", alpha > 0.0 && alpha <= 1.0)?;
     Error::require("L", log, "[1, 690]", (1.0..=690.0).contains(&log))?;
     let layers = (log / LAYER).ceil().max(LEAST_LAYERS);
@@ -44,14 +42,14 @@ pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<PiecewisePolynomial> 
     let value = |x: f64| {
         if x <= 0.0 { 0.0 } else { 1.0 - (-x.ln()).min(log).max(0.0).powf(alpha) / log.powf(alpha) }
     };
-    PiecewisePolynomial::interpolate(Mesh::from_nodes(&nodes)?, DEGREE, value)
+    Function::interpolate(&Mesh::from_nodes(&nodes)?, DEGREE, value)
 }
 
 /// The functions [`truncated_logarithm`] of one α beside the constants of the zones on which they vanish.
 ///
 /// ```
 /// use experiments::trial::{TruncatedFamily, peetre_tartar, truncated_slope};
-/// use fractional_sobolev::{Constraint, Order, gamma, Tolerance, Zone};
+/// use fractional_sobolev::{Constraint, Order, Tolerance, Zone, gamma};
 /// let asked = Tolerance::fast();
 /// let (log, zone) = (16.0, Zone::end((-16f64).exp())?);
 /// let constant = gamma(Order::HALF, Constraint::vanishing_on(zone), asked)?.constant;
@@ -87,7 +85,7 @@ pub struct TruncatedFamily {
 ///
 /// ```
 /// use experiments::trial::{NormChain, TruncatedFamily};
-/// use fractional_sobolev::{Constraint, gamma, Zone};
+/// use fractional_sobolev::{Constraint, Zone, gamma};
 /// let zone = Zone::end((-64f64).exp())?;
 /// let constant = gamma(0.5, Constraint::vanishing_on(zone), 1e-3)?.constant;
 /// let family = TruncatedFamily::new(0.4, &[(64.0, constant)], 1e-3)?;
@@ -121,7 +119,7 @@ impl TruncatedFamily {
         let tolerance = tolerance.given()?;
         // ‖|ln x|^α‖₀² = Γ(1 + 2α)
         let full = if alpha < 0.5 {
-            let square = closed_forms::log_power(alpha)?.value;
+            let square = closed_forms::log_power_seminorm_squared(alpha)?.value;
             Some((square.sqrt(), (square + libm::tgamma(1.0 + 2.0 * alpha)).sqrt()))
         } else {
             None
@@ -130,7 +128,7 @@ impl TruncatedFamily {
         for &(log, gamma) in constants {
             let w = truncated_logarithm(alpha, log)?;
             let seminorm = w.seminorm(Order::HALF, tolerance)?;
-            let norm = w.l2_norm(Tolerance::reference())?;
+            let norm = w.norm(0.0, Tolerance::reference())?;
             let quotient = norm.over(seminorm)?;
             if let Some((seminorm_of_u, norm_of_u)) = full {
                 let n = log.powf(alpha) / norm_of_u;
@@ -152,14 +150,14 @@ impl TruncatedFamily {
 /// ‖u‖₀ / |u|_ν: a lower bound of the constant of any condition that u satisfies.
 ///
 /// # Errors
-/// Those of [`PiecewisePolynomial::seminorm`]; [`Error::NotFinite`] for a constant.
+/// Those of [`Function::seminorm`]; [`Error::NotFinite`] for a constant.
 pub fn trial_quotient(
-    u: &PiecewisePolynomial,
+    u: &Function<'_>,
     order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
-    u.l2_norm(Tolerance::reference())?.over(u.seminorm(order, tolerance)?)
+    u.norm(0.0, Tolerance::reference())?.over(u.seminorm(order, tolerance)?)
 }
 
 /// ‖u − m‖₀ / |u|_ν, m the mean of u over the elements up to θ, a node of its partition of (0,1): a lower
@@ -167,10 +165,10 @@ pub fn trial_quotient(
 ///
 /// ```
 /// use experiments::trial::{cut_in_two, mean_free_quotient, trial_quotient};
-/// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance};
+/// use fractional_sobolev::{Function, Mesh, Order, Tolerance};
 /// let (order, asked) = (Order::HALF, Tolerance::fast());
 /// // u = x: ‖x‖₀ = 1/√3, ‖x − 1/4‖₀ = (7/48)^{1/2}, |x|_{1/2} = 1
-/// let u = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
+/// let u = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
 /// assert!((trial_quotient(&u, order, asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-4);
 /// assert!((mean_free_quotient(&u, 0.5, order, asked)?.value - (7.0f64 / 48.0).sqrt()).abs() < 1e-4);
 /// // two halves: each has |u|² = 1/4 and length 1/2
@@ -182,19 +180,19 @@ pub fn trial_quotient(
 /// # Errors
 /// As [`trial_quotient`]; [`Error::OutOfRange`] when θ is no node.
 pub fn mean_free_quotient(
-    u: &PiecewisePolynomial,
+    u: &Function<'_>,
     theta: f64,
     order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     let near = |x: f64| (x - theta).abs() <= ONE_NODE * theta;
-    let node = u.mesh().nodes().iter().position(|&x| near(x)).filter(|&k| k > 0);
+    let node = u.mesh()?.nodes().iter().position(|&x| near(x)).filter(|&k| k > 0);
     let elements = node.ok_or(Error::OutOfRange { name: "theta", value: theta, range: "the nodes" })?;
     let (zone, whole) =
         (u.restrict(0..elements)?.mean(Tolerance::reference())?, u.mean(Tolerance::reference())?);
     // ‖u − m‖₀² = ‖u − mean u‖₀² + (mean u − m)²
-    let norm = u.l2_norm(Tolerance::reference())?;
+    let norm = u.norm(0.0, Tolerance::reference())?;
     let centred = (norm.value * norm.value - whole.value * whole.value).max(0.0);
     let square = centred + (whole.value - zone.value).powi(2);
     let error = 2.0 * (norm.value * norm.error + whole.value.abs() * whole.error)
@@ -208,9 +206,9 @@ pub fn mean_free_quotient(
 ///
 /// ```
 /// use experiments::trial::{BothSides, cut_in_two};
-/// use fractional_sobolev::{Mesh, PiecewisePolynomial};
+/// use fractional_sobolev::{Function, Mesh};
 /// // sgn(x − 1/2) cut at its jump: no constant bounds the left side by the right one
-/// let sign = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+/// let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
 /// let BothSides { left, right } = cut_in_two(&sign, 1, 0.25, 1e-8)?;
 /// assert!((left.value - 1.0).abs() < 1e-14 && right.value == 0.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -227,20 +225,20 @@ pub struct BothSides {
 /// (Σ_k |I_k|^{2ν} |u|²_{ν,I_k})^{1/2} over the two pieces, which the printed step compares.
 ///
 /// # Errors
-/// Those of [`PiecewisePolynomial::restrict`] and [`PiecewisePolynomial::seminorm`].
+/// Those of [`Function::restrict`] and [`Function::seminorm`].
 pub fn cut_in_two(
-    u: &PiecewisePolynomial,
+    u: &Function<'_>,
     elements: usize,
     order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<BothSides> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
     let (mut square, mut error) = (0.0, 0.0);
-    let left = u.l2_norm(Tolerance::reference())?;
-    for range in [0..elements, elements..u.mesh().len()] {
+    let left = u.norm(0.0, Tolerance::reference())?;
+    for range in [0..elements, elements..u.mesh()?.len()] {
         let piece = u.restrict(range)?;
         let seminorm = piece.seminorm(order, tolerance)?;
-        let scale = piece.mesh().total().powf(2.0 * order.value());
+        let scale = piece.mesh()?.total().powf(2.0 * order.value());
         square += scale * seminorm.value * seminorm.value;
         error += 2.0 * scale * seminorm.value * seminorm.error;
     }

@@ -16,7 +16,7 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::mesh::Point;
-use fractional_sobolev::{Estimate, Order, Position, SectorPower, SingularFunction, Tolerance, Work};
+use fractional_sobolev::{Estimate, Function, Order, Position, Tolerance, Work};
 use std::f64::consts::PI;
 
 /// a: no node of uniform dyadic meshes.
@@ -99,7 +99,7 @@ impl Power {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ p + 1; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1 < τ ≤ 2; as
-    /// [`SectorPower::elastic_gradient`].
+    /// [`Function::elastic_corner`] and [`Function::seminorm`].
     pub(super) fn body_seminorm(&self, tau: f64, tolerance: Tolerance) -> Result<Estimate> {
         let (p, radius, q) = (self.power, self.radius(), self.power - 1.0);
         let material = self.lame.map(Self::moduli);
@@ -118,9 +118,10 @@ impl Power {
         }
         let order = Order::new(tau - 1.0)?;
         Ok(match material {
-            None => SectorPower::harmonic_gradient(p, radius, order, tolerance)?,
+            None => Function::sector_power(p, p, PI, radius)?.seminorm(order.plus_one(), tolerance)?,
             Some((alpha, double)) => {
-                SectorPower::elastic_gradient(p, alpha, radius, order, tolerance)?.times(double.recip())?
+                let corner = Function::elastic_corner(p, alpha, radius)?;
+                corner.seminorm(order.plus_one(), tolerance)?.times(double.recip())?
             }
         })
     }
@@ -144,7 +145,7 @@ impl Power {
     /// |σ_N|_ν or |u_N'|_ν on the part (from, to) of the edge.
     ///
     /// # Errors
-    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for ν ≥ p − 1/2; as [`SingularFunction::seminorm`].
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for ν ≥ p − 1/2; as [`Function::seminorm`].
     pub(super) fn edge_seminorm(
         &self,
         datum: EdgeDatum,
@@ -162,12 +163,12 @@ impl Power {
             if is_inside { size * distance.abs().powf(self.power - 1.0) } else { 0.0 }
         };
         if !(from < TRANSITION && TRANSITION < to) {
-            let whole = SingularFunction::new(&[from, to], |x| value(x - TRANSITION))?;
+            let whole = Function::from_fn(&[from, to], |x| value(x - TRANSITION))?;
             return Ok(whole.seminorm(order, tolerance)?);
         }
         let breaks = [from, TRANSITION, to];
         let at = |at: Position| value(if at.anchor() == 1 { at.offset() } else { at.x() - TRANSITION });
-        Ok(SingularFunction::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
+        Ok(Function::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
     }
 
     /// What the edge carries besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in

@@ -140,7 +140,7 @@ impl<'a> SingularFunction<'a> {
     ///     0 => (-at.offset().ln()).powf(0.25),
     ///     _ => (-at.offset().ln_1p()).powf(0.25),
     /// })?;
-    /// let exact = closed_forms::log_power(0.25)?.value.sqrt();
+    /// let exact = closed_forms::log_power_seminorm_squared(0.25)?.value.sqrt();
     /// let found = u.seminorm(Order::HALF, Tolerance::fast())?;
     /// assert!((found.value / exact - 1.0).abs() < 1e-4);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -166,7 +166,7 @@ impl<'a> SingularFunction<'a> {
     ///     0 => (-at.log_distance()).powf(0.45),
     ///     _ => (-at.offset().ln_1p()).powf(0.45),
     /// })?;
-    /// let exact = closed_forms::log_power(0.45)?.value.sqrt();
+    /// let exact = closed_forms::log_power_seminorm_squared(0.45)?.value.sqrt();
     /// let found = u.seminorm(Order::HALF, Tolerance::fast())?;
     /// assert!((found.value / exact - 1.0).abs() < 1e-4);
     /// # Ok::<(), fractional_sobolev::Error>(())

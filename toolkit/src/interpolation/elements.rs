@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::require_entry;
-use crate::{Mesh, PiecewisePolynomial};
+use crate::{Function, Mesh};
 use std::ops::Range;
 
 /// A mesh into cells, grouped into elements.
@@ -99,22 +99,22 @@ impl ElementMesh {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`] unless v lives on the cells of this mesh.
-    pub fn projection(&self, v: &PiecewisePolynomial) -> Result<PiecewisePolynomial> {
-        self.require_cells(v)?;
+    pub fn projection(&self, v: &Function<'_>) -> Result<Function<'static>> {
+        self.require_cells(v.mesh()?)?;
         let mut lengths = Vec::with_capacity(self.elements.len());
         let mut means = Vec::with_capacity(self.elements.len());
         for (e, range) in self.elements.iter().enumerate() {
             lengths.push(self.length(e));
             means.push(v.restrict(range.clone())?.mean(Tolerance::reference())?.value);
         }
-        PiecewisePolynomial::constants(Mesh::from_lengths(lengths)?, &means)
+        Function::constants(&Mesh::from_lengths(lengths)?, &means)
     }
 
-    pub(super) fn require_cells(&self, v: &PiecewisePolynomial) -> Result<()> {
-        if v.mesh().lengths() == self.cells.lengths() {
+    fn require_cells(&self, mesh: &Mesh) -> Result<()> {
+        if mesh.lengths() == self.cells.lengths() {
             return Ok(());
         }
-        let (given, expected) = (v.mesh().len(), self.cells.len());
+        let (given, expected) = (mesh.len(), self.cells.len());
         Err(Error::LengthMismatch { name: "cells of the function (lengths must agree)", given, expected })
     }
 }
@@ -125,8 +125,8 @@ impl ElementMesh {
 /// # Errors
 /// [`Error::NotFinite`] for a value of u.
 #[doc(alias("nodal interpolation"))]
-pub fn lagrange(mesh: &Mesh, u: impl Fn(f64) -> f64) -> Result<PiecewisePolynomial> {
-    PiecewisePolynomial::interpolate(mesh.clone(), 1, u)
+pub fn lagrange(mesh: &Mesh, u: impl Fn(f64) -> f64) -> Result<Function<'static>> {
+    Function::interpolate(mesh, 1, u)
 }
 
 #[cfg(test)]
@@ -137,9 +137,9 @@ mod tests {
     fn the_slope_of_the_interpolant_is_the_projection_of_the_slope() {
         let mesh = ElementMesh::new(Mesh::two_sided(3, 0.4, 2.0).unwrap(), &[2, 5, 1]).unwrap();
         let cubic = |x: f64| x * (1.0 - x * (2.0 - 0.7 * x));
-        let u = PiecewisePolynomial::interpolate(mesh.cells().clone(), 3, cubic).unwrap();
+        let u = Function::interpolate(mesh.cells(), 3, cubic).unwrap();
         let projected = mesh.projection(&u.derivative().unwrap()).unwrap();
-        let interpolant = lagrange(projected.mesh(), cubic).unwrap().derivative().unwrap();
+        let interpolant = lagrange(projected.mesh().unwrap(), cubic).unwrap().derivative().unwrap();
         for e in 0..3 {
             let (a, b) = (projected.value(e, 0.5).unwrap(), interpolant.value(e, 0.5).unwrap());
             assert!((a - b).abs() < 1e-14, "{e}: {a} {b}");
@@ -152,7 +152,7 @@ mod tests {
         assert!(ElementMesh::new(cells(), &[2, 0, 2]).is_err());
         assert!(ElementMesh::new(cells(), &[2, 1]).is_err());
         assert!(ElementMesh::uniform(0, 3).is_err() && ElementMesh::uniform(usize::MAX, 3).is_err());
-        let other = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0).unwrap(), &[0.0, 1.0]).unwrap();
+        let other = Function::constants(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 1.0]).unwrap();
         assert!(ElementMesh::single(cells()).unwrap().projection(&other).is_err());
     }
 }

@@ -338,5 +338,8 @@ mod tests {
         assert!(u.restrict(1..1).is_err() && u.restrict(0..3).is_err());
         assert!(u.value(2, 0.5).is_err() && u.value(0, 1.5).is_err());
         assert!(PiecewisePolynomial::interpolate(partition(), 21, |x| x).is_err());
+        let long = vec![vec![], vec![0.0; 24]];
+        let found = PiecewisePolynomial::with_bubbles(partition(), &[[0.0; 2]; 2], long);
+        assert!(matches!(found, Err(Error::EntryOutOfRange { index: 1, value: 25.0, .. })), "{found:?}");
     }
 }

@@ -7,13 +7,11 @@
 //! | triangulations | [`Triangles`] |
 //! | products with the Gram matrix on a uniform grid | [`GridOperator`] |
 //! | corner singularities r^a sin(bφ) on sectors | [`SectorPower`] |
-//! | a closed form | [`coordinate_on_unit_square`] |
 //! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`]
 //! |
 //! | norms of closures with declared corner singularities | [`SingularPlaneFunction`] |
 
 mod cell_pairs;
-mod closed_forms;
 mod closures;
 mod convolution;
 mod far;
@@ -30,9 +28,9 @@ mod sums;
 mod tree;
 mod triangles;
 
-pub use closed_forms::coordinate_on_unit_square;
 pub use closures::{PlanePosition, SingularPlaneFunction};
 pub use function::PlaneFunction;
 pub use grid::GridOperator;
+pub(crate) use sector::ElasticCorner;
 pub use sector::SectorPower;
 pub use triangles::Triangles;

@@ -3,7 +3,7 @@
 use super::discrete::Discrete;
 use super::slopes::space::{SlopeSpace, legendre_primitives};
 use crate::error::Result;
-use crate::{Mesh, PiecewisePolynomial};
+use crate::{Function, Mesh};
 
 /// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
 const ONE_NODE: f64 = 1e-10;
@@ -64,8 +64,8 @@ impl ExtremalFunction {
     /// break) are left out.
     ///
     /// # Errors
-    /// As for [`PiecewisePolynomial::interpolate`].
-    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<PiecewisePolynomial> {
+    /// As for [`Function::interpolate`].
+    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<Function<'static>> {
         let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
         let mut nodes: Vec<f64> = self.profile(pieces).into_iter().map(|(x, _)| x).collect();
         nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
@@ -73,7 +73,7 @@ impl ExtremalFunction {
         nodes.sort_by(f64::total_cmp);
         nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
         nodes.push(1.0);
-        PiecewisePolynomial::interpolate(Mesh::from_nodes(&nodes)?, degree, |x| self.value(x))
+        Function::interpolate(&Mesh::from_nodes(&nodes)?, degree, |x| self.value(x))
     }
 
     /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.

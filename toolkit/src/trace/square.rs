@@ -200,7 +200,7 @@ fn graded(order: Order, points: usize) -> Result<Vec<(f64, f64)>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{coordinate_on_unit_square, half_plane_trace};
+    use crate::{closed_forms, half_plane_trace};
 
     #[test]
     fn linear_functions_have_the_closed_form() {
@@ -220,7 +220,7 @@ mod tests {
                 4.0 * v * w * a.hypot(b).powf(-3.5) * of_x.both[0] * of_y.plain[0]
             })
             .sum();
-        let exact = coordinate_on_unit_square(order).unwrap().value;
+        let exact = closed_forms::coordinate_on_square_seminorm_squared(order).unwrap().value;
         assert!((plain / 4.0 / exact - 1.0).abs() < 1e-6, "{plain} {exact}");
     }
 

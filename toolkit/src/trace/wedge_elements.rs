@@ -224,7 +224,7 @@ impl WedgeElements {
     fn first_energy(&self) -> Result<f64> {
         let s = self.order.value();
         let leading = PI.sqrt() * libm::tgamma(s + 0.5) / libm::tgamma(s + 1.0);
-        let power = closed_forms::power(2.0 * self.order.offset(), self.order)?.value;
+        let power = closed_forms::power_seminorm_squared(2.0 * self.order.offset(), self.order)?.value;
         Ok(leading * self.cuts[1].powf(1.0 - 2.0 * s) * power)
     }
 }

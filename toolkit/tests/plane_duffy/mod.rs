@@ -2,13 +2,27 @@
 //! Methods, Springer 2011, Section 5.2) with Gauss-Jacobi rules for touching triangles, cutting both
 //! triangles of other pairs into four until they are as far apart as they are large.
 
-use fractional_sobolev::{Order, PlaneFunction, Rule};
+use fractional_sobolev::{Function, Order, Rule, Triangles};
+
+/// A function by its values: of degree 0 one per triangle, of degree 1 one per node.
+#[derive(Debug, Clone)]
+pub struct Values {
+    pub mesh: Triangles,
+    pub degree: usize,
+    pub values: Vec<f64>,
+}
+
+impl Values {
+    pub fn function(&self) -> Function<'static> {
+        Function::on_triangles(&self.mesh, self.degree, &self.values).unwrap()
+    }
+}
 
 type Point = [f64; 2];
 type Triangle = [(Point, f64); 3];
 
 /// |w|²_s from the first rule that the one before agrees with.
-pub fn settled_seminorm_squared(w: &PlaneFunction, order: Order, required: f64) -> f64 {
+pub fn settled_seminorm_squared(w: &Values, order: Order, required: f64) -> f64 {
     let mut before = f64::INFINITY;
     for n in [9, 13, 18, 25, 36] {
         let value = seminorm_squared(w, order, n);
@@ -22,14 +36,14 @@ pub fn settled_seminorm_squared(w: &PlaneFunction, order: Order, required: f64) 
 
 /// |w|²_s with n points in every direction, three times as many across edges, where the integrand is analytic
 /// in a narrow strip, and few in the directions in which it is a power times a polynomial.
-pub fn seminorm_squared(w: &PlaneFunction, order: Order, n: usize) -> f64 {
-    let triangles = w.mesh().triangles();
-    let road = Road::new(order.value(), if w.is_piecewise_constant() { 0 } else { 2 }, n);
+pub fn seminorm_squared(w: &Values, order: Order, n: usize) -> f64 {
+    let triangles = w.mesh.triangles();
+    let road = Road::new(order.value(), if w.degree == 0 { 0 } else { 2 }, n);
     let mut sum = 0.0;
     for i in 0..triangles.len() {
         for j in 0..=i {
             let twice = if i == j { 1.0 } else { 2.0 };
-            let area = 4.0 * w.mesh().areas()[i] * w.mesh().areas()[j];
+            let area = 4.0 * w.mesh.areas()[i] * w.mesh.areas()[j];
             sum += twice * area * road.pair(w, i, j);
         }
     }
@@ -68,9 +82,9 @@ impl Road {
     }
 
     /// The integral over the unit square of both parameters, a quarter of the product of the areas taken out.
-    fn pair(&self, w: &PlaneFunction, i: usize, j: usize) -> f64 {
-        let (a, b) = (w.mesh().triangles()[i], w.mesh().triangles()[j]);
-        if i == j && w.is_piecewise_constant() {
+    fn pair(&self, w: &Values, i: usize, j: usize) -> f64 {
+        let (a, b) = (w.mesh.triangles()[i], w.mesh.triangles()[j]);
+        if i == j && w.degree == 0 {
             return 0.0;
         }
         let shared: Vec<usize> = a.iter().copied().filter(|node| b.contains(node)).collect();
@@ -81,8 +95,8 @@ impl Road {
         };
         let corners = |t: usize, nodes: Vec<usize>| -> Triangle {
             std::array::from_fn(|k| {
-                let value = if w.is_piecewise_constant() { w.values()[t] } else { w.values()[nodes[k]] };
-                (w.mesh().nodes()[nodes[k]], value)
+                let value = if w.degree == 0 { w.values[t] } else { w.values[nodes[k]] };
+                (w.mesh.nodes()[nodes[k]], value)
             })
         };
         let (x, y) = (corners(i, sorted(a)), corners(j, sorted(b)));

@@ -188,7 +188,7 @@ fn exponential_integral(x: f64) -> (f64, f64) {
 mod tests {
     use super::super::dual_norm::DualNorm;
     use super::*;
-    use fractional_sobolev::{Mesh, PiecewisePolynomial};
+    use fractional_sobolev::{Function, Mesh};
 
     #[test]
     fn integral_functions_have_their_known_values() {
@@ -205,7 +205,7 @@ mod tests {
         for n in [1, 2, 5] {
             let omega = 2.0 * PI * n as f64;
             let cells = Mesh::uniform(8 * n, 1.0).unwrap();
-            let slope = PiecewisePolynomial::interpolate(cells, 10, |x| -omega * (omega * x).sin()).unwrap();
+            let slope = Function::interpolate(&cells, 10, |x| -omega * (omega * x).sin()).unwrap();
             let seminorm = slope.seminorm(Order::HALF, Tolerance::balanced()).unwrap();
             let closed = AliasedWave::new(n).unwrap().seminorm().unwrap();
             assert!((seminorm.value / closed.value - 1.0).abs() < 1e-10, "{n}: {seminorm} {closed}");

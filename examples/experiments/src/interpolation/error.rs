@@ -7,7 +7,7 @@ use crate::scale::{power_of_two, unit_of};
 use fractional_sobolev::interpolation::ElementMesh;
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
-use fractional_sobolev::{Mesh, Order, PiecewisePolynomial, closed_forms};
+use fractional_sobolev::{Function, Mesh, Order, closed_forms};
 
 /// The norms in Lemma 6.1 for one function on an interval, or in Lemma 6.2 on a mesh.
 ///
@@ -23,11 +23,11 @@ use fractional_sobolev::{Mesh, Order, PiecewisePolynomial, closed_forms};
 ///
 /// ```
 /// use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
-/// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance, interpolation::{ElementMesh}};
+/// use fractional_sobolev::{Order, Mesh, Function, Tolerance, interpolation::{ElementMesh}};
 /// // u = x²/2 on (0, 1), slope x: e = x(x−1)/2, ‖e‖₀² = 1/120, ‖e'‖₀² = 1/12, |u|_{3/2} = 1
 /// let order = Order::HALF;
 /// let cells = Mesh::uniform(2, 1.0)?;
-/// let slope = PiecewisePolynomial::linears(cells.clone(), &[0.0, 0.5, 1.0])?;
+/// let slope = Function::linears(&cells, &[0.0, 0.5, 1.0])?;
 /// let found = InterpolationError::of_slope(&slope, order, Tolerance::balanced())?;
 /// assert!((found.l2()?.value.powi(2) - 1.0 / 120.0).abs() < 1e-9 && found.h() == 1.0);
 /// assert!((found.derivative()?.value.powi(2) - 1.0 / 12.0).abs() < 1e-9);
@@ -66,15 +66,16 @@ impl InterpolationError {
     /// # Errors
     /// [`Error::InfiniteNorm`] when v jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`].
     pub fn of_slope(
-        slope: &PiecewisePolynomial,
+        slope: &Function<'_>,
         order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let (slope, units) = in_units(slope)?;
+        let (scaled, units) = in_units(slope)?;
+        let slope = scaled.as_ref().unwrap_or(slope);
         let seminorm = slope.seminorm(order, tolerance)?;
-        let (l2, derivative) = error_norms(&slope)?;
-        Ok(Self { h: slope.mesh().total(), l2, derivative, seminorm, units, order })
+        let (l2, derivative) = error_norms(slope)?;
+        Ok(Self { h: slope.mesh()?.total(), l2, derivative, seminorm, units, order })
     }
 
     /// On a mesh: Lemma 6.2 for the slope v of u, and (4.6) for φ = v.
@@ -83,14 +84,15 @@ impl InterpolationError {
     /// As [`InterpolationError::of_slope`]; [`Error::LengthMismatch`] unless v lives on the cells of the
     /// mesh.
     pub fn on_elements(
-        slope: &PiecewisePolynomial,
+        slope: &Function<'_>,
         mesh: &ElementMesh,
         order: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         require_cells(mesh, slope)?;
-        let (slope, units) = in_units(slope)?;
+        let (scaled, units) = in_units(slope)?;
+        let slope = scaled.as_ref().unwrap_or(slope);
         let seminorm = slope.seminorm(order, tolerance)?;
         let (mut l2, mut derivative) = (Vec::new(), Vec::new());
         for range in mesh.elements() {
@@ -209,11 +211,11 @@ impl Units {
 }
 
 /// The slope lives on the cells of the mesh.
-fn require_cells(mesh: &ElementMesh, slope: &PiecewisePolynomial) -> Result<()> {
-    if slope.mesh().lengths() == mesh.cells().lengths() {
+fn require_cells(mesh: &ElementMesh, slope: &Function<'_>) -> Result<()> {
+    if slope.mesh()?.lengths() == mesh.cells().lengths() {
         return Ok(());
     }
-    let (given, expected) = (slope.mesh().len(), mesh.cells().len());
+    let (given, expected) = (slope.mesh()?.len(), mesh.cells().len());
     Err(Error::LengthMismatch { name: "cells of the function (lengths must agree)", given, expected })
 }
 
@@ -231,18 +233,18 @@ fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
 }
 
 /// The slope with lengths and values in units near their own size: exact, since the units are powers of two. A slope
-/// of degree above one is kept as it is.
-fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)> {
-    if slope.degree() > 1 {
-        return Ok((slope.clone(), Units::ONE));
+/// of degree above one is kept as it is: none.
+fn in_units(slope: &Function<'_>) -> Result<(Option<Function<'static>>, Units)> {
+    if slope.degree()? > 1 {
+        return Ok((None, Units::ONE));
     }
-    let (lengths, total) = (slope.mesh().lengths(), slope.mesh().total());
+    let (lengths, total) = (slope.mesh()?.lengths(), slope.mesh()?.total());
     let ends = (0..lengths.len()).map(|i| Ok([slope.value(i, 0.0)?, slope.value(i, 1.0)?]));
     let ends = ends.collect::<Result<Vec<[f64; 2]>>>()?;
     let units = Units { length: power_of_two(total), slope: unit_of(ends.iter().flatten()) };
     let partition = Mesh::from_lengths(lengths.iter().map(|h| h / units.length).collect())?;
     let ends: Vec<[f64; 2]> = ends.iter().map(|pair| pair.map(|v| v / units.slope)).collect();
-    Ok((PiecewisePolynomial::discontinuous_linears(partition, &ends)?, units))
+    Ok((Some(Function::piecewise(&partition, 1, ends.as_flattened())?), units))
 }
 
 /// The norms of Lemma 6.1 on (0, 1) for u' = x^a, a > ν − 1/2, a > −1/2, by closed forms.
@@ -251,7 +253,7 @@ fn in_units(slope: &PiecewisePolynomial) -> Result<(PiecewisePolynomial, Units)>
 /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2, [`Error::OutOfRange`] for a not finite or above 1e4.
 pub fn power_slope(a: f64, order: impl Given<Order>) -> Result<InterpolationError> {
     let order = order.given()?;
-    let seminorm = closed_forms::power(a, order)?.sqrt()?;
+    let seminorm = closed_forms::power_seminorm_squared(a, order)?.sqrt()?;
     let (l2, derivative) = power_error_norms(a);
     // 2a + 1 is exact to the rounding of a, which weighs where it is small.
     let relative = ROUNDING + f64::EPSILON * (a / (2.0 * a + 1.0)).abs();
@@ -268,7 +270,7 @@ mod tests {
     fn a_linear_slope_has_the_power_s_norms() {
         let partition = Mesh::geometric(7, 0.3, 1.0).unwrap();
         let nodes = partition.nodes();
-        let slope = PiecewisePolynomial::linears(partition, &nodes).unwrap();
+        let slope = Function::linears(&partition, &nodes).unwrap();
         for nu in [0.1, 0.5, 0.9] {
             let order = Order::new(nu).unwrap();
             let cells = InterpolationError::of_slope(&slope, order, Tolerance::reference()).unwrap();
@@ -289,7 +291,7 @@ mod tests {
         let order = Order::new(0.3).unwrap();
         let ratio = |h: f64| {
             let partition = Mesh::from_lengths(vec![0.2 * h, 0.5 * h, 0.3 * h]).unwrap();
-            let slope = PiecewisePolynomial::linears(partition, &[0.0, 1.0, -1.0, 0.5]).unwrap();
+            let slope = Function::linears(&partition, &[0.0, 1.0, -1.0, 0.5]).unwrap();
             InterpolationError::of_slope(&slope, order, Tolerance::balanced()).unwrap()
         };
         let unit = ratio(1.0);
@@ -307,7 +309,7 @@ mod tests {
     #[test]
     fn affine_functions_have_no_ratio() {
         let partition = Mesh::uniform(3, 1.0).unwrap();
-        let slope = PiecewisePolynomial::constants(partition, &[2.0; 3]).unwrap();
+        let slope = Function::constants(&partition, &[2.0; 3]).unwrap();
         let order = Order::new(0.3).unwrap();
         let error = InterpolationError::of_slope(&slope, order, Tolerance::fast()).unwrap();
         assert!(matches!(error.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));

@@ -21,7 +21,7 @@ const LEAST_ORDER: f64 = 0.01;
 /// ```
 ///
 /// # Errors
-/// Those of [`fractional_sobolev::PiecewisePolynomial::seminorm`].
+/// Those of [`fractional_sobolev::Function::seminorm`].
 pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(Estimate, f64)> {
     let highest = if family == RoughFamily::Steps { 0.5 - LEAST_ORDER } else { 1.0 - LEAST_ORDER };
     let mut random = SplitMix::new(seed);
@@ -30,7 +30,7 @@ pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(
         let order = Order::new(orders[k])?;
         let function = RoughSlopes::new(family, order, seed.wrapping_add(k as u64)).draw()?;
         let sorted = function.decreasing_rearrangement()?;
-        let seminorm = |u: &fractional_sobolev::PiecewisePolynomial| u.seminorm(order, Tolerance::balanced());
+        let seminorm = |u: &fractional_sobolev::Function<'_>| u.seminorm(order, Tolerance::balanced());
         seminorm(&sorted)?.over(seminorm(&function)?)
     };
     let shares = parallel::map(orders.len(), &share).into_iter().collect::<Result<Vec<_>>>()?;

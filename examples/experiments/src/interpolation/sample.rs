@@ -4,7 +4,7 @@
 use super::panels::{PanelRules, Squares, panel_squares, panels};
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
-use fractional_sobolev::{Mesh, Order, PiecewisePolynomial, closed_forms};
+use fractional_sobolev::{Function, Mesh, Order, closed_forms};
 use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;
@@ -29,7 +29,7 @@ const WAVE_DEGREE: usize = 9;
 ///
 /// ```
 /// use experiments::interpolation::{SampleSlope};
-/// use fractional_sobolev::{Order};
+/// use fractional_sobolev::Order;
 /// let slope: SampleSlope = SampleSlope::Power(1.0);
 /// assert!(slope.value(0.25) == 0.25 && (slope.seminorm(Order::HALF)?.value - 1.0).abs() < 1e-12);
 /// let rough = SampleSlope::barely_in(0.5)?; // x^{0.005}
@@ -77,13 +77,13 @@ impl SampleSlope {
         let order = order.given()?;
         self.check()?;
         match self {
-            SampleSlope::Power(a) => closed_forms::power(a, order)?.sqrt(),
-            SampleSlope::Step(s) => closed_forms::jump(s, 1.0 - s, order)?.sqrt(),
+            SampleSlope::Power(a) => closed_forms::power_seminorm_squared(a, order)?.sqrt(),
+            SampleSlope::Step(s) => closed_forms::jump_seminorm_squared(s, 1.0 - s, order)?.sqrt(),
             SampleSlope::Constant => Estimate::new(0.0, 0.0, Work::default()),
             SampleSlope::Cosine(k) => {
                 let omega = PI * k as f64;
                 let partition = Mesh::uniform(4 * k, 1.0)?;
-                let wave = PiecewisePolynomial::interpolate(partition, WAVE_DEGREE, |x| (omega * x).cos())?;
+                let wave = Function::interpolate(&partition, WAVE_DEGREE, |x| (omega * x).cos())?;
                 wave.seminorm(order, Tolerance::new(1e-10)?)
             }
         }

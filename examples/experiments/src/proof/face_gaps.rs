@@ -7,7 +7,7 @@
 //! r^{1−ν} and |∇u|_ν ~ r^{−ν}, while Iu = −1 on all of T: the nodal quotient grows like r^{2ν−1}, the other
 //! falls like r^{1+2ν}.
 
-use fractional_sobolev::{Estimate, Given, Order, PlaneFunction, Tolerance, Triangles};
+use fractional_sobolev::{Estimate, Function, Given, Order, Tolerance, Triangles};
 use signorini::Result;
 
 /// Both quotients for one size of the gaps.
@@ -33,10 +33,9 @@ impl FaceGaps {
         let contact: f64 = face.pressure.iter().zip(areas).map(|(s, area)| s * area).sum();
         let thirds = |t: &[usize; 3]| t.iter().map(|&node| face.gap[node]).sum::<f64>() / 3.0;
         let opening: f64 = face.mesh.triangles().iter().zip(areas).map(|(t, area)| thirds(t) * area).sum();
-        let pressure = PlaneFunction::constants(face.mesh.clone(), face.pressure.clone())?;
-        let gap = PlaneFunction::linears(face.mesh.clone(), face.gap.clone())?;
-        let [x, y] = gap.gradient()?;
-        let slope = x.seminorm(order, tolerance)?.hypot(y.seminorm(order, tolerance)?)?;
+        let pressure = Function::on_triangles(&face.mesh, 0, &face.pressure)?;
+        let gap = Function::on_triangles(&face.mesh, 1, &face.gap)?;
+        let slope = gap.seminorm(order.plus_one(), tolerance)?;
         let pressure = pressure.seminorm(order, tolerance)?;
         // Iu = −1.
         let [nodal, mean] = [-contact, contact * opening / face.mesh.area()];

@@ -25,7 +25,7 @@
 use super::bound_row::BoundRow;
 use super::contact_cost::{CostRow, contact_cost};
 use crate::convergence::{Levels, StripCase};
-use fractional_sobolev::{Estimate, Order, SingularFunction, Tolerance, Work};
+use fractional_sobolev::{Estimate, Function, Order, Tolerance, Work};
 use signorini::cone::Cone;
 use signorini::proof::MeshShape;
 use signorini::scenes::StripScene;
@@ -113,7 +113,7 @@ fn products(ends: &[f64], n: usize) -> Result<f64> {
         if place > 0.0 {
             let unit = |value: &(dyn Fn(f64) -> f64 + Sync)| {
                 let at = |x: f64| value(x - contact);
-                SingularFunction::new(&[0.0, contact, 1.0], at)?.seminorm(Order::HALF, Tolerance::fast())
+                Function::from_fn(&[0.0, contact, 1.0], at)?.seminorm(Order::HALF, Tolerance::fast())
             };
             let pressure = unit(&|t| if t < 0.0 { (-t * h).sqrt() } else { 0.0 })?;
             let slope = unit(&|t| {

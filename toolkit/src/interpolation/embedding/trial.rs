@@ -6,7 +6,7 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::interpolation::forms::mass_form;
 use crate::numeric::dense::{Cholesky, product};
 use crate::quadrature::Rule;
-use crate::{Mesh, Order, PiecewisePolynomial, gram_linears};
+use crate::{Function, Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
 
 /// Most steps of the ascent: some dozens do where the maximum is isolated.
@@ -53,16 +53,16 @@ pub(super) fn graded(q: f64) -> Result<Mesh> {
 /// // ‖u‖_{L⁸} against ‖u‖_{1/2}: the function that was found has the quotient that was returned
 /// let space = EmbeddingSpace::for_exponents_up_to(0.5, 8.0)?;
 /// let EmbeddingTrial { quotient, function } = space.climb(8.0)?;
-/// let again = function.lq_norm(8.0, 1e-8)?.value / function.norm(0.5, 1e-8)?.value;
+/// let again = function.lp(8.0, 1e-8)?.value / function.norm(0.5, 1e-8)?.value;
 /// assert!((again / quotient.value - 1.0).abs() < 1e-6);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct EmbeddingTrial {
     /// The quotient; its error is that of evaluating it.
     pub quotient: Estimate,
     /// The function.
-    pub function: PiecewisePolynomial,
+    pub function: Function<'static>,
 }
 
 /// Piecewise linears on a mesh geometric to 0, for C(q) at one ν and any q.
@@ -212,8 +212,8 @@ impl EmbeddingSpace {
     }
 
     fn trial(&self, q: f64, values: &[f64]) -> Result<EmbeddingTrial> {
-        let function = PiecewisePolynomial::linears(self.partition.clone(), values)?;
-        let top = function.lq_norm(q, Tolerance::balanced())?;
+        let function = Function::linears(&self.partition, values)?;
+        let top = function.lp(q, Tolerance::balanced())?;
         let norm = function.norm(self.order, Tolerance::balanced())?;
         let value = top.value / norm.value;
         let relative = top.relative_error() + norm.relative_error();

@@ -5,7 +5,7 @@ use crate::interpolation::element::ErrorNorm;
 use crate::interpolation::elements::ElementMesh;
 use crate::interpolation::forms::{lagrange_form, projection_form, without_constants};
 use crate::numeric::dense::{Cholesky, product};
-use crate::{Order, PiecewisePolynomial, gram_linears};
+use crate::{Function, Order, gram_linears};
 use nalgebra::DMatrix;
 
 /// Steps at most. On one element the second eigenvalue is at most about 0.4 of the first and two dozen steps
@@ -28,7 +28,7 @@ const RISE: f64 = 1e-9;
 /// use fractional_sobolev::{Order, Mesh, Tolerance, interpolation::{ElementMesh, ErrorNorm, ascend}};
 /// let (order, mesh) = (Order::HALF, ElementMesh::single(Mesh::uniform(16, 1.0)?)?);
 /// let best = ascend(ErrorNorm::Derivative, order, &mesh, &mesh.cells().nodes())?;
-/// let (norm, mean) = (best.l2_norm(Tolerance::fast())?.value, best.mean(Tolerance::fast())?.value);
+/// let (norm, mean) = (best.norm(0.0, Tolerance::fast())?.value, best.mean(Tolerance::fast())?.value);
 /// let found = (norm * norm - mean * mean).sqrt() / best.seminorm(order, Tolerance::fast())?.value;
 /// assert!(found > 0.28 && found < 0.291_564_03); // the best constant from below
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -42,12 +42,12 @@ pub fn ascend(
     order: impl Given<Order>,
     mesh: &ElementMesh,
     start: &[f64],
-) -> Result<PiecewisePolynomial> {
+) -> Result<Function<'static>> {
     let order = order.given()?;
     let cells = mesh.cells();
     let size = cells.len() + 1;
     // Checks the count and the values.
-    let first = PiecewisePolynomial::linears(cells.clone(), start)?;
+    let first = Function::linears(cells, start)?;
     if start.iter().all(|v| *v == start[0]) {
         return Ok(first);
     }
@@ -69,7 +69,7 @@ pub fn ascend(
         values *= largest.recip();
     }
     let values: Vec<f64> = (0..size).map(|i| values[(i, 0)]).collect();
-    PiecewisePolynomial::linears(cells.clone(), &values)
+    Function::linears(cells, &values)
 }
 
 /// B: the squared error norm as a form of the nodal values of the slope.

@@ -36,12 +36,12 @@ impl SingularPlaneFunction<'_> {
     /// come.
     ///
     /// ```
-    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles, coordinate_on_unit_square};
+    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles, closed_forms};
     /// let square = Triangles::grid([1, 1], 1.0)?;
     /// let x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?;
     /// let order = Order::new(0.7)?;
     /// let norm = x.seminorm(order, Tolerance::balanced())?;
-    /// let exact = coordinate_on_unit_square(order)?.sqrt()?;
+    /// let exact = closed_forms::coordinate_on_square_seminorm_squared(order)?.sqrt()?;
     /// assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
