@@ -68,7 +68,7 @@ pub enum Problem {
 
 /// What is computed: every solution, coarsest mesh first, on each mesh one solver after the other.
 pub struct Computed {
-    subject: contact::Subject,
+    subject: contact::ContactSubject,
     /// All of them.
     pub runs: Vec<SceneRun>,
 }
@@ -87,7 +87,7 @@ pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
     let setting = Setting { angle, poisson, load_scale };
     let accuracy = tolerance.map(Accuracy::Relative);
     let study = SceneStudy { scene, setting, cone, solver, n, levels, accuracy };
-    let subject = contact::Subject::new(study, &options.own)?;
+    let subject = contact::ContactSubject::new(study, &options.own)?;
     Ok(Computed { runs: subject.solve()?, subject })
 }
 

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR --csv DIR`
 
-use example_frame::contact::{self, Load, Own, OwnOptions, Subject, worst};
+use example_frame::contact::{self, ContactSubject, Load, Own, OwnOptions, worst};
 use example_frame::{Finding, Headline, Result};
 use experiments::contact_levels::SceneRun;
 use signorini::cone::{Cone, KKT_ROUNDING, KktResiduals};
@@ -34,7 +34,7 @@ example_frame::options! {
 
 /// Everything on every mesh.
 pub struct Computed {
-    subject: Subject,
+    subject: ContactSubject,
     /// All solutions, coarsest mesh first, on each mesh one solver after the other.
     pub runs: Vec<SceneRun>,
     /// On every mesh the resultants of load, clamp and floors.
@@ -53,8 +53,8 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let is_scalar = own.load.as_ref().is_some_and(|load: &Load| load.components() == 1);
     let form = if is_scalar { Form::LAPLACE } else { Form::elastic(Lame::new(1.0, 1.0)?) };
     let body = own.body(|| Own::sample("l_shape", SAMPLE), form, 1.0)?;
-    let turned = Subject::own(body.turned(*angle)?, *cone, *levels, &own)?;
-    let subject = Subject::own(body.clone(), *cone, *levels, &own)?;
+    let turned = ContactSubject::own(body.turned(*angle)?, *cone, *levels, &own)?;
+    let subject = ContactSubject::own(body.clone(), *cone, *levels, &own)?;
     let runs = subject.solve()?;
     let resultants = runs.iter().map(|run| body.resultants(run)).collect::<Result<_>>()?;
     Ok(Computed { subject, resultants, turned: turned.solve()?, runs })

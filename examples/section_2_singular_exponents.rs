@@ -8,7 +8,7 @@ use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
 use experiments::convergence::{SceneOrder, scene_orders};
 use experiments::wedge_grid::ExponentCheck;
 use signorini::scenes::MeshScene;
-use signorini::singular::{Medium, Side, Sides, SignCondition, Spectrum, Wedge};
+use signorini::singular::{Medium, SideCondition, SideConditions, SignCondition, Spectrum, Wedge};
 use std::f64::consts::{PI, TAU};
 use std::process::ExitCode;
 
@@ -23,7 +23,7 @@ example_frame::options! {
         pub poisson: f64,
         /// Sides as in D-N: clamped D, free N, contact closed C, contact open O; six pairs when not given
         #[arg(long)]
-        pub pair: Option<Sides>,
+        pub pair: Option<SideConditions>,
     }
 }
 
@@ -49,18 +49,21 @@ const DIGITS: f64 = 1e-12;
 /// The wedges asked for, the grid, the scenes.
 pub fn compute(options: &Options) -> Result<Computed> {
     let medium = Medium::PlaneStrain(options.poisson);
-    let solved = |&sides: &Sides| {
+    let solved = |&sides: &SideConditions| {
         let wedge = Wedge::new(options.omega.to_radians(), sides, medium)?;
         Ok((wedge, wedge.exponents()?))
     };
-    let wedges = options.pair.as_ref().map_or(&Sides::ALL[..], std::slice::from_ref);
+    let wedges = options.pair.as_ref().map_or(&SideConditions::ALL[..], std::slice::from_ref);
     let bar = progress(u64::from(OPENINGS) + MeshScene::all().len() as u64);
-    let flat = Wedge::new(PI, Sides(Side::Clamped, Side::Free), medium)?.exponents()?;
+    let flat =
+        Wedge::new(PI, SideConditions(SideCondition::Clamped, SideCondition::Free), medium)?.exponents()?;
     let computed = Computed {
         wedges: wedges.iter().map(solved).collect::<Result<_>>()?,
         grid: ExponentCheck::on_grid(OPENINGS, &RATIOS, || bar.inc(1))?,
         oscillation: flat.exponents.first().map_or(f64::NAN, |exponent| exponent.im.value),
-        transition: Wedge::new(PI, Sides(Side::Closed, Side::Open), medium)?.regularity()?.tau,
+        transition: Wedge::new(PI, SideConditions(SideCondition::Closed, SideCondition::Open), medium)?
+            .regularity()?
+            .tau,
         scenes: scene_orders(3, 6, || bar.inc(1))?,
     };
     bar.finish_and_clear();
@@ -141,7 +144,7 @@ fn draw(options: &Options, scenes: &[SceneOrder]) -> Result<Chart> {
     let x = Axis::linear("opening in degrees").range(0.0, 360.0);
     let y = Axis::linear("first Re lambda, polynomials left out").range(0.0, 3.0);
     let mut chart = Chart::new(format!("Singular exponents, Poisson's ratio {}", options.poisson), x, y);
-    for sides in Sides::ALL {
+    for sides in SideConditions::ALL {
         let mut points = Vec::new();
         for degrees in (1..=90).map(|k| 4.0 * f64::from(k) - 0.7) {
             let wedge = Wedge::new(f64::to_radians(degrees), sides, Medium::PlaneStrain(options.poisson))?;

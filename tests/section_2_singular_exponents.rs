@@ -7,7 +7,7 @@ mod example;
 use example_frame::Outcome;
 use experiments::convergence::CornerReading;
 use signorini::scenes::{MeshScene, Setting};
-use signorini::singular::{Exponent, LARGEST, Medium, Side, Sides, SignCondition, Wedge};
+use signorini::singular::{Exponent, LARGEST, Medium, SideCondition, SideConditions, SignCondition, Wedge};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Twelve digits.
@@ -50,7 +50,7 @@ const OPENINGS: [f64; 20] = [
 ];
 const RATIOS: [f64; 7] = [-0.999, -0.4, 0.0, 0.25, 0.3, 0.4999, 0.499_999_999];
 
-fn elastic(angle: f64, poisson: f64, sides: Sides) -> Wedge {
+fn elastic(angle: f64, poisson: f64, sides: SideConditions) -> Wedge {
     Wedge::new(angle, sides, Medium::PlaneStrain(poisson)).unwrap()
 }
 
@@ -58,7 +58,7 @@ fn elastic(angle: f64, poisson: f64, sides: Sides) -> Wedge {
 /// complex.
 fn grid() -> Vec<Wedge> {
     let mut wedges = Vec::new();
-    for sides in Sides::ALL {
+    for sides in SideConditions::ALL {
         for &angle in &OPENINGS {
             wedges.extend(RATIOS.map(|poisson| elastic(angle, poisson, sides)));
             wedges.push(Wedge::new(angle, sides, Medium::Scalar).unwrap());
@@ -143,7 +143,7 @@ fn known_values() {
         assert!(off <= DIGITS * re.hypot(im), "{exponent:?}: {re} {im}");
     };
     // A crack: 1/2, 1, 3/2, ... each twice, opening and sliding.
-    let crack = list(elastic(TAU, 0.3, Sides(Side::Free, Side::Free)));
+    let crack = list(elastic(TAU, 0.3, SideConditions(SideCondition::Free, SideCondition::Free)));
     assert_eq!(crack.len(), 5);
     for (k, exponent) in crack.iter().enumerate() {
         close(exponent, 0.5 * (k + 1) as f64, 0.0);
@@ -151,13 +151,13 @@ fn known_values() {
     }
     // Clamped/free on one line: 1/2 + i ln κ/(2π), and again after one.
     for poisson in [-0.5, 0.0, 0.25, 0.4999] {
-        let flat = list(elastic(PI, poisson, Sides(Side::Clamped, Side::Free)));
+        let flat = list(elastic(PI, poisson, SideConditions(SideCondition::Clamped, SideCondition::Free)));
         let oscillation = (3.0f64 - 4.0 * poisson).ln() / TAU;
         assert_eq!(flat.len(), 3);
         (0..3).for_each(|k| close(&flat[k], k as f64 + 0.5, oscillation));
     }
     // The reentrant right angle, free: printed with seven digits in many places.
-    let corner = list(elastic(1.5 * PI, 0.1, Sides(Side::Free, Side::Free)));
+    let corner = list(elastic(1.5 * PI, 0.1, SideConditions(SideCondition::Free, SideCondition::Free)));
     for (exponent, printed) in [(&corner[0], 0.544_483_7), (&corner[1], 0.908_529_2)] {
         assert!((exponent.re.value - printed).abs() < 1e-7 && !exponent.is_complex(), "{exponent:?}");
     }
@@ -173,7 +173,7 @@ fn known_values() {
         close(&list(elastic(angle, poisson, sides.parse().unwrap()))[k], re, im);
     }
     // tan ω = ω: the rotation with r ln r.
-    let double = list(elastic(OPENINGS[13], 0.3, Sides(Side::Free, Side::Free)));
+    let double = list(elastic(OPENINGS[13], 0.3, SideConditions(SideCondition::Free, SideCondition::Free)));
     let one = double.iter().find(|e| (e.re.value - 1.0).abs() < DIGITS).unwrap();
     assert!(one.multiplicity == 2 && one.has_logarithm() && !one.is_polynomial(), "{one:?}");
 }
@@ -192,7 +192,7 @@ fn closed_forms() {
             }
         }
         // Contact on both sides: |1 + kπ/ω|, whatever the material.
-        let wedge = elastic(angle, 0.3, Sides(Side::Closed, Side::Closed));
+        let wedge = elastic(angle, 0.3, SideConditions(SideCondition::Closed, SideCondition::Closed));
         let expected = (-9..=9).map(|k| 1.0 + f64::from(k) * PI / angle);
         let mut expected: Vec<f64> =
             expected.flat_map(|x| [x, x - 2.0]).filter(|&x| x > DIGITS && x < LARGEST - DIGITS).collect();
@@ -256,15 +256,15 @@ fn closed_corners_keep_even_fields() {
         let turns: Vec<(f64, bool)> = (-8..=8)
             .flat_map(|k| [1.0, -1.0].map(|s| ((f64::from(k) * PI / angle + s).abs(), k % 2 == 0)))
             .collect();
-        let wedge = elastic(angle, 0.3, Sides(Side::Closed, Side::Closed));
+        let wedge = elastic(angle, 0.3, SideConditions(SideCondition::Closed, SideCondition::Closed));
         for exponent in wedge.exponents().unwrap().exponents.iter().filter(|e| !e.is_polynomial()) {
             let same = |turn: &&(f64, bool)| (turn.0 - exponent.re.value).abs() < 1e-9;
             let is_even = turns.iter().filter(same).any(|turn| turn.1);
             let expected = if is_even { SignCondition::Signed } else { SignCondition::Excluded };
             assert_eq!(wedge.sign_condition(exponent), expected, "{angle}: {exponent:?}");
         }
-        for other in [Side::Free, Side::Clamped] {
-            let wedge = elastic(angle, 0.3, Sides(Side::Closed, other));
+        for other in [SideCondition::Free, SideCondition::Clamped] {
+            let wedge = elastic(angle, 0.3, SideConditions(SideCondition::Closed, other));
             for exponent in wedge.exponents().unwrap().exponents {
                 let is_out = wedge.sign_condition(&exponent) == SignCondition::Excluded;
                 assert!(is_out == exponent.is_complex(), "{angle} {other:?}: {exponent:?}");
@@ -319,7 +319,7 @@ fn exponents_are_read_at_the_corners_of_scenes() {
 
 #[test]
 fn bad_wedges_are_refused() {
-    let free = Sides(Side::Free, Side::Free);
+    let free = SideConditions(SideCondition::Free, SideCondition::Free);
     for angle in [0.0, -1.0, 1e-6, 6.3, f64::NAN, f64::INFINITY] {
         let message = Wedge::new(angle, free, Medium::Scalar).unwrap_err().to_string();
         assert!(message.contains("opening angle") && message.contains("2 pi"), "{message}");
@@ -329,7 +329,7 @@ fn bad_wedges_are_refused() {
         assert!(message.contains("Poisson"), "{message}");
     }
     for text in ["", "D", "D-X", "D-N-C", "DN"] {
-        assert!(text.parse::<Sides>().is_err(), "{text}");
+        assert!(text.parse::<SideConditions>().is_err(), "{text}");
     }
     let wedge = elastic(PI, 0.3, free);
     assert!(

@@ -10,7 +10,7 @@ use crate::contact::{ContactProblem, ContactSolution};
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Lame};
 use crate::mesh::{Part, Point};
-use crate::singular::{CornerRegularity, Medium, Side, Sides, Wedge};
+use crate::singular::{CornerRegularity, Medium, SideCondition, SideConditions, Wedge};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
@@ -71,13 +71,13 @@ pub(super) fn regularity_with_ends(
     problem.edge().require_one_piece()?;
     let mesh = problem.mesh();
     let contact = closed_edges(problem, solution, ends);
-    let mut sides: BTreeMap<usize, [Option<(usize, Side)>; 2]> = BTreeMap::new();
+    let mut sides: BTreeMap<usize, [Option<(usize, SideCondition)>; 2]> = BTreeMap::new();
     for edge in mesh.boundary() {
         let side = match edge.part {
-            Part::Dirichlet => Side::Clamped,
-            Part::Neumann => Side::Free,
-            Part::Contact if contact.edges.contains_key(&edge.nodes[0]) => Side::Closed,
-            Part::Contact => Side::Open,
+            Part::Dirichlet => SideCondition::Clamped,
+            Part::Neumann => SideCondition::Free,
+            Part::Contact if contact.edges.contains_key(&edge.nodes[0]) => SideCondition::Closed,
+            Part::Contact => SideCondition::Open,
         };
         let [start, end] = edge.nodes;
         for (node, k, other) in [(start, 0, end), (end, 1, start)] {
@@ -101,9 +101,9 @@ pub(super) fn regularity_with_ends(
             if !contact.single.contains(&node) {
                 continue;
             }
-            first = Side::Closed;
+            first = SideCondition::Closed;
         }
-        let wedge = Wedge::new(angle, Sides(first, second), medium(problem, node)?)?;
+        let wedge = Wedge::new(angle, SideConditions(first, second), medium(problem, node)?)?;
         let known = corners.iter().find(|corner| corner.wedge == wedge).map(|c| c.regularity.clone());
         let regularity = match known {
             Some(regularity) => regularity,

@@ -13,7 +13,7 @@
 //! Nothing of the characteristic functions is used. Simple eigenvalues converge exponentially in N; nearly
 //! double ones keep half the digits, their mean all. Cost: O((5N)³).
 
-use super::wedge::{Medium, Side, Wedge};
+use super::wedge::{Medium, SideCondition, Wedge};
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::legendre;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -153,13 +153,13 @@ impl Law {
     }
 
     /// The functions that are zero on a side.
-    fn vanishing(&self, side: Side) -> &'static [usize] {
+    fn vanishing(&self, side: SideCondition) -> &'static [usize] {
         match (self.first.len(), side) {
-            (2, Side::Clamped | Side::Closed) => &[0],
+            (2, SideCondition::Clamped | SideCondition::Closed) => &[0],
             (2, _) => &[1],
-            (_, Side::Clamped) => &[0, 1],
-            (_, Side::Closed) => &[1, 3],
-            (_, Side::Free | Side::Open) => &[2, 3],
+            (_, SideCondition::Clamped) => &[0, 1],
+            (_, SideCondition::Closed) => &[1, 3],
+            (_, SideCondition::Free | SideCondition::Open) => &[2, 3],
         }
     }
 }

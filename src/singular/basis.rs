@@ -13,7 +13,7 @@
 //! The formulas hold for complex λ as they stand. Unlike Airy's function they contain the rigid rotation, a₂
 //! at λ = 1. a₁ and b₁ are even about θ = 0, a₂ and b₂ odd. μ = 1/2 below.
 
-use super::wedge::Side;
+use super::wedge::SideCondition;
 use faer::c64;
 
 /// Rows u_r, u_θ, σ_θθ/λ, σ_rθ/λ; columns a₁, a₂, b₁, b₂.
@@ -31,12 +31,12 @@ pub(super) fn fields(lambda: c64, kappa: f64, theta: f64) -> [[c64; 4]; 4] {
 }
 
 /// The two conditions of a side at θ.
-pub(super) fn conditions(side: Side, lambda: c64, kappa: f64, theta: f64) -> [[c64; 4]; 2] {
+pub(super) fn conditions(side: SideCondition, lambda: c64, kappa: f64, theta: f64) -> [[c64; 4]; 2] {
     let [radial, tangential, normal, shear] = fields(lambda, kappa, theta);
     match side {
-        Side::Clamped => [radial, tangential],
-        Side::Free | Side::Open => [normal, shear],
-        Side::Closed => [tangential, shear],
+        SideCondition::Clamped => [radial, tangential],
+        SideCondition::Free | SideCondition::Open => [normal, shear],
+        SideCondition::Closed => [tangential, shear],
     }
 }
 
@@ -49,7 +49,7 @@ pub(super) fn kernel(rows: [[c64; 2]; 2]) -> [c64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::wedge::{Medium, Sides, Wedge};
+    use super::super::wedge::{Medium, SideConditions, Wedge};
     use super::*;
 
     /// The determinant of the four conditions on the four functions: zero at the exponents.
@@ -70,7 +70,7 @@ mod tests {
     /// quotient is a constant, or a constant times λ for nothing (the stresses are divided by λ).
     #[test]
     fn characteristic_functions_are_determinants() {
-        for sides in Sides::ALL {
+        for sides in SideConditions::ALL {
             for (angle, poisson) in [(0.7, 0.3), (2.2, -0.4), (4.9, 0.49), (6.1, 0.1)] {
                 let wedge = Wedge::new(angle, sides, Medium::PlaneStrain(poisson)).unwrap();
                 let kappa = wedge.kappa();

@@ -34,4 +34,4 @@ pub use contact_zone::ContactZone;
 pub use mode::Mode;
 pub use regularity::{CornerRegularity, SignCondition};
 pub use spectrum::{Exponent, LARGEST, Spectrum};
-pub use wedge::{Medium, Side, Sides, Wedge};
+pub use wedge::{Medium, SideCondition, SideConditions, Wedge};

@@ -2,7 +2,7 @@
 
 use super::basis::{conditions, fields, kernel};
 use super::factor::Fields;
-use super::wedge::{Medium, Side, Wedge};
+use super::wedge::{Medium, SideCondition, Wedge};
 use crate::error::{Error, Result};
 use faer::c64;
 
@@ -33,7 +33,7 @@ impl Mode {
         let far = |angle: f64| conditions(second, lambda, kappa, angle);
         let pick = |angle: f64, i: usize, j: usize| kernel(far(angle).map(|row| [row[i], row[j]]));
         let (coefficients, origin) = match fields {
-            Fields::Scalar if first == Side::Free => ([one, zero, zero, zero], 0.0),
+            Fields::Scalar if first == SideCondition::Free => ([one, zero, zero, zero], 0.0),
             Fields::Scalar => ([zero, one, zero, zero], 0.0),
             Fields::Even => {
                 let [a, b] = pick(half, 0, 2);

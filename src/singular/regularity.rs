@@ -13,7 +13,7 @@
 
 use super::mode::Mode;
 use super::spectrum::{Exponent, LARGEST};
-use super::wedge::{Side, Wedge};
+use super::wedge::{SideCondition, Wedge};
 use crate::error::Result;
 
 /// Values on a side below this, beside a largest displacement of one, are zero.
@@ -63,10 +63,10 @@ impl Wedge {
         let sides = [self.sides().0, self.sides().1];
         [0, 1].map(|k| {
             let (displacement, stress) = mode.contact(k == 1);
-            let is_held = matches!(sides[1 - k], Side::Clamped | Side::Closed);
+            let is_held = matches!(sides[1 - k], SideCondition::Clamped | SideCondition::Closed);
             let number = match sides[k] {
-                Side::Closed => stress,
-                Side::Open if is_held => displacement,
+                SideCondition::Closed => stress,
+                SideCondition::Open if is_held => displacement,
                 _ => return 0.0,
             };
             if number.im.abs() > number.re.abs() { number.im } else { number.re }

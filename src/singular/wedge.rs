@@ -29,7 +29,7 @@ use std::str::FromStr;
 
 /// What holds on a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Side {
+pub enum SideCondition {
     /// u = 0.
     Clamped,
     /// No traction.
@@ -40,50 +40,51 @@ pub enum Side {
     Open,
 }
 
-impl Side {
+impl SideCondition {
     /// D, N, C, or O for an open part of the contact edge.
     pub fn letter(self) -> char {
         match self {
-            Side::Clamped => 'D',
-            Side::Free => 'N',
-            Side::Closed => 'C',
-            Side::Open => 'O',
+            SideCondition::Clamped => 'D',
+            SideCondition::Free => 'N',
+            SideCondition::Closed => 'C',
+            SideCondition::Open => 'O',
         }
     }
 }
 
 /// The two sides of a wedge, θ = 0 first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Sides(pub Side, pub Side);
+pub struct SideConditions(pub SideCondition, pub SideCondition);
 
-impl Sides {
+impl SideConditions {
     /// The six pairs that differ in their exponents: N-N, D-D, D-N, C-N, C-D, C-C.
-    pub const ALL: [Sides; 6] = [
-        Sides(Side::Free, Side::Free),
-        Sides(Side::Clamped, Side::Clamped),
-        Sides(Side::Clamped, Side::Free),
-        Sides(Side::Closed, Side::Free),
-        Sides(Side::Closed, Side::Clamped),
-        Sides(Side::Closed, Side::Closed),
+    pub const ALL: [SideConditions; 6] = [
+        SideConditions(SideCondition::Free, SideCondition::Free),
+        SideConditions(SideCondition::Clamped, SideCondition::Clamped),
+        SideConditions(SideCondition::Clamped, SideCondition::Free),
+        SideConditions(SideCondition::Closed, SideCondition::Free),
+        SideConditions(SideCondition::Closed, SideCondition::Clamped),
+        SideConditions(SideCondition::Closed, SideCondition::Closed),
     ];
 }
 
-impl fmt::Display for Sides {
+impl fmt::Display for SideConditions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}-{}", self.0.letter(), self.1.letter())
     }
 }
 
-impl FromStr for Sides {
+impl FromStr for SideConditions {
     type Err = Error;
 
     /// Two of the letters D, N, C, O, as in `D-N`.
     fn from_str(text: &str) -> Result<Self> {
         let side = |letter: &str| {
-            let all = [Side::Clamped, Side::Free, Side::Closed, Side::Open];
+            let all =
+                [SideCondition::Clamped, SideCondition::Free, SideCondition::Closed, SideCondition::Open];
             all.into_iter().find(|side| letter.eq_ignore_ascii_case(&side.letter().to_string()))
         };
-        let sides = text.split_once('-').and_then(|(a, b)| Some(Sides(side(a)?, side(b)?)));
+        let sides = text.split_once('-').and_then(|(a, b)| Some(SideConditions(side(a)?, side(b)?)));
         sides.ok_or_else(|| {
             Error::Toolkit(ToolkitError::UnknownName {
                 what: "pair of sides",
@@ -107,7 +108,7 @@ pub enum Medium {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wedge {
     angle: f64,
-    sides: Sides,
+    sides: SideConditions,
     medium: Medium,
 }
 
@@ -118,7 +119,7 @@ impl Wedge {
     /// Opening in radians, in [1e-5, 2π].
     ///
     /// ```
-    /// use signorini::singular::{Medium, Sides, Wedge};
+    /// use signorini::singular::{Medium, SideConditions, Wedge};
     /// let crack = Wedge::new(std::f64::consts::TAU, "N-N".parse()?, Medium::PlaneStrain(0.3))?;
     /// let first = &crack.exponents()?.exponents[0];
     /// assert!((first.re.value - 0.5).abs() < 1e-15 && first.multiplicity == 2);
@@ -127,7 +128,7 @@ impl Wedge {
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an opening outside, or a ratio outside (−1, 1/2).
-    pub fn new(angle: f64, sides: Sides, medium: Medium) -> Result<Self> {
+    pub fn new(angle: f64, sides: SideConditions, medium: Medium) -> Result<Self> {
         let is_opening = (SMALLEST..=std::f64::consts::TAU).contains(&angle);
         Error::require("opening angle", angle, "[1e-5, 2 pi]", is_opening)?;
         if let Medium::PlaneStrain(poisson) = medium {
@@ -142,7 +143,7 @@ impl Wedge {
     }
 
     /// The sides.
-    pub fn sides(&self) -> Sides {
+    pub fn sides(&self) -> SideConditions {
         self.sides
     }
 
@@ -160,13 +161,17 @@ impl Wedge {
     }
 
     /// The sides as far as exponents go, C before D before N, and whether they were exchanged for that.
-    pub(super) fn ordered(&self) -> ([Side; 2], bool) {
+    pub(super) fn ordered(&self) -> ([SideCondition; 2], bool) {
         let plain = |side| match (side, self.medium) {
-            (Side::Open, _) => Side::Free,
-            (Side::Closed, Medium::Scalar) => Side::Clamped,
+            (SideCondition::Open, _) => SideCondition::Free,
+            (SideCondition::Closed, Medium::Scalar) => SideCondition::Clamped,
             (side, _) => side,
         };
-        let rank = |side| [Side::Closed, Side::Clamped, Side::Free].iter().position(|&s| s == side);
+        let rank = |side| {
+            [SideCondition::Closed, SideCondition::Clamped, SideCondition::Free]
+                .iter()
+                .position(|&s| s == side)
+        };
         let (a, b) = (plain(self.sides.0), plain(self.sides.1));
         if rank(a) <= rank(b) { ([a, b], false) } else { ([b, a], true) }
     }
@@ -188,16 +193,18 @@ impl Wedge {
         let (opening, doubled) = (angle.circular().0, angle + angle);
         let reflected = doubled.circular().0;
         match (first, second) {
-            (Side::Closed, Side::Closed) => vec![
+            (SideCondition::Closed, SideCondition::Closed) => vec![
                 Factor::sine(Fields::Inner, one, -1.0, angle, Quad::ZERO),
                 Factor::sine(Fields::Outer, one, 1.0, angle, Quad::ZERO),
             ],
-            (Side::Closed, Side::Clamped) => vec![sine(Fields::Reflected, kappa, doubled, -reflected)],
-            (Side::Closed, _) => vec![sine(Fields::Reflected, one, doubled, reflected)],
-            (Side::Clamped, Side::Clamped) => {
+            (SideCondition::Closed, SideCondition::Clamped) => {
+                vec![sine(Fields::Reflected, kappa, doubled, -reflected)]
+            }
+            (SideCondition::Closed, _) => vec![sine(Fields::Reflected, one, doubled, reflected)],
+            (SideCondition::Clamped, SideCondition::Clamped) => {
                 vec![sine(Fields::Even, kappa, angle, -opening), sine(Fields::Odd, kappa, angle, opening)]
             }
-            (Side::Clamped, _) => vec![Factor::mixed(angle, excess)],
+            (SideCondition::Clamped, _) => vec![Factor::mixed(angle, excess)],
             _ => vec![sine(Fields::Even, one, angle, opening), sine(Fields::Odd, one, angle, -opening)],
         }
     }

@@ -1,6 +1,6 @@
 //! Lemma 5.2 over a sequence of zones: how fast the constants grow, and bounds with explicit constants.
 
-use crate::explicit_bound::ExplicitBound;
+use crate::zone_bound::ZoneBound;
 use crate::zones::{Condition, Place};
 use fractional_sobolev::{Constraint, END_SLOPE, GammaBounds, INTERIOR_SLOPE, LimitLaw, Zone, gamma};
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance, Work};
@@ -127,13 +127,13 @@ pub fn printed_growth(order: Order, theta: f64) -> f64 {
 /// What γ_θ of one order is compared with, and zones compared with it.
 ///
 /// ```
-/// use experiments::explicit_bound::ExplicitBound;
+/// use experiments::zone_bound::ZoneBound;
 /// use experiments::growth::Scaling;
 /// use experiments::zones::{Condition, Place};
 /// use fractional_sobolev::{Order, Tolerance};
 /// let (order, asked) = (Order::new(0.25)?, Tolerance::fast());
 /// let point = Scaling::new(order, Place::End, Condition::MeanZero, asked)?.point(1e-3)?;
-/// let bound = ExplicitBound::new(order, Condition::MeanZero, asked)?.map(|bound| bound.at(1e-3));
+/// let bound = ZoneBound::new(order, Condition::MeanZero, asked)?.map(|bound| bound.at(1e-3));
 /// assert!(bound.transpose()?.is_some_and(|bound| point.found.gamma.value < bound.value));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -144,7 +144,7 @@ pub struct Scaling {
     condition: Condition,
     tolerance: Tolerance,
     law: Option<LimitLaw>,
-    bound: Option<ExplicitBound>,
+    bound: Option<ZoneBound>,
 }
 
 /// One zone.
@@ -187,7 +187,7 @@ impl Scaling {
     /// The limit law and the explicit bound of an order.
     ///
     /// # Errors
-    /// Those of [`LimitLaw::new`] and [`ExplicitBound::new`].
+    /// Those of [`LimitLaw::new`] and [`ZoneBound::new`].
     pub fn new(
         order: impl Given<Order>,
         place: Place,
@@ -200,7 +200,7 @@ impl Scaling {
             Condition::Vanishing if order.offset() <= 0.0 => None,
             _ => LimitLaw::new(order, place.point(), tolerance)?,
         };
-        let bound = ExplicitBound::new(order, condition, tolerance)?;
+        let bound = ZoneBound::new(order, condition, tolerance)?;
         Ok(Self { order, place, condition, tolerance, law, bound })
     }
 

@@ -4,7 +4,6 @@
 pub mod arrangement;
 pub mod contact_levels;
 pub mod convergence;
-pub mod explicit_bound;
 pub mod growth;
 pub mod hard_cases;
 pub mod induction;
@@ -22,6 +21,7 @@ pub mod sorting;
 mod sum;
 pub mod trial;
 pub mod wedge_grid;
+pub mod zone_bound;
 pub mod zones;
 
 pub use known_levels::{KnownLevel, known_levels};

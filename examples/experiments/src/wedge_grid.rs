@@ -2,7 +2,7 @@
 //! on the arc, over a grid of openings, sides and Poisson's ratios.
 
 use signorini::Result;
-use signorini::singular::{Exponent, LARGEST, Medium, Sides, Wedge};
+use signorini::singular::{Exponent, LARGEST, Medium, SideConditions, Wedge};
 use std::f64::consts::TAU;
 
 /// Zeros nearer than this are compared by their mean: the nearer they are, the fewer digits their own
@@ -35,7 +35,7 @@ impl ExponentCheck {
         let mut grid = Vec::new();
         for opening in 1..=openings {
             let angle = f64::from(opening) / f64::from(openings) * TAU;
-            for sides in Sides::ALL {
+            for sides in SideConditions::ALL {
                 for &ratio in ratios {
                     grid.push(Self::of(&Wedge::new(angle, sides, Medium::PlaneStrain(ratio))?)?);
                 }

@@ -194,7 +194,7 @@ fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
     use signorini::cone::Cone;
     use signorini::contact::Solver;
     use signorini::scenes::{MeshScene, Scene, StripScene};
-    use signorini::singular::Sides;
+    use signorini::singular::SideConditions;
     use signorini::strip::{Reference, StripKind};
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
     // A scene that needs the name of a file has no default and is not read from its bare name.
@@ -216,7 +216,10 @@ fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
                 "auto",
             ])),
         ),
-        (TypeId::of::<Sides>(), Kind::Choice(Sides::ALL.map(|sides| sides.to_string()).into())),
+        (
+            TypeId::of::<SideConditions>(),
+            Kind::Choice(SideConditions::ALL.map(|sides| sides.to_string()).into()),
+        ),
         (TypeId::of::<Levels>(), Kind::Levels),
         (TypeId::of::<Resolution>(), Kind::Named(words(&["segment", "edge"]))),
         (TypeId::of::<MeshScene>(), Kind::Named(words(&mesh))),
@@ -303,6 +306,6 @@ mod tests {
         are_read::<experiments::proof::Against>(&[]);
         are_read::<experiments::proof::Resolution>(&["3"]);
         are_read::<signorini::contact::Solver>(&[]);
-        are_read::<signorini::singular::Sides>(&[]);
+        are_read::<signorini::singular::SideConditions>(&[]);
     }
 }

@@ -12,9 +12,9 @@ mod roads;
 mod subject;
 mod two_roads;
 
-pub use conditions::{CONDITIONS, Condition, solvers_agree};
+pub use conditions::{CONDITIONS, KktCondition, solvers_agree};
 pub use listing::{table, worst};
 pub use own::{Load, Material, Own, OwnOptions};
 pub use roads::{algebraic_chart, memory_chart, road_chart, road_costs, road_table};
-pub use subject::Subject;
+pub use subject::ContactSubject;
 pub use two_roads::{RoadsRow, compressibility_chart, two_roads_table};

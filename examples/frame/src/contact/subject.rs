@@ -13,7 +13,7 @@ const PACKAGES: f64 = 1e-11;
 
 /// A scene, or a body with the way it is solved.
 #[derive(Debug, Clone)]
-pub enum Subject {
+pub enum ContactSubject {
     /// One of the registry.
     Scene(SceneStudy),
     /// The user's own.
@@ -31,7 +31,7 @@ pub enum Subject {
     },
 }
 
-impl Subject {
+impl ContactSubject {
     /// The scene of the study, or what the options put in its place: another mesh, another load on its own.
     ///
     /// # Errors

@@ -12,7 +12,7 @@ use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance};
 /// * ν > 1/2: γ₀, the constant of functions that vanish at an end; where f64 does not reach it, just above
 ///   1/2, the bound at 1/2, since |u|_ν grows with ν.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ExplicitBound {
+pub enum ZoneBound {
     /// C θ^{ν−1/2}.
     Power {
         /// The order ν < 1/2.
@@ -29,7 +29,7 @@ pub enum ExplicitBound {
     Constant(Estimate),
 }
 
-impl ExplicitBound {
+impl ZoneBound {
     /// The bound for an order; `None` for functions that vanish on the zone when ν ≤ 1/2.
     ///
     /// # Errors
