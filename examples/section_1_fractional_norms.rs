@@ -4,7 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
-use fractional_sobolev::{Estimate, GalleryFunction, Order, Tolerance};
+use experiments::gallery::GalleryFunction;
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -42,9 +43,10 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     for (function, &order) in options.function.iter().flat_map(|f| options.nu.iter().map(move |nu| (f, nu))) {
         let (seconds, outcome) = timed(|| function.finite_seminorm(order, options.tolerance))?;
         let finite = |seminorm| -> Result<Norm> {
-            let norm = function.norm(order, options.tolerance)?.value;
+            let u = function.function()?;
+            let norm = u.norm(order, options.tolerance)?.value;
             let closed_form = function.closed_form(order)?;
-            Ok(Norm { seminorm: [seminorm, function.seminorm(order, coarser)?], norm, closed_form })
+            Ok(Norm { seminorm: [seminorm, u.seminorm(order, coarser)?], norm, closed_form })
         };
         let norm = outcome.map(finite).transpose()?;
         rows.push(Row(function.clone(), order, norm, seconds));

@@ -33,8 +33,6 @@ const ROOMS: [(&str, &[&str]); 2] = [
             "fields",
             "function",
             "matrix",
-            "gallery",
-            "gallery_norms",
             "trace",
             "poincare",
             "interpolation",

@@ -4,6 +4,7 @@
 pub mod arrangement;
 pub mod contact_levels;
 pub mod convergence;
+pub mod gallery;
 pub mod growth;
 pub mod hard_cases;
 pub mod induction;
@@ -19,6 +20,7 @@ mod search;
 pub mod solver_variants;
 pub mod sorting;
 mod sum;
+mod text;
 pub mod trial;
 pub mod wedge_grid;
 pub mod zone_bound;

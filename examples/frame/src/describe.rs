@@ -6,9 +6,10 @@
 
 use crate::HasOutput;
 use clap::{Arg, ArgAction, Args, Command, Parser};
+use experiments::gallery::GalleryFunction;
 use experiments::interpolation::SampleSlope;
 use experiments::zones::{Condition, Place};
-use fractional_sobolev::{GalleryFunction, Order, Tolerance};
+use fractional_sobolev::{Order, Tolerance};
 use serde_json::{Value, json};
 use std::any::TypeId;
 

@@ -6,7 +6,6 @@
 //! | units that are powers of two | [`scale`] |
 //! | lengths and finite values of input | [`check`] |
 //! | what fits into memory | [`memory`] |
-//! | text files from outside | [`text`] |
 //! | sign changes, golden sections | [`search`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
@@ -30,4 +29,3 @@ pub(crate) mod random;
 pub(crate) mod scale;
 pub(crate) mod search;
 pub(crate) mod sum;
-pub(crate) mod text;

@@ -1,15 +1,10 @@
-//! Functions whose norms are worth knowing, by name: `power:0.3`, `step:0.4`, `hat`, `log:0.25`,
+//! Functions by name for `section_1_fractional_norms` and its page: `power:0.3`, `step:0.4`, `hat`, `log:0.25`,
 //! `samples:FILE`.
 
-use super::closed_forms;
-use super::functions::{Position, SingularFunction};
-use super::mesh::Mesh;
-use super::nearly_one::NearlyOne;
-use super::order::Order;
-use super::piecewise::PiecewisePolynomial;
-use crate::error::{Error, Given, Result};
-use crate::estimate::Estimate;
-use crate::numeric::text::{pairs, read_text};
+use crate::text::{pairs, read_text};
+use fractional_sobolev::{
+    Error, Estimate, Function, Given, Mesh, Order, Position, Result, Tolerance, closed_forms,
+};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -21,16 +16,15 @@ use std::str::FromStr;
 /// All but samples live on (0, 1). Where |u|_ν is finite, [`GalleryFunction::is_in`] says.
 ///
 /// ```
-/// use fractional_sobolev::{Order, GalleryFunction, Tolerance};
-/// let (order, asked) = (Order::new(0.25)?, Tolerance::balanced());
+/// use experiments::gallery::GalleryFunction;
+/// use fractional_sobolev::{Error, Order};
 /// let root: GalleryFunction = "power:0.5".parse()?;
-/// let exact = root.closed_form(order)?.map(|e| e.value).unwrap_or(f64::NAN);
-/// assert!((root.seminorm(order, asked)?.value / exact - 1.0).abs() < 1e-8);
-/// assert!((root.norm(order, asked)?.value.powi(2) - exact.powi(2) - 0.5).abs() < 1e-7);
+/// let exact = root.closed_form(0.25)?.map(|e| e.value).unwrap_or(f64::NAN);
+/// assert!((root.function()?.seminorm(0.25, 1e-8)?.value / exact - 1.0).abs() < 1e-8);
 /// // a step is in H^ν for ν < 1/2 only
 /// let step: GalleryFunction = "step:0.4".parse()?;
-/// assert!(step.is_in(order) && !step.is_in(Order::HALF) && step.last_order() == 0.5);
-/// assert_eq!(step.finite_seminorm(Order::HALF, asked)?, None);
+/// assert!(step.is_in(Order::new(0.25)?) && !step.is_in(Order::HALF) && step.last_order() == 0.5);
+/// assert_eq!(step.finite_seminorm(0.5, 1e-8)?, None);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +52,7 @@ impl GalleryFunction {
     pub fn closed_form(&self, order: impl Given<Order>) -> Result<Option<Estimate>> {
         let order = order.given()?;
         let squared = match self {
+            // right also where the square underflows
             Self::Power(a) => return closed_forms::power_seminorm(*a, order).map(Some),
             Self::Step(at) => closed_forms::jump_seminorm_squared(*at, 1.0 - at, order)?,
             Self::Hat => closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, order)?,
@@ -87,48 +82,49 @@ impl GalleryFunction {
         }
     }
 
-    pub(super) fn evaluated(&self) -> Result<Evaluated<'_>> {
-        let closure = match *self {
-            Self::Power(a) => SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
-                0 => at.offset().powf(a),
-                _ => (a * at.offset().ln_1p()).exp(),
-            }),
-            Self::Step(x) => SingularFunction::from_positions(&[0.0, x, 1.0], |at: Position| {
+    /// The function.
+    ///
+    /// # Errors
+    /// [`Error::File`] for samples that cannot be read.
+    pub fn function(&self) -> Result<Function<'static>> {
+        match *self {
+            Self::Power(a) => Function::power(a),
+            Self::Step(x) => Function::from_positions(&[0.0, x, 1.0], |at: Position| {
                 let right = at.anchor() == 2 || at.anchor() == 1 && at.offset() > 0.0;
                 f64::from(u8::from(right))
             }),
-            Self::Hat => SingularFunction::from_positions(&[0.0, 0.5, 1.0], |at| match at.anchor() {
+            Self::Hat => Function::from_positions(&[0.0, 0.5, 1.0], |at| match at.anchor() {
                 1 => 1.0 - 2.0 * at.offset().abs(),
                 _ => 2.0 * at.offset().abs(),
             }),
-            Self::Log(alpha) => {
-                SingularFunction::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
-                    0 => (-at.log_distance()).powf(alpha),
-                    // The distance to 1 is −ln x; at small α its power is far from 0 where it underflows.
-                    _ if at.log_distance() < -46.0 => (alpha * at.log_distance()).exp(),
-                    _ => (-at.offset().ln_1p()).powf(alpha),
-                })
-            }
-            Self::Samples(ref path) => return read_samples(path).map(Evaluated::Samples),
-        };
-        let nearly = if let Self::Power(a) = self { NearlyOne::new(*a) } else { None };
-        Ok(match nearly {
-            Some(power) => Evaluated::NearlyOne(power, closure?),
-            None => Evaluated::Closure(closure?),
-        })
+            Self::Log(alpha) => Function::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
+                0 => (-at.log_distance()).powf(alpha),
+                // The distance to 1 is −ln x; at small α its power is far from 0 where it underflows.
+                _ if at.log_distance() < -46.0 => (alpha * at.log_distance()).exp(),
+                _ => (-at.offset().ln_1p()).powf(alpha),
+            }),
+            Self::Samples(ref path) => read_samples(path),
+        }
+    }
+
+    /// |u|_ν, none where it is found to be infinite.
+    ///
+    /// # Errors
+    /// As [`Function::seminorm`] otherwise; [`Error::File`].
+    pub fn finite_seminorm(
+        &self,
+        order: impl Given<Order>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Option<Estimate>> {
+        match self.function()?.seminorm(order.given()?, tolerance) {
+            Err(Error::InfiniteNorm { .. }) => Ok(None),
+            outcome => outcome.map(Some),
+        }
     }
 }
 
-/// A function of the gallery, ready to be measured.
-pub(super) enum Evaluated<'a> {
-    Closure(SingularFunction<'a>),
-    /// Its norms of positive order by another road than its values.
-    NearlyOne(NearlyOne, SingularFunction<'a>),
-    Samples(PiecewisePolynomial),
-}
-
 /// The piecewise linear function through the rows (x, value) of a file.
-fn read_samples(path: &Path) -> Result<PiecewisePolynomial> {
+fn read_samples(path: &Path) -> Result<Function<'static>> {
     let rows = pairs(&read_text(path)?, "samples").map_err(|fault| Error::file(path, fault))?;
     if rows.len() < 2 {
         return Err(Error::file(path, "fewer than two rows of x, value"));
@@ -137,7 +133,7 @@ fn read_samples(path: &Path) -> Result<PiecewisePolynomial> {
         return Err(Error::file(path, format!("line {line}: x is not above that of the line before")));
     }
     let (nodes, values): (Vec<f64>, Vec<f64>) = rows.iter().map(|&(_, [x, value])| (x, value)).unzip();
-    PiecewisePolynomial::linears(Mesh::from_nodes(&nodes)?, &values)
+    Function::linears(&Mesh::from_nodes(&nodes)?, &values)
 }
 
 impl fmt::Display for GalleryFunction {

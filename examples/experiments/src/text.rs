@@ -1,7 +1,7 @@
 //! Text files from outside: read whole but not without bound, and quoted in errors so that an error stays one
 //! short line whatever the file holds.
 
-use crate::error::{Error, Result};
+use fractional_sobolev::{Error, Result};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
