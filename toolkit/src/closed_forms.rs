@@ -159,11 +159,11 @@ pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result
 /// `before` and `after` may be zero: the hat then touches the end of the interval.
 ///
 /// ```
-/// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance, closed_forms};
+/// use fractional_sobolev::{Function, Mesh, Order, closed_forms};
 /// let squared = closed_forms::hat_seminorm_squared(1.0, 2.0, 1.0, 0.0, Order::HALF)?;
 /// let mesh = Mesh::from_nodes(&[0.0, 1.0, 3.0, 4.0])?;
-/// let hat = PiecewisePolynomial::linears(mesh, &[0.0, 0.0, 1.0, 0.0])?;
-/// let norm = hat.seminorm(Order::HALF, Tolerance::reference())?;
+/// let hat = Function::linears(&mesh, &[0.0, 0.0, 1.0, 0.0])?;
+/// let norm = hat.seminorm(Order::HALF, 1e-12)?;
 /// assert!((norm.value.powi(2) / squared.value - 1.0).abs() < 1e-12);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```

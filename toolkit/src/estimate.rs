@@ -49,8 +49,8 @@ impl Tolerance {
     /// between their values. Each integral that a norm is made of counts by itself.
     ///
     /// ```
-    /// use fractional_sobolev::{SingularFunction, Tolerance};
-    /// let wave = SingularFunction::new(&[0.0, 1.0], |x: f64| (300.0 * x).cos())?;
+    /// use fractional_sobolev::{Function, Tolerance};
+    /// let wave = Function::from_fn(&[0.0, 1.0], |x: f64| (300.0 * x).cos())?;
     /// let few = Tolerance::fast().with_work(1000); // not one value per wave
     /// assert!(wave.seminorm(0.5, Tolerance::fast()).is_ok() && wave.seminorm(0.5, few).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())

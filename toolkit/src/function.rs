@@ -444,13 +444,13 @@ impl<'a> Function<'a> {
         match &self.kind {
             Kind::Formula(u) | Kind::NearlyOne(_, u) if square => u.l2_norm(tolerance),
             Kind::Formula(u) | Kind::NearlyOne(_, u) => u.lq_norm(q, tolerance),
-            Kind::Piecewise(u) if square => u.l2_norm(tolerance),
+            Kind::Piecewise(u) if square => u.l2_norm(),
             Kind::Piecewise(u) => u.lq_norm(q, tolerance),
             Kind::Difference(u) if square => u.l2_norm(tolerance),
             Kind::Difference(u) => u.lq_norm(q, tolerance),
-            Kind::Curve(u) if square => u.l2_norm(tolerance),
+            Kind::Curve(u) if square => u.l2_norm(),
             Kind::Curve(u) => u.lq_norm(q, tolerance),
-            Kind::Plane(u) if square => u.l2_norm(tolerance),
+            Kind::Plane(u) if square => u.l2_norm(),
             Kind::PlaneFormula(u) if square => u.l2_norm(tolerance),
             _ => Err(self.refused("norm in L^q")),
         }
@@ -461,9 +461,10 @@ impl<'a> Function<'a> {
     /// # Errors
     /// [`Error::Incompatible`] for a function that is not on an interval; else as [`Function::norm`].
     pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+        let tolerance = tolerance.given()?;
         match &self.kind {
             Kind::Formula(u) | Kind::NearlyOne(_, u) => u.mean(tolerance),
-            Kind::Piecewise(u) => u.mean(tolerance),
+            Kind::Piecewise(u) => u.mean(),
             _ => Err(self.refused("mean")),
         }
     }
@@ -487,12 +488,13 @@ impl<'a> Function<'a> {
         s: impl Given<Order>,
         tolerance: impl Given<Tolerance>,
     ) -> Result<Estimate> {
+        let (order, tolerance) = (s.given()?, tolerance.given()?);
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.dual_norm_in(of, s, tolerance),
-            Kind::Piecewise(u) => u.dual_norm_in(of, s, tolerance),
-            Kind::Difference(u) => u.dual_norm_in(of, s, tolerance),
-            Kind::Curve(u) => u.dual_norm_in(of, s, tolerance),
-            Kind::Load(u) if of == DualOf::Slobodeckij => u.dual_norm(s, tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.dual_norm(of, order, tolerance),
+            Kind::Piecewise(u) => u.dual_norm(of, order, tolerance),
+            Kind::Difference(u) => u.dual_norm(of, order, tolerance),
+            Kind::Curve(u) => u.dual_norm(of, order, tolerance),
+            Kind::Load(u) if of == DualOf::Slobodeckij => u.dual_norm(order, tolerance),
             _ => Err(self.refused("dual norm")),
         }
     }
@@ -623,13 +625,13 @@ impl<'a> Function<'a> {
     /// The L² norms of the partial derivatives.
     fn gradient_norms(&self, tolerance: Tolerance) -> Result<Vec<Estimate>> {
         match &self.kind {
-            Kind::Piecewise(u) if u.is_continuous() => Ok(vec![u.derivative()?.l2_norm(tolerance)?]),
+            Kind::Piecewise(u) if u.is_continuous() => Ok(vec![u.derivative()?.l2_norm()?]),
             Kind::Piecewise(_) => {
                 let why = "a function that jumps has no derivative in L^2";
                 Err(Error::InfiniteNorm { order: 1.0, why })
             }
             Kind::Plane(u) if !u.is_piecewise_constant() => {
-                u.gradient()?.iter().map(|part| part.l2_norm(tolerance)).collect()
+                u.gradient()?.iter().map(PlaneFunction::l2_norm).collect()
             }
             _ if !self.gradient.is_empty() => {
                 self.gradient.iter().map(|part| part.lp(2.0, tolerance)).collect()

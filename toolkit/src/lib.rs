@@ -4,7 +4,7 @@
 
 mod boundary;
 pub mod closed_forms;
-pub mod dual;
+mod dual;
 mod energy;
 mod error;
 mod estimate;
@@ -28,19 +28,17 @@ mod root;
 mod trace;
 mod value;
 
-pub use boundary::{BoundaryFunction, Curve};
-pub use dual::{DualOf, MeshFunctional};
+pub use boundary::Curve;
+pub use dual::DualOf;
 pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};
-pub use fields::FieldError;
 pub use function::Function;
-pub use functions::{Position, SingularFunction};
+pub use functions::Position;
 pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
 pub use matrix::Gram;
 pub use mesh::Mesh;
 pub use order::Order;
-pub use piecewise::PiecewisePolynomial;
-pub use plane::{GridOperator, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles};
+pub use plane::{GridOperator, PlanePosition, Triangles};
 pub use poincare::{
     Constraint, END_SLOPE, ExtremalFunction, Gamma, GammaBounds, HalfBracket, INTERIOR_SLOPE, LawRest,
     LimitLaw, Moment, MomentBounds, StrongForm, UniformLaw, Zone, Zones, end_limit, gamma, half_order_moment,

@@ -6,7 +6,7 @@
 
 use super::function::BoundaryFunction;
 use crate::dual::DualOf;
-use crate::error::{Given, Result};
+use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
 use crate::mesh::Mesh;
 use crate::order::Order;
@@ -20,22 +20,12 @@ impl BoundaryFunction {
     /// ||u||\_{L^q(Γ)} = (∫_Γ |u|^q ds)^{1/q}, 1 ≤ q ≤ ∞, exact to rounding on every element as
     /// [`PiecewisePolynomial::lq_norm`]. Cost O(N).
     ///
-    /// ```
-    /// use fractional_sobolev::{BoundaryFunction, Curve};
-    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let x = BoundaryFunction::interpolate(Curve::graded(&square, 4, 2.0)?, |x| x[0])?;
-    /// // 1/4 on two sides, 1 and 0 on the others
-    /// assert!((x.lq_norm(3.0, 1e-10)?.value - 1.5f64.cbrt()).abs() < 1e-14);
-    /// assert_eq!(x.lq_norm(f64::INFINITY, 1e-10)?.value, 1.0);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN; [`Error::NotFinite`] on overflow.
     ///
     /// [`Error::OutOfRange`]: crate::Error::OutOfRange
     /// [`Error::NotFinite`]: crate::Error::NotFinite
-    pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+    pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         self.along()?.lq_norm(q, tolerance)
     }
 
@@ -46,42 +36,24 @@ impl BoundaryFunction {
     /// # Method
     ///
     /// They know the arc length alone, no corners. On an open curve the norms of
-    /// [`PiecewisePolynomial::dual_norm_in`] on (0, L). On a closed one λ = (2πk/L)², each k ≥ 1 twice; f is
+    /// [`PiecewisePolynomial::dual_norm`] on (0, L). On a closed one λ = (2πk/L)², each k ≥ 1 twice; f is
     /// split into its even and odd part, on half of the length by cosines and by sines; a closed curve has no
     /// ends, so that `InterpolationZero` is `Interpolation`. Cost O(N), a hundred thousand elements in a
     /// second, in place of the 1500 elements of `Slobodeckij`.
     ///
-    /// ```
-    /// use fractional_sobolev::{BoundaryFunction, DualOf, Curve};
-    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let one = BoundaryFunction::interpolate(Curve::graded(&square, 2, 1.0)?, |_| 1.0)?;
-    /// for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
-    ///     // attained by 1 itself, of eigenvalue 0: the L² norm
-    ///     assert!((one.dual_norm_in(of, 0.5, 1e-8)?.value - 2.0).abs() < 1e-7);
-    /// }
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
-    /// As [`BoundaryFunction::dual_norm`] and [`PiecewisePolynomial::dual_norm_in`].
-    #[doc(alias("boundary element", "H-1/2"))]
-    pub fn dual_norm_in(
-        &self,
-        of: DualOf,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    /// As [`BoundaryFunction::dual_of_slobodeckij`] and [`PiecewisePolynomial::dual_norm`].
+    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if of == DualOf::Slobodeckij {
-            return self.dual_norm(order, tolerance);
+            return self.dual_of_slobodeckij(order, tolerance);
         }
         if !self.curve().is_closed() {
-            return self.along()?.dual_norm_in(of, order, tolerance);
+            return self.along()?.dual_norm(of, order, tolerance);
         }
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let [even, odd] = self.even_and_odd()?;
-        let even = Estimate::or_best(even.dual_norm_in(DualOf::Interpolation, order, inner))?;
-        let odd = Estimate::or_best(odd.dual_norm_in(DualOf::InterpolationZero, order, inner))?;
+        let even = Estimate::or_best(even.dual_norm(DualOf::Interpolation, order, inner))?;
+        let odd = Estimate::or_best(odd.dual_norm(DualOf::InterpolationZero, order, inner))?;
         let found = scaled(std::f64::consts::SQRT_2, root_of_squares(&[even, odd])?)?;
         // Each node may be displaced by ONE_NODE L, which counts as much as an element of that length.
         let displaced = ONE_NODE * self.curve().len() as f64 * found.value;

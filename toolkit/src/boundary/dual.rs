@@ -4,7 +4,7 @@
 use super::curve::Curve;
 use super::function::BoundaryFunction;
 use super::pairs::CurvePairs;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::dense::Cholesky;
 use crate::numeric::parallel;
@@ -30,21 +30,10 @@ impl BoundaryFunction {
     /// its distance to v_k where there is no other. Elements that shrink towards corners and jumps of f
     /// give more digits.
     ///
-    /// ```
-    /// use fractional_sobolev::{BoundaryFunction, Order, Curve, Tolerance};
-    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let one = BoundaryFunction::interpolate(Curve::graded(&square, 2, 1.0)?, |_| 1.0)?;
-    /// let found = one.dual_norm(Order::HALF, Tolerance::balanced())?;
-    /// assert!((found.value - 2.0).abs() < 1e-8); // attained by 1 itself: the L² norm
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for more than 1500 elements, [`Error::NotPositiveDefinite`],
     /// [`Error::ToleranceNotMet`] with the best value.
-    #[doc(alias("boundary element", "H-1/2"))]
-    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(super) fn dual_of_slobodeckij(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.curve().len() > MOST {
             let (name, range) = ("elements of a dual norm", "<= 1500");
             return Err(Error::CountOutOfRange { name, value: self.curve().len(), range });

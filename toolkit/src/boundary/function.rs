@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::pairs::CurvePairs;
 use crate::energy::PairSum;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::check::{require_length, require_values};
 use crate::numeric::memory::require_memory;
@@ -22,7 +22,7 @@ const LIMIT: &str = "rounding of the values beside their differences";
 /// A function on a [`Curve`]: continuous and linear on every element, or constant on every element.
 #[doc(alias("H1/2", "H-1/2", "trace", "boundary element", "BEM", "Gagliardo"))]
 #[derive(Debug, Clone, PartialEq)]
-pub struct BoundaryFunction {
+pub(crate) struct BoundaryFunction {
     curve: Curve,
     /// values at the ends of the elements
     ends: Vec<[f64; 2]>,
@@ -32,23 +32,9 @@ pub struct BoundaryFunction {
 impl BoundaryFunction {
     /// Continuous and linear on every element, by its values at [`Curve::nodes`].
     ///
-    /// ```
-    /// use fractional_sobolev::{BoundaryFunction, Order, Mesh, Curve, Tolerance};
-    /// // 0 on one leg of a right angle, the distance from its corner on the other: 1 + 1
-    /// let corner = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
-    /// let mesh = Mesh::uniform(1, 1.0)?;
-    /// let curve = Curve::open(&corner, &[mesh.clone(), mesh])?;
-    /// let u = BoundaryFunction::linears(curve, &[0.0, 0.0, 1.0])?;
-    /// let asked = Tolerance::reference();
-    /// assert!((u.seminorm(Order::HALF, asked)?.value.powi(2) - 2.0).abs() < 1e-12);
-    /// assert!((u.l2_norm(asked)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-14);
-    /// assert!((u.norm(Order::HALF, asked)?.value.powi(2) - 7.0 / 3.0).abs() < 1e-12);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn linears(curve: Curve, values: &[f64]) -> Result<Self> {
+    pub(crate) fn linears(curve: Curve, values: &[f64]) -> Result<Self> {
         let count = curve.len() + usize::from(!curve.is_closed());
         require_values("values of nodes", values, count)?;
         let ends = (0..curve.len()).map(|e| curve.nodes_of(e).map(|k| values[k])).collect();
@@ -57,44 +43,16 @@ impl BoundaryFunction {
 
     /// Constant on every element, as normal derivatives are approximated.
     ///
-    /// ```
-    /// use fractional_sobolev::{BoundaryFunction, Order, Curve, Tolerance};
-    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let curve = Curve::graded(&square, 2, 1.0)?;
-    /// let side = BoundaryFunction::constants(curve, &[1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])?;
-    /// assert!(side.seminorm(Order::new(0.4)?, Tolerance::fast()).is_ok());
-    /// assert!(side.seminorm(Order::HALF, Tolerance::fast()).is_err()); // a jump
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn constants(curve: Curve, values: &[f64]) -> Result<Self> {
+    pub(crate) fn constants(curve: Curve, values: &[f64]) -> Result<Self> {
         require_length("values of elements", values.len(), curve.len())?;
         require_values("values of elements", values, curve.len())?;
         Ok(Self { curve, ends: values.iter().map(|&v| [v, v]).collect(), constants: true })
     }
 
-    /// The linear interpolant of a function of the plane at the nodes.
-    ///
-    /// ```
-    /// use fractional_sobolev::{BoundaryFunction, Curve, Tolerance};
-    /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let u = BoundaryFunction::interpolate(Curve::graded(&square, 8, 1.0)?, |x| x[0])?;
-    /// assert!((u.l2_norm(Tolerance::fast())?.value.powi(2) - 5.0 / 3.0).abs() < 1e-14);
-    /// assert_eq!(u.curve().len(), 32);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for a value.
-    pub fn interpolate(curve: Curve, f: impl Fn([f64; 2]) -> f64) -> Result<Self> {
-        let values: Vec<f64> = curve.nodes().into_iter().map(f).collect();
-        Self::linears(curve, &values)
-    }
-
     /// The curve.
-    pub fn curve(&self) -> &Curve {
+    pub(crate) fn curve(&self) -> &Curve {
         &self.curve
     }
 
@@ -115,9 +73,7 @@ impl BoundaryFunction {
     /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::CountOutOfRange`] beyond 20 000
     /// elements, [`Error::TooLarge`] beyond memory; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
-    #[doc(alias("Gagliardo", "Slobodeckij", "boundary element"))]
-    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
@@ -125,9 +81,8 @@ impl BoundaryFunction {
     ///
     /// # Errors
     /// As [`BoundaryFunction::seminorm`].
-    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
+    pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm()?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
@@ -135,8 +90,7 @@ impl BoundaryFunction {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let _: Tolerance = tolerance.given()?;
+    pub(crate) fn l2_norm(&self) -> Result<Estimate> {
         let scale = self.size();
         let square = |e: usize| {
             let [a, b] = self.ends[e].map(|v| v / scale);

@@ -7,4 +7,4 @@ mod function;
 mod pairs;
 
 pub use curve::Curve;
-pub use function::BoundaryFunction;
+pub(crate) use function::BoundaryFunction;

@@ -7,7 +7,7 @@
 //! and beyond as a geometric series.
 
 use super::functional::DualOf;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::functions::{Arm, SingularFunction};
 use crate::mesh::Mesh;
@@ -39,33 +39,9 @@ impl SingularFunction<'_> {
     /// [`SingularFunction::from_positions`] keep their digits at singularities that those of
     /// [`SingularFunction::new`] lose. Cost: some dozens of pieces per break, then as for them.
     ///
-    /// ```
-    /// use fractional_sobolev::{DualOf, SingularFunction};
-    /// let log = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1))?;
-    /// let found = log.dual_norm(0.5, 1e-6)?;
-    /// assert!(found.value < log.l2_norm(1e-4)?.value);
-    /// assert!(log.dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-6)?.value < found.value);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] for a value of the function.
-    #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
-    }
-
-    /// The dual norm to any of the norms that [`DualOf`] names.
-    ///
-    /// # Errors
-    /// As [`SingularFunction::dual_norm`].
-    pub fn dual_norm_in(
-        &self,
-        of: DualOf,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.of_moderate_size(tolerance)?;
         let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
@@ -82,7 +58,7 @@ impl SingularFunction<'_> {
                 }
             }
             let (u, left) = pieces.finish()?;
-            let found = Estimate::or_best(u.dual_norm_in(of, order, inner))?;
+            let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
             let found = Estimate::new(found.value, found.error + left, found.work)?.times(scale)?;
             if found.relative_error() <= tolerance.relative() || found.value == 0.0 {
                 return Ok(found);

@@ -175,7 +175,8 @@ impl Cosines {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Mesh, PiecewisePolynomial};
+    use crate::Mesh;
+    use crate::piecewise::PiecewisePolynomial;
 
     /// A step in the middle: Σ_{k odd} 8/(kπ)² / (β + c (kπ)^{2ν}), its tail without β by the midpoint rule.
     fn step_by_cosines(nu: f64, [beta, c]: [f64; 2]) -> (f64, f64) {

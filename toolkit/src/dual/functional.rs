@@ -2,7 +2,7 @@
 //! linears with a known correction for (1.1) (`regional`).
 
 use super::resolvent::Ends;
-use crate::error::{Given, Result};
+use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
@@ -22,10 +22,10 @@ use crate::piecewise::PiecewisePolynomial;
 /// second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's.
 ///
 /// ```
-/// use fractional_sobolev::{DualOf, Mesh, PiecewisePolynomial};
-/// let sign = PiecewisePolynomial::constants(Mesh::uniform(2, 1.0)?, &[1.0, -1.0])?;
-/// let cosines = sign.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8)?.value;
-/// let sines = sign.dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-8)?.value;
+/// use fractional_sobolev::{DualOf, Function, Mesh};
+/// let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[1.0, -1.0])?;
+/// let cosines = sign.dual_norm(DualOf::Interpolation, 0.5, 1e-8)?.value;
+/// let sines = sign.dual_norm(DualOf::InterpolationZero, 0.5, 1e-8)?.value;
 /// assert!(sines < cosines);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -54,37 +54,13 @@ impl PiecewisePolynomial {
     /// take forty seconds, and equal ones stop at 4e-8. A refusal carries the best value. The error is that
     /// of doubling: honest, not proved.
     ///
-    /// ```
-    /// use fractional_sobolev::{DualOf, Mesh, PiecewisePolynomial};
-    /// let one = PiecewisePolynomial::constants(Mesh::uniform(4, 1.0)?, &[1.0; 4])?;
-    /// let found = one.dual_norm(0.5, 1e-8)?;
-    /// assert!((found.value - 1.0).abs() < 1e-8); // attained by the constant itself
-    /// assert!((one.dual_norm_in(DualOf::Interpolation, 0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::ToleranceNotMet`], with the best value, when 2^20 elements do not suffice or rounding exceeds
     /// the tolerance; [`Error::NotFinite`] for a norm beyond the range of binary64.
     ///
     /// [`Error::ToleranceNotMet`]: crate::Error::ToleranceNotMet
     /// [`Error::NotFinite`]: crate::Error::NotFinite
-    #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
-    }
-
-    /// The dual norm to any of the norms that [`DualOf`] names.
-    ///
-    /// # Errors
-    /// As [`PiecewisePolynomial::dual_norm`].
-    pub fn dual_norm_in(
-        &self,
-        of: DualOf,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         match of {
             DualOf::Slobodeckij => self.dual_of_regional(order, tolerance),
             DualOf::Interpolation => self.dual_by_resolvents(Ends::Neumann, order, tolerance),

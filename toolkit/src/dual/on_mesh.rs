@@ -1,6 +1,6 @@
 //! Dual norms of functionals that are known by their values on the hats of a mesh: one SPD solve with M + A.
 
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::gram::GramOperator;
 use crate::gram::dense::{gram_linears, mass_linears};
@@ -18,17 +18,9 @@ const DENSE: usize = 300;
 
 /// A functional on the piecewise linears of a mesh, by its values ⟨f, φ_i⟩ on the N + 1 hats: a load vector, or a
 /// residual.
-///
-/// ```
-/// use fractional_sobolev::{MeshFunctional, Mesh};
-/// // v ↦ ∫ v on (0, 1): the supremum is attained by the constant
-/// let f = MeshFunctional::new(Mesh::uniform(4, 1.0)?, &[0.125, 0.25, 0.25, 0.25, 0.125])?;
-/// assert!((f.dual_norm(0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
 #[doc(alias("load vector", "residual", "dual norm"))]
 #[derive(Debug, Clone, PartialEq)]
-pub struct MeshFunctional {
+pub(crate) struct MeshFunctional {
     partition: Mesh,
     values: Vec<f64>,
 }
@@ -38,7 +30,7 @@ impl MeshFunctional {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`] with the index.
-    pub fn new(partition: Mesh, values: &[f64]) -> Result<Self> {
+    pub(crate) fn new(partition: Mesh, values: &[f64]) -> Result<Self> {
         require_values("functional on hats", values, partition.len() + 1)?;
         Ok(Self { partition, values: values.to_vec() })
     }
@@ -51,9 +43,7 @@ impl MeshFunctional {
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`], [`Error::ToleranceNotMet`] with the best value.
-    #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn dual_norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let size = self.values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());

@@ -217,7 +217,7 @@ mod tests {
             let exact = one_exactly(nu);
             for tolerance in [1e-2, 1e-4, 1e-6, 1e-8] {
                 let tolerance = Tolerance::new(tolerance).unwrap();
-                let found = one.dual_norm_in(DualOf::InterpolationZero, order, tolerance).unwrap();
+                let found = one.dual_norm(DualOf::InterpolationZero, order, tolerance).unwrap();
                 let error = (found.value - exact).abs();
                 assert!(error <= found.error + 1e-12, "nu {nu}: {found} against {exact}, {error:e}");
                 assert!(found.relative_error() <= tolerance.relative());
@@ -232,8 +232,7 @@ mod tests {
         for nu in [1e-6, 0.01, 0.3, 0.7] {
             let order = Order::new(nu).unwrap();
             for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
-                let norm =
-                    |tolerance| saw.dual_norm_in(of, order, Tolerance::new(tolerance).unwrap()).unwrap();
+                let norm = |tolerance| saw.dual_norm(of, order, Tolerance::new(tolerance).unwrap()).unwrap();
                 let fine = norm(1e-8);
                 for tolerance in [1e-2, 1e-4, 1e-6] {
                     let wide = norm(tolerance);
@@ -251,7 +250,7 @@ mod tests {
             PiecewisePolynomial::linears(cells, &[value; 4]).unwrap()
         };
         let norm = |u: PiecewisePolynomial| {
-            u.dual_norm_in(DualOf::Interpolation, Order::HALF, Tolerance::fast()).unwrap().value
+            u.dual_norm(DualOf::Interpolation, Order::HALF, Tolerance::fast()).unwrap().value
         };
         for (length, value) in [(1.0, 1e-300), (1.0, 1e300), (1e-300, 1.0), (1e300, 1.0)] {
             let exact = value * f64::sqrt(length);
@@ -263,7 +262,7 @@ mod tests {
         let noise = PiecewisePolynomial::constants(Mesh::uniform(3000, 1.0).unwrap(), &signs).unwrap();
         let found = |tolerance| {
             let order = Order::new(0.01).unwrap();
-            noise.dual_norm_in(DualOf::InterpolationZero, order, Tolerance::new(tolerance).unwrap())
+            noise.dual_norm(DualOf::InterpolationZero, order, Tolerance::new(tolerance).unwrap())
         };
         assert!((found(1e-12).unwrap().value / found(1e-4).unwrap().value - 1.0).abs() < 1e-6);
         let refused = found(1e-15);

@@ -10,16 +10,16 @@ use super::Result;
 /// [`Error::OutOfRange`].
 ///
 /// ```
-/// use fractional_sobolev::{Order, Given, Result, SingularFunction, Tolerance};
+/// use fractional_sobolev::{Function, Given, Order, Result, Tolerance};
 /// // a function of one's own that takes what the toolkit takes
 /// fn energy(
-///     u: &SingularFunction,
+///     u: &Function<'_>,
 ///     order: impl Given<Order>,
 ///     tolerance: impl Given<Tolerance>,
 /// ) -> Result<f64> {
 ///     Ok(u.seminorm(order.given()?, tolerance)?.value.powi(2))
 /// }
-/// let x = SingularFunction::new(&[0.0, 1.0], |x| x)?; // |x|² = 1 at order 1/2
+/// let x = Function::from_fn(&[0.0, 1.0], |x| x)?; // |x|² = 1 at order 1/2
 /// assert!((energy(&x, 0.5, 1e-8)? - energy(&x, Order::HALF, Tolerance::fast())?).abs() < 1e-4);
 /// assert!(energy(&x, 1.5, 1e-8).is_err());
 /// # Ok::<(), fractional_sobolev::Error>(())

@@ -8,4 +8,4 @@ mod patch;
 mod pieces;
 mod samples;
 
-pub use norms::FieldError;
+pub(crate) use norms::FieldError;

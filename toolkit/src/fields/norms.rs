@@ -4,7 +4,7 @@ use super::cells::{Content, FieldCells, FieldEnergies};
 use super::fit::Difference;
 use super::patch::{by_polynomials, patch};
 use crate::energy::energy;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::functions::SingularFunction;
 use crate::numeric::sum::RunningSum;
@@ -36,41 +36,16 @@ pub(super) const LIMIT: &str = "rounding of the function beside a small differen
 /// The error contains the interpolation of the kernel, the last coefficients, the patches, and the
 /// rounding of u beside a difference that may be 10¹⁰ times smaller, taken as independent from point to
 /// point.
-///
-/// ```
-/// use fractional_sobolev::{Mesh, PiecewisePolynomial, SingularFunction};
-/// // x² and its interpolants: the rate of order 1/2
-/// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
-/// let error = |n: usize| {
-///     let mesh = Mesh::uniform(n, 1.0)?;
-///     let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
-///     u.minus(&PiecewisePolynomial::linears(mesh, &values)?).seminorm(0.5, 1e-6)
-/// };
-/// let rate = (error(100)?.value / error(200)?.value).log2();
-/// assert!((rate - 1.5).abs() < 0.01);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
 #[doc(alias("Gagliardo", "Slobodeckij", "finite element error", "interpolation error"))]
 #[derive(Debug, Clone, Copy)]
-pub struct FieldError<'a> {
+pub(crate) struct FieldError<'a> {
     pub(super) function: &'a SingularFunction<'a>,
     pub(super) field: &'a PiecewisePolynomial,
 }
 
 impl SingularFunction<'_> {
     /// u − u_h, both on the same interval, for its norms.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Mesh, PiecewisePolynomial, SingularFunction};
-    /// // x - 1/2 against 0: 1 + 1/12
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x| x - 0.5)?;
-    /// let zero = PiecewisePolynomial::constants(Mesh::uniform(10, 1.0)?, &[0.0; 10])?;
-    /// let error = u.minus(&zero);
-    /// assert!((error.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
-    /// assert!((error.l2_norm(1e-8)?.value.powi(2) - 1.0 / 12.0).abs() < 1e-8);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    pub fn minus<'b>(&'b self, field: &'b PiecewisePolynomial) -> FieldError<'b> {
+    pub(crate) fn minus<'b>(&'b self, field: &'b PiecewisePolynomial) -> FieldError<'b> {
         FieldError { function: self, field }
     }
 }
@@ -82,9 +57,7 @@ impl FieldError<'_> {
     /// [`Error::OutOfRange`] unless both live on the same interval; [`Error::InfiniteNorm`] when the field
     /// jumps and ν ≥ 1/2, and as [`SingularFunction::seminorm`]; [`Error::ToleranceNotMet`] with the best
     /// value.
-    #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.parts(order, tolerance)?[0], tolerance, LIMIT)
     }
 
@@ -92,8 +65,7 @@ impl FieldError<'_> {
     ///
     /// # Errors
     /// As [`FieldError::seminorm`].
-    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("norm", root_of_squares(&self.parts(order, tolerance)?)?, tolerance, LIMIT)
     }
 
@@ -101,8 +73,7 @@ impl FieldError<'_> {
     ///
     /// # Errors
     /// As [`FieldError::seminorm`], without the infinite seminorms.
-    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
         let cells = FieldCells::new(&Difference { function: &unit, field: &field }, tolerance.relative())?;

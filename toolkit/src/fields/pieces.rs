@@ -6,7 +6,7 @@ use super::norms::{FieldError, LIMIT, l2};
 use super::patch::patch;
 use crate::dual::DualOf;
 use crate::dual::closure::Interpolant;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::functions::SingularFunction;
 use crate::mesh::Mesh;
@@ -33,22 +33,9 @@ impl FieldError<'_> {
     /// ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ what is between the points of a patch is judged as for
     /// [`SingularFunction::lq_norm`].
     ///
-    /// ```
-    /// use fractional_sobolev::{Mesh, PiecewisePolynomial, SingularFunction};
-    /// // x² and its interpolant on 10 elements: at most h²/4, h² ∫ t(1-t) = h²/6 on average
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x| x * x)?;
-    /// let mesh = Mesh::uniform(10, 1.0)?;
-    /// let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
-    /// let field = PiecewisePolynomial::linears(mesh, &values)?;
-    /// assert!((u.minus(&field).lq_norm(f64::INFINITY, 1e-6)?.value - 0.0025).abs() < 1e-8);
-    /// assert!((u.minus(&field).lq_norm(1.0, 1e-6)?.value - 0.01 / 6.0).abs() < 1e-8);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`FieldError::l2_norm`].
-    pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
@@ -88,45 +75,10 @@ impl FieldError<'_> {
 
     /// The norm dual to [`FieldError::norm`], sup ∫ (u − u_h) v / ||v||_ν, as [`SingularFunction::dual_norm`].
     ///
-    /// ```
-    /// use fractional_sobolev::{DualOf, Mesh, PiecewisePolynomial, SingularFunction};
-    /// // the means of a smooth function on n elements: of order h in L², h^{3/2} in the dual norm
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| (3.0 * x).sin())?;
-    /// let error = |n: usize| {
-    ///     let h = 1.0 / n as f64;
-    ///     let means: Vec<f64> = (0..n).map(|k| {
-    ///         let middle = 3.0 * h * (k as f64 + 0.5);
-    ///         middle.sin() * (1.5 * h).sin() / (1.5 * h)
-    ///     }).collect();
-    ///     let field = PiecewisePolynomial::constants(Mesh::uniform(n, 1.0)?, &means)?;
-    ///     let sines = u.minus(&field).dual_norm_in(DualOf::InterpolationZero, 0.5, 1e-4)?;
-    ///     let found = u.minus(&field).dual_norm(0.5, 1e-4)?;
-    ///     assert!(sines.value < u.minus(&field).l2_norm(1e-4)?.value);
-    ///     Ok::<f64, fractional_sobolev::Error>(found.value)
-    /// };
-    /// assert!(((error(64)? / error(128)?).log2() - 1.5).abs() < 0.1);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value, [`Error::NotFinite`] for a value of the function,
     /// [`Error::OutOfRange`] unless both live on the same interval.
-    #[doc(alias("H-1/2", "negative norm"))]
-    pub fn dual_norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        self.dual_norm_in(DualOf::Slobodeckij, order, tolerance)
-    }
-
-    /// The dual norm to any of the norms that [`DualOf`] names.
-    ///
-    /// # Errors
-    /// As [`FieldError::dual_norm`].
-    pub fn dual_norm_in(
-        &self,
-        of: DualOf,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.function.of_moderate_size(tolerance)?;
         let field = self.field.scaled_by(1.0 / scale);
         let difference = Difference { function: &unit, field: &field };
@@ -149,7 +101,7 @@ impl FieldError<'_> {
         }
         let (u, left) = pieces.finish()?;
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
-        let found = Estimate::or_best(u.dual_norm_in(of, order, inner))?;
+        let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
         let found = Estimate::new(found.value, found.error + left, found.work)?;
         accept("dual norm", scaled(scale, found)?, tolerance, LIMIT)
     }

@@ -13,12 +13,11 @@ const SAMPLES: usize = 16;
 /// A point of the interval, known by its distance to the nearest break point.
 ///
 /// ```
-/// use fractional_sobolev::{Order, Position, SingularFunction, Tolerance};
+/// use fractional_sobolev::{Function, Position};
 /// // (x − 1/2) on both sides of the break 1/2, exact however close to it
 /// let f = |at: Position| if at.anchor() == 1 { at.offset() } else { at.x() - 0.5 };
-/// let u = SingularFunction::from_positions(&[0.0, 0.5, 1.0], f)?;
-/// assert!((u.seminorm(Order::HALF, Tolerance::fast())?.value - 1.0).abs() < 1e-4);
-/// assert!(u.breaks().len() == 3 && u.length() == 1.0);
+/// let u = Function::from_positions(&[0.0, 0.5, 1.0], f)?;
+/// assert!((u.seminorm(0.5, 1e-4)?.value - 1.0).abs() < 1e-4);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,12 +50,12 @@ impl Position<'_> {
     /// the sum of offset and the distance of two breaks. One formula then serves all breaks.
     ///
     /// ```
-    /// use fractional_sobolev::{Order, SingularFunction, Tolerance};
+    /// use fractional_sobolev::Function;
     /// // ln|x - 3/10|, its square root at the left end
-    /// let u = SingularFunction::from_positions(&[0.0, 0.3, 1.0], |at| {
+    /// let u = Function::from_positions(&[0.0, 0.3, 1.0], |at| {
     ///     at.distance_to(0).sqrt() * at.log_distance_to(1)
     /// })?;
-    /// let found = u.seminorm(Order::new(0.4)?, Tolerance::fast())?;
+    /// let found = u.seminorm(0.4, 1e-4)?;
     /// assert!(found.relative_error() <= 1e-4);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -100,7 +99,7 @@ impl Position<'_> {
     "H^s",
     "closure"
 ))]
-pub struct SingularFunction<'a> {
+pub(crate) struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
     pub(super) sight: Sight,
@@ -127,28 +126,15 @@ impl<'a> SingularFunction<'a> {
     /// # Errors
     /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::NotFinite`], [`Error::EntryOutOfRange`]
     /// unless they increase strictly and lie at least 1e-290 and 1e-290 of the interval apart.
-    pub fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
+    pub(crate) fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
 
     /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SingularFunction, Tolerance, closed_forms};
-    /// // |ln x|^(1/4): the distance from the break 0 is exact, the one from 1 enters by ln(1 - t)
-    /// let u = SingularFunction::from_positions(&[0.0, 1.0], |at| match at.anchor() {
-    ///     0 => (-at.offset().ln()).powf(0.25),
-    ///     _ => (-at.offset().ln_1p()).powf(0.25),
-    /// })?;
-    /// let exact = closed_forms::log_power_seminorm_squared(0.25)?.value.sqrt();
-    /// let found = u.seminorm(Order::HALF, Tolerance::fast())?;
-    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// As [`SingularFunction::new`].
-    pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+    pub(crate) fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(f), Sight::Offset)
     }
 
@@ -159,22 +145,12 @@ impl<'a> SingularFunction<'a> {
     /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
     /// are.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SingularFunction, Tolerance, closed_forms};
-    /// // |ln x|^0.45, nearly not in H^{1/2}: what lies below x = 1e-300 counts
-    /// let u = SingularFunction::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
-    ///     0 => (-at.log_distance()).powf(0.45),
-    ///     _ => (-at.offset().ln_1p()).powf(0.45),
-    /// })?;
-    /// let exact = closed_forms::log_power_seminorm_squared(0.45)?.value.sqrt();
-    /// let found = u.seminorm(Order::HALF, Tolerance::fast())?;
-    /// assert!((found.value / exact - 1.0).abs() < 1e-4);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// As [`SingularFunction::new`].
-    pub fn from_log_distances(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+    pub(crate) fn from_log_distances(
+        breaks: &[f64],
+        f: impl Fn(Position) -> f64 + Sync + 'a,
+    ) -> Result<Self> {
         Self::build(breaks, Box::new(f), Sight::LogDistance)
     }
 
@@ -202,12 +178,12 @@ impl<'a> SingularFunction<'a> {
     }
 
     /// The break points.
-    pub fn breaks(&self) -> &[f64] {
+    pub(crate) fn breaks(&self) -> &[f64] {
         &self.breaks
     }
 
     /// Length of the interval.
-    pub fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         self.breaks[self.breaks.len() - 1] - self.breaks[0]
     }
 

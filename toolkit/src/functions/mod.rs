@@ -19,4 +19,5 @@ mod two_rates;
 mod waves;
 
 pub(crate) use arm::Arm;
-pub use function::{Position, SingularFunction};
+pub use function::Position;
+pub(crate) use function::SingularFunction;

@@ -6,7 +6,7 @@ use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
 use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled};
@@ -23,23 +23,13 @@ impl SingularFunction<'_> {
     ///
     /// A function with many waves is interpolated on short cells instead, and takes O(cells).
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SingularFunction, Tolerance};
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
-    /// let found = u.seminorm(Order::HALF, Tolerance::balanced())?;
-    /// assert!((found.value - 1.0).abs() < 1e-8);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
     /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
     ///
     /// Refused are a function of the coordinate with a singularity at a break that is not 0, where x is rounded
     /// ([`SingularFunction::from_positions`] serves), and what takes more than [`Tolerance::with_work`] allows.
-    #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.of_moderate_size(tolerance)?;
         let waves = unit.seminorm_of_waves(order, tolerance);
         if let Some(found) = waves.map_err(|error| error.carry("seminorm", |best| scaled(scale, best)))? {
@@ -55,21 +45,9 @@ impl SingularFunction<'_> {
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SingularFunction, Tolerance};
-    /// let (order, asked) = (Order::HALF, Tolerance::balanced());
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| x * x / 2.0)?;
-    /// let slope = SingularFunction::new(&[0.0, 1.0], |x: f64| x)?;
-    /// // ||x||²_{1/2} = 1/3 + 1, and ||x²/2||²_{3/2} = 1/20 + 1/3 + 1
-    /// assert!((slope.norm(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-7);
-    /// assert!((u.norm_with_derivative(&slope, order, asked)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-7);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// As [`SingularFunction::seminorm`].
-    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
         whole(parts, tolerance)
     }
@@ -79,13 +57,12 @@ impl SingularFunction<'_> {
     /// # Errors
     /// As [`SingularFunction::seminorm`]; [`Error::OutOfRange`] when the two live on intervals of different
     /// length.
-    pub fn norm_with_derivative(
+    pub(crate) fn norm_with_derivative(
         &self,
         derivative: &SingularFunction,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
+        order: Order,
+        tolerance: Tolerance,
     ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let same = self.length() == derivative.length();
         Error::require(
             "length of the derivative's interval",
@@ -100,27 +77,15 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularFunction::lq_norm`].
-    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
         self.lq_norm(2.0, tolerance)
     }
 
     /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
     ///
-    /// ```
-    /// use fractional_sobolev::{SingularFunction, Tolerance};
-    /// let u = SingularFunction::new(&[0.0, 1.0], |x: f64| 1.0 - x)?;
-    /// let asked = Tolerance::balanced();
-    /// assert!((u.l2_norm(asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-8);
-    /// assert!((u.lq_norm(4.0, asked)?.value - 0.2f64.powf(0.25)).abs() < 1e-8);
-    /// assert!((u.mean(asked)?.value - 0.5).abs() < 1e-8);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].
-    pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let (scale, unit) = self.of_moderate_size(tolerance)?;
         if q == f64::INFINITY {
@@ -149,8 +114,7 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// As [`SingularFunction::lq_norm`].
-    pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
         let (scale, unit) = self.of_moderate_size(tolerance)?;
         let size = unit.lq_norm(1.0, Tolerance::fast().with_work(tolerance.work()))?.value;
         if size == 0.0 {

@@ -129,7 +129,7 @@ impl SingularFunction<'_> {
     /// [`Error::ToleranceNotMet`].
     pub(super) fn l2_norm_of_waves(&self, tolerance: Tolerance) -> Result<Option<Estimate>> {
         match self.waves((0.1 * tolerance.relative()).max(FLOOR))? {
-            Waves::Resolved(resolved) => resolved.l2_norm(tolerance).map(Some),
+            Waves::Resolved(resolved) => resolved.l2_norm().map(Some),
             _ => Ok(None),
         }
     }
@@ -272,8 +272,8 @@ impl Resolved {
         Estimate::new(found.value, found.error + self.error(order), work)
     }
 
-    fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let found = self.u.l2_norm(tolerance)?;
+    fn l2_norm(&self) -> Result<Estimate> {
+        let found = self.u.l2_norm()?;
         let squares = self.residuals.iter().zip(self.u.mesh().lengths());
         let error = squares.map(|(e, h)| h * e * e).sum::<f64>().sqrt();
         Estimate::new(found.value, found.error + error, found.work)

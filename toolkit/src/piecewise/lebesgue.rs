@@ -1,7 +1,7 @@
 //! Means and L^q norms of piecewise polynomials.
 
 use super::polynomial::{Piece, PiecewisePolynomial};
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::search::sign_change;
 use crate::numeric::sum::RunningSum;
@@ -18,8 +18,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let _: Tolerance = tolerance.given()?;
+    pub(crate) fn mean(&self) -> Result<Estimate> {
         let rule = Rule::gauss_legendre(self.degree() + 1)?;
         let total = self.mesh().total();
         let (mut sum, mut absolute) = (RunningSum::default(), 0.0);
@@ -38,24 +37,9 @@ impl PiecewisePolynomial {
     /// in 1 − a/b by expm1 where the two have one sign. Elements of higher degree are bisected until a Gauss
     /// rule and its two halves agree. At q = ∞ the largest |u|, also inside elements. Cost O(N).
     ///
-    /// ```
-    /// use fractional_sobolev::{Mesh, PiecewisePolynomial, Tolerance};
-    /// let asked = Tolerance::balanced();
-    /// // x² is of degree two: interpolated exactly; its derivative 2x is restricted to (1/2, 1)
-    /// let u = PiecewisePolynomial::interpolate(Mesh::uniform(2, 1.0)?, 2, |x| x * x)?;
-    /// assert!(u.degree() == 2 && u.is_continuous());
-    /// assert!((u.mean(asked)?.value - 1.0 / 3.0).abs() < 1e-14);
-    /// assert!((u.lq_norm(3.0, asked)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);
-    /// assert!((u.lq_norm(f64::INFINITY, asked)?.value - 1.0).abs() < 1e-8);
-    /// let slope = u.derivative()?.restrict(1..2)?;
-    /// assert!((slope.value(0, 1.0)? - 2.0).abs() < 1e-14);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN; [`Error::ToleranceNotMet`].
-    pub fn lq_norm(&self, q: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let peak = self.largest()?;
         if q == f64::INFINITY || peak.value == 0.0 {

@@ -9,5 +9,4 @@ mod rearrangement;
 mod squares;
 
 pub(crate) use pairs::{Cell, PolynomialPairs};
-pub use polynomial::PiecewisePolynomial;
-pub(crate) use polynomial::{Piece, bubbles_of};
+pub(crate) use polynomial::{Piece, PiecewisePolynomial, bubbles_of};

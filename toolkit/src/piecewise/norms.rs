@@ -2,7 +2,7 @@
 //! functions.
 
 use super::polynomial::PiecewisePolynomial;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::power_of_two;
 use crate::numeric::sum::RunningSum;
@@ -38,32 +38,16 @@ impl PiecewisePolynomial {
     /// # Errors
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
     /// tolerance.
-    #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
     /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance};
-    /// let (order, asked) = (Order::HALF, Tolerance::reference());
-    /// // x²/2 as end values and a bubble: x²/2 = x/2 − x(1−x)/2
-    /// let mesh = Mesh::uniform(1, 1.0)?;
-    /// let u = PiecewisePolynomial::with_bubbles(mesh.clone(), &[[0.0, 0.5]], vec![vec![-0.5]])?;
-    /// let slope = PiecewisePolynomial::discontinuous_linears(mesh, &[[0.0, 1.0]])?;
-    /// assert!((slope.l2_norm(asked)?.value.powi(2) - 1.0 / 3.0).abs() < 1e-14);
-    /// assert!((slope.norm(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-12);
-    /// assert!((u.norm_with_derivative(&slope, order, asked)?.value.powi(2) - 83.0 / 60.0).abs() < 1e-12);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
-    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
+    pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm()?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
@@ -72,13 +56,12 @@ impl PiecewisePolynomial {
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`] for the derivative; [`Error::InfiniteNorm`] when u jumps;
     /// [`Error::OutOfRange`] when the two live on intervals of different length.
-    pub fn norm_with_derivative(
+    pub(crate) fn norm_with_derivative(
         &self,
         derivative: &Self,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
+        order: Order,
+        tolerance: Tolerance,
     ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
         let total = derivative.mesh().total();
         let same = self.mesh().total() == total;
         Error::require("length of the derivative's interval", total, "that of the function", same)?;
@@ -89,7 +72,7 @@ impl PiecewisePolynomial {
             });
         }
         let top = derivative.seminorm_as_it_is(order, tolerance)?;
-        let parts = [top, self.l2_norm(tolerance)?, derivative.l2_norm(tolerance)?];
+        let parts = [top, self.l2_norm()?, derivative.l2_norm()?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
@@ -97,8 +80,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let _: Tolerance = tolerance.given()?;
+    pub(crate) fn l2_norm(&self) -> Result<Estimate> {
         let scale = self.scale();
         let rule = Rule::gauss_legendre(self.degree() + 1)?;
         let mut sum = RunningSum::default();

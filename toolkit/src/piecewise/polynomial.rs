@@ -28,7 +28,7 @@ pub(crate) struct Piece {
 /// then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
 #[doc(alias("Gagliardo", "Slobodeckij", "fractional Sobolev", "H1/2", "P1", "P0", "finite element"))]
 #[derive(Debug, Clone, PartialEq)]
-pub struct PiecewisePolynomial {
+pub(crate) struct PiecewisePolynomial {
     partition: Mesh,
     pieces: Vec<Piece>,
 }
@@ -38,7 +38,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn constants(partition: Mesh, values: &[f64]) -> Result<Self> {
+    pub(crate) fn constants(partition: Mesh, values: &[f64]) -> Result<Self> {
         require_length("values of elements", values.len(), partition.len())?;
         let ends: Vec<[f64; 2]> = values.iter().map(|&v| [v, v]).collect();
         Self::discontinuous_linears(partition, &ends)
@@ -46,17 +46,9 @@ impl PiecewisePolynomial {
 
     /// Continuous piecewise linear, one value per node.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, Mesh, PiecewisePolynomial, Tolerance};
-    /// let u = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0)?, &[0.0, 0.5, 1.0])?;
-    /// let found = u.seminorm(Order::HALF, Tolerance::reference())?;
-    /// assert!((found.value - 1.0).abs() < 1e-12);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn linears(partition: Mesh, values: &[f64]) -> Result<Self> {
+    pub(crate) fn linears(partition: Mesh, values: &[f64]) -> Result<Self> {
         require_values("values of nodes", values, partition.len() + 1)?;
         let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         Self::discontinuous_linears(partition, &ends)
@@ -66,7 +58,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn discontinuous_linears(partition: Mesh, ends: &[[f64; 2]]) -> Result<Self> {
+    pub(crate) fn discontinuous_linears(partition: Mesh, ends: &[[f64; 2]]) -> Result<Self> {
         let none = vec![Vec::new(); ends.len()];
         Self::with_bubbles(partition, ends, none)
     }
@@ -75,7 +67,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::EntryOutOfRange`] beyond degree 20.
-    pub fn with_bubbles(partition: Mesh, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
+    pub(crate) fn with_bubbles(partition: Mesh, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
         require_length("end values", ends.len(), partition.len())?;
         require_length("bubble coefficients", bubbles.len(), partition.len())?;
         let mut pieces = Vec::with_capacity(ends.len());
@@ -97,7 +89,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
-    pub fn interpolate(partition: Mesh, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
+    pub(crate) fn interpolate(partition: Mesh, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
         if degree == 0 || degree > MAX_DEGREE {
             return Err(Error::CountOutOfRange { name: "polynomial degree", value: degree, range: "1..=20" });
         }
@@ -146,12 +138,12 @@ impl PiecewisePolynomial {
     }
 
     /// The mesh.
-    pub fn mesh(&self) -> &Mesh {
+    pub(crate) fn mesh(&self) -> &Mesh {
         &self.partition
     }
 
     /// Highest degree of a piece (bubbles are counted whether zero or not).
-    pub fn degree(&self) -> usize {
+    pub(crate) fn degree(&self) -> usize {
         self.pieces.iter().map(Piece::degree).max().unwrap_or(0)
     }
 
@@ -159,7 +151,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] when there is no such element; [`Error::OutOfRange`] for t outside [0, 1].
-    pub fn value(&self, element: usize, t: f64) -> Result<f64> {
+    pub(crate) fn value(&self, element: usize, t: f64) -> Result<f64> {
         Error::require("local coordinate", t, "[0, 1]", (0.0..=1.0).contains(&t))?;
         let piece = self.pieces.get(element).ok_or(Error::CountOutOfRange {
             name: "element",
@@ -173,7 +165,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for an empty range or one that leaves the mesh.
-    pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
+    pub(crate) fn restrict(&self, elements: Range<usize>) -> Result<Self> {
         if elements.is_empty() || elements.end > self.pieces.len() {
             return Err(Error::CountOutOfRange {
                 name: "end of the element range",
@@ -191,7 +183,7 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::NotFinite`] when a slope overflows.
-    pub fn derivative(&self) -> Result<Self> {
+    pub(crate) fn derivative(&self) -> Result<Self> {
         let mut ends = Vec::with_capacity(self.pieces.len());
         let mut bubbles = Vec::with_capacity(self.pieces.len());
         for (piece, &h) in self.pieces.iter().zip(self.partition.lengths()) {
@@ -204,7 +196,7 @@ impl PiecewisePolynomial {
     }
 
     /// True when neighbouring pieces agree at their common node to 64 ulps of the larger of their values.
-    pub fn is_continuous(&self) -> bool {
+    pub(crate) fn is_continuous(&self) -> bool {
         (1..self.pieces.len()).all(|node| self.jump(node) == 0.0)
     }
 

@@ -14,18 +14,10 @@ impl PiecewisePolynomial {
     /// on both sides of them holds values in (b, a) on the length h (a − b)/|c − d|: the distribution
     /// function is piecewise linear, and so is v*. Cost: (number of elements)².
     ///
-    /// ```
-    /// use fractional_sobolev::{Mesh, PiecewisePolynomial};
-    /// let tent = PiecewisePolynomial::linears(Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
-    /// let sorted = tent.decreasing_rearrangement()?;
-    /// assert!(sorted.mesh().len() == 1 && sorted.value(0, 0.25)? == 0.75);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for a higher degree; [`Error::OutOfRange`] when v* has elements more than
     /// 1e303 times shorter than the interval.
-    pub fn decreasing_rearrangement(&self) -> Result<Self> {
+    pub(crate) fn decreasing_rearrangement(&self) -> Result<Self> {
         if self.degree() > 1 {
             let (value, range) = (self.degree(), "[0, 1]");
             return Err(Error::CountOutOfRange { name: "degree of a function to rearrange", value, range });

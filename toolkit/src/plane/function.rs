@@ -7,23 +7,9 @@ use crate::error::Result;
 use crate::numeric::check::require_values;
 
 /// A piecewise constant or a continuous piecewise linear function.
-///
-/// ```
-/// use fractional_sobolev::{Order, PlaneFunction, Tolerance, Triangles};
-/// let x = PlaneFunction::linears(Triangles::grid([1, 1], 1.0)?, vec![0.0, 1.0, 0.0, 1.0])?;
-/// let (order, asked) = (Order::new(0.3)?, Tolerance::balanced());
-/// assert!((x.l2_norm(asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-14);
-/// assert!(x.norm(order, asked)?.value > x.l2_norm(asked)?.value);
-/// // the gradient (1, 0) on both triangles has no seminorm: ||x||²_{1+s} = 1/3 + 1
-/// assert!((x.norm_with_gradient(order, asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-8);
-/// let [along, across] = x.gradient()?;
-/// assert!(along.is_piecewise_constant() && along.values() == [1.0, 1.0] && across.values() == [0.0, 0.0]);
-/// assert_eq!(x.mesh().triangles().len(), 2);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
 #[doc(alias("Gagliardo", "fractional Sobolev", "H1/2", "triangulation"))]
 #[derive(Debug, Clone, PartialEq)]
-pub struct PlaneFunction {
+pub(crate) struct PlaneFunction {
     mesh: Triangles,
     shape: Shape,
     values: Vec<f64>,
@@ -32,16 +18,9 @@ pub struct PlaneFunction {
 impl PlaneFunction {
     /// The function with the given value on every triangle.
     ///
-    /// ```
-    /// use fractional_sobolev::{PlaneFunction, Triangles};
-    /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
-    /// assert!(PlaneFunction::constants(triangle, vec![2.0])?.seminorm(0.25, 1e-6)?.value < 1e-12);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
-    pub fn constants(mesh: Triangles, values: Vec<f64>) -> Result<Self> {
+    pub(crate) fn constants(mesh: Triangles, values: Vec<f64>) -> Result<Self> {
         require_values("values on triangles", &values, mesh.triangles().len())?;
         Ok(Self { mesh, shape: Shape::Constants, values })
     }
@@ -50,23 +29,23 @@ impl PlaneFunction {
     ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
-    pub fn linears(mesh: Triangles, values: Vec<f64>) -> Result<Self> {
+    pub(crate) fn linears(mesh: Triangles, values: Vec<f64>) -> Result<Self> {
         require_values("values at nodes", &values, mesh.nodes().len())?;
         Ok(Self { mesh, shape: Shape::Linears, values })
     }
 
     /// The triangulation.
-    pub fn mesh(&self) -> &Triangles {
+    pub(crate) fn mesh(&self) -> &Triangles {
         &self.mesh
     }
 
     /// The values: of triangles for piecewise constants, of nodes for piecewise linears.
-    pub fn values(&self) -> &[f64] {
+    pub(crate) fn values(&self) -> &[f64] {
         &self.values
     }
 
     /// True for a piecewise constant function.
-    pub fn is_piecewise_constant(&self) -> bool {
+    pub(crate) fn is_piecewise_constant(&self) -> bool {
         self.shape == Shape::Constants
     }
 
@@ -74,7 +53,7 @@ impl PlaneFunction {
     ///
     /// # Errors
     /// [`crate::Error::NotFinite`] on overflow.
-    pub fn gradient(&self) -> Result<[Self; 2]> {
+    pub(crate) fn gradient(&self) -> Result<[Self; 2]> {
         let count = self.mesh.triangles().len();
         let mut parts = [vec![0.0; count], vec![0.0; count]];
         for triangle in (0..count).filter(|_| self.shape == Shape::Linears) {

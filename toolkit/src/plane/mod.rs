@@ -7,9 +7,8 @@
 //! | triangulations | [`Triangles`] |
 //! | products with the Gram matrix on a uniform grid | [`GridOperator`] |
 //! | corner singularities r^a sin(bφ) on sectors | [`SectorPower`] |
-//! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`]
-//! |
-//! | norms of closures with declared corner singularities | [`SingularPlaneFunction`] |
+//! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`] |
+//! | norms of formulas with declared corner singularities | [`SingularPlaneFunction`] |
 
 mod cell_pairs;
 mod closures;
@@ -28,9 +27,9 @@ mod sums;
 mod tree;
 mod triangles;
 
-pub use closures::{PlanePosition, SingularPlaneFunction};
-pub use function::PlaneFunction;
+pub use closures::PlanePosition;
+pub(crate) use closures::SingularPlaneFunction;
+pub(crate) use function::PlaneFunction;
 pub use grid::GridOperator;
-pub(crate) use sector::ElasticCorner;
-pub use sector::SectorPower;
+pub(crate) use sector::{ElasticCorner, SectorPower};
 pub use triangles::Triangles;

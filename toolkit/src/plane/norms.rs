@@ -3,7 +3,7 @@
 use super::function::PlaneFunction;
 use super::means::{Means, Shape};
 use super::sums::PairSum;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::numeric::sum::RunningSum;
@@ -37,21 +37,10 @@ impl PlaneFunction {
     /// with s = 0. |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; beyond, clusters
     /// that are apart are compressed: cost O(N log N), errors included.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, PlaneFunction, Tolerance, Triangles};
-    /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
-    /// let x = PlaneFunction::linears(triangle, vec![0.0, 1.0, 0.0])?;
-    /// let norm = x.seminorm(Order::HALF, Tolerance::reference())?;
-    /// assert!((norm.value.powi(2) - 0.501_532_942_386_591_2).abs() < 1e-14);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles
     /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
-    #[doc(alias("Gagliardo", "Slobodeckij"))]
-    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
@@ -59,9 +48,8 @@ impl PlaneFunction {
     ///
     /// # Errors
     /// As [`PlaneFunction::seminorm`].
-    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm(tolerance)?];
+    pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm()?];
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
@@ -71,19 +59,14 @@ impl PlaneFunction {
     /// # Errors
     /// [`Error::InfiniteNorm`] for s ≥ 1/2 unless the gradient is constant, and for a function that jumps; as
     /// [`PlaneFunction::seminorm`].
-    pub fn norm_with_gradient(
-        &self,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn norm_with_gradient(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.is_piecewise_constant() && !self.is_constant() {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
         }
-        let mut parts = vec![self.l2_norm(tolerance)?];
+        let mut parts = vec![self.l2_norm()?];
         for part in self.gradient()? {
-            parts.push(part.l2_norm(tolerance)?);
+            parts.push(part.l2_norm()?);
             parts.push(part.seminorm_as_it_is(order, tolerance)?);
         }
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
@@ -92,19 +75,9 @@ impl PlaneFunction {
     /// The L² norm, exact to rounding, which meets every tolerance: on a triangle the mean of w² is
     /// (Σ w_i² + (Σ w_i)²)/12, w_i the values at its corners.
     ///
-    /// ```
-    /// use fractional_sobolev::{PlaneFunction, Triangles};
-    /// // x on the triangle (0, 0), (2, 0), (0, 1): ∫ x² = 8/12
-    /// let triangle = Triangles::new(vec![[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
-    /// let x = PlaneFunction::linears(triangle, vec![0.0, 2.0, 0.0])?;
-    /// assert!((x.l2_norm(1e-12)?.value.powi(2) - 2.0 / 3.0).abs() < 1e-14);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
-    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let _: Tolerance = tolerance.given()?;
+    pub(crate) fn l2_norm(&self) -> Result<Estimate> {
         let (unit, area) = (unit_of(self.values()), self.mesh().area());
         let mut sum = RunningSum::default();
         for (triangle, part) in self.mesh().areas().iter().enumerate() {

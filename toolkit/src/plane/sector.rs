@@ -1,6 +1,6 @@
 //! Corner singularities w = r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω.
 
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::order::Order;
 use crate::quadrature::Rule;
@@ -46,7 +46,7 @@ enum Part {
 /// sin((q−2)ψ/2).
 #[doc(alias("corner singularity", "L-shape"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SectorPower {
+pub(crate) struct SectorPower {
     part: Part,
     exponent: f64,
     frequency: f64,
@@ -105,18 +105,9 @@ impl ElasticCorner {
 impl SectorPower {
     /// r^a sin(bφ) for r < R, 0 < φ < ω.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SectorPower, Tolerance};
-    /// // The corner singularity of the L-shape.
-    /// let w = SectorPower::new(2.0 / 3.0, 2.0 / 3.0, 1.5 * std::f64::consts::PI, 1.0)?;
-    /// let norm = w.seminorm(Order::new(0.9)?, Tolerance::reference())?;
-    /// assert!(norm.relative_error() < 1e-12);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::OutOfRange`] unless −1 < a ≤ 20, 0 < b ≤ 20, 0 < ω ≤ 7π/4, R > 0.
-    pub fn new(exponent: f64, frequency: f64, angle: f64, radius: f64) -> Result<Self> {
+    pub(crate) fn new(exponent: f64, frequency: f64, angle: f64, radius: f64) -> Result<Self> {
         Error::require("exponent a", exponent, "(-1, 20]", exponent > -1.0 && exponent <= 20.0)?;
         Error::require("frequency b", frequency, "(0, 20]", frequency > 0.0 && frequency <= 20.0)?;
         Error::require("angle", angle, "(0, 7 pi/4]", angle > 0.0 && angle <= WIDEST)?;
@@ -142,8 +133,7 @@ impl SectorPower {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a ≤ s − 1, [`Error::ToleranceNotMet`].
-    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let gap = self.exponent + order.complement();
         if gap <= 0.0 {
             let why = "r^a times a smooth angular part is in H^s near a corner only for a > s - 1";

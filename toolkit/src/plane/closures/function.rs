@@ -11,7 +11,7 @@ use std::collections::HashMap;
 
 /// A function that is smooth in every triangle, up to w = w₀ + r^a (smooth function of r and of the angle) at
 /// declared corners. Across edges it may jump.
-pub struct SingularPlaneFunction<'a> {
+pub(crate) struct SingularPlaneFunction<'a> {
     mesh: Triangles,
     corners: Corners,
     function: Box<dyn Fn(&PlanePosition<'_>) -> f64 + Sync + 'a>,
@@ -38,23 +38,11 @@ const EQUAL: f64 = 1e-9;
 impl<'a> SingularPlaneFunction<'a> {
     /// w on a triangulation; `corners` are pairs (node, a).
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles};
-    /// // r^{-1/4} cos φ on a triangle, in H^s for s < 3/4
-    /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
-    /// let w = SingularPlaneFunction::new(triangle, &[(0, -0.25)], |at| {
-    ///     at.radius(0).powf(-0.25) * at.angle(0).cos()
-    /// })?;
-    /// assert!(w.seminorm(Order::new(0.74)?, Tolerance::balanced()).is_ok());
-    /// assert!(w.seminorm(Order::new(0.75)?, Tolerance::balanced()).is_err());
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`crate::Error::OutOfRange`] unless −1 < a ≤ 20, [`crate::Error::Node`] for a node of no triangle or
     /// declared twice, [`crate::Error::Triangle`] for a triangle with two declared corners,
     /// [`crate::Error::NotFinite`] for a value that is not finite where it is looked at.
-    pub fn new(
+    pub(crate) fn new(
         mesh: Triangles,
         corners: &[(usize, f64)],
         function: impl Fn(&PlanePosition<'_>) -> f64 + Sync + 'a,
@@ -73,7 +61,7 @@ impl<'a> SingularPlaneFunction<'a> {
     }
 
     /// The triangulation.
-    pub fn mesh(&self) -> &Triangles {
+    pub(crate) fn mesh(&self) -> &Triangles {
         &self.mesh
     }
 

@@ -11,5 +11,5 @@ mod radial;
 mod side;
 mod sums;
 
-pub use function::SingularPlaneFunction;
+pub(crate) use function::SingularPlaneFunction;
 pub use position::PlanePosition;

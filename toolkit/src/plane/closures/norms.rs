@@ -3,7 +3,7 @@
 use super::function::SingularPlaneFunction;
 use super::piece::View;
 use super::sums::{ClosureSum, Quantity};
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::numeric::scale::power_of_two;
 use crate::order::Order;
@@ -35,47 +35,19 @@ impl SingularPlaneFunction<'_> {
     /// singularity along an edge has no rule of its own: [`Error::ToleranceNotMet`] says how far the others
     /// come.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles, closed_forms};
-    /// let square = Triangles::grid([1, 1], 1.0)?;
-    /// let x = SingularPlaneFunction::new(square, &[], |at| at.x()[0])?;
-    /// let order = Order::new(0.7)?;
-    /// let norm = x.seminorm(order, Tolerance::balanced())?;
-    /// let exact = closed_forms::coordinate_on_square_seminorm_squared(order)?.sqrt()?;
-    /// assert!((norm.value / exact.value - 1.0).abs() < 1e-8);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps and s ≥
     /// 1/2; [`Error::OutOfRange`] for triangles that touch without a common node or are too close for their
     /// length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
-    pub fn seminorm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         judged("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
 
     /// The norm of order s: ||w||²_s = ||w||² + |w|²_s.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, SingularPlaneFunction, Tolerance, Triangles};
-    /// let (order, asked) = (Order::new(0.3)?, Tolerance::balanced());
-    /// let on_square = |f: fn(f64) -> f64| {
-    ///     SingularPlaneFunction::new(Triangles::grid([1, 1], 1.0)?, &[], move |at| f(at.x()[0]))
-    /// };
-    /// let (x, one, zero) = (on_square(|x| x)?, on_square(|_| 1.0)?, on_square(|_| 0.0)?);
-    /// let (l2, full) = (x.l2_norm(asked)?.value, x.norm(order, asked)?.value);
-    /// assert!((l2 - 1.0 / 3f64.sqrt()).abs() < 1e-8 && full > l2);
-    /// // of order 1 + s: the gradient (1, 0) adds its L² norm, one
-    /// let both = x.norm_with_gradient([&one, &zero], order, asked)?.value;
-    /// assert!((both.powi(2) - 4.0 / 3.0).abs() < 1e-7 && x.mesh().area() == 1.0);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// As [`SingularPlaneFunction::seminorm`].
-    pub fn norm(&self, order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_as_it_is(tolerance)?];
         judged("norm", root_of_squares(&parts)?, tolerance)
     }
@@ -85,13 +57,12 @@ impl SingularPlaneFunction<'_> {
     /// # Errors
     /// [`Error::InfiniteNorm`] where w jumps or the gradient has no norm of order s; as
     /// [`SingularPlaneFunction::seminorm`].
-    pub fn norm_with_gradient(
+    pub(crate) fn norm_with_gradient(
         &self,
         gradient: [&SingularPlaneFunction<'_>; 2],
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
+        order: Order,
+        tolerance: Tolerance,
     ) -> Result<Estimate> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
         if self.jumps() {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
@@ -108,8 +79,7 @@ impl SingularPlaneFunction<'_> {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
-    pub fn l2_norm(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-        let tolerance = tolerance.given()?;
+    pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
         judged("L2 norm", self.l2_as_it_is(tolerance)?, tolerance)
     }
 

@@ -27,14 +27,14 @@ pub(super) struct Corners {
 /// themselves are rounded.
 ///
 /// ```
-/// use fractional_sobolev::{SingularPlaneFunction, Tolerance, Triangles};
+/// use fractional_sobolev::{Function, Triangles};
 /// // r² sin²φ + x² = r² about the declared corner 0, on the unit square as two triangles at it
 /// let square = Triangles::star(&[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
-/// let w = SingularPlaneFunction::new(square, &[(0, 2.0)], |at| {
+/// let w = Function::from_plane_positions(&square, &[(0, 2.0)], |at| {
 ///     assert!(at.triangle() < 2 && at.offset(0)[0] >= 0.0);
 ///     (at.radius(0) * at.angle(0).sin()).powi(2) + at.x()[0].powi(2)
 /// })?;
-/// assert!((w.l2_norm(Tolerance::balanced())?.value.powi(2) - 28.0 / 45.0).abs() < 1e-7);
+/// assert!((w.norm(0.0, 1e-8)?.value.powi(2) - 28.0 / 45.0).abs() < 1e-7);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
