@@ -3,7 +3,7 @@
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::cone::Cone;
-use signorini::contact::Solver;
+use signorini::contact::{Settings, Solver, Start};
 use signorini::scenes::MeshScene;
 use std::hint::black_box;
 
@@ -37,7 +37,9 @@ fn cold_and_nested(criterion: &mut Criterion) {
             bencher.iter(|| black_box(fine.solve(cone, Solver::ActiveSet)));
         });
         group.bench_function(format!("{cone} nested"), |bencher| {
-            bencher.iter(|| black_box(fine.solve_after(&coarse)));
+            bencher.iter(|| {
+                black_box(fine.solve(cone, Settings { start: Start::Coarse(&coarse), ..Settings::default() }))
+            });
         });
     }
     group.finish();

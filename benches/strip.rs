@@ -7,7 +7,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
-use signorini::strip::{ElasticStrip, Reference, StripKind, StripProblem, solve_contact};
+use signorini::strip::{Reference, Strip, StripKind, StripProblem};
 use std::hint::black_box;
 
 const REFERENCE: usize = 1 << 18;
@@ -30,7 +30,7 @@ fn edge_operator(c: &mut Criterion) {
     }
     let lame = Lame::new(1.0, 1.0).expect("an admissible material");
     group.bench_function("elastic symbol 2^16", |b| {
-        b.iter(|| ElasticStrip::new(1 << 16, 1 << 16, black_box(lame)).expect("powers of two"));
+        b.iter(|| Strip::elastic(1 << 16, 1 << 16, black_box(lame)).expect("powers of two"));
     });
     group.finish();
 }
@@ -49,7 +49,7 @@ fn contact(c: &mut Criterion) {
                 let n = 1 << 14;
                 let (operator, _) = problem.operator(n).expect("a level of the reference grid");
                 let load = problem.load(n).expect("a level of the reference grid");
-                let solve = || solve_contact(&operator, &load, cone, None).expect("data fit");
+                let solve = || operator.solve_contact(&load, cone, None, 1e-13).expect("data fit");
                 group.bench_function(format!("{kind}, {name}, {cone}, 2^14"), |b| b.iter(solve));
                 let values = solve().values;
                 if cone == Cone::Nodal {

@@ -103,7 +103,7 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let kkt: Option<Vec<KktResiduals>> = runs.iter().map(|run| run.kkt().ok()).collect();
     let sum = contact::worst(runs.iter().map(|run| run.solution.balance));
     let force = runs.last().map(|run| run.solution.contact_force).map(|f| (f, sum * f.abs()));
-    let asked = runs.iter().filter_map(|run| Some(run.error?.relative_error())).fold(KKT_LIMIT, f64::max);
+    let asked = runs.iter().filter_map(|run| Some(run.error()?.relative_error())).fold(KKT_LIMIT, f64::max);
     let stalled = runs.iter().filter(|run| !run.solution.status.is_converged()).count();
     let mut found = vec![
         Finding::claim("forces", "loads, reactions and contact force add up to zero")

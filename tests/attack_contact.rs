@@ -21,14 +21,13 @@ mod stiffness;
 
 use count::Counts;
 use experiments::SplitMix;
-use fractional_sobolev::Tolerance;
 use meshes::grid;
 use program::Program;
 use scene::Scene;
 use signorini::Error;
 use signorini::ToolkitError;
 use signorini::cone::{Cone, ContactSet};
-use signorini::contact::{Accuracy, ContactSolution, Solver};
+use signorini::contact::{ContactSolution, Settings, Solver, Start};
 use signorini::mesh::{ContactEdge, Part, Triangulation};
 
 fn variable(name: &str) -> Option<u64> {
@@ -53,6 +52,11 @@ fn every_solver_beside_all_contact_sets() {
     counts.close(one.is_none());
 }
 
+/// The interior point method on the edge with a barrier weight for every node.
+fn barrier(sizes: &[f64]) -> Settings<'_> {
+    Settings { solver: Solver::EdgeInteriorPoint, sizes: Some(sizes), ..Settings::default() }
+}
+
 fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     let program = Program::new(scene, cone).expect("positive definite in numbers of twice the length");
     let answer = program.solve();
@@ -73,17 +77,17 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     ask("active set from a guess", &|| {
         let mut random = SplitMix::new(seed);
         let guess = program.supports().iter().map(|_| random.below(2) == 0).collect();
-        problem()?.solve_from(cone, ContactSet::new(guess))
+        problem()?.solve(cone, Settings { start: Start::Set(ContactSet::new(guess)), ..Settings::default() })
     });
     if cone == Cone::Nodal && !scene.mesh.is_closed && scene.mesh.further.is_empty() {
-        ask("barrier", &|| problem()?.solve_by_sizes(&vec![1.0; scene.mesh.chain.len()]));
+        let sizes = vec![1.0; scene.mesh.chain.len()];
+        ask("barrier", &|| problem()?.solve(cone, barrier(&sizes)));
     }
     if let Some(hierarchy) = scene.hierarchy() {
         ask("multigrid on a hierarchy", &|| {
-            let accuracy = Accuracy::Relative(Tolerance::reference());
             let hierarchy = hierarchy.clone()?;
-            let found = problem()?.solve_by_multigrid(cone, Some(&hierarchy), accuracy, |_| Ok(()))?;
-            Ok(found.solution)
+            let (solver, hierarchy) = (Solver::Multigrid, Some(&hierarchy));
+            problem()?.solve(cone, Settings { solver, hierarchy, ..Settings::default() })
         });
     }
 }
@@ -115,8 +119,8 @@ fn every_solver_on_several_contact_edges() {
             ),
             "scene {seed}: {midpoint:?}"
         );
-        let barrier =
-            scene.problem().and_then(|problem| problem.solve_by_sizes(&vec![1.0; scene.mesh.chain.len()]));
+        let sizes = vec![1.0; scene.mesh.chain.len()];
+        let barrier = scene.problem().and_then(|problem| problem.solve(Cone::Nodal, barrier(&sizes)));
         let named = matches!(
             barrier,
             Err(Error::Toolkit(ToolkitError::CountOutOfRange { .. })

@@ -1,7 +1,7 @@
 //! Random scenes, extreme scales, degenerate contact: every solution is judged, both solvers agree.
 
 use signorini::cone::{Cone, ContactSet};
-use signorini::contact::{ContactProblem, ContactSolution, Solver};
+use signorini::contact::{ContactProblem, ContactSolution, Settings, Solver, Start};
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{BoundaryEdge, ContactEdge, Hierarchy, Part, Point, Sides, Triangulation, mapped_grid};
 use signorini::scenes::{MeshScene, Setting};
@@ -288,9 +288,10 @@ fn nested_starts_need_at_most_four_steps() {
         for cone in Cone::ALL {
             let mut coarse = scene.problem(8).unwrap().solve(cone, Solver::ActiveSet).unwrap();
             for n in [16, 32, 64, 128, 256, 512] {
-                let (fine, cold) = scene.problem(n).unwrap().solve_after_beside_cold(&coarse).unwrap();
+                let nested = Settings { start: Start::Coarse(&coarse), ..Settings::default() };
+                let fine = scene.problem(n).unwrap().solve(cone, nested).unwrap();
                 let steps = fine.work.iterations;
-                println!("{scene} {cone} n = {n}: {steps} steps, {cold:?} from no contact");
+                println!("{scene} {cone} n = {n}: {steps} steps");
                 assert!(steps <= 4, "{scene} {cone} n = {n}: {steps} steps");
                 let figures = [fine.kkt.worst(), fine.balance];
                 assert!(figures.iter().all(|&f| f <= FIGURES), "{scene} {cone} n = {n}: {figures:?}");
@@ -308,7 +309,8 @@ fn every_first_guess_leads_to_the_same_contact_set() {
         for seed in 0..20 {
             let mut random = Random::new(seed);
             let guess = (0..cone.constraints(17)).map(|_| random.below(2) == 0).collect();
-            let warm = problem.solve_from(cone, ContactSet::new(guess)).unwrap();
+            let start = Start::Set(ContactSet::new(guess));
+            let warm = problem.solve(cone, Settings { start, ..Settings::default() }).unwrap();
             assert_eq!(warm.contact_set, cold.contact_set, "{cone}, guess {seed}");
         }
     }

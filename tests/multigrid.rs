@@ -9,7 +9,7 @@ use signorini::Error;
 use signorini::ToolkitError;
 use signorini::cone::Cone;
 use signorini::contact::{
-    Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, MultigridSolution, Solver,
+    Accuracy, ContactProblem, ContactSolution, Fallback, MultigridReport, Progress, Settings, Solver,
 };
 use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Sides, Triangulation, mapped_grid, unit_square};
@@ -26,15 +26,26 @@ fn direct(problem: &ContactProblem, cone: Cone) -> ContactSolution {
     solution
 }
 
+fn settings(hierarchy: Option<&Hierarchy>, accuracy: Accuracy) -> Settings<'_> {
+    Settings { solver: Solver::Multigrid, hierarchy, accuracy, ..Settings::default() }
+}
+
 fn multigrid(
     problem: &ContactProblem,
     cone: Cone,
     hierarchy: Option<&Hierarchy>,
     tolerance: f64,
-) -> MultigridSolution {
+) -> ContactSolution {
     let accuracy = Accuracy::Relative(Tolerance::new(tolerance).unwrap());
-    problem.solve_by_multigrid(cone, hierarchy, accuracy, |_| Ok(())).unwrap()
+    problem.solve(cone, settings(hierarchy, accuracy)).unwrap()
 }
+
+fn report(solution: &ContactSolution) -> &MultigridReport {
+    solution.multigrid.as_ref().unwrap()
+}
+
+/// A hundredth of the error of discretisation.
+const SHARE: Accuracy = Accuracy::OfDiscretisation(0.01);
 
 /// |u − v|_a.
 fn apart(problem: &ContactProblem, u: &ContactSolution, v: &ContactSolution) -> f64 {
@@ -42,8 +53,8 @@ fn apart(problem: &ContactProblem, u: &ContactSolution, v: &ContactSolution) -> 
     problem.energy_norm(&difference).unwrap()
 }
 
-fn assert_same(problem: &ContactProblem, cone: Cone, found: &MultigridSolution, case: &str) {
-    let (one, other) = (&found.solution, direct(problem, cone));
+fn assert_same(problem: &ContactProblem, cone: Cone, one: &ContactSolution, case: &str) {
+    let other = direct(problem, cone);
     assert_eq!(one.status.to_string(), "converged", "{case}");
     let scale = other.energy.abs().max(other.force_scale * other.displacement_scale * 1e-6);
     assert!((one.energy - other.energy).abs() <= ENERGIES * scale, "{case}: {} {}", one.energy, other.energy);
@@ -69,9 +80,13 @@ fn every_scene_is_solved_as_by_the_direct_solver() {
                     MeshScene::Bracket => Some(Fallback::NoLevels),
                     _ => None,
                 };
-                assert_eq!(found.fallback, expected, "{case}: {:?}", found.levels);
+                assert_eq!(report(&found).fallback, expected, "{case}: {:?}", report(&found).levels);
                 assert_same(&problem, cone, &found, &case);
-                assert!(found.levels.iter().all(|level| level.steps <= 3), "{case}: {:?}", found.levels);
+                assert!(
+                    report(&found).levels.iter().all(|level| level.steps <= 3),
+                    "{case}: {:?}",
+                    report(&found).levels
+                );
             }
         }
     }
@@ -141,7 +156,11 @@ fn random_bodies_are_solved_on_their_hierarchies() {
         let (problem, hierarchy) = random_problem(seed);
         for cone in Cone::ALL {
             let found = multigrid(&problem, cone, Some(&hierarchy), 1e-12);
-            fallbacks.extend(found.fallback.map(|why| format!("{seed} {cone}: {why}, {:?}", found.levels)));
+            fallbacks.extend(
+                report(&found)
+                    .fallback
+                    .map(|why| format!("{seed} {cone}: {why}, {:?}", report(&found).levels)),
+            );
             assert_same(&problem, cone, &found, &format!("seed {seed}, {cone}"));
         }
     }
@@ -160,8 +179,8 @@ fn true_errors_lie_below_their_estimates_and_not_far_below() {
         let exact = direct(problem, cone);
         for &tolerance in &tolerances {
             let found = multigrid(problem, cone, hierarchy, tolerance);
-            let Some(estimate) = found.error else { continue };
-            let error = apart(problem, &found.solution, &exact);
+            let Some(estimate) = report(&found).error else { continue };
+            let error = apart(problem, &found, &exact);
             let floor = ROUNDING * estimate.value;
             assert!(
                 error <= estimate.error + floor,
@@ -190,15 +209,14 @@ fn true_errors_lie_below_their_estimates_and_not_far_below() {
 }
 
 #[test]
-fn the_accuracy_by_default_is_a_share_of_the_error_of_discretisation() {
+fn the_accuracy_may_be_a_share_of_the_error_of_discretisation() {
     for scene in [MeshScene::Block, MeshScene::Membrane, MeshScene::Corner] {
         let (fine, coarse) = (scene.problem(256).unwrap(), scene.problem(64).unwrap());
-        let accuracy = Accuracy::default();
-        let found = coarse.solve_by_multigrid(Cone::Nodal, None, accuracy, |_| Ok(())).unwrap();
-        let (error, expected) = (found.error.unwrap().error, found.discretisation.unwrap());
+        let found = coarse.solve(Cone::Nodal, settings(None, SHARE)).unwrap();
+        let (error, expected) = (report(&found).error.unwrap().error, report(&found).discretisation.unwrap());
         assert!(error <= 0.03 * expected, "{scene}: {error:e}, {expected:e}");
         // Another road to the error of discretisation: the energy of the mesh four times as fine.
-        let seen = (2.0 * (found.solution.energy - direct(&fine, Cone::Nodal).energy)).sqrt();
+        let seen = (2.0 * (found.energy - direct(&fine, Cone::Nodal).energy)).sqrt();
         assert!((0.5..2.0).contains(&(expected / seen)), "{scene}: {expected:e}, {seen:e}");
     }
 }
@@ -206,29 +224,30 @@ fn the_accuracy_by_default_is_a_share_of_the_error_of_discretisation() {
 #[test]
 fn what_multigrid_cannot_do_is_said() {
     let problem = MeshScene::Block.problem(15).unwrap();
-    assert_eq!(multigrid(&problem, Cone::Nodal, None, 1e-8).fallback, Some(Fallback::NoLevels));
+    assert_eq!(report(&multigrid(&problem, Cone::Nodal, None, 1e-8)).fallback, Some(Fallback::NoLevels));
     let problem = MeshScene::Block.problem(32).unwrap();
     let beyond = multigrid(&problem, Cone::Nodal, None, 1e-15);
-    assert!(beyond.fallback == Some(Fallback::NotReached) || beyond.solution.status.is_converged());
+    assert!(report(&beyond).fallback == Some(Fallback::NotReached) || beyond.status.is_converged());
     let other = Hierarchy::refined(unit_square(2, Sides::HANGING).unwrap(), 2).unwrap();
-    let accuracy = Accuracy::default();
-    let refused = problem.solve_by_multigrid(Cone::Nodal, Some(&other), accuracy, |_| Ok(()));
+    let refused = problem.solve(Cone::Nodal, settings(Some(&other), SHARE));
     assert!(matches!(refused, Err(Error::Toolkit(ToolkitError::LengthMismatch { .. }))));
     let shares = [0.0, -1.0, 2.0, f64::NAN].map(Accuracy::OfDiscretisation);
     for accuracy in shares {
-        assert!(problem.solve_by_multigrid(Cone::Nodal, None, accuracy, |_| Ok(())).is_err());
+        assert!(problem.solve(Cone::Nodal, settings(None, accuracy)).is_err());
     }
 }
 
 #[test]
 fn an_observer_may_stop_the_iteration() {
     let problem = MeshScene::Block.problem(64).unwrap();
-    let mut heard: Vec<MultigridProgress> = Vec::new();
-    let stopped = problem.solve_by_multigrid(Cone::Nodal, None, Accuracy::default(), |progress| {
+    let mut heard: Vec<Progress> = Vec::new();
+    let mut observe = |progress: &Progress| {
         heard.push(*progress);
         let reason = "enough".to_owned();
         if progress.level == 2 { Err(Error::Solver { reason }) } else { Ok(()) }
-    });
+    };
+    let stopped =
+        problem.solve(Cone::Nodal, Settings { progress: Some(&mut observe), ..settings(None, SHARE) });
     assert!(stopped.is_err_and(|e| e.to_string().contains("enough")));
     assert!(heard.iter().all(|progress| progress.levels == 4 && progress.error.is_finite()));
     assert_eq!(heard.last().map(|progress| progress.level), Some(2));
@@ -258,11 +277,11 @@ fn a_body_that_is_not_held_is_an_error() {
     let mesh = hierarchy.finest().clone();
     let load = vec![1.0; mesh.nodes().len()];
     let problem = ContactProblem::new(mesh, Form::LAPLACE, &load).unwrap();
-    let found = problem.solve_by_multigrid(Cone::Nodal, Some(&hierarchy), Accuracy::default(), |_| Ok(()));
+    let found = problem.solve(Cone::Nodal, settings(Some(&hierarchy), SHARE));
     assert!(
         matches!(found, Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. }))),
         "{:?}",
-        found.map(|f| f.solution.status)
+        found.map(|f| f.status)
     );
 }
 
@@ -291,11 +310,8 @@ fn a_tolerance_out_of_reach_ends_with_a_word() {
         let problem = MeshScene::Leaning.problem(64).unwrap();
         let found = multigrid(&problem, cone, None, 1e-15);
         let exact = direct(&problem, cone);
-        assert_eq!(found.fallback, Some(Fallback::NotReached), "{cone}: {:?}", found.solution.status);
-        assert!(
-            apart(&problem, &found.solution, &exact)
-                <= 1e-12 * problem.energy_norm(&exact.displacement).unwrap()
-        );
+        assert_eq!(report(&found).fallback, Some(Fallback::NotReached), "{cone}: {:?}", found.status);
+        assert!(apart(&problem, &found, &exact) <= 1e-12 * problem.energy_norm(&exact.displacement).unwrap());
     }
 }
 
@@ -307,8 +323,8 @@ fn without_load_nothing_moves_and_huge_loads_do_no_harm() {
         let problem = ContactProblem::new(mesh.clone(), form, &values).unwrap();
         let found = multigrid(&problem, Cone::Nodal, None, 1e-10);
         let exact = direct(&problem, Cone::Nodal);
-        assert_eq!(found.solution.contact_set, exact.contact_set, "{load}");
-        assert!((found.solution.energy - exact.energy).abs() <= 1e-10 * exact.energy.abs(), "{load}");
+        assert_eq!(found.contact_set, exact.contact_set, "{load}");
+        assert!((found.energy - exact.energy).abs() <= 1e-10 * exact.energy.abs(), "{load}");
     }
 }
 
@@ -320,8 +336,8 @@ fn energies_are_those_of_other_packages() {
         for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [16, 32, 64].map(|n| (cone, n))) {
             let Some(j) = known_energy(scene, cone, n) else { continue };
             let found = multigrid(&scene.problem(n).unwrap(), cone, None, 1e-12);
-            assert_eq!(found.fallback, None, "{scene} {cone} {n}");
-            assert!((found.solution.energy / j - 1.0).abs() <= 1e-10, "{scene} {cone} {n}");
+            assert_eq!(report(&found).fallback, None, "{scene} {cone} {n}");
+            assert!((found.energy / j - 1.0).abs() <= 1e-10, "{scene} {cone} {n}");
             known += 1;
         }
     }
@@ -350,13 +366,22 @@ fn sets_are_few_on_every_level_from_nothing_known() {
         let (problem, hierarchy) = case.problem(n).unwrap();
         for cone in Cone::ALL.into_iter().filter(|&c| c == Cone::Nodal || !problem.edge().is_closed()) {
             let accuracy = Accuracy::Relative(Tolerance::new(1e-6).unwrap());
-            let found = problem.solve_by_multigrid(cone, hierarchy.as_ref(), accuracy, |_| Ok(())).unwrap();
-            assert!(found.solution.status.is_converged(), "{case} {cone}");
-            assert_eq!(found.fallback.is_some(), is_eliminated, "{case} {cone}: {:?}", found.fallback);
-            let steps: Vec<usize> = found.levels.iter().map(|level| level.steps).collect();
-            println!("{case} {cone}: {} on the coarsest mesh, {steps:?}", found.coarsest_steps);
+            let found = problem.solve(cone, settings(hierarchy.as_ref(), accuracy)).unwrap();
+            assert!(found.status.is_converged(), "{case} {cone}");
+            assert_eq!(
+                report(&found).fallback.is_some(),
+                is_eliminated,
+                "{case} {cone}: {:?}",
+                report(&found).fallback
+            );
+            let steps: Vec<usize> = report(&found).levels.iter().map(|level| level.steps).collect();
+            println!("{case} {cone}: {} on the coarsest mesh, {steps:?}", report(&found).coarsest_steps);
             let most = if is_eliminated { 4 } else { 3 };
-            assert!(found.coarsest_steps <= most, "{case} {cone}: {}", found.coarsest_steps);
+            assert!(
+                report(&found).coarsest_steps <= most,
+                "{case} {cone}: {}",
+                report(&found).coarsest_steps
+            );
             assert!(steps.iter().all(|&steps| steps <= 3), "{case} {cone}: {steps:?}");
         }
     }
@@ -368,7 +393,7 @@ fn gradient_steps_do_not_grow_with_the_mesh() {
     for cone in Cone::ALL {
         let steps = [64, 128, 256].map(|n| {
             let found = multigrid(&MeshScene::Block.problem(n).unwrap(), cone, None, 1e-10);
-            found.levels.last().unwrap().gradient_steps
+            report(&found).levels.last().unwrap().gradient_steps
         });
         assert!(steps.iter().all(|&count| count <= 30), "{cone}: {steps:?}");
     }

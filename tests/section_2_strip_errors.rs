@@ -8,9 +8,7 @@ use qd::Quad;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
-use signorini::strip::{
-    EdgeData, EdgeSolution, ExactEdge, ExactElastic, Reference, Sides, StripKind, StripProblem, solve_contact,
-};
+use signorini::strip::{EdgeData, EdgeSolution, Reference, Sides, StripKind, StripProblem};
 
 /// The accuracy promised for every printed error, relative.
 const PROMISED: f64 = 1e-8;
@@ -116,7 +114,7 @@ fn field_error(fine: &Mat<f64>, u: &[Vec<f64>], mut u_h: Vec<Vec<f64>>, sides: S
 
 fn solve(problem: &StripProblem, n: usize, cone: Cone) -> EdgeSolution {
     let (operator, _) = problem.operator(n).unwrap();
-    solve_contact(&operator, &problem.load(n).unwrap(), cone, None).unwrap()
+    operator.solve_contact(&problem.load(n).unwrap(), cone, None, 1e-13).unwrap()
 }
 
 #[test]
@@ -159,8 +157,7 @@ fn elastic_error_is_that_of_the_fields() {
     let cells = 128;
     let lame = Lame::new(1.0, 1.0).unwrap();
     let scene = scene(cells, Sides::Periodic);
-    let exact = ExactElastic::new(&scene, (1, 1), lame, 2).unwrap();
-    let problem = StripProblem::Elastic(exact);
+    let problem = StripProblem::new(StripKind::Elastic, &scene, Reference::Nested, 2).unwrap();
     let fine = layer(cells, Sides::Periodic, Some(lame));
     let u = field(&fine, cells, &with_tangential(&fine, cells, scene.values()));
     for n in [8, 16, 32, 64] {
@@ -321,7 +318,7 @@ fn extended(cells: usize, levels: &[usize]) {
 #[test]
 fn harmonic_reference_is_the_limit_of_nested_ones() {
     let coarse = scene(64, Sides::Natural);
-    let harmonic = ExactEdge::scalar(&coarse, (1, 1), Reference::Harmonic).unwrap();
+    let harmonic = StripProblem::new(StripKind::Scalar, &coarse, Reference::Harmonic, 2).unwrap();
     // The same piecewise linear edge shape on grids 2 ... 32 times as fine.
     let mut values = coarse.values().to_vec();
     let mut errors = Vec::new();
@@ -333,7 +330,7 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
         values = fine;
         let forces = vec![0.0; values.len()];
         let scene = EdgeData::new(64 << level, Sides::Natural, values.clone(), forces).unwrap();
-        let nested = ExactEdge::scalar(&scene, (1, 1), Reference::Nested).unwrap();
+        let nested = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2).unwrap();
         errors.push(nested.error(16, &shape).unwrap().value.powi(2));
     }
     let limit = harmonic.error(16, &shape).unwrap().value.powi(2);

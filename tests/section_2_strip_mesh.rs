@@ -2,36 +2,41 @@
 //! modes.
 //!
 //! Scalar: the mesh solver of the library. Elastic: triangles assembled here on a mesh whose left and right
-//! sides are identified, all rows but the edge eliminated by dense Cholesky factorizations, contact by the
-//! dense edge solver.
+//! sides are identified, all rows but the edge eliminated by dense Cholesky factorizations; the solution of the
+//! strip meets the Karush-Kuhn-Tucker conditions of the dense problem, which has no other.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use signorini::cone::{Cone, ContactSet, Ends};
-use signorini::contact::{EdgeProblem, Solver, solve_on_edge};
+use signorini::cone::{Cone, Ends};
+use signorini::contact::Solver;
 use signorini::fem::Lame;
 use signorini::scenes::MeshScene;
-use signorini::strip::{ElasticStrip, ScalarStrip, solve_contact};
+use signorini::strip::Strip;
 use std::f64::consts::PI;
 
 /// J of both roads: rounding times the condition n² of the mesh matrices (n = 128), with a margin.
 const ENERGY: f64 = 1e-11;
+/// Balance of forces, sign and complementarity, relative: the same.
+const KKT: f64 = 1e-11;
+/// Relative residual asked of the contact iteration.
+const SOLVED: f64 = 1e-13;
 
 #[test]
 fn scalar_strip_and_mesh_agree() {
     for n in [8, 16, 32, 64, 128] {
         let problem = MeshScene::Membrane.problem(n).unwrap();
-        let strip = ScalarStrip::new(n, n).unwrap();
-        let load = strip.condense(|x, _| (2.0 * PI * x).cos() + 0.3).unwrap();
+        let strip = Strip::scalar(n, n).unwrap();
+        let (force, constant) = strip.condense(|x, _| [(2.0 * PI * x).cos() + 0.3, 0.0]).unwrap();
         let points = problem.edge().points();
         let reversed = points[0][0] > points[1][0];
         for cone in Cone::ALL {
             let mesh = problem.solve(cone, Solver::ActiveSet).unwrap();
-            let edge = solve_contact(strip.operator(), &load, cone, None).unwrap();
+            let edge = strip.operator().solve_contact(&force, cone, None, SOLVED).unwrap();
             assert!(edge.status.is_converged(), "{n} {cone}: {}", edge.status);
-            let error = (edge.energy / mesh.energy - 1.0).abs();
+            let energy = edge.energy + constant;
+            let error = (energy / mesh.energy - 1.0).abs();
             println!("scalar {n} {cone}: J apart by {error:.1e}");
-            assert!(error < ENERGY, "{n} {cone}: {} {}", edge.energy, mesh.energy);
+            assert!(error < ENERGY, "{n} {cone}: {energy} {}", mesh.energy);
             let mut set = mesh.contact_set.as_slice().to_vec();
             if reversed {
                 set.reverse();
@@ -133,36 +138,37 @@ fn elastic_strip_and_periodic_mesh_agree() {
         [0.3 * (2.0 * PI * x).sin() * (1.0 + y), 0.1 * (4.0 * PI * x).sin() - (2.0 * PI * x).cos()]
     };
     for n in [8, 16, 32, 64] {
-        let strip = ElasticStrip::new(n, n, lame).unwrap();
-        let load = strip.condense(f).unwrap().normal;
+        let strip = Strip::elastic(n, n, lame).unwrap();
+        let (load, below) = strip.condense(f).unwrap();
         let (edge, force, constant) = eliminate(n, lame, f);
         let (stiffness, force, constant) = normal_problem(&edge, &force, constant);
         for cone in Cone::ALL {
-            let solution = solve_contact(strip.operator(), &load, cone, None).unwrap();
+            let solution = strip.operator().solve_contact(&load, cone, None, SOLVED).unwrap();
             assert!(solution.status.is_converged(), "{n} {cone}: {}", solution.status);
-            // The ring is cut at an inactive segment: a chain from there on.
-            let cut = (0..n).find(|&s| !solution.contact.contains(s)).unwrap();
-            let turned = |i: usize| (cut + 1 + i) % n;
-            let matrix = Mat::from_fn(n, n, |i, j| stiffness[(turned(i), turned(j))]);
-            let b: Vec<f64> = (0..n).map(|i| force[turned(i)]).collect();
-            let (bound, fixed) = (vec![0.0; cone.constraints(n)], vec![false; n]);
-            let problem = EdgeProblem {
-                stiffness: &matrix,
-                load: &b,
-                bound: &bound,
-                fixed: &fixed,
-                cone,
-                ends: Ends::Open,
-            };
-            let outcome = solve_on_edge(&problem, ContactSet::empty(cone.constraints(n))).unwrap();
-            let w = &outcome.state.displacement;
-            assert!(outcome.status.is_converged() && (cone == Cone::Nodal || w[n - 1] + w[0] <= 0.0));
-            let energy = constant - 0.5 * b.iter().zip(w).map(|(b, w)| b * w).sum::<f64>();
-            let error = (solution.energy / energy - 1.0).abs();
+            let w = &solution.values;
+            let product: Vec<f64> =
+                (0..n).map(|i| (0..n).map(|j| stiffness[(i, j)] * w[j]).sum::<f64>()).collect();
+            let energy = constant + (0..n).map(|i| (0.5 * product[i] - force[i]) * w[i]).sum::<f64>();
+            let error = ((solution.energy + below) / energy - 1.0).abs();
             println!("elastic {n} {cone}: J apart by {error:.1e}");
-            assert!(error < ENERGY, "{n} {cone}: {} {energy}", solution.energy);
-            for i in 0..cone.constraints(n) {
-                assert_eq!(outcome.set.contains(i), solution.contact.contains(turned(i)), "{n} {cone} {i}");
+            assert!(error < ENERGY, "{n} {cone}: {} {energy}", solution.energy + below);
+            let ring = cone.on(n, Ends::Joined);
+            let held = ring.apply_transposed(&solution.multiplier).unwrap();
+            let gap = ring.apply(w);
+            let size = |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+            let forces = size(&force) + size(&product);
+            for i in 0..n {
+                let off = product[i] + held[i] - force[i];
+                assert!(off.abs() <= KKT * forces, "{n} {cone} node {i}: {off:e}");
+            }
+            for i in 0..ring.constraints() {
+                let (multiplier, gap) = (solution.multiplier[i], gap[i]);
+                assert!(multiplier >= -KKT * forces && gap <= KKT * size(w), "{n} {cone} {i}");
+                let is_active = solution.contact.contains(i);
+                assert!(
+                    if is_active { gap.abs() <= KKT * size(w) } else { multiplier == 0.0 },
+                    "{n} {cone} {i}"
+                );
             }
         }
     }

@@ -7,13 +7,10 @@ use faer::Mat;
 use proptest::prelude::*;
 use signorini::Error;
 use signorini::ToolkitError;
-use signorini::cone::{Cone, ContactSet, Ends, Status};
-use signorini::contact::{EdgeProblem, solve_on_edge};
+use signorini::cone::{Cone, Ends, Status};
 use signorini::fem::Lame;
 use signorini::scenes::StripScene;
-use signorini::strip::{
-    EdgeData, EdgeLoad, EdgeOperator, ElasticStrip, ExactEdge, Reference, ScalarStrip, Sides, solve_contact,
-};
+use signorini::strip::{EdgeData, EdgeOperator, Reference, Sides, Strip, StripKind, StripProblem};
 use std::sync::LazyLock;
 
 #[path = "../examples/section_2_strip.rs"]
@@ -22,6 +19,8 @@ mod example;
 
 /// KKT figures of a solution that counts as solved.
 const KKT: f64 = 1e-10;
+/// Relative residual asked of the contact iteration.
+const SOLVED: f64 = 1e-13;
 /// J by two roads: second order in the residual, so rounding times the condition of a few hundred unknowns.
 const ENERGY: f64 = 1e-10;
 
@@ -38,7 +37,7 @@ fn dense(operator: &EdgeOperator) -> Mat<f64> {
 }
 
 fn solve(operator: &EdgeOperator, force: Vec<f64>, cone: Cone) -> signorini::strip::EdgeSolution {
-    solve_contact(operator, &EdgeLoad::on_edge(force), cone, None).unwrap()
+    operator.solve_contact(&force, cone, None, SOLVED).unwrap()
 }
 
 proptest! {
@@ -48,18 +47,26 @@ proptest! {
     fn random_loads_have_the_energy_of_the_dense_solver(
         raw in prop::collection::vec(-1.0f64..1.0, 33), mean in -0.3f64..0.3, smooth in 0usize..8
     ) {
-        let strip = ScalarStrip::new(32, 32).unwrap();
+        let strip = Strip::scalar(32, 32).unwrap();
         let force = smoothed(&raw, mean, smooth);
         let matrix = dense(strip.operator());
         for cone in Cone::ALL {
             let solution = solve(strip.operator(), force.clone(), cone);
             prop_assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
             prop_assert!(solution.kkt.worst() < KKT, "{cone}: {:?}", solution.kkt);
-            let (bound, fixed) = (vec![0.0; cone.constraints(33)], vec![false; 33]);
-            let problem = EdgeProblem { stiffness: &matrix, load: &force, bound: &bound, fixed: &fixed, cone, ends: Ends::Open };
-            let outcome = solve_on_edge(&problem, ContactSet::empty(cone.constraints(33))).unwrap();
-            let energy = -0.5 * force.iter().zip(&outcome.state.displacement).map(|(b, w)| b * w).sum::<f64>();
+            // The conditions of the dense problem, which has one solution.
+            let (w, chain) = (&solution.values, cone.on(33, Ends::Open));
+            let product: Vec<f64> = (0..33).map(|i| (0..33).map(|j| matrix[(i, j)] * w[j]).sum::<f64>()).collect();
+            let energy = (0..33).map(|i| (0.5 * product[i] - force[i]) * w[i]).sum::<f64>();
             prop_assert!((solution.energy - energy).abs() <= ENERGY * energy.abs(), "{} {energy}", solution.energy);
+            let size = |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+            let (forces, held) = (size(&force) + size(&product), chain.apply_transposed(&solution.multiplier).unwrap());
+            prop_assert!((0..33).all(|i| (product[i] + held[i] - force[i]).abs() <= KKT * forces), "{cone}");
+            for (i, gap) in chain.apply(w).into_iter().enumerate() {
+                let multiplier = solution.multiplier[i];
+                prop_assert!(multiplier >= -KKT * forces && gap <= KKT * size(w), "{cone} {i}: {multiplier} {gap}");
+                prop_assert!(multiplier == 0.0 || gap.abs() <= KKT * size(w), "{cone} {i}: {multiplier} {gap}");
+            }
         }
     }
 
@@ -67,7 +74,7 @@ proptest! {
     fn random_loads_are_solved_on_the_ring(
         raw in prop::collection::vec(-1.0f64..1.0, 256), mean in -0.3f64..0.3, smooth in 0usize..8
     ) {
-        let strip = ElasticStrip::new(256, 256, Lame::new(1.0, 1.0).unwrap()).unwrap();
+        let strip = Strip::elastic(256, 256, Lame::new(1.0, 1.0).unwrap()).unwrap();
         for cone in Cone::ALL {
             let solution = solve(strip.operator(), smoothed(&raw, mean, smooth), cone);
             prop_assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
@@ -88,7 +95,7 @@ fn smoothed(raw: &[f64], mean: f64, times: usize) -> Vec<f64> {
 
 #[test]
 fn scaling_the_load_scales_the_answer() {
-    let strip = ScalarStrip::new(64, 64).unwrap();
+    let strip = Strip::scalar(64, 64).unwrap();
     let force: Vec<f64> = (0..65).map(|i| (0.2 * i as f64).cos() + 0.1).collect();
     for cone in Cone::ALL {
         let one = solve(strip.operator(), force.clone(), cone);
@@ -100,16 +107,16 @@ fn scaling_the_load_scales_the_answer() {
                 assert!((a - b / scale).abs() <= 1e-12 * size);
             }
         }
-        let huge = EdgeLoad::on_edge(force.iter().map(|f| f * 1e300).collect());
-        let refused = solve_contact(strip.operator(), &huge, cone, None);
+        let huge: Vec<f64> = force.iter().map(|f| f * 1e300).collect();
+        let refused = strip.operator().solve_contact(&huge, cone, None, SOLVED);
         assert!(matches!(refused, Err(Error::Toolkit(ToolkitError::NotFinite { name: "energy", .. }))));
     }
 }
 
 #[test]
 fn no_contact_and_full_contact() {
-    let scalar = ScalarStrip::new(16, 16).unwrap();
-    let elastic = ElasticStrip::new(16, 16, Lame::new(1.0, 1.0).unwrap()).unwrap();
+    let scalar = Strip::scalar(16, 16).unwrap();
+    let elastic = Strip::elastic(16, 16, Lame::new(1.0, 1.0).unwrap()).unwrap();
     for operator in [scalar.operator(), elastic.operator()] {
         for cone in Cone::ALL {
             let weights =
@@ -124,7 +131,7 @@ fn no_contact_and_full_contact() {
             assert!(nothing.status.is_converged() && nothing.energy == 0.0);
         }
     }
-    let smallest = ScalarStrip::new(2, 1).unwrap();
+    let smallest = Strip::scalar(2, 1).unwrap();
     assert!(solve(smallest.operator(), vec![1.0, -1.0, 0.5], Cone::Midpoint).kkt.worst() < 1e-12);
 }
 
@@ -157,12 +164,12 @@ fn bad_scenes_are_named() {
     refused(EdgeData::new(2, Sides::Natural, vec![0.0, f64::NAN, 0.0], vec![0.0; 3]), "not finite");
     refused(EdgeData::new(4, Sides::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
     let odd = EdgeData::new(6, Sides::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
-    refused(ExactEdge::scalar(&odd, (1, 1), Reference::Nested), "powers of two");
+    let scalar = |data| StripProblem::new(StripKind::Scalar, data, Reference::Nested, 2);
+    refused(scalar(&odd), "powers of two");
     let ring = EdgeData::new(8, Sides::Periodic, vec![0.0; 8], vec![0.0; 8]).unwrap();
-    refused(ExactEdge::scalar(&ring, (1, 1), Reference::Nested), "sides");
+    refused(scalar(&ring), "sides");
     let flat = EdgeData::new(8, Sides::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
-    refused(ExactEdge::scalar(&flat, (1, 3), Reference::Nested), "cells");
-    let exact = ExactEdge::scalar(&flat, (1, 1), Reference::Nested).unwrap();
+    let exact = scalar(&flat).unwrap();
     refused(exact.load(16), "cells");
     refused(exact.load(3), "cells");
     refused(exact.error(4, &[0.0; 4]), "length");

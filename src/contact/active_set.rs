@@ -45,24 +45,24 @@ const FURTHEST_FIRST: usize = 64;
 
 /// How the iteration on the edge went.
 #[derive(Debug, Clone)]
-pub struct EdgeOutcome {
+pub(super) struct EdgeOutcome {
     /// The last solution.
-    pub state: EdgeState,
+    pub(super) state: EdgeState,
     /// Its set.
-    pub set: ContactSet,
+    pub(super) set: ContactSet,
     /// How the iteration ended.
-    pub status: Status,
+    pub(super) status: Status,
     /// The sets visited, in order, the last one included.
-    pub history: Vec<ContactSet>,
+    pub(super) history: Vec<ContactSet>,
     /// How many steps it took.
-    pub steps: usize,
+    pub(super) steps: usize,
 }
 
 /// Solves the edge problem from the given first guess.
 ///
 /// # Errors
 /// As for [`EdgeProblem::solve_with`].
-pub fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
+pub(super) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
     let limit = FEWEST_STEPS + STEPS_PER_CONSTRAINT * start.constraints();
     let furthest_first = FURTHEST_FIRST.min(start.constraints());
     let mut set = start;

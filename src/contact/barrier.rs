@@ -232,7 +232,7 @@ impl<'a> Iterate<'a> {
 mod tests {
     use super::*;
     use crate::cone::Ends;
-    use crate::contact::solve_on_edge;
+    use crate::contact::active_set::solve_on_edge;
 
     /// Loads of either sign that fall over sixty decades from the last node to the first.
     #[test]

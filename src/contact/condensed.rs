@@ -28,48 +28,33 @@ struct Condensed<'a> {
     multiplier: Vec<f64>,
 }
 
-/// The solution from the guess, and the number of steps from `other` instead, where it is given.
-pub(super) fn solve(
-    problem: &ContactProblem,
-    cone: Cone,
-    guess: ContactSet,
-    other: Option<ContactSet>,
-) -> Result<(ContactSolution, Option<u64>)> {
-    let steps_from =
-        |edge: &EdgeProblem<'_>, guess| solve_on_edge(edge, guess).map(|outcome| outcome.steps as u64);
-    by_edge(
-        (problem, cone, Solver::ActiveSet),
-        |edge| solve_on_edge(edge, guess),
-        |edge| other.map(|other| steps_from(edge, other)).transpose(),
-    )
+/// The solution by the active set from the guess.
+pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
+    by_edge(problem, cone, Solver::ActiveSet, |edge| solve_on_edge(edge, guess))
 }
 
 /// The solution by the active set, its first guess from coarser functions on the edge.
 pub(super) fn solve_by_cascade(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
-    let road = (problem, cone, Solver::ActiveSet);
-    let found = by_edge(road, |edge| solve_on_edge(edge, cascade::guess(edge)?), |_| Ok(()))?;
-    Ok(found.0)
+    by_edge(problem, cone, Solver::ActiveSet, |edge| solve_on_edge(edge, cascade::guess(edge)?))
 }
 
 /// The solution by the barrier with the given sizes of displacements, recovered once.
-pub(super) fn solve_by_sizes(problem: &ContactProblem, sizes: &[f64]) -> Result<ContactSolution> {
-    let road = (problem, Cone::Nodal, Solver::InteriorPoint);
-    by_edge(road, |edge| solve_by_barrier(edge, sizes), |_| Ok(())).map(|(solution, ())| solution)
+pub(super) fn solve_by_sizes(problem: &ContactProblem, cone: Cone, sizes: &[f64]) -> Result<ContactSolution> {
+    by_edge(problem, cone, Solver::EdgeInteriorPoint, |edge| solve_by_barrier(edge, sizes))
 }
 
 /// The solution by the interior point method on the edge, recovered once.
 pub(super) fn solve_by_program(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
-    let road = (problem, cone, Solver::EdgeInteriorPoint);
-    by_edge(road, edge_interior_point, |_| Ok(())).map(|(solution, ())| solution)
+    by_edge(problem, cone, Solver::EdgeInteriorPoint, edge_interior_point)
 }
 
-/// Elimination, `on_edge` for the problem on the edge, recovery, a step of refinement for the active set; and
-/// what `beside` says of the problem on the edge, in no one's seconds.
-fn by_edge<T>(
-    (problem, cone, solver): (&ContactProblem, Cone, Solver),
+/// Elimination, `on_edge` for the condensed problem, recovery, and a step of refinement for the active set.
+fn by_edge(
+    problem: &ContactProblem,
+    cone: Cone,
+    solver: Solver,
     on_edge: impl FnOnce(&EdgeProblem<'_>) -> Result<EdgeOutcome>,
-    beside: impl FnOnce(&EdgeProblem<'_>) -> Result<T>,
-) -> Result<(ContactSolution, T)> {
+) -> Result<ContactSolution> {
     problem.matrix();
     let start = Instant::now();
     let mut iterate = Condensed::new(problem, cone)?;
@@ -79,7 +64,6 @@ fn by_edge<T>(
     let edge = iterate.edge_problem(&reduced, &bound);
     let outcome = on_edge(&edge)?;
     let contact = start.elapsed().as_secs_f64();
-    let said = beside(&edge)?;
     let start = Instant::now();
     iterate.add(&reduced, &outcome.state.displacement, &outcome.state.multiplier);
     if solver == Solver::ActiveSet {
@@ -105,7 +89,7 @@ fn by_edge<T>(
     )?;
     let (assembly, recovery) = (problem.assembly_seconds(), start.elapsed().as_secs_f64());
     solution.seconds = Seconds { assembly, factorization, contact, recovery };
-    Ok((solution, said))
+    Ok(solution)
 }
 
 impl<'a> Condensed<'a> {

@@ -242,7 +242,7 @@ impl Turn {
 mod tests {
     use super::*;
     use crate::cone::{Cone, Ends};
-    use crate::contact::solve_on_edge;
+    use crate::contact::active_set::solve_on_edge;
     use crate::numeric::random::SplitMix;
 
     /// S = A A' + a random diagonal, bounds of either sign, ends fixed or not; every condition is checked.

@@ -16,31 +16,31 @@ pub(super) const HELD: f64 = 1e-10;
 
 /// A dense contact problem on a chain or a ring of nodes.
 #[derive(Debug, Clone)]
-pub struct EdgeProblem<'a> {
+pub(super) struct EdgeProblem<'a> {
     /// S, symmetric positive definite.
-    pub stiffness: &'a Mat<f64>,
+    pub(super) stiffness: &'a Mat<f64>,
     /// b.
-    pub load: &'a [f64],
+    pub(super) load: &'a [f64],
     /// g, one bound per constraint of the cone.
-    pub bound: &'a [f64],
+    pub(super) bound: &'a [f64],
     /// Nodes held at w = 0 (clamped ends of the edge).
-    pub fixed: &'a [bool],
+    pub(super) fixed: &'a [bool],
     /// B.
-    pub cone: Cone,
+    pub(super) cone: Cone,
     /// Whether the chain closes to a ring, which has no fixed nodes.
-    pub ends: Ends,
+    pub(super) ends: Ends,
 }
 
 /// The solution for one contact set, admissible or not.
 #[derive(Debug, Clone)]
-pub struct EdgeState {
+pub(super) struct EdgeState {
     /// w.
-    pub displacement: Vec<f64>,
+    pub(super) displacement: Vec<f64>,
     /// λ; zero off the set.
-    pub multiplier: Vec<f64>,
+    pub(super) multiplier: Vec<f64>,
     /// B w − g; exactly zero on the set, except where a run of active segments between two fixed nodes, one
     /// equation more than nodes, cannot hold.
-    pub gap: Vec<f64>,
+    pub(super) gap: Vec<f64>,
 }
 
 impl EdgeProblem<'_> {
@@ -48,7 +48,7 @@ impl EdgeProblem<'_> {
     ///
     /// # Errors
     /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when sizes disagree.
-    pub fn solve_with(&self, set: &ContactSet) -> Result<EdgeState> {
+    pub(super) fn solve_with(&self, set: &ContactSet) -> Result<EdgeState> {
         self.check(set)?;
         let cone = self.edge_cone();
         let free = cone.coordinates(set.as_slice(), self.bound, self.fixed);
@@ -67,12 +67,12 @@ impl EdgeProblem<'_> {
     }
 
     /// True when all nodes of constraint `i` are fixed, so that no set can influence it.
-    pub fn is_settled(&self, i: usize) -> bool {
+    pub(super) fn is_settled(&self, i: usize) -> bool {
         self.edge_cone().support(i).all(|node| self.fixed[node])
     }
 
     /// b − S w.
-    pub fn residual(&self, w: &[f64]) -> Vec<f64> {
+    pub(super) fn residual(&self, w: &[f64]) -> Vec<f64> {
         let mut residual = self.load.to_vec();
         for (j, &value) in w.iter().enumerate() {
             let column = self.stiffness.col(j);

@@ -2,8 +2,7 @@
 //!
 //! Sign convention of the paper: u_N ≤ g and σ_N ≤ 0 on the contact edge, n outward; multipliers λ ≥ 0 are
 //! generalised forces with K u − F + B'λ = 0 and B u ≤ g. What belongs to the cones alone stands in
-//! [`crate::cone`]. [`EdgeProblem`] knows no mesh: a dense problem on the contact unknowns, whatever is
-//! behind it.
+//! [`crate::cone`]. [`ContactProblem::solve`] is the one entry; [`Settings`] say how.
 
 mod active_set;
 mod barrier;
@@ -20,16 +19,14 @@ mod operator;
 mod problem;
 mod products;
 mod program;
+mod settings;
 mod solution;
 mod solve;
 mod solver;
 mod units;
 
-pub use active_set::{EdgeOutcome, solve_on_edge};
-pub use edge_problem::{EdgeProblem, EdgeState};
-pub use multigrid::{
-    Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridLevel, MultigridProgress, MultigridSolution,
-};
+pub use multigrid::{Accuracy, Fallback, MultigridLevel, MultigridReport, Progress};
 pub use problem::ContactProblem;
+pub use settings::{Settings, Start};
 pub use solution::{ContactSolution, Seconds};
 pub use solver::Solver;

@@ -6,6 +6,7 @@
 //! the sum of absolute loads and reactions, or of the other terms where those are more; a(d, u) vanishes
 //! without a reaction term.
 
+use super::multigrid::MultigridReport;
 use super::problem::ContactProblem;
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, KktResiduals, KktTerms, Margins, Status};
@@ -90,6 +91,9 @@ pub struct ContactSolution {
     pub work: Work,
     /// Seconds by phase.
     pub seconds: Seconds,
+    /// The levels of multigrid, its estimate of the error, and why the direct solver was taken, if it was; `None` for
+    /// the other solvers.
+    pub multigrid: Option<MultigridReport>,
 }
 
 /// What a solver hands over: unknowns of the frame, multipliers, its own view of how it ended.
@@ -170,6 +174,7 @@ pub(super) fn conclude(
         history: candidate.history,
         work: candidate.work,
         seconds: candidate.seconds,
+        multigrid: None,
     })
 }
 

@@ -13,8 +13,9 @@ pub enum Solver {
     /// A general interior point method for quadratic programs (Clarabel) on the full sparse problem.
     InteriorPoint,
     /// The same on the problem condensed to the edge: elimination is that of the active set, the search for
-    /// the contact set is not. Its run time and error beside those of [`Solver::InteriorPoint`] are measured in
-    /// `section_2_speed_for_accuracy`, on meshes too fine for the latter.
+    /// the contact set is not. On 128 × 128 squares it takes 0.04 s for an algebraic error of 2e-13, where
+    /// [`Solver::InteriorPoint`] takes 0.3 s for 8e-10 (`section_2_speed_for_accuracy`), so that it is the independent
+    /// computation on finer meshes.
     EdgeInteriorPoint,
     /// Nested iteration with conjugate gradients and a V-cycle.
     Multigrid,

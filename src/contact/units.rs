@@ -5,7 +5,7 @@
 //! rounded that is within the range of binary64 below the largest entries, and the answer is scaled back.
 //! With k the largest modulus of the form the energy is about |F|²/k, and k g² where data are prescribed.
 
-use super::multigrid::MultigridSolution;
+use super::multigrid::MultigridReport;
 use super::problem::ContactProblem;
 use super::solution::ContactSolution;
 use crate::error::Result;
@@ -65,14 +65,14 @@ impl ContactSolution {
             *value = *value * unit * unit;
         }
         require_values("energy J", &[self.energy, self.energy_rounding], 2)?;
+        self.multigrid = self.multigrid.map(|report| report.scaled_by(unit));
         Ok(self)
     }
 }
 
-impl MultigridSolution {
-    /// The same for a solution with its accuracy.
-    pub(super) fn scaled_by(mut self, unit: f64) -> Result<Self> {
-        self.solution = self.solution.scaled_by(unit)?;
+impl MultigridReport {
+    /// The errors in units of 1.
+    fn scaled_by(mut self, unit: f64) -> Self {
         let scaled =
             |found: Estimate| Estimate { value: found.value * unit, error: found.error * unit, ..found };
         self.error = self.error.map(scaled);
@@ -81,6 +81,6 @@ impl MultigridSolution {
             level.error *= unit;
             level.discretisation = level.discretisation.map(|error| error * unit);
         }
-        Ok(self)
+        self
     }
 }

@@ -14,9 +14,7 @@ use crate::cone::{Cone, ContactSet};
 use crate::contact::Solver;
 use crate::error::{Error, Result, ToolkitError};
 use crate::scenes::{MeshScene, Scene, StripScene};
-use crate::strip::{
-    EdgeData, EdgeOperator, ExactEdge, Reference, Sides, StripKind, StripProblem, solve_contact,
-};
+use crate::strip::{EdgeData, Reference, Sides, StripKind, StripProblem};
 
 /// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a
 /// segment.
@@ -25,6 +23,8 @@ const MESH_FACTOR: usize = 8;
 const MESH_LARGEST: usize = 256;
 /// Most segments on a strip: a reference of 2^20 cells.
 const STRIP_LARGEST: usize = 1 << 14;
+/// Relative residual of the contact solution on a strip.
+const SOLVED: f64 = 1e-13;
 /// Fewest cells of the manufactured edge: studies of up to 1024 segments all see the same one.
 const STRIP_CELLS: usize = 1 << 16;
 /// Fewest of its cells per segment: lengths h_e θ are known to h_e/64.
@@ -79,9 +79,8 @@ impl EdgeTrace {
             Scene::Mesh(scene) => mesh_trace(*scene, n, cone),
             Scene::Strip(source) => {
                 let scene = strip_data(source, n, tau)?;
-                let exact = StripProblem::Scalar(ExactEdge::scalar(&scene, (1, 1), Reference::Nested)?);
-                let (operator, _): (EdgeOperator, f64) = exact.operator(n)?;
-                let solution = solve_contact(&operator, &exact.load(n)?, cone, None)?;
+                let exact = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, n)?;
+                let solution = exact.operator(n)?.0.solve_contact(&exact.load(n)?, cone, None, SOLVED)?;
                 let nodes = (0..=n).map(|i| i as f64 / n as f64).collect();
                 discrete_trace(nodes, solution.values, &solution.multiplier, &solution.contact, cone)
             }

@@ -10,24 +10,22 @@
 //! | --- | --- |
 //! | n, m, h = 1/n, H = m/n | cells along the edge, layers, mesh size, height |
 //! | A, S(θ) | [`EdgeOperator`] and its symbol |
-//! | b, c | [`EdgeLoad`]: J(g) = ½ g'A g − b'g + c |
-//! | u − u_h | [`ExactEdge`], [`ExactElastic`]: energy norms from the edge alone |
-//! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`solve_contact`] |
+//! | b, c | J(g) = ½ g'A g − b'g + c of a volume load: [`Strip::condense`] |
+//! | u − u_h | [`StripProblem::error`]: energy norms from the edge alone |
+//! | K^h, K̄^h | [`crate::cone::Cone`], solved by [`EdgeOperator::solve_contact`] |
 
 mod edge_data;
 mod exact;
 mod operator;
 mod sides;
 mod solver;
+mod strip;
 mod transfer;
 
 pub use edge_data::EdgeData;
-pub use exact::{ExactEdge, ExactElastic, Reference, StripKind, StripProblem};
+pub use exact::{Reference, StripKind, StripProblem};
 pub use operator::edge::EdgeOperator;
-pub use operator::elastic::{ElasticLoad, ElasticStrip};
-pub use operator::load::EdgeLoad;
-pub use operator::scalar::ScalarStrip;
 pub use sides::Sides;
 pub use solver::solution::EdgeSolution;
-pub use solver::solve::{solve_contact, solve_contact_to};
+pub use strip::Strip;
 pub(crate) use transfer::restrict;

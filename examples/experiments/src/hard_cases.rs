@@ -5,12 +5,12 @@
 //! and its estimate. Cost: one elimination and one multigrid solution.
 
 use fractional_sobolev::{Given, Tolerance};
-use signorini::Result;
 use signorini::cone::Cone;
-use signorini::contact::{Accuracy, ContactProblem, Fallback, Solver};
+use signorini::contact::{Accuracy, ContactProblem, Fallback, Settings, Solver};
 use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{Hierarchy, Sides, mapped_grid};
 use signorini::scenes::{MeshScene, Setting};
+use signorini::{Error, Result};
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -164,8 +164,12 @@ impl AgainstElimination {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Self> {
         let tolerance = tolerance.given()?;
-        let found = problem.solve_by_multigrid(cone, hierarchy, Accuracy::Relative(tolerance), |_| Ok(()))?;
-        let (one, other) = (&found.solution, problem.solve(cone, Solver::ActiveSet)?);
+        let (solver, accuracy) = (Solver::Multigrid, Accuracy::Relative(tolerance));
+        let one = problem.solve(cone, Settings { solver, accuracy, hierarchy, ..Settings::default() })?;
+        let other = problem.solve(cone, Solver::ActiveSet)?;
+        let Some(found) = &one.multigrid else {
+            return Err(Error::Solver { reason: "multigrid without a report".to_owned() });
+        };
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
         let difference: Vec<f64> =
             one.displacement.iter().zip(&other.displacement).map(|(a, b)| a - b).collect();

@@ -2,7 +2,7 @@
 //! errors of the discrete solutions of a problem with known solution on the meshes with n × n squares, n = 4, 8, ...
 
 use signorini::cone::Cone;
-use signorini::contact::{ContactSolution, Solver};
+use signorini::contact::{ContactSolution, Settings, Start};
 use signorini::scenes::KnownSolution;
 use signorini::{Error, Result, ToolkitError};
 
@@ -49,10 +49,8 @@ pub fn known_levels(
     let mut levels = Vec::new();
     for n in (COARSEST..=finest).map(|level| 1usize << level) {
         let problem = known.problem(n)?;
-        let solution = match &coarse {
-            Some(coarse) => problem.solve_after(coarse)?,
-            None => problem.solve(cone, Solver::ActiveSet)?,
-        };
+        let start = coarse.as_ref().map_or(Start::Open, Start::Coarse);
+        let solution = problem.solve(cone, Settings { start, ..Settings::default() })?;
         if !solution.status.is_converged() {
             let why = "the active-set iteration did not converge";
             return Err(

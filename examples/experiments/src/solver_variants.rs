@@ -4,7 +4,7 @@
 
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
-use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
+use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver, Start};
 use signorini::scenes::KnownSolution;
 use signorini::{Error, Result, ToolkitError};
 use std::fmt;
@@ -12,6 +12,8 @@ use std::time::Instant;
 
 /// Cells along each side up to which the interior-point method takes its turn.
 const INTERIOR: usize = 128;
+/// Algebraic error over the error of discretisation, for the second variant of multigrid.
+const SHARE: f64 = 0.01;
 /// Cells along each side up to which elimination takes its turn: some 4 GB at n = 1024 for two components.
 const ELIMINATED: usize = 1024;
 
@@ -143,15 +145,18 @@ fn travel(
     coarse: Option<&ContactSolution>,
 ) -> Result<Option<(ContactSolution, Option<f64>)>> {
     let multigrid = |accuracy| {
-        let found = problem.solve_by_multigrid(cone, None, accuracy, |_| Ok(()))?;
-        let taken = found.fallback.is_none();
-        Ok(taken.then_some((found.solution, found.error.map(|error| error.relative_error()))))
+        let how = Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
+        let found = problem.solve(cone, how)?;
+        let report = found.multigrid.clone().filter(|report| report.fallback.is_none());
+        Ok(report.map(|report| (found, report.error.map(|error| error.relative_error()))))
     };
     let solution = match (road, coarse) {
         (SolverVariant::Multigrid, _) => return multigrid(Accuracy::Relative(Tolerance::new(1e-10)?)),
-        (SolverVariant::Share, _) => return multigrid(Accuracy::default()),
+        (SolverVariant::Share, _) => return multigrid(Accuracy::OfDiscretisation(SHARE)),
         (SolverVariant::Nested, None) => return Ok(None),
-        (SolverVariant::Nested, Some(coarse)) => problem.solve_after(coarse)?,
+        (SolverVariant::Nested, Some(coarse)) => {
+            problem.solve(cone, Settings { start: Start::Coarse(coarse), ..Settings::default() })?
+        }
         (SolverVariant::Cold, _) => problem.solve(cone, Solver::ActiveSet)?,
         (SolverVariant::Interior, _) => problem.solve(cone, Solver::InteriorPoint)?,
         (SolverVariant::Edge, _) => problem.solve(cone, Solver::EdgeInteriorPoint)?,

@@ -1,6 +1,5 @@
-//! What is asked of the multigrid solver and what it answers.
+//! The accuracy asked of the multigrid solver, its progress and its report.
 
-use super::super::solution::ContactSolution;
 use fractional_sobolev::{Estimate, Tolerance};
 use std::fmt;
 
@@ -15,15 +14,15 @@ pub enum Accuracy {
 }
 
 impl Default for Accuracy {
-    /// A hundredth of the error of discretisation.
+    /// Twelve digits.
     fn default() -> Self {
-        Accuracy::OfDiscretisation(0.01)
+        Accuracy::Relative(Tolerance::reference())
     }
 }
 
-/// Where an iteration is, for those who wait.
+/// Where the iteration of multigrid is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MultigridProgress {
+pub struct Progress {
     /// The level, from 1.
     pub level: usize,
     /// How many levels there are.
@@ -45,14 +44,14 @@ pub enum Fallback {
     ClosedEdge,
     /// No coarser meshes: neither a hierarchy nor a grid that can be halved.
     NoLevels,
-    /// λ/μ beyond [`MOST_INCOMPRESSIBLE`]: cycles of point smoothers hardly converge.
+    /// λ/μ above 100: cycles of point smoothers hardly converge.
     NearlyIncompressible,
     /// The accuracy asked for was not reached.
     NotReached,
 }
 
 /// λ/μ up to which cycles converge fast enough to be worth it.
-pub const MOST_INCOMPRESSIBLE: f64 = 100.0;
+pub(super) const MOST_INCOMPRESSIBLE: f64 = 100.0;
 
 impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -85,11 +84,9 @@ pub struct MultigridLevel {
     pub seconds: f64,
 }
 
-/// A solution with its accuracy.
+/// What multigrid reports beside the solution.
 #[derive(Debug, Clone)]
-pub struct MultigridSolution {
-    /// The solution; its solver is the one that was taken.
-    pub solution: ContactSolution,
+pub struct MultigridReport {
     /// |u_h|_a with the estimated error of u_h in the same norm; `None` for the direct solver.
     pub error: Option<Estimate>,
     /// The expected error of discretisation in the energy norm.

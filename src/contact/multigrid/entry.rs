@@ -2,7 +2,8 @@
 
 use super::super::condensed;
 use super::super::problem::ContactProblem;
-use super::accuracy::{Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridProgress, MultigridSolution};
+use super::super::solution::ContactSolution;
+use super::accuracy::{Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridReport, Progress};
 use super::chain::Chain;
 use super::nested::{self, Observer};
 use crate::cone::Cone;
@@ -17,32 +18,15 @@ impl ContactProblem {
     /// The discrete solution by multigrid, as exact as asked for. Coarser meshes are those of the hierarchy,
     /// whose finest mesh must be that of the problem, or else every other line of a grid. Where there are
     /// none, near Poisson's ratio 1/2, or where cycles do not reach the accuracy, the direct solver takes
-    /// over and the answer says so.
-    ///
-    /// `observe` hears of every step; its error ends the iteration. Loads whose squares leave the range of
-    /// binary64 are solved for in units of a power of two.
-    ///
-    /// ```
-    /// use signorini::cone::Cone;
-    /// use signorini::contact::Accuracy;
-    /// use signorini::scenes::MeshScene;
-    /// let problem = MeshScene::Block.problem(32)?;
-    /// let found = problem.solve_by_multigrid(Cone::Nodal, None, Accuracy::default(), |_| Ok(()))?;
-    /// assert!(found.solution.status.is_converged() && found.fallback.is_none());
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`ContactProblem::solve`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a hierarchy of another mesh;
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the share of the error of discretisation is in (0, 1]; what `observe`
-    /// returns.
-    pub fn solve_by_multigrid(
+    /// over and the report says why. Loads whose squares leave the range of binary64 are solved for in units of a
+    /// power of two.
+    pub(in crate::contact) fn by_multigrid(
         &self,
         cone: Cone,
         hierarchy: Option<&Hierarchy>,
         accuracy: Accuracy,
-        mut observe: impl FnMut(&MultigridProgress) -> Result<()> + Send,
-    ) -> Result<MultigridSolution> {
+        mut observe: Option<&mut Observer<'_>>,
+    ) -> Result<ContactSolution> {
         if let Accuracy::OfDiscretisation(share) = accuracy {
             Error::require(
                 "share of the error of discretisation",
@@ -52,12 +36,16 @@ impl ContactProblem {
             )?;
         }
         if let Some((scaled, unit)) = self.in_unit() {
-            let mut heard = |progress: &MultigridProgress| {
-                observe(&MultigridProgress { error: progress.error * unit, ..*progress })
+            let mut heard = |progress: &Progress| match &mut observe {
+                Some(observe) => observe(&Progress { error: progress.error * unit, ..*progress }),
+                None => Ok(()),
             };
             return scaled.by_cycles(cone, hierarchy, accuracy, &mut heard)?.scaled_by(unit);
         }
-        self.by_cycles(cone, hierarchy, accuracy, &mut |progress| observe(progress))
+        match observe {
+            Some(observe) => self.by_cycles(cone, hierarchy, accuracy, observe),
+            None => self.by_cycles(cone, hierarchy, accuracy, &mut |_| Ok(())),
+        }
     }
 
     /// The same in the units of the problem.
@@ -67,7 +55,7 @@ impl ContactProblem {
         hierarchy: Option<&Hierarchy>,
         accuracy: Accuracy,
         observe: &mut Observer<'_>,
-    ) -> Result<MultigridSolution> {
+    ) -> Result<ContactSolution> {
         self.require_cone(cone)?;
         if self.edge().pieces().len() > 1 {
             return self.directly(cone, Fallback::SeveralEdges);
@@ -86,22 +74,26 @@ impl ContactProblem {
         // Inside the pool, so that short tasks need no other thread.
         let (found, ()) = rayon::join(|| nested::solve(self, &chain, cone, accuracy, observe), || ());
         let found = found?;
-        if found.solution.status.is_converged() || self.unknowns() > LARGEST_DIRECT {
+        if found.status.is_converged() || self.unknowns() > LARGEST_DIRECT {
             return Ok(found);
         }
-        Ok(MultigridSolution { levels: found.levels, ..self.directly(cone, Fallback::NotReached)? })
+        let mut solution = self.directly(cone, Fallback::NotReached)?;
+        if let (Some(report), Some(tried)) = (&mut solution.multigrid, found.multigrid) {
+            report.levels = tried.levels;
+        }
+        Ok(solution)
     }
 
-    fn directly(&self, cone: Cone, why: Fallback) -> Result<MultigridSolution> {
+    fn directly(&self, cone: Cone, why: Fallback) -> Result<ContactSolution> {
         let solution = condensed::solve_by_cascade(self, cone)?;
-        Ok(MultigridSolution {
+        let report = MultigridReport {
             coarsest_steps: solution.history.len(),
-            solution,
             error: None,
             discretisation: None,
             levels: Vec::new(),
             fallback: Some(why),
-        })
+        };
+        Ok(ContactSolution { multigrid: Some(report), ..solution })
     }
 
     /// The largest λ/μ of the materials; 0 for a scalar form.

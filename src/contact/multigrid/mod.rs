@@ -30,7 +30,7 @@
 //! | 200 | 131 | 136 | 0.996 |
 //! | 500 | 309 | 322, not reached | 0.997 |
 //!
-//! It is for λ/μ up to [`MOST_INCOMPRESSIBLE`]; near Poisson's ratio 1/2 point smoothers fail, and the direct
+//! It is for λ/μ up to 100; near Poisson's ratio 1/2 point smoothers fail, and the direct
 //! solver takes over.
 
 mod accuracy;
@@ -53,6 +53,4 @@ mod real;
 mod sparse_level;
 mod vectors;
 
-pub use accuracy::{
-    Accuracy, Fallback, MOST_INCOMPRESSIBLE, MultigridLevel, MultigridProgress, MultigridSolution,
-};
+pub use accuracy::{Accuracy, Fallback, MultigridLevel, MultigridReport, Progress};

@@ -3,9 +3,9 @@
 
 use super::super::condensed;
 use super::super::problem::ContactProblem;
-use super::super::solution::{Candidate, Seconds, conclude, sizes};
+use super::super::solution::{Candidate, ContactSolution, Seconds, conclude, sizes};
 use super::super::solver::Solver;
-use super::accuracy::{Accuracy, MultigridLevel, MultigridProgress, MultigridSolution};
+use super::accuracy::{Accuracy, MultigridLevel, MultigridReport, Progress};
 use super::chain::Chain;
 use super::coarsest::Coarsest;
 use super::cycle::Cycle;
@@ -32,7 +32,7 @@ const AT_FIRST: f64 = 0.02;
 const ELIMINATED: [(usize, usize); 2] = [(10_000, 2), (140_000, 6)];
 
 /// What hears of every step.
-pub(super) type Observer<'o> = dyn FnMut(&MultigridProgress) -> Result<()> + Send + 'o;
+pub(super) type Observer<'o> = dyn FnMut(&Progress) -> Result<()> + Send + 'o;
 
 /// Solves on all levels of a chain that is not empty.
 pub(super) fn solve(
@@ -41,7 +41,7 @@ pub(super) fn solve(
     cone: Cone,
     accuracy: Accuracy,
     observe: &mut Observer<'_>,
-) -> Result<MultigridSolution> {
+) -> Result<ContactSolution> {
     let problems: Vec<&ContactProblem> = chain.problems.iter().chain([problem]).collect();
     let stencils: Option<Vec<&Stencils>> = problems.iter().map(|problem| problem.stencils()).collect();
     let job = Job { problems: &problems, chain, cone, accuracy };
@@ -76,7 +76,7 @@ impl<'a> Job<'a> {
             .collect()
     }
 
-    fn run<L: Level>(&self, levels: &[L], observe: &mut Observer<'_>) -> Result<MultigridSolution> {
+    fn run<L: Level>(&self, levels: &[L], observe: &mut Observer<'_>) -> Result<ContactSolution> {
         let start = Instant::now();
         let last = levels.len() - 1;
         let mut coarsest = Coarsest::new(self.problems[0])?;
@@ -102,7 +102,7 @@ impl<'a> Job<'a> {
             let mut cycle = Cycle::new(&levels[..=k], &self.problems[..=k], links, &mut coarsest, &places);
             let unknowns = levels[k].unknowns();
             let mut report = |step: usize, error: f64| {
-                observe(&MultigridProgress { level: k, levels: last + 1, unknowns, step, error })
+                observe(&Progress { level: k, levels: last + 1, unknowns, step, error })
             };
             let elimination = ELIMINATED.iter().find(|(most, _)| unknowns <= *most);
             let patience = elimination.filter(|_| self.cone == Cone::Midpoint).map(|(_, steps)| *steps);
@@ -111,7 +111,7 @@ impl<'a> Job<'a> {
                     .with(Guess::Signs(patience.unwrap_or(STEPS)));
             let mut here = stage.solve(&mut x, guess, goal, &mut report)?;
             if patience.is_some() && !here.status.is_converged() {
-                let (direct, _) = condensed::solve(self.problems[k], self.cone, here.set, None)?;
+                let direct = condensed::solve(self.problems[k], self.cone, here.set)?;
                 let mut stage = stage.with(Guess::Known);
                 let next = stage.solve(&mut x, direct.contact_set, goal, &mut report)?;
                 let gradient_steps = here.gradient_steps + next.gradient_steps;
@@ -159,13 +159,13 @@ impl<'a> Job<'a> {
         outcome: Outcome,
         (coarsest_steps, levels): (usize, Vec<MultigridLevel>),
         seconds: Seconds,
-    ) -> Result<MultigridSolution> {
+    ) -> Result<ContactSolution> {
         let start = Instant::now();
         let problem = self.problems[self.problems.len() - 1];
         let iterations = levels.iter().map(|level| level.gradient_steps as u64).sum();
         let work = Work { iterations, factorizations: 1, ..Work::default() };
         let rounding = rounding(problem, &unknowns);
-        let mut solution = conclude(
+        let solution = conclude(
             problem,
             self.cone,
             Candidate {
@@ -180,17 +180,12 @@ impl<'a> Job<'a> {
                 accepted: f64::INFINITY,
             },
         )?;
-        solution.seconds = Seconds { recovery: start.elapsed().as_secs_f64(), ..seconds };
         let error = Estimate::new(outcome.norm, outcome.error + rounding, work)?;
         let discretisation = levels.last().and_then(|level| level.discretisation);
-        Ok(MultigridSolution {
-            solution,
-            error: Some(error),
-            discretisation,
-            coarsest_steps,
-            levels,
-            fallback: None,
-        })
+        let report =
+            MultigridReport { error: Some(error), discretisation, coarsest_steps, levels, fallback: None };
+        let seconds = Seconds { recovery: start.elapsed().as_secs_f64(), ..seconds };
+        Ok(ContactSolution { seconds, multigrid: Some(report), ..solution })
     }
 
     fn goal(&self, is_last: bool, discretisation: &Discretisation) -> Goal {

@@ -17,7 +17,6 @@ use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
 use crate::strip::operator::elastic_defect::{aliased, halvings};
-use crate::strip::operator::load::EdgeLoad;
 use crate::strip::sides::Sides;
 use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
@@ -28,7 +27,7 @@ const DEFECTS: f64 = 1e-11;
 
 /// Exact elastic edge data on a fine grid, its loads on all coarser grids, and errors against it.
 #[derive(Debug, Clone)]
-pub struct ExactElastic {
+pub(super) struct ExactElastic {
     cells: usize,
     height: (usize, usize),
     operator: EdgeOperator,
@@ -51,7 +50,7 @@ impl ExactElastic {
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a scene with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the
     /// numbers of layers are powers of two.
-    pub fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
+    pub(super) fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
         if scene.sides() != Sides::Periodic {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
@@ -102,7 +101,7 @@ impl ExactElastic {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
-    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
+    pub(super) fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Periodic);
@@ -112,16 +111,11 @@ impl ExactElastic {
         Ok(())
     }
 
-    /// Number of cells N of the fine grid.
-    pub fn cells(&self) -> usize {
-        self.cells
-    }
-
     /// Layers of the strip with `cells` cells.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the height is not a whole number of them.
-    pub fn layers(&self, cells: usize) -> Result<usize> {
+    pub(super) fn layers(&self, cells: usize) -> Result<usize> {
         layers_on(cells, self.height)
     }
 
@@ -129,16 +123,16 @@ impl ExactElastic {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `cells` is N divided by a power of two.
-    pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
+    pub(super) fn load(&self, cells: usize) -> Result<Vec<f64>> {
         let level = level_of(self.cells, cells, self.loads.len())?;
-        Ok(EdgeLoad::on_edge(self.loads[level].clone()))
+        Ok(self.loads[level].clone())
     }
 
     /// The operator of u_N on the edge of `cells` cells.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
-    pub fn operator(&self, cells: usize) -> Result<EdgeOperator> {
+    pub(super) fn operator(&self, cells: usize) -> Result<EdgeOperator> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         let symbol = self.matrices[level].iter().map(|a| a.normal()).collect();
         EdgeOperator::new(cells, Sides::Periodic, symbol)
@@ -148,7 +142,7 @@ impl ExactElastic {
     ///
     /// # Errors
     /// As [`ExactElastic::load`], `cells` not below the coarsest grid; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
-    pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
+    pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         require_length("edge values", values.len(), cells)?;
         let coarse = EdgeOperator::new(cells, Sides::Periodic, vec![1.0; cells / 2 + 1])?;

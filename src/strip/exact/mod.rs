@@ -7,7 +7,5 @@ mod problem;
 mod reference;
 mod scalar;
 
-pub use elastic::ExactElastic;
 pub use problem::{StripKind, StripProblem};
 pub use reference::Reference;
-pub use scalar::ExactEdge;

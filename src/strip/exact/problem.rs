@@ -7,7 +7,6 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::edge::EdgeOperator;
-use crate::strip::operator::load::EdgeLoad;
 use crate::strip::operator::scalar::ScalarStrip;
 use crate::strip::sides::Sides;
 use fractional_sobolev::Estimate;
@@ -58,12 +57,13 @@ impl FromStr for StripKind {
     }
 }
 
-/// A scene with its exact solution on a unit square strip.
+/// Complementary data as exact solution on a unit square strip.
 #[derive(Debug, Clone)]
-pub enum StripProblem {
-    /// Scalar.
+pub struct StripProblem(Exact);
+
+#[derive(Debug, Clone)]
+enum Exact {
     Scalar(ExactEdge),
-    /// Elastic, λ = μ = 1.
     Elastic(ExactElastic),
 }
 
@@ -71,11 +71,12 @@ impl StripProblem {
     /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the scene only.
     ///
     /// # Errors
-    /// As [`ExactEdge::scalar`] and [`ExactElastic::new`]; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a continuous elastic
+    /// As [`EdgeData::new`], [`ToolkitError::Incompatible`] for sides of the other kind, [`ToolkitError::CountOutOfRange`] unless the
+    /// number of cells is a power of two; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a continuous elastic
     /// reference.
     pub fn new(kind: StripKind, scene: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
-        Ok(match kind {
-            StripKind::Scalar => Self::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
+        Ok(Self(match kind {
+            StripKind::Scalar => Exact::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
             StripKind::Elastic if reference != Reference::Nested => {
                 return Err(Error::Toolkit(ToolkitError::Incompatible {
                     what: "reference",
@@ -85,9 +86,9 @@ impl StripProblem {
                 }));
             }
             StripKind::Elastic => {
-                Self::Elastic(ExactElastic::new(scene, (1, 1), Lame::new(1.0, 1.0)?, coarsest)?)
+                Exact::Elastic(ExactElastic::new(scene, (1, 1), Lame::new(1.0, 1.0)?, coarsest)?)
             }
-        })
+        }))
     }
 
     /// Replaces the scene by another one on the same grid; much cheaper than a new problem.
@@ -95,9 +96,9 @@ impl StripProblem {
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
     pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
-        match self {
-            Self::Scalar(exact) => exact.set_scene(scene),
-            Self::Elastic(exact) => exact.set_scene(scene),
+        match &mut self.0 {
+            Exact::Scalar(exact) => exact.set_scene(scene),
+            Exact::Elastic(exact) => exact.set_scene(scene),
         }
     }
 
@@ -106,38 +107,39 @@ impl StripProblem {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
     pub fn operator(&self, cells: usize) -> Result<(EdgeOperator, f64)> {
-        match self {
-            Self::Scalar(exact) => {
+        match &self.0 {
+            Exact::Scalar(exact) => {
                 let strip = ScalarStrip::new(cells, exact.layers(cells)?)?;
                 let unknowns = strip.virtual_unknowns();
                 Ok((strip.into_operator(), unknowns))
             }
-            Self::Elastic(exact) => {
+            Exact::Elastic(exact) => {
                 let unknowns = 2.0 * cells as f64 * exact.layers(cells)? as f64;
                 Ok((exact.operator(cells)?, unknowns))
             }
         }
     }
 
-    /// The load on `cells` cells.
+    /// b: the nodal forces of the load on the edge of `cells` cells.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
-    pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
-        match self {
-            Self::Scalar(exact) => exact.load(cells),
-            Self::Elastic(exact) => exact.load(cells),
+    pub fn load(&self, cells: usize) -> Result<Vec<f64>> {
+        match &self.0 {
+            Exact::Scalar(exact) => exact.load(cells),
+            Exact::Elastic(exact) => exact.load(cells),
         }
     }
 
-    /// |u − u_h|_a.
+    /// |u − u_h|_a for the discrete solution with edge values `values` on `cells` cells. It takes no tolerance: the
+    /// energy is a finite sum of nonnegative terms over modes, and the error is its rounding.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
-        match self {
-            Self::Scalar(exact) => exact.error(cells, values),
-            Self::Elastic(exact) => exact.error(cells, values),
+        match &self.0 {
+            Exact::Scalar(exact) => exact.error(cells, values),
+            Exact::Elastic(exact) => exact.error(cells, values),
         }
     }
 }

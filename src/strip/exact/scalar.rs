@@ -19,7 +19,6 @@ use crate::numeric::check::require_length;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::defect::{halving, harmonic_defect, harmonic_symbol};
 use crate::strip::operator::edge::EdgeOperator;
-use crate::strip::operator::load::EdgeLoad;
 use crate::strip::operator::scalar::scalar_symbol;
 use crate::strip::sides::Sides;
 use fractional_sobolev::{Estimate, Work};
@@ -32,7 +31,7 @@ const DEFECTS: f64 = 1e-14;
 
 /// Exact edge data g, λ on a fine grid, its loads on all coarser grids, and errors against it.
 #[derive(Debug, Clone)]
-pub struct ExactEdge {
+pub(super) struct ExactEdge {
     /// ĝ.
     modes: Vec<Complex<f64>>,
     /// By how much rounding of ĝ moves an error.
@@ -54,7 +53,7 @@ impl ExactEdge {
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic scene, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two
     /// and the height gives a whole number of layers on it.
-    pub fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
+    pub(super) fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if scene.sides() != Sides::Natural {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
@@ -99,7 +98,7 @@ impl ExactEdge {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
-    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
+    pub(super) fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, Sides::Natural);
@@ -108,16 +107,11 @@ impl ExactEdge {
         Ok(())
     }
 
-    /// Number of cells N of the fine grid.
-    pub fn cells(&self) -> usize {
-        self.cells
-    }
-
     /// Layers of the strip with `cells` cells.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the height is not a whole number of them.
-    pub fn layers(&self, cells: usize) -> Result<usize> {
+    pub(super) fn layers(&self, cells: usize) -> Result<usize> {
         layers_on(cells, self.layers_per_cell)
     }
 
@@ -125,16 +119,16 @@ impl ExactEdge {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `cells` is N divided by a power of two.
-    pub fn load(&self, cells: usize) -> Result<EdgeLoad> {
+    pub(super) fn load(&self, cells: usize) -> Result<Vec<f64>> {
         let level = self.level(cells)?;
-        Ok(EdgeLoad::on_edge(self.loads[level].clone()))
+        Ok(self.loads[level].clone())
     }
 
     /// |u − u_h|_a, the energy norm of the error of the discrete solution with edge values `values` on `cells` cells.
     ///
     /// # Errors
     /// As [`ExactEdge::load`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
-    pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
+    pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
         require_length("edge values", values.len(), cells + 1)?;
         let coarse = EdgeOperator::new(cells, Sides::Natural, vec![1.0; cells + 1])?;
@@ -188,4 +182,18 @@ fn nested_defects(cells: usize, layers: f64) -> Vec<Vec<f64>> {
         m *= 0.5;
     }
     defects
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_height_that_is_no_number_of_layers_is_refused() {
+        let flat = EdgeData::new(8, Sides::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
+        let refused = ExactEdge::scalar(&flat, (1, 3), Reference::Nested).unwrap_err();
+        assert!(refused.to_string().contains("cells"), "{refused}");
+        let exact = ExactEdge::scalar(&flat, (1, 2), Reference::Nested).unwrap();
+        assert_eq!(exact.layers(4).unwrap(), 2);
+    }
 }

@@ -9,12 +9,12 @@
 //! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
-use super::load::{EdgeLoad, mass_row};
+use super::load::mass_row;
 use super::scalar::check_layers;
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
-use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::check::require_finite;
 use crate::strip::sides::{Sides, check_cells};
 use qd::Quad;
 use rayon::prelude::*;
@@ -64,20 +64,11 @@ impl EdgeMatrix {
 
 /// An elastic strip with n × m cells, reduced to its edge.
 #[derive(Debug, Clone)]
-pub struct ElasticStrip {
+pub(crate) struct ElasticStrip {
     operator: EdgeOperator,
     matrices: Vec<EdgeMatrix>,
     lame: Lame,
     layers: usize,
-}
-
-/// A condensed load, with what is needed to recover the tangential displacement.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ElasticLoad {
-    /// b and c for u_N alone.
-    pub normal: EdgeLoad,
-    /// Nodal tangential forces on the edge, volume load condensed.
-    pub tangential: Vec<f64>,
 }
 
 impl ElasticStrip {
@@ -85,7 +76,7 @@ impl ElasticStrip {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an odd n or an m that is not a power of two.
-    pub fn new(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
+    pub(crate) fn new(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
         check_cells(cells, Sides::Periodic)?;
         check_layers(layers)?;
         if !layers.is_power_of_two() {
@@ -101,17 +92,12 @@ impl ElasticStrip {
     }
 
     /// The operator of the normal displacement, tangential component condensed.
-    pub fn operator(&self) -> &EdgeOperator {
+    pub(crate) fn operator(&self) -> &EdgeOperator {
         &self.operator
     }
 
-    /// Number m of layers.
-    pub fn layers(&self) -> usize {
-        self.layers
-    }
-
     /// Unknowns of the two-dimensional problem this stands for: 2 n m.
-    pub fn virtual_unknowns(&self) -> f64 {
+    pub(crate) fn virtual_unknowns(&self) -> f64 {
         2.0 * self.operator.nodes() as f64 * self.layers as f64
     }
 
@@ -119,7 +105,7 @@ impl ElasticStrip {
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.
-    pub fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<ElasticLoad> {
+    pub(crate) fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<(Vec<f64>, f64)> {
         let n = self.operator.cells();
         let nodal = |j: usize| -> [Vec<f64>; 2] {
             let y = j as f64 / n as f64;
@@ -142,7 +128,7 @@ impl ElasticStrip {
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.
-    pub fn condense_rows(&self, mut row: impl FnMut(usize, &mut [Vec<f64>; 2])) -> Result<ElasticLoad> {
+    fn condense_rows(&self, mut row: impl FnMut(usize, &mut [Vec<f64>; 2])) -> Result<(Vec<f64>, f64)> {
         let operator = &self.operator;
         let n = operator.cells();
         let mut values = [vec![0.0; n], vec![0.0; n]];
@@ -165,33 +151,13 @@ impl ElasticStrip {
         }
         let columns = &columns;
         constant -= 0.5 * operator.mode_sum_of(|k| columns[k].load[0].norm_sqr() / self.matrices[k].xx);
-        let tangential: Vec<Complex<f64>> = columns.iter().map(|c| c.load[0]).collect();
         let normal: Vec<Complex<f64>> = (0..=n / 2)
             .map(|k| {
                 let a = self.matrices[k];
                 -(columns[k].load[1] - a.xy.conj() * columns[k].load[0] / a.xx)
             })
             .collect();
-        Ok(ElasticLoad {
-            normal: EdgeLoad { force: operator.with_modes(&normal)?, constant },
-            tangential: operator.with_modes(&tangential)?,
-        })
-    }
-
-    /// The tangential edge displacement that belongs to u_N under the given load.
-    ///
-    /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
-    pub fn tangential(&self, load: &ElasticLoad, normal: &[f64]) -> Result<Vec<f64>> {
-        require_length("tangential load", load.tangential.len(), self.operator.nodes())?;
-        self.operator.check_field("tangential load", &load.tangential)?;
-        self.operator.check_field("edge values", normal)?;
-        let force = self.operator.modes(&load.tangential)?;
-        let modes = self.operator.modes(normal)?;
-        let x: Vec<Complex<f64>> = (0..modes.len())
-            .map(|k| (force[k] + self.matrices[k].xy * modes[k]) / self.matrices[k].xx)
-            .collect();
-        self.operator.with_modes(&x)
+        Ok((operator.with_modes(&normal)?, constant))
     }
 }
 

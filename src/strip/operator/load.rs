@@ -1,22 +1,6 @@
-//! Loads of a strip: what is left of one on the edge, and the rows of a consistent P1 load.
+//! The rows of a consistent P1 load.
 
 use crate::strip::sides::Sides;
-
-/// J(g) = ½ g'A g − b'g + c on the contact edge.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EdgeLoad {
-    /// b: nodal forces on the edge.
-    pub force: Vec<f64>,
-    /// c: the energy of the interior under the volume load with the edge held.
-    pub constant: f64,
-}
-
-impl EdgeLoad {
-    /// Forces on the contact edge only.
-    pub fn on_edge(force: Vec<f64>) -> Self {
-        Self { force, constant: 0.0 }
-    }
-}
 
 /// One row of the consistent P1 load: the mass matrix applied to nodal values in the rows below, here and
 /// above (`below` is empty on the contact edge). Squares cut from bottom left to top right, h = 1/n.

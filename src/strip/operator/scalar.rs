@@ -13,16 +13,16 @@
 //! edge of ½ g'A g − b'g + c. Cost: O(n) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
-use super::load::{EdgeLoad, mass_row};
+use super::load::mass_row;
 use crate::error::{Error, Result, ToolkitError};
-use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::check::require_finite;
 use crate::strip::sides::{Sides, check_cells};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 
 /// The scalar strip with n × m cells, reduced to its edge.
 #[derive(Debug, Clone)]
-pub struct ScalarStrip {
+pub(crate) struct ScalarStrip {
     operator: EdgeOperator,
     layers: usize,
 }
@@ -32,7 +32,7 @@ impl ScalarStrip {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n < 2 or m = 0.
-    pub fn new(cells: usize, layers: usize) -> Result<Self> {
+    pub(crate) fn new(cells: usize, layers: usize) -> Result<Self> {
         check_cells(cells, Sides::Natural)?;
         check_layers(layers)?;
         let symbol =
@@ -42,22 +42,17 @@ impl ScalarStrip {
     }
 
     /// The edge operator A.
-    pub fn operator(&self) -> &EdgeOperator {
+    pub(crate) fn operator(&self) -> &EdgeOperator {
         &self.operator
     }
 
     /// The edge operator alone.
-    pub fn into_operator(self) -> EdgeOperator {
+    pub(crate) fn into_operator(self) -> EdgeOperator {
         self.operator
     }
 
-    /// Number m of layers.
-    pub fn layers(&self) -> usize {
-        self.layers
-    }
-
     /// Unknowns of the two-dimensional problem this stands for: (n + 1) m.
-    pub fn virtual_unknowns(&self) -> f64 {
+    pub(crate) fn virtual_unknowns(&self) -> f64 {
         self.operator.nodes() as f64 * self.layers as f64
     }
 
@@ -66,7 +61,7 @@ impl ScalarStrip {
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.
-    pub fn condense_rows(&self, mut row: impl FnMut(usize, &mut [f64])) -> Result<EdgeLoad> {
+    fn condense_rows(&self, mut row: impl FnMut(usize, &mut [f64])) -> Result<(Vec<f64>, f64)> {
         let operator = &self.operator;
         let modes = operator.cells() + 1;
         let mut values = vec![0.0; operator.nodes()];
@@ -96,14 +91,14 @@ impl ScalarStrip {
         let modes: Vec<Complex<f64>> = carried.iter().map(|&v| Complex::new(v, 0.0)).collect();
         let mut force = operator.with_modes(&modes)?;
         force.iter_mut().enumerate().for_each(|(i, b)| *b *= operator.weight(i));
-        Ok(EdgeLoad { force, constant })
+        Ok((force, constant))
     }
 
     /// Condenses the load ∫ f_h v with f_h the nodal interpolant of f, consistent P1 mass matrix.
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.
-    pub fn condense(&self, f: impl Fn(f64, f64) -> f64) -> Result<EdgeLoad> {
+    pub(crate) fn condense(&self, f: impl Fn(f64, f64) -> f64) -> Result<(Vec<f64>, f64)> {
         let n = self.operator.cells();
         let nodal = |j: usize| -> Vec<f64> {
             let y = j as f64 / n as f64;
@@ -116,15 +111,6 @@ impl ScalarStrip {
             mass_row(n, Sides::Natural, &below, &here, &above, out);
             above = std::mem::replace(&mut here, below);
         })
-    }
-
-    /// Checks an edge load against this strip.
-    ///
-    /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
-    pub fn check(&self, load: &EdgeLoad) -> Result<()> {
-        require_length("edge load", load.force.len(), self.operator.nodes())?;
-        require_finite("edge load", &load.force)
     }
 }
 
@@ -179,8 +165,8 @@ mod tests {
         // Without contact the edge sinks by the 1D solution of −u'' = 1, u(H) = 0, u'(0) = 0: u(0) = H²/2.
         // (P1 is nodally exact in 1D, but the mass matrix of this cut shifts the corners; test modes k = 0.)
         let strip = ScalarStrip::new(16, 16).unwrap();
-        let load = strip.condense(|_, _| 1.0).unwrap();
-        let total: f64 = load.force.iter().sum();
+        let (force, _) = strip.condense(|_, _| 1.0).unwrap();
+        let total: f64 = force.iter().sum();
         let symbol_zero = strip.operator().symbol()[0];
         let mean = total / 16.0 / symbol_zero;
         assert!((mean - 0.5).abs() < 1e-13, "{mean}");

@@ -13,7 +13,7 @@ pub struct EdgeSolution {
     pub contact: ContactSet,
     /// The cone.
     pub cone: Cone,
-    /// min J = ½ g'A g − b'g + c.
+    /// min ½ g'A g − b'g.
     pub energy: f64,
     /// How the iteration ended.
     pub status: Status,

@@ -1,14 +1,16 @@
 //! A family of problems on finer and finer meshes, solved by one solver or by two.
 
-use fractional_sobolev::{Estimate, Tolerance};
+use fractional_sobolev::Estimate;
 use signorini::cone::Cone;
-use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Fallback, MultigridProgress, Solver};
+use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Progress, Settings, Solver, Start};
 use signorini::mesh::Hierarchy;
 use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 
 /// Unknowns up to which elimination is one of two solvers: n = 1024, some 4 GB.
 const ELIMINATED: usize = 2_200_000;
+/// Algebraic error over the error of discretisation where multigrid is the only solver.
+const SHARE: f64 = 0.01;
 /// Most meshes of a study.
 pub(super) const LEVELS: usize = 12;
 
@@ -23,10 +25,13 @@ pub struct SceneRun {
     pub solution: ContactSolution,
     /// Steps of the active set from an empty contact set, when `solution` started from a coarser one.
     pub cold_steps: Option<u64>,
+}
+
+impl SceneRun {
     /// |u_h|_a with the estimated algebraic error, from multigrid.
-    pub error: Option<Estimate>,
-    /// Why multigrid left the problem to elimination, if it did.
-    pub fallback: Option<Fallback>,
+    pub fn error(&self) -> Option<Estimate> {
+        self.solution.multigrid.as_ref()?.error
+    }
 }
 
 /// What a study is doing.
@@ -37,7 +42,7 @@ pub struct StudyProgress {
     /// The solver.
     pub solver: Solver,
     /// Where multigrid is; `None` when a solver begins.
-    pub multigrid: Option<MultigridProgress>,
+    pub multigrid: Option<Progress>,
 }
 
 impl fmt::Display for StudyProgress {
@@ -49,11 +54,11 @@ impl fmt::Display for StudyProgress {
     }
 }
 
-/// What is asked of multigrid unless said: twelve digits beside another solver, else its default.
+/// The accuracy of multigrid unless given: twelve digits beside another solver, else a hundredth of the error of
+/// discretisation.
 pub(super) fn asked(solver: Option<Solver>, accuracy: Option<Accuracy>) -> Accuracy {
-    let beside =
-        if solver.is_none() { Accuracy::Relative(Tolerance::reference()) } else { Accuracy::default() };
-    accuracy.unwrap_or(beside)
+    let alone = Accuracy::OfDiscretisation(SHARE);
+    accuracy.unwrap_or(if solver.is_none() { Accuracy::default() } else { alone })
 }
 
 /// The solvers on a mesh that is small enough for the interior point, or is not.
@@ -107,23 +112,23 @@ pub(super) fn solve_levels(
         let is_chain = !problem.edge().is_closed() && problem.edge().pieces().len() == 1;
         for solver in solvers(n, &problem) {
             observe(&StudyProgress { n, solver, multigrid: None })?;
-            let (mut cold_steps, mut error, mut fallback) = (None, None, None);
-            let solution = match (&coarser, solver) {
-                (Some(coarse), Solver::ActiveSet) if is_chain => {
-                    let (solution, cold) = problem.solve_after_beside_cold(coarse)?;
-                    cold_steps = cold;
-                    solution
-                }
-                (_, Solver::Multigrid) => {
-                    let heard =
-                        |at: &MultigridProgress| observe(&StudyProgress { n, solver, multigrid: Some(*at) });
-                    let found = problem.solve_by_multigrid(cone, hierarchy.as_ref(), asked, heard)?;
-                    (error, fallback) = (found.error, found.fallback);
-                    found.solution
-                }
-                _ => problem.solve(cone, solver)?,
-            };
-            runs.push(SceneRun { n, problem: problem.clone(), solution, cold_steps, error, fallback });
+            let mut heard = |at: &Progress| observe(&StudyProgress { n, solver, multigrid: Some(*at) });
+            let coarser = coarser.as_ref().filter(|_| solver == Solver::ActiveSet && is_chain);
+            let solution = problem.solve(
+                cone,
+                Settings {
+                    solver,
+                    start: coarser.map_or(Start::Open, Start::Coarse),
+                    accuracy: asked,
+                    hierarchy: hierarchy.as_ref(),
+                    progress: Some(&mut heard),
+                    ..Settings::default()
+                },
+            )?;
+            // The same problem from no contact.
+            let cold = coarser.map(|_| problem.solve(cone, solver)).transpose()?;
+            let cold_steps = cold.map(|cold| cold.work.iterations);
+            runs.push(SceneRun { n, problem: problem.clone(), solution, cold_steps });
         }
     }
     Ok(runs)

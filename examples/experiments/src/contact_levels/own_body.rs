@@ -29,7 +29,8 @@ pub struct OwnBody<'a> {
     pub solver: Option<Solver>,
     /// Number of meshes, each the last one with every triangle cut into four.
     pub levels: usize,
-    /// What is asked of multigrid; when `None` twelve digits beside another solver, else its default.
+    /// The accuracy of multigrid; when `None` twelve digits beside another solver, else a hundredth of the error of
+    /// discretisation.
     pub accuracy: Option<Accuracy>,
 }
 

@@ -28,7 +28,8 @@ pub struct SceneStudy {
     pub n: usize,
     /// Number of meshes n, 2n, 4n, ...; the active set starts from the contact set of the mesh before.
     pub levels: usize,
-    /// What is asked of multigrid; when `None` twelve digits beside another solver, else its default.
+    /// The accuracy of multigrid; when `None` twelve digits beside another solver, else a hundredth of the error of
+    /// discretisation.
     pub accuracy: Option<Accuracy>,
 }
 

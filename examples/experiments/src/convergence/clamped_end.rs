@@ -11,7 +11,7 @@
 use crate::line::Line;
 use signorini::Result;
 use signorini::cone::{Cone, ContactSet, KktResiduals};
-use signorini::contact::{ContactSolution, Solver};
+use signorini::contact::{self, ContactSolution, Settings, Solver};
 use signorini::edge::{RadialInterval, radial_intervals};
 use signorini::scenes::ClampedEnd;
 use signorini::singular::ContactZone;
@@ -50,17 +50,21 @@ impl EndRun {
     /// Solves the scene.
     ///
     /// # Errors
-    /// As for [`ClampedEnd::problem`], [`signorini::contact::ContactProblem::solve`] and
-    /// [`signorini::contact::ContactProblem::solve_by_sizes`].
+    /// As for [`ClampedEnd::problem`] and [`signorini::contact::ContactProblem::solve`].
     pub fn of(scene: &ClampedEnd, cone: Cone, start: Start) -> Result<Self> {
         let problem = scene.problem()?;
         let radii = problem.edge().arc();
         let full = ContactSet::new(vec![true; cone.constraints(radii.len())]);
         let solution = match start {
             Start::Open => problem.solve(cone, Solver::ActiveSet)?,
-            Start::Closed => problem.solve_from(cone, full)?,
+            Start::Closed => {
+                problem.solve(cone, Settings { start: contact::Start::Set(full), ..Settings::default() })?
+            }
             Start::Interior => problem.solve(cone, Solver::InteriorPoint)?,
-            Start::Scaled => problem.solve_by_sizes(&sizes(radii))?,
+            Start::Scaled => {
+                let (solver, sizes) = (Solver::EdgeInteriorPoint, sizes(radii));
+                problem.solve(cone, Settings { solver, sizes: Some(&sizes), ..Settings::default() })?
+            }
         };
         let fan = solution.positions.partition_point(|&r| r < FAN * radii[1]);
         let read = read_set(cone, &solution.contact_set, fan);

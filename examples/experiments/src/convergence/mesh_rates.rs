@@ -12,7 +12,7 @@ use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use signorini::cone::Cone;
-use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Solver};
+use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver};
 use signorini::fem::Form;
 use signorini::mesh::{Hierarchy, Triangulation};
 use signorini::rates::Bound;
@@ -143,7 +143,11 @@ fn solve(problem: &ContactProblem, hierarchy: &Hierarchy, cone: Cone) -> Result<
     match Solver::Auto.for_unknowns(unknowns) {
         Solver::Multigrid => {
             let accuracy = Accuracy::Relative(Tolerance::new(ALGEBRAIC)?);
-            Ok(problem.solve_by_multigrid(cone, Some(hierarchy), accuracy, |_| Ok(()))?.solution)
+            let hierarchy = Some(hierarchy);
+            problem.solve(
+                cone,
+                Settings { solver: Solver::Multigrid, accuracy, hierarchy, ..Settings::default() },
+            )
         }
         solver => problem.solve(cone, solver),
     }

@@ -8,8 +8,11 @@ use super::level_loop::{Facts, Level, LevelProblem, solve_levels};
 use super::levels::Levels;
 use fractional_sobolev::Estimate;
 use signorini::cone::Cone;
-use signorini::strip::{EdgeOperator, EdgeSolution, StripProblem, solve_contact};
+use signorini::strip::{EdgeOperator, EdgeSolution, StripProblem};
 use signorini::{Error, Result, ToolkitError};
+
+/// Relative residual of the discrete solutions: below every discretisation error.
+const SOLVED: f64 = 1e-13;
 
 /// A problem on a strip with its levels.
 #[derive(Debug, Clone, Copy)]
@@ -65,7 +68,7 @@ impl LevelProblem for StripLevels<'_> {
         let cells = self.cells(level)?;
         let coarser = coarser.map(|solution| &solution.edge);
         let solve = |(operator, unknowns): &(EdgeOperator, f64)| {
-            let edge = solve_contact(operator, &self.problem.load(cells)?, cone, coarser)?;
+            let edge = operator.solve_contact(&self.problem.load(cells)?, cone, coarser, SOLVED)?;
             Ok(StripSolution { edge, unknowns: *unknowns })
         };
         match self.operators.and_then(|operators| operators.get(level)) {

@@ -167,7 +167,7 @@ pub fn contact_cost(case: &StripCase, mut report: impl FnMut()) -> Result<Vec<Co
             for _ in 0..stride.ilog2() {
                 contact = restrict(&contact, sides);
             }
-            let force: Vec<f64> = problem.load(n)?.force.iter().zip(contact).map(|(b, l)| b - l).collect();
+            let force: Vec<f64> = problem.load(n)?.iter().zip(contact).map(|(b, l)| b - l).collect();
             let best = problem.operator(n)?.0.solve(&force)?;
             let interpolant: Vec<f64> = scene.values().iter().step_by(stride).copied().collect();
             let square = |values: &[f64]| -> Result<f64> { Ok(problem.error(n, values)?.value.powi(2)) };

@@ -8,7 +8,7 @@
 use super::fine_norms::{FineForms, FineNorms};
 use fractional_sobolev::{Estimate, Work};
 use signorini::cone::Cone;
-use signorini::contact::{ContactProblem, ContactSolution, Solver};
+use signorini::contact::{ContactProblem, ContactSolution, Settings, Start};
 use signorini::mesh::Hierarchy;
 use signorini::proof::TheoremConstants;
 use signorini::scenes::{LoadedBody, body_regularity};
@@ -162,10 +162,8 @@ fn solve(
     let mut solved: Vec<(ContactProblem, ContactSolution)> = Vec::new();
     for mesh in &hierarchy.levels()[..=last] {
         let problem = body.on(mesh.clone())?;
-        let solution = match solved.last() {
-            Some((_, coarse)) => problem.solve_after(coarse)?,
-            None => problem.solve(cone, Solver::ActiveSet)?,
-        };
+        let start = solved.last().map_or(Start::Open, |(_, coarse)| Start::Coarse(coarse));
+        let solution = problem.solve(cone, Settings { start, ..Settings::default() })?;
         if !solution.status.is_converged() {
             let reached = solution.kkt.worst();
             let why = "the active-set iteration did not converge";

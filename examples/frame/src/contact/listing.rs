@@ -78,7 +78,9 @@ fn columns(n: &str) -> Vec<Column> {
 }
 
 fn row(run: &SceneRun) -> Vec<Cell> {
-    let SceneRun { n, problem, solution, cold_steps, error, fallback } = run;
+    let SceneRun { n, problem, solution, cold_steps } = run;
+    let (error, report) = (run.error(), solution.multigrid.as_ref());
+    let fallback = report.and_then(|report| report.fallback);
     let status = fallback.map_or(solution.status.to_string(), |why| format!("{}, {why}", solution.status));
     let ends = solution.contact_set.runs().into_iter().flat_map(|run| [run.start, run.end - 1]);
     let runs: Vec<f64> = ends.map(|i| solution.positions[i]).collect();

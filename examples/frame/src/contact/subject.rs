@@ -83,7 +83,7 @@ impl ContactSubject {
     pub fn packages_agree(&self, runs: &[SceneRun]) -> Option<Finding> {
         let (Self::Scene(study), run) = (self, runs.last()?) else { return None };
         let j = study.known_energy(run.n)?;
-        let error = run.solution.energy_rounding + run.error.map_or(0.0, |e| e.error * e.error);
+        let error = run.solution.energy_rounding + run.error().map_or(0.0, |e| e.error * e.error);
         let found = Finding::claim("packages", "five other packages find the same J = {value}")
             .number(run.solution.energy, error)
             .within(PACKAGES * j.abs(), j, "tests/reference, signorini_square.json");
