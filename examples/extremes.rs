@@ -8,7 +8,7 @@
 use cases::{ADMISSIBLE, INADMISSIBLE};
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use fractional_sobolev::{Constraint, Order, Tolerance, UniformLaw, gamma};
+use fractional_sobolev::{Constraint, Order, Tolerance, gamma, law};
 use std::process::ExitCode;
 
 #[path = "cases/extremes.rs"]
@@ -70,11 +70,11 @@ pub fn compute() -> Result<Computed> {
         let answer = compute();
         Bad { planted, asked, is_named: answer.as_ref().is_err_and(names), answer }
     });
-    let law = UniformLaw::new(Order::HALF, TOLERANCE)?;
+    let law = law(Order::HALF, 0.0, TOLERANCE)?;
     let decade = |k: i32| -> Result<(f64, f64, f64)> {
         let theta = 10f64.powi(-k);
         let found = gamma(Order::HALF, Constraint::mean_zero_on(0.0..theta), TOLERANCE)?.constant;
-        Ok((theta, found.value, law.gamma(theta)?.value))
+        Ok((theta, found.value, law.at(theta)?.value))
     };
     let decades = (20..=290).step_by(45).map(decade).collect::<Result<_>>()?;
     Ok(Computed { hard, bad: bad.collect(), decades })

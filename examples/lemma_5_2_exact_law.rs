@@ -9,12 +9,9 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use experiments::growth::{growth, last_exponent};
+use experiments::growth::{END_SLOPE, INTERIOR_SLOPE, growth, last_exponent};
 use experiments::zones::Place;
-use fractional_sobolev::{
-    Constraint, END_SLOPE, Estimate, HalfBracket, INTERIOR_SLOPE, LawRest, Order, Tolerance, UniformLaw,
-    gamma,
-};
+use fractional_sobolev::{Constraint, Estimate, Law, Order, Tolerance, gamma, law};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -32,14 +29,46 @@ example_frame::options! {
     }
 }
 
+/// Two proved bounds of γ² at one L = ln(1/θ).
+pub struct Bracket {
+    /// L.
+    pub log: f64,
+    /// The quotient of a ramp.
+    pub lower: f64,
+    /// The inequality along chains.
+    pub upper: f64,
+}
+
+/// γ² beside the law.
+pub struct LawRest {
+    /// γ².
+    pub square: Estimate,
+    /// γ² − A L − c.
+    pub rest: Estimate,
+    /// The rest over d/γ² + e/γ⁴: one, up to the next term, of relative order 1/γ⁴.
+    pub explained: Estimate,
+}
+
+/// What the leading part A L + c of the law leaves of γ².
+fn rest(law: &Law, log: f64, gamma: Estimate) -> Result<LawRest> {
+    let Some([a, c, d, e]) = law.expansion else { unreachable!("the law at one half has an expansion") };
+    let (value, error) = (gamma.value * gamma.value, 2.0 * gamma.value * gamma.error);
+    let leading = a.value * log + c.value;
+    let known = a.error * log + c.error + f64::EPSILON * value;
+    let rest = Estimate::new(value - leading, error + known, gamma.work)?;
+    let next = (d.value + e.value / value) / value;
+    let next = Estimate::new(next, (d.error + e.error / value) / value + next * error / value, d.work)?;
+    Ok(LawRest { square: Estimate::new(value, error, gamma.work)?, rest, explained: rest.over(next)? })
+}
+
 /// What is computed.
 pub struct Computed {
     /// Zones at the end: both bounds of γ², and what A L + c leaves of it.
-    pub points: Vec<(HalfBracket, LawRest)>,
+    pub points: Vec<(Bracket, LawRest)>,
     /// The power of L in what is left, between the last two zones.
     pub power: Option<Estimate>,
     /// Bounds for zones too short for a number.
-    pub beyond: Vec<HalfBracket>,
+    pub beyond: Vec<Bracket>,
     /// The slope of γ² against L between the last two zones in the middle of the interval.
     pub inside: Option<Estimate>,
 }
@@ -47,12 +76,17 @@ pub struct Computed {
 /// Constants by the eigenproblem, the law from dual norms, the bounds from the proof.
 pub fn compute(options: &Options) -> Result<Computed> {
     let (half, tolerance) = (Order::HALF, options.tolerance);
-    let law = UniformLaw::new(half, tolerance)?;
+    let law = law(half, 0.0, tolerance)?;
+    let bracket = |log: f64| -> Result<Bracket> {
+        let [lower, upper] = law.bracket(log)?;
+        Ok(Bracket { log, lower, upper })
+    };
     let constant = |place: Place, theta: f64| -> Result<Estimate> {
         Ok(gamma(half, Constraint::mean_zero_on(place.zone(theta)?), tolerance)?.constant)
     };
-    let point = |&theta: &f64| -> Result<(HalfBracket, LawRest)> {
-        Ok((HalfBracket::new(-theta.ln())?, law.rest(theta, constant(Place::End, theta)?)?))
+    let point = |&theta: &f64| -> Result<(Bracket, LawRest)> {
+        let log = -theta.ln();
+        Ok((bracket(log)?, rest(&law, log, constant(Place::End, theta)?)?))
     };
     let points: Vec<_> = options.theta.iter().map(point).collect::<Result<_>>()?;
     let rests: Vec<_> = points.iter().map(|(bracket, law)| (bracket.log, law.rest)).collect();
@@ -61,11 +95,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
     Ok(Computed {
         points,
         power: last_exponent(&rests)?,
-        beyond: options
-            .log
-            .iter()
-            .map(|&log| HalfBracket::new(log))
-            .collect::<fractional_sobolev::Result<_>>()?,
+        beyond: options.log.iter().map(|&log| bracket(log)).collect::<Result<_>>()?,
         inside: growth(half, &inside)?,
     })
 }
@@ -83,7 +113,7 @@ const INSIDE: f64 = 1e-3;
 pub fn findings(computed: &Computed) -> Vec<Finding> {
     let Computed { points, power, beyond, inside } = computed;
     let few = "fewer than two zones";
-    let over = |part: fn(&HalfBracket) -> f64| {
+    let over = |part: fn(&Bracket) -> f64| {
         points.iter().filter_map(move |(bracket, law)| law.square.times(1.0 / part(bracket)).ok())
     };
     let widest = beyond.last().map(|b| (b.upper / b.lower - 1.0, 0.0));
@@ -132,7 +162,7 @@ fn table(computed: &Computed) -> Table {
         Column::new("rest", "rest", Format::Scientific(4), "gamma^2 - A L - c"),
         Column::new("explained", "explained", Format::Significant(7), "rest over d/gamma^2 + e/gamma^4"),
     ];
-    let row = |b: &HalfBracket, law: Option<&LawRest>| {
+    let row = |b: &Bracket, law: Option<&LawRest>| {
         let scale = END_SLOPE * b.log;
         let of = |part: fn(&LawRest) -> f64| law.map(part);
         let square = of(|law| law.square.value);

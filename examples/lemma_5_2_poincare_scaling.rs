@@ -8,10 +8,10 @@
 use example_frame::poincare::{curves_chart, figure_name, frames, scaling_table};
 use example_frame::{Finding, Headline, Result, within};
 use experiments::growth::{
-    Scaling, ScalingPoint, growth, growth_limit, looseness_at_half, printed_exponent_near_one,
+    END_SLOPE, Scaling, ScalingPoint, growth, growth_limit, looseness_at_half, printed_exponent_near_one,
 };
 use experiments::zones::{Condition, Place};
-use fractional_sobolev::{END_SLOPE, Estimate, Order, Tolerance};
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;
 use std::time::Instant;
 

@@ -10,7 +10,7 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, increasing, within};
 use experiments::growth::last_exponent;
 use experiments::trial::{NormChain, TruncatedFamily, truncated_slope};
-use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, Zone, gamma};
+use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -45,9 +45,8 @@ pub struct Computed {
 pub fn compute(options: &Options) -> Result<Computed> {
     let mut constants = Vec::new();
     for &log in &options.log {
-        let zone = Zone::end((-log).exp())?;
-        constants
-            .push((log, gamma(Order::HALF, Constraint::vanishing_on(zone), options.tolerance)?.constant));
+        let zone = Constraint::vanishing_on(0.0..(-log).exp());
+        constants.push((log, gamma(Order::HALF, zone, options.tolerance)?.constant));
     }
     let family = |&alpha| TruncatedFamily::new(alpha, &constants, Tolerance::balanced());
     let families = options.alpha.iter().map(family).collect::<fractional_sobolev::Result<Vec<_>>>()?;

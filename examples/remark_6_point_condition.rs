@@ -8,7 +8,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use fractional_sobolev::{Constraint, END_SLOPE, Estimate, Order, Tolerance, gamma};
+use experiments::growth::END_SLOPE;
+use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
 use std::process::ExitCode;
 
 example_frame::options! {

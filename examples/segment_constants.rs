@@ -6,9 +6,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use fractional_sobolev::{
-    Estimate, Moment, Order, StrongForm, Tolerance, half_order_moment, moment_extremal,
-};
+use fractional_sobolev::{Estimate, Moment, Order, Tolerance, moment};
 use signorini::proof::{
     SegmentConstant, consistency_constant, midpoint_bound, product_bound, product_constant,
 };
@@ -48,11 +46,13 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let row = |&nu: &Order| -> Result<Row> {
         let tol = options.tolerance;
         let sharp = [product_constant(nu, tol)?, consistency_constant(nu, tol)?, midpoint_bound(nu, tol)?];
-        let strong = StrongForm::new(nu)?;
-        let apart = sharp.iter().map(|found| Ok(found.apart(&strong)?));
+        let apart = sharp.iter().map(|found| Ok(found.apart()?));
         let apart = apart.reduce(|a: Result<f64>, b| Ok(a?.max(b?))).unwrap_or(Ok(0.0))?;
-        let ratio = sharp[0].value.value / half_order_moment(0.5, Moment::Mass)?.value.powi(2);
-        let closed = (nu == Order::HALF).then_some((ratio - 1.0).abs());
+        let off = || -> Result<f64> {
+            let exact = moment(Order::HALF, 0.5..1.0, Moment::Mass, tol)?.closed_form()?;
+            Ok((sharp[0].value.value / exact.value.powi(2) - 1.0).abs())
+        };
+        let closed = (nu == Order::HALF).then(off).transpose()?;
         Ok(Row { nu, potentials: product_bound(nu), sharp, apart, closed })
     };
     progress(options.nu.len() as u64).wrap_iter(options.nu.iter()).map(row).collect()
@@ -146,13 +146,13 @@ fn draw(rows: &[Row]) -> Chart {
 fn draw_pair(nu: Order) -> Result<Chart> {
     let fast = Tolerance::fast();
     let gap = 1.0 - consistency_constant(nu, fast)?.contact;
-    let sigma = moment_extremal(nu, 1.0 - gap, Moment::FromFreeEnd, fast)?;
-    let slope = moment_extremal(nu, gap, Moment::Mass, fast)?;
+    let sigma = moment(nu, 0.0..gap, Moment::FromFreeEnd, fast)?.extremal()?;
+    let slope = moment(nu, gap..1.0, Moment::Mass, fast)?.extremal()?;
     let places = || (0..=400).map(|k| f64::from(k) / 400.0);
     let (x, y) = (Axis::linear("place on the segment"), Axis::linear("seminorms 1"));
     Ok(Chart::new(format!("The worst pair, ν = {nu}, gap {gap:.3}"), x, y)
         .with(Series::line("σ_N", places().map(|x| (x, -sigma.value(x))).collect()))
-        .with(Series::line("u_N'", places().map(|x| (x, slope.value(1.0 - x))).collect())))
+        .with(Series::line("u_N'", places().map(|x| (x, slope.value(x))).collect())))
 }
 
 fn main() -> ExitCode {

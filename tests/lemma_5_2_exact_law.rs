@@ -1,22 +1,27 @@
 //! The law of the Poincaré constant at one half: two proved bounds enclose it, and what is left is predicted.
 
 use example_frame::{Outcome, Verdict};
-use fractional_sobolev::{Constraint, END_SLOPE, Error, HalfBracket, Order, Tolerance, Zone, gamma};
+use experiments::growth::END_SLOPE;
+use fractional_sobolev::{Constraint, Error, Law, Order, Tolerance, gamma, law};
 
 #[path = "../examples/lemma_5_2_exact_law.rs"]
 #[allow(dead_code)]
 mod example;
 
+fn at_one_half() -> Law {
+    law(Order::HALF, 0.0, Tolerance::fast()).unwrap()
+}
+
 #[test]
 fn two_proved_bounds_enclose_the_constant() {
+    let law = at_one_half();
     for theta in [0.3, 0.1, 3e-2, 1e-3, 1e-6, 1e-12, 1e-50, 1e-150, 1e-250, 1e-300] {
-        let zone = Zone::end(theta).unwrap();
-        let found =
-            gamma(Order::HALF, Constraint::mean_zero_on(zone), Tolerance::balanced()).unwrap().constant;
+        let zone = Constraint::mean_zero_on(0.0..theta);
+        let found = gamma(Order::HALF, zone, Tolerance::balanced()).unwrap().constant;
         let (low, high) = (found.value - found.error, found.value + found.error);
-        let bracket = HalfBracket::new(-f64::ln(theta)).unwrap();
-        assert!(bracket.lower <= high * high, "theta {theta}: {found} against {bracket:?}");
-        assert!(bracket.upper >= low * low, "theta {theta}: {found} against {bracket:?}");
+        let [lower, upper] = law.bracket(-f64::ln(theta)).unwrap();
+        assert!(lower <= high * high, "theta {theta}: {found} against {lower}");
+        assert!(upper >= low * low, "theta {theta}: {found} against {upper}");
     }
 }
 
@@ -26,9 +31,10 @@ const CHAINS: f64 = 3.5;
 #[test]
 fn the_bounds_close_on_the_law() {
     let mut before = f64::INFINITY;
+    let at_one_half = at_one_half();
     for exponent in 1..=15 {
         let log = 10f64.powi(exponent);
-        let HalfBracket { lower, upper, .. } = HalfBracket::new(log).unwrap();
+        let [lower, upper] = at_one_half.bracket(log).unwrap();
         let law = END_SLOPE * log;
         // The ramp is right up to 1/L. The chains lose b = A^(1/2) ∫ C w / L^(1/2), and N ≤ (A L)^(1/2) (b +
         // (1 + b²)^(1/2)).
@@ -43,8 +49,9 @@ fn the_bounds_close_on_the_law() {
 
 #[test]
 fn bad_lengths_are_refused() {
+    let law = at_one_half();
     for log in [f64::NAN, 0.0, 0.5, -3.0, f64::INFINITY, 1e16] {
-        assert!(matches!(HalfBracket::new(log), Err(Error::OutOfRange { .. })), "{log}");
+        assert!(matches!(law.bracket(log), Err(Error::OutOfRange { .. })), "{log}");
     }
 }
 

@@ -3,7 +3,7 @@
 
 use example_frame::{Outcome, Verdict};
 use experiments::trial::{trial_quotient, truncated_logarithm};
-use fractional_sobolev::{Constraint, Order, Tolerance, Zone, gamma};
+use fractional_sobolev::{Constraint, Order, Tolerance, gamma};
 
 #[path = "../examples/remark_7_zone_location.rs"]
 #[allow(dead_code)]
@@ -41,7 +41,7 @@ fn odd_ramps_come_within_a_twentieth_of_the_constant_of_their_zone() {
         let log = -(2.0 * radius).ln();
         let ramp = truncated_logarithm(1.0, log).unwrap();
         let found = trial_quotient(&ramp, order, Tolerance::balanced()).unwrap().value;
-        let zone = Zone::end(2.0 * radius).unwrap();
+        let zone = 0.0..2.0 * radius;
         let best =
             gamma(order, Constraint::vanishing_on(zone), Tolerance::balanced()).unwrap().constant.value;
         assert!(found < best && found > 0.95 * best, "radius {radius:e}: {found} against {best}");

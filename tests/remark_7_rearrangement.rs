@@ -9,7 +9,7 @@ use experiments::arrangement::{ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
 use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
 use experiments::zones::Condition;
-use fractional_sobolev::{Constraint, Order, Tolerance, Zone, Zones, gamma, largest_mean};
+use fractional_sobolev::{Constraint, Given, Order, Tolerance, Zones, gamma};
 
 #[test]
 fn the_example_confirms_the_theorem_and_planted_faults_turn_it() {
@@ -93,10 +93,11 @@ fn dual_norms_and_points_have_their_worst_place_at_the_end() {
     let tolerance = Tolerance::new(1e-6).unwrap();
     for nu in [0.2, 0.5, 0.7, 0.9] {
         let order = Order::new(nu).unwrap();
-        let zones = Zones::union(&[(0.1, 0.02), (0.5, 0.05)]).unwrap();
+        let zones = Zones::union(&[0.1..0.12, 0.5..0.55]).unwrap();
         for condition in [Condition::MeanZero, Condition::Vanishing] {
-            let norm = |zones: Zones| largest_mean(order, condition.on(zones), tolerance).unwrap().value;
-            let end = norm(Zone::end(zones.length()).unwrap().into());
+            let norm =
+                |zone| gamma(order, condition.on(zone), tolerance).unwrap().bounds().unwrap().dual_norm.value;
+            let end = norm((0.0..zones.length()).given().unwrap());
             assert!(norm(zones.clone()) < end, "nu {nu}, {condition}");
         }
         if nu > 0.5 {
@@ -116,9 +117,13 @@ fn an_interval_has_less_all_the_way_to_the_middle() {
         for theta in [1e-6, 1e-2, 0.3, 0.8] {
             for condition in [Condition::MeanZero, Condition::Vanishing] {
                 let at = |share: f64| {
-                    gamma(order, condition.on(Zone::at(share * (1.0 - theta), theta)), tolerance)
-                        .unwrap()
-                        .constant
+                    gamma(
+                        order,
+                        condition.on(Zones::from_start_and_length(share * (1.0 - theta), theta)),
+                        tolerance,
+                    )
+                    .unwrap()
+                    .constant
                 };
                 let constants = [0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5].map(at);
                 for pair in constants.windows(2) {

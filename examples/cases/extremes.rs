@@ -1,7 +1,7 @@
 //! What `extremes` plants: hard input with its value found another way, and input that has no answer.
 
 use fractional_sobolev::{
-    Constraint, Function, GramOperator, Mesh, Order, Tolerance, UniformLaw, closed_forms, gamma,
+    Constraint, Function, GramOperator, Mesh, Order, Tolerance, closed_forms, gamma, law,
 };
 use signorini::cone::Cone;
 use signorini::contact::Solver;
@@ -144,7 +144,7 @@ fn million_cells() -> Result<Pair> {
 fn short_zone() -> Result<Pair> {
     let (order, tolerance) = (Order::HALF, Tolerance::new(1e-10)?);
     let found = gamma(order, Constraint::mean_zero_on(0.0..1e-300), tolerance)?.constant;
-    Ok((found.value, UniformLaw::new(order, tolerance)?.gamma(1e-300)?.value))
+    Ok((found.value, law(order, 0.0, tolerance)?.at(1e-300)?.value))
 }
 
 fn scaled_load(load_scale: f64) -> Result<Pair> {

@@ -3,8 +3,8 @@
 
 use experiments::largest;
 use fractional_sobolev::{
-    Constraint, Estimate, Function, GramOperator, Mesh, Order, Result, Tolerance, Work, Zone, closed_forms,
-    gamma, gram_linears,
+    Constraint, Estimate, Function, GramOperator, Mesh, Order, Result, Tolerance, Work, closed_forms, gamma,
+    gram_linears,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
 };
 
@@ -25,12 +25,12 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
         Ok((name, exact, Box::new(move |tolerance| element_constant(norm, order, tolerance))))
     };
     let zone = |name, nu, theta, exact| -> Result<Case<'a>> {
-        let (order, zone) = (Order::new(nu)?, Zone::end(theta)?);
+        let order = Order::new(nu)?;
         Ok((
             name,
             exact,
             Box::new(move |tolerance| {
-                gamma(order, Constraint::mean_zero_on(zone), tolerance).map(|found| found.constant)
+                gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance).map(|found| found.constant)
             }),
         ))
     };

@@ -10,7 +10,7 @@
 //! | κ̄(ν), [`midpoint_bound`] | midpoint cone, every E | max_e B(e) D(1−e) |
 //!
 //! B, A, D are the moments of 1, x and e − x of functions that vanish beyond (0, e), x the distance from the
-//! free end: [`fractional_sobolev::moment_norm`].
+//! free end: [`fractional_sobolev::moment`].
 //!
 //! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far as it can be: at least ∫_n^1 t^{−1−2ν}
 //! dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|², and
@@ -33,10 +33,7 @@
 use crate::cone::Cone;
 use crate::error::Result;
 use crate::numeric::search::golden_section;
-use fractional_sobolev::{
-    Estimate, Given, Moment, MomentBounds, Order, StrongForm, Tolerance, Work, moment_norm,
-    moment_norm_beside,
-};
+use fractional_sobolev::{Estimate, Given, Moment, MomentConstant, Order, Tolerance, Work, moment};
 
 /// A constant and the measure of the contact set at which it is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,28 +43,27 @@ pub struct SegmentConstant {
     /// |E|, to about 1e-6.
     pub contact: f64,
     /// The moments of which it is the product: on E and on N.
-    pub moments: [Moment; 2],
+    pub moments: [MomentConstant; 2],
 }
 
 impl SegmentConstant {
-    /// The product of the bounds of both moments by the strong form: an independent computation of the value at this
+    /// Lower and upper bound, the product of those of both moments: an independent computation of the value at this
     /// contact set.
     ///
     /// # Errors
-    /// As for [`StrongForm::moment`].
-    pub fn bounds(&self, strong: &StrongForm) -> Result<MomentBounds> {
-        let on_contact = strong.moment(self.contact, self.moments[0])?;
-        let on_gap = strong.moment(1.0 - self.contact, self.moments[1])?;
-        Ok(MomentBounds { lower: on_contact.lower * on_gap.lower, upper: on_contact.upper * on_gap.upper })
+    /// As for [`MomentConstant::bounds`].
+    pub fn bounds(&self) -> Result<[f64; 2]> {
+        let [on_contact, on_gap] = [self.moments[0].bounds()?, self.moments[1].bounds()?];
+        Ok([on_contact[0] * on_gap[0], on_contact[1] * on_gap[1]])
     }
 
     /// How far the further of these bounds is from the value, relative to it, the error included.
     ///
     /// # Errors
     /// As for [`SegmentConstant::bounds`].
-    pub fn apart(&self, strong: &StrongForm) -> Result<f64> {
-        let (bounds, Estimate { value, error, .. }) = (self.bounds(strong)?, self.value);
-        Ok(((bounds.upper - value).abs().max((value - bounds.lower).abs()) + error) / value)
+    pub fn apart(&self) -> Result<f64> {
+        let ([lower, upper], Estimate { value, error, .. }) = (self.bounds()?, self.value);
+        Ok(((upper - value).abs().max((value - lower).abs()) + error) / value)
     }
 }
 
@@ -87,7 +83,7 @@ pub fn product_bound(order: Order) -> f64 {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet)(crate::Error::ToleranceNotMet) as for [`moment_norm`].
+/// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet)(crate::Error::ToleranceNotMet) as for [`moment`].
 pub fn product_constant(
     order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
@@ -145,10 +141,21 @@ pub fn one_gap_ratio(
 
 /// The ratio of one set: moments of functions on both parts, of length `length` and 1 − `length`.
 fn product(order: Order, moments: (Moment, Moment), length: f64, tolerance: Tolerance) -> Result<Estimate> {
-    let (first, second) = (
-        moment_norm(order, length, moments.0, tolerance)?,
-        moment_norm_beside(order, length, moments.1, tolerance)?,
-    );
+    product_of(&both(order, moments, length, tolerance)?)
+}
+
+fn both(
+    order: Order,
+    moments: (Moment, Moment),
+    length: f64,
+    tolerance: Tolerance,
+) -> Result<[MomentConstant; 2]> {
+    let first = moment(order, length..1.0, moments.0, tolerance)?;
+    Ok([first, moment(order, 0.0..length, moments.1, tolerance)?])
+}
+
+fn product_of(moments: &[MomentConstant; 2]) -> Result<Estimate> {
+    let [first, second] = moments.each_ref().map(|moment| moment.constant);
     let value = first.value * second.value;
     let error = value * (first.relative_error() + second.relative_error());
     Ok(Estimate::new(value, error, first.work + second.work)?)
@@ -192,9 +199,10 @@ fn largest_product(
         work += found.work;
     }
     let contact = rough + STEP * stationary(&values);
-    let found = product(order, moments, contact, sharper)?;
+    let moments = both(order, moments, contact, sharper)?;
+    let found = product_of(&moments)?;
     let value = Estimate::new(found.value, found.error, work + found.work)?;
-    Ok(SegmentConstant { value, contact, moments: [first, second] })
+    Ok(SegmentConstant { value, contact, moments })
 }
 
 /// Where the polynomial through the values at −2 ... 2 is stationary, near 0: Newton's method on its slope.
@@ -259,7 +267,6 @@ mod tests {
     fn constants_stand_in_order_and_between_the_bounds_of_the_strong_form() {
         for nu in [0.001, 0.3, 0.5, 0.8, 0.999] {
             let order = Order::new(nu).unwrap();
-            let strong = StrongForm::new(order).unwrap();
             let c = product_bound(order);
             let k = product_constant(order, ASKED).unwrap();
             let kappa = consistency_constant(order, ASKED).unwrap();
@@ -268,7 +275,7 @@ mod tests {
             assert!(all.windows(2).all(|pair| pair[0] < pair[1]), "{nu}: {all:?}");
             assert!((k.contact - 0.5).abs() < 1e-4, "{nu}: {k:?}");
             for found in [k, kappa, midpoint] {
-                let MomentBounds { lower: low, upper: high } = found.bounds(&strong).unwrap();
+                let [low, high] = found.bounds().unwrap();
                 let Estimate { value, error, .. } = found.value;
                 assert!(low <= value + error && value - error <= high, "{nu}: {low} {value} {high}");
                 assert!(high / low - 1.0 < 2e-8, "{nu}: {low} {high}");

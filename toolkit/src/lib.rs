@@ -40,9 +40,7 @@ pub use mesh::Mesh;
 pub use order::Order;
 pub use plane::{GridOperator, PlanePosition, Triangles};
 pub use poincare::{
-    Constraint, END_SLOPE, ExtremalFunction, Gamma, GammaBounds, HalfBracket, INTERIOR_SLOPE, LawRest,
-    LimitLaw, Moment, MomentBounds, StrongForm, UniformLaw, Zone, Zones, end_limit, gamma, half_order_moment,
-    interior_limit, largest_mean, moment_extremal, moment_norm, moment_norm_beside,
+    Constraint, ExtremalFunction, Gamma, GammaBounds, Law, Moment, MomentConstant, Zones, gamma, law, moment,
 };
 pub use quadrature::Rule;
 pub(crate) use trace::HalfLineSymbol;

@@ -47,8 +47,8 @@ fn entries_that_are_no_numbers_are_named() {
         (5, Function::on_curve(&curve(), 0, &values).map(drop)),
         (2, Function::on_triangles(&triangles(), 1, &[0.0, 0.0, nan]).map(drop)),
         (2, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, nan]])),
-        (1, Zones::union(&[(0.1, 0.1), (nan, 0.1)]).map(drop)),
-        (1, Zones::union(&[(0.1, 0.1), (0.5, nan)]).map(drop)),
+        (1, Zones::union(&[0.1..0.2, nan..0.1]).map(drop)),
+        (1, Zones::union(&[0.1..0.2, 0.5..nan]).map(drop)),
     ];
     for (k, (index, result)) in found.into_iter().enumerate() {
         let (at, value) = named(result);
@@ -63,7 +63,7 @@ fn entries_that_are_out_of_range_are_named() {
         (1, -1.0, Mesh::from_lengths(vec![1.0, -1.0, 1.0]).map(drop)),
         (2, 0.2, Mesh::graded_to_points(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
         (2, 0.2, Function::from_fn(&[0.0, 0.3, 0.2, 1.0], |x| x).map(drop)),
-        (1, 0.3, Zones::union(&[(0.1, 0.3), (0.3, 0.1)]).map(drop)),
+        (1, 0.3, Zones::union(&[0.1..0.4, 0.3..0.4]).map(drop)),
         (1, -0.2, Zones::from_lengths(&[0.1, 0.1, 0.1, -0.2]).map(drop)),
         (1, 0.0, ElementMesh::new(two(), &[2, 0]).map(drop)),
         (1, 0.0, polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])),

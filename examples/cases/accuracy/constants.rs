@@ -4,13 +4,12 @@ use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
 use experiments::SplitMix;
 use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
 use fractional_sobolev::{
-    Constraint, Estimate, Mesh, Moment, Order, Result, StrongForm, Work, Zone, end_limit, gamma,
-    half_order_moment,
+    Constraint, Estimate, Mesh, Moment, Order, Result, Work, Zones, gamma,
     interpolation::{
         ErrorNorm, ProjectionNorm, element_constant, extremal_slopes, limits, mean_deviation,
         projection_norm_on_mesh,
     },
-    moment_norm,
+    law, moment,
 };
 
 const GAMMA: &str = include_str!("../../../toolkit/tests/reference/gamma_reference.json");
@@ -30,10 +29,10 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let ends: Vec<_> = reference.as_array().into_iter().flatten().collect();
     let ends = draw(each.min(ends.len()), || {
         let row = ends[random.below(ends.len())];
-        let (order, zone) = (order_of(row, "nu_decimal")?, Zone::end(number(row, "theta_decimal")?)?);
+        let (order, theta) = (order_of(row, "nu_decimal")?, number(row, "theta_decimal")?);
         Ok((
             printed(row, "gamma")?,
-            ask(move |t| gamma(order, Constraint::mean_zero_on(zone), t).map(|found| found.constant)),
+            ask(move |t| gamma(order, Constraint::mean_zero_on(0.0..theta), t).map(|found| found.constant)),
         ))
     })?;
     let inside: Vec<_> = limits["location"].as_array().into_iter().flatten().collect();
@@ -41,18 +40,21 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let row = inside[random.below(inside.len())];
         let theta = number(row, "theta")?;
         let zone = match row["a"].as_str() {
-            Some("(1-theta)/2") => Zone::centred(theta)?,
-            _ => Zone::at(number(row, "a")?, theta)?,
+            Some("(1-theta)/2") => Zones::from_start_and_length(0.5 * (1.0 - theta), theta)?,
+            _ => Zones::from_start_and_length(number(row, "a")?, theta)?,
         };
         let (order, digits) = (order_of(row, "nu")?, number(row, "digits")?);
         let value = number(row, "gamma")?;
         let exact = Estimate::new(value, value * 10f64.powf(1.0 - digits), Work::default())?;
-        Ok((exact, ask(move |t| gamma(order, Constraint::mean_zero_on(zone), t).map(|found| found.constant))))
+        Ok((
+            exact,
+            ask(move |t| gamma(order, Constraint::mean_zero_on(&zone), t).map(|found| found.constant)),
+        ))
     })?;
     let list = |key: &str| limits[key].as_array().cloned().unwrap_or_default();
     let small = list("B").into_iter().map(|row| {
         let order = order_of(&row, "nu")?;
-        Ok((printed(&row, "B")?, ask(move |t| end_limit(order, t))))
+        Ok((printed(&row, "B")?, ask(move |t| law(order, 0.0, t)?.factor())))
     });
     let small = small.collect::<Result<Vec<_>>>()?;
     let points = list("gamma0").into_iter().map(|row| {
@@ -83,7 +85,7 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "end limit",
-            functions: "end_limit",
+            functions: "law",
             range: "0.01 <= nu < 1/2",
             by: "30 digits",
             least: 0.0,
@@ -96,19 +98,18 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
 fn moments(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let weight = |random: &mut SplitMix| [Moment::Mass, Moment::FromFreeEnd][random.below(2)];
     let half = draw(each, || {
-        let (e, moment) = (10f64.powf(random.between(-4.0, -0.2)), weight(random));
-        Ok((half_order_moment(e, moment)?, ask(move |t| moment_norm(Order::HALF, e, moment, t))))
+        let (e, m) = (10f64.powf(random.between(-4.0, -0.2)), weight(random));
+        let exact = moment(Order::HALF, e..1.0, m, 1e-3)?.closed_form()?;
+        Ok((exact, ask(move |t| moment(Order::HALF, e..1.0, m, t).map(|found| found.constant))))
     })?;
     let strong = draw(each.min(3), || {
         let order = order(random, 0.1, 0.9)?;
-        let form = StrongForm::new(order)?;
-        let (e, moment) = (random.between(0.02, 0.98), weight(random));
-        let bounds = form.moment(e, moment)?;
-        let middle = 0.5 * (bounds.lower + bounds.upper);
-        let exact = Estimate::new(middle, 0.5 * (bounds.upper - bounds.lower), Work::default())?;
-        Ok((exact, ask(move |t| moment_norm(order, e, moment, t))))
+        let (e, m) = (random.between(0.02, 0.98), weight(random));
+        let [lower, upper] = moment(order, e..1.0, m, 1e-3)?.bounds()?;
+        let exact = Estimate::new(0.5 * (lower + upper), 0.5 * (upper - lower), Work::default())?;
+        Ok((exact, ask(move |t| moment(order, e..1.0, m, t).map(|found| found.constant))))
     })?;
-    let functions = "moment_norm";
+    let functions = "moment";
     Ok(vec![
         Family {
             name: "moment 1/2",

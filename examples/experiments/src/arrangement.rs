@@ -4,7 +4,7 @@ use crate::SplitMix;
 use crate::parallel;
 use crate::search::golden_section;
 use crate::zones::Condition;
-use fractional_sobolev::{Constraint, Zone, Zones, gamma};
+use fractional_sobolev::{Constraint, Zones, gamma};
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance};
 
 /// Most intervals of a random union.
@@ -73,7 +73,7 @@ impl ZoneCase {
     /// use experiments::arrangement::ZoneCase;
     /// use experiments::zones::Condition;
     /// use fractional_sobolev::{Order, Tolerance, Zones};
-    /// let zones = Zones::union(&[(0.2, 0.01), (0.7, 0.02)])?;
+    /// let zones = Zones::union(&[0.2..0.21, 0.7..0.72])?;
     /// let case = ZoneCase { order: Order::HALF, zones, condition: Condition::Vanishing };
     /// assert!(case.over_end(Tolerance::fast())?.value < 0.8);
     /// # Ok::<(), fractional_sobolev::Error>(())
@@ -84,7 +84,7 @@ impl ZoneCase {
     pub fn over_end(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         let end = gamma(self.order, self.condition.on(0.0..self.zones.length()), tolerance)?.constant;
-        gamma(self.order, self.condition.on(self.zones.clone()), tolerance)?.constant.over(end)
+        gamma(self.order, self.condition.on(&self.zones), tolerance)?.constant.over(end)
     }
 }
 
@@ -152,7 +152,7 @@ impl MovedZone {
     /// Moves and cuts a zone of length θ. Cost: some fifty constants.
     ///
     /// # Errors
-    /// Those of [`gamma`] and [`Zone::at`].
+    /// Those of [`gamma`] and [`Zones::from_start_and_length`].
     pub fn new(
         order: impl Given<Order>,
         theta: f64,
@@ -205,7 +205,7 @@ fn best_place(
     tolerance: Tolerance,
 ) -> Result<(f64, Estimate)> {
     let value = |share: f64| {
-        gamma(order, condition.on(Zone::at(share * (1.0 - theta), theta)), tolerance)
+        gamma(order, condition.on(Zones::from_start_and_length(share * (1.0 - theta), theta)), tolerance)
             .map(|found| found.constant)
     };
     let shares = [0, 1, 2, 3, 4, 5, 6, 7, PLACES].map(|k| 0.5 * k as f64 / PLACES as f64);

@@ -2,8 +2,15 @@
 
 use crate::zone_bound::ZoneBound;
 use crate::zones::{Condition, Place};
-use fractional_sobolev::{Constraint, END_SLOPE, GammaBounds, INTERIOR_SLOPE, LimitLaw, Zone, gamma};
+use fractional_sobolev::{Constraint, GammaBounds, Law, Zones, gamma, law};
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance, Work};
+use std::f64::consts::PI;
+
+/// A = 3/(2π²): slope of γ² against ln(1/θ) at ν = 1/2 for a zone at an end.
+pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
+
+/// 1/(2π²): the slope for a zone inside.
+pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 
 /// Growth of γ between the last two of a sequence of zones (θ, γ), longest first: the slope of γ² against
 /// ln(1/θ) at ν = 1/2, the exponent of θ at other orders. The error adds those of the constants to the change
@@ -143,7 +150,7 @@ pub struct Scaling {
     place: Place,
     condition: Condition,
     tolerance: Tolerance,
-    law: Option<LimitLaw>,
+    law: Option<Law>,
     bound: Option<ZoneBound>,
 }
 
@@ -161,14 +168,14 @@ pub struct Scaling {
 /// assert!(over_law.is_some_and(|quotient| (quotient.value - 1.0).abs() < 1e-3));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ScalingPoint {
     /// The order ν.
     pub order: Order,
     /// Its length θ.
     pub theta: f64,
     /// The zone.
-    pub zone: Zone,
+    pub zone: Zones,
     /// γ with its bounds.
     pub found: GammaBounds,
     /// γ over its upper bound.
@@ -187,7 +194,7 @@ impl Scaling {
     /// The limit law and the explicit bound of an order.
     ///
     /// # Errors
-    /// Those of [`LimitLaw::new`] and [`ZoneBound::new`].
+    /// Those of [`law`] and [`ZoneBound::new`].
     pub fn new(
         order: impl Given<Order>,
         place: Place,
@@ -198,7 +205,7 @@ impl Scaling {
         let law = match condition {
             // for functions that vanish on the zone a law is known above 1/2 only
             Condition::Vanishing if order.offset() <= 0.0 => None,
-            _ => LimitLaw::new(order, place.point(), tolerance)?,
+            _ => Some(law(order, place.point(), tolerance)?),
         };
         let bound = ZoneBound::new(order, condition, tolerance)?;
         Ok(Self { order, place, condition, tolerance, law, bound })
@@ -211,10 +218,10 @@ impl Scaling {
     pub fn point(&self, theta: f64) -> Result<ScalingPoint> {
         let zone = self.place.zone(theta)?;
         let found =
-            gamma(self.order, self.condition.on(zone), self.tolerance).and_then(|found| found.bounds())?;
+            gamma(self.order, self.condition.on(&zone), self.tolerance).and_then(|found| found.bounds())?;
         let gamma = found.gamma;
         // The law through 1/2 does not reach θ near 1.
-        let law = self.law.as_ref().and_then(|law| law.gamma(theta).ok());
+        let law = self.law.as_ref().and_then(|law| law.at(theta).ok());
         let share = self.bound.map(|bound| gamma.over(bound.at(theta)?)).transpose()?;
         Ok(ScalingPoint {
             order: self.order,

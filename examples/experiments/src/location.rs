@@ -2,7 +2,7 @@
 
 use crate::growth::last_exponent;
 use crate::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
-use fractional_sobolev::{Constraint, GammaBounds, Zone, gamma};
+use fractional_sobolev::{Constraint, GammaBounds, Zones, gamma};
 use fractional_sobolev::{Error, Estimate, Function, Given, Mesh, Order, Result, Tolerance};
 
 /// ε/θ: where the odd extremal function starts to differ from zero.
@@ -71,7 +71,7 @@ impl Places {
     /// Zones (a, a+θ) at a = `fractions` × (1 − θ).
     ///
     /// # Errors
-    /// [`Error::EntryOutOfRange`] for a fraction outside [0, 1], and those of [`Gamma::bounds`](fractional_sobolev::Gamma::bounds) and [`Zone::at`].
+    /// [`Error::EntryOutOfRange`] for a fraction outside [0, 1], and those of [`Gamma::bounds`](fractional_sobolev::Gamma::bounds) and [`Zones::from_start_and_length`].
     pub fn new(
         order: impl Given<Order>,
         theta: f64,
@@ -80,22 +80,22 @@ impl Places {
     ) -> Result<Self> {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         // Scaled to (0,1), the left piece (0,1/2) has its zone, of relative length 2ε, at an end.
-        let short = Zone::end(2.0 * SHARE * theta)?;
-        let zone = |(index, &value): (usize, &f64)| match (0.0..=1.0).contains(&value) {
-            true => Zone::at(value * (1.0 - theta), theta),
+        let short = 0.0..2.0 * SHARE * theta;
+        let start = |(index, &value): (usize, &f64)| match (0.0..=1.0).contains(&value) {
+            true => Ok(value * (1.0 - theta)),
             false => Err(Error::EntryOutOfRange { name: "fractions", index, value, range: "[0, 1]" }),
         };
-        let zones = fractions.iter().enumerate().map(zone).collect::<Result<Vec<Zone>>>()?;
+        let starts = fractions.iter().enumerate().map(start).collect::<Result<Vec<f64>>>()?;
         let end = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant;
-        let placed = |zone: Zone| -> Result<Placed> {
-            let found =
-                gamma(order, Constraint::mean_zero_on(zone), tolerance).and_then(|found| found.bounds())?;
+        let placed = |start: f64| -> Result<Placed> {
+            let zone = Zones::from_start_and_length(start, theta);
+            let found = gamma(order, Constraint::mean_zero_on(zone), tolerance)?.bounds()?;
             let (gamma, repair) = (found.gamma, simple_bound(&found)?);
             let (ratio, share) = (gamma.over(end)?, gamma.over(repair)?);
-            Ok(Placed { start: zone.start(), gamma, ratio, repair, share })
+            Ok(Placed { start, gamma, ratio, repair, share })
         };
         let step = gamma(order, Constraint::vanishing_on(short), tolerance)?.constant.over(end)?;
-        let zones = zones.into_iter().map(placed).collect::<Result<Vec<Placed>>>()?;
+        let zones = starts.into_iter().map(placed).collect::<Result<Vec<Placed>>>()?;
         let sign = order.is_below_half().then(|| sign(order)).transpose()?;
         let ramps = if order.offset() == 0.0 { ramps(order)? } else { None };
         Ok(Self { order, zones, step, sign, ramps })

@@ -1,7 +1,6 @@
 //! Trial functions: quotients below the best constant, the family of Remark 5, and the cut of Remark 7.
 
-use crate::growth::{growth, last_exponent};
-use fractional_sobolev::END_SLOPE;
+use crate::growth::{END_SLOPE, growth, last_exponent};
 use fractional_sobolev::{Error, Estimate, Function, Given, Mesh, Order, Result, Tolerance, closed_forms};
 
 /// Ratio of neighbouring layers of a truncated logarithm, in ln x.
@@ -48,14 +47,15 @@ pub fn truncated_logarithm(alpha: f64, log: f64) -> Result<Function<'static>> {
 /// The functions [`truncated_logarithm`] of one α beside the constants of the zones on which they vanish.
 ///
 /// ```
+/// use experiments::growth::END_SLOPE;
 /// use experiments::trial::{TruncatedFamily, peetre_tartar, truncated_slope};
-/// use fractional_sobolev::{Constraint, Order, Tolerance, Zone, gamma};
+/// use fractional_sobolev::{Constraint, Order, Tolerance, gamma};
 /// let asked = Tolerance::fast();
-/// let (log, zone) = (16.0, Zone::end((-16f64).exp())?);
+/// let (log, zone) = (16.0, 0.0..(-16f64).exp());
 /// let constant = gamma(Order::HALF, Constraint::vanishing_on(zone), asked)?.constant;
 /// let family = TruncatedFamily::new(0.4, &[(log, constant)], asked)?;
 /// assert!(family.shares[0].value < 1.0);
-/// assert!((truncated_slope(1.0) - fractional_sobolev::END_SLOPE).abs() < 1e-15);
+/// assert!((truncated_slope(1.0) - END_SLOPE).abs() < 1e-15);
 /// // Lemma 5.1: α (‖u‖₀² + |u|²)^{1/2} ≤ |u| with α = (1 + γ²)^{−1/2}
 /// assert!((peetre_tartar(constant)?.value - 1.0 / 1f64.hypot(constant.value)).abs() < 1e-12);
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -85,8 +85,8 @@ pub struct TruncatedFamily {
 ///
 /// ```
 /// use experiments::trial::{NormChain, TruncatedFamily};
-/// use fractional_sobolev::{Constraint, Zone, gamma};
-/// let zone = Zone::end((-64f64).exp())?;
+/// use fractional_sobolev::{Constraint, gamma};
+/// let zone = 0.0..(-64f64).exp();
 /// let constant = gamma(0.5, Constraint::vanishing_on(zone), 1e-3)?.constant;
 /// let family = TruncatedFamily::new(0.4, &[(64.0, constant)], 1e-3)?;
 /// let NormChain { truncation, repaired, printed } = family.chain[0];

@@ -1,7 +1,8 @@
 //! An upper bound of the constants of all zones of one length.
 
+use crate::growth::END_SLOPE;
 use crate::zones::Condition;
-use fractional_sobolev::{Constraint, END_SLOPE, end_limit, gamma};
+use fractional_sobolev::{Constraint, gamma, law};
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance};
 
 /// An upper bound of γ_θ(ν) for all zones of length θ with an explicit constant; found here and tested, not
@@ -33,7 +34,7 @@ impl ZoneBound {
     /// The bound for an order; `None` for functions that vanish on the zone when ν ≤ 1/2.
     ///
     /// # Errors
-    /// Those of [`gamma`] and [`end_limit`].
+    /// Those of [`gamma`] and [`law`].
     pub fn new(
         order: impl Given<Order>,
         condition: Condition,
@@ -58,8 +59,10 @@ impl ZoneBound {
         if order.offset() == 0.0 {
             return half();
         }
-        let (whole, limit) =
-            (gamma(order, Constraint::mean_zero(), tolerance)?.constant, end_limit(order, tolerance)?);
+        let (whole, limit) = (
+            gamma(order, Constraint::mean_zero(), tolerance)?.constant,
+            law(order, 0.0, tolerance)?.factor()?,
+        );
         let work = whole.work + limit.work;
         let factor = Estimate::new(whole.value + limit.value, whole.error + limit.error, work)?;
         Ok(Some(Self::Power { order, factor }))

@@ -1,6 +1,6 @@
 //! Zones and conditions as options of a command: where zones of any length are put, and what holds on them.
 
-use fractional_sobolev::{Constraint, Error, Given, Result, Zone, Zones};
+use fractional_sobolev::{Constraint, Error, Given, Result, Zones};
 use std::fmt;
 use std::str::FromStr;
 
@@ -29,13 +29,14 @@ impl Place {
     /// The zone of length θ at this place.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] as for [`Zone::at`].
-    pub fn zone(self, theta: f64) -> Result<Zone> {
-        match self {
-            Place::End => Zone::end(theta),
-            Place::Centre => Zone::centred(theta),
-            Place::At(a) => Zone::at(a, theta),
-        }
+    /// [`Error::OutOfRange`] as for [`Zones::from_start_and_length`].
+    pub fn zone(self, theta: f64) -> Result<Zones> {
+        let start = match self {
+            Place::End => 0.0,
+            Place::Centre => 0.5 * (1.0 - theta),
+            Place::At(a) => a,
+        };
+        Zones::from_start_and_length(start, theta)
     }
 }
 

@@ -9,8 +9,8 @@
 //! | f by its values on hat functions | the piecewise linears of the mesh, (1.1) | [`MeshFunctional`] |
 //!
 //! ∫ (u − u_h) v is in `fields`, ∫_Γ f v on the boundary of a polygon in `boundary`. Two suprema of other kinds have
-//! names of their own: the largest mean beside the seminorm, under a condition, [`crate::largest_mean`]; moments under
-//! a condition, [`crate::moment_norm`]. In the plane there is no method for dual norms.
+//! names of their own: the largest mean beside the seminorm, under a condition, [`crate::GammaBounds`]; moments under
+//! a condition, [`crate::moment`]. In the plane there is no method for dual norms.
 
 mod cells;
 pub(crate) mod closure;

@@ -1,4 +1,23 @@
 //! The law γ_θ(1/2)² ~ (3/(2π²)) ln(1/θ) between two bounds whose constants are all explicit.
+//!
+//! With t = −ln x, v(t) = u(e^{−t}), L = ln(1/θ) and W(r) = ∫₀^∞ (v(t+r) − v(t))² dt,
+//!
+//! |u|²_{1/2} = 2 ∫₀^∞ W(r) / (4 sinh²(r/2)) dr.
+//!
+//! **Below**, the ramp v = 1 − min(t, L)/L vanishes on the zone. W = r²/L − 2r³/(3L²) for r ≤ L and L/3
+//! beyond, so ‖u‖₀² = 1 − 2/L + 2(1 − θ)/L² and |u|² ≤ 2π²/(3L) − 8ζ(3)/L² + 4θ/(1−θ)² (1/L + 2/L²).
+//!
+//! **Above**, γ² ≤ γ₁² + N², N the dual norm of D(u) = mean u − mean_(0,θ) u = ∫ e^{−t} (v(t) − v(t+L)) dt.
+//! For r ≤ 2L let k ≥ 1 be the integer nearest to L/r. Cauchy-Schwarz along t, t + r, ..., t + kr gives W(r)
+//! ≥ (r/k) Δ², Δ the difference of the means of v over (0, r) and (kr, kr + r). Δ and D(u) differ by the
+//! functional ∫ (1_{(0,r)}/r − e^{−t}) v dt twice, here and shifted, whose norm in L²(0,1) is ((e^r − 1)/r² −
+//! 1)^{1/2}, and by a shift of at most r/2 of a mean, of norm (e^{r/2} − 1)^{1/2}. All three see u − mean u
+//! alone, so that with |u| = 1
+//!
+//! |Δ| ≥ D(u) − C(r),  C(r) = γ₁ [2 ((e^r − 1)/r² − 1)^{1/2} + (e^{r/2} − 1)^{1/2}],
+//! 1 ≥ ∫₀^{2L} (N − C(r))₊² r² / (2 sinh²(r/2)) dr / (L + r/2),
+//!
+//! which bounds N, since the right side grows with it. ∫₀^∞ r²/(2 sinh²(r/2)) dr = 2π²/3 gives the law.
 
 use super::constant::gamma;
 use super::constraint::Constraint;
@@ -20,58 +39,14 @@ const LONGEST: f64 = 120.0;
 /// The upper bound is raised by this part for the rounding of quadrature and search.
 const ROUNDED_UP: f64 = 1e-9;
 
-/// Bounds of γ_θ(1/2)² at one L = ln(1/θ).
-///
-/// # Method
-///
-/// With t = −ln x, v(t) = u(e^{−t}), L = ln(1/θ) and W(r) = ∫₀^∞ (v(t+r) − v(t))² dt,
-///
-/// |u|²_{1/2} = 2 ∫₀^∞ W(r) / (4 sinh²(r/2)) dr.
-///
-/// **Below**, the ramp v = 1 − min(t, L)/L vanishes on the zone. W = r²/L − 2r³/(3L²) for r ≤ L and L/3
-/// beyond, so ‖u‖₀² = 1 − 2/L + 2(1 − θ)/L² and |u|² ≤ 2π²/(3L) − 8ζ(3)/L² + 4θ/(1−θ)² (1/L + 2/L²).
-///
-/// **Above**, γ² ≤ γ₁² + N², N the dual norm of D(u) = mean u − mean_(0,θ) u = ∫ e^{−t} (v(t) − v(t+L)) dt.
-/// For r ≤ 2L let k ≥ 1 be the integer nearest to L/r. Cauchy-Schwarz along t, t + r, ..., t + kr gives W(r)
-/// ≥ (r/k) Δ², Δ the difference of the means of v over (0, r) and (kr, kr + r). Δ and D(u) differ by the
-/// functional ∫ (1_{(0,r)}/r − e^{−t}) v dt twice, here and shifted, whose norm in L²(0,1) is ((e^r − 1)/r² −
-/// 1)^{1/2}, and by a shift of at most r/2 of a mean, of norm (e^{r/2} − 1)^{1/2}. All three see u − mean u
-/// alone, so that with |u| = 1
-///
-/// |Δ| ≥ D(u) − C(r),  C(r) = γ₁ [2 ((e^r − 1)/r² − 1)^{1/2} + (e^{r/2} − 1)^{1/2}],
-/// 1 ≥ ∫₀^{2L} (N − C(r))₊² r² / (2 sinh²(r/2)) dr / (L + r/2),
-///
-/// which bounds N, since the right side grows with it. ∫₀^∞ r²/(2 sinh²(r/2)) dr = 2π²/3 gives the law.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HalfBracket {
-    /// L = ln(1/θ).
-    pub log: f64,
-    /// Square of the quotient of the ramp.
-    pub lower: f64,
-    /// γ₁² + N², N bounded by the inequality along chains.
-    pub upper: f64,
-}
-
-impl HalfBracket {
-    /// Both bounds; L may pass ln of the largest number. Cost: some thousand evaluations per bisection step.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] unless 1 ≤ L ≤ 1e15; those of [`gamma`].
-    ///
-    /// ```
-    /// use fractional_sobolev::HalfBracket;
-    /// let law = 3.0 / (2.0 * std::f64::consts::PI.powi(2));
-    /// let bracket = HalfBracket::new(1e10)?;
-    /// assert!(bracket.upper / (law * bracket.log) < 1.001 && bracket.lower / (law * bracket.log) > 0.999);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    pub fn new(log: f64) -> Result<Self> {
-        Error::require("L", log, "[1, 1e15]", (1.0..=1e15).contains(&log))?;
-        let whole = gamma(Order::HALF, Constraint::mean_zero(), Tolerance::balanced())?.constant;
-        let whole = whole.value + whole.error;
-        let dual = Chains::new(whole, log)?.dual_norm() * (1.0 + ROUNDED_UP);
-        Ok(Self { log, lower: ramp(log), upper: whole * whole + dual * dual })
-    }
+/// [lower, upper] of γ_θ(1/2)² at L = ln(1/θ): the square of the quotient of the ramp, and γ₁² + N² with N
+/// bounded by the inequality along chains.
+pub(super) fn bracket(log: f64) -> Result<[f64; 2]> {
+    Error::require("L", log, "[1, 1e15]", (1.0..=1e15).contains(&log))?;
+    let whole = gamma(Order::HALF, Constraint::mean_zero(), Tolerance::balanced())?.constant;
+    let whole = whole.value + whole.error;
+    let dual = Chains::new(whole, log)?.dual_norm() * (1.0 + ROUNDED_UP);
+    Ok([ramp(log), whole * whole + dual * dual])
 }
 
 /// A lower bound of (‖u‖₀/|u|_{1/2})² for the ramp.

@@ -1,19 +1,27 @@
 //! What is asked of a function: mean zero, or to vanish, and where.
 
-use super::zone::Condition;
 use super::zones::Zones;
 use crate::error::{Error, Given, Result};
+
+/// What is asked of u on the zone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Condition {
+    /// ∫_E u = 0.
+    MeanZero,
+    /// u = 0 on E.
+    Vanishing,
+}
 
 /// What is asked of u on (0,1), and where: mean zero on a zone, zero on a zone, or zero at a point.
 ///
 /// A zone is a range `a..b` between its two ends, an array of such ranges, or, where a length is tiny or
-/// digits count, a [`Zone`](crate::Zone) by start and length or [`Zones`]. Errors of a zone may be left to the
-/// function that takes the constraint.
+/// digits count, [`Zones`] by start and length. Errors of a zone may be left to the function that takes the
+/// constraint.
 ///
 /// ```
-/// use fractional_sobolev::{Constraint, Zone, gamma};
+/// use fractional_sobolev::{Constraint, Zones, gamma};
 /// let by_ends = gamma(0.5, Constraint::mean_zero_on(0.25..0.5), 1e-6)?;
-/// let by_length = gamma(0.5, Constraint::mean_zero_on(Zone::at(0.25, 0.25)), 1e-6)?;
+/// let by_length = gamma(0.5, Constraint::mean_zero_on(Zones::from_start_and_length(0.25, 0.25)), 1e-6)?;
 /// assert_eq!(by_ends.constant, by_length.constant);
 /// let two = gamma(0.5, Constraint::vanishing_on([0.0..0.1, 0.8..0.9]), 1e-6)?;
 /// assert!(two.constant.value < gamma(0.5, Constraint::vanishing_on(0.0..0.1), 1e-6)?.constant.value);
@@ -47,7 +55,7 @@ impl Constraint {
     /// Mean zero over the union of the zones, ∫_E u = 0.
     ///
     /// # Errors
-    /// Those of the zone, as for [`Zone::between`](crate::Zone::between) and [`Zones::union`].
+    /// Those of the zone, as for [`Zones::between`] and [`Zones::union`].
     pub fn mean_zero_on(zones: impl Given<Zones>) -> Result<Self> {
         Ok(Self::on_zones(&zones.given()?, Condition::MeanZero))
     }

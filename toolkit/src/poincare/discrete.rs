@@ -7,14 +7,13 @@
 //! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length
 //! 1/unit of the interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.
 
-use super::constraint::Constraint;
+use super::constraint::{Condition, Constraint};
 use super::mesh::{MeshModel, PANEL_SPREAD};
 use super::slopes::gram::seminorm_gram;
 use super::slopes::links::Links;
 use super::slopes::local::Local;
 use super::slopes::mass::{Primitives, mass_gram};
 use super::slopes::space::SlopeSpace;
-use super::zone::Condition;
 use crate::Order;
 use crate::error::Result;
 use crate::estimate::Work;

@@ -12,7 +12,7 @@ const MAKES_WAY: f64 = 1e-5;
 
 /// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
 ///
-/// Returned by [`crate::Gamma::extremal`].
+/// Returned by [`crate::Gamma::extremal`] and [`crate::MomentConstant::extremal`].
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Order, gamma, Tolerance};
@@ -30,11 +30,18 @@ pub struct ExtremalFunction {
     /// One function of a slope space; several with their weights where the order is continued from larger
     /// ones.
     terms: Vec<(f64, SlopeFunction)>,
+    /// The terms are functions of 1 − x.
+    is_mirrored: bool,
 }
 
 impl ExtremalFunction {
     pub(crate) fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
-        Self { terms: vec![(1.0, SlopeFunction::new(discrete, coefficients))] }
+        Self { terms: vec![(1.0, SlopeFunction::new(discrete, coefficients))], is_mirrored: false }
+    }
+
+    /// u(1 − x).
+    pub(super) fn mirrored(self) -> Self {
+        Self { is_mirrored: !self.is_mirrored, ..self }
     }
 
     /// Σ w_k u_k for functions of orders close to each other, their signs made to agree.
@@ -46,16 +53,26 @@ impl ExtremalFunction {
             let weight = if agrees(&function) { weight } else { -weight };
             terms.extend(function.terms.into_iter().map(|(inner, u)| (weight * inner, u)));
         }
-        Self { terms }
+        Self { terms, is_mirrored: false }
     }
 
     /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture
     /// that resolves all scales.
     pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
+        let points = self.profile_of_terms(per_cell);
+        if self.is_mirrored {
+            return points.into_iter().rev().map(|(x, u)| (1.0 - x, u)).collect();
+        }
+        points
+    }
+
+    fn profile_of_terms(&self, per_cell: usize) -> Vec<(f64, f64)> {
         match self.terms.as_slice() {
             [] => Vec::new(),
             [(weight, only)] => only.profile(per_cell).into_iter().map(|(x, u)| (x, weight * u)).collect(),
-            [(_, first), ..] => first.profile(per_cell).iter().map(|&(x, _)| (x, self.value(x))).collect(),
+            [(_, first), ..] => {
+                first.profile(per_cell).iter().map(|&(x, _)| (x, self.value_of_terms(x))).collect()
+            }
         }
     }
 
@@ -78,6 +95,10 @@ impl ExtremalFunction {
 
     /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.
     pub fn value(&self, x: f64) -> f64 {
+        self.value_of_terms(if self.is_mirrored { 1.0 - x } else { x })
+    }
+
+    fn value_of_terms(&self, x: f64) -> f64 {
         self.terms.iter().map(|(weight, u)| weight * u.value(x)).sum()
     }
 }

@@ -1,5 +1,6 @@
 //! The law of γ_θ(ν) as θ → 0 at fixed ν, where one is known.
 
+use super::bracket::bracket;
 use super::constant::gamma;
 use super::constraint::Constraint;
 use super::limits::interior_limit;
@@ -12,87 +13,167 @@ use crate::estimate::{Estimate, Tolerance};
 /// So near below 1/2 the power law needs lengths out of reach, and the law through 1/2 is used.
 const NEAR_HALF: f64 = 0.01;
 
-/// γ_θ as θ → 0 at fixed ν; not uniform in ν.
+/// The law of γ_θ(ν) as θ → 0 at fixed ν, for functions with mean zero on zones that shrink to the point
+/// `place` of \[0, 1\]; for ν > 1/2 also for those that vanish there. Not uniform in ν.
 ///
 /// # Method
 ///
 /// | ν | printed in Lemma 5.2 | true, zone at an end | true, zone inside |
 /// | --- | --- | --- | --- |
-/// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, `end_limit` | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
-/// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/(A L + c) + O(L⁻²), [`super::UniformLaw`] | γ² ~ L/(2π²) |
+/// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, B by a Mellin transform | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
+/// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/γ² + e/γ⁴ + O(L⁻³) | γ² ~ L/(2π²) |
 /// | > 1/2 | C | γ₀(ν), `Constraint::vanishing_at` | the same at the point |
 ///
-/// A = 3/(2π²), L = ln(1/θ). All are limits θ → 0 at fixed ν.
+/// A = 3/(2π²), L = ln(1/θ). At ν = 1/2 c, d, e come from the dual norm N of u ↦ mean_E u − mean u: with r
+/// its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on mean-free
+/// functions). Within 0.01 below 1/2, and above where no point condition is within reach of f64, the same
+/// expansion serves with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
 ///
 /// ```
-/// use fractional_sobolev::{Constraint, Order, gamma, LimitLaw, Tolerance};
-/// let (order, asked) = (Order::HALF, Tolerance::balanced());
-/// if let Some(law) = LimitLaw::new(order, 0.0, asked)? {
-///     let found = gamma(order, Constraint::mean_zero_on(0.0..1e-9), asked)?.constant;
-///     assert!((law.gamma(1e-9)?.value / found.value - 1.0).abs() < 1e-2);
-/// }
+/// use fractional_sobolev::{Constraint, gamma, law};
+/// let end = law(0.5, 0.0, 1e-8)?;
+/// let found = gamma(0.5, Constraint::mean_zero_on(0.0..1e-30), 1e-8)?.constant;
+/// let by_law = end.at(1e-30)?;
+/// assert!((by_law.value - found.value).abs() <= by_law.error + found.error);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
+///
+/// # Errors
+/// [`Error::OutOfRange`] for a place outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] when B or
+/// the dual norms cannot be had to the tolerance.
+#[doc(alias("asymptotics", "limit law"))]
+pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -> Result<Law> {
+    let (order, tolerance) = (order.given()?, tolerance.given()?);
+    Error::require("place", place, "[0, 1]", (0.0..=1.0).contains(&place))?;
+    let at_end = place == 0.0 || place == 1.0;
+    let uniform = || UniformLaw::new(order, tolerance).map(|law| Form::Uniform(Box::new(law)));
+    let form = if order.offset() > 0.0 {
+        match gamma(order, Constraint::vanishing_at(place), tolerance).map(|found| found.constant) {
+            Ok(limit) => Form::Constant(limit),
+            // so close to 1/2 that the point is out of reach of f64
+            Err(Error::ToleranceNotMet { .. }) if at_end => uniform()?,
+            Err(Error::ToleranceNotMet { .. }) => Form::Unknown,
+            Err(error) => return Err(error),
+        }
+    } else {
+        match at_end {
+            true if order.offset() < -NEAR_HALF => Form::Power(end_limit(order, tolerance)?),
+            true => uniform()?,
+            false if order.is_below_half() => Form::Power(interior_limit(order)?),
+            false => Form::Unknown,
+        }
+    };
+    let expansion = match &form {
+        Form::Uniform(law) => Some([law.slope, law.constant, law.correction, law.second_correction]),
+        _ => None,
+    };
+    Ok(Law { exponent: order.offset().min(0.0), expansion, order, at_end, tolerance, form })
+}
+
+/// How γ_θ(ν) grows as θ → 0, for one order and one place of the zone.
+///
+/// Returned by [`law`].
 #[derive(Debug, Clone, PartialEq)]
-pub enum LimitLaw {
-    /// B θ^{ν−1/2}.
-    Power {
-        /// The order ν < 1/2.
-        order: Order,
-        /// B.
-        factor: Estimate,
-    },
+pub struct Law {
+    /// The power of θ: ν − 1/2, at least where that is negative; 0 for ν ≥ 1/2.
+    pub exponent: f64,
+    /// A, c, d, e of γ² = A L + c + d/γ² + e/γ⁴, for a zone at an end and ν at or near 1/2.
+    pub expansion: Option<[Estimate; 4]>,
+    order: Order,
+    at_end: bool,
+    tolerance: Tolerance,
+    form: Form,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Form {
+    /// B θ^{ν−1/2}, ν < 1/2.
+    Power(Estimate),
     /// γ₀, the constant of the point.
     Constant(Estimate),
     /// The law through ν = 1/2.
     Uniform(Box<UniformLaw>),
+    /// Inside, at or near 1/2.
+    Unknown,
 }
 
-impl LimitLaw {
-    /// The law for functions with mean zero on zones that shrink to the point `place` of \[0, 1\]; for ν > 1/2
-    /// also for those that vanish there. `None` where none is known: at or near 1/2 for a zone inside.
+impl Law {
+    /// γ_θ by the law.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Law, law};
+    /// let inside: Law = law(0.25, 0.5, 1e-8)?;
+    /// assert!((inside.at(1e-8)?.value / inside.factor()?.value - 100.0).abs() < 1e-10);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// Those of [`gamma`], [`end_limit`] and [`UniformLaw::new`].
-    pub fn new(
-        order: impl Given<Order>,
-        place: f64,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Option<Self>> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
-        let at_end = place == 0.0 || place == 1.0;
-        let uniform = || UniformLaw::new(order, tolerance).map(|law| Some(Self::Uniform(Box::new(law))));
-        let power = |factor: Estimate| Some(Self::Power { order, factor });
-        if order.offset() > 0.0 {
-            return match gamma(order, Constraint::vanishing_at(place), tolerance).map(|found| found.constant)
-            {
-                Ok(limit) => Ok(Some(Self::Constant(limit))),
-                // so close to 1/2 that the point is out of reach of f64
-                Err(Error::ToleranceNotMet { .. }) if at_end => uniform(),
-                Err(Error::ToleranceNotMet { .. }) => Ok(None),
-                Err(error) => Err(error),
-            };
-        }
-        match at_end {
-            true if order.offset() < -NEAR_HALF => end_limit(order, tolerance).map(power),
-            true => uniform(),
-            false if order.is_below_half() => interior_limit(order).map(power),
-            false => Ok(None),
+    /// [`Error::OutOfRange`] where the law through 1/2 does not reach, θ near 1, and inside (0,1) for ν = 1/2
+    /// (and above where the point is out of reach), where γ² ~ L/(2π²) is all that is known.
+    pub fn at(&self, theta: f64) -> Result<Estimate> {
+        match &self.form {
+            Form::Power(factor) => {
+                let power = theta.powf(self.order.offset());
+                Estimate::new(factor.value * power, factor.error * power, factor.work)
+            }
+            Form::Constant(limit) => Ok(*limit),
+            Form::Uniform(law) => law.gamma(theta),
+            Form::Unknown => Err(self.no_formula("not 1/2 for a zone inside (0,1)")),
         }
     }
 
-    /// γ_θ by the law.
+    /// lim θ^{−exponent} γ_θ: B for ν < 1/2, γ₀ for ν > 1/2.
+    ///
+    /// # Method
+    ///
+    /// At an end B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ), C the symbol of the seminorm on (0,∞); inside
+    /// B² = tan(πν) / (2π(1+2ν)).
+    ///
+    /// ```
+    /// use fractional_sobolev::{Order, law};
+    /// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
+    /// let order = Order::half_plus(-1e-5)?;
+    /// let limit = law(order, 0.0, 1e-8)?.factor()?.value.powi(2) * order.one_minus_twice();
+    /// assert!((limit * std::f64::consts::PI.powi(2) / 1.5 - 1.0).abs() < 1e-3);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] where the law through 1/2 does not reach: θ near 1.
-    pub fn gamma(&self, theta: f64) -> Result<Estimate> {
-        match self {
-            Self::Power { order, factor } => {
-                let power = theta.powf(order.offset());
-                Estimate::new(factor.value * power, factor.error * power, factor.work)
-            }
-            Self::Constant(limit) => Ok(*limit),
-            Self::Uniform(law) => law.gamma(theta),
+    /// [`Error::OutOfRange`] for ν = 1/2, where there is none; [`Error::ToleranceNotMet`] when the rounding of
+    /// 1 − 2ν, 9e-16/(1 − 2ν) relative, forbids the tolerance.
+    pub fn factor(&self) -> Result<Estimate> {
+        match &self.form {
+            Form::Power(factor) | Form::Constant(factor) => Ok(*factor),
+            _ if self.order.is_below_half() => end_limit(self.order, self.tolerance),
+            _ => Err(self.no_formula("(0, 1/2), or so far above 1/2 that a point has a constant")),
         }
+    }
+
+    /// Lower and upper bound of γ_θ(1/2)² for the zone (0,θ) with ln(1/θ) = `log`, all constants explicit; L
+    /// may pass ln of the largest number.
+    ///
+    /// The lower bound is the quotient of a ramp in ln x, the upper γ₁² + N² with N bounded by Cauchy-Schwarz
+    /// along chains of equal steps in ln x. Cost: some thousand evaluations per bisection step.
+    ///
+    /// ```
+    /// use fractional_sobolev::law;
+    /// let end = law(0.5, 0.0, 1e-3)?;
+    /// let slope = 3.0 / (2.0 * std::f64::consts::PI.powi(2));
+    /// let [lower, upper] = end.bracket(1e10)?;
+    /// assert!(upper / (slope * 1e10) < 1.001 && lower / (slope * 1e10) > 0.999);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless 1 ≤ `log` ≤ 1e15, ν = 1/2 and the place is an end; those of [`gamma`].
+    pub fn bracket(&self, log: f64) -> Result<[f64; 2]> {
+        if self.order.offset() != 0.0 || !self.at_end {
+            return Err(self.no_formula("1/2, for a zone at an end"));
+        }
+        bracket(log)
+    }
+
+    fn no_formula(&self, range: &'static str) -> Error {
+        Error::OutOfRange { name: "nu", value: self.order.value(), range }
     }
 }

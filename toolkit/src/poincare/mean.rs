@@ -5,40 +5,19 @@ use super::discrete::Discrete;
 use super::mesh::MeshModel;
 use super::rounding::ROUNDING;
 use super::spaces::{continued, refine_until};
-use super::zone::{Condition, Zone};
 use crate::Order;
-use crate::error::{Given, Result};
+use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// N = sup |mean of u| / |u|_ν over the same functions as in [`gamma`]. For mean zero on E it is what 1_E/|E| − 1
+/// N = sup |mean of u| / |u|_ν over the same functions as in `gamma`. For mean zero on E it is what 1_E/|E| − 1
 /// has as a functional in the dual of the seminorm; dual norms to (1.1) are in [`crate::dual`].
-///
-/// ```
-/// use fractional_sobolev::{Constraint, gamma, largest_mean};
-/// let zone = Constraint::mean_zero_on(0.0..0.01)?;
-/// let (n, g) = (largest_mean(0.5, &zone, 1e-8)?.value, gamma(0.5, &zone, 1e-8)?.constant.value);
-/// let whole = gamma(0.5, Constraint::mean_zero(), 1e-8)?.constant.value;
-/// assert!(n.max(whole) <= g && g <= n.hypot(whole));
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
-/// # Errors
-/// As for [`gamma`].
-///
-/// [`gamma`]: super::gamma
-#[doc(alias("H-1/2", "dual norm"))]
-pub fn largest_mean(
-    order: impl Given<Order>,
-    constraint: impl Given<Constraint>,
-    tolerance: impl Given<Tolerance>,
-) -> Result<Estimate> {
-    let (order, constraint, tolerance) = (order.given()?, constraint.given()?, tolerance.given()?);
+pub(super) fn largest_mean(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Estimate> {
     if constraint.is_whole() {
         return Estimate::new(0.0, 0.0, Work::default());
     }
-    continued(order, &constraint, tolerance, |order, tolerance| {
-        refine_until(order, &constraint, tolerance, |model| {
-            let discrete = Discrete::new(order, &constraint, model)?;
+    continued(order, constraint, tolerance, |order, tolerance| {
+        refine_until(order, constraint, tolerance, |model| {
+            let discrete = Discrete::new(order, constraint, model)?;
             Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
         })
     })
@@ -53,7 +32,7 @@ pub(crate) struct DualMoments {
 }
 
 pub(crate) fn dual_moments(order: Order, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
-    let constraint = Constraint::on_zones(&Zone::end(theta)?.into(), Condition::MeanZero);
+    let constraint = Constraint::mean_zero_on(0.0..theta)?;
     let moments = |model: &MeshModel| -> Result<([f64; 3], Work)> {
         let discrete = Discrete::new(order, &constraint, model)?;
         let dual = discrete.dual_norm()?;

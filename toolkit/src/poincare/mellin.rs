@@ -1,6 +1,6 @@
 //! B(ν) = lim θ^{1/2−ν} γ_θ(ν), ν < 1/2, zone at an end: the Mellin transform of the problem on a half line.
 
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::{HalfLineSymbol, Order};
 use std::f64::consts::PI;
@@ -21,20 +21,10 @@ const ROUNDING: f64 = 1e-14;
 /// C the symbol of the seminorm on (0,∞). Differences of ln Γ over the distance p = 1 − 2ν are formed term by
 /// term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
 ///
-/// ```
-/// use fractional_sobolev::{end_limit, Order, Tolerance};
-/// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
-/// let order = Order::half_plus(-1e-5)?;
-/// let limit = end_limit(order, Tolerance::balanced())?.value.powi(2) * order.one_minus_twice();
-/// assert!((limit * std::f64::consts::PI.powi(2) / 1.5 - 1.0).abs() < 1e-3);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]
 /// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
-pub fn end_limit(order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
-    let (order, tolerance) = (order.given()?, tolerance.given()?);
+pub(super) fn end_limit(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     if limit.relative_error() > asked {
         let why = "the order nu is rounded, and 1 - 2 nu holds no more digits";

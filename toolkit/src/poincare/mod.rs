@@ -1,10 +1,9 @@
 //! Appendix A: the Poincaré constants γ_θ(ν) of Lemma 5.2.
 //!
-//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1), 0 < ν < 1, whose mean over a [`Zone`] is zero or which vanish
-//! there; the zone may be a union of intervals, [`Zones`]. The seminorm is
-//! |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300. Moments in place
-//! of ‖u‖₀, for functions that vanish on a zone at an end: [`moment_norm`], and between two bounds
-//! [`StrongForm`].
+//! γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1), 0 < ν < 1, whose mean over a zone is zero or which vanish there; the
+//! zone is an interval or a union of intervals, [`Zones`]. The seminorm is
+//! |u|_ν² = ∬ (u(x) − u(y))² / |x − y|^{1+2ν} dx dy over the whole square. The paper bounds γ by θ^{ν−1/2}, ln(1/θ), C in (5.1)-(5.3); [`gamma`] computes it, for zones down to 1e-300. [`law`] is its growth as the zone
+//! shrinks. Moments in place of ‖u‖₀, for functions that vanish on a zone at an end: [`moment`].
 
 mod bracket;
 mod constant;
@@ -23,21 +22,12 @@ pub(crate) mod slopes;
 mod spaces;
 mod two_sided;
 mod uniform;
-mod zone;
 mod zones;
 
-pub use bracket::HalfBracket;
 pub use constant::{Gamma, gamma};
 pub use constraint::Constraint;
 pub use extremal::ExtremalFunction;
-pub use law::LimitLaw;
-pub use limits::{END_SLOPE, INTERIOR_SLOPE, interior_limit};
-pub use mean::largest_mean;
-pub use mellin::end_limit;
-pub use moments::{
-    Moment, MomentBounds, StrongForm, half_order_moment, moment_extremal, moment_norm, moment_norm_beside,
-};
+pub use law::{Law, law};
+pub use moments::{Moment, MomentConstant, moment};
 pub use two_sided::GammaBounds;
-pub use uniform::{LawRest, UniformLaw};
-pub use zone::Zone;
 pub use zones::Zones;

@@ -1,31 +1,36 @@
-//! Zones that are unions of intervals.
+//! The zone E ⊂ (0,1) on which a function is controlled: an interval or a union of intervals.
 
-use super::zone::Zone;
 use crate::error::{Error, Given, Result};
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use std::fmt;
 use std::ops::Range;
 
-/// Shortest length that is admitted, as for [`Zone`].
+/// Shortest length that is admitted: below, f64 itself loses digits.
 const SHORTEST: f64 = 1e-300;
 /// Intervals there may be: every one adds some hundred unknowns.
 const MOST: usize = 32;
 /// A gap between given positions that is no longer than this, relative to them, is rounding.
 const TOUCHING: f64 = 4.0 * f64::EPSILON;
 
-/// A union E ⊂ (0,1) of disjoint intervals with gaps between them.
+/// A zone E ⊂ (0,1): an interval, or a union of disjoint intervals with gaps between them.
 ///
-/// Kept as lengths, so that short intervals close to each other keep their digits wherever they are.
+/// A range `a..b` or an array of ranges serves wherever a zone is an argument. Kept as lengths, so that short
+/// intervals, and such close to each other, keep their digits wherever they are.
+///
+/// ```
+/// use fractional_sobolev::{Constraint, Zones, gamma};
+/// // (1/5, 1/5 + 1e-20)
+/// let tiny = Zones::from_start_and_length(0.2, 1e-20)?;
+/// assert!(tiny.length() == 1e-20 && tiny.count() == 1);
+/// let found = |zone: &Zones| gamma(0.5, Constraint::mean_zero_on(zone), 1e-6).map(|found| found.constant.value);
+/// assert!(found(&tiny)? > found(&Zones::between(0.2, 0.25)?)?);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[doc(alias("zone", "interval", "subinterval"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Zones {
     /// Gap, interval, gap, ..., interval, gap; the first and the last gap may be empty.
     lengths: Vec<f64>,
-}
-
-impl From<Zone> for Zones {
-    fn from(zone: Zone) -> Self {
-        Self { lengths: vec![zone.start(), zone.length(), zone.rest()] }
-    }
 }
 
 impl Given<Zones> for Zones {
@@ -46,41 +51,52 @@ impl Given<Zones> for Result<Zones> {
     }
 }
 
-impl Given<Zones> for Zone {
-    fn given(self) -> Result<Zones> {
-        Ok(self.into())
-    }
-}
-
-impl Given<Zones> for Result<Zone> {
-    fn given(self) -> Result<Zones> {
-        self.map(Zones::from)
-    }
-}
-
 impl Given<Zones> for Range<f64> {
     fn given(self) -> Result<Zones> {
-        Zone::between(self.start, self.end).map(Zones::from)
+        Zones::between(self.start, self.end)
     }
 }
 
 impl<const N: usize> Given<Zones> for [Range<f64>; N] {
     fn given(self) -> Result<Zones> {
-        let intervals: Vec<(f64, f64)> =
-            self.into_iter().map(|zone| (zone.start, zone.end - zone.start)).collect();
-        Zones::union(&intervals)
+        Zones::union(&self)
     }
 }
 
 impl Zones {
-    /// The intervals (a, a + ℓ) for pairs (a, ℓ), in any order.
+    /// (a, a+θ) with a = 0 or a ≥ 1e-300, 1e-300 ≤ θ ≤ 1, a + θ ≤ 1 up to rounding.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] otherwise.
+    pub fn from_start_and_length(start: f64, length: f64) -> Result<Self> {
+        Error::require("theta", length, "[1e-300, 1]", (SHORTEST..=1.0).contains(&length))?;
+        require_start(start)?;
+        let rest = (1.0 - start) - length;
+        // a + θ = 1 need not hold exactly for the rounded a and θ
+        Error::require("zone end", start + length, "(0, 1]", rest >= -f64::EPSILON)?;
+        let rest = if rest <= f64::EPSILON { 0.0 } else { rest };
+        Ok(Self { lengths: vec![start, length, rest] })
+    }
+
+    /// (a, b), 0 ≤ a < b ≤ 1, as the range `a..b`.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] as for [`Zones::from_start_and_length`], and for b outside (a, 1].
+    pub fn between(a: f64, b: f64) -> Result<Self> {
+        require_start(a)?;
+        let inside = b - a >= SHORTEST && b <= 1.0;
+        Error::require("zone end", b, "(a, 1], at least 1e-300 above a", inside)?;
+        Ok(Self { lengths: vec![a, b - a, 1.0 - b] })
+    }
+
+    /// The union of intervals (a, b), given as ranges `a..b` in any order.
     ///
     /// ```
-    /// use fractional_sobolev::{Constraint, Order, gamma, Tolerance, Zone, Zones};
-    /// let found = |zone: Zones| gamma(Order::HALF, Constraint::mean_zero_on(zone), Tolerance::fast()).map(|found| found.constant);
-    /// let apart = found(Zones::union(&[(0.2, 0.05), (0.7, 0.05)])?)?;
-    /// assert!(apart.value < found(Zone::end(0.1)?.into())?.value);
-    /// assert!(Zones::union(&[(0.2, 0.05), (0.22, 0.05)]).is_err());
+    /// use fractional_sobolev::{Constraint, Zones, gamma};
+    /// let two = Zones::union(&[0.2..0.25, 0.7..0.75])?;
+    /// let apart = gamma(0.5, Constraint::mean_zero_on(&two), 1e-3)?.constant;
+    /// assert!(apart.value < gamma(0.5, Constraint::mean_zero_on(0.0..two.length()), 1e-3)?.constant.value);
+    /// assert!(Zones::union(&[0.2..0.25, 0.22..0.27]).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -88,25 +104,25 @@ impl Zones {
     /// [`Error::CountOutOfRange`] for none and for more than 32 intervals; [`Error::EntryOutOfRange`] for
     /// lengths that are no admissible ones, intervals that overlap or touch, or that reach beyond (0,1);
     /// [`Error::NotFinite`].
-    pub fn union(intervals: &[(f64, f64)]) -> Result<Self> {
+    pub fn union(intervals: &[Range<f64>]) -> Result<Self> {
         require_count(intervals.len())?;
-        for (k, &(start, length)) in intervals.iter().enumerate() {
-            require_finite_at("start of interval", k, start)?;
-            require_finite_at("length of interval", k, length)?;
+        for (k, interval) in intervals.iter().enumerate() {
+            require_finite_at("start of interval", k, interval.start)?;
+            require_finite_at("end of interval", k, interval.end)?;
         }
         let mut sorted = intervals.to_vec();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (mut lengths, mut end) = (Vec::new(), 0.0);
-        for (k, &(start, length)) in sorted.iter().enumerate() {
-            let gap = start - end;
+        sorted.sort_by(|a, b| a.start.total_cmp(&b.start));
+        let (mut lengths, mut before) = (Vec::new(), 0.0);
+        for (k, &Range { start, end }) in sorted.iter().enumerate() {
+            let gap = start - before;
             if k > 0 {
                 let apart = gap > TOUCHING * start;
                 require_entry("start of interval", k, start, "beyond the interval before", apart)?;
             }
-            lengths.extend([gap, length]);
-            end = start + length;
+            lengths.extend([gap, end - start]);
+            before = end;
         }
-        Self::closed(lengths, |last: (f64, f64)| (1.0 - last.0) - last.1, sorted[sorted.len() - 1])
+        Self::closed(lengths, 1.0 - before)
     }
 
     /// Gap, interval, gap, interval, ..., interval from the left end on; what is left to 1 is the last gap.
@@ -128,17 +144,16 @@ impl Zones {
             return Err(Error::LengthMismatch { name: "gaps and intervals", given: expected - 1, expected });
         }
         require_finite("length", lengths)?;
-        Self::closed(lengths.to_vec(), |sum: f64| 1.0 - sum, lengths.iter().sum())
+        Self::closed(lengths.to_vec(), 1.0 - lengths.iter().sum::<f64>())
     }
 
     /// Checks the lengths and adds the last gap.
-    fn closed<T: Copy>(mut lengths: Vec<f64>, rest: impl Fn(T) -> f64, of: T) -> Result<Self> {
+    fn closed(mut lengths: Vec<f64>, rest: f64) -> Result<Self> {
         for (k, &length) in lengths.iter().enumerate() {
             let name = if k % 2 == 0 { "gap" } else { "interval" };
             let admissible = (SHORTEST..=1.0).contains(&length) || (k == 0 && length == 0.0);
             require_entry(name, k / 2, length, "[1e-300, 1]; {0} as the first gap", admissible)?;
         }
-        let rest = rest(of);
         Error::require("end of the last interval", 1.0 - rest, "(0, 1]", rest >= -f64::EPSILON)?;
         lengths.push(if rest <= f64::EPSILON { 0.0 } else { rest });
         Ok(Self { lengths })
@@ -155,7 +170,7 @@ impl Zones {
     }
 
     /// The intervals as pairs (a, ℓ); positions are rounded.
-    pub fn intervals(&self) -> Vec<(f64, f64)> {
+    fn intervals(&self) -> Vec<(f64, f64)> {
         let pairs = self.lengths.chunks_exact(2);
         let located = pairs.scan(0.0, |end, pair| {
             let start = *end + pair[0];
@@ -165,10 +180,14 @@ impl Zones {
         located.collect()
     }
 
-    /// The mirror image under x → 1 − x.
-    #[must_use]
-    pub fn mirrored(&self) -> Self {
-        Self { lengths: self.lengths.iter().rev().copied().collect() }
+    /// The length of a single interval that touches exactly one end of (0,1), what it leaves, and whether
+    /// that end is 1.
+    pub(super) fn at_one_end(&self) -> Option<(f64, f64, bool)> {
+        match self.lengths[..] {
+            [0.0, length, rest] if rest > 0.0 => Some((length, rest, false)),
+            [rest, length, 0.0] if rest > 0.0 => Some((length, rest, true)),
+            _ => None,
+        }
     }
 
     /// The lengths that are not zero, and which of them belong to the zone.
@@ -183,10 +202,19 @@ impl fmt::Display for Zones {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (k, (start, length)) in self.intervals().into_iter().enumerate() {
             let joined = if k == 0 { "" } else { " u " };
-            write!(f, "{joined}({start:e}, {start:e}+{length:e})")?;
+            if start == 0.0 {
+                write!(f, "(0, {length:e})")?;
+            } else {
+                write!(f, "{joined}({start:e}, {start:e}+{length:e})")?;
+            }
         }
         Ok(())
     }
+}
+
+fn require_start(start: f64) -> Result<f64> {
+    let inside = start == 0.0 || (SHORTEST..1.0).contains(&start);
+    Error::require("zone start", start, "{0} or [1e-300, 1)", inside)
 }
 
 fn require_count(count: usize) -> Result<()> {
@@ -202,8 +230,9 @@ mod tests {
     use crate::Mesh;
     use crate::estimate::{Estimate, Tolerance};
     use crate::numeric::pencil::Factored;
-    use crate::poincare::zone::Condition;
-    use crate::poincare::{Constraint, gamma, largest_mean};
+    use crate::poincare::constant::gamma;
+    use crate::poincare::constraint::{Condition, Constraint};
+    use crate::poincare::mean::largest_mean;
     use crate::{Order, gram_linears, mass_linears};
     use nalgebra::DMatrix;
 
@@ -225,16 +254,16 @@ mod tests {
 
     #[test]
     fn bad_unions_are_refused() {
-        let overlapping =
-            [&[(0.1, 0.2), (0.2, 0.2)][..], &[(0.1, 0.1), (0.2, 0.1)], &[(0.1, 0.2), (0.1, 0.2)]];
-        let outside = [&[(0.5, 0.6)][..], &[(-0.1, 0.2)], &[(0.1, 0.0)], &[(0.1, f64::NAN)], &[]];
+        let overlapping = [&[0.1..0.3, 0.2..0.4][..], &[0.1..0.2, 0.2..0.3], &[0.1..0.3, 0.1..0.3]];
+        let outside = [[0.5..1.1], [-0.1..0.1], [0.1..0.1], [0.1..f64::NAN]];
+        let outside = outside.iter().map(|one| &one[..]).chain([&[][..]]);
         for bad in overlapping.into_iter().chain(outside) {
             assert!(Zones::union(bad).is_err(), "{bad:?}");
         }
         for bad in [&[][..], &[0.5], &[0.1, 0.2, 0.0, 0.1], &[0.5, 0.6], &[0.1, -0.1, 0.1, 0.3]] {
             assert!(Zones::from_lengths(bad).is_err(), "{bad:?}");
         }
-        let whole = Zones::union(&[(0.0, 1.0)]).unwrap();
+        let whole = Zones::union(&[0.0..1.0]).unwrap();
         assert!(
             gamma(Order::HALF, Constraint::vanishing_on(whole), Tolerance::fast())
                 .map(|found| found.constant)
@@ -244,10 +273,11 @@ mod tests {
 
     #[test]
     fn one_interval_has_the_bits_of_the_zone() {
-        for (a, theta) in [(0.0, 0.3), (0.25, 1e-9), (0.75, 0.25)] {
+        for (a, b) in [(0.0, 0.3), (0.25, 0.25 + 1e-9), (0.75, 1.0)] {
             for condition in CONDITIONS {
-                let single = found(0.3, Zone::at(a, theta).unwrap(), condition);
-                assert_eq!(found(0.3, Zones::union(&[(a, theta)]).unwrap(), condition), single);
+                let single = found(0.3, a..b, condition);
+                assert_eq!(found(0.3, Zones::union(&[a..b]).unwrap(), condition), single);
+                assert_eq!(found(0.3, [a..b], condition), single);
             }
         }
     }
@@ -300,8 +330,8 @@ mod tests {
     #[test]
     fn unions_agree_with_piecewise_linears() {
         // Linears on cells that double have an error of some per cent, and from below.
-        let three = [[(0.0, 0.05), (0.3, 0.02), (0.9, 0.1)], [(0.4, 0.01), (0.45, 0.02), (0.5, 0.01)]];
-        for intervals in [&[(0.1, 0.2), (0.6, 0.1)][..], &three[0], &three[1]] {
+        let three = [[0.0..0.05, 0.3..0.32, 0.9..1.0], [0.4..0.41, 0.45..0.47, 0.5..0.51]];
+        for intervals in [&[0.1..0.3, 0.6..0.7][..], &three[0], &three[1]] {
             let zones = Zones::union(intervals).unwrap();
             for nu in [0.2, 0.5, 0.8] {
                 for condition in CONDITIONS {
@@ -314,6 +344,11 @@ mod tests {
         }
     }
 
+    /// The mirror image under x → 1 − x.
+    fn mirrored(zones: &Zones) -> Zones {
+        Zones { lengths: zones.lengths.iter().rev().copied().collect() }
+    }
+
     #[test]
     fn mirror_images_agree_and_short_gaps_close() {
         for nu in [0.1, 0.5, 0.9] {
@@ -322,11 +357,11 @@ mod tests {
                 for lengths in [[0.1, 0.05, 0.2, 1e-3], [0.3, 1e-8, 5e-8, 2e-8], far[0], far[1]] {
                     let zones = Zones::from_lengths(&lengths).unwrap();
                     let (one, other) =
-                        (found(nu, zones.clone(), condition), found(nu, zones.mirrored(), condition));
+                        (found(nu, zones.clone(), condition), found(nu, mirrored(&zones), condition));
                     let apart = (one.value - other.value).abs();
                     assert!(apart <= one.error + other.error, "{zones}, {nu}, {condition:?}: {apart:e}");
                 }
-                let single = found(nu, Zone::at(0.3, 0.2).unwrap(), condition);
+                let single = found(nu, 0.3..0.5, condition);
                 let split = Zones::from_lengths(&[0.3, 0.1, 1e-9, 0.1 - 1e-9]).unwrap();
                 let apart = (found(nu, split, condition).value / single.value - 1.0).abs();
                 assert!(apart < 2e-6, "{nu}, {condition:?}: {apart:e}");
@@ -336,13 +371,13 @@ mod tests {
 
     #[test]
     fn the_extremal_function_meets_its_condition_and_the_dual_norm_is_below() {
-        let zones = Zones::union(&[(0.1, 0.02), (0.3, 0.1), (0.8, 0.05)]).unwrap();
+        let zones = Zones::union(&[0.1..0.12, 0.3..0.4, 0.8..0.85]).unwrap();
         let (order, tolerance) = (Order::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
         for condition in CONDITIONS {
             let (value, function) = gamma(order, condition.on(zones.clone()), tolerance)
                 .map(|found| (found.constant, found.extremal()))
                 .unwrap();
-            let norm = largest_mean(order, condition.on(zones.clone()), tolerance).unwrap();
+            let norm = largest_mean(order, &condition.on(&zones).unwrap(), tolerance).unwrap();
             assert!(norm.value > 0.0 && norm.value < value.value);
             let mean: f64 = zones
                 .intervals()

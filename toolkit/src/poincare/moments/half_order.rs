@@ -1,6 +1,6 @@
-//! The moments of [`super::moment_norm`] at ν = 1/2 in closed form, by Wiener and Hopf's method.
+//! The moments of `moment` at ν = 1/2 in closed form, by Wiener and Hopf's method.
 
-use super::dual::Moment;
+use super::weight::Moment;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::sum::compensated;
@@ -20,7 +20,7 @@ const LONGEST: f64 = 0.7;
 /// are added.
 const ROUNDINGS: f64 = 20.0;
 
-/// M(e) at ν = 1/2 as [`super::moment_norm`] defines it.
+/// M(e) at ν = 1/2 as `moment` defines it.
 ///
 /// # Method
 ///
@@ -43,17 +43,9 @@ const ROUNDINGS: f64 = 20.0;
 /// as large as (3 + 2√2)^m, whose rounding is carried along; w ≤ 0.3 for s ≤ 0.7, where Euler's
 /// transformation (powers of s, terms up to 2^m) loses more. Cost: 4000 roots, 120 000 logarithms, once.
 ///
-/// ```
-/// use fractional_sobolev::{half_order_moment, Moment};
-/// // K(1/2) = B(1/2)², forty digits by another program
-/// let square = half_order_moment(0.5, Moment::Mass)?.value.powi(2);
-/// assert!((square - 0.051_868_428_388_348_907).abs() < 1e-14);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
 /// # Errors
 /// [`Error::OutOfRange`] unless 1e-6 ≤ e ≤ 0.7.
-pub fn half_order_moment(length: f64, moment: Moment) -> Result<Estimate> {
+pub(super) fn half_order_moment(length: f64, moment: Moment) -> Result<Estimate> {
     Error::require("length", length, "[1e-6, 0.7]", (1e-6..=LONGEST).contains(&length))?;
     let [mass, first] = SERIES.get_or_init(|| {
         let roots: Vec<Root> = (1..=ROOTS).map(Root::new).collect();
@@ -179,14 +171,14 @@ mod tests {
     use super::*;
     use crate::Order;
     use crate::estimate::Tolerance;
-    use crate::poincare::moment_norm;
+    use crate::poincare::moments::moment as weak_moment;
 
     #[test]
     fn the_closed_form_agrees_with_slopes() {
         for length in [1e-3, 0.1, 0.25, 0.5, 0.6, 0.7] {
             for moment in [Moment::Mass, Moment::FromFreeEnd, Moment::FromZone] {
                 let tolerance = Tolerance::new(1e-10).unwrap();
-                let slopes = moment_norm(Order::HALF, length, moment, tolerance).unwrap();
+                let slopes = weak_moment(Order::HALF, length..1.0, moment, tolerance).unwrap().constant;
                 let closed = half_order_moment(length, moment).unwrap();
                 let apart = (slopes.value - closed.value).abs();
                 assert!(apart <= slopes.error + closed.error, "{length} {moment:?}: {slopes} {closed}");

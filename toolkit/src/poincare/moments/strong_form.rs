@@ -1,11 +1,12 @@
 //! Moments of functions that vanish on a zone, between two bounds, by the strong form of their equation: a
-//! road that shares nothing with the Gram matrices of [`super::moment_norm`].
+//! computation that shares nothing with the Gram matrices of `moment`.
 
-use super::dual::Moment;
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
+use super::weight::Moment;
 use crate::Order;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::poincare::slopes::kernel::exp_quotient;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Columns that shrink to less when made orthogonal are combinations of those before; v keeps nine digits
 /// then, and the bounds, stationary in v, all that the rules have.
@@ -13,23 +14,20 @@ const DEPENDENT: f64 = 1e-7;
 /// By what the integrals may be off, relative to M²: rules with two more points change 2e-12 at most.
 const QUADRATURE: f64 = 1e-10;
 
-/// Lower and upper bound of a moment.
-///
-/// Returned by [`StrongForm::moment`].
-///
-/// ```
-/// use fractional_sobolev::{Moment, MomentBounds, StrongForm};
-/// // sup ∫ w / |w|_{3/4} over functions that vanish beyond 0.3: to nine digits, from both sides
-/// let MomentBounds { lower, upper } = StrongForm::new(0.75)?.moment(0.3, Moment::Mass)?;
-/// assert!(0.0 < lower && lower <= upper && upper - lower < 1e-8 * lower);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MomentBounds {
-    /// M is at least this.
-    pub lower: f64,
-    /// M is at most this.
-    pub upper: f64,
+/// The strong form of the order asked for last.
+static LAST: Mutex<Option<(Order, Arc<StrongForm>)>> = Mutex::new(None);
+
+/// [lower, upper] of sup ∫ m w / |w|_ν over the w that vanish beyond the distance `length` from the free end.
+pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result<[f64; 2]> {
+    let kept = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    let last = kept().as_ref().filter(|(of, _)| *of == order).map(|(_, form)| Arc::clone(form));
+    let form = match last {
+        Some(form) => form,
+        // Not under the lock: the parallel loop may steal a task that asks for it.
+        None => Arc::new(StrongForm::new(order)?),
+    };
+    *kept() = Some((order, Arc::clone(&form)));
+    form.moment(length, moment)
 }
 
 /// The strong form for one order; serves all zones.
@@ -52,15 +50,7 @@ pub struct MomentBounds {
 /// The bounds hold up to the rounding and the quadrature of these integrals, by which they are widened.
 /// Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million values
 /// of the basis for one ν, all e.
-///
-/// ```
-/// use fractional_sobolev::{Order, half_order_moment, Moment, StrongForm};
-/// let bounds = StrongForm::new(Order::HALF)?.moment(0.5, Moment::Mass)?;
-/// let exact = half_order_moment(0.5, Moment::Mass)?;
-/// assert!(bounds.lower <= exact.value + exact.error && exact.value - exact.error <= bounds.upper);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-pub struct StrongForm {
+struct StrongForm {
     nu: f64,
     points: Vec<Collocation>,
 }
@@ -70,8 +60,7 @@ impl StrongForm {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3].
-    pub fn new(order: impl Given<Order>) -> Result<Self> {
-        let order = order.given()?;
+    fn new(order: Order) -> Result<Self> {
         let nu = order.value();
         let inside = (1e-3 - 1e-12..=1.0 - 1e-3 + 1e-12).contains(&nu);
         Error::require("nu", nu, "[0.001, 0.999]", inside)?;
@@ -82,7 +71,7 @@ impl StrongForm {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0.01 ≤ length ≤ 0.99.
-    pub fn moment(&self, length: f64, moment: Moment) -> Result<MomentBounds> {
+    fn moment(&self, length: f64, moment: Moment) -> Result<[f64; 2]> {
         Error::require("length", length, "[0.01, 0.99]", (0.01..=0.99).contains(&length))?;
         let p = -2.0 * self.nu;
         let end = 1.0 / length - 1.0;
@@ -119,10 +108,7 @@ impl StrongForm {
         lower += fitted.at_zero * rest * moment.weight(0.5 * rest, 1.0);
         let scale = length.powi(1 + 2 * moment.degree()) * length.powf(2.0 * self.nu);
         let off = QUADRATURE * lower;
-        Ok(MomentBounds {
-            lower: ((lower - off) * scale).sqrt(),
-            upper: ((lower + gap + off) * scale).sqrt(),
-        })
+        Ok([((lower - off) * scale).sqrt(), ((lower + gap + off) * scale).sqrt()])
     }
 }
 
@@ -186,26 +172,25 @@ impl Columns {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimate::Tolerance;
-    use crate::poincare::moment_norm;
+    use crate::poincare::moments::moment as weak_moment;
 
     const MOMENTS: [Moment; 3] = [Moment::Mass, Moment::FromFreeEnd, Moment::FromZone];
 
     #[test]
-    fn both_roads_agree_to_nine_digits() {
+    fn both_computations_agree_to_nine_digits() {
         for nu in [0.001, 0.01, 0.1, 0.25, 0.4, 0.499, 0.5, 0.501, 0.6, 0.75, 0.9, 0.99, 0.999] {
             let order = Order::new(nu).unwrap();
             let strong = StrongForm::new(order).unwrap();
             for length in [0.2, 0.5, 0.8] {
                 for moment in MOMENTS {
-                    let bounds = strong.moment(length, moment).unwrap();
-                    let weak = moment_norm(order, length, moment, Tolerance::new(1e-9).unwrap()).unwrap();
+                    let [lower, upper] = strong.moment(length, moment).unwrap();
+                    let weak = weak_moment(order, length..1.0, moment, 1e-9).unwrap().constant;
                     let (high, low) = (weak.value + weak.error, weak.value - weak.error);
                     assert!(
-                        bounds.lower <= high && low <= bounds.upper,
-                        "{nu} {length} {moment:?}: {bounds:?} {weak}"
+                        lower <= high && low <= upper,
+                        "{nu} {length} {moment:?}: {lower} {upper} {weak}"
                     );
-                    assert!(bounds.upper / bounds.lower - 1.0 < 1e-8, "{nu} {length} {moment:?}: {bounds:?}");
+                    assert!(upper / lower - 1.0 < 1e-8, "{nu} {length} {moment:?}: {lower} {upper}");
                 }
             }
         }
