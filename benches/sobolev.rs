@@ -3,7 +3,7 @@
 #![allow(missing_docs)] // criterion_group writes public items of its own
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use fractional_sobolev::{Function, GramOperator, Mesh, Order, Tolerance, gram_linears};
+use fractional_sobolev::{Function, Gram, Mesh, Order, Tolerance};
 use std::hint::black_box;
 
 fn closures(c: &mut Criterion) {
@@ -22,7 +22,7 @@ fn closures(c: &mut Criterion) {
 fn dense(c: &mut Criterion) {
     let partition = Mesh::geometric(199, 0.8, 1.0).unwrap();
     c.bench_function("dense Gram matrix, 200 graded elements", |b| {
-        b.iter(|| gram_linears(black_box(&partition), Order::HALF));
+        b.iter(|| Gram::new(black_box(&partition), 0.5, 1e-8).unwrap().to_dense().unwrap());
     });
 }
 
@@ -31,9 +31,9 @@ fn products(c: &mut Criterion) {
     for n in [10_000, 100_000] {
         let graded = Mesh::geometric(n - 1, 1e-30f64.powf(1.0 / (n - 1) as f64), 1.0).unwrap();
         for (name, partition) in [("uniform", Mesh::uniform(n, 1.0).unwrap()), ("graded", graded)] {
-            let operator =
-                GramOperator::linears(&partition, Order::HALF, Tolerance::new(1e-11).unwrap()).unwrap();
+            let operator = Gram::new(&partition, 0.5, 1e-11).unwrap();
             let x: Vec<f64> = (0..=n).map(|i| ((i * 7919) % 1000) as f64).collect();
+            operator.apply(&x).unwrap(); // prepares the product
             group.bench_function(BenchmarkId::new(name, n), |b| {
                 b.iter(|| operator.apply(black_box(&x)).unwrap())
             });

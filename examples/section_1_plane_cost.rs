@@ -5,7 +5,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
 use fractional_sobolev::{
-    Estimate, Function, GridOperator, Order, PlanePosition, Tolerance, Triangles, closed_forms,
+    Estimate, Function, Gram, Order, PlanePosition, Tolerance, Triangles, closed_forms,
 };
 use std::process::ExitCode;
 
@@ -80,11 +80,11 @@ pub fn compute(options: &Options) -> Result<Computed> {
     let (exact, n) =
         (closed_forms::coordinate_on_square_seminorm_squared(options.s)?.value, options.squares as usize);
     let large = Tolerance::new(LARGE)?;
-    let operator = GridOperator::new([n; 2], 1.0 / n as f64, options.s, large)?;
-    let x: Vec<f64> = (0..operator.size()).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
+    let operator = Gram::on_grid([n; 2], 1.0 / n as f64, options.s, large)?;
+    let x: Vec<f64> = (0..operator.len()).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
     let (product, image) = timed(|| operator.apply(&x))?;
     let form: f64 = x.iter().zip(&image).map(|(x, image)| x * image).sum();
-    let grid = [(form / exact - 1.0).abs(), product, operator.bytes() as f64 / x.len() as f64];
+    let grid = [(form / exact - 1.0).abs(), product, operator.bytes()? as f64 / x.len() as f64];
     let n = (0.5 * f64::from(options.triangles)).sqrt().ceil();
     let bent = |[x, y]: [f64; 2]| [x + x * (1.0 - x) * (y - 0.4), y - y * (1.0 - y) * (x - 0.3)];
     let mesh = Triangles::grid([n as usize; 2], 1.0 / n)?.mapped(bent)?;

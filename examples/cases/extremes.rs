@@ -1,8 +1,6 @@
 //! What `extremes` plants: hard input with its value found another way, and input that has no answer.
 
-use fractional_sobolev::{
-    Constraint, Function, GramOperator, Mesh, Order, Tolerance, closed_forms, gamma, law,
-};
+use fractional_sobolev::{Constraint, Function, Gram, Mesh, Order, Tolerance, closed_forms, gamma, law};
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::mesh::{Part, Sides, unit_square};
@@ -135,7 +133,7 @@ fn hat(width: f64) -> Result<f64> {
 
 fn million_cells() -> Result<Pair> {
     let (n, order) = (1_000_000, Order::new(0.25)?);
-    let operator = GramOperator::constants(&Mesh::uniform(n, 1.0)?, order, Tolerance::reference())?;
+    let operator = Gram::constants(&Mesh::uniform(n, 1.0)?, order, Tolerance::reference())?;
     let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
     let form: f64 = step.iter().zip(operator.apply(&step)?).map(|(x, y)| x * y).sum();
     Ok((form, closed_forms::jump_seminorm_squared(0.5, 0.5, order)?.value))

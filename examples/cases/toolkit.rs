@@ -3,8 +3,7 @@
 
 use experiments::largest;
 use fractional_sobolev::{
-    Constraint, Estimate, Function, GramOperator, Mesh, Order, Result, Tolerance, Work, closed_forms, gamma,
-    gram_linears,
+    Constraint, Estimate, Function, Gram, Mesh, Order, Result, Tolerance, Work, closed_forms, gamma,
     interpolation::{ErrorNorm, dual_projection_constant, element_constant},
 };
 
@@ -44,10 +43,10 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
     let hat_exact = closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, half)?.value.sqrt();
     let graded = Mesh::geometric(1999, 1e-30f64.powf(1.0 / 1999.0), 1.0)?;
     let x: Vec<f64> = (0..=2000).map(|i| ((i * 7919) % 1000) as f64 / 1000.0).collect();
-    let matrix = gram_linears(&graded, half);
+    let matrix = Gram::new(&graded, half, 1e-8)?.to_dense()?;
     let dense: Vec<f64> = (0..=2000).map(|i| (0..=2000).map(|j| matrix[(i, j)] * x[j]).sum()).collect();
     let product = move |tolerance: Tolerance| {
-        let fast = GramOperator::linears(&graded, half, tolerance)?.apply(&x)?;
+        let fast = Gram::new(&graded, half, tolerance)?.apply(&x)?;
         let apart: Vec<f64> = fast.iter().zip(&dense).map(|(a, b)| a - b).collect();
         Estimate::new(1.0 + largest(&apart) / largest(&dense), tolerance.relative(), Work::default())
     };

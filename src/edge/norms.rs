@@ -8,7 +8,7 @@
 
 use crate::error::Result;
 use crate::strip::{EdgeData, Sides};
-use fractional_sobolev::{GramOperator, Mesh, Order, Tolerance};
+use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 
 /// Norm and seminorms of the data of a scene on its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +38,7 @@ pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
         scene.forces()[i] * if at_side { 1.0 } else { 0.5 } / h
     };
     let densities: Vec<f64> = (0..cells).map(|i| share(i) + share(next(i))).collect();
-    let gram = GramOperator::constants(&Mesh::uniform(cells, 1.0)?, order, Tolerance::balanced())?;
+    let gram = Gram::constants(&Mesh::uniform(cells, 1.0)?, order, Tolerance::balanced())?;
     let seminorm = |x: &[f64]| -> Result<f64> {
         Ok(gram.apply(x)?.iter().zip(x).map(|(y, x)| x * y).sum::<f64>().max(0.0))
     };

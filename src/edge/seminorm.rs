@@ -4,7 +4,7 @@
 
 use super::pair::{Segment, Traces};
 use crate::error::{Error, Result, ToolkitError};
-use fractional_sobolev::{Estimate, GramOperator, Mesh, Order, Tolerance, Work};
+use fractional_sobolev::{Estimate, Gram, Mesh, Order, Tolerance, Work};
 
 /// Relative rounding of the fast product, against Σ a_ii x_i².
 const PRODUCT: f64 = 1e-13;
@@ -16,7 +16,7 @@ pub(super) struct SeminormForm {
     traces: Traces,
     cells: usize,
     /// On (0, 1); none for a single constant.
-    operator: Option<GramOperator>,
+    operator: Option<Gram>,
 }
 
 impl SeminormForm {
@@ -34,8 +34,8 @@ impl SeminormForm {
         let partition = Mesh::uniform(cells, 1.0)?;
         let operator = match traces {
             Traces::Constants if cells == 1 => None,
-            Traces::Constants => Some(GramOperator::constants(&partition, order, Tolerance::reference())?),
-            Traces::Linears => Some(GramOperator::linears(&partition, order, Tolerance::reference())?),
+            Traces::Constants => Some(Gram::constants(&partition, order, Tolerance::reference())?),
+            Traces::Linears => Some(Gram::new(&partition, order, Tolerance::reference())?),
         };
         Ok(Self { order, traces, cells, operator })
     }
@@ -61,7 +61,7 @@ impl SeminormForm {
         let product = operator.apply(&x)?;
         // A maps constants to zero: subtracting the mean costs nothing and saves digits.
         let form: f64 = product.iter().zip(&x).map(|(y, v)| y * (v - mean)).sum();
-        let size: f64 = operator.diagonal().iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
+        let size: f64 = operator.diagonal()?.iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
         let scale = segment.length().powf(self.order.one_minus_twice());
         Ok(Estimate::new(scale * form.max(0.0), scale * PRODUCT * size, Work::default())?)
     }

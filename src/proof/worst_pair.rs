@@ -25,7 +25,7 @@
 
 use crate::cone::Cone;
 use crate::error::{Error, Result, ToolkitError};
-use fractional_sobolev::{Estimate, Given, Mesh, Order, Tolerance, Work, gram_constants};
+use fractional_sobolev::{Estimate, Given, Gram, Mesh, Order, Tolerance, Work};
 use nalgebra::{Cholesky, DMatrix};
 
 /// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of
@@ -81,7 +81,7 @@ fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -
     let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
     let partition = halved(&Mesh::graded_to_points(&points, LAYERS, RATIO)?, halvings)?;
     let per_part = partition.len() / (points.len() - 1);
-    let gram = gram_constants(&partition, order)?;
+    let gram = Gram::constants(&partition, order, Tolerance::default())?.to_dense()?;
     let first = if left > 0.0 { per_part } else { 0 };
     let contact: Vec<usize> = (first..first + per_part).collect();
     let open: Vec<usize> = (0..first).chain(first + per_part..partition.len()).collect();

@@ -34,11 +34,11 @@ pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};
 pub use function::Function;
 pub use functions::Position;
-pub use gram::{GramOperator, gram_constants, gram_linears, mass_constants, mass_linears};
+pub(crate) use gram::{gram_linears, mass_linears};
 pub use matrix::Gram;
 pub use mesh::Mesh;
 pub use order::Order;
-pub use plane::{GridOperator, PlanePosition, Triangles};
+pub use plane::{PlanePosition, Triangles};
 pub use poincare::{
     Constraint, ExtremalFunction, Gamma, GammaBounds, Law, Moment, MomentConstant, Zones, gamma, law, moment,
 };

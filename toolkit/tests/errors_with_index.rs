@@ -1,7 +1,7 @@
 //! A bad entry of a list is named by its index and its value, wherever the toolkit takes lists.
 
 use fractional_sobolev::{
-    Curve, Error, Function, GramOperator, Mesh, Result, Triangles, Zones, interpolation::ElementMesh,
+    Curve, Error, Function, Gram, Mesh, Result, Triangles, Zones, interpolation::ElementMesh,
 };
 
 /// (index, value) that the error names, in its fields and in its words.
@@ -41,7 +41,7 @@ fn entries_that_are_no_numbers_are_named() {
         (0, Function::constants(&two(), &[nan, 1.0]).map(drop)),
         (2, Function::piecewise(&two(), 1, [[0.0, 1.0], [nan, 1.0]].as_flattened()).map(drop)),
         (1, Function::load(&two(), &[0.0, nan, 1.0]).map(drop)),
-        (2, GramOperator::linears(&two(), 0.5, 1e-8).unwrap().apply(&[0.0, 0.0, nan]).map(drop)),
+        (2, Gram::new(&two(), 0.5, 1e-8).unwrap().apply(&[0.0, 0.0, nan]).map(drop)),
         (1, Function::from_fn(&[0.0, nan, 1.0], |x| x).map(drop)),
         (5, Function::on_curve(&curve(), 1, &values).map(drop)),
         (5, Function::on_curve(&curve(), 0, &values).map(drop)),

@@ -1,8 +1,6 @@
 //! Section 1, (1.1): norms of piecewise polynomials, each value by two roads.
 
-use fractional_sobolev::{
-    Error, Function, Mesh, Order, Tolerance, closed_forms, gram_constants, gram_linears,
-};
+use fractional_sobolev::{Error, Function, Gram, Mesh, Order, Tolerance, closed_forms};
 
 /// Both roads are exact to rounding; sums of up to 1e5 terms of one sign.
 const ROUNDING_TOLERANCE: f64 = 1e-12;
@@ -42,7 +40,7 @@ fn quadratic_form_closed_form_and_pairs_agree_for_linears() {
                 nodal.windows(2).flat_map(|w| [w[0], 0.5 * (w[0] + w[1]), w[1]]).collect();
             let u = Function::linears(&partition, &nodal).unwrap();
             let v = Function::piecewise(&partition, 2, &quadratic).unwrap();
-            let matrix = gram_linears(&partition, order);
+            let matrix = Gram::new(&partition, order, 1e-8).unwrap().to_dense().unwrap();
             let form: f64 = (0..nodal.len())
                 .flat_map(|i| (0..nodal.len()).map(move |j| (i, j)))
                 .map(|(i, j)| nodal[i] * matrix[(i, j)] * nodal[j])
@@ -64,7 +62,7 @@ fn quadratic_form_closed_form_and_pairs_agree_for_constants() {
             let quadratic: Vec<f64> = level.iter().flat_map(|&v| [v; 3]).collect();
             let u = Function::constants(&partition, &level).unwrap();
             let v = Function::piecewise(&partition, 2, &quadratic).unwrap();
-            let matrix = gram_constants(&partition, order).unwrap();
+            let matrix = Gram::constants(&partition, order, 1e-8).unwrap().to_dense().unwrap();
             let form: f64 = (0..level.len())
                 .flat_map(|i| (0..level.len()).map(move |j| (i, j)))
                 .map(|(i, j)| level[i] * matrix[(i, j)] * level[j])

@@ -4,8 +4,7 @@ use super::{Ask, Family, ask, draw, formula, number, order, order_of, printed, r
 use experiments::SplitMix;
 use experiments::largest;
 use fractional_sobolev::{
-    DualOf, Estimate, Function, GramOperator, Mesh, Order, Result, Tolerance, Work, closed_forms,
-    gram_linears,
+    DualOf, Estimate, Function, Gram, Mesh, Order, Result, Tolerance, Work, closed_forms,
 };
 
 const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/closed_forms.json");
@@ -176,11 +175,11 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
             _ => Mesh::geometric(count - 1, 0.9, 1.0)?,
         };
         let x: Vec<f64> = (0..=count).map(|_| random.between(-1.0, 1.0)).collect();
-        let matrix = gram_linears(&mesh, order);
+        let matrix = Gram::new(&mesh, order, 1e-8)?.to_dense()?;
         let dense = |i: usize| (0..=count).map(|j| matrix[(i, j)] * x[j]).sum::<f64>();
         let exact: Vec<f64> = (0..=count).map(dense).collect();
         let product = move |tolerance: Tolerance| {
-            let found = GramOperator::linears(&mesh, order, tolerance)?.apply(&x)?;
+            let found = Gram::new(&mesh, order, tolerance)?.apply(&x)?;
             let apart: Vec<f64> = found.iter().zip(&exact).map(|(a, b)| a - b).collect();
             let apart = largest(&apart) / largest(&exact);
             Estimate::new(1.0 + apart, tolerance.relative(), Work::default())
@@ -218,7 +217,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "product",
-            functions: "GramOperator::apply",
+            functions: "Gram::apply",
             range: "100 to 400 elements",
             by: "dense matrix",
             least: 0.0,

@@ -2,7 +2,7 @@
 
 use super::{Family, ask, draw, number, order, order_of, rows};
 use experiments::SplitMix;
-use fractional_sobolev::{Error, Estimate, Function, GridOperator, Result, Triangles, Work, closed_forms};
+use fractional_sobolev::{Error, Estimate, Function, Gram, Result, Triangles, Work, closed_forms};
 use serde_json::Value;
 
 const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/plane_reference.json");
@@ -46,7 +46,7 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let (order, n) = (order(random, 0.05, 0.95)?, 1 + random.below(16));
         let x: Vec<f64> = (0..(n + 1) * (n + 1)).map(|k| (k % (n + 1)) as f64 / n as f64).collect();
         let product = move |t: fractional_sobolev::Tolerance| {
-            let form = GridOperator::new([n, n], 1.0 / n as f64, order, t)?;
+            let form = Gram::on_grid([n, n], 1.0 / n as f64, order, t)?;
             let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
             Estimate::new(squared, t.relative() * squared, Work::default())
         };
@@ -80,7 +80,7 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "grid product",
-            functions: "GridOperator::apply",
+            functions: "Gram::apply",
             range: "x on grids",
             by,
             least: 0.0,

@@ -1,7 +1,7 @@
 //! Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linears,
 //! dense.
 
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::kernel::cells::CellPairs;
 use crate::mesh::Mesh;
 use crate::numeric::parallel;
@@ -13,8 +13,7 @@ use nalgebra::DMatrix;
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2: indicator functions are not in H^ν.
-pub fn gram_constants(partition: &Mesh, order: impl Given<Order>) -> Result<DMatrix<f64>> {
-    let order = order.given()?;
+pub(crate) fn gram_constants(partition: &Mesh, order: Order) -> Result<DMatrix<f64>> {
     require_constants_finite(order)?;
     let cells = CellPairs::new(order);
     let n = partition.len();
@@ -39,26 +38,7 @@ pub fn gram_constants(partition: &Mesh, order: impl Given<Order>) -> Result<DMat
 /// form or by rules exact to rounding (`kernel::cells`); only the entries of neighbouring
 /// hats mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row sums, so
 /// that the row sums are a check. Cost O(N²); the entries of separate hats cost about 16 kernel values.
-///
-/// ```
-/// use fractional_sobolev::{Order, Mesh, gram_constants, gram_linears, mass_constants, mass_linears};
-/// let mesh = Mesh::uniform(2, 1.0)?;
-/// let a = gram_linears(&mesh, Order::HALF);
-/// // the identity, whose squared seminorm is one; constants are in the kernel
-/// let x = [0.0, 0.5, 1.0];
-/// let row = |i: usize| (0..3).map(|j| a[(i, j)] * x[j]).sum::<f64>();
-/// let squared: f64 = (0..3).map(|i| row(i) * x[i]).sum();
-/// assert!((squared - 1.0).abs() < 1e-14);
-/// assert!((a[(0, 0)] + a[(0, 1)] + a[(0, 2)]).abs() < 1e-14);
-/// let b = gram_constants(&mesh, Order::new(0.25)?)?;
-/// assert!((b[(0, 0)] + b[(0, 1)]).abs() < 1e-13);
-/// assert_eq!(mass_constants(&mesh), [0.5, 0.5]);
-/// let (diagonal, beside) = mass_linears(&mesh);
-/// assert!((diagonal.iter().sum::<f64>() + 2.0 * beside.iter().sum::<f64>() - 1.0).abs() < 1e-15);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-#[doc(alias("stiffness matrix", "Gram matrix", "fractional Laplacian"))]
-pub fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
+pub(crate) fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
     let far: Vec<FarRow> = parallel::map(n, &|e| FarRow::new(partition, &cells, e));
@@ -81,14 +61,12 @@ pub fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
 }
 
 /// Gram matrix of L² for piecewise constants: the element lengths.
-#[doc(alias("mass matrix"))]
-pub fn mass_constants(partition: &Mesh) -> Vec<f64> {
+pub(crate) fn mass_constants(partition: &Mesh) -> Vec<f64> {
     partition.lengths().to_vec()
 }
 
 /// Gram matrix of L² for hat functions: (diagonal, off-diagonal) of a tridiagonal matrix.
-#[doc(alias("mass matrix"))]
-pub fn mass_linears(partition: &Mesh) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn mass_linears(partition: &Mesh) -> (Vec<f64>, Vec<f64>) {
     let lengths = partition.lengths();
     let mut diagonal = vec![0.0; lengths.len() + 1];
     for (i, &h) in lengths.iter().enumerate() {

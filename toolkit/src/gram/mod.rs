@@ -9,5 +9,7 @@ mod operator;
 mod six_step;
 mod toeplitz;
 
-pub use dense::{gram_constants, gram_linears, mass_constants, mass_linears};
-pub use operator::GramOperator;
+pub(crate) use dense::{
+    gram_constants, gram_linears, mass_constants, mass_linears, require_constants_finite,
+};
+pub(crate) use operator::GramOperator;

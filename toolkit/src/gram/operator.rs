@@ -4,7 +4,7 @@ use super::band::Band;
 use super::dense::require_constants_finite;
 use super::hierarchical::Hierarchical;
 use super::toeplitz::Toeplitz;
-use crate::error::{Given, Result};
+use crate::error::Result;
 use crate::estimate::Tolerance;
 use crate::kernel::cells::CellPairs;
 use crate::kernel::power::PowerKernel;
@@ -32,23 +32,7 @@ enum OffBand {
 ///
 /// Constants are removed from x before the product, since A maps them to zero: the error is relative to |A|
 /// |x − mean|.
-///
-/// ```
-/// use fractional_sobolev::{Order, GramOperator, Mesh, Tolerance};
-/// let (order, asked) = (Order::new(0.25)?, Tolerance::balanced());
-/// let mesh = Mesh::uniform(1000, 1.0)?;
-/// let [fast, tree] = [
-///     GramOperator::linears(&mesh, order, asked)?,
-///     GramOperator::linears_hierarchical(&mesh, order, asked)?, // the road of graded meshes
-/// ];
-/// assert!(fast.is_uniform() && !tree.is_uniform() && fast.dimension() == 1001);
-/// assert!((fast.diagonal()[7] / tree.diagonal()[7] - 1.0).abs() < 1e-12);
-/// assert!(fast.bytes() < tree.bytes());
-/// assert_eq!(GramOperator::constants(&mesh, order, asked)?.dimension(), 1000);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-#[doc(alias("Gram matrix", "fractional Laplacian", "H-matrix", "Toeplitz", "FFT", "matrix-vector product"))]
-pub struct GramOperator {
+pub(crate) struct GramOperator {
     band: Band,
     rest: OffBand,
 }
@@ -62,43 +46,14 @@ impl std::fmt::Debug for GramOperator {
 
 impl GramOperator {
     /// For the hat functions of all N + 1 nodes; FFT when all lengths agree, else hierarchical.
-    ///
-    /// # Errors
-    /// None on a valid mesh but what the rules of quadrature report.
-    pub fn linears(
-        partition: &Mesh,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn linears(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         Self::build(partition, order, tolerance, true, partition.uniform_length())
     }
 
-    /// For the indicator functions of the N elements.
-    ///
-    /// # Errors
-    /// [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
-    pub fn constants(
-        partition: &Mesh,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    /// For the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
+    pub(crate) fn constants(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         require_constants_finite(order)?;
         Self::build(partition, order, tolerance, false, partition.uniform_length())
-    }
-
-    /// As [`GramOperator::linears`], hierarchical also on a uniform mesh: the second road.
-    ///
-    /// # Errors
-    /// As [`GramOperator::linears`].
-    pub fn linears_hierarchical(
-        partition: &Mesh,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
-        Self::build(partition, order, tolerance, true, None)
     }
 
     fn build(
@@ -125,22 +80,22 @@ impl GramOperator {
     }
 
     /// Number of unknowns.
-    pub fn dimension(&self) -> usize {
+    pub(crate) fn dimension(&self) -> usize {
         self.band.diagonal.len()
     }
 
     /// True when the product goes by FFT.
-    pub fn is_uniform(&self) -> bool {
+    pub(crate) fn is_uniform(&self) -> bool {
         matches!(self.rest, OffBand::Uniform(_))
     }
 
     /// The diagonal of the matrix.
-    pub fn diagonal(&self) -> &[f64] {
+    pub(crate) fn diagonal(&self) -> &[f64] {
         &self.band.diagonal
     }
 
     /// Bytes held.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         let rest = match &self.rest {
             OffBand::Uniform(toeplitz) => toeplitz.bytes(),
             OffBand::Graded(hierarchical) => hierarchical.bytes(),
@@ -150,19 +105,9 @@ impl GramOperator {
 
     /// A x.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, GramOperator, Mesh, Tolerance};
-    /// let mesh = Mesh::uniform(1000, 1.0)?;
-    /// let form = GramOperator::linears(&mesh, Order::HALF, Tolerance::balanced())?;
-    /// let x = mesh.nodes(); // the identity, whose seminorm is one
-    /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
-    /// assert!((squared - 1.0).abs() < 1e-7);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`] for an entry of x.
-    pub fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
+    pub(crate) fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
         require_length("vector", x.len(), self.dimension())?;
         let share = 1.0 / x.len() as f64;
         // Pieces of fixed size: the sum does not depend on the number of threads.
@@ -181,5 +126,58 @@ impl GramOperator {
             OffBand::Graded(hierarchical) => hierarchical.add(&x, &mut y),
         }
         Ok(y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gram::gram_linears;
+
+    /// Asked of the operators, and required of the product relative to its largest entry.
+    const ASKED: f64 = 1e-12;
+    const PRODUCT_TOLERANCE: f64 = 1e-10;
+
+    /// Both methods on a uniform mesh: by FFT, and hierarchical as on graded meshes.
+    fn both(mesh: &Mesh, order: Order, tolerance: f64) -> [GramOperator; 2] {
+        let tolerance = Tolerance::new(tolerance).unwrap();
+        let tree = GramOperator::build(mesh, order, tolerance, true, None).unwrap();
+        [GramOperator::linears(mesh, order, tolerance).unwrap(), tree]
+    }
+
+    fn vector(count: usize) -> Vec<f64> {
+        (0..count).map(|i| ((i * 7919) % 1009) as f64 / 1009.0 - 0.5).collect()
+    }
+
+    fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).fold(0.0, |m, (a, b)| m.max((a - b).abs()))
+    }
+
+    #[test]
+    fn both_fast_methods_agree_on_a_large_uniform_mesh() {
+        let mesh = Mesh::uniform(20_000, 1.0).unwrap();
+        let [fourier, tree] = both(&mesh, Order::new(0.6).unwrap(), ASKED);
+        assert!(fourier.bytes() < tree.bytes());
+        assert!((fourier.diagonal()[7] / tree.diagonal()[7] - 1.0).abs() < 1e-12);
+        let x = vector(20_001);
+        let (a, b) = (fourier.apply(&x).unwrap(), tree.apply(&x).unwrap());
+        let largest = a.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let worst = largest_difference(&a, &b);
+        assert!(worst <= PRODUCT_TOLERANCE * largest, "{worst:e} against {largest:e}");
+    }
+
+    #[test]
+    fn one_and_two_elements_work() {
+        for n in [1, 2, 3] {
+            let mesh = Mesh::uniform(n, 1.0).unwrap();
+            let (matrix, x) = (gram_linears(&mesh, Order::HALF), vector(n + 1));
+            let row = |i: usize| (0..=n).map(|j| matrix[(i, j)] * x[j]).sum::<f64>();
+            let exact: Vec<f64> = (0..=n).map(row).collect();
+            let largest = exact.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+            for operator in both(&mesh, Order::HALF, 1e-8) {
+                let worst = largest_difference(&operator.apply(&x).unwrap(), &exact);
+                assert!(worst <= PRODUCT_TOLERANCE * largest, "{n} elements: {worst:e}");
+            }
+        }
     }
 }

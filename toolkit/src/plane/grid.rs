@@ -3,7 +3,7 @@
 
 use super::cell_pairs::{CORNERS, CellPair, CellPairs, HATS, Square};
 use super::convolution::{Spectrum, Torus};
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::numeric::check::require_values;
 use crate::numeric::memory::require_memory;
@@ -25,7 +25,7 @@ const FINEST: f64 = 1e-14;
 /// squares c' that do not touch c: a rectangle of offsets, known from sums over quadrants. The second sum is
 /// ten convolutions. Rows of A sum to zero up to rounding. Units: the side of a square; A scales with
 /// h^{2−2s}. Cost: O(N) kernel values once, then O(N log N) per product; memory about 200 N numbers.
-pub struct GridOperator {
+pub(crate) struct GridOperator {
     squares: [usize; 2],
     scale: f64,
     torus: Torus,
@@ -57,13 +57,7 @@ impl GridOperator {
     /// # Errors
     /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
     /// [`Error::OutOfRange`] unless h > 0.
-    pub fn new(
-        squares: [usize; 2],
-        h: f64,
-        order: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
-        let (order, tolerance) = (order.given()?, tolerance.given()?);
+    pub(crate) fn new(squares: [usize; 2], h: f64, order: Order, tolerance: Tolerance) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         if squares.contains(&0) {
             return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
@@ -85,13 +79,13 @@ impl GridOperator {
     }
 
     /// Number of nodes, row by row from the bottom.
-    pub fn size(&self) -> usize {
+    pub(crate) fn size(&self) -> usize {
         (self.squares[0] + 1) * (self.squares[1] + 1)
     }
 
     /// Bytes of the numbers held: the transforms, ten complex numbers for every point of a torus of about
     /// four times the squares, and sixteen numbers for every square.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         let spectra: usize = self.spectra.iter().map(|(_, spectrum)| size_of_val(spectrum.as_slice())).sum();
         spectra + size_of_val(self.own.as_slice())
     }
@@ -100,7 +94,7 @@ impl GridOperator {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn apply(&self, w: &[f64]) -> Result<Vec<f64>> {
+    pub(crate) fn apply(&self, w: &[f64]) -> Result<Vec<f64>> {
         require_values("values at nodes", w, self.size())?;
         let mut image = self.far(w);
         self.near(w, &mut image);

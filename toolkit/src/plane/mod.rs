@@ -5,7 +5,7 @@
 //! | what | where |
 //! | --- | --- |
 //! | triangulations | [`Triangles`] |
-//! | products with the Gram matrix on a uniform grid | [`GridOperator`] |
+//! | products with the Gram matrix on a uniform grid | [`Gram`](crate::Gram) |
 //! | corner singularities r^a sin(bφ) on sectors | [`SectorPower`] |
 //! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`] |
 //! | norms of formulas with declared corner singularities | [`SingularPlaneFunction`] |
@@ -30,6 +30,6 @@ mod triangles;
 pub use closures::PlanePosition;
 pub(crate) use closures::SingularPlaneFunction;
 pub(crate) use function::PlaneFunction;
-pub use grid::GridOperator;
+pub(crate) use grid::GridOperator;
 pub(crate) use sector::{ElasticCorner, SectorPower};
 pub use triangles::Triangles;

@@ -72,13 +72,12 @@ impl Triangles {
     /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
     ///
     /// ```
-    /// use fractional_sobolev::{Order, GridOperator, Tolerance, Triangles, closed_forms};
-    /// let order = Order::HALF;
-    /// let form = GridOperator::new([8, 8], 0.125, order, Tolerance::balanced())?;
+    /// use fractional_sobolev::{Gram, Triangles, closed_forms};
+    /// let form = Gram::on_grid([8, 8], 0.125, 0.5, 1e-8)?;
     /// let x: Vec<f64> = Triangles::grid([8, 8], 0.125)?.nodes().iter().map(|p| p[0]).collect();
     /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
-    /// assert!((squared / closed_forms::coordinate_on_square_seminorm_squared(order)?.value - 1.0).abs() < 1e-7);
-    /// assert!(form.size() == 81 && form.bytes() > 81 * 8);
+    /// assert!((squared / closed_forms::coordinate_on_square_seminorm_squared(0.5)?.value - 1.0).abs() < 1e-7);
+    /// assert!(form.len() == 81 && form.bytes()? > 81 * 8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///

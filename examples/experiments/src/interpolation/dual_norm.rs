@@ -6,7 +6,7 @@ use fractional_sobolev::Mesh;
 use fractional_sobolev::Rule;
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Work};
-use fractional_sobolev::{Order, gram_linears, mass_linears};
+use fractional_sobolev::{Gram, Order};
 use nalgebra::Cholesky;
 use nalgebra::DMatrix;
 use nalgebra::Dyn;
@@ -147,12 +147,13 @@ fn hat_integrals(cells: &Mesh) -> Vec<f64> {
 
 /// Gram matrix of L².
 fn mass_form(cells: &Mesh) -> DMatrix<f64> {
-    let (diagonal, off_diagonal) = mass_linears(cells);
-    DMatrix::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
-        0 => diagonal[i],
-        1 => off_diagonal[i.min(j)],
-        _ => 0.0,
-    })
+    let mut mass = DMatrix::zeros(cells.len() + 1, cells.len() + 1);
+    for (i, &h) in cells.lengths().iter().enumerate() {
+        for (row, column, share) in [(i, i, 3.0), (i + 1, i + 1, 3.0), (i, i + 1, 6.0), (i + 1, i, 6.0)] {
+            mass[(row, column)] += h / share;
+        }
+    }
+    mass
 }
 
 /// The norm in a unit, restored; what falls below the range of binary64 is 0 with an error above 0.
@@ -165,7 +166,7 @@ impl Solver {
     fn new(cells: &Mesh) -> Result<Self> {
         let integrals = hat_integrals(cells);
         let total = cells.total();
-        let norm = gram_linears(cells, Order::HALF) + mass_form(cells);
+        let norm = Gram::new(cells, Order::HALF, 1e-8)?.to_dense()? + mass_form(cells);
         let size = integrals.len();
         let fixed = DMatrix::from_fn(size, size, |i, j| {
             norm[(i, j)] + (integrals[i] / total) * (integrals[j] / total)

@@ -32,7 +32,7 @@
 //! loses is a matter of (3.7).
 
 use crate::search::sign_change;
-use fractional_sobolev::{Mesh, Order, gram_constants, gram_linears};
+use fractional_sobolev::{Gram, Mesh, Order};
 use nalgebra::{Cholesky, DMatrix};
 use signorini::edge::Traces;
 use signorini::proof::ProofConstants;
@@ -111,8 +111,8 @@ impl ContactInterval {
                 constants(&partition, order, &|cell, j| [ends(cell, j); 2])?,
             ),
             Traces::Linears => (
-                linears(&partition, order, &stress_of),
-                linears(&partition, order, &|cell, j| [ends(cell, j); 2]),
+                linears(&partition, order, &stress_of)?,
+                linears(&partition, order, &|cell, j| [ends(cell, j); 2])?,
             ),
         };
         let cells = partition.len();
@@ -171,7 +171,7 @@ fn constants(partition: &Mesh, order: Order, density: &dyn Fn(usize, usize) -> [
     let lengths = partition.lengths();
     let size = lengths.len();
     Ok(Forms {
-        seminorm: gram_constants(partition, order)?,
+        seminorm: Gram::constants(partition, order, 1e-8)?.to_dense()?,
         mass: DMatrix::from_fn(size, size, |i, j| if i == j { lengths[i] } else { 0.0 }),
         functionals: DMatrix::from_fn(size, 2, |i, j| {
             let [l, r] = density(i, j);
@@ -180,7 +180,7 @@ fn constants(partition: &Mesh, order: Order, density: &dyn Fn(usize, usize) -> [
     })
 }
 
-fn linears(partition: &Mesh, order: Order, density: &dyn Fn(usize, usize) -> [f64; 2]) -> Forms {
+fn linears(partition: &Mesh, order: Order, density: &dyn Fn(usize, usize) -> [f64; 2]) -> Result<Forms> {
     let lengths = partition.lengths();
     let size = lengths.len() + 1;
     let mut mass = DMatrix::zeros(size, size);
@@ -196,7 +196,7 @@ fn linears(partition: &Mesh, order: Order, density: &dyn Fn(usize, usize) -> [f6
             functionals[(i + 1, j)] += p * (l + 2.0 * r) / 6.0;
         }
     }
-    Forms { seminorm: gram_linears(partition, order), mass, functionals }
+    Ok(Forms { seminorm: Gram::new(partition, order, 1e-8)?.to_dense()?, mass, functionals })
 }
 
 /// The worst pair of one contact interval.

@@ -2,7 +2,7 @@
 //! square.
 //!
 //! * |∇u|_s, s = τ − 1: of the recovered gradient [`recovered_gradients`], a continuous piecewise linear
-//!   field, all components together, by [`GridOperator`]; at τ = 2 ‖D²u‖ as the L² norm of its gradient.
+//!   field, all components together, by [`Gram`]; at τ = 2 ‖D²u‖ as the L² norm of its gradient.
 //! * |σ_N|_ν, |u_N'|_ν, ν = τ − 3/2, on the edge: of the piecewise linear functions through contact forces
 //!   over lengths and through means of the slopes on both sides; linear continuation at both ends.
 //!
@@ -11,7 +11,7 @@
 //! have a limit; the error is what the limit differs from that of the coarser two, and half of what it is
 //! away from the finest. An estimate, not a bound.
 
-use fractional_sobolev::{Estimate, GramOperator, GridOperator, Mesh, Order, Tolerance, Work};
+use fractional_sobolev::{Estimate, Gram, Mesh, Order, Tolerance, Work};
 use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::fem::gradients;
 use signorini::mesh::Triangulation;
@@ -39,24 +39,21 @@ pub struct FineNorms {
 pub struct FineForms {
     n: usize,
     /// None at τ = 2.
-    body: Option<GridOperator>,
-    edge: GramOperator,
+    body: Option<Gram>,
+    edge: Gram,
 }
 
 impl FineForms {
     /// For 3/2 < τ ≤ 2.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for another τ; as [`GridOperator::new`].
+    /// [`ToolkitError::OutOfRange`](signorini::ToolkitError::OutOfRange) for another τ; as [`Gram::on_grid`].
     pub fn new(tau: f64, n: usize) -> Result<Self> {
         ToolkitError::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let (asked, h) = (Tolerance::new(ACCURACY)?, 1.0 / n as f64);
-        let body = if tau == 2.0 {
-            None
-        } else {
-            Some(GridOperator::new([n, n], h, Order::new(tau - 1.0)?, asked)?)
-        };
-        let edge = GramOperator::linears(&Mesh::uniform(n, 1.0)?, Order::half_plus(tau - 2.0)?, asked)?;
+        let body =
+            if tau == 2.0 { None } else { Some(Gram::on_grid([n, n], h, Order::new(tau - 1.0)?, asked)?) };
+        let edge = Gram::new(&Mesh::uniform(n, 1.0)?, Order::half_plus(tau - 2.0)?, asked)?;
         Ok(Self { n, body, edge })
     }
 

@@ -12,7 +12,7 @@
 //! is a lower bound of the supremum for its set, where the signs u ≤ 0, σ ≤ 0 are not imposed. Cost O(N³).
 
 use crate::SplitMix;
-use fractional_sobolev::{Given, Mesh, Order, gram_linears};
+use fractional_sobolev::{Given, Gram, Mesh, Order};
 use nalgebra::{Cholesky, DMatrix};
 use rayon::prelude::*;
 use signorini::cone::Cone;
@@ -74,7 +74,7 @@ impl SegmentSets {
             }));
         }
         let partition = Mesh::uniform(cells, 1.0)?;
-        Ok(Self { nodes: partition.nodes(), gram: gram_linears(&partition, order.given()?) })
+        Ok(Self { nodes: partition.nodes(), gram: Gram::new(&partition, order, 1e-8)?.to_dense()? })
     }
 
     /// Number of cells.
