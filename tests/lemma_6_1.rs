@@ -164,7 +164,7 @@ fn the_extremal_function_attains_its_constant() {
         for norm in NORMS {
             let extremal = element_extremal(norm, order(nu), Tolerance::balanced()).unwrap();
             // interpolated on a graded mesh with cubics: a slope of another kind, other quadrature
-            let partition = Mesh::two_sided(12, 0.4, 1.0).unwrap();
+            let partition = Mesh::graded(&[0.0, 1.0], 12, 0.4).unwrap();
             let slope = fractional_sobolev::Function::interpolate(&partition, 8, |x| {
                 extremal.slope(x.min(1.0)).unwrap()
             })
@@ -235,7 +235,7 @@ fn one_function_breaks_the_second_line_on_a_long_element() {
     let longest = longest_element(nu, Tolerance::balanced()).unwrap().value;
     let found = |h: f64| {
         let extremal = element_extremal(ErrorNorm::H1 { h }, nu, Tolerance::balanced()).unwrap();
-        let partition = fractional_sobolev::Mesh::two_sided(12, 0.4, 1.0).unwrap();
+        let partition = fractional_sobolev::Mesh::graded(&[0.0, 1.0], 12, 0.4).unwrap();
         let slope =
             fractional_sobolev::Function::interpolate(&partition, 8, |x| extremal.slope(x.min(1.0)).unwrap())
                 .unwrap();

@@ -79,7 +79,7 @@ pub fn worst_ratio(
 /// The ratio of the best piecewise constants on a graded mesh, every cell halved so often.
 fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -> Result<f64> {
     let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
-    let partition = halved(&Mesh::graded_to_points(&points, LAYERS, RATIO)?, halvings)?;
+    let partition = halved(&Mesh::graded(&points, LAYERS, RATIO)?, halvings)?;
     let per_part = partition.len() / (points.len() - 1);
     let gram = Gram::constants(&partition, order, Tolerance::default())?.to_dense()?;
     let first = if left > 0.0 { per_part } else { 0 };

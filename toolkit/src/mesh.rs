@@ -28,12 +28,11 @@ const BYTES: usize = 48;
 /// use fractional_sobolev::Mesh;
 /// let mesh = Mesh::from_nodes(&[0.0, 0.25, 1.0])?;
 /// assert_eq!(mesh.lengths(), Mesh::from_lengths(vec![0.25, 0.75])?.lengths());
-/// assert!(mesh.len() == 2 && !mesh.is_empty() && mesh.total() == 1.0 && mesh.left() == 0.0);
+/// assert!(mesh.len() == 2 && !mesh.is_empty() && mesh.total() == 1.0);
 /// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
-/// assert_eq!((mesh.distance(0, 2), mesh.uniform_length()), (1.0, None));
 /// // graded to both ends, and to a point inside
-/// assert_eq!(Mesh::two_sided(1, 0.5, 1.0)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
-/// let graded = Mesh::graded_to_points(&[0.0, 0.3, 1.0], 20, 0.5)?;
+/// assert_eq!(Mesh::graded(&[0.0, 1.0], 1, 0.5)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+/// let graded = Mesh::graded(&[0.0, 0.3, 1.0], 20, 0.5)?;
 /// assert!(graded.lengths().iter().any(|&h| h < 1e-6));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -105,7 +104,6 @@ impl Mesh {
     /// ```
     /// use fractional_sobolev::Mesh;
     /// assert_eq!(Mesh::algebraic(4, 2.0, 16.0)?.nodes(), [0.0, 1.0, 4.0, 9.0, 16.0]);
-    /// assert_eq!(Mesh::two_sided_algebraic(2, 2.0, 8.0)?.nodes(), [0.0, 1.0, 4.0, 7.0, 8.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -117,10 +115,7 @@ impl Mesh {
     }
 
     /// As [`Mesh::algebraic`] from both ends: `count` elements on either half.
-    ///
-    /// # Errors
-    /// As [`Mesh::algebraic`].
-    pub fn two_sided_algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
+    pub(crate) fn two_sided_algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
         require_memory("elements", count, 2 * BYTES)?;
         let mut lengths = algebraic_lengths(count, exponent, 0.5 * length)?;
         let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
@@ -129,10 +124,7 @@ impl Mesh {
     }
 
     /// Geometric from both ends towards the middle: the shortest elements, L/2 σ^m, lie at the two ends.
-    ///
-    /// # Errors
-    /// As [`Mesh::geometric`].
-    pub fn two_sided(layers: usize, ratio: f64, length: f64) -> Result<Self> {
+    fn two_sided(layers: usize, ratio: f64, length: f64) -> Result<Self> {
         require_memory("layers", layers, 2 * BYTES)?;
         let mut lengths = geometric_lengths(layers, ratio, 0.5 * length)?;
         let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
@@ -140,11 +132,12 @@ impl Mesh {
         Self::from_lengths(lengths)
     }
 
-    /// Geometric towards the ends of the interval and towards every given break point in it.
+    /// Geometric towards every given point, of which the first and the last are the ends of the interval: each part
+    /// between neighbouring points, of length ℓ, has m + 1 elements on either half, the shortest, ℓ/2 σ^m, at its ends.
     ///
     /// # Errors
-    /// As [`Mesh::two_sided`], on each part between neighbouring points.
-    pub fn graded_to_points(points: &[f64], layers: usize, ratio: f64) -> Result<Self> {
+    /// As [`Mesh::from_nodes`] for the points; [`Error::OutOfRange`] unless 0 < σ < 1.
+    pub fn graded(points: &[f64], layers: usize, ratio: f64) -> Result<Self> {
         let coarse = Self::from_nodes(points)?;
         require_memory("layers", layers, 2 * BYTES * coarse.len())?;
         let mut lengths = Vec::with_capacity(2 * (layers + 1) * coarse.len());
@@ -207,7 +200,7 @@ impl Mesh {
     }
 
     /// Coordinate of the left end.
-    pub fn left(&self) -> f64 {
+    pub(crate) fn left(&self) -> f64 {
         self.left
     }
 
@@ -227,7 +220,7 @@ impl Mesh {
     }
 
     /// Distance between the nodes i and j, as a sum of lengths. Cost O(|i − j|).
-    pub fn distance(&self, i: usize, j: usize) -> f64 {
+    pub(crate) fn distance(&self, i: usize, j: usize) -> f64 {
         let (low, high) = (i.min(j), i.max(j));
         let mut sum = RunningSum::default();
         self.lengths[low..high].iter().for_each(|&h| sum.add(h));
@@ -235,7 +228,7 @@ impl Mesh {
     }
 
     /// The common length, when all lengths agree to the last digit.
-    pub fn uniform_length(&self) -> Option<f64> {
+    pub(crate) fn uniform_length(&self) -> Option<f64> {
         let first = self.lengths[0];
         self.lengths.iter().all(|&h| h == first).then_some(first)
     }
@@ -271,7 +264,7 @@ mod tests {
         assert_eq!(geometric.nodes(), [0.0, 1.0, 2.0, 4.0, 8.0]);
         let two = Mesh::two_sided(2, 0.5, 8.0).unwrap();
         assert_eq!(two.nodes(), [0.0, 1.0, 2.0, 4.0, 6.0, 7.0, 8.0]);
-        let graded = Mesh::graded_to_points(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
+        let graded = Mesh::graded(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
         assert_eq!(graded.len(), 8);
         assert_eq!(graded.total(), 1.0);
         for exponent in [0.5, 1.0, 3.0, 20.0] {

@@ -61,7 +61,7 @@ fn entries_that_are_out_of_range_are_named() {
     let found = [
         (2, 0.5, Mesh::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(drop)),
         (1, -1.0, Mesh::from_lengths(vec![1.0, -1.0, 1.0]).map(drop)),
-        (2, 0.2, Mesh::graded_to_points(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
+        (2, 0.2, Mesh::graded(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
         (2, 0.2, Function::from_fn(&[0.0, 0.3, 0.2, 1.0], |x| x).map(drop)),
         (1, 0.3, Zones::union(&[0.1..0.4, 0.3..0.4]).map(drop)),
         (1, -0.2, Zones::from_lengths(&[0.1, 0.1, 0.1, -0.2]).map(drop)),

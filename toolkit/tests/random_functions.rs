@@ -87,7 +87,11 @@ fn partition(random: &mut SplitMix, count: usize) -> Mesh {
     match random.below(4) {
         0 => Mesh::uniform(count, 1.0).unwrap(),
         1 => Mesh::algebraic(count, random.between(1.5, 4.0), 1.0).unwrap(),
-        2 => Mesh::two_sided_algebraic(count.div_ceil(2), random.between(1.5, 3.0), 1.0).unwrap(),
+        2 => {
+            let half = Mesh::algebraic(count.div_ceil(2), random.between(1.5, 3.0), 0.5).unwrap();
+            let both = half.lengths().iter().chain(half.lengths().iter().rev());
+            Mesh::from_lengths(both.copied().collect()).unwrap()
+        }
         _ => Mesh::from_lengths((0..count).map(|_| random.between(0.1, 1.0)).collect()).unwrap(),
     }
 }
@@ -332,7 +336,7 @@ fn boundary(random: &mut SplitMix) -> Case {
 fn load(random: &mut SplitMix, decades: f64) -> (Function<'static>, String) {
     let cells = count(random, decades);
     let mesh = partition(random, cells);
-    let (cells, equal) = (mesh.len(), mesh.uniform_length().is_some());
+    let (cells, equal) = (mesh.len(), mesh.lengths().windows(2).all(|pair| pair[0] == pair[1]));
     let kind = random.below(3);
     let ends: Vec<[f64; 2]> = (0..cells)
         .map(|k| match kind {

@@ -50,8 +50,8 @@ fn meshes(n: usize) -> Vec<(&'static str, Mesh)> {
     vec![
         ("uniform", Mesh::uniform(n, 1.0).unwrap()),
         ("geometric to 1e-30", geometric(n, 1e-30)),
-        ("two-sided to 1e-30", Mesh::two_sided(n / 2, ratio, 1.0).unwrap()),
-        ("strongly graded", Mesh::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
+        ("two-sided to 1e-30", Mesh::graded(&[0.0, 1.0], n / 2, ratio).unwrap()),
+        ("strongly graded", Mesh::graded(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
         ("geometric to 1e-250", geometric(n / 4, 1e-250)),
     ]
 }

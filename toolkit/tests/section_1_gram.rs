@@ -82,8 +82,8 @@ fn further_meshes() -> Vec<(&'static str, Mesh)> {
     let alternating = (0..60).map(|i| [1e-7, 1.0, 3.0, 1e-300][i % 4]).collect();
     vec![
         ("one element", Mesh::uniform(1, 3.0).unwrap()),
-        ("two-sided", Mesh::two_sided(80, 0.3, 2.0).unwrap()),
-        ("interior point", Mesh::graded_to_points(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
+        ("two-sided", Mesh::graded(&[0.0, 2.0], 80, 0.3).unwrap()),
+        ("interior point", Mesh::graded(&[0.0, 0.3, 1.0], 60, 0.2).unwrap()),
         ("alternating", Mesh::from_lengths(alternating).unwrap()),
         ("uniform", Mesh::uniform(400, 1.0).unwrap()),
         ("tiny", Mesh::uniform(9, 1e-299).unwrap()),
@@ -134,7 +134,7 @@ fn constants_have_no_seminorm_from_one_half_on() {
 
 #[test]
 fn mass_of_hats_sums_to_the_length() {
-    let partition = Mesh::two_sided(30, 0.1, 5.0).unwrap();
+    let partition = Mesh::graded(&[0.0, 5.0], 30, 0.1).unwrap();
     let total: f64 = Gram::new(&partition, 0.5, 1e-8).unwrap().mass(&[1.0; 63]).unwrap().iter().sum();
     assert!((total - 5.0).abs() < ROW_SUM_TOLERANCE * 5.0, "{total}");
 }

@@ -193,7 +193,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
         }))
         .collect();
     let value = |layers: usize, ratio: f64| {
-        let mesh = Mesh::graded_to_points(&breaks, layers, ratio).unwrap();
+        let mesh = Mesh::graded(&breaks, layers, ratio).unwrap();
         let rule = Rule::gauss_legendre(4).unwrap();
         let (mut load, mut element) = (vec![0.0; mesh.len() + 1], 0);
         for (i, h) in mesh.lengths().iter().enumerate() {

@@ -124,7 +124,7 @@ fn closures(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
 fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let hats = draw(each, || {
         let (order, c) = (order(random, 0.02, 0.98)?, random.between(0.01, 0.99));
-        let mesh = Mesh::graded_to_points(&[0.0, c, 1.0], 10 + random.below(60), 0.5)?;
+        let mesh = Mesh::graded(&[0.0, c, 1.0], 10 + random.below(60), 0.5)?;
         let values: Vec<f64> = (mesh.from_left().iter().zip(mesh.from_right()))
             .map(|(x, y)| (x / c).min(y / (1.0 - c)).clamp(0.0, 1.0))
             .collect();

@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn the_slope_of_the_interpolant_is_the_projection_of_the_slope() {
-        let mesh = ElementMesh::new(Mesh::two_sided(3, 0.4, 2.0).unwrap(), &[2, 5, 1]).unwrap();
+        let mesh = ElementMesh::new(Mesh::graded(&[0.0, 2.0], 3, 0.4).unwrap(), &[2, 5, 1]).unwrap();
         let cubic = |x: f64| x * (1.0 - x * (2.0 - 0.7 * x));
         let u = Function::interpolate(mesh.cells(), 3, cubic).unwrap();
         let projected = mesh.projection(&u.derivative().unwrap()).unwrap();

@@ -290,7 +290,7 @@ mod tests {
         points.extend(zones.intervals().iter().flat_map(|&(a, length)| [a, a + length]));
         points.sort_by(f64::total_cmp);
         points.dedup();
-        let partition = Mesh::graded_to_points(&points, 14, 0.5).unwrap();
+        let partition = Mesh::graded(&points, 14, 0.5).unwrap();
         let nodes = partition.nodes();
         let inside =
             |x: f64| zones.intervals().iter().any(|&(a, length)| x > a - 1e-12 && x < a + length + 1e-12);

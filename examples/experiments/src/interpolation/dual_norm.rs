@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn the_dual_norm_of_a_constant_is_the_constant() {
-        for cells in [Mesh::uniform(8, 1.0).unwrap(), Mesh::two_sided(4, 0.3, 1.0).unwrap()] {
+        for cells in [Mesh::uniform(8, 1.0).unwrap(), Mesh::graded(&[0.0, 1.0], 4, 0.3).unwrap()] {
             let norm = DualNorm::new(&cells).unwrap().of(|_, _| -3.0).unwrap();
             assert!((norm.value - 3.0).abs() < 1e-12, "{norm}");
             assert!(norm.error < 1e-10);

@@ -81,6 +81,6 @@ pub(in crate::interpolation) fn sample_norms(
 /// The mesh is one of (0, 1).
 pub(in crate::interpolation) fn require_unit(mesh: &Mesh) -> Result<()> {
     let total = mesh.total();
-    let fits = mesh.left() == 0.0 && (total - 1.0).abs() <= ROUNDING;
+    let fits = mesh.nodes()[0] == 0.0 && (total - 1.0).abs() <= ROUNDING;
     Error::require("length of the mesh", total, "{1}, from 0", fits).map(|_| ())
 }

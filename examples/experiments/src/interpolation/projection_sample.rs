@@ -64,7 +64,7 @@ pub(super) fn projection_dual_error(
         let moments: Vec<[f64; 2]> =
             range.clone().map(|i| phi.cell_moments(starts[i], lengths[i], &rules)).collect();
         let integral: f64 = range.clone().zip(&moments).map(|(i, m)| lengths[i] * (m[0] + m[1])).sum();
-        let mean = integral / mesh.cells().distance(range.start, range.end);
+        let mean = integral / mesh.cells().lengths()[range.clone()].iter().sum::<f64>();
         for (i, [falling, rising]) in range.clone().zip(moments) {
             load[i] += lengths[i] * (falling - 0.5 * mean);
             load[i + 1] += lengths[i] * (rising - 0.5 * mean);

@@ -115,8 +115,8 @@ impl RoughSlopes {
         let ratio = 0.1 + 0.7 * self.numbers.uniform();
         let inner = 0.1 + 0.8 * self.numbers.uniform();
         Ok(match Grading::of(self.numbers.uniform()) {
-            Grading::BothEnds => (Mesh::two_sided(layers, ratio, 1.0)?, 0.0),
-            Grading::InnerPoint => (Mesh::graded_to_points(&[0.0, inner, 1.0], layers, ratio)?, inner),
+            Grading::BothEnds => (Mesh::graded(&[0.0, 1.0], layers, ratio)?, 0.0),
+            Grading::InnerPoint => (Mesh::graded(&[0.0, inner, 1.0], layers, ratio)?, inner),
             Grading::LeftEnd => (Mesh::geometric(2 * layers, ratio, 1.0)?, 0.0),
         })
     }

@@ -92,7 +92,7 @@ impl ContactInterval {
     fn new(a: f64, b: f64, traces: Traces, order: Order) -> Result<Self> {
         let mut points = vec![0.0, a, 1.0 - b, 1.0];
         points.dedup();
-        let partition = Mesh::graded_to_points(&points, LAYERS, RATIO)?;
+        let partition = Mesh::graded(&points, LAYERS, RATIO)?;
         let part = partition.len() / (points.len() - 1);
         let before = if a > 0.0 { part } else { 0 };
         let contact = before..before + part;
