@@ -5,9 +5,10 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
 use experiments::convergence::{Levels, StripCase};
-use experiments::proof::{Exponent, FalkRow, falk_terms};
+use experiments::proof::{FalkRow, falk_terms};
 use signorini::cone::Cone;
 use signorini::proof::printed_exponent;
+use signorini::rates::ConvergenceOrder;
 use signorini::scenes::StripScene;
 use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
@@ -63,8 +64,8 @@ const TERMS: [Term; 6] = [
 
 /// Exponent of h of a term; none with fewer than three meshes on which it does not vanish.
 fn exponent(rows: &[FalkRow], term: fn(&FalkRow) -> f64) -> Option<(f64, f64)> {
-    let points: Vec<(f64, f64)> = rows.iter().map(|r| (1.0 / r.n as f64, term(r).abs())).collect();
-    Exponent::fit(&points).ok().map(|e| (e.value, e.uncertainty))
+    let points = rows.iter().map(|r| (1.0 / r.n as f64, term(r).abs())).filter(|point| point.1 > 0.0);
+    ConvergenceOrder::of_power(&points.collect::<Vec<_>>()).map(|found| (found.order, found.uncertainty))
 }
 
 /// What decides: both sides of the lemma and of (4.8) on every mesh, a sign, an order.

@@ -6,8 +6,9 @@
 
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
-use experiments::proof::{Against, AlternativeCase, AlternativeStudy, Exponent};
+use experiments::proof::{Against, AlternativeCase, AlternativeStudy};
 use signorini::proof::{Alternative, Section, ThetaRule, printed_exponent};
+use signorini::rates::ConvergenceOrder;
 use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;
 
@@ -73,9 +74,14 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
     let pair = last.zip(other.rows.last()).map(|(a, b)| (&a.classification, &b.classification));
     let moved = pair.map(|(a, b)| (a.differences(b) as f64, 0.0));
     let carried = last.map(|row| row.classification.term(Alternative::Second) / row.classification.total());
-    let totals: Vec<(f64, f64)> =
-        study.rows.iter().map(|r| (1.0 / r.n as f64, r.classification.total())).collect();
-    let order = Exponent::fit(&totals).ok().filter(|_| !options.over_theta).map(|e| (e.value, e.uncertainty));
+    let totals: Vec<(f64, f64)> = study
+        .rows
+        .iter()
+        .map(|r| (1.0 / r.n as f64, r.classification.total()))
+        .filter(|t| t.1 > 0.0)
+        .collect();
+    let order = ConvergenceOrder::of_power(&totals).filter(|_| !options.over_theta);
+    let order = order.map(|found| (found.order, found.uncertainty));
     let none = "no mesh was classified";
     let no_share =
         if last.is_some() { "the whole term is zero: no case carries a share of it" } else { none };

@@ -6,11 +6,12 @@
 
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
-use experiments::interpolation::{AliasedWave, all_waves_rate, observed_rates, smooth_dual_error};
+use experiments::interpolation::{AliasedWave, all_waves_rate, smooth_dual_error};
 use fractional_sobolev::{
-    Estimate, Order, Tolerance,
+    Estimate, Order, Tolerance, Work,
     interpolation::{ErrorNorm, element_constant},
 };
+use signorini::rates::ConvergenceOrder;
 use std::process::ExitCode;
 
 /// Distance of a measured exponent from the theoretical one that counts as agreement.
@@ -37,7 +38,7 @@ pub struct Series {
     /// ‖u − I^h u‖_{1/2,*}, of the wave over ‖u‖_{3/2}.
     pub errors: Vec<Estimate>,
     /// None on the first mesh.
-    pub rates: Vec<Option<Estimate>>,
+    pub rates: Vec<Option<ConvergenceOrder>>,
 }
 
 /// What is computed.
@@ -62,10 +63,11 @@ pub fn compute(options: &Options) -> Result<Computed> {
     }
     let elements: Vec<usize> = (0..count).map(|k| first << k).collect();
     let series = |error: fn(usize) -> fractional_sobolev::Result<Estimate>| {
-        let meshes: Vec<_> = elements.iter().map(|&n| Ok((n, error(n)?))).collect::<Result<_>>()?;
+        let meshes: Vec<_> =
+            elements.iter().map(|&n| Ok((1.0 / n as f64, error(n)?))).collect::<Result<_>>()?;
         Result::Ok(Series {
             errors: meshes.iter().map(|mesh| mesh.1).collect(),
-            rates: observed_rates(&meshes)?,
+            rates: (1..=meshes.len()).map(|k| ConvergenceOrder::of_last(&meshes[..k])).collect(),
         })
     };
     let wave = series(|n| AliasedWave::new(n)?.quotient())?;
@@ -78,7 +80,8 @@ pub fn compute(options: &Options) -> Result<Computed> {
 /// What decides: the exponents of the wave and of the one function, and the bound of all functions.
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let Computed { wave, smooth, bounds, one, .. } = computed;
-    let last = |series: &Series| series.rates.last().copied().flatten();
+    let estimate = |o: ConvergenceOrder| Estimate::new(o.order, o.uncertainty, Work::default()).ok();
+    let last = |series: &Series| series.rates.last().copied().flatten().and_then(estimate);
     let shares = || wave.errors.iter().zip(bounds).filter_map(|(error, bound)| error.over(*bound).ok());
     let within = |finding: Finding, rate: Option<Estimate>, theory: f64, source: &str| {
         finding.largest(rate).within(EXPONENT_TOLERANCE, theory, source).told()
@@ -130,7 +133,7 @@ fn table(computed: &Computed) -> Table {
     .with_rows((0..computed.elements.len()).map(|k| {
         let columns = |series: &Series| {
             let rate = series.rates[k];
-            [Some(series.errors[k].value), rate.map(|r| r.value), rate.map(|r| r.error)]
+            [Some(series.errors[k].value), rate.map(|r| r.order), rate.map(|r| r.uncertainty)]
         };
         let (wave, elements) = (columns(&computed.wave), computed.elements[k] as f64);
         let middle = [wave[1].map(|rate| 0.5 * rate), Some(computed.bounds[k].value)];

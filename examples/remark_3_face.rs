@@ -6,6 +6,7 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
 use experiments::proof::FaceGaps;
 use fractional_sobolev::{Estimate, Order, Tolerance};
+use signorini::rates::order_between;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -30,7 +31,8 @@ impl Rows {
     /// Exponents of the nodal quotient over the last halving, and over the one before.
     fn exponents(&self) -> Option<[f64; 2]> {
         let [.., a, b, c] = self.1.as_slice() else { return None };
-        let exponent = |large: Estimate, small: Estimate| (large.value / small.value).log2();
+        let exponent =
+            |large: Estimate, small: Estimate| order_between((1.0, large.value), (0.5, small.value));
         Some([exponent(b.nodal, c.nodal), exponent(a.nodal, b.nodal)])
     }
 }

@@ -5,6 +5,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed, within};
 use fractional_sobolev::{Error, Estimate, Function, Mesh, Order, Tolerance};
+use signorini::rates::order_between;
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
@@ -77,7 +78,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
 
 /// The order between two meshes of one grading.
 fn order(coarse: &Row, fine: &Row) -> f64 {
-    (coarse.2.value / fine.2.value).ln() / (fine.1 as f64 / coarse.1 as f64).ln()
+    order_between((1.0 / coarse.1 as f64, coarse.2.value), (1.0 / fine.1 as f64, fine.2.value))
 }
 
 /// N^(2-nu) |u - I_h u|_nu over its limit.

@@ -7,6 +7,7 @@ use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, time
 use fractional_sobolev::{
     Estimate, Function, Gram, Order, PlanePosition, Tolerance, Triangles, closed_forms,
 };
+use signorini::rates::order_between;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -100,7 +101,7 @@ pub fn findings(Computed(rows, grid, bent, order): &Computed) -> Vec<Finding> {
     let ([form, product, bytes], [seconds, off, estimate]) = (grid, bent);
     let (meshes, asked): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.1 > 1.0);
     let share = asked.iter().map(|row| row.3 / row.1).fold(0.0, f64::max);
-    let orders = [1, 2].map(|k| (meshes[k].3 / meshes[k + 1].3).log2());
+    let orders = [1, 2].map(|k| order_between((1.0, meshes[k].3), (0.5, meshes[k + 1].3)));
     let closure = asked.iter().filter(|row| row.0 == ROADS[2]).map(|row| row.3).fold(0.0, f64::max);
     let (least, change) = (meshes[CELLS.len() - 1].3, (orders[1] - orders[0]).abs());
     let claim = |key, words: &str, value: f64, error: f64| Finding::claim(key, words).number(value, error);

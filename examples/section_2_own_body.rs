@@ -7,6 +7,7 @@ use example_frame::{Finding, Headline, Result};
 use experiments::contact_levels::SceneRun;
 use signorini::cone::{Cone, KKT_ROUNDING, KktResiduals};
 use signorini::fem::{Form, Lame};
+use signorini::rates::order_between;
 use std::process::ExitCode;
 
 /// The body that comes with the example: an L on a slanted floor.
@@ -123,7 +124,9 @@ fn energies(cone: Cone, runs: &[SceneRun]) -> Vec<Finding> {
         .map(|gain| (if *gain == 0.0 { 0.0 } else { gain / j[0].abs() }, 0.0))
         .reduce(|a, b| if a.0 < b.0 { a } else { b });
     let order = match gained[..] {
-        [.., before, last] if before > 0.0 && last > 0.0 => Some(((before / last).log2(), 0.0)),
+        [.., before, last] if before > 0.0 && last > 0.0 => {
+            Some((order_between((1.0, before), (0.5, last)), 0.0))
+        }
         _ => None,
     };
     let words = "J does not rise from mesh to mesh";

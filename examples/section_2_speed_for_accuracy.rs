@@ -7,6 +7,7 @@ use example_frame::{Finding, Headline, Result, contact, progress};
 use experiments::solver_variants::{SolverVariant, VariantRow, manufactured_by_every_variant};
 use peak_alloc::PeakAlloc;
 use signorini::cone::{Cone, KKT_ROUNDING};
+use signorini::rates::ConvergenceOrder;
 use std::process::ExitCode;
 
 #[global_allocator]
@@ -73,19 +74,16 @@ const WORTHLESS: f64 = 1e-3;
 /// What two solutions in binary64 may differ by in the energy norm, relative.
 const ROUNDING: f64 = 1e-13;
 
-/// The orders between consecutive meshes on the cold road, and the mean one.
-fn orders(rows: &[VariantRow]) -> Option<(Vec<f64>, f64)> {
-    let errors: Vec<f64> =
-        rows.iter().filter(|row| row.road == SolverVariant::Cold).map(|row| row.error).collect();
-    let orders: Vec<f64> = errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();
-    let mean = orders.iter().sum::<f64>() / orders.len() as f64;
-    (orders.len() >= 2).then_some((orders, mean))
+/// The order of the errors without a start from a coarser mesh.
+fn order(rows: &[VariantRow]) -> Option<ConvergenceOrder> {
+    let cold = rows.iter().filter(|row| row.road == SolverVariant::Cold);
+    ConvergenceOrder::of_power(&cold.map(|row| (1.0 / row.n as f64, row.error)).collect::<Vec<_>>())
 }
 
 /// What decides: the order of the error, the conditions, and whether the roads meet; what they cost.
 pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
     let rows = &computed.rows;
-    let order = orders(rows).map(|(all, mean)| (mean, contact::worst(all.iter().map(|o| (o - mean).abs()))));
+    let order = order(rows).map(|found| (found.order, found.uncertainty));
     let apart = |is_share: bool| {
         let same = rows.iter().filter(move |row| (row.road == SolverVariant::Share) == is_share);
         let exact = |n| rows.iter().find(|row| row.road == SolverVariant::Cold && row.n == n);
@@ -130,8 +128,8 @@ pub fn run(options: &Options) -> Result<Headline> {
     let found = findings(options, &computed);
     let table = contact::road_table(&computed.rows, &computed.peaks);
     let mut headline = Headline::new("Section 2, speed for accuracy", claim, table, found);
-    if let Some((_, order)) = orders(&computed.rows) {
-        headline.quote(format!("section.2.speed.{}.order", options.cone), order);
+    if let Some(found) = order(&computed.rows) {
+        headline.quote(format!("section.2.speed.{}.order", options.cone), found.order);
     }
     let name = |what: &str| format!("section_2_{what}_{}", options.cone);
     headline.draw(&options.output, &name("seconds"), || Ok(contact::road_chart(&computed.rows)))?;

@@ -100,10 +100,10 @@ pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> V
             .at_most(ratio.map_or(f64::NAN, |r| r.noise(UNSETTLED)), "alternation, 0.05 of an order to come")
             .otherwise("error/bound grows {value}-fold on the finer levels; at one place, see --positions 5"),
         Finding::sharpness("loose", "h^{value} on the finer levels")
-            .number_or(ratio.map(|r| (r.exponent, r.uncertainty)), "an error is 0")
+            .number_or(ratio.map(|r| (r.order.order, r.order.uncertainty)), "an error is 0")
             .at_least(0.0, "error/bound constant"),
         Finding::remark("order", "order {value}, within a tenth of tau - 1 = {bound}")
-            .number_or(order.map(|o| (o.exponent, o.uncertainty)), "an error is 0")
+            .number_or(order.map(|o| (o.order.order, o.order.uncertainty)), "an error is 0")
             .within(0.1, tau - 1.0, "the optimal order, Drouet & Hild 2015")
             .told(),
     ]);
@@ -122,7 +122,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let mut headline = Headline::new("Section 2, strip", claim, table(study), findings(options, &computed));
     if let (Some(finest), Some(order)) = (study.studies[0].last(), Trend::of(errors)) {
         headline.quote("section.2.strip.unknowns", finest.facts.unknowns);
-        headline.quote_with("section.2.strip.order", order.exponent, order.uncertainty);
+        headline.quote_with("section.2.strip.order", order.order.order, order.order.uncertainty);
     }
     headline.draw(&options.output, "section_2_strip", || Ok(draw(options, &computed)))?;
     Ok(headline)

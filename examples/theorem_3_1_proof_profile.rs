@@ -84,8 +84,8 @@ pub fn findings(options: &Options, Computed { profile, rungs, limits }: &Compute
     let sharpest = bounds.max_by(|a, b| a.sharpest.total_cmp(&b.sharpest));
     let which = sharpest.as_ref().map_or(String::new(), |line| line.line.to_string());
     let rung = |step: Step| rungs.iter().find(|r| r.step == step);
-    let exponent = |step: Step| rung(step).map(|r| (r.exponent.value, r.exponent.uncertainty));
-    let loss = |step: Step| rung(step).and_then(|r| r.loss).map(|l| (l.value, l.uncertainty));
+    let exponent = |step: Step| rung(step).map(|r| (r.exponent.order, r.exponent.uncertainty));
+    let loss = |step: Step| rung(step).and_then(|r| r.loss).map(|l| (l.order, l.uncertainty));
     let mut findings = vec![
         Finding::claim("lines", format!("of {checks} inequalities checked, {{value}} fail"))
             .number(profile.violations() as f64, 0.0)

@@ -60,7 +60,7 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
         .number(*share, GRID * share)
         .at_most(1.0, "the bounds (3.9), (3.14) with their constants");
     let lost = Finding::sharpness("loss", "h^{value} against the worst pair of an element")
-        .number(e.worst.value - e.printed.value, e.worst.uncertainty + e.printed.uncertainty)
+        .number(e.worst.order - e.printed.order, e.worst.uncertainty + e.printed.uncertainty)
         .at_least(0.0, "equal exponents")
         .told();
     let own = Finding::claim("own.bounds", "and none that with theta_T = r, at most {percent} %")
@@ -69,18 +69,18 @@ pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
     let mut findings = vec![bounds, lost, own];
     for (key, own) in [("own", e.own[0]), ("own.midpoint", e.own[1])] {
         let finding = Finding::claim(key, "with theta_T = r on each segment the exponent is {value}");
-        let finding = finding.number(own.value, own.uncertainty);
+        let finding = finding.number(own.order, own.uncertainty);
         findings.push(finding.within(0.01, 2.0 * tau - 2.0, "2 tau - 2"));
     }
     // At τ = 2 both bounds carry logarithms, which no exponent over these lengths tells apart.
     if tau < 2.0 {
         let equation = 2.0 * tau * tau - 5.0 * tau + 4.0;
         let choice = Finding::claim("printed", "the printed choice gives one element the exponent {value}");
-        let choice = choice.number(e.printed.value, e.printed.uncertainty);
+        let choice = choice.number(e.printed.order, e.printed.uncertainty);
         findings.push(choice.within(ROUNDING, equation, "2 tau^2 - 5 tau + 4").told());
         let way = 2.0 * tau - 2.0 - equation;
         let (gain, bar) =
-            (e.sharpened.value - e.printed.value, e.sharpened.uncertainty + e.printed.uncertainty);
+            (e.sharpened.order - e.printed.order, e.sharpened.uncertainty + e.printed.uncertainty);
         let regained =
             Finding::remark("sharpened", "the sharpened first case regains {percent} % of the loss");
         let regained = regained.number(gain / way, bar / way);
@@ -105,7 +105,7 @@ pub fn run(options: &Options) -> Result<Headline> {
     let Computed { balance, exponents: e, rows, .. } = &computed;
     let keys = ["printed", "crossing", "sharpened", "worst", "own"];
     for (key, exponent) in keys.into_iter().zip([e.printed, e.crossing, e.sharpened, e.worst, e.own[0]]) {
-        headline.quote_with(&format!("theta.balance.{key}"), exponent.value, exponent.uncertainty);
+        headline.quote_with(&format!("theta.balance.{key}"), exponent.order, exponent.uncertainty);
     }
     if let Some(finest) = rows.last() {
         headline.quote("theta.balance.worst.place", finest.worst.ends[0]);

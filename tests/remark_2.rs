@@ -62,10 +62,10 @@ fn spoiled_errors_turn_the_verdict_and_two_meshes_decide_nothing() {
     let verdict =
         |computed: &example::Computed| example_frame::Verdict::of(&example::findings(&options, computed));
     assert!(verdict(&computed).is_confirmed());
-    let order = &mut computed.wave.rates.last_mut().unwrap().as_mut().unwrap().value;
+    let order = &mut computed.wave.rates.last_mut().unwrap().as_mut().unwrap().order;
     let sound = std::mem::replace(order, 1.6);
     assert!(!verdict(&computed).is_confirmed(), "an order better than the remark says");
-    computed.wave.rates.last_mut().unwrap().as_mut().unwrap().value = sound;
+    computed.wave.rates.last_mut().unwrap().as_mut().unwrap().order = sound;
     computed.wave.errors[0].value = 1.01 * computed.bounds[0].value;
     assert!(!verdict(&computed).is_confirmed(), "a wave above the bound of all functions");
     let two = example::run(&example::Options { meshes: 2, ..example::Options::default() }).unwrap();

@@ -30,19 +30,19 @@ fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
     assert!(case.levels.cells().count() >= 8);
     let profile = case.profile(&constants).unwrap();
     let ladder = profile.ladder().unwrap();
-    let losses: f64 = ladder.iter().filter_map(|rung| rung.loss).map(|loss| loss.value).sum();
+    let losses: f64 = ladder.iter().filter_map(|rung| rung.loss).map(|loss| loss.order).sum();
     let uncertainty: f64 = ladder.iter().filter_map(|rung| rung.loss).map(|loss| loss.uncertainty).sum();
-    let distance = ladder[0].exponent.value - profile.printed_exponent();
+    let distance = ladder[0].exponent.order - profile.printed_exponent();
     println!("losses {losses:.4}, distance {distance:.4}, uncertainties together {uncertainty:.4}");
     assert!((losses - distance).abs() <= uncertainty.min(1e-6), "{losses} and {distance}");
     // One transition: the term falls like h^(2 tau - 2), within the scatter of its position in the cell.
-    assert!((ladder[0].exponent.value - 1.5).abs() < 0.05, "{:?}", ladder[0].exponent);
+    assert!((ladder[0].exponent.order - 1.5).abs() < 0.05, "{:?}", ladder[0].exponent);
     // The eighth lost in the square is lost where the zone is taken as short as h_e theta: (2 tau - 3)(2 -
     // tau).
     let zone = ladder[4].loss.unwrap();
     let law = ladder[5].loss.unwrap();
     let together = zone.uncertainty + law.uncertainty;
-    assert!((zone.value + law.value - 0.125).abs() <= together, "{zone:?} {law:?}");
+    assert!((zone.order + law.order - 0.125).abs() <= together, "{zone:?} {law:?}");
 }
 
 #[test]

@@ -36,8 +36,8 @@ fn above_two_every_segment_with_contact_obeys_4_14() {
         let ladder = profile.ladder().unwrap();
         let exponent = ladder[0].exponent;
         // h^(2 + 2 eps) is optimal on one transition.
-        assert!((exponent.value - (2.0 * tau - 2.0)).abs() < 0.1, "tau {tau}: {exponent:?}");
-        assert!((ladder[6].exponent.value - (2.0 * tau - 2.0)).abs() < 1e-9);
+        assert!((exponent.order - (2.0 * tau - 2.0)).abs() < 0.1, "tau {tau}: {exponent:?}");
+        assert!((ladder[6].exponent.order - (2.0 * tau - 2.0)).abs() < 1e-9);
         let rough = ProofCase { source: StripScene::Cantor { ratio: 0.3, depth: 5 }, ..case };
         assert!(rough.profile(&constants).is_err(), "only a transition is that smooth");
     }
@@ -55,14 +55,14 @@ fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
         let profile = case.profile(&constants).unwrap();
         let ladder = profile.ladder().unwrap();
         let losses: Vec<_> = ladder.iter().filter_map(|rung| rung.loss).collect();
-        let sum: f64 = losses.iter().map(|loss| loss.value).sum();
+        let sum: f64 = losses.iter().map(|loss| loss.order).sum();
         let uncertainty: f64 = losses.iter().map(|loss| loss.uncertainty).sum();
-        let distance = ladder[0].exponent.value - profile.printed_exponent();
+        let distance = ladder[0].exponent.order - profile.printed_exponent();
         println!("{source}: losses {sum:.4}, distance {distance:.4}, uncertainties {uncertainty:.4}");
         assert!((sum - distance).abs() <= uncertainty.min(1e-6), "{source}: {sum} and {distance}");
         let (zone, law) = (losses[3], losses[4]);
         let together = zone.uncertainty + law.uncertainty;
-        assert!((zone.value + law.value - 0.125).abs() <= together, "{source}: {zone:?} {law:?}");
+        assert!((zone.order + law.order - 0.125).abs() <= together, "{source}: {zone:?} {law:?}");
     }
 }
 

@@ -3,7 +3,6 @@
 pub(crate) mod check;
 pub(crate) mod conjugate_gradients;
 pub(crate) mod legendre;
-pub(crate) mod line;
 pub(crate) mod memory;
 #[cfg(test)]
 pub(crate) mod random;

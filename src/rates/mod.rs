@@ -4,10 +4,12 @@
 //! | --- | --- |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 //! | the order p of errors e ~ h^p, with its uncertainty | [`ConvergenceOrder`] |
+//! | the slope between two levels, without one | [`order_between`] |
 
 mod bounds;
+mod line;
 mod order;
 mod series;
 
 pub use bounds::Bound;
-pub use order::{ConvergenceOrder, ErrorModel};
+pub use order::{ConvergenceOrder, ErrorModel, order_between};

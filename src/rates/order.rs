@@ -28,12 +28,15 @@
 //! * *the smooth part*: a quarter of what the smooth part changes, since its exponents are assumed and not
 //!   fitted.
 //!
-//! It is no bound. On synthetic series with a smooth part, log-periodic terms and noise the true order lies
+//! A series too short for this has its last order alone ([`ConvergenceOrder::of_last`]); the uncertainty answers the
+//! same question there. It is no bound. On synthetic series with a smooth part, log-periodic terms and noise the true order lies
 //! within it in at least 95 % of the cases (tested below). A series that has not begun to behave like its
 //! model can deceive any fit.
 
+use super::line::Line;
 use super::series::Series;
-use crate::numeric::line::Line;
+use fractional_sobolev::Estimate;
+use std::f64::consts::LN_2;
 use std::fmt;
 
 /// How the errors depend on h.
@@ -102,6 +105,12 @@ impl fmt::Display for ConvergenceOrder {
 
 /// Fewest levels a window may have.
 const WINDOW: usize = 4;
+/// Fewest levels for one power: two orders and their change.
+const FEWEST: usize = 3;
+/// An order whose own error falls by two ninths or more from one pair of meshes to the next is off by at most three and
+/// a half times its last change: beside the leading term one with another factor h^{1/2} and no larger a coefficient, or
+/// h^{3/4} and twice the coefficient, from eight elements on.
+const CHANGES: f64 = 3.5;
 /// Standard errors that count as scatter: few levels are left over, and the 97.5 % quantile of Student's t
 /// with four is 2.8.
 const SCATTER: f64 = 3.0;
@@ -136,7 +145,7 @@ impl ConvergenceOrder {
 
     /// As [`ConvergenceOrder::of`] for distances to a solution of mesh size `reference`.
     pub fn against(points: &[(f64, f64)], reference: Option<f64>) -> Option<Self> {
-        let one = one_power(points)?;
+        let one = one_power(points).filter(|_| points.len() > WINDOW)?;
         let two = beside(points, ErrorModel::PowerAndSmooth, reference);
         let mut three = beside(points, ErrorModel::PowerAndSeries, reference);
         if let Some(three) = &mut three {
@@ -166,19 +175,59 @@ impl ConvergenceOrder {
         Some(Self { order: best.order, uncertainty, model: best.model, regime: best.regime })
     }
 
-    /// One power and nothing beside it, as the consistency term is; its uncertainty from the two halves and
-    /// the scatter.
+    /// One power and nothing beside it, as the consistency term is, over the finer half of the levels; its uncertainty
+    /// from the two halves and the scatter. `None` for fewer than three levels or a value that is not positive.
     pub fn of_power(points: &[(f64, f64)]) -> Option<Self> {
         let Candidate { order, drift, scatter, model, regime, .. } = one_power(points)?;
         Some(Self { order, uncertainty: drift.max(SCATTER * scatter), model, regime })
     }
+
+    /// The order between the last two of the levels (h, e), coarsest first, for values that are known with an error.
+    ///
+    /// Its uncertainty is 3.5 times its change from the pair before, plus what the errors of the values leave; of the
+    /// first order nothing else is known, and its uncertainty is the order itself. `None` for fewer than two levels,
+    /// mesh sizes that do not decrease and values that are not positive.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Estimate, Work};
+    /// use signorini::rates::ConvergenceOrder;
+    /// let level = |h: f64| Estimate::new(h * h + h.powi(3), 1e-12, Work::default()).map(|norm| (h, norm));
+    /// let levels = [level(0.125)?, level(0.0625)?, level(0.03125)?];
+    /// let found = ConvergenceOrder::of_last(&levels).ok_or("too few levels")?;
+    /// assert!((found.order - 2.0).abs() <= found.uncertainty);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_last(points: &[(f64, Estimate)]) -> Option<Self> {
+        let [.., coarse, fine] = points else { return None };
+        let values: Vec<(f64, f64)> = points.iter().map(|(h, e)| (*h, e.value)).collect();
+        if !is_positive(&values) || values.windows(2).any(|pair| pair[0].0 <= pair[1].0) {
+            return None;
+        }
+        let mut orders = values.windows(2).rev().map(|pair| order_between(pair[0], pair[1]));
+        let order = orders.next()?;
+        let change = orders.next().map_or(order.abs(), |before| CHANGES * (order - before).abs());
+        let noise = (coarse.1.relative_error() + fine.1.relative_error()) / LN_2 / (coarse.0 / fine.0).log2();
+        let uncertainty = change + noise;
+        Some(Self { order, uncertainty, model: ErrorModel::Power, regime: (coarse.0, fine.0) })
+    }
+}
+
+/// The order p of e ~ h^p between two points (h, e): ln(e/e') / ln(h/h'), without an uncertainty. Not a number, or
+/// infinite, where an error vanishes.
+///
+/// ```
+/// use signorini::rates::order_between;
+/// assert_eq!(order_between((0.5, 3.0), (0.25, 0.75)), 2.0);
+/// ```
+pub fn order_between(coarse: (f64, f64), fine: (f64, f64)) -> f64 {
+    (coarse.1 / fine.1).log2() / (coarse.0 / fine.0).log2()
 }
 
 fn one_power(points: &[(f64, f64)]) -> Option<Candidate> {
-    if points.len() <= WINDOW || !is_positive(points) {
+    if points.len() < FEWEST || !is_positive(points) {
         return None;
     }
-    let half = &points[(points.len() / 2).min(points.len() - WINDOW)..];
+    let half = &points[(points.len() / 2).min(points.len().saturating_sub(WINDOW))..];
     let Line { slope: order, error: scatter, .. } = Line::through_logarithms(half);
     let (first, second) = half.split_at(half.len() / 2);
     let slope = |part: &[(f64, f64)]| Line::through_logarithms(part).slope;
@@ -338,5 +387,44 @@ mod tests {
             let read = ConvergenceOrder::of_power(&points).unwrap();
             assert!((read.order - p).abs() <= read.uncertainty, "{p} {alternation}: {read}");
         }
+    }
+
+    #[test]
+    fn the_rate_of_a_slow_sequence_is_not_claimed_to_be_better_known_than_it_is() {
+        use fractional_sobolev::Work;
+        let cases =
+            [0.5, 0.75, 1.0, 2.0].into_iter().flat_map(|c| [0.5, 0.75, 1.0, 2.0].map(|tail| (c, tail)));
+        // 2 h^{1/2} falls by less than assumed at N = 8.
+        for (c, tail) in cases.filter(|&case| case != (2.0, 0.5)) {
+            let error = |n: usize| {
+                let h = 1.0 / n as f64;
+                (h, Estimate::new(h.powf(0.7) * (1.0 + c * h.powf(tail)), 0.0, Work::default()).unwrap())
+            };
+            for n in [8, 64, 512] {
+                let rate = ConvergenceOrder::of_last(&[error(n), error(2 * n), error(4 * n)]).unwrap();
+                assert!((rate.order - 0.7).abs() <= rate.uncertainty, "{c} h^{tail} N {n}: {rate}");
+            }
+            assert!(ConvergenceOrder::of_last(&[error(8), error(8), error(16)]).is_none());
+            let first = ConvergenceOrder::of_last(&[error(8), error(16)]).unwrap();
+            assert!(first.uncertainty >= first.order, "{first:?}");
+            assert!(ConvergenceOrder::of_last(&[error(8)]).is_none());
+        }
+    }
+
+    #[test]
+    fn the_order_of_three_or_four_levels_lies_within_its_uncertainty() {
+        // c h^q falls by two ninths or more from pair to pair: q >= 0.37.
+        for (c, tail) in [(0.2, 0.5), (0.5, 0.75), (1.0, 1.0), (-0.3, 1.0), (2.0, 2.0)] {
+            for count in [3, 4] {
+                let points: Vec<(f64, f64)> = (3..3 + count)
+                    .map(|k| 0.5f64.powi(k))
+                    .map(|h| (h, h.powf(0.7) * (1.0 + c * h.powf(tail))))
+                    .collect();
+                let read = ConvergenceOrder::of_power(&points).unwrap();
+                assert!((read.order - 0.7).abs() <= read.uncertainty, "{c} h^{tail}, {count} levels: {read}");
+                assert!(ConvergenceOrder::of(&points).is_none());
+            }
+        }
+        assert!(ConvergenceOrder::of_power(&[(0.5, 1.0), (0.25, 1.0), (0.125, 0.0)]).is_none());
     }
 }

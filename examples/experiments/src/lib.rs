@@ -10,7 +10,6 @@ pub mod hard_cases;
 pub mod induction;
 pub mod interpolation;
 mod known_levels;
-mod line;
 pub mod location;
 mod parallel;
 pub mod proof;

@@ -7,6 +7,7 @@ use super::level_loop::Level;
 use super::strip_case::StripCase;
 use super::strip_levels::strip_levels;
 use fractional_sobolev::{Estimate, Work};
+use signorini::rates::order_between;
 use signorini::scenes::StripScene;
 use signorini::strip::{EdgeData, StripProblem};
 use signorini::{Error, Result, ToolkitError};
@@ -104,7 +105,8 @@ impl CaseStudy {
     /// one, worst KKT figure, seconds, seconds for the error. What does not exist is NaN.
     pub fn rows(&self) -> Vec<[f64; 11]> {
         let order = |i: usize| {
-            let order = i.checked_sub(1).map(|k| (self.errors[k].value / self.errors[i].value).log2());
+            let point = |k: usize| (1.0 / self.studies[0][k].facts.cells as f64, self.errors[k].value);
+            let order = i.checked_sub(1).map(|k| order_between(point(k), point(i)));
             order.filter(|order| order.is_finite()).unwrap_or(f64::NAN)
         };
         let row = |(i, level): (usize, &Level)| {

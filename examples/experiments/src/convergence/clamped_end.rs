@@ -8,11 +8,11 @@
 //! and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same
 //! length over the last four decades before ℓ/4: largest relative deviation, one common factor.
 
-use crate::line::Line;
 use signorini::Result;
 use signorini::cone::{Cone, ContactSet, KktResiduals};
 use signorini::contact::{self, ContactSolution, Settings, Solver};
 use signorini::edge::{RadialInterval, radial_intervals};
+use signorini::rates::ConvergenceOrder;
 use signorini::scenes::ClampedEnd;
 use signorini::singular::ContactZone;
 
@@ -138,8 +138,10 @@ fn power(pressure: &[(f64, f64)], zone: &RadialInterval) -> Option<f64> {
         return None;
     }
     let inner = |r: f64| 100.0 * zone.from <= r && r <= 1e-8 * zone.to;
-    let points: Vec<(f64, f64)> = pressure.iter().copied().filter(|&(r, p)| inner(r) && p > 0.0).collect();
-    (points.len() > 2).then(|| Line::through_logarithms(&points).slope)
+    // Nearest to the end last: there the power is read.
+    let points: Vec<(f64, f64)> =
+        pressure.iter().rev().copied().filter(|&(r, p)| inner(r) && p > 0.0).collect();
+    ConvergenceOrder::of_power(&points).map(|found| found.order)
 }
 
 fn shape(pressure: &[(f64, f64)], zone: &ContactZone, length: f64) -> Option<f64> {

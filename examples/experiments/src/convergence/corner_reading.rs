@@ -19,6 +19,7 @@ use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::edge::radial_intervals;
 use signorini::fem::{Form, gradients, stresses};
 use signorini::mesh::{Hierarchy, Point, Triangulation};
+use signorini::rates::order_between;
 use signorini::scenes::{BodyCorner, MeshScene, Setting};
 use signorini::{Error, Result, ToolkitError};
 use std::f64::consts::PI;
@@ -103,7 +104,7 @@ impl Read {
         let problem = scene.on_with(mesh, setting)?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
         let energies = shells(&problem, &solution, place)?;
-        let p = |k: usize| 0.25 * (energies[k] / energies[k + 2]).log2();
+        let p = |k: usize| 0.5 * order_between((4.0, energies[k]), (1.0, energies[k + 2]));
         let [a, b, d, c] = [READ - 2 * APART, READ - APART, READ - 1, READ].map(p);
         let is_finite = [a, b, c, d].iter().all(|p| p.is_finite());
         if !is_finite || !solution.status.is_converged() {

@@ -1,28 +1,13 @@
-//! The exponent of a quantity that alternates about a power of h: errors of one transition, at another place
-//! of its cell on every level.
-//!
-//! The regression line of ln q against ln h over the finer half of the levels (at least three). Its
-//! uncertainty is the larger of three standard errors (the alternation as scatter) and twice the largest
-//! change when a level is left out at either end (a series that has not settled). [`signorini::rates::ConvergenceOrder`] asks more:
-//! it is for series without alternation, or averaged over it.
+//! A quantity that alternates about a power of h: errors of one transition, at another place of its cell on every
+//! level. Its order by [`ConvergenceOrder::of_power`], and how far the series departs from that power.
 
-use crate::line::Line;
-
-/// Fewest levels that show a trend.
-const FEWEST: usize = 3;
-/// Standard errors that count as scatter: the 97.5 % quantile of Student's t with four degrees of freedom is
-/// 2.8.
-const SCATTER: f64 = 3.0;
-/// What one level left out changes, two may change twice.
-const WINDOWS: f64 = 2.0;
+use signorini::rates::ConvergenceOrder;
 
 /// q = C h^p on the finer levels, up to an alternation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trend {
-    /// p.
-    pub exponent: f64,
-    /// What p may be off by.
-    pub uncertainty: f64,
+    /// p, over the finer half of the levels.
+    pub order: ConvergenceOrder,
     /// The factor by which the line rises from its coarsest to its finest level; below one where it falls.
     pub rise: f64,
     /// The largest factor between the series and the line, either way.
@@ -45,27 +30,17 @@ impl Trend {
 
     /// Of the pairs (h, q), coarsest first; `None` for fewer than three, or where q is not positive.
     pub fn of(points: &[(f64, f64)]) -> Option<Self> {
-        let is_positive = points.iter().all(|&(h, q)| h > 0.0 && q > 0.0 && q.is_finite());
-        if points.len() < FEWEST || !is_positive {
-            return None;
-        }
-        let finer = &points[(points.len() / 2).min(points.len() - FEWEST)..];
-        let count = finer.len();
-        let line = Line::through_logarithms(finer);
-        let mut uncertainty = SCATTER * line.error;
-        if count > FEWEST {
-            for part in [&finer[1..], &finer[..count - 1]] {
-                let change = Line::through_logarithms(part).slope - line.slope;
-                uncertainty = uncertainty.max(WINDOWS * change.abs());
-            }
-        }
-        let departure = |&(h, q): &(f64, f64)| (q.ln() - line.intercept - line.slope * h.ln()).abs();
+        let order = ConvergenceOrder::of_power(points)?;
+        let finer: Vec<(f64, f64)> =
+            points.iter().copied().filter(|point| point.0 <= order.regime.0).collect();
+        // What is left of ln q without the power, about its mean: the residual of the regression line.
+        let rest: Vec<f64> = finer.iter().map(|(h, q)| q.ln() - order.order * h.ln()).collect();
+        let mean = rest.iter().sum::<f64>() / rest.len() as f64;
         Some(Self {
-            exponent: line.slope,
-            uncertainty,
-            rise: (finer[count - 1].0 / finer[0].0).powf(line.slope),
-            alternation: finer.iter().map(departure).fold(0.0, f64::max).exp(),
-            levels: count,
+            order,
+            rise: (order.regime.1 / order.regime.0).powf(order.order),
+            alternation: rest.iter().map(|r| (r - mean).abs()).fold(0.0, f64::max).exp(),
+            levels: finer.len(),
         })
     }
 }
@@ -85,11 +60,14 @@ mod tests {
     fn the_exponent_lies_within_its_uncertainty() {
         for exponent in [-0.1, 0.0, 0.75] {
             let exact = Trend::of(&series(exponent, 0.0)).unwrap();
-            assert!((exact.exponent - exponent).abs() < 1e-13 && exact.uncertainty < 1e-12, "{exact:?}");
+            assert!(
+                (exact.order.order - exponent).abs() < 1e-13 && exact.order.uncertainty < 1e-12,
+                "{exact:?}"
+            );
             assert!((exact.rise - 32f64.powf(-exponent)).abs() < 1e-11 && exact.alternation < 1.0 + 1e-12);
             for alternation in [0.03, 0.1] {
                 let trend = Trend::of(&series(exponent, alternation)).unwrap();
-                assert!((trend.exponent - exponent).abs() < trend.uncertainty, "{trend:?}");
+                assert!((trend.order.order - exponent).abs() < trend.order.uncertainty, "{trend:?}");
                 assert!(trend.alternation < 1.0 + 3.0 * alternation);
             }
         }
@@ -99,6 +77,6 @@ mod tests {
     fn too_little_shows_no_trend() {
         assert!(Trend::of(&series(1.0, 0.0)[..2]).is_none());
         assert!(Trend::of(&[(0.5, 1.0), (0.25, 0.0), (0.125, 1.0)]).is_none());
-        assert_eq!(Trend::of(&series(1.0, 0.0)[..5]).unwrap().levels, 3);
+        assert_eq!(Trend::of(&series(1.0, 0.0)[..5]).unwrap().levels, 4);
     }
 }

@@ -5,6 +5,7 @@ use fractional_sobolev::Order;
 use fractional_sobolev::interpolation::{ErrorNorm, element_constant};
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
+use signorini::rates::ConvergenceOrder;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Rounding of the closed forms.
@@ -138,7 +139,8 @@ pub fn all_waves_mean(k: usize, p: f64) -> Result<Estimate> {
 /// The exponent of h = 2^{-k} by which [`all_waves_mean`] falls between the levels k and 2k; it nears 3/2
 /// like p/k.
 ///
-/// Its error is three times the change from the exponent between k/2 and k.
+/// Its error is that of [`ConvergenceOrder::of_last`]: 3.5 times the change from the exponent between k/2 and k, and
+/// what the errors of the means leave.
 ///
 /// # Errors
 /// As [`all_waves_mean`], for the level 2k.
@@ -148,10 +150,11 @@ pub fn all_waves_rate(k: usize, p: f64) -> Result<Estimate> {
     }
     let [first, middle, last] = [k / 2, k, 2 * k].map(|level| all_waves_mean(level, p));
     let (first, middle, last) = (first?, middle?, last?);
-    let rate =
-        |coarse: Estimate, fine: Estimate, levels: usize| (coarse.value / fine.value).log2() / levels as f64;
-    let (before, value) = (rate(first, middle, k - k / 2), rate(middle, last, k));
-    Estimate::new(value, 3.0 * (value - before).abs(), first.work + middle.work + last.work)
+    let level = |k: usize, mean: Estimate| (0.5f64.powi(k as i32), mean);
+    let points = [level(k / 2, first), level(k, middle), level(2 * k, last)];
+    let none = Error::CountOutOfRange { name: "level k", value: k, range: "2 ..= 300" };
+    let found = ConvergenceOrder::of_last(&points).ok_or(none)?;
+    Estimate::new(found.order, found.uncertainty, first.work + middle.work + last.work)
 }
 
 /// Si(x) = ∫₀^x sin t / t dt for x ≥ 2.

@@ -23,7 +23,6 @@ pub use error::{InterpolationError, power_slope};
 pub use mesh_ratios::MeshRatios;
 pub use projection_rates::{DualRates, ProjectionRates, ProjectionStudy, sample_projection_rate};
 pub use projection_sample::{sample_projection_dual_error, sample_projection_error};
-pub use rate::{observed_rate, observed_rates};
 pub use rearranged::rearranged_shares;
 pub use rough::{RoughFamily, RoughSlopes};
 pub use sample::SampleSlope;

@@ -2,13 +2,14 @@
 
 use super::dual_norm::DualNorm;
 use super::projection_sample::{projection_dual_error, sample_projection_error};
-use super::rate::observed_rate;
+use super::rate::last_order;
 use super::sample::SampleSlope;
 use super::supremum::{SupremumRate, supremum_rate, wave_constant};
 use fractional_sobolev::Mesh;
 use fractional_sobolev::Result;
 use fractional_sobolev::interpolation::{ProjectionNorm, dual_projection_constant, projection_constant};
 use fractional_sobolev::{Estimate, Tolerance};
+use signorini::rates::order_between;
 
 /// Elements of the meshes for one function: the rate is that between the last two. In L² a mesh costs O(N).
 pub(super) const MESHES: [usize; 3] = [1 << 8, 1 << 12, 1 << 16];
@@ -92,9 +93,10 @@ impl DualRates {
         };
         let meshes = [0, 1, 2].map(|k| self.elements[k]);
         let [coarse, middle, fine] = [error(0, CELLS)?, error(1, CELLS)?, error(2, CELLS)?];
-        let rate = observed_rate([(meshes[0], coarse), (meshes[1], middle), (meshes[2], fine)])?;
-        let before = (coarse.value / middle.value).log2();
-        let more_cells = (error(1, 2 * CELLS)?.value / error(2, 2 * CELLS)?.value).log2();
+        let rate = last_order([(meshes[0], coarse), (meshes[1], middle), (meshes[2], fine)])?;
+        let halved = |coarse: Estimate, fine: Estimate| order_between((1.0, coarse.value), (0.5, fine.value));
+        let before = halved(coarse, middle);
+        let more_cells = halved(error(1, 2 * CELLS)?, error(2, 2 * CELLS)?);
         Estimate::new(rate.value, rate.error + 2.0 * (more_cells - before).abs(), rate.work)
     }
 }
@@ -155,5 +157,5 @@ impl ProjectionStudy {
 /// As [`sample_projection_error`].
 pub fn sample_projection_rate(phi: SampleSlope) -> Result<Estimate> {
     let on = |n: usize| -> Result<_> { Ok((n, sample_projection_error(phi, &Mesh::uniform(n, 1.0)?)?)) };
-    observed_rate([on(MESHES[0])?, on(MESHES[1])?, on(MESHES[2])?])
+    last_order([on(MESHES[0])?, on(MESHES[1])?, on(MESHES[2])?])
 }

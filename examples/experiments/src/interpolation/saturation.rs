@@ -2,7 +2,7 @@
 
 use super::projection_rates::MESHES;
 use super::projection_sample::sample_projection_error;
-use super::rate::observed_rate;
+use super::rate::last_order;
 use super::{error::InterpolationError, sample::SampleSlope};
 use fractional_sobolev::Estimate;
 use fractional_sobolev::{Error, Result};
@@ -38,7 +38,7 @@ pub fn saturation_quotient(a: f64, elements: usize) -> Result<Estimate> {
 /// As [`saturation_quotient`].
 pub fn power_lagrange_rate(a: f64) -> Result<Estimate> {
     let on = |n: usize| -> Result<_> { Ok((n, power_lagrange_error(a, n)?)) };
-    observed_rate([on(MESHES[0])?, on(MESHES[1])?, on(MESHES[2])?])
+    last_order([on(MESHES[0])?, on(MESHES[1])?, on(MESHES[2])?])
 }
 
 /// ‖φ − I^h φ‖₀ for φ = x^a on N equal elements of (0, 1).

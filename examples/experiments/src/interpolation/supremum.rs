@@ -5,6 +5,7 @@ use fractional_sobolev::interpolation::ProjectionNorm;
 use fractional_sobolev::interpolation::projection_norm_on_cells;
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Work};
+use signorini::rates::order_between;
 use std::f64::consts::PI;
 
 /// The rate of S(N), from four meshes.
@@ -120,7 +121,7 @@ fn fit(norms: [f64; 4], half: f64) -> Fit {
         scale *= 2f64.powf(2.0 * half);
         square
     });
-    let observed = (norms[2] / norms[3]).log2();
+    let observed = order_between((1.0, norms[2]), (0.5, norms[3]));
     let exponent = |y: &[f64]| {
         let (first, second) = (y[1] - y[0], y[2] - y[1]);
         if first <= GROWTH * y[1] || second <= 0.0 { observed } else { 0.5 * (second / first).log2() + half }

@@ -16,10 +16,10 @@
 //! ‖u_N − π^h u_N‖_{L^∞} ≤ h^{1/2} ‖u_N'‖₀/√3, ‖u_N'‖₀ ≤ γ_r h^ν |u_N'|_ν.
 
 use super::balance::{ElementBalance, WorstPair};
-use super::exponent::Exponent;
-use signorini::Result;
 use signorini::cone::Cone;
 use signorini::proof::ThetaRule;
+use signorini::rates::ConvergenceOrder;
+use signorini::{Error, Result, ToolkitError};
 
 /// Bounds and worst cases of one element length.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,15 +141,15 @@ impl ElementBalance {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BalanceExponents {
     /// Of the larger bound at the printed θ.
-    pub printed: Exponent,
+    pub printed: ConvergenceOrder,
     /// Of the bounds where they cross.
-    pub crossing: Exponent,
+    pub crossing: ConvergenceOrder,
     /// Of the sharpened bounds where they cross.
-    pub sharpened: Exponent,
+    pub sharpened: ConvergenceOrder,
     /// Of the worst pair.
-    pub worst: Exponent,
+    pub worst: ConvergenceOrder,
     /// Of the largest bound with θ_T = r, nodal and midpoint cone.
-    pub own: [Exponent; 2],
+    pub own: [ConvergenceOrder; 2],
 }
 
 impl BalanceExponents {
@@ -158,8 +158,10 @@ impl BalanceExponents {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) with fewer than three lengths.
     pub fn fit(rows: &[BalanceRow]) -> Result<Self> {
+        let few = ToolkitError::CountOutOfRange { name: "lengths", value: rows.len(), range: "[3, inf)" };
         let fit = |value: &dyn Fn(&BalanceRow) -> f64| {
-            Exponent::fit(&rows.iter().map(|r| (r.h, value(r))).collect::<Vec<_>>())
+            let points: Vec<(f64, f64)> = rows.iter().map(|r| (r.h, value(r))).collect();
+            ConvergenceOrder::of_power(&points).ok_or_else(|| Error::Toolkit(few.clone()))
         };
         Ok(Self {
             printed: fit(&|r| r.printed[1])?,

@@ -23,11 +23,11 @@
 //! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete
 //! solution for the forces A g that hold the exact edge: no contact problem. Cost as for [`super::falk_terms`].
 
-use super::exponent::Exponent;
 use crate::convergence::{Level, StripCase, StripLevels, StripSolution, solve_levels};
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::edge::consistency_terms;
+use signorini::rates::ConvergenceOrder;
 use signorini::scenes::StripScene;
 use signorini::strip::{Sides, StripProblem};
 use std::f64::consts::LN_2;
@@ -105,7 +105,7 @@ impl CostStudy {
 
     /// The order of the consistency term over h^{2τ−2}, τ at most 2, and its uncertainty.
     pub fn order(&self) -> Option<(f64, f64)> {
-        term_order(&self.rows, self.tau.min(2.0)).map(|found| (found.value, found.uncertainty))
+        term_order(&self.rows, self.tau.min(2.0)).map(|found| (found.order, found.uncertainty))
     }
 
     /// How far the order is from the theory, and its uncertainty.
@@ -122,10 +122,10 @@ impl CostStudy {
 
 /// The order in h of the consistency term over h^{2τ−2}, over the meshes on which it is positive, three at
 /// least.
-fn term_order(rows: &[CostRow], tau: f64) -> Option<Exponent> {
+fn term_order(rows: &[CostRow], tau: f64) -> Option<ConvergenceOrder> {
     let points = rows.iter().map(|row| (1.0 / row.n as f64, row.scaled_term(tau)));
     let points: Vec<(f64, f64)> = points.filter(|point| point.1 > 0.0).collect();
-    Exponent::fit(&points).ok()
+    ConvergenceOrder::of_power(&points)
 }
 
 /// The order of the term over h^{2τ−2}, τ at most 2; `None` for samples and for transitions with 2 < τ < 5/2,

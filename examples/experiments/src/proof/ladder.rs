@@ -1,11 +1,11 @@
 //! The ladder from the consistency term to the final bound, and exponents with their uncertainty.
 
-use super::exponent::Exponent;
 use super::inequality_profile::InequalityProfile;
 use super::profile::{LevelProfile, ProofProfile};
 use signorini::proof::Inequality;
 use signorini::proof::printed_exponent;
 use signorini::proof::{Step, TwoLaws};
+use signorini::rates::ConvergenceOrder;
 use signorini::{Error, Result, ToolkitError};
 
 /// A rung over all meshes.
@@ -16,11 +16,11 @@ pub struct Rung {
     /// Value on the finest mesh.
     pub finest: TwoLaws,
     /// Exponent of the value.
-    pub exponent: Exponent,
+    pub exponent: ConvergenceOrder,
     /// What the step takes from the exponent; none for the first rung.
-    pub loss: Option<Exponent>,
+    pub loss: Option<ConvergenceOrder>,
     /// Exponent with the law that holds.
-    pub corrected: Exponent,
+    pub corrected: ConvergenceOrder,
 }
 
 /// A line of the proof over all meshes.
@@ -37,7 +37,7 @@ pub struct LineProfile {
     /// h and right/left of the sums over the segments, coarsest mesh first.
     pub slacks: Vec<(f64, f64)>,
     /// Exponent of that slack in h, with three meshes at least.
-    pub exponent: Option<Exponent>,
+    pub exponent: Option<ConvergenceOrder>,
 }
 
 impl ProofProfile {
@@ -49,12 +49,14 @@ impl ProofProfile {
         // Exponents and losses from the same meshes, so that the losses add up.
         let positive = |level: &&LevelProfile| Step::ALL.iter().all(|&step| level.rung(step).printed > 0.0);
         let levels: Vec<&LevelProfile> = self.levels.iter().filter(positive).collect();
-        let Some(finest) = levels.last().filter(|_| levels.len() > 2) else {
+        let few = || {
             let (name, value) = ("meshes with a positive consistency term", levels.len());
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[3, inf)" }));
+            Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[3, inf)" })
         };
+        let finest = levels.last().ok_or_else(few)?;
         let fit = |value: &dyn Fn(&LevelProfile) -> f64| {
-            Exponent::fit(&levels.iter().map(|l| (l.h(), value(l))).collect::<Vec<_>>())
+            let points: Vec<(f64, f64)> = levels.iter().map(|l| (l.h(), value(l))).collect();
+            ConvergenceOrder::of_power(&points).ok_or_else(few)
         };
         let rung = |step: Step, before: Option<Step>| -> Result<Rung> {
             let loss = |before: Step| fit(&|l| l.rung(before).printed / l.rung(step).printed);
@@ -113,7 +115,7 @@ impl ProofProfile {
             count: found.iter().map(|(_, i)| i.count).sum(),
             violations: found.iter().map(|(_, i)| i.violations).sum(),
             sharpest: found.iter().fold(0.0, |m: f64, (_, i)| m.max(i.sharpest)),
-            exponent: Exponent::fit(&slacks).ok(),
+            exponent: ConvergenceOrder::of_power(&positive(&slacks)),
             slacks,
         }
     }
@@ -123,4 +125,9 @@ impl ProofProfile {
     pub fn printed_exponent(&self) -> f64 {
         printed_exponent(self.case.tau)
     }
+}
+
+/// The points (h, value) with a positive value.
+fn positive(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    points.iter().copied().filter(|point| point.1 > 0.0).collect()
 }

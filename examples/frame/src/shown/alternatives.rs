@@ -2,9 +2,9 @@
 
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Column, Format, Result, Table};
-use experiments::convergence::observed_orders;
 use experiments::proof::{AlternativeRow, AlternativeStudy};
 use signorini::proof::{Alternative, Classification};
+use signorini::rates::order_between;
 use signorini::scenes::Scene;
 
 /// Points of a trace that are drawn.
@@ -32,11 +32,13 @@ pub fn table(study: &AlternativeStudy) -> Result<Table> {
         Column::new("term_both", "term, both", share, ""),
         Column::new("order", "order", Format::Fixed(2), "observed order of the whole term in h"),
     ];
-    let sizes: Vec<f64> = study.rows.iter().map(|r| 1.0 / r.n as f64).collect();
-    let totals: Vec<f64> = study.rows.iter().map(|r| r.classification.total()).collect();
     let mut table = Table::new(columns);
-    for (row, order) in study.rows.iter().zip(observed_orders(&sizes, &totals)?) {
+    let mut before = None;
+    for row in &study.rows {
         let found = &row.classification;
+        let point = (1.0 / row.n as f64, found.total());
+        let order = before.replace(point).map(|coarse| order_between(coarse, point));
+        let order = order.filter(|order| order.is_finite());
         let counts = [Alternative::First, Alternative::Second, Alternative::Both, Alternative::Neither]
             .map(|case| found.count(case) as f64);
         let terms = CASES.map(|(case, ..)| found.term(case));

@@ -2,8 +2,9 @@
 
 use crate::figures::{Axis, Chart, Series};
 use crate::{Column, Format, Headline, Output, Result, Table};
-use experiments::proof::{Exponent, LineProfile, ProofProfile, Rung};
+use experiments::proof::{LineProfile, ProofProfile, Rung};
 use signorini::proof::{Inequality, Section, Step};
+use signorini::rates::ConvergenceOrder;
 
 /// Lines drawn in the chart of slacks.
 const DRAWN: usize = 6;
@@ -58,7 +59,12 @@ pub fn ladder_table(section: Section, rungs: &[Rung]) -> Table {
             Format::Scientific(2),
             "bound of the consistency term on the finest mesh",
         ),
-        Column::new("exponent", "exponent", three, "slope of the bound in h over all meshes"),
+        Column::new(
+            "exponent",
+            "exponent",
+            three,
+            "slope of the bound in h over the finer half of the meshes",
+        ),
         Column::new("loss", "loss", three, "what the step takes from the exponent"),
         Column::new("uncertainty", "+-", three, "of the loss: scatter, or curvature over the meshes"),
         Column::new(
@@ -76,10 +82,10 @@ pub fn ladder_table(section: Section, rungs: &[Rung]) -> Table {
             name(rung.step).into(),
             lines(section, rung.step).into(),
             rung.finest.printed.into(),
-            rung.exponent.value.into(),
-            rung.loss.map(|l| l.value).into(),
+            rung.exponent.order.into(),
+            rung.loss.map(|l| l.order).into(),
             rung.loss.map(|l| l.uncertainty).into(),
-            rung.corrected.value.into(),
+            rung.corrected.order.into(),
             rung.finest.corrected.into(),
             rung.exponent.uncertainty.into(),
         ]);
@@ -112,7 +118,7 @@ pub fn line_table(lines: &[LineProfile]) -> Table {
             line.violations.into(),
             line.sharpest.into(),
             line.slacks.last().map(|s| s.1).into(),
-            line.exponent.map(|e| e.value).into(),
+            line.exponent.map(|e| e.order).into(),
             line.exponent.map(|e| e.uncertainty).into(),
         ]);
     }
@@ -128,7 +134,7 @@ pub fn ladder_chart(profile: &ProofProfile, rungs: &[Rung]) -> Chart {
     for rung in rungs {
         let points: Vec<(f64, f64)> =
             profile.levels.iter().map(|l| (l.h(), l.rung(rung.step).printed)).collect();
-        let name = format!("{}: {:.2}", name(rung.step), rung.exponent.value);
+        let name = format!("{}: {:.2}", name(rung.step), rung.exponent.order);
         chart = chart.with(match rung.step {
             Step::Term | Step::WholeEdge => Series::line_and_points(name, points),
             // Where the law of the constant costs nothing its rung lies on the one before: both must be seen.
@@ -145,11 +151,11 @@ pub fn slack_chart(profile: &ProofProfile) -> Chart {
     let y = Axis::logarithmic("right side / left side, sums over the segments");
     let mut chart = Chart::new(title, Axis::logarithmic("h (edge = 1)"), y);
     let with_exponent = |line: LineProfile| line.exponent.map(|exponent| (exponent, line));
-    let mut lines: Vec<(Exponent, LineProfile)> =
+    let mut lines: Vec<(ConvergenceOrder, LineProfile)> =
         profile.lines().into_iter().filter_map(with_exponent).collect();
-    lines.sort_by(|a, b| a.0.value.total_cmp(&b.0.value));
+    lines.sort_by(|a, b| a.0.order.total_cmp(&b.0.order));
     for (exponent, line) in lines.into_iter().take(DRAWN) {
-        let name = format!("{}: h^{:.2}", line.line, exponent.value);
+        let name = format!("{}: h^{:.2}", line.line, exponent.order);
         chart = chart.with(Series::line_and_points(name, line.slacks));
     }
     chart
@@ -176,10 +182,10 @@ pub fn quote(headline: &mut Headline, key: &str, profile: &ProofProfile, rungs: 
     headline.quote(format!("{key}.printed"), profile.printed_exponent());
     for rung in rungs {
         let step = short_name(rung.step);
-        headline.quote(format!("{key}.{step}.exponent"), rung.exponent.value);
-        headline.quote(format!("{key}.{step}.corrected"), rung.corrected.value);
+        headline.quote(format!("{key}.{step}.exponent"), rung.exponent.order);
+        headline.quote(format!("{key}.{step}.corrected"), rung.corrected.order);
         if let Some(loss) = rung.loss {
-            headline.quote(format!("{key}.{step}.loss"), loss.value);
+            headline.quote(format!("{key}.{step}.loss"), loss.order);
             headline.quote(format!("{key}.{step}.uncertainty"), loss.uncertainty);
         }
     }
@@ -191,7 +197,7 @@ pub fn quote(headline: &mut Headline, key: &str, profile: &ProofProfile, rungs: 
             _ => continue,
         };
         if let Some(exponent) = line.exponent {
-            headline.quote_with(&format!("{key}.slack.{name}"), exponent.value, exponent.uncertainty);
+            headline.quote_with(&format!("{key}.slack.{name}"), exponent.order, exponent.uncertainty);
         }
     }
     headline.quote(format!("{key}.checks"), profile.checks() as f64);

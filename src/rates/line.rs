@@ -3,7 +3,7 @@
 /// Slope of the regression line and its standard error; 0 for the latter with two points.
 #[doc(alias("linear regression", "least squares"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Line {
+pub(super) struct Line {
     /// s.
     pub slope: f64,
     /// a.
@@ -14,7 +14,7 @@ pub(crate) struct Line {
 
 impl Line {
     /// Through points (x, y) with at least two different x; otherwise the slope is not a number.
-    pub(crate) fn through(points: &[(f64, f64)]) -> Self {
+    pub(super) fn through(points: &[(f64, f64)]) -> Self {
         let count = points.len() as f64;
         let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / count;
         let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
@@ -26,7 +26,7 @@ impl Line {
     }
 
     /// Through (ln x, ln y): the slope is the exponent of a power law. All coordinates must be positive.
-    pub(crate) fn through_logarithms(points: &[(f64, f64)]) -> Self {
+    pub(super) fn through_logarithms(points: &[(f64, f64)]) -> Self {
         Self::through(&points.iter().map(|(x, y)| (x.ln(), y.ln())).collect::<Vec<_>>())
     }
 }
