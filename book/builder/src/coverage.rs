@@ -2,9 +2,9 @@
 //! example and opens with a picture, and no command on a page names an example, no code type a file, that is
 //! not there.
 
+use crate::chapter::Page;
 use crate::data::names;
 use crate::error::{Fault, Result};
-use crate::page::Page;
 use crate::scan::{Kind, line_at, pieces};
 use std::collections::BTreeSet;
 use std::path::Path;

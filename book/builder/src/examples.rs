@@ -5,7 +5,6 @@
 
 use crate::data::{Data, names, parse_object};
 use crate::error::{Error, Result, read, write};
-use crate::large::Run;
 use serde_json::Value;
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
@@ -83,6 +82,19 @@ fn has_no_clock(outcome: &Value) -> bool {
         Value::Object(entries) => entries.iter().all(|(key, entry)| silent(key) && has_no_clock(entry)),
         _ => true,
     }
+}
+
+/// An example with arguments.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Run {
+    /// Where an example's name would stand.
+    pub name: String,
+    /// The example.
+    pub example: String,
+    /// As on the command line.
+    pub arguments: String,
+    /// Memory and minutes.
+    pub takes: String,
 }
 
 /// Builds the examples and makes one run with arguments of its own; what it computed, under the run's name.

@@ -5,8 +5,8 @@
 //! example computed, so it holds a `{{value: ...}}` or a `{{finding: ...}}`. A page with exercises has two to
 //! four, and asks at least one "why".
 
+use crate::chapter::Page;
 use crate::error::{Error, Fault, Result, read};
-use crate::page::Page;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -1,9 +1,10 @@
 //! From marked pages to HTML: mdBook, then the marks, the math font and the style.
 
+use crate::chapter::Page;
 use crate::data::names;
 use crate::error::{Error, Result, read, write};
 use crate::exercises;
-use crate::page::{Marked, Page};
+use crate::page::Marked;
 use mdbook_driver::MDBook;
 use mdbook_driver::book::BookItem;
 use std::path::{Path, PathBuf};

@@ -2,8 +2,8 @@
 //! silence), and Rust code must stand in a block marked `rust,ignore`, because chapters are documentation
 //! tests.
 
+use crate::chapter::Page;
 use crate::error::Fault;
-use crate::page::Page;
 use std::path::Path;
 
 /// Faults of the lines `{{#include path:anchor}}` of a page; paths are relative to `source`.

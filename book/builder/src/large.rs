@@ -9,25 +9,12 @@
 use crate::Layout;
 use crate::data::Data;
 use crate::error::{Error, Fault, Result, read};
-use crate::examples;
+use crate::examples::{self, Run};
 use serde_json::Value;
 use std::path::Path;
 
 /// The file below the directory of the book.
 pub const FILE: &str = "large.toml";
-
-/// An example with arguments.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Run {
-    /// Where an example's name would stand.
-    pub name: String,
-    /// The example.
-    pub example: String,
-    /// As on the command line.
-    pub arguments: String,
-    /// Memory and minutes.
-    pub takes: String,
-}
 
 /// All runs; none where there is no file.
 ///

@@ -4,8 +4,8 @@
 //! The notation page is read as it stands: a table in each section, its rows begin with symbols and end with
 //! the pages that first use them; the last, of several meanings, with those that mean another.
 
+use crate::chapter::Page;
 use crate::error::Fault;
-use crate::page::Page;
 use crate::scan::{Kind, pieces};
 use std::collections::BTreeSet;
 

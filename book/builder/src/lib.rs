@@ -4,6 +4,7 @@
 //! A chapter is Markdown with formulas between dollars and directives ([`directive`]); nothing computed is
 //! typed by hand. Every fault names file, line and the offending text.
 
+pub mod chapter;
 pub mod code;
 pub mod coverage;
 pub mod data;
@@ -37,6 +38,7 @@ pub mod serve;
 pub mod several;
 pub mod slider;
 pub mod stale;
+mod symbol;
 pub mod tables;
 pub mod typography;
 pub mod verify;

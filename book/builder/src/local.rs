@@ -3,9 +3,9 @@
 //! ("a number $c$"), that stands on the left of a relation ($c = 1$, $0 < c < 1$), or that is bound by a sum,
 //! a supremum or an integral.
 
+use crate::chapter::Page;
 use crate::error::Fault;
 use crate::letters::{NOTATION, tokens};
-use crate::page::Page;
 use crate::scan::{Kind, line_at, pieces};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -8,12 +8,13 @@
 //! - a page under two meanings of one row of that table, or under a letter that its formulas do not use;
 //! - Euler's number as the letter of errors: $e$ with an exponent that is no number.
 
+use crate::chapter::Page;
 use crate::error::Fault;
 use crate::letters::{NOTATION, tokens};
-use crate::local::{behind_index, is_letter, without_values};
-use crate::page::Page;
+use crate::local::{is_letter, without_values};
 use crate::scan::{Kind, Piece, line_at, pieces};
 use crate::several::{row_faults, rows};
+use crate::symbol::{formulas, symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What an apposition before a letter may say: "a number $c$".
@@ -106,13 +107,6 @@ fn known(notation: &Page) -> BTreeMap<String, BTreeSet<String>> {
         }
     }
     known
-}
-
-/// Start and tokens of each formula.
-pub(crate) fn formulas(page: &Page) -> Vec<(usize, Vec<String>)> {
-    let found = pieces(&page.text).unwrap_or_default();
-    let formulas = found.iter().filter(|piece| matches!(piece.kind, Kind::Inline | Kind::Display));
-    formulas.map(|piece| (piece.start, tokens(&without_values(piece.text)))).collect()
 }
 
 /// Definitions that differ.
@@ -246,26 +240,6 @@ fn in_words(before: &str, behind: &str) -> Option<String> {
 fn stems(text: &str) -> BTreeSet<String> {
     let words = text.split(|c: char| !c.is_alphabetic()).filter(|word| word.len() > 3);
     words.map(|word| word.to_lowercase().chars().take(5).collect()).collect()
-}
-
-/// The letter that a formula begins with, its index and whether it has arguments, and where it ends.
-pub(crate) fn symbol(all: &[String]) -> Option<(String, usize)> {
-    let first = usize::from(matches!(all.first()?.as_str(), "\\mathcal" | "\\mathbb"));
-    let is_macro = matches!(all[0].as_str(), "\\uN" | "\\sigN");
-    if !is_macro && !is_letter(all.get(first)?) {
-        return None;
-    }
-    let mut end = behind_index(all, first + 1);
-    if all.get(end).is_some_and(|token| token == "'") {
-        end += 1;
-    }
-    let mut symbol = all[..end].concat().replace(['{', '}'], "");
-    if all.get(end).is_some_and(|token| token == "(") {
-        let close = all[end..].iter().position(|token| token == ")")?;
-        end += close + 1;
-        symbol.push_str("()");
-    }
-    Some((symbol, end))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Pages of the book made ready for mdBook: formulas, numbers, figures and tables replaced by marks that
 //! Markdown leaves alone; after mdBook the marks are replaced by what they stand for.
 
+use crate::chapter::Page;
 use crate::decimal;
 use crate::directive::{self, Meaning, Sources};
 use crate::error::Fault;
@@ -11,21 +12,9 @@ use crate::markup::escape;
 use crate::scan::{Kind, Piece, line_at, pieces};
 use crate::sentence;
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 
 /// Marks are numbers between these two characters of Unicode's private use area.
 const MARK: (char, char) = ('\u{E000}', '\u{E001}');
-
-/// A chapter as written.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Page {
-    /// File, as a reader of the repository names it.
-    pub file: PathBuf,
-    /// Name of the built page, `x.html`.
-    pub html: String,
-    /// Markdown with formulas and directives.
-    pub text: String,
-}
 
 /// What a mark stands for.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 use super::*;
 use crate::data::{Data, parse_object};
 use std::path::Path;
+use std::path::PathBuf;
 
 fn page(name: &str, text: &str) -> Page {
     Page { file: PathBuf::from(format!("{name}.md")), html: format!("{name}.html"), text: text.to_owned() }

@@ -2,9 +2,9 @@
 //! folded is opened; where a Chromium is installed it becomes a PDF. Numbers of pages in the contents are read
 //! off a first print and put into a second one.
 
+use crate::chapter::Page;
 use crate::error::{Error, Result, read, write};
 use crate::markup::escape;
-use crate::page::Page;
 use crate::pdf;
 use crate::search::sections;
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! The index for looking up words without a server: every section of every page with its text, as a script
 //! that the pages load when a reader looks for something (`book/style/search.js`).
 
+use crate::chapter::Page;
 use crate::markup::{Tag, tags};
-use crate::page::Page;
 use serde_json::json;
 use std::path::Path;
 

@@ -1,11 +1,11 @@
 //! The last table of the notation page: letters with several meanings, and the pages of each. No page may stand
 //! under two meanings of a letter, or under a letter that its formulas do not use.
 
+use crate::chapter::Page;
 use crate::error::Fault;
 use crate::letters::tokens;
-use crate::meanings::{formulas, symbol};
-use crate::page::Page;
 use crate::scan::line_at;
+use crate::symbol::{formulas, symbol};
 use std::collections::BTreeSet;
 
 /// The section of the notation page of letters with several meanings.

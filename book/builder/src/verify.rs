@@ -1,10 +1,10 @@
 //! The built pages, looked at as a browser would: every link and every anchor leads somewhere, nothing is
 //! fetched from elsewhere, every formula is well-formed.
 
+use crate::chapter::Page;
 use crate::data::names;
 use crate::error::{Fault, Result, read};
 use crate::markup::{tags, well_formed};
-use crate::page::Page;
 use crate::scan::line_at;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -1,87 +1,15 @@
-//! The command line of an example: options for output, exit codes, memory.
+//! The command line of an example: exit codes, memory.
 
-use crate::describe::{Cost, describe};
-use crate::files::{require_writable, write_whole};
+use crate::describe::describe;
+use crate::files::write_whole;
 use crate::memory::physical;
 use crate::progress::SignOfLife;
-use crate::{Error, Headline, Result};
+use crate::{Error, HasOutput, Headline, Result};
 use clap::parser::ValueSource;
-use clap::{Arg, ArgMatches, Args, Command, Parser};
-use signorini::Error as LibraryError;
+use clap::{Arg, ArgMatches, Command, Parser};
 use std::any::TypeId;
 use std::io::Write;
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-
-/// Where the outcome goes.
-#[derive(Debug, Clone, Default, Args)]
-pub struct Output {
-    /// Print one JSON object per row and per finding instead of the table
-    #[arg(long)]
-    pub json: bool,
-    /// Write figures (SVG) into this directory
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Write the whole outcome as one JSON object into this file (read by the book)
-    #[arg(long, value_name = "FILE")]
-    pub values: Option<PathBuf>,
-    /// Print what may be asked of this example as JSON, and compute nothing
-    #[arg(long)]
-    pub describe: bool,
-}
-
-impl Output {
-    /// The directory for figures, created if need be; `None` when no figure was asked for.
-    ///
-    /// # Errors
-    /// [`signorini::Error::File`] when it cannot be created or written.
-    pub fn directory(&self) -> signorini::Result<Option<&Path>> {
-        let Some(directory) = self.out.as_deref() else {
-            return Ok(None);
-        };
-        std::fs::create_dir_all(directory).map_err(|e| LibraryError::file(directory, e))?;
-        require_writable(&directory.join(".signorini-write-probe")).map_err(|error| match error {
-            LibraryError::File { reason, .. } => LibraryError::file(directory, reason),
-            other => other,
-        })?;
-        Ok(Some(directory))
-    }
-
-    /// Finds places that cannot be written before the work, not after it.
-    fn check(&self) -> Result<()> {
-        self.directory()?;
-        Ok(self.values.as_deref().map_or(Ok(()), require_writable)?)
-    }
-}
-
-/// Options of an example that carry an [`Output`].
-pub trait HasOutput {
-    /// The output options.
-    fn output(&self) -> &Output;
-
-    /// Options that have no effect as the others stand: their names, and when that is so.
-    fn without_effect(&self) -> Vec<(&'static str, &'static str)> {
-        Vec::new()
-    }
-
-    /// Finds options that do not go together, before the first computation.
-    ///
-    /// # Errors
-    /// What is wrong with them.
-    fn check(&self) -> Result<()> {
-        Ok(())
-    }
-
-    /// About how many bytes a run takes; 0 where it says so itself, or needs no word.
-    fn memory(&self) -> f64 {
-        0.0
-    }
-
-    /// How long a run takes at default size.
-    fn cost() -> Cost {
-        Cost::default()
-    }
-}
 
 /// Parses the command line, runs the example and prints its headline.
 pub fn main<O: Parser + HasOutput>(run: impl FnOnce(&O) -> Result<Headline>) -> ExitCode {

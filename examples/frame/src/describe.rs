@@ -13,28 +13,6 @@ use fractional_sobolev::{Order, Tolerance};
 use serde_json::{Value, json};
 use std::any::TypeId;
 
-/// How long a run takes at default size on two cores.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Cost {
-    /// Below a second, a third of it for a single value: a slider may move it.
-    Quick,
-    /// Some seconds.
-    #[default]
-    Seconds,
-    /// More than ten seconds.
-    Long,
-}
-
-impl Cost {
-    fn word(self) -> &'static str {
-        match self {
-            Cost::Quick => "quick",
-            Cost::Seconds => "seconds",
-            Cost::Long => "long",
-        }
-    }
-}
-
 /// What a value of an option is.
 #[derive(Debug, Clone, PartialEq)]
 enum Kind {

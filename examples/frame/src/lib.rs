@@ -26,18 +26,19 @@ mod files;
 mod interval;
 mod memory;
 mod outcome;
+mod output;
 pub mod poincare;
 mod progress;
 pub mod rates;
 mod seconds;
 pub mod shown;
 
-pub use command::{HasOutput, Output, announce_memory, main};
-pub use describe::Cost;
+pub use command::{announce_memory, main};
 pub use error::{Error, Result};
 pub use expression::Expression;
 pub use interval::{OnTheLine, increasing, within};
 pub use outcome::{Cell, Column, Finding, Format, Headline, Outcome, Relation, Role, Table, Verdict};
+pub use output::{Cost, HasOutput, Output};
 pub use progress::progress;
 pub use seconds::timed;
 

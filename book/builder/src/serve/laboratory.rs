@@ -1,6 +1,6 @@
 //! What is served: files of the built book, pages that can be computed anew, programs.
 
-use super::Limits;
+use super::limits::Limits;
 use super::run::Outcome;
 use crate::Layout;
 use crate::data::{Data, names};

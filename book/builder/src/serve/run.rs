@@ -1,7 +1,7 @@
 //! One run of an example: its own process and directory, killed when it takes too much or nobody waits for
 //! it.
 
-use super::Limits;
+use super::limits::Limits;
 use crate::data::{names, parse_object};
 use crate::error::read;
 use serde_json::{Map, Value};

@@ -1,11 +1,4 @@
-//! A rigid floor under a straight contact edge: a line, hatched on the side away from the body.
-
-use super::view::View;
-use std::fmt::Write as _;
-
-/// Distance of the strokes of the hatching, and how far they reach along the line and off it.
-const STEP: f64 = 9.0;
-const STROKE: [f64; 2] = [6.0, 8.0];
+//! A rigid floor under a straight contact edge.
 
 /// The line from one end to the other, and its normal, away from the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,31 +18,6 @@ impl Floor {
         let (low, high) = positions.fold((0.0_f64, 0.0_f64), |(low, high), s| (low.min(s), high.max(s)));
         let at = |s: f64| [point[0] + s * along[0], point[1] + s * along[1]];
         Self { ends: [at(low - beyond), at(high + beyond)], normal }
-    }
-
-    /// All of them as one path.
-    pub(super) fn drawn(floors: &[Self], view: &View) -> String {
-        let mut path = String::new();
-        for floor in floors {
-            let [(x0, y0), (x1, y1)] = floor.ends.map(|end| view.place(end));
-            let length = (x1 - x0).hypot(y1 - y0);
-            if length == 0.0 {
-                continue;
-            }
-            let (dx, dy) = ((x1 - x0) / length, (y1 - y0) / length);
-            let (nx, ny) = (floor.normal[0], -floor.normal[1]);
-            let stroke = [nx * STROKE[1] - dx * STROKE[0], ny * STROKE[1] - dy * STROKE[0]];
-            let _ = write!(path, "M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}");
-            for k in 0..=(length / STEP) as usize {
-                let at = k as f64 * STEP;
-                let (x, y) = (x0 + at * dx, y0 + at * dy);
-                let _ = write!(path, "M{x:.1} {y:.1}l{:.1} {:.1}", stroke[0], stroke[1]);
-            }
-        }
-        if path.is_empty() {
-            return path;
-        }
-        format!("<path d=\"{path}\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.7\"/>\n")
     }
 }
 

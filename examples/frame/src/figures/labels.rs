@@ -1,7 +1,8 @@
 //! Names beside the curves, at the right of the plot, each with a line to the end of its curve.
 
 use super::canvas::{Anchor, Canvas, Paint};
-use super::chart::{CHARACTER, Chart, Frame, draw_sample, paint};
+use super::chart::{CHARACTER, Chart, Frame};
+use super::marks::{draw_sample, paint};
 use super::series::Series;
 use crate::Result;
 

@@ -2,8 +2,9 @@
 //! only bands are left for it.
 
 use super::canvas::{Anchor, Canvas, Paint};
-use super::chart::{Bands, CHARACTER, Chart, LEFT, RIGHT, TEXT_SIZE, WIDTH, draw_sample};
+use super::chart::{Bands, CHARACTER, Chart, LEFT, RIGHT, TEXT_SIZE, WIDTH};
 use super::labels::Labels;
+use super::marks::draw_sample;
 use super::series::Series;
 use crate::Result;
 

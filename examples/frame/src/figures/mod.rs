@@ -7,9 +7,11 @@
 mod canvas;
 mod chart;
 mod data;
+mod draw;
 mod floor;
 mod labels;
 mod legend;
+mod marks;
 mod picture;
 mod scale;
 mod series;

@@ -59,7 +59,7 @@ impl BodyPicture<'_> {
             escape(&self.title),
             WIDTH / 2.0,
         );
-        svg.push_str(&Floor::drawn(self.floors, &view));
+        svg.push_str(&view.floors(self.floors));
         self.push_triangles(&mut svg, &view);
         self.push_arrows(&mut svg, &view);
         self.push_colour_bar(&mut svg, height);
