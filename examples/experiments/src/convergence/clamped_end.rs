@@ -141,7 +141,7 @@ fn power(pressure: &[(f64, f64)], zone: &RadialInterval) -> Option<f64> {
     // Nearest to the end last: there the power is read.
     let points: Vec<(f64, f64)> =
         pressure.iter().rev().copied().filter(|&(r, p)| inner(r) && p > 0.0).collect();
-    ConvergenceOrder::of_power(&points).map(|found| found.order)
+    ConvergenceOrder::of_scattered(&points).map(|found| found.order)
 }
 
 fn shape(pressure: &[(f64, f64)], zone: &ContactZone, length: f64) -> Option<f64> {
