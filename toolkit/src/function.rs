@@ -35,6 +35,20 @@ use std::ops::Range;
 /// relative tolerance by the method for its kind of function; a combination without a method is
 /// [`Error::Incompatible`], which names what is possible.
 ///
+/// | kind | orders s | method | cost |
+/// | --- | --- | --- | --- |
+/// | formula | (−1, 1), below 2 with its derivative | rules graded to the breakpoints in logarithmic coordinates | 10⁵ values per pair of one-sided neighbourhoods at 1e-8 |
+/// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
+/// | load | (−1, 0) | supremum over the piecewise linears of the mesh | O(N) per step of an iteration |
+/// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules beside them | O(N log² 1/τ) |
+/// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
+/// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
+/// | values on a curve | (−1, 1) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
+///
+/// The error of an estimate is that of comparing two accuracies, plus rounding; norms that are infinite are found to be
+/// so at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of functions on an
+/// interval take 10⁵ elements in seconds for s ≤ −0.3; for the interpolation spaces of [`DualOf`] in a fraction of a second.
+///
 /// ```
 /// use fractional_sobolev::{Function, Mesh};
 /// let kink = Function::from_fn(&[0.0, 0.5, 1.0], |x| (x - 0.5).abs())?;
@@ -251,9 +265,12 @@ impl<'a> Function<'a> {
     ///
     /// ```
     /// use fractional_sobolev::{Function, Triangles};
-    /// let mesh = Triangles::grid([1, 1], 1.0)?;
-    /// let x = Function::from_plane_positions(&mesh, &[], |at| at.x()[0])?;
-    /// assert!((x.norm(0.0, 1e-8)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-8);
+    /// // r^{-1/4} cos φ on a triangle, in H^s for s < 3/4
+    /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
+    /// let w = Function::from_plane_positions(&triangle, &[(0, -0.25)], |at| {
+    ///     at.radius(0).powf(-0.25) * at.angle(0).cos()
+    /// })?;
+    /// assert!(w.seminorm(0.74, 1e-8).is_ok() && w.seminorm(0.75, 1e-8).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -510,6 +527,13 @@ impl<'a> Function<'a> {
     /// assert!((u.minus(&zero)?.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
     /// assert!(zero.minus(&zero)?.norm(0.5, 1e-8)?.value == 0.0);
     /// assert!(u.minus(&u).is_err());
+    /// // x² and its interpolants: the rate of order 1/2
+    /// let u = Function::from_fn(&[0.0, 1.0], |x| x * x)?;
+    /// let error = |n: usize| {
+    ///     let field = Function::interpolate(&Mesh::uniform(n, 1.0)?, 1, |x| x * x)?;
+    ///     u.minus(&field)?.seminorm(0.5, 1e-6)
+    /// };
+    /// assert!(((error(100)?.value / error(200)?.value).log2() - 1.5).abs() < 0.01);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///

@@ -390,7 +390,8 @@ fn plain_numbers_stand_for_orders_and_tolerances() {
         assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?}: {a} {b}");
     }
     for bad in [
-        u.norm(1.0, 1e-8),
+        u.norm(2.0, 1e-8),
+        u.dual_norm(DualOf::Slobodeckij, 1.0, 1e-8),
         u.norm(0.5, 0.0),
         u.norm(f64::NAN, 1e-8),
         x.dual_norm(DualOf::Interpolation, 0.5, 2.0),

@@ -21,7 +21,7 @@ const MAKES_WAY: f64 = 1e-5;
 /// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(x)).abs() < 1e-9));
 /// // its interpolant nearly has the quotient γ
 /// let u = u.interpolate(3, 1, &[0.01])?;
-/// let quotient = u.l2_norm(asked)?.over(u.seminorm(order, asked)?)?;
+/// let quotient = u.norm(0.0, asked)?.over(u.seminorm(order, asked)?)?;
 /// assert!((quotient.value / gamma.value - 1.0).abs() < 1e-2);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```

@@ -38,7 +38,7 @@ impl FaceGaps {
         let slope = gap.seminorm(order.plus_one(), tolerance)?;
         let pressure = pressure.seminorm(order, tolerance)?;
         // Iu = −1.
-        let [nodal, mean] = [-contact, contact * opening / face.mesh.area()];
+        let [nodal, mean] = [-contact, contact * opening / areas.iter().sum::<f64>()];
         let over = |term: f64| pressure.recip()?.over(slope)?.times(term);
         Ok(Self { radius: 0.5f64.powi(halvings as i32 + 1), nodal: over(nodal)?, mean: over(mean)? })
     }
