@@ -24,7 +24,7 @@ fn dense_and_iterative_solves_agree() {
     let small = Mesh::geometric(298, 0.9, 1.0).unwrap();
     let large = Mesh::geometric(300, 0.9, 1.0).unwrap();
     let dual =
-        |mesh: &Mesh, values: &[f64]| Function::load(&mesh, values).unwrap().norm(-order, 1e-9).unwrap();
+        |mesh: &Mesh, values: &[f64]| Function::load(mesh, values).unwrap().norm(-order, 1e-9).unwrap();
     let dense = dual(&small, &functional(&small));
     // Two more elements of length 1e-14 at the end change nothing that can be seen; the solver changes.
     let mut load = functional(&large);

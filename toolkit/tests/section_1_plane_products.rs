@@ -21,7 +21,7 @@ fn a_product_is_the_derivative_of_the_seminorm() {
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let form = |a: &[f64], b: &[f64]| dot(&operator.apply(a).unwrap(), b);
         let exact = |values: &[f64]| {
-            let w = Function::on_triangles(&Triangles::grid(squares, 0.5).unwrap(), 1, &values).unwrap();
+            let w = Function::on_triangles(&Triangles::grid(squares, 0.5).unwrap(), 1, values).unwrap();
             w.seminorm(order, asked).unwrap().value.powi(2)
         };
         let (vv, ww) = (exact(&v), exact(&w));
