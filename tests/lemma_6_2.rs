@@ -115,7 +115,7 @@ fn samples_and_cells_agree() {
     let mesh = ElementMesh::uniform(5, 4).unwrap();
     let elements = Mesh::uniform(5, 1.0).unwrap();
     let nodes = mesh.cells().nodes();
-    let slope = fractional_sobolev::Function::linears(&mesh.cells(), &nodes).unwrap();
+    let slope = fractional_sobolev::Function::linears(mesh.cells(), &nodes).unwrap();
     let cells = InterpolationError::on_elements(&slope, &mesh, order(0.3), Tolerance::balanced()).unwrap();
     let closed = InterpolationError::of_sample(SampleSlope::Power(1.0), &elements, order(0.3)).unwrap();
     for (a, b) in [
@@ -126,7 +126,7 @@ fn samples_and_cells_agree() {
         let (a, b) = (a.unwrap(), b.unwrap());
         assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
     }
-    let cells = fractional_sobolev::Function::interpolate(&mesh.cells(), 8, |x| {
+    let cells = fractional_sobolev::Function::interpolate(mesh.cells(), 8, |x| {
         (3.0 * std::f64::consts::PI * x).cos()
     })
     .unwrap();

@@ -105,7 +105,7 @@ fn both_estimates_hold_for_given_functions() {
 #[test]
 fn projections_are_means() {
     let mesh = ElementMesh::uniform(8, 4).unwrap();
-    let function = fractional_sobolev::Function::linears(&mesh.cells(), &mesh.cells().nodes()).unwrap();
+    let function = fractional_sobolev::Function::linears(mesh.cells(), &mesh.cells().nodes()).unwrap();
     let projection = mesh.projection(&function).unwrap();
     assert!((projection.value(3, 0.1).unwrap() - 3.5 / 8.0).abs() < 1e-15);
 }
