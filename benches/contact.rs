@@ -4,7 +4,7 @@
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::cone::Cone;
 use signorini::contact::{Settings, Solver, Start};
-use signorini::scenes::MeshScene;
+use signorini::problems::TestProblem;
 use std::hint::black_box;
 
 fn both_solvers(criterion: &mut Criterion) {
@@ -15,7 +15,7 @@ fn both_solvers(criterion: &mut Criterion) {
             for solver in [Solver::ActiveSet, Solver::InteriorPoint] {
                 let name = BenchmarkId::new(format!("{cone} {solver}"), n);
                 group.bench_with_input(name, &n, |bencher, &n| {
-                    bencher.iter(|| black_box(MeshScene::Block.problem(n)?.solve(cone, solver)));
+                    bencher.iter(|| black_box(TestProblem::Block.problem(n)?.solve(cone, solver)));
                 });
             }
         }
@@ -28,11 +28,11 @@ fn cold_and_nested(criterion: &mut Criterion) {
     group.sample_size(10);
     for cone in Cone::ALL {
         let Ok(coarse) =
-            MeshScene::Block.problem(64).and_then(|problem| problem.solve(cone, Solver::ActiveSet))
+            TestProblem::Block.problem(64).and_then(|problem| problem.solve(cone, Solver::ActiveSet))
         else {
             continue;
         };
-        let Ok(fine) = MeshScene::Block.problem(128) else { continue };
+        let Ok(fine) = TestProblem::Block.problem(128) else { continue };
         group.bench_function(format!("{cone} cold"), |bencher| {
             bencher.iter(|| black_box(fine.solve(cone, Solver::ActiveSet)));
         });

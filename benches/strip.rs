@@ -6,13 +6,13 @@
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use signorini::cone::Cone;
 use signorini::fem::Lame;
-use signorini::scenes::StripScene;
+use signorini::problems::StripData;
 use signorini::strip::{Reference, Strip, StripKind, StripProblem};
 use std::hint::black_box;
 
 const REFERENCE: usize = 1 << 18;
 
-fn problem(kind: StripKind, scene: StripScene, tau: f64) -> StripProblem {
+fn problem(kind: StripKind, scene: StripData, tau: f64) -> StripProblem {
     let scene = scene.data(tau, REFERENCE, kind.sides()).expect("the scene exists");
     StripProblem::new(kind, &scene, Reference::Nested, 1 << 12).expect("the reference grid is a power of two")
 }
@@ -20,7 +20,7 @@ fn problem(kind: StripKind, scene: StripScene, tau: f64) -> StripProblem {
 fn edge_operator(c: &mut Criterion) {
     let mut group = c.benchmark_group("edge operator");
     group.sample_size(20);
-    let scalar = problem(StripKind::Scalar, StripScene::Transition { position: 0.381966 }, 1.75);
+    let scalar = problem(StripKind::Scalar, StripData::Transition { position: 0.381966 }, 1.75);
     for level in [12, 14, 16] {
         let (operator, _) = scalar.operator(1 << level).expect("a level of the reference grid");
         let g: Vec<f64> = (0..operator.nodes()).map(|i| (i as f64).sin()).collect();
@@ -39,8 +39,8 @@ fn contact(c: &mut Criterion) {
     let mut group = c.benchmark_group("contact, cold start");
     group.sample_size(10);
     let scenes = [
-        ("transition", StripScene::Transition { position: 0.381966 }, 1.75),
-        ("fat Cantor", StripScene::FatCantor { depth: 12 }, 1.55),
+        ("transition", StripData::Transition { position: 0.381966 }, 1.75),
+        ("fat Cantor", StripData::FatCantor { depth: 12 }, 1.55),
     ];
     for kind in [StripKind::Scalar, StripKind::Elastic] {
         for (name, scene, tau) in scenes.clone() {

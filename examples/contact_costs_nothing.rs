@@ -9,7 +9,7 @@ use experiments::convergence::{Levels, StripCase};
 use experiments::proof::{CostRow, CostStudy};
 use experiments::{KnownLevel, known_levels};
 use signorini::cone::Cone;
-use signorini::scenes::KnownSolution;
+use signorini::problems::KnownSolution;
 use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 

@@ -7,9 +7,9 @@ use example_frame::{Column, Finding, Format, Headline, Result, Table};
 use experiments::convergence::{Levels, StripCase};
 use experiments::proof::{FalkRow, falk_terms};
 use signorini::cone::Cone;
+use signorini::problems::StripData;
 use signorini::proof::printed_exponent;
 use signorini::rates::ConvergenceOrder;
-use signorini::scenes::StripScene;
 use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 
@@ -20,8 +20,8 @@ example_frame::options! {
         #[arg(long, default_value_t = StripKind::Scalar)]
         pub kind: StripKind,
         /// A scene of the strip
-        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
-        pub scene: StripScene,
+        #[arg(long, default_value_t = StripData::transition(), help = StripData::names())]
+        pub scene: StripData,
         /// Regularity of the scene, in (3/2, 2]
         #[arg(long, default_value_t = 1.75)]
         pub tau: f64,

@@ -7,8 +7,8 @@ use example_frame::rates::{HALF_WIDTH, order_columns, orders_on_curves};
 use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use experiments::convergence::{Levels, StripGroup};
+use signorini::problems::StripData;
 use signorini::rates::Bound;
-use signorini::scenes::StripScene;
 use signorini::strip::StripKind;
 use std::process::ExitCode;
 
@@ -22,8 +22,8 @@ example_frame::options! {
         #[arg(long, default_value_t = StripKind::Scalar)]
         pub kind: StripKind,
         /// A scene on the strip
-        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
-        pub scene: StripScene,
+        #[arg(long, default_value_t = StripData::transition(), help = StripData::names())]
+        pub scene: StripData,
         /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 32 times finer
         #[arg(long, default_value = "3-12")]
         pub levels: Levels,

@@ -7,17 +7,17 @@
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
 use experiments::proof::{Against, AlternativeCase, AlternativeStudy};
+use signorini::problems::{NamedProblem, TestProblem};
 use signorini::proof::{Alternative, Section, ThetaRule, printed_exponent};
 use signorini::rates::ConvergenceOrder;
-use signorini::scenes::{MeshScene, Scene};
 use std::process::ExitCode;
 
 example_frame::options! {
     /// Classify every contact segment of meshes ..., n/2, n and add up the consistency term by case
     pub struct Options: Quick {
         /// A scene of a mesh or of the strip
-        #[arg(long, default_value_t = Scene::Mesh(MeshScene::Block), help = Scene::names())]
-        pub scene: Scene,
+        #[arg(long, default_value_t = NamedProblem::Mesh(TestProblem::Block), help = NamedProblem::names())]
+        pub scene: NamedProblem,
         /// Contact segments of the finest mesh classified
         #[arg(long, default_value_t = 32)]
         pub n: usize,

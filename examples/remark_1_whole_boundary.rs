@@ -12,8 +12,8 @@ use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, prog
 use experiments::convergence::{Quantity, TransitionRates};
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Solver};
+use signorini::problems::{TestProblem, TransitionPowers};
 use signorini::rates::Bound;
-use signorini::scenes::{MeshScene, TransitionPowers};
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -46,7 +46,7 @@ pub struct Computed {
 
 /// Solves all scenes on all meshes, and one of them by a second solver.
 pub fn compute(options: &Options) -> Result<Computed> {
-    let (scene, levels) = (MeshScene::MembraneReaction, options.meshes);
+    let (scene, levels) = (TestProblem::MembraneReaction, options.meshes);
     let problem = scene.problem(options.n)?;
     let mut rows = Vec::new();
     for tau in TAUS {

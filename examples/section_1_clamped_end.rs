@@ -6,7 +6,7 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
 use experiments::convergence::{EndCase, EndRun};
 use fractional_sobolev::Estimate;
-use signorini::{mesh::Outline, scenes::ClampedEnd};
+use signorini::{mesh::Outline, problems::DirichletEnd};
 use std::f64::consts::{LN_10, PI};
 use std::process::ExitCode;
 
@@ -38,7 +38,7 @@ pub fn compute(options: &Options) -> Result<Vec<(&'static str, EndCase)>> {
     let mut cases = Vec::new();
     for (poisson, (load, direction)) in progress(all.len() as u64).wrap_iter(all.into_iter()) {
         let (outline, step) = (Outline::HalfDisc, PI / angles as f64);
-        let scene = ClampedEnd { outline, angles, step, smallest, poisson, direction };
+        let scene = DirichletEnd { outline, angles, step, smallest, poisson, direction };
         cases.push((load, EndCase::of(scene)?));
     }
     Ok(cases)

@@ -7,16 +7,16 @@ use experiments::contact_levels::{SceneRun, SceneStudy};
 use fractional_sobolev::Tolerance;
 use signorini::cone::{Cone, KKT_ROUNDING, KktResiduals};
 use signorini::contact::{Accuracy, Solver};
-use signorini::scenes::MeshScene::{Corner, Leaning, Raised, Taper};
-use signorini::scenes::{MeshScene, Setting};
+use signorini::problems::TestProblem::{Corner, Leaning, Raised, Taper};
+use signorini::problems::{Parameters, TestProblem};
 use std::process::ExitCode;
 
 example_frame::options! {
     /// Solve a scene in one of the paper's two cones, on one mesh or on nested ones
     pub struct Options: Quick {
         /// The scene
-        #[arg(long, help = format!("A scene of {}", MeshScene::names()))]
-        pub scene: Option<MeshScene>,
+        #[arg(long, help = format!("A scene of {}", TestProblem::names()))]
+        pub scene: Option<TestProblem>,
         /// Cells along each side of the coarsest mesh
         #[arg(long, default_value_t = 32)]
         pub n: usize,
@@ -33,10 +33,10 @@ example_frame::options! {
         #[arg(long)]
         pub tolerance: Option<Tolerance>,
         /// Poisson's ratio of `incompressible`
-        #[arg(long, default_value_t = Setting::default().poisson)]
+        #[arg(long, default_value_t = Parameters::default().poisson)]
         pub poisson: f64,
         /// Opening of the corner at the left end of the contact edge of `corner`, degrees
-        #[arg(long, default_value_t = Setting::default().angle)]
+        #[arg(long, default_value_t = Parameters::default().angle)]
         pub angle: f64,
         /// Factor on the load
         #[arg(long, default_value_t = 1.0)]
@@ -50,7 +50,7 @@ example_frame::options! {
         "n" if options.own.mesh.is_some() => "beside --mesh",
         "material" if !options.own.is_own() => "without --mesh or --load",
         "poisson" if !options.own.material.is_empty() => "beside --material",
-        "poisson" if options.scene != Some(MeshScene::Incompressible) => "unless the scene is incompressible",
+        "poisson" if options.scene != Some(TestProblem::Incompressible) => "unless the scene is incompressible",
         "angle" if !matches!(options.scene, Some(Corner | Leaning | Raised | Taper)) =>
             "unless the scene is corner, leaning, raised or taper",
         "tolerance" if matches!(options.solver, Some(Solver::ActiveSet | Solver::InteriorPoint)) => "with a direct solver",
@@ -77,14 +77,14 @@ pub struct Computed {
 pub fn compute(problem: Problem, options: &Options) -> Result<Computed> {
     let Options { n, levels, cone, solver, poisson, angle, load_scale, tolerance, .. } = *options;
     let (default, other) = match problem {
-        Problem::Elastic => (MeshScene::Block, "section_2_scalar_contact"),
-        Problem::Scalar => (MeshScene::Membrane, "section_2_elastic_contact"),
+        Problem::Elastic => (TestProblem::Block, "section_2_scalar_contact"),
+        Problem::Scalar => (TestProblem::Membrane, "section_2_elastic_contact"),
     };
     let scene = options.scene.unwrap_or(default);
     if scene.is_elastic() != (problem == Problem::Elastic) {
         return Err(Error::Option(format!("scene {scene} belongs to the example {other}")));
     }
-    let setting = Setting { angle, poisson, load_scale };
+    let setting = Parameters { angle, poisson, load_scale };
     let accuracy = tolerance.map(Accuracy::Relative);
     let study = SceneStudy { scene, setting, cone, solver, n, levels, accuracy };
     let subject = contact::ContactSubject::new(study, &options.own)?;

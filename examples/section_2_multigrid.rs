@@ -9,7 +9,7 @@ use experiments::hard_cases::HardCase;
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::contact::Fallback;
-use signorini::scenes::MeshScene;
+use signorini::problems::TestProblem;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -46,7 +46,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     for case in cases {
         for n in (0..options.levels).map(|level| options.n << level) {
             bar.set_message(format!("{case}, n = {n}"));
-            let is_closed = case == HardCase::Scene(MeshScene::MembraneReaction);
+            let is_closed = case == HardCase::Scene(TestProblem::MembraneReaction);
             let is_scene = matches!(case, HardCase::Scene(_));
             for cone in Cone::ALL.into_iter().filter(|&c| c == Cone::Nodal || is_scene && !is_closed) {
                 let tolerance = if is_scene { asked } else { hard };

@@ -7,7 +7,7 @@ use example_frame::rates::RateRow;
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
 use experiments::convergence::{SceneOrder, scene_orders};
 use experiments::wedge_grid::ExponentCheck;
-use signorini::scenes::MeshScene;
+use signorini::problems::TestProblem;
 use signorini::singular::{Medium, SideCondition, SideConditions, SignCondition, Spectrum, Wedge};
 use std::f64::consts::{PI, TAU};
 use std::process::ExitCode;
@@ -54,7 +54,7 @@ pub fn compute(options: &Options) -> Result<Computed> {
         Ok((wedge, wedge.exponents()?))
     };
     let wedges = options.pair.as_ref().map_or(&SideConditions::ALL[..], std::slice::from_ref);
-    let bar = progress(u64::from(OPENINGS) + MeshScene::all().len() as u64);
+    let bar = progress(u64::from(OPENINGS) + TestProblem::all().len() as u64);
     let flat =
         Wedge::new(PI, SideConditions(SideCondition::Clamped, SideCondition::Free), medium)?.exponents()?;
     let computed = Computed {

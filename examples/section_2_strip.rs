@@ -6,8 +6,8 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
 use experiments::convergence::{CaseStudy, Levels, Solved, StripCase, Trend};
 use signorini::cone::Cone;
+use signorini::problems::StripData;
 use signorini::rates::Bound;
-use signorini::scenes::StripScene;
 use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 
@@ -21,8 +21,8 @@ example_frame::options! {
         #[arg(long, default_value = "3-14")]
         pub levels: Levels,
         /// A scene of the strip
-        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
-        pub scene: StripScene,
+        #[arg(long, default_value_t = StripData::transition(), help = StripData::names())]
+        pub scene: StripData,
         /// Regularity of the solution, 3/2 < tau <= 2 (not used by samples)
         #[arg(long, default_value_t = 1.75)]
         pub tau: f64,
@@ -38,7 +38,7 @@ example_frame::options! {
     }
     without_effect(options) {
         "positions" if !options.scene.moves() => "unless the scene is one transition",
-        "tau" if matches!(options.scene, StripScene::Samples { .. }) => "on samples",
+        "tau" if matches!(options.scene, StripData::Samples { .. }) => "on samples",
     }
     memory(options) {
         190.0 * options.levels.reference_cells() as f64

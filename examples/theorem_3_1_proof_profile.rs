@@ -7,16 +7,16 @@ use example_frame::{Finding, Headline, Result, within};
 use experiments::convergence::Levels;
 use experiments::proof::{LimitLine, LimitLines, Rung, limit_lines};
 use experiments::proof::{ProofCase, ProofProfile, Resolution};
+use signorini::problems::StripData;
 use signorini::proof::{Section, Step, ThetaRule};
-use signorini::scenes::StripScene;
 use std::process::ExitCode;
 
 example_frame::options! {
     /// Compute both sides of every inequality of the proof on a manufactured pair (u_N, sigma_N)
     pub struct Options {
         /// A scene of the strip
-        #[arg(long, default_value_t = StripScene::transition(), help = StripScene::names())]
-        pub scene: StripScene,
+        #[arg(long, default_value_t = StripData::transition(), help = StripData::names())]
+        pub scene: StripData,
         /// Regularity the proof assumes, in (3/2, 2], for Theorem 4.1 in (3/2, 5/2)
         #[arg(long, default_value_t = 1.75, value_parser = within::<f64>("(1.5, 2.5)"))]
         pub tau: f64,

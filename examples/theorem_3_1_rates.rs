@@ -10,8 +10,8 @@ use example_frame::rates::{level_table, rate_table, term_above_one, term_remarks
 use example_frame::{Finding, Headline, Result};
 use experiments::convergence::{Levels, Quantity};
 use signorini::cone::Cone;
+use signorini::problems::NamedProblem;
 use signorini::rates::Bound;
-use signorini::scenes::Scene;
 use signorini::strip::StripKind;
 use std::process::ExitCode;
 
@@ -19,8 +19,8 @@ example_frame::options! {
     /// Errors and consistency terms against h for many regularities; with --scene one scene level by level
     pub struct Options: Long {
         /// One scene, level by level
-        #[arg(long, help = format!("One scene, level by level: {}", Scene::names()))]
-        pub scene: Option<Scene>,
+        #[arg(long, help = format!("One scene, level by level: {}", NamedProblem::names()))]
+        pub scene: Option<NamedProblem>,
         /// Regularities in (3/2, 5/2] (default: 1.55 to 1.95, 2, 2.1, 2.25, 2.4)
         #[arg(long, value_delimiter = ',')]
         pub tau: Vec<f64>,
@@ -41,11 +41,11 @@ example_frame::options! {
         pub full: bool,
     }
     without_effect(options) {
-        "kind" if !matches!(options.scene, Some(Scene::Strip(_))) => "unless --scene is a scene of the strip",
+        "kind" if !matches!(options.scene, Some(NamedProblem::Strip(_))) => "unless --scene is a scene of the strip",
         "levels" if options.scene.is_none() && !options.corners => "without --scene or --corners",
         "corners" if options.scene.is_some() => "beside --scene",
-        "positions" if !matches!(&options.scene, Some(Scene::Strip(scene)) if scene.moves()) => "unless --scene is one transition",
-        "tau" if matches!(options.scene, Some(Scene::Mesh(_))) => "on meshes: theirs follows from the angle",
+        "positions" if !matches!(&options.scene, Some(NamedProblem::Strip(scene)) if scene.moves()) => "unless --scene is one transition",
+        "tau" if matches!(options.scene, Some(NamedProblem::Mesh(_))) => "on meshes: theirs follows from the angle",
         "tau" if options.scene.is_some() && options.tau.len() > 1 => "beyond its first value with --scene",
         "full" if options.scene.is_some() || options.corners => "beside --scene or --corners",
     }

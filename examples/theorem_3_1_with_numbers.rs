@@ -9,8 +9,8 @@ use example_frame::shown::numbers::numbered_table;
 use example_frame::{Headline, Result, progress, within};
 use experiments::proof::{NumberedRow, NumberedStudy};
 use signorini::cone::Cone;
+use signorini::problems::KnownSolution;
 use signorini::proof::TheoremConstants;
-use signorini::scenes::KnownSolution;
 use std::process::ExitCode;
 
 example_frame::options! {

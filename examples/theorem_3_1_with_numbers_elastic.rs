@@ -9,8 +9,8 @@ use example_frame::{Finding, Headline, Result, progress, within};
 use experiments::proof::NumberedStudy;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
+use signorini::problems::KnownSolution;
 use signorini::proof::TheoremConstants;
-use signorini::scenes::KnownSolution;
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -7,8 +7,8 @@ use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress, within};
 use experiments::proof::{ExtrapolatedRow, ExtrapolatedStudy, FineForms, SolvedBody};
 use fractional_sobolev::Estimate;
+use signorini::problems::PiecewiseLinearLoad;
 use signorini::proof::TheoremConstants;
-use signorini::scenes::LoadedBody;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -38,9 +38,9 @@ const KNOWN: f64 = 0.1;
 
 /// Every body, in its cones, for every tau.
 pub fn compute(options: &Options) -> Result<Vec<ExtrapolatedStudy>> {
-    let bar = progress((LoadedBody::ALL.len() + options.tau.len()) as u64);
+    let bar = progress((PiecewiseLinearLoad::ALL.len() + options.tau.len()) as u64);
     let mut bodies = Vec::new();
-    for body in LoadedBody::ALL {
+    for body in PiecewiseLinearLoad::ALL {
         bodies.push(SolvedBody::new(body, options.finest)?);
         bar.inc(1);
     }

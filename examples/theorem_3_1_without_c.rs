@@ -9,8 +9,8 @@ use experiments::proof::{BoundProblem, BoundRow, BoundStudy, segment_versions};
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
+use signorini::problems::KnownSolution;
 use signorini::proof::MeshShape;
-use signorini::scenes::KnownSolution;
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -19,9 +19,9 @@ mod error;
 pub mod fem;
 pub mod mesh;
 mod numeric;
+pub mod problems;
 pub mod proof;
 pub mod rates;
-pub mod scenes;
 pub mod singular;
 pub mod strip;
 

@@ -5,7 +5,7 @@ use clap::Parser;
 use example_frame::HasOutput;
 use experiments::contact_levels::SceneStudy;
 use signorini::cone::Cone;
-use signorini::scenes::{MeshScene, Setting};
+use signorini::problems::{Parameters, TestProblem};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -64,8 +64,8 @@ fn announced<O: Parser + HasOutput>(line: &str) -> f64 {
     O::parse_from(["example"].into_iter().chain(line.split(' '))).memory()
 }
 
-fn study(scene: MeshScene, n: usize) -> f64 {
-    let setting = Setting::default();
+fn study(scene: TestProblem, n: usize) -> f64 {
+    let setting = Parameters::default();
     SceneStudy { scene, setting, cone: Cone::Nodal, solver: None, n, levels: 1, accuracy: None }.bytes()
 }
 
@@ -83,10 +83,10 @@ fn what_is_announced_is_taken() {
     );
     runs.extend(strips.map(|line| ("section_2_strip", line, announced::<section_2_strip::Options>(line))));
     runs.extend([
-        ("section_2_elastic_contact", "--n 64", study(MeshScene::Block, 64)),
-        ("section_2_elastic_contact", "--n 128", study(MeshScene::Block, 128)),
-        ("section_2_scalar_contact", "--n 128", study(MeshScene::Membrane, 128)),
-        ("section_2_scalar_contact", "--n 512", study(MeshScene::Membrane, 512)),
+        ("section_2_elastic_contact", "--n 64", study(TestProblem::Block, 64)),
+        ("section_2_elastic_contact", "--n 128", study(TestProblem::Block, 128)),
+        ("section_2_scalar_contact", "--n 128", study(TestProblem::Membrane, 128)),
+        ("section_2_scalar_contact", "--n 512", study(TestProblem::Membrane, 512)),
     ]);
     for (name, line, said) in runs {
         let Some(found) = taken(name, line) else {

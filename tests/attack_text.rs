@@ -20,8 +20,8 @@ use peak_alloc::PeakAlloc;
 use signorini::Error;
 use signorini::ToolkitError;
 use signorini::mesh::parse_msh;
-use signorini::scenes::{MeshScene, Scene, StripScene};
-use signorini::strip::{EdgeData, Sides};
+use signorini::problems::{NamedProblem, StripData, TestProblem};
+use signorini::strip::{EdgeData, LateralCondition};
 use std::collections::BTreeSet;
 use std::fmt::{Debug, Display};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -105,8 +105,8 @@ struct Grammar {
 fn grammars() -> Vec<Grammar> {
     let all = |texts: &[&str]| texts.iter().map(|&text| text.to_owned()).collect::<Vec<String>>();
     let crlf = GMSH[0].replace('\n', "\r\n");
-    let scenes = MeshScene::all().iter().map(MeshScene::to_string).collect::<Vec<_>>();
-    let strips = StripScene::all().iter().map(StripScene::to_string).collect::<Vec<_>>();
+    let scenes = TestProblem::all().iter().map(TestProblem::to_string).collect::<Vec<_>>();
+    let strips = StripData::all().iter().map(StripData::to_string).collect::<Vec<_>>();
     let orders = ["0.25", "1/2", "1/2+1e-20", "1/2-0.25", "1e-300", "0.999"];
     let gallery = ["power:0.3", "step:0.4", "hat", "log:0.25", "samples:a/b.txt"];
     let loads = ["0.15, 0.2 - 0.3*x", "-cos(pi*x)^2 - 0.5", "max(x, -1e-3*y) + atan2(y, x)^(1/3)"];
@@ -170,11 +170,13 @@ fn load(text: &str) -> Answer {
 
 /// A scene that is read has data on a coarse edge or a mesh, or an error says why not.
 fn scene(text: &str) -> Answer {
-    let answer = word::<Scene>(text)?;
+    let answer = word::<NamedProblem>(text)?;
     match text.parse() {
-        Ok(Scene::Strip(StripScene::Samples { .. })) | Err(_) => Ok(answer),
-        Ok(Scene::Strip(scene)) => edge(scene.data(1.75, 32, Sides::Periodic)),
-        Ok(Scene::Mesh(scene)) => kind(scene.mesh(2).map(|mesh| format!("{} nodes", mesh.nodes().len()))),
+        Ok(NamedProblem::Strip(StripData::Samples { .. })) | Err(_) => Ok(answer),
+        Ok(NamedProblem::Strip(scene)) => edge(scene.data(1.75, 32, LateralCondition::Periodic)),
+        Ok(NamedProblem::Mesh(scene)) => {
+            kind(scene.mesh(2).map(|mesh| format!("{} nodes", mesh.nodes().len())))
+        }
     }
 }
 
@@ -227,7 +229,7 @@ fn mesh(text: &str) -> Answer {
 
 /// The number of rows is a fault of no line.
 fn samples(text: &str) -> Answer {
-    match EdgeData::from_samples(text, Sides::Natural) {
+    match EdgeData::from_samples(text, LateralCondition::Natural) {
         Err(error @ (Error::Toolkit(ToolkitError::CountOutOfRange { .. }) | Error::EmptyContact { .. })) => {
             kind(Err(error))
         }

@@ -3,8 +3,10 @@
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactProblem, ContactSolution, Settings, Solver, Start};
 use signorini::fem::{Form, Lame};
-use signorini::mesh::{BoundaryEdge, ContactEdge, Hierarchy, Part, Point, Sides, Triangulation, mapped_grid};
-use signorini::scenes::{MeshScene, Setting};
+use signorini::mesh::{
+    BoundaryEdge, ContactEdge, Hierarchy, Part, Point, SideParts, Triangulation, mapped_grid,
+};
+use signorini::problems::{Parameters, TestProblem};
 use std::f64::consts::PI;
 
 /// Scaled KKT figures of a solution that calls itself converged.
@@ -127,7 +129,7 @@ fn side(random: &mut Random) -> Part {
 fn quadrilateral(random: &mut Random) -> Triangulation {
     let (nx, ny) = (1 + random.below(24), 1 + random.below(16));
     let sides =
-        Sides { bottom: Part::Contact, right: side(random), top: Part::Dirichlet, left: side(random) };
+        SideParts { bottom: Part::Contact, right: side(random), top: Part::Dirichlet, left: side(random) };
     let [a, b] = [random.between(-0.2, 0.2), random.between(-0.2, 0.2)];
     let [p, q] = [random.between(0.7, 2.0), random.between(0.7, 2.0)];
     let grading = random.between(0.6, 2.0);
@@ -269,7 +271,7 @@ fn midpoint_cone_leaves_every_cycle_in_two_hundred_rough_loads() {
     let mut steps = Vec::new();
     for seed in 0..200 {
         let mut random = Random::new(1000 + seed);
-        let mesh = MeshScene::Block.mesh(24).unwrap();
+        let mesh = TestProblem::Block.mesh(24).unwrap();
         let load: Vec<f64> = (0..2 * mesh.nodes().len()).map(|_| random.between(-1.0, 1.0)).collect();
         let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
         let problem = ContactProblem::new(mesh, form, &load).unwrap();
@@ -284,7 +286,7 @@ fn midpoint_cone_leaves_every_cycle_in_two_hundred_rough_loads() {
 
 #[test]
 fn nested_starts_need_at_most_four_steps() {
-    for scene in [MeshScene::Block, MeshScene::Membrane] {
+    for scene in [TestProblem::Block, TestProblem::Membrane] {
         for cone in Cone::ALL {
             let mut coarse = scene.problem(8).unwrap().solve(cone, Solver::ActiveSet).unwrap();
             for n in [16, 32, 64, 128, 256, 512] {
@@ -303,7 +305,7 @@ fn nested_starts_need_at_most_four_steps() {
 
 #[test]
 fn every_first_guess_leads_to_the_same_contact_set() {
-    let problem = MeshScene::Block.problem(16).unwrap();
+    let problem = TestProblem::Block.problem(16).unwrap();
     for cone in Cone::ALL {
         let cold = problem.solve(cone, Solver::ActiveSet).unwrap();
         for seed in 0..20 {
@@ -319,8 +321,8 @@ fn every_first_guess_leads_to_the_same_contact_set() {
 #[test]
 fn an_energy_that_is_no_number_is_an_error() {
     for load_scale in [1e160, 1e200, 1e300] {
-        let setting = Setting { load_scale, ..Setting::default() };
-        for (scene, cone) in [(MeshScene::Block, Cone::Nodal), (MeshScene::Membrane, Cone::Midpoint)] {
+        let setting = Parameters { load_scale, ..Parameters::default() };
+        for (scene, cone) in [(TestProblem::Block, Cone::Nodal), (TestProblem::Membrane, Cone::Midpoint)] {
             let problem = scene.problem_with(8, &setting).unwrap();
             for solver in [Solver::ActiveSet, Solver::InteriorPoint, Solver::EdgeInteriorPoint] {
                 let outcome = problem.solve(cone, solver);
@@ -337,7 +339,7 @@ fn an_energy_that_is_no_number_is_an_error() {
 #[test]
 fn weak_contact_is_reported_and_not_in_the_way() {
     // No load at all: every constraint touches without force.
-    let mesh = MeshScene::Block.mesh(8).unwrap();
+    let mesh = TestProblem::Block.mesh(8).unwrap();
     let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
     let load = vec![0.0; 2 * mesh.nodes().len()];
     let problem = ContactProblem::new(mesh, form, &load).unwrap();

@@ -3,7 +3,7 @@
 use experiments::convergence::{Levels, StripCase};
 use experiments::proof::falk_terms;
 use signorini::cone::Cone;
-use signorini::scenes::StripScene;
+use signorini::problems::StripData;
 use signorini::strip::{Reference, StripKind};
 
 #[allow(dead_code)]
@@ -17,7 +17,7 @@ fn case(kind: StripKind, scene: &str, tau: f64, cone: Cone) -> StripCase {
     StripCase {
         kind,
         levels: Levels::new(2, 7).unwrap(),
-        source: scene.parse::<StripScene>().unwrap(),
+        source: scene.parse::<StripData>().unwrap(),
         tau,
         cone,
         reference: Reference::Nested,

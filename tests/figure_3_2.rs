@@ -3,8 +3,8 @@
 use signorini::edge::{EdgeTrace, Interval};
 
 use experiments::proof::{Against, AlternativeCase};
+use signorini::problems::{NamedProblem, TestProblem};
 use signorini::proof::{Alternative, Section, ThetaRule};
-use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]
 #[path = "../examples/figure_3_2_alternative.rs"]
@@ -13,10 +13,10 @@ mod figure_3_2_alternative;
 #[test]
 fn every_segment_of_the_block_is_in_a_case() {
     for (scene, tau) in [
-        (MeshScene::Block, 1.75),
-        (MeshScene::Block, 2.0),
-        (MeshScene::Membrane, 1.6),
-        (MeshScene::Membrane, 2.0),
+        (TestProblem::Block, 1.75),
+        (TestProblem::Block, 2.0),
+        (TestProblem::Membrane, 1.6),
+        (TestProblem::Membrane, 2.0),
     ] {
         let study =
             AlternativeCase::new(Section::Three, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
@@ -49,7 +49,7 @@ fn the_example_confirms_the_figure() {
 #[test]
 fn a_term_that_is_zero_has_no_share_and_says_so() {
     let options = figure_3_2_alternative::Options {
-        scene: Scene::Mesh(MeshScene::Free),
+        scene: NamedProblem::Mesh(TestProblem::Free),
         n: 8,
         meshes: 2,
         ..Default::default()
@@ -104,7 +104,7 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
         [("transition", 1.75), ("transitions:9", 1.6), ("cantor:0.3", 1.9), ("fat-cantor", 1.75)]
     {
         for against in [Against::Reference, Against::Itself] {
-            let source: Scene = scene.parse().unwrap();
+            let source: NamedProblem = scene.parse().unwrap();
             let rule = ThetaRule::Printed { tau };
             let case = AlternativeCase {
                 meshes: 6,
@@ -141,7 +141,7 @@ fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
         meshes: 1,
         ..AlternativeCase::new(
             Section::Three,
-            "fat-cantor".parse::<Scene>().unwrap(),
+            "fat-cantor".parse::<NamedProblem>().unwrap(),
             128,
             ThetaRule::Fixed(0.5),
         )
@@ -200,11 +200,11 @@ fn bad_studies_are_refused() {
     let rule = ThetaRule::Printed { tau: 1.75 };
     let strip = |n, meshes| AlternativeCase {
         meshes,
-        ..AlternativeCase::new(Section::Three, "transition".parse::<Scene>().unwrap(), n, rule)
+        ..AlternativeCase::new(Section::Three, "transition".parse::<NamedProblem>().unwrap(), n, rule)
     };
     for case in [strip(0, 1), strip(48, 2), strip(8, 5), strip(1 << 15, 3), strip(8, 0)] {
         assert!(case.over_size().is_err() && case.over_theta().is_err());
     }
-    assert!(AlternativeCase::new(Section::Three, MeshScene::Block, 512, rule).over_size().is_err());
-    assert!("cliff".parse::<Scene>().is_err() && "both".parse::<Against>().is_err());
+    assert!(AlternativeCase::new(Section::Three, TestProblem::Block, 512, rule).over_size().is_err());
+    assert!("cliff".parse::<NamedProblem>().is_err() && "both".parse::<Against>().is_err());
 }

@@ -3,8 +3,8 @@
 use signorini::edge::{EdgeTrace, Interval};
 
 use experiments::proof::{Against, AlternativeCase};
+use signorini::problems::{NamedProblem, TestProblem};
 use signorini::proof::{Alternative, Section, ThetaRule};
-use signorini::scenes::{MeshScene, Scene};
 
 #[allow(dead_code)]
 #[path = "../examples/figure_4_1_alternative.rs"]
@@ -14,7 +14,7 @@ mod figure_4_1_alternative;
 fn first_cases_carry_no_pressure_far_from_the_contact_set() {
     // In the first case the term is at most the whole force of a set of diameter h_e θ; in an open segment it
     // is 0.
-    for (scene, tau) in [(MeshScene::Block, 1.75), (MeshScene::Membrane, 2.0)] {
+    for (scene, tau) in [(TestProblem::Block, 1.75), (TestProblem::Membrane, 2.0)] {
         let study =
             AlternativeCase::new(Section::Four, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
         for row in &study.rows {
@@ -33,7 +33,7 @@ fn first_cases_carry_no_pressure_far_from_the_contact_set() {
 fn theta_moves_segments_from_the_second_to_the_first_case() {
     let count = |theta: f64| {
         let rule = ThetaRule::Fixed(theta);
-        let study = AlternativeCase::new(Section::Four, MeshScene::Block, 16, rule).over_size().unwrap();
+        let study = AlternativeCase::new(Section::Four, TestProblem::Block, 16, rule).over_size().unwrap();
         study.rows[2].classification.count(Alternative::First)
     };
     let counts = [0.01, 0.2, 0.6, 0.95].map(count);
@@ -56,7 +56,7 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
         [("transition", 1.75), ("transitions:9", 1.6), ("cantor:0.3", 1.9), ("fat-cantor", 1.75)]
     {
         for against in [Against::Reference, Against::Itself] {
-            let source: Scene = scene.parse().unwrap();
+            let source: NamedProblem = scene.parse().unwrap();
             let rule = ThetaRule::Printed { tau };
             let case = AlternativeCase {
                 meshes: 6,

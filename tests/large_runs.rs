@@ -7,7 +7,7 @@ mod roads;
 use experiments::convergence::MeshRates;
 use serde_json::Value;
 use signorini::cone::Cone;
-use signorini::scenes::{MeshScene, Setting};
+use signorini::problems::{Parameters, TestProblem};
 
 fn kept(run: &str) -> Value {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/book/generated/large/values.json");
@@ -47,9 +47,9 @@ fn errors_of_the_block_are_those_that_were_kept() {
     {
         let run = kept(run);
         let [cells, error] = ["cells", "error"].map(|key| column(&run, key));
-        let setting = Setting::default();
+        let setting = Parameters::default();
         let rates =
-            MeshRates { scene: MeshScene::Block, setting, constant_load: false, coarsest: 4, levels: 5 };
+            MeshRates { scene: TestProblem::Block, setting, constant_load: false, coarsest: 4, levels: 5 };
         let study = rates.study(&[cone]).unwrap().remove(0);
         let kept = |n: usize| -> f64 {
             let row = cells.iter().position(|cells| *cells == n.to_string()).unwrap();

@@ -7,7 +7,7 @@ use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{
-    BoundaryEdge, Part, Sides, Triangulation, mapped_grid, parse_msh, read_msh, unit_square,
+    BoundaryEdge, Part, SideParts, Triangulation, mapped_grid, parse_msh, read_msh, unit_square,
 };
 
 /// Two squares of unit size side by side, each in two triangles; node 20 is a point of the geometry only.
@@ -102,7 +102,7 @@ proptest! {
 #[test]
 fn problems_that_hang_in_the_air_are_errors() {
     let load = |mesh: &Triangulation| vec![1.0; 2 * mesh.nodes().len()];
-    let free = Sides { top: Part::Neumann, ..Sides::HANGING };
+    let free = SideParts { top: Part::Neumann, ..SideParts::HANGING };
     let mesh = unit_square(3, free).unwrap();
     let values = load(&mesh);
     assert!(matches!(
@@ -113,21 +113,21 @@ fn problems_that_hang_in_the_air_are_errors() {
     assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &values[..16]).is_ok());
     assert!(
         ContactProblem::new(
-            unit_square(3, Sides::HANGING).unwrap(),
+            unit_square(3, SideParts::HANGING).unwrap(),
             Form::Scalar { reaction: -1.0 },
             &[0.0; 16]
         )
         .is_err()
     );
 
-    let bent = mapped_grid(4, 2, Sides::HANGING, |[x, y]| [x, y - 0.2 * (1.0 - y) * x * x]).unwrap();
+    let bent = mapped_grid(4, 2, SideParts::HANGING, |[x, y]| [x, y - 0.2 * (1.0 - y) * x * x]).unwrap();
     let values = load(&bent);
     assert!(matches!(
         ContactProblem::new(bent, elastic(), &values),
         Err(Error::Toolkit(ToolkitError::Edge { .. }))
     ));
 
-    let none = unit_square(2, Sides { bottom: Part::Neumann, ..Sides::HANGING }).unwrap();
+    let none = unit_square(2, SideParts { bottom: Part::Neumann, ..SideParts::HANGING }).unwrap();
     let values = load(&none);
     assert!(matches!(
         ContactProblem::new(none, elastic(), &values),
@@ -137,7 +137,7 @@ fn problems_that_hang_in_the_air_are_errors() {
 
 #[test]
 fn a_loose_piece_is_found_by_its_pivot() {
-    let held = unit_square(4, Sides::HANGING).unwrap();
+    let held = unit_square(4, SideParts::HANGING).unwrap();
     let count = held.nodes().len();
     let mut nodes = held.nodes().to_vec();
     nodes.extend(held.nodes().iter().map(|&[x, y]| [x + 3.0, y]));

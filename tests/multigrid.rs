@@ -12,8 +12,8 @@ use signorini::contact::{
     Accuracy, ContactProblem, ContactSolution, Fallback, MultigridReport, Progress, Settings, Solver,
 };
 use signorini::fem::{Field, Form, Lame};
-use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Sides, Triangulation, mapped_grid, unit_square};
-use signorini::scenes::MeshScene;
+use signorini::mesh::{BoundaryEdge, Hierarchy, Part, SideParts, Triangulation, mapped_grid, unit_square};
+use signorini::problems::TestProblem;
 
 /// J of two roads at the tolerance 1e-12: it differs by the square of the error, and by rounding.
 const ENERGIES: f64 = 1e-11;
@@ -67,7 +67,7 @@ fn assert_same(problem: &ContactProblem, cone: Cone, one: &ContactSolution, case
 
 #[test]
 fn every_scene_is_solved_as_by_the_direct_solver() {
-    for scene in MeshScene::all() {
+    for scene in TestProblem::all() {
         for cone in Cone::ALL {
             for n in [16, 64, 128] {
                 let problem = scene.problem(n).unwrap();
@@ -75,9 +75,9 @@ fn every_scene_is_solved_as_by_the_direct_solver() {
                 let found = multigrid(&problem, cone, None, 1e-12);
                 let expected = match scene {
                     _ if cone == Cone::Midpoint && problem.edge().is_closed() => Some(Fallback::ClosedEdge),
-                    MeshScene::Incompressible => Some(Fallback::NearlyIncompressible),
+                    TestProblem::Incompressible => Some(Fallback::NearlyIncompressible),
                     // Its mesh is no grid.
-                    MeshScene::Bracket => Some(Fallback::NoLevels),
+                    TestProblem::Bracket => Some(Fallback::NoLevels),
                     _ => None,
                 };
                 assert_eq!(report(&found).fallback, expected, "{case}: {:?}", report(&found).levels);
@@ -98,7 +98,7 @@ fn random_problem(seed: u64) -> (ContactProblem, Hierarchy) {
     let mut random = SplitMix::new(seed);
     let side = |random: &mut SplitMix| if random.below(3) == 0 { Part::Dirichlet } else { Part::Neumann };
     let coarse = if random.below(2) == 0 {
-        let sides = Sides {
+        let sides = SideParts {
             bottom: Part::Contact,
             right: side(&mut random),
             top: Part::Dirichlet,
@@ -192,7 +192,7 @@ fn true_errors_lie_below_their_estimates_and_not_far_below() {
             near += usize::from(estimate.error <= 10.0 * error + floor);
         }
     };
-    for scene in MeshScene::all().into_iter().filter(|&scene| scene != MeshScene::Incompressible) {
+    for scene in TestProblem::all().into_iter().filter(|&scene| scene != TestProblem::Incompressible) {
         for cone in Cone::ALL {
             for n in [16, 32, 64] {
                 let problem = scene.problem(n).unwrap();
@@ -210,7 +210,7 @@ fn true_errors_lie_below_their_estimates_and_not_far_below() {
 
 #[test]
 fn the_accuracy_may_be_a_share_of_the_error_of_discretisation() {
-    for scene in [MeshScene::Block, MeshScene::Membrane, MeshScene::Corner] {
+    for scene in [TestProblem::Block, TestProblem::Membrane, TestProblem::Corner] {
         let (fine, coarse) = (scene.problem(256).unwrap(), scene.problem(64).unwrap());
         let found = coarse.solve(Cone::Nodal, settings(None, SHARE)).unwrap();
         let (error, expected) = (report(&found).error.unwrap().error, report(&found).discretisation.unwrap());
@@ -223,12 +223,12 @@ fn the_accuracy_may_be_a_share_of_the_error_of_discretisation() {
 
 #[test]
 fn what_multigrid_cannot_do_is_said() {
-    let problem = MeshScene::Block.problem(15).unwrap();
+    let problem = TestProblem::Block.problem(15).unwrap();
     assert_eq!(report(&multigrid(&problem, Cone::Nodal, None, 1e-8)).fallback, Some(Fallback::NoLevels));
-    let problem = MeshScene::Block.problem(32).unwrap();
+    let problem = TestProblem::Block.problem(32).unwrap();
     let beyond = multigrid(&problem, Cone::Nodal, None, 1e-15);
     assert!(report(&beyond).fallback == Some(Fallback::NotReached) || beyond.status.is_converged());
-    let other = Hierarchy::refined(unit_square(2, Sides::HANGING).unwrap(), 2).unwrap();
+    let other = Hierarchy::refined(unit_square(2, SideParts::HANGING).unwrap(), 2).unwrap();
     let refused = problem.solve(Cone::Nodal, settings(Some(&other), SHARE));
     assert!(matches!(refused, Err(Error::Toolkit(ToolkitError::LengthMismatch { .. }))));
     let shares = [0.0, -1.0, 2.0, f64::NAN].map(Accuracy::OfDiscretisation);
@@ -239,7 +239,7 @@ fn what_multigrid_cannot_do_is_said() {
 
 #[test]
 fn an_observer_may_stop_the_iteration() {
-    let problem = MeshScene::Block.problem(64).unwrap();
+    let problem = TestProblem::Block.problem(64).unwrap();
     let mut heard: Vec<Progress> = Vec::new();
     let mut observe = |progress: &Progress| {
         heard.push(*progress);
@@ -256,7 +256,7 @@ fn an_observer_may_stop_the_iteration() {
 /// Two squares, the lower one with the contact edge held by nothing.
 #[test]
 fn a_body_that_is_not_held_is_an_error() {
-    let square = unit_square(1, Sides::HANGING).unwrap();
+    let square = unit_square(1, SideParts::HANGING).unwrap();
     let mut nodes = square.nodes().to_vec();
     nodes.extend(square.nodes().iter().map(|&[x, y]| [x, y + 2.0]));
     let mut triangles = square.triangles().to_vec();
@@ -288,7 +288,7 @@ fn a_body_that_is_not_held_is_an_error() {
 /// Loads, gaps, given displacements and forces that are no numbers are refused before any solver sees them.
 #[test]
 fn data_that_are_no_number_are_errors() {
-    let mesh = || unit_square(4, Sides::HANGING).unwrap();
+    let mesh = || unit_square(4, SideParts::HANGING).unwrap();
     let good = || ContactProblem::new(mesh(), Form::LAPLACE, &[-1.0; 25]).unwrap();
     for bad in [f64::NAN, f64::INFINITY] {
         let mut load = [1.0; 25];
@@ -307,7 +307,7 @@ fn data_that_are_no_number_are_errors() {
 #[test]
 fn a_tolerance_out_of_reach_ends_with_a_word() {
     for cone in Cone::ALL {
-        let problem = MeshScene::Leaning.problem(64).unwrap();
+        let problem = TestProblem::Leaning.problem(64).unwrap();
         let found = multigrid(&problem, cone, None, 1e-15);
         let exact = direct(&problem, cone);
         assert_eq!(report(&found).fallback, Some(Fallback::NotReached), "{cone}: {:?}", found.status);
@@ -317,7 +317,7 @@ fn a_tolerance_out_of_reach_ends_with_a_word() {
 
 #[test]
 fn without_load_nothing_moves_and_huge_loads_do_no_harm() {
-    let mesh = unit_square(16, Sides::HANGING).unwrap();
+    let mesh = unit_square(16, SideParts::HANGING).unwrap();
     for (load, form) in [(0.0, Form::LAPLACE), (-1e140, Form::LAPLACE), (1e-140, Form::LAPLACE)] {
         let values = vec![load; mesh.nodes().len()];
         let problem = ContactProblem::new(mesh.clone(), form, &values).unwrap();
@@ -332,7 +332,7 @@ fn without_load_nothing_moves_and_huge_loads_do_no_harm() {
 #[test]
 fn energies_are_those_of_other_packages() {
     let mut known = 0;
-    for scene in MeshScene::all() {
+    for scene in TestProblem::all() {
         for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [16, 32, 64].map(|n| (cone, n))) {
             let Some(j) = known_energy(scene, cone, n) else { continue };
             let found = multigrid(&scene.problem(n).unwrap(), cone, None, 1e-12);
@@ -351,7 +351,7 @@ fn energies_are_those_of_other_packages() {
 fn sets_are_few_on_every_level_from_nothing_known() {
     let corner = HardCase::Angle { degrees: 60.0, is_elastic: false };
     let graded = HardCase::Graded { levels: 10, is_elastic: true };
-    let scenes = MeshScene::all().into_iter().map(HardCase::Scene).map(|case| (case, 512));
+    let scenes = TestProblem::all().into_iter().map(HardCase::Scene).map(|case| (case, 512));
     for (case, n) in scenes.chain([(corner, 512), (graded, 64)]) {
         // Seconds: coarser where the finer mesh shows nothing more.
         let is_eliminated = ["incompressible", "bracket"].contains(&case.to_string().as_str());
@@ -392,7 +392,7 @@ fn sets_are_few_on_every_level_from_nothing_known() {
 fn gradient_steps_do_not_grow_with_the_mesh() {
     for cone in Cone::ALL {
         let steps = [64, 128, 256].map(|n| {
-            let found = multigrid(&MeshScene::Block.problem(n).unwrap(), cone, None, 1e-10);
+            let found = multigrid(&TestProblem::Block.problem(n).unwrap(), cone, None, 1e-10);
             report(&found).levels.last().unwrap().gradient_steps
         });
         assert!(steps.iter().all(|&count| count <= 30), "{cone}: {steps:?}");

@@ -4,8 +4,8 @@ use example_frame::Outcome;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::Form;
-use signorini::mesh::{Part, Sides, unit_square};
-use signorini::scenes::{KnownSolution, MeshScene, TransitionPowers};
+use signorini::mesh::{Part, SideParts, unit_square};
+use signorini::problems::{KnownSolution, TestProblem, TransitionPowers};
 
 #[allow(dead_code)]
 #[path = "../examples/remark_1_whole_boundary.rs"]
@@ -18,7 +18,7 @@ const ENERGY: f64 = 1e-8;
 fn both_solvers_agree_on_a_closed_edge_in_both_cones() {
     let transition = KnownSolution::whole_boundary(TransitionPowers::of_regularity(1.75), 0.37).unwrap();
     for n in [3, 4, 9, 16] {
-        for problem in [MeshScene::MembraneReaction.problem(n).unwrap(), transition.problem(n).unwrap()] {
+        for problem in [TestProblem::MembraneReaction.problem(n).unwrap(), transition.problem(n).unwrap()] {
             assert!(problem.edge().is_closed() && problem.edge().nodes().len() == 4 * n);
             for cone in Cone::ALL {
                 let [one, other] = [Solver::ActiveSet, Solver::InteriorPoint]
@@ -37,7 +37,7 @@ fn both_solvers_agree_on_a_closed_edge_in_both_cones() {
 #[test]
 fn full_contact_on_a_ring_is_solved() {
     let all = Part::Contact;
-    let mesh = unit_square(4, Sides { bottom: all, right: all, top: all, left: all }).unwrap();
+    let mesh = unit_square(4, SideParts { bottom: all, right: all, top: all, left: all }).unwrap();
     let load = vec![1.0; mesh.nodes().len()];
     let problem = ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &load).unwrap();
     for cone in Cone::ALL {

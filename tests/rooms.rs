@@ -41,7 +41,7 @@ const ROOMS: [(&str, &[&str]); 2] = [
     (
         "src",
         &[
-            "error", "numeric", "mesh", "fem", "cone", "contact", "strip", "singular", "scenes", "edge",
+            "error", "numeric", "mesh", "fem", "cone", "contact", "strip", "singular", "problems", "edge",
             "rates", "proof",
         ],
     ),

@@ -8,10 +8,10 @@ use example_frame::Outcome;
 use experiments::convergence::{EndCase, EndRun, Start};
 use signorini::cone::Cone;
 use signorini::mesh::Outline;
-use signorini::scenes::ClampedEnd;
+use signorini::problems::DirichletEnd;
 use signorini::singular::ContactZone;
 
-const SCENE: ClampedEnd = ClampedEnd {
+const SCENE: DirichletEnd = DirichletEnd {
     outline: Outline::HalfDisc,
     angles: 12,
     step: 0.25,
@@ -67,7 +67,7 @@ fn the_zone_of_a_pulled_body_is_the_closed_form() {
 /// A hundred decades cost nothing but rings, and say the same.
 #[test]
 fn a_hundred_decades_say_the_same() {
-    let deep = ClampedEnd { smallest: 1e-100, ..SCENE };
+    let deep = DirichletEnd { smallest: 1e-100, ..SCENE };
     let [short, long] = [SCENE, deep].map(|scene| EndRun::of(&scene, Cone::Nodal, Start::Open).unwrap());
     assert_eq!(long.decades.len(), 100);
     assert!(long.worst_decade() < 1e-10, "{}", long.worst_decade());
@@ -81,7 +81,7 @@ fn a_hundred_decades_say_the_same() {
 fn coarse_rings_move_the_zone_and_keep_it() {
     let borders = |angles: usize| {
         let step = std::f64::consts::PI / angles as f64;
-        let scene = ClampedEnd { angles, step, poisson: Some(0.45), smallest: 1e-60, ..SCENE };
+        let scene = DirichletEnd { angles, step, poisson: Some(0.45), smallest: 1e-60, ..SCENE };
         let run = EndRun::of(&scene, Cone::Nodal, Start::Open).unwrap();
         assert!(run.touches() && run.worst_decade() < 1e-10, "{:?}", run.intervals);
         run.borders()
@@ -94,11 +94,11 @@ fn coarse_rings_move_the_zone_and_keep_it() {
 #[test]
 fn what_collapses_is_refused() {
     for scene in [
-        ClampedEnd { angles: 10, ..SCENE },
-        ClampedEnd { step: 0.0, ..SCENE },
-        ClampedEnd { smallest: 1e-200, ..SCENE },
-        ClampedEnd { poisson: Some(0.5), ..SCENE },
-        ClampedEnd { direction: f64::INFINITY, ..SCENE },
+        DirichletEnd { angles: 10, ..SCENE },
+        DirichletEnd { step: 0.0, ..SCENE },
+        DirichletEnd { smallest: 1e-200, ..SCENE },
+        DirichletEnd { poisson: Some(0.5), ..SCENE },
+        DirichletEnd { direction: f64::INFINITY, ..SCENE },
     ] {
         assert!(EndRun::of(&scene, Cone::Nodal, Start::Open).is_err(), "{scene:?}");
     }

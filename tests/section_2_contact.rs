@@ -21,22 +21,22 @@ use section_2_elastic_contact::Problem;
 use signorini::cone::{Cone, Status};
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Condensation, Form, Lame, stiffness};
-use signorini::mesh::{Hierarchy, Sides, unit_square};
-use signorini::scenes::MeshScene;
+use signorini::mesh::{Hierarchy, SideParts, unit_square};
+use signorini::problems::TestProblem;
 
 #[test]
 fn block_nodal_matches_five_packages() {
-    check_against_reference("E1", MeshScene::Block, Cone::Nodal);
+    check_against_reference("E1", TestProblem::Block, Cone::Nodal);
 }
 
 #[test]
 fn membrane_nodal_matches_five_packages() {
-    check_against_reference("S1", MeshScene::Membrane, Cone::Nodal);
+    check_against_reference("S1", TestProblem::Membrane, Cone::Nodal);
 }
 
 #[test]
 fn active_set_and_interior_point_agree() {
-    for scene in [MeshScene::Block, MeshScene::Membrane] {
+    for scene in [TestProblem::Block, TestProblem::Membrane] {
         solvers_agree(scene, Cone::Nodal);
     }
 }
@@ -46,11 +46,11 @@ fn refined_mesh_gives_the_same_solution_as_the_structured_one() {
     // Same triangles, other numbering, other elimination order: equal up to rounding of 10^4 operations per
     // sum.
     const NUMBERING: f64 = 1e-13;
-    let mut hierarchy = Hierarchy::new(MeshScene::Block.mesh(8).unwrap());
+    let mut hierarchy = Hierarchy::new(TestProblem::Block.mesh(8).unwrap());
     hierarchy.refine().unwrap();
-    let nested = MeshScene::Block.on(hierarchy.finest().clone()).unwrap();
+    let nested = TestProblem::Block.on(hierarchy.finest().clone()).unwrap();
     let nested = nested.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
-    let direct = MeshScene::Block.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    let direct = TestProblem::Block.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
     assert!((nested.energy / direct.energy - 1.0).abs() < NUMBERING);
     for (a, b) in nested.normal_displacement.iter().zip(&direct.normal_displacement) {
         assert!((a - b).abs() < NUMBERING, "{a} {b}");
@@ -61,7 +61,7 @@ fn refined_mesh_gives_the_same_solution_as_the_structured_one() {
 fn condensation_is_the_schur_complement() {
     // Against elimination of one unknown after the other from a dense copy; 16 ε times 50 unknowns.
     const DENSE: f64 = 1e-13;
-    let mesh = unit_square(4, Sides::HANGING).unwrap();
+    let mesh = unit_square(4, SideParts::HANGING).unwrap();
     let matrix = stiffness(&mesh, &Form::LAPLACE, &signorini::fem::Frame::cartesian());
     let prescribed: Vec<bool> = mesh.nodes().iter().map(|&[_, y]| y == 1.0).collect();
     let kept = [0, 1, 2, 3, 4];
@@ -89,9 +89,9 @@ fn condensation_is_the_schur_complement() {
 #[test]
 fn nested_energy_errors_decrease() {
     // Only the decrease, and that a function has no distance to itself.
-    let hierarchy = Hierarchy::refined(MeshScene::Membrane.mesh(8).unwrap(), 2).unwrap();
+    let hierarchy = Hierarchy::refined(TestProblem::Membrane.mesh(8).unwrap(), 2).unwrap();
     let solve = |level: usize| {
-        let problem = MeshScene::Membrane.on(hierarchy.levels()[level].clone()).unwrap();
+        let problem = TestProblem::Membrane.on(hierarchy.levels()[level].clone()).unwrap();
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
         (problem, solution.displacement)
     };
@@ -107,13 +107,13 @@ fn nested_energy_errors_decrease() {
 
 #[test]
 fn bad_input_is_an_error() {
-    assert!(MeshScene::Block.problem(0).is_err());
+    assert!(TestProblem::Block.problem(0).is_err());
     assert!("planar".parse::<Cone>().is_err() && "newton".parse::<Solver>().is_err());
-    let mesh = || unit_square(4, Sides::HANGING).unwrap();
+    let mesh = || unit_square(4, SideParts::HANGING).unwrap();
     let elastic = || Form::elastic(Lame::new(1.0, 1.0).unwrap());
     assert!(ContactProblem::new(mesh(), elastic(), &[0.0; 3]).is_err());
     assert!(ContactProblem::new(mesh(), elastic(), &[f64::NAN; 50]).is_err());
-    let loose = Sides { top: signorini::mesh::Part::Neumann, ..Sides::HANGING };
+    let loose = SideParts { top: signorini::mesh::Part::Neumann, ..SideParts::HANGING };
     let floating = ContactProblem::new(unit_square(4, loose).unwrap(), elastic(), &[0.0; 50]);
     assert!(floating.is_err());
     for arguments in [["--n", "0"], ["--cone", "planar"], ["--solver", "newton"]] {
@@ -144,12 +144,12 @@ fn examples_confirm_their_claim() {
 
 #[test]
 fn scenes_of_the_other_example_are_refused() {
-    let scene = Some(MeshScene::Block);
+    let scene = Some(TestProblem::Block);
     assert!(
         section_2_scalar_contact::run(&section_2_scalar_contact::Options { scene, ..Default::default() })
             .is_err()
     );
-    let scene = Some(MeshScene::Corner);
+    let scene = Some(TestProblem::Corner);
     assert!(
         section_2_elastic_contact::run(&section_2_elastic_contact::Options { scene, ..Default::default() })
             .is_err()

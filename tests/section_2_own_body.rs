@@ -174,7 +174,7 @@ fn two_contact_edges_have_two_normals() {
         Err(Error::Toolkit(ToolkitError::Incompatible { .. }))
     ));
     let nested = Settings { start: Start::Coarse(&by_sets), ..Settings::default() };
-    assert!(problem.contact_partition().is_err() && problem.solve(Cone::Nodal, nested).is_err());
+    assert!(problem.contact_mesh().is_err() && problem.solve(Cone::Nodal, nested).is_err());
     let cycles = problem.solve(Cone::Nodal, Solver::Multigrid).unwrap();
     assert_eq!(cycles.energy, by_sets.energy);
     assert_eq!(cycles.multigrid.unwrap().fallback, Some(Fallback::SeveralEdges));

@@ -8,9 +8,9 @@ use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::fem::Field;
 use signorini::mesh::Hierarchy;
-use signorini::scenes::{KnownSolution, MeshScene, Setting};
+use signorini::problems::{KnownSolution, Parameters, TestProblem};
 
-fn solved(scene: MeshScene, n: usize, cone: Cone) -> (ContactProblem, ContactSolution) {
+fn solved(scene: TestProblem, n: usize, cone: Cone) -> (ContactProblem, ContactSolution) {
     let problem = scene.problem(n).unwrap();
     let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
     (problem, solution)
@@ -27,7 +27,7 @@ fn known_solution_is_approached_at_the_optimal_rate() {
     let known = KnownSolution::three_halves();
     for cone in Cone::ALL {
         let norms = [16, 64].map(|n| {
-            let (problem, solution) = solved(MeshScene::Manufactured, n, cone);
+            let (problem, solution) = solved(TestProblem::Manufactured, n, cone);
             known.error_norms(&problem, &solution.displacement).unwrap()
         });
         let [coarse, fine] = norms;
@@ -46,7 +46,7 @@ fn known_contact_set_and_force_are_found() {
     for cone in Cone::ALL {
         let mut off = Vec::new();
         for n in [32, 128] {
-            let (_, solution) = solved(MeshScene::Manufactured, n, cone);
+            let (_, solution) = solved(TestProblem::Manufactured, n, cone);
             let runs = solution.contact_set.runs();
             assert_eq!(runs.len(), 1, "{cone}");
             let end = solution.positions[runs[0].end - 1];
@@ -62,10 +62,10 @@ fn corner_shows_its_exponent() {
     // Along the contact edge u ~ c r^{π/(2ω)}: slope of ln |u| over dyadic distances on a mesh graded toward
     // the corner.
     for angle in [90.0, 120.0, 135.0, 150.0] {
-        let setting = Setting { angle, ..Setting::default() };
-        let mut hierarchy = Hierarchy::new(MeshScene::Corner.mesh_with(16, &setting).unwrap());
+        let setting = Parameters { angle, ..Parameters::default() };
+        let mut hierarchy = Hierarchy::new(TestProblem::Corner.mesh_with(16, &setting).unwrap());
         hierarchy.refine_toward_point([0.0, 0.0], 16).unwrap();
-        let problem = MeshScene::Corner.on_with(hierarchy.finest().clone(), &setting).unwrap();
+        let problem = TestProblem::Corner.on_with(hierarchy.finest().clone(), &setting).unwrap();
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
         assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{angle}");
         let near = |bound: f64| {
@@ -85,7 +85,7 @@ fn corner_shows_its_exponent() {
 fn grading_toward_the_corner_pays() {
     // Nested spaces: every added node lowers the minimum of the same energy; the load is constant on all
     // levels.
-    let mesh = MeshScene::Corner.mesh(8).unwrap();
+    let mesh = TestProblem::Corner.mesh(8).unwrap();
     let form = signorini::fem::Form::LAPLACE;
     let mut hierarchy = Hierarchy::new(mesh);
     hierarchy.refine_toward_point([0.0, 0.0], 6).unwrap();
@@ -105,8 +105,8 @@ fn nearly_incompressible_blocks_lock_and_both_solvers_say_the_same() {
     // P1 elements: the displacement dies as Poisson's ratio approaches 1/2 on a fixed mesh. Solvers agree as
     // far as the condition number 1e7 times that of the mesh allows.
     let largest = |poisson: f64| {
-        let setting = Setting { poisson, ..Setting::default() };
-        let problem = MeshScene::Incompressible.problem_with(16, &setting).unwrap();
+        let setting = Parameters { poisson, ..Parameters::default() };
+        let problem = TestProblem::Incompressible.problem_with(16, &setting).unwrap();
         let [a, b] = [Solver::ActiveSet, Solver::InteriorPoint]
             .map(|solver| problem.solve(Cone::Nodal, solver).unwrap());
         assert!((a.energy / b.energy - 1.0).abs() < 1e-8, "{poisson}: {:e} {:e}", a.energy, b.energy);
@@ -122,7 +122,7 @@ fn nearly_incompressible_blocks_lock_and_both_solvers_say_the_same() {
 
 #[test]
 fn reaction_problem_agrees_with_the_interior_point_method() {
-    let scene = Some(MeshScene::MembraneReaction);
+    let scene = Some(TestProblem::MembraneReaction);
     let options = section_2_scalar_contact::Options { scene, n: 8, levels: 3, ..Default::default() };
     assert_eq!(section_2_scalar_contact::compute(&options).unwrap().runs.len(), 6);
     let headline = section_2_scalar_contact::run(&options).unwrap();
@@ -135,9 +135,9 @@ fn reaction_problem_agrees_with_the_interior_point_method() {
 #[test]
 fn initial_gap_and_settlement_move_the_contact() {
     // Pressing the top down by s against a gap of g is pressing by s − g against none: u_N − g is the same.
-    let mesh = MeshScene::Closed.mesh(16).unwrap();
+    let mesh = TestProblem::Closed.mesh(16).unwrap();
     let build = |settlement: f64, gap: f64| {
-        let form = MeshScene::Closed.problem(16).unwrap().form().clone();
+        let form = TestProblem::Closed.problem(16).unwrap().form().clone();
         let mut problem = ContactProblem::new(mesh.clone(), form, &vec![0.0; 2 * 17 * 17]).unwrap();
         problem.set_dirichlet(&Field::Vector(&|_| [0.0, -settlement])).unwrap();
         problem.set_gap(|[x, _]| gap + 0.05 * x * x).unwrap();
@@ -159,16 +159,16 @@ fn initial_gap_and_settlement_move_the_contact() {
 
 #[test]
 fn traction_from_the_residual_is_the_contact_pressure() {
-    let (problem, solution) = solved(MeshScene::Block, 32, Cone::Nodal);
+    let (problem, solution) = solved(TestProblem::Block, 32, Cone::Nodal);
     for (pressure, [normal, tangential]) in solution.pressure.iter().zip(&solution.traction) {
         assert!(
             (pressure + normal).abs() < 1e-12 && tangential.abs() < 1e-12,
             "{pressure} {normal} {tangential}"
         );
     }
-    assert_eq!(problem.contact_partition().unwrap().lengths().len(), 32);
+    assert_eq!(problem.contact_mesh().unwrap().lengths().len(), 32);
     // Against the known σ_N, away from both ends of the run.
-    let (problem, solution) = solved(MeshScene::Manufactured, 128, Cone::Nodal);
+    let (problem, solution) = solved(TestProblem::Manufactured, 128, Cone::Nodal);
     for (&x, [normal, _]) in problem.edge().arc().iter().zip(&solution.traction) {
         if (0.1..0.35).contains(&x) {
             assert!((normal - KnownSolution::three_halves().normal_stress(x)).abs() < 2e-3, "{x}: {normal}");

@@ -6,7 +6,7 @@ mod example;
 
 use example_frame::Outcome;
 use experiments::convergence::CornerReading;
-use signorini::scenes::{MeshScene, Setting};
+use signorini::problems::{Parameters, TestProblem};
 use signorini::singular::{Exponent, LARGEST, Medium, SideCondition, SideConditions, SignCondition, Wedge};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -277,14 +277,14 @@ fn closed_corners_keep_even_fields() {
 /// not see which one it is where the gap is small.
 #[test]
 fn exponents_are_read_at_the_corners_of_scenes() {
-    let setting = Setting::default();
+    let setting = Parameters::default();
     for (scene, sides) in [
-        (MeshScene::Block, "N-D"),
-        (MeshScene::Leaning, "O-D"),
-        (MeshScene::Raised, "O-D"),
-        (MeshScene::Taper, "C-N"),
-        (MeshScene::Corner, "O-D"),
-        (MeshScene::Incompressible, "N-D"),
+        (TestProblem::Block, "N-D"),
+        (TestProblem::Leaning, "O-D"),
+        (TestProblem::Raised, "O-D"),
+        (TestProblem::Taper, "C-N"),
+        (TestProblem::Corner, "O-D"),
+        (TestProblem::Incompressible, "N-D"),
     ] {
         let reading = CornerReading::of(scene, &setting, 4).unwrap().unwrap();
         assert_eq!(reading.corner.wedge.sides().to_string(), sides, "{scene}");
@@ -293,7 +293,7 @@ fn exponents_are_read_at_the_corners_of_scenes() {
     // Three angles: open to a ten thousandth of the edge, and closed.
     let border = |angle| {
         let reading =
-            CornerReading::of(MeshScene::Leaning, &Setting { angle, ..setting }, 4).unwrap().unwrap();
+            CornerReading::of(TestProblem::Leaning, &Parameters { angle, ..setting }, 4).unwrap().unwrap();
         assert!(reading.deviation() <= 1.0, "{angle}: {reading:?}");
         (reading.corner.wedge.sides().to_string(), reading.border.unwrap())
     };
@@ -303,16 +303,16 @@ fn exponents_are_read_at_the_corners_of_scenes() {
         let (sides, zone) = border(angle);
         assert!(sides == "C-D" && zone > 0.1, "{angle}: {sides} {zone:e}");
     }
-    let scalar = Setting { angle: 150.0, ..setting };
-    assert!(CornerReading::of(MeshScene::Corner, &scalar, 4).unwrap().unwrap().deviation() <= 1.0);
-    assert_eq!(CornerReading::of(MeshScene::Membrane, &setting, 4).unwrap(), None);
+    let scalar = Parameters { angle: 150.0, ..setting };
+    assert!(CornerReading::of(TestProblem::Corner, &scalar, 4).unwrap().unwrap().deviation() <= 1.0);
+    assert_eq!(CornerReading::of(TestProblem::Membrane, &setting, 4).unwrap(), None);
     for cells in [0, 1, 65] {
-        assert!(CornerReading::of(MeshScene::Block, &setting, cells).is_err());
+        assert!(CornerReading::of(TestProblem::Block, &setting, cells).is_err());
     }
-    assert!(CornerReading::of(MeshScene::Taper, &Setting { angle: 60.0, ..setting }, 4).is_err());
+    assert!(CornerReading::of(TestProblem::Taper, &Parameters { angle: 60.0, ..setting }, 4).is_err());
     // A blunt corner away from the origin, whose coordinates are rounded.
-    let sharp = Setting { angle: 50.0, ..setting };
-    let blunt = CornerReading::of(MeshScene::Raised, &sharp, 4).unwrap().unwrap();
+    let sharp = Parameters { angle: 50.0, ..setting };
+    let blunt = CornerReading::of(TestProblem::Raised, &sharp, 4).unwrap().unwrap();
     assert!((blunt.corner.wedge.angle().to_degrees() - 130.0).abs() < 1e-9, "{blunt:?}");
     assert!(blunt.deviation() <= 1.0 && blunt.exponent.error < 0.05, "{blunt:?}");
 }
@@ -360,7 +360,9 @@ fn the_findings_turn_on_planted_faults() {
     for row in &mut computed.scenes {
         row.on_squares = row.tau;
         // What closed contact would have: the bars tell it from open contact.
-        let Some(reading) = row.reading.as_mut().filter(|_| row.scene == MeshScene::Raised) else { continue };
+        let Some(reading) = row.reading.as_mut().filter(|_| row.scene == TestProblem::Raised) else {
+            continue;
+        };
         reading.corner.regularity.tau = 1.838_732;
         reading.exponent.error *= 10.0;
     }

@@ -7,21 +7,21 @@ use faer::{Mat, Side};
 use qd::Quad;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
-use signorini::scenes::StripScene;
-use signorini::strip::{EdgeData, EdgeSolution, Reference, Sides, StripKind, StripProblem};
+use signorini::problems::StripData;
+use signorini::strip::{EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem};
 
 /// The accuracy promised for every printed error, relative.
 const PROMISED: f64 = 1e-8;
 /// Fields are differences of values known to 1e-13 or so; errors are 1e-2 of them.
 const FIELD: f64 = 1e-10;
 
-fn scene(cells: usize, sides: Sides) -> EdgeData {
-    StripScene::Transition { position: 0.37 }.data(1.75, cells, sides).unwrap()
+fn scene(cells: usize, sides: LateralCondition) -> EdgeData {
+    StripData::Transition { position: 0.37 }.data(1.75, cells, sides).unwrap()
 }
 
 /// One layer of triangles over (bottom row, top row), `c` components per node; a(u, v) of the Laplacian (c =
 /// 1) or of elasticity (c = 2).
-fn layer(n: usize, sides: Sides, lame: Option<Lame>) -> Mat<f64> {
+fn layer(n: usize, sides: LateralCondition, lame: Option<Lame>) -> Mat<f64> {
     let nodes = sides.nodes(n);
     let c = if lame.is_some() { 2 } else { 1 };
     let mut matrix = Mat::<f64>::zeros(2 * c * nodes, 2 * c * nodes);
@@ -74,7 +74,7 @@ fn field(layer: &Mat<f64>, n: usize, edge: &[f64]) -> Vec<Vec<f64>> {
 }
 
 /// P1 interpolation to the grid of half the mesh size; squares cut from bottom left to top right.
-fn refine(rows: &[Vec<f64>], sides: Sides, c: usize) -> Vec<Vec<f64>> {
+fn refine(rows: &[Vec<f64>], sides: LateralCondition, c: usize) -> Vec<Vec<f64>> {
     let n = rows.len() - 1;
     let (coarse, fine) = (sides.nodes(n), sides.nodes(2 * n));
     let value = |i: usize, j: usize, k: usize| rows[j][c * (i % coarse) + k];
@@ -103,7 +103,13 @@ fn energy(layer: &Mat<f64>, rows: &[Vec<f64>]) -> f64 {
 }
 
 /// |u − u_h|_a from the whole fields.
-fn field_error(fine: &Mat<f64>, u: &[Vec<f64>], mut u_h: Vec<Vec<f64>>, sides: Sides, c: usize) -> f64 {
+fn field_error(
+    fine: &Mat<f64>,
+    u: &[Vec<f64>],
+    mut u_h: Vec<Vec<f64>>,
+    sides: LateralCondition,
+    c: usize,
+) -> f64 {
     while u_h.len() < u.len() {
         u_h = refine(&u_h, sides, c);
     }
@@ -120,15 +126,15 @@ fn solve(problem: &StripProblem, n: usize, cone: Cone) -> EdgeSolution {
 #[test]
 fn scalar_error_is_that_of_the_fields() {
     let cells = 128;
-    let scene = scene(cells, Sides::Natural);
+    let scene = scene(cells, LateralCondition::Natural);
     let problem = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2).unwrap();
-    let fine = layer(cells, Sides::Natural, None);
+    let fine = layer(cells, LateralCondition::Natural, None);
     let u = field(&fine, cells, scene.values());
     for n in [8, 16, 32, 64] {
         for cone in Cone::ALL {
             let values = solve(&problem, n, cone).values;
-            let u_h = field(&layer(n, Sides::Natural, None), n, &values);
-            let expected = field_error(&fine, &u, u_h, Sides::Natural, 1);
+            let u_h = field(&layer(n, LateralCondition::Natural, None), n, &values);
+            let expected = field_error(&fine, &u, u_h, LateralCondition::Natural, 1);
             let got = problem.error(n, &values).unwrap();
             let error = (got.value / expected - 1.0).abs();
             println!("scalar field {n} {cone}: {error:.1e}");
@@ -156,16 +162,16 @@ fn with_tangential(layer: &Mat<f64>, n: usize, normal: &[f64]) -> Vec<f64> {
 fn elastic_error_is_that_of_the_fields() {
     let cells = 128;
     let lame = Lame::new(1.0, 1.0).unwrap();
-    let scene = scene(cells, Sides::Periodic);
+    let scene = scene(cells, LateralCondition::Periodic);
     let problem = StripProblem::new(StripKind::Elastic, &scene, Reference::Nested, 2).unwrap();
-    let fine = layer(cells, Sides::Periodic, Some(lame));
+    let fine = layer(cells, LateralCondition::Periodic, Some(lame));
     let u = field(&fine, cells, &with_tangential(&fine, cells, scene.values()));
     for n in [8, 16, 32, 64] {
         for cone in Cone::ALL {
             let values = solve(&problem, n, cone).values;
-            let coarse = layer(n, Sides::Periodic, Some(lame));
+            let coarse = layer(n, LateralCondition::Periodic, Some(lame));
             let u_h = field(&coarse, n, &with_tangential(&coarse, n, &values));
-            let expected = field_error(&fine, &u, u_h, Sides::Periodic, 2);
+            let expected = field_error(&fine, &u, u_h, LateralCondition::Periodic, 2);
             let got = problem.error(n, &values).unwrap();
             let error = (got.value / expected - 1.0).abs();
             println!("elastic field {n} {cone}: {error:.1e}");
@@ -287,7 +293,7 @@ fn scalar_error_holds_in_extended_precision_at_the_finest_level() {
 }
 
 fn extended(cells: usize, levels: &[usize]) {
-    let scene = scene(cells, Sides::Natural);
+    let scene = scene(cells, LateralCondition::Natural);
     let problem = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2).unwrap();
     let long = |v: &[f64]| v.iter().map(|&x| Quad::from(x)).collect::<Vec<_>>();
     let fine_symbols: Vec<Quad> = symbols(cells);
@@ -317,7 +323,7 @@ fn extended(cells: usize, levels: &[usize]) {
 
 #[test]
 fn harmonic_reference_is_the_limit_of_nested_ones() {
-    let coarse = scene(64, Sides::Natural);
+    let coarse = scene(64, LateralCondition::Natural);
     let harmonic = StripProblem::new(StripKind::Scalar, &coarse, Reference::Harmonic, 2).unwrap();
     // The same piecewise linear edge shape on grids 2 ... 32 times as fine.
     let mut values = coarse.values().to_vec();
@@ -329,7 +335,7 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
             .collect();
         values = fine;
         let forces = vec![0.0; values.len()];
-        let scene = EdgeData::new(64 << level, Sides::Natural, values.clone(), forces).unwrap();
+        let scene = EdgeData::new(64 << level, LateralCondition::Natural, values.clone(), forces).unwrap();
         let nested = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2).unwrap();
         errors.push(nested.error(16, &shape).unwrap().value.powi(2));
     }
@@ -355,8 +361,8 @@ fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
         let mut studies = Vec::new();
         for i in 0..POSITIONS {
             let position = 0.381966 + i as f64 / POSITIONS as f64 / 2048.0;
-            let source = StripScene::Transition { position };
-            let scene = source.data(tau, levels.reference_cells(), Sides::Natural).unwrap();
+            let source = StripData::Transition { position };
+            let scene = source.data(tau, levels.reference_cells(), LateralCondition::Natural).unwrap();
             match &mut problem {
                 Some(problem) => problem.set_scene(&scene).unwrap(),
                 None => {

@@ -3,8 +3,8 @@
 
 use experiments::convergence::{CaseStudy, Level, Levels, StripCase, strip_levels};
 use signorini::cone::Cone;
-use signorini::scenes::StripScene;
-use signorini::strip::{Reference, Sides, StripKind, StripProblem};
+use signorini::problems::StripData;
+use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
 
 /// Required of every step on every level.
 const BOUND: usize = 30;
@@ -57,7 +57,7 @@ fn inner_iterations_are_bounded_over_levels_gap_counts_cones_and_kinds() {
 #[test]
 fn a_fat_cantor_set_of_over_thirty_thousand_gaps_needs_no_more() {
     // The set lives on 2^22 cells; levels to 2^16 resolve the gaps of two of their cells or more.
-    let scene = StripScene::FatCantor { depth: 15 }.data(1.55, 1 << 22, Sides::Natural).unwrap();
+    let scene = StripData::FatCantor { depth: 15 }.data(1.55, 1 << 22, LateralCondition::Natural).unwrap();
     assert!(scene.gaps() > 30_000, "{}", scene.gaps());
     let problem = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 8).unwrap();
     for cone in Cone::ALL {

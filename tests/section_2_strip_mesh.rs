@@ -10,7 +10,7 @@ use faer::{Mat, Side};
 use signorini::cone::{Cone, Ends};
 use signorini::contact::Solver;
 use signorini::fem::Lame;
-use signorini::scenes::MeshScene;
+use signorini::problems::TestProblem;
 use signorini::strip::Strip;
 use std::f64::consts::PI;
 
@@ -24,7 +24,7 @@ const SOLVED: f64 = 1e-13;
 #[test]
 fn scalar_strip_and_mesh_agree() {
     for n in [8, 16, 32, 64, 128] {
-        let problem = MeshScene::Membrane.problem(n).unwrap();
+        let problem = TestProblem::Membrane.problem(n).unwrap();
         let strip = Strip::scalar(n, n).unwrap();
         let (force, constant) = strip.condense(|x, _| [(2.0 * PI * x).cos() + 0.3, 0.0]).unwrap();
         let points = problem.edge().points();

@@ -9,8 +9,8 @@ use signorini::Error;
 use signorini::ToolkitError;
 use signorini::cone::{Cone, Ends, Status};
 use signorini::fem::Lame;
-use signorini::scenes::StripScene;
-use signorini::strip::{EdgeData, EdgeOperator, Reference, Sides, Strip, StripKind, StripProblem};
+use signorini::problems::StripData;
+use signorini::strip::{EdgeData, EdgeOperator, LateralCondition, Reference, Strip, StripKind, StripProblem};
 use std::sync::LazyLock;
 
 #[path = "../examples/section_2_strip.rs"]
@@ -145,30 +145,39 @@ fn refused<T: std::fmt::Debug, E: std::fmt::Display + std::fmt::Debug>(
 
 #[test]
 fn bad_scenes_are_named() {
-    let build = |kind: StripScene, tau| kind.data(tau, 64, Sides::Natural);
-    let transition = StripScene::Transition { position: 0.4 };
+    let build = |kind: StripData, tau| kind.data(tau, 64, LateralCondition::Natural);
+    let transition = StripData::Transition { position: 0.4 };
     for tau in [1.5, 2.6, f64::NAN, -1.0] {
         refused(build(transition.clone(), tau), "tau");
     }
-    refused(build(StripScene::Cantor { ratio: 0.3, depth: 3 }, 2.1), "tau");
+    refused(build(StripData::Cantor { ratio: 0.3, depth: 3 }, 2.1), "tau");
     refused(build(transition.clone(), 2.1), "tau");
-    refused(build(StripScene::FatCantor { depth: 5 }, 2.0), "fat Cantor");
-    refused(build(StripScene::FatCantor { depth: 0 }, 1.75), "depth");
-    refused(build(StripScene::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");
-    refused(build(StripScene::Transition { position: 1.0 }, 1.75), "position");
-    refused(build(StripScene::Transitions { gaps: 64 }, 1.75), "gaps");
-    refused(EdgeData::new(2, Sides::Natural, vec![-1.0; 3], vec![0.0; 3]), "empty");
-    refused(EdgeData::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![0.0, 1.0, 0.0]), "both nonzero");
-    refused(EdgeData::new(2, Sides::Natural, vec![0.0, 1.0, 0.0], vec![0.0; 3]), "u_N");
-    refused(EdgeData::new(2, Sides::Natural, vec![0.0, -1.0, 0.0], vec![-1.0, 0.0, 0.0]), "lambda");
-    refused(EdgeData::new(2, Sides::Natural, vec![0.0, f64::NAN, 0.0], vec![0.0; 3]), "not finite");
-    refused(EdgeData::new(4, Sides::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
-    let odd = EdgeData::new(6, Sides::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
+    refused(build(StripData::FatCantor { depth: 5 }, 2.0), "fat Cantor");
+    refused(build(StripData::FatCantor { depth: 0 }, 1.75), "depth");
+    refused(build(StripData::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");
+    refused(build(StripData::Transition { position: 1.0 }, 1.75), "position");
+    refused(build(StripData::Transitions { gaps: 64 }, 1.75), "gaps");
+    refused(EdgeData::new(2, LateralCondition::Natural, vec![-1.0; 3], vec![0.0; 3]), "empty");
+    refused(
+        EdgeData::new(2, LateralCondition::Natural, vec![0.0, -1.0, 0.0], vec![0.0, 1.0, 0.0]),
+        "both nonzero",
+    );
+    refused(EdgeData::new(2, LateralCondition::Natural, vec![0.0, 1.0, 0.0], vec![0.0; 3]), "u_N");
+    refused(
+        EdgeData::new(2, LateralCondition::Natural, vec![0.0, -1.0, 0.0], vec![-1.0, 0.0, 0.0]),
+        "lambda",
+    );
+    refused(
+        EdgeData::new(2, LateralCondition::Natural, vec![0.0, f64::NAN, 0.0], vec![0.0; 3]),
+        "not finite",
+    );
+    refused(EdgeData::new(4, LateralCondition::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
+    let odd = EdgeData::new(6, LateralCondition::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
     let scalar = |data| StripProblem::new(StripKind::Scalar, data, Reference::Nested, 2);
     refused(scalar(&odd), "powers of two");
-    let ring = EdgeData::new(8, Sides::Periodic, vec![0.0; 8], vec![0.0; 8]).unwrap();
+    let ring = EdgeData::new(8, LateralCondition::Periodic, vec![0.0; 8], vec![0.0; 8]).unwrap();
     refused(scalar(&ring), "sides");
-    let flat = EdgeData::new(8, Sides::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
+    let flat = EdgeData::new(8, LateralCondition::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
     let exact = scalar(&flat).unwrap();
     refused(exact.load(16), "cells");
     refused(exact.load(3), "cells");
@@ -178,16 +187,16 @@ fn bad_scenes_are_named() {
 #[test]
 fn samples_are_read_or_refused_by_line() {
     let good = "# u_N lambda\n0 1\n0, 0.5\n-0.1 0\n-0.2 0 # open\n-0.1 0\n";
-    let scene = EdgeData::from_samples(good, Sides::Natural).unwrap();
+    let scene = EdgeData::from_samples(good, LateralCondition::Natural).unwrap();
     assert_eq!((scene.cells(), scene.gaps(), scene.regularity()), (4, 1, None));
     assert_eq!(scene.forces(), [0.125, 0.125, 0.0, 0.0, 0.0]);
-    refused(EdgeData::from_samples("0 1\n0\n0 0\n", Sides::Natural), "line 2");
-    refused(EdgeData::from_samples("0 1\n0 0 0\n0 0\n", Sides::Natural), "line 2");
-    refused(EdgeData::from_samples("0 1\n0 0\nx 0\n", Sides::Natural), "line 3");
-    refused(EdgeData::from_samples("0 1\n0 0\n", Sides::Natural), "lines of samples");
-    refused(EdgeData::from_samples("", Sides::Periodic), "lines of samples");
-    refused(EdgeData::from_samples("0 1\n-1 1\n0 0\n", Sides::Natural), "both nonzero");
-    refused(EdgeData::from_samples("0 inf\n0 0\n0 0\n", Sides::Natural), "not finite");
+    refused(EdgeData::from_samples("0 1\n0\n0 0\n", LateralCondition::Natural), "line 2");
+    refused(EdgeData::from_samples("0 1\n0 0 0\n0 0\n", LateralCondition::Natural), "line 2");
+    refused(EdgeData::from_samples("0 1\n0 0\nx 0\n", LateralCondition::Natural), "line 3");
+    refused(EdgeData::from_samples("0 1\n0 0\n", LateralCondition::Natural), "lines of samples");
+    refused(EdgeData::from_samples("", LateralCondition::Periodic), "lines of samples");
+    refused(EdgeData::from_samples("0 1\n-1 1\n0 0\n", LateralCondition::Natural), "both nonzero");
+    refused(EdgeData::from_samples("0 inf\n0 0\n0 0\n", LateralCondition::Natural), "not finite");
 }
 
 fn run(arguments: &[&str]) -> example_frame::Result<example_frame::Headline> {
@@ -249,7 +258,7 @@ fn example_runs_and_refuses() {
         assert!(example::Options::try_parse_from(words).is_err(), "{arguments:?}");
     }
     assert!(Levels::new(0, 3).is_err());
-    assert!("samples:".parse::<StripScene>().is_err());
+    assert!("samples:".parse::<StripData>().is_err());
 }
 
 /// Gaps that the grid cannot hold are counted, exact solutions and samples coarser than the levels are named.

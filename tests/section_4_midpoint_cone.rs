@@ -6,21 +6,21 @@ mod reference_squares;
 use reference_squares::{check_against_reference, solvers_agree};
 use signorini::cone::Cone;
 use signorini::contact::Solver;
-use signorini::scenes::MeshScene;
+use signorini::problems::TestProblem;
 
 #[test]
 fn block_midpoint_matches_five_packages() {
-    check_against_reference("E2", MeshScene::Block, Cone::Midpoint);
+    check_against_reference("E2", TestProblem::Block, Cone::Midpoint);
 }
 
 #[test]
 fn membrane_midpoint_matches_five_packages() {
-    check_against_reference("S2", MeshScene::Membrane, Cone::Midpoint);
+    check_against_reference("S2", TestProblem::Membrane, Cone::Midpoint);
 }
 
 #[test]
 fn active_set_and_interior_point_agree() {
-    for scene in [MeshScene::Block, MeshScene::Membrane] {
+    for scene in [TestProblem::Block, TestProblem::Membrane] {
         solvers_agree(scene, Cone::Midpoint);
     }
 }
@@ -28,7 +28,7 @@ fn active_set_and_interior_point_agree() {
 #[test]
 fn larger_cone_has_smaller_energy() {
     // The nodal cone lies inside the midpoint cone, so its minimum is not below.
-    for scene in [MeshScene::Block, MeshScene::Membrane] {
+    for scene in [TestProblem::Block, TestProblem::Membrane] {
         let problem = scene.problem(16).unwrap();
         let [nodal, midpoint] = Cone::ALL.map(|cone| problem.solve(cone, Solver::ActiveSet).unwrap().energy);
         assert!(midpoint <= nodal, "{scene}: {midpoint} > {nodal}");
@@ -38,7 +38,7 @@ fn larger_cone_has_smaller_energy() {
 #[test]
 fn contact_runs_carry_a_sawtooth() {
     // Means vanish on a run of active segments, so nodal values alternate in sign with one amplitude.
-    let solution = MeshScene::Block.problem(16).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
+    let solution = TestProblem::Block.problem(16).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
     let run = solution.contact_set.runs()[0].clone();
     let amplitude = solution.normal_displacement[run.start];
     assert!(amplitude != 0.0);

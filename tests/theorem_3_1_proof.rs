@@ -3,9 +3,9 @@
 use experiments::convergence::Levels;
 use experiments::proof::{ProofCase, Resolution};
 use signorini::edge::{ContactPair, EdgeTrace, Interval, Traces};
+use signorini::problems::StripData;
 use signorini::proof::{Alternative, ProofConstants, Section, Step, ThetaRule};
-use signorini::scenes::StripScene;
-use signorini::strip::{EdgeData, Sides};
+use signorini::strip::{EdgeData, LateralCondition};
 
 mod proof_cases;
 #[allow(dead_code)]
@@ -81,7 +81,8 @@ fn cases_of_pairs_are_those_of_traces() {
     for (source, tau) in
         [("transition:0.3", 1.75), ("transitions:7", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 1.9)]
     {
-        let scene = source.parse::<StripScene>().unwrap().data(tau, 1 << 12, Sides::Natural).unwrap();
+        let scene =
+            source.parse::<StripData>().unwrap().data(tau, 1 << 12, LateralCondition::Natural).unwrap();
         let trace = EdgeTrace::of_scene(&scene).unwrap();
         let pair = ContactPair::of_scene(&scene, Traces::Constants).unwrap();
         let n = 64;
@@ -120,7 +121,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
         // A force needs a contact cell beside its node.
         let carried = |i: usize| touches(i) && ((i > 0 && touches(i - 1)) || (i < cells && touches(i + 1)));
         let forces = (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
-        let scene = EdgeData::new(cells, Sides::Natural, values, forces).unwrap();
+        let scene = EdgeData::new(cells, LateralCondition::Natural, values, forces).unwrap();
         for tau in [1.75, 2.0] {
             let (constants, gamma) = &known[usize::from(tau == 2.0)];
             let traces = Traces::for_regularity(tau);
@@ -147,7 +148,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
     // A force on an isolated contact point is no density.
     let values = (0..=8).map(|i| if i == 4 { 0.0 } else { -1.0 }).collect();
     let forces = (0..=8).map(|i| if i == 4 { 1.0 } else { 0.0 }).collect();
-    let scene = EdgeData::new(8, Sides::Natural, values, forces).unwrap();
+    let scene = EdgeData::new(8, LateralCondition::Natural, values, forces).unwrap();
     assert!(ContactPair::of_scene(&scene, Traces::Constants).is_err());
 }
 

@@ -8,8 +8,8 @@ mod example;
 use example_frame::Outcome;
 use experiments::proof::NumberedStudy;
 use fractional_sobolev::{Function, Order, Tolerance, closed_forms};
+use signorini::problems::{EdgeDatum, KnownSolution};
 use signorini::proof::TheoremConstants;
-use signorini::scenes::{EdgeDatum, KnownSolution};
 
 fn order(s: f64) -> Order {
     Order::new(s).unwrap()

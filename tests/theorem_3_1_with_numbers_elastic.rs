@@ -8,8 +8,8 @@ mod example;
 use example_frame::Outcome;
 use fractional_sobolev::{Function, Order, Tolerance};
 use signorini::fem::Lame;
+use signorini::problems::{EdgeDatum, KnownSolution};
 use signorini::proof::TheoremConstants;
-use signorini::scenes::{EdgeDatum, KnownSolution};
 use std::f64::consts::PI;
 
 fn order(s: f64) -> Order {

@@ -11,8 +11,8 @@ use fractional_sobolev::{Estimate, Order, Tolerance};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::Lame;
+use signorini::problems::{EdgeDatum, KnownSolution, PiecewiseLinearLoad};
 use signorini::proof::TheoremConstants;
-use signorini::scenes::{EdgeDatum, KnownSolution, LoadedBody};
 use std::f64::consts::TAU;
 
 #[test]
@@ -90,14 +90,14 @@ fn norms_below_two_are_those_of_the_rough_transition() {
 #[test]
 fn extrapolated_errors_are_honest() {
     let numbers = TheoremConstants::new(1.75).unwrap();
-    let rows = |body: LoadedBody, finest: u32| {
+    let rows = |body: PiecewiseLinearLoad, finest: u32| {
         let solved = SolvedBody::new(body, finest).unwrap();
         let one = Estimate::new(1.0, 0.0, Default::default()).unwrap();
         let norms = FineNorms { body: one, pressure: one, slope: one };
         let of = |&cone| ExtrapolatedStudy::new(numbers, &solved, cone, norms).unwrap().rows;
         body.cones().iter().map(of).collect::<Vec<_>>()
     };
-    for body in LoadedBody::ALL {
+    for body in PiecewiseLinearLoad::ALL {
         for (coarse, fine) in rows(body, 6).iter().zip(&rows(body, 8)) {
             for (a, b) in coarse.iter().zip(fine) {
                 assert_eq!(a.n, b.n);
@@ -111,15 +111,18 @@ fn extrapolated_errors_are_honest() {
 #[test]
 fn what_is_not_known_is_an_error() {
     let numbers = TheoremConstants::new(1.6).unwrap();
-    let solved = SolvedBody::new(LoadedBody::Hanging, 5).unwrap();
+    let solved = SolvedBody::new(PiecewiseLinearLoad::Hanging, 5).unwrap();
     assert!((solved.smoothness - 1.7447).abs() < 1e-4);
     let forms = |tau| solved.fine_grids().map(|n| FineForms::new(tau, n).unwrap());
     assert!(solved.norms(1.75, &forms(1.75)).is_err());
     let norms = solved.norms(1.6, &forms(1.6)).unwrap();
     assert!(ExtrapolatedStudy::new(numbers, &solved, Cone::Midpoint, norms).is_err());
     assert!(ExtrapolatedStudy::new(numbers, &solved, Cone::Nodal, norms).is_ok());
-    assert!(SolvedBody::new(LoadedBody::Held, 4).is_err() && SolvedBody::new(LoadedBody::Held, 11).is_err());
-    assert!(LoadedBody::Held.mesh(5).is_err() && FineForms::new(1.5, 16).is_err());
+    assert!(
+        SolvedBody::new(PiecewiseLinearLoad::Held, 4).is_err()
+            && SolvedBody::new(PiecewiseLinearLoad::Held, 11).is_err()
+    );
+    assert!(PiecewiseLinearLoad::Held.mesh(5).is_err() && FineForms::new(1.5, 16).is_err());
 }
 
 #[test]

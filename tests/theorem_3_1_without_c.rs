@@ -11,8 +11,8 @@ use fractional_sobolev::Rule;
 use signorini::cone::Cone;
 use signorini::contact::{Settings, Solver, Start};
 use signorini::fem::{Form, Lame};
+use signorini::problems::KnownSolution;
 use signorini::proof::{ExplicitBound, MeshShape, half_plane_korn};
-use signorini::scenes::KnownSolution;
 use std::f64::consts::PI;
 
 fn options() -> example::Options {

@@ -2,8 +2,8 @@
 
 use experiments::convergence::Levels;
 use experiments::proof::ProofCase;
+use signorini::problems::StripData;
 use signorini::proof::Section;
-use signorini::scenes::StripScene;
 
 mod proof_cases;
 #[allow(dead_code)]
@@ -38,7 +38,7 @@ fn above_two_every_segment_with_contact_obeys_4_14() {
         // h^(2 + 2 eps) is optimal on one transition.
         assert!((exponent.order - (2.0 * tau - 2.0)).abs() < 0.1, "tau {tau}: {exponent:?}");
         assert!((ladder[6].exponent.order - (2.0 * tau - 2.0)).abs() < 1e-9);
-        let rough = ProofCase { source: StripScene::Cantor { ratio: 0.3, depth: 5 }, ..case };
+        let rough = ProofCase { source: StripData::Cantor { ratio: 0.3, depth: 5 }, ..case };
         assert!(rough.profile(&constants).is_err(), "only a transition is that smooth");
     }
 }
@@ -47,7 +47,7 @@ fn above_two_every_segment_with_contact_obeys_4_14() {
 fn the_losses_add_up_to_the_distance_from_the_printed_exponent() {
     for source in ["transition", "fat-cantor"] {
         let case = ProofCase {
-            source: source.parse::<StripScene>().unwrap(),
+            source: source.parse::<StripData>().unwrap(),
             ..ProofCase::standard(SECTION).unwrap()
         };
         assert!(case.levels.cells().count() >= 8);

@@ -5,7 +5,7 @@ use experiments::convergence::Levels;
 use experiments::proof::ElementBalance;
 use signorini::cone::Cone;
 use signorini::edge::{ContactPair, Traces};
-use signorini::strip::{EdgeData, Sides};
+use signorini::strip::{EdgeData, LateralCondition};
 
 #[allow(dead_code)]
 #[path = "../examples/theta_balance.rs"]
@@ -54,7 +54,7 @@ fn no_random_pair_exceeds_the_worst_pair() {
             };
             let values = (0..=cells).map(value).collect();
             let forces = (0..=cells).map(force).collect();
-            let scene = EdgeData::new(cells, Sides::Natural, values, forces).unwrap();
+            let scene = EdgeData::new(cells, LateralCondition::Natural, values, forces).unwrap();
             let pair = ContactPair::of_scene(&scene, traces).unwrap();
             let norms = pair.norms(1, order, 2.0).unwrap()[0];
             let size = (norms.stress.norm_squared() * norms.slope.norm_squared()).sqrt();

@@ -3,8 +3,8 @@
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, Order, Tolerance, closed_forms, gamma, law};
 use signorini::cone::Cone;
 use signorini::contact::Solver;
-use signorini::mesh::{Part, Sides, unit_square};
-use signorini::scenes::{MeshScene, Setting};
+use signorini::mesh::{Part, SideParts, unit_square};
+use signorini::problems::{Parameters, TestProblem};
 use signorini::{Error, Result, ToolkitError};
 
 /// A value and the same value found another way.
@@ -34,12 +34,12 @@ pub const ADMISSIBLE: [Hard; 14] = [
     ("load of size 1e-150", "contact force, scaling", || scaled_load(1e-150)),
     ("load of size 1e150", "contact force, scaling", || scaled_load(1e150)),
     ("Poisson's ratio 1/2 - 1e-6", "energy, other solver", || {
-        energies(MeshScene::Incompressible, Setting { poisson: 0.5 - 1e-6, ..Setting::default() })
+        energies(TestProblem::Incompressible, Parameters { poisson: 0.5 - 1e-6, ..Parameters::default() })
     }),
-    ("contact nowhere", "energy, other solver", || energies(MeshScene::Free, Setting::default())),
+    ("contact nowhere", "energy, other solver", || energies(TestProblem::Free, Parameters::default())),
     ("contact everywhere", "contact force, other solver", || {
-        let solution = MeshScene::Closed.problem(16)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-        let other = MeshScene::Closed.problem(16)?.solve(Cone::Nodal, Solver::InteriorPoint)?;
+        let solution = TestProblem::Closed.problem(16)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+        let other = TestProblem::Closed.problem(16)?.solve(Cone::Nodal, Solver::InteriorPoint)?;
         Ok((solution.contact_force, other.contact_force))
     }),
 ];
@@ -94,13 +94,13 @@ pub const INADMISSIBLE: [Bad; 8] = [
         "a body that nothing holds",
         "displacement",
         || {
-            let sides = Sides {
+            let sides = SideParts {
                 bottom: Part::Contact,
                 right: Part::Neumann,
                 top: Part::Neumann,
                 left: Part::Neumann,
             };
-            Ok(MeshScene::Block.on(unit_square(4, sides)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
+            Ok(TestProblem::Block.on(unit_square(4, sides)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
         },
         |error| matches!(error, Error::Toolkit(ToolkitError::CountOutOfRange { .. })),
     ),
@@ -147,13 +147,14 @@ fn short_zone() -> Result<Pair> {
 
 fn scaled_load(load_scale: f64) -> Result<Pair> {
     let force = |load_scale| -> Result<f64> {
-        let problem = MeshScene::Block.problem_with(16, &Setting { load_scale, ..Setting::default() })?;
+        let problem =
+            TestProblem::Block.problem_with(16, &Parameters { load_scale, ..Parameters::default() })?;
         Ok(problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force)
     };
     Ok((force(load_scale)?, load_scale * force(1.0)?))
 }
 
-fn energies(scene: MeshScene, setting: Setting) -> Result<Pair> {
+fn energies(scene: TestProblem, setting: Parameters) -> Result<Pair> {
     let problem = scene.problem_with(16, &setting)?;
     let energy = |solver| problem.solve(Cone::Nodal, solver).map(|solution| solution.energy);
     Ok((energy(Solver::ActiveSet)?, energy(Solver::InteriorPoint)?))

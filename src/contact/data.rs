@@ -18,8 +18,8 @@ impl ContactProblem {
     /// ```
     /// use signorini::contact::ContactProblem;
     /// use signorini::fem::{Cubature, Field, Form};
-    /// use signorini::mesh::{Sides, unit_square};
-    /// let mesh = unit_square(4, Sides::HANGING)?;
+    /// use signorini::mesh::{SideParts, unit_square};
+    /// let mesh = unit_square(4, SideParts::HANGING)?;
     /// let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &[0.0; 25])?;
     /// problem.add_volume_load(&Field::Scalar(&|[x, y]| (x * y).exp()), &Cubature::new(4)?)?;
     /// assert!(problem.add_volume_load(&Field::Scalar(&|[x, _]| x.ln() / 0.0), &Cubature::new(4)?).is_err());
@@ -40,8 +40,8 @@ impl ContactProblem {
     /// ```
     /// use signorini::contact::ContactProblem;
     /// use signorini::fem::{Field, Form, Lame};
-    /// use signorini::mesh::{Sides, unit_square};
-    /// let mesh = unit_square(4, Sides::HANGING)?;
+    /// use signorini::mesh::{SideParts, unit_square};
+    /// let mesh = unit_square(4, SideParts::HANGING)?;
     /// let mut problem = ContactProblem::new(mesh, Form::elastic(Lame::new(1.0, 1.0)?), &[0.0; 50])?;
     /// // both sides are free: a wind from the left
     /// problem.add_surface_load(&Field::Vector(&|[_, y]| [0.1 * y, 0.0]))?;
@@ -103,8 +103,8 @@ impl ContactProblem {
     /// ```
     /// use signorini::cone::Cone;
     /// use signorini::contact::Solver;
-    /// use signorini::scenes::MeshScene;
-    /// let mut problem = MeshScene::Closed.problem(8)?;
+    /// use signorini::problems::TestProblem;
+    /// let mut problem = TestProblem::Closed.problem(8)?;
     /// problem.set_gap(|[x, _]| 0.1 * x)?;
     /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
     /// assert!(solution.normal_displacement.last().is_some_and(|u| *u <= 0.1));

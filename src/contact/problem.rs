@@ -46,8 +46,8 @@ impl ContactProblem {
     /// use signorini::cone::Cone;
     /// use signorini::contact::{ContactProblem, Solver};
     /// use signorini::fem::{Field, Form, Lame};
-    /// use signorini::mesh::{Sides, unit_square};
-    /// let mesh = unit_square(8, Sides::HANGING)?;
+    /// use signorini::mesh::{SideParts, unit_square};
+    /// let mesh = unit_square(8, SideParts::HANGING)?;
     /// let load = Field::Vector(&|[x, _]| [0.0, 1.0 - 3.0 * x]).sample(mesh.nodes())?;
     /// let problem = ContactProblem::new(mesh, Form::elastic(Lame::new(1.0, 1.0)?), &load)?;
     /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
@@ -111,7 +111,7 @@ impl ContactProblem {
     ///
     /// # Errors
     /// As for [`Mesh::from_lengths`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
-    pub fn contact_partition(&self) -> Result<Mesh> {
+    pub fn contact_mesh(&self) -> Result<Mesh> {
         self.edge.require_one_piece()?;
         Ok(Mesh::from_lengths(self.edge.segment_lengths())?)
     }
@@ -161,8 +161,8 @@ impl ContactProblem {
     /// The energy norm a(v, v)^{1/2} of Cartesian nodal values.
     ///
     /// ```
-    /// use signorini::scenes::MeshScene;
-    /// let problem = MeshScene::Membrane.problem(4)?;
+    /// use signorini::problems::TestProblem;
+    /// let problem = TestProblem::Membrane.problem(4)?;
     /// // the norm of y is the root of the area
     /// let y: Vec<f64> = problem.mesh().nodes().iter().map(|p| p[1]).collect();
     /// assert!((problem.energy_norm(&y)? - 1.0).abs() < 1e-14);
@@ -187,9 +187,9 @@ impl ContactProblem {
     /// level `from`, prolonged by P.
     ///
     /// ```
-    /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, scenes::MeshScene};
-    /// let hierarchy = Hierarchy::refined(MeshScene::Membrane.mesh(4)?, 1)?;
-    /// let problems = [0, 1].map(|k| MeshScene::Membrane.on(hierarchy.levels()[k].clone()));
+    /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, problems::TestProblem};
+    /// let hierarchy = Hierarchy::refined(TestProblem::Membrane.mesh(4)?, 1)?;
+    /// let problems = [0, 1].map(|k| TestProblem::Membrane.on(hierarchy.levels()[k].clone()));
     /// let [coarse, fine] = problems;
     /// let (coarse, fine) = (coarse?, fine?);
     /// let u = coarse.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;

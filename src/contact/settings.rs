@@ -13,10 +13,10 @@ use crate::mesh::Hierarchy;
 /// ```
 /// use signorini::cone::Cone;
 /// use signorini::contact::{Settings, Solver, Start};
-/// use signorini::scenes::MeshScene;
-/// let coarse = MeshScene::Block.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// use signorini::problems::TestProblem;
+/// let coarse = TestProblem::Block.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
 /// let nested = Settings { start: Start::Coarse(&coarse), ..Settings::default() };
-/// let fine = MeshScene::Block.problem(16)?.solve(Cone::Nodal, nested)?;
+/// let fine = TestProblem::Block.problem(16)?.solve(Cone::Nodal, nested)?;
 /// assert!(fine.work.iterations <= 4);
 /// # Ok::<(), signorini::Error>(())
 /// ```

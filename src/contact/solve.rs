@@ -16,8 +16,8 @@ impl ContactProblem {
     /// is returned.
     ///
     /// ```
-    /// use signorini::{cone::Cone, contact::Solver, scenes::MeshScene};
-    /// let solution = MeshScene::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+    /// let solution = TestProblem::Membrane.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
     /// assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12);
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -27,10 +27,10 @@ impl ContactProblem {
     /// ```
     /// use signorini::cone::Cone;
     /// use signorini::contact::{Accuracy, Settings, Solver};
-    /// use signorini::scenes::MeshScene;
+    /// use signorini::problems::TestProblem;
     /// let accuracy = Accuracy::OfDiscretisation(0.01);
     /// let settings = Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
-    /// let solution = MeshScene::Block.problem(32)?.solve(Cone::Nodal, settings)?;
+    /// let solution = TestProblem::Block.problem(32)?.solve(Cone::Nodal, settings)?;
     /// assert!(solution.status.is_converged());
     /// assert!(solution.multigrid.is_some_and(|report| report.fallback.is_none()));
     /// # Ok::<(), signorini::Error>(())

@@ -9,7 +9,7 @@
 //! Both are ≥ 0, sums of nonnegative terms. Cost: O(N) for all grids together.
 
 use crate::cone::Cone;
-use crate::strip::{EdgeData, Sides, restrict};
+use crate::strip::{EdgeData, LateralCondition, restrict};
 
 /// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far
 /// as it halves.
@@ -42,7 +42,7 @@ fn midpoint(scene: &EdgeData) -> Vec<(usize, f64)> {
     let h = 1.0 / scene.cells() as f64;
     // A force inside the edge counts half in each of its cells.
     let share = |i: usize| {
-        let at_side = sides == Sides::Natural && (i == 0 || i == scene.cells());
+        let at_side = sides == LateralCondition::Natural && (i == 0 || i == scene.cells());
         forces[i] * if at_side { 1.0 } else { 0.5 }
     };
     let mut held: Vec<f64> = (0..scene.cells()).map(|i| share(i) + share(next(i))).collect();
@@ -61,15 +61,15 @@ fn midpoint(scene: &EdgeData) -> Vec<(usize, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::StripScene;
+    use crate::problems::StripData;
 
     #[test]
     fn one_kink_against_the_integrals() {
         // λ = 1 left of a, u_N = −(x − a) right of it, a = 3/8 + t/8 in the cell (3/8, 1/2) of length h =
         // 1/8: nodal ½ t²(1−t) h², midpoint t · ½(1−t)² h².
         let (cells, h, t) = (1 << 16, 0.125, 0.3);
-        let kind = StripScene::Transition { position: 0.375 + t * h };
-        let scene = kind.data(2.0, cells, Sides::Natural).unwrap();
+        let kind = StripData::Transition { position: 0.375 + t * h };
+        let scene = kind.data(2.0, cells, LateralCondition::Natural).unwrap();
         // The force at the last contact node is missing: one fine cell in t h.
         let rounding = 4.0 / (t * h * cells as f64);
         for (cone, exact) in [
@@ -84,7 +84,8 @@ mod tests {
 
     #[test]
     fn nothing_is_inconsistent_where_transitions_are_nodes() {
-        let scene = StripScene::Transitions { gaps: 4 }.data(1.75, 1 << 10, Sides::Periodic).unwrap();
+        let scene =
+            StripData::Transitions { gaps: 4 }.data(1.75, 1 << 10, LateralCondition::Periodic).unwrap();
         for cone in [Cone::Nodal, Cone::Midpoint] {
             let terms = consistency_terms(&scene, cone);
             let at = |cells| terms.iter().find(|t| t.0 == cells).map(|t| t.1);

@@ -7,7 +7,7 @@
 //! norms on a grid of N cells grow like (ln N)^{1/2}.
 
 use crate::error::Result;
-use crate::strip::{EdgeData, Sides};
+use crate::strip::{EdgeData, LateralCondition};
 use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 
 /// Norm and seminorms of the data of a scene on its edge.
@@ -34,7 +34,7 @@ pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let slopes: Vec<f64> = (0..cells).map(|i| (values[next(i)] - values[i]) / h).collect();
     // Half of each nodal force belongs to either cell.
     let share = |i: usize| {
-        let at_side = scene.sides() == Sides::Natural && (i == 0 || i == cells);
+        let at_side = scene.sides() == LateralCondition::Natural && (i == 0 || i == cells);
         scene.forces()[i] * if at_side { 1.0 } else { 0.5 } / h
     };
     let densities: Vec<f64> = (0..cells).map(|i| share(i) + share(next(i))).collect();
@@ -53,7 +53,7 @@ pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::TransitionPowers;
+    use crate::problems::TransitionPowers;
     use fractional_sobolev::Function;
 
     #[test]

@@ -22,7 +22,7 @@
 //! norms.
 
 use crate::error::{Error, Result, ToolkitError};
-use crate::strip::{EdgeData, Sides};
+use crate::strip::{EdgeData, LateralCondition};
 
 /// Which functions stand for u_N' and σ_N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,7 +59,7 @@ impl ContactPair {
     /// [`Error::NotComplementary`] when a node with a force has no contact cell beside it to carry a density.
     pub fn of_scene(scene: &EdgeData, traces: Traces) -> Result<Self> {
         let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
-        if scene.sides() == Sides::Periodic {
+        if scene.sides() == LateralCondition::Periodic {
             values.push(values[0]);
             // The force at the common node belongs to the cells on its two sides.
             forces[0] *= 0.5;
@@ -131,7 +131,8 @@ impl ContactPair {
             let share = if i == 0 || i == cells { 0.5 } else { 1.0 };
             if place(i) < 0.0 { share * (-place(i)).powf(tau - 2.0) / n } else { 0.0 }
         };
-        let scene = EdgeData::new(cells, Sides::Natural, values, (0..=cells).map(force).collect())?;
+        let scene =
+            EdgeData::new(cells, LateralCondition::Natural, values, (0..=cells).map(force).collect())?;
         Self::of_scene(&scene, Traces::Linears)
     }
 
@@ -199,15 +200,15 @@ impl Segment<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::StripScene;
+    use crate::problems::StripData;
 
     #[test]
     fn pairs_are_complementary_at_every_point_and_keep_the_force() {
         for (name, tau) in
             [("transition", 1.75), ("transitions:5", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 2.0)]
         {
-            for sides in [Sides::Natural, Sides::Periodic] {
-                let source: StripScene = name.parse().unwrap();
+            for sides in [LateralCondition::Natural, LateralCondition::Periodic] {
+                let source: StripData = name.parse().unwrap();
                 let scene = source.data(tau, 1 << 10, sides).unwrap();
                 for traces in [Traces::Constants, Traces::Linears] {
                     let pair = ContactPair::of_scene(&scene, traces).unwrap();

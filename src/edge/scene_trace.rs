@@ -13,8 +13,8 @@ use super::trace::EdgeTrace;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::Solver;
 use crate::error::{Error, Result, ToolkitError};
-use crate::scenes::{MeshScene, Scene, StripScene};
-use crate::strip::{EdgeData, Reference, Sides, StripKind, StripProblem};
+use crate::problems::{NamedProblem, StripData, TestProblem};
+use crate::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
 
 /// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a
 /// segment.
@@ -35,10 +35,10 @@ const ZERO: f64 = 1e-12;
 
 impl EdgeTrace {
     /// The largest number of segments for which a fine reference of the scene is made.
-    pub fn largest_segments(scene: &Scene) -> usize {
+    pub fn largest_segments(scene: &NamedProblem) -> usize {
         match scene {
-            Scene::Mesh(_) => MESH_LARGEST,
-            Scene::Strip(_) => STRIP_LARGEST,
+            NamedProblem::Mesh(_) => MESH_LARGEST,
+            NamedProblem::Strip(_) => STRIP_LARGEST,
         }
     }
 
@@ -49,7 +49,7 @@ impl EdgeTrace {
     pub fn of_scene(scene: &EdgeData) -> Result<Self> {
         let cells = scene.cells();
         let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
-        if scene.sides() == Sides::Periodic {
+        if scene.sides() == LateralCondition::Periodic {
             forces[0] *= 0.5;
             values.push(values[0]);
             forces.push(forces[0]);
@@ -63,10 +63,10 @@ impl EdgeTrace {
     ///
     /// # Errors
     /// Those of the scenes.
-    pub fn reference(source: &Scene, n: usize, tau: f64) -> Result<Self> {
+    pub fn reference(source: &NamedProblem, n: usize, tau: f64) -> Result<Self> {
         match source {
-            Scene::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
-            Scene::Strip(source) => EdgeTrace::of_scene(&strip_data(source, n, tau)?),
+            NamedProblem::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
+            NamedProblem::Strip(source) => EdgeTrace::of_scene(&strip_data(source, n, tau)?),
         }
     }
 
@@ -74,10 +74,10 @@ impl EdgeTrace {
     ///
     /// # Errors
     /// Those of the scenes and solvers.
-    pub fn discrete(source: &Scene, n: usize, tau: f64, cone: Cone) -> Result<Self> {
+    pub fn discrete(source: &NamedProblem, n: usize, tau: f64, cone: Cone) -> Result<Self> {
         match source {
-            Scene::Mesh(scene) => mesh_trace(*scene, n, cone),
-            Scene::Strip(source) => {
+            NamedProblem::Mesh(scene) => mesh_trace(*scene, n, cone),
+            NamedProblem::Strip(source) => {
                 let scene = strip_data(source, n, tau)?;
                 let exact = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, n)?;
                 let solution = exact.operator(n)?.0.solve_contact(&exact.load(n)?, cone, None, SOLVED)?;
@@ -89,11 +89,11 @@ impl EdgeTrace {
 }
 
 /// The scene on a grid whose cells divide every segment.
-fn strip_data(source: &StripScene, n: usize, tau: f64) -> Result<EdgeData> {
+fn strip_data(source: &StripData, n: usize, tau: f64) -> Result<EdgeData> {
     source.data(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
 }
 
-fn mesh_trace(scene: MeshScene, squares: usize, cone: Cone) -> Result<EdgeTrace> {
+fn mesh_trace(scene: TestProblem, squares: usize, cone: Cone) -> Result<EdgeTrace> {
     let problem = scene.problem(squares)?;
     if problem.edge().is_closed() {
         return Err(Error::Toolkit(ToolkitError::Incompatible {

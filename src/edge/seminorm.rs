@@ -71,8 +71,8 @@ impl SeminormForm {
 mod tests {
     use super::*;
     use crate::edge::ContactPair;
-    use crate::scenes::StripScene;
-    use crate::strip::Sides;
+    use crate::problems::StripData;
+    use crate::strip::LateralCondition;
     use fractional_sobolev::Rule;
 
     /// What is asked of the quadrature, with a factor for the cancellation in nearly
@@ -202,7 +202,11 @@ mod tests {
                 let order = Order::new(nu).unwrap();
                 let traces = if nu < 0.5 { Traces::Constants } else { Traces::Linears };
                 for source in ["transition", "transitions:9", "cantor:0.3"] {
-                    let scene = source.parse::<StripScene>().unwrap().data(tau, 512, Sides::Natural).unwrap();
+                    let scene = source
+                        .parse::<StripData>()
+                        .unwrap()
+                        .data(tau, 512, LateralCondition::Natural)
+                        .unwrap();
                     let pair = ContactPair::of_scene(&scene, traces).unwrap();
                     for n in [16, 32] {
                         let all = pair.norms(n, order, 2.0).unwrap();

@@ -98,13 +98,13 @@ fn density(form: &Form, region: usize, gradient: &[Point; 2], square: f64) -> f6
 mod tests {
     use super::*;
     use crate::fem::Lame;
-    use crate::mesh::{Sides, unit_square};
+    use crate::mesh::{SideParts, unit_square};
 
     #[test]
     fn norms_of_a_known_function() {
         // u = (x², xy), u_h = 0 on the unit square: ∫|u|² = 1/5 + 1/9, ∫|∇u|² = 4/3 + 1/3 + 1/3; ε = ((2x,
         // y/2), ·, x).
-        let mesh = unit_square(2, Sides::HANGING).unwrap();
+        let mesh = unit_square(2, SideParts::HANGING).unwrap();
         let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
         let zero = vec![0.0; 18];
         let u = |[x, y]: Point| [x * x, x * y];

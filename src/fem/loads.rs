@@ -80,11 +80,11 @@ pub fn surface_load(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Sides, unit_square};
+    use crate::mesh::{SideParts, unit_square};
 
     #[test]
     fn quadrature_of_an_affine_load_is_the_consistent_one() {
-        let mesh = unit_square(3, Sides::HANGING).unwrap();
+        let mesh = unit_square(3, SideParts::HANGING).unwrap();
         let affine = |[x, y]: Point| [1.0 + x - 2.0 * y, 3.0 * y];
         let field = Field::Vector(&affine);
         let values = field.sample(mesh.nodes()).unwrap();
@@ -98,7 +98,8 @@ mod tests {
     #[test]
     fn pressure_on_a_closed_curve_has_no_resultant() {
         let mesh =
-            unit_square(3, Sides { bottom: Part::Neumann, top: Part::Neumann, ..Sides::HANGING }).unwrap();
+            unit_square(3, SideParts { bottom: Part::Neumann, top: Part::Neumann, ..SideParts::HANGING })
+                .unwrap();
         let rule = Rule::gauss_legendre(2).unwrap();
         let load = surface_load(&mesh, Part::Neumann, 2, &|_, normal| Ok(normal), &rule).unwrap();
         let total = load.chunks(2).fold([0.0, 0.0], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);

@@ -146,11 +146,12 @@ fn cells(kind: usize) -> Vec<isize> {
 mod tests {
     use super::*;
     use crate::fem::{Lame, stiffness};
-    use crate::mesh::{Sides, mapped_grid};
+    use crate::mesh::{SideParts, mapped_grid};
 
     #[test]
     fn stencils_are_the_assembled_matrix() {
-        let mesh = mapped_grid(8, 4, Sides::HANGING, |[x, y]| [2.0 * x + 0.5 * y, x - y + 3.0 * y]).unwrap();
+        let mesh =
+            mapped_grid(8, 4, SideParts::HANGING, |[x, y]| [2.0 * x + 0.5 * y, x - y + 3.0 * y]).unwrap();
         let elastic = Form::elastic(Lame::new(2.0, 0.75).unwrap());
         for (form, frame) in [
             (Form::Scalar { reaction: 1.5 }, Frame::cartesian()),

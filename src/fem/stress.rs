@@ -79,11 +79,11 @@ pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Resu
 mod tests {
     use super::*;
     use crate::fem::Lame;
-    use crate::mesh::{Sides, unit_square};
+    use crate::mesh::{SideParts, unit_square};
 
     #[test]
     fn affine_displacements_have_constant_stress() {
-        let mesh = unit_square(3, Sides::HANGING).unwrap();
+        let mesh = unit_square(3, SideParts::HANGING).unwrap();
         let form = Form::elastic(Lame::new(2.0, 3.0).unwrap());
         let u: Vec<f64> = mesh.nodes().iter().flat_map(|&[x, y]| [0.5 * x + y, 3.0 * x - y]).collect();
         for stress in stresses(&mesh, &form, &u).unwrap() {

@@ -98,7 +98,7 @@ fn cut([a, b, c]: [usize; 3], middles: [Option<usize>; 3], triangles: &mut Vec<[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Hierarchy, Part, Sides, unit_square};
+    use crate::mesh::{Hierarchy, Part, SideParts, unit_square};
 
     fn smallest_angle(mesh: &Triangulation) -> f64 {
         (0..mesh.triangles().len())
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn grading_toward_a_point_conforms_and_keeps_angles() {
-        let mut hierarchy = Hierarchy::new(unit_square(4, Sides::HANGING).unwrap());
+        let mut hierarchy = Hierarchy::new(unit_square(4, SideParts::HANGING).unwrap());
         let first = smallest_angle(hierarchy.finest());
         hierarchy.refine_toward_point([0.25, 0.0], 20).unwrap();
         let mesh = hierarchy.finest();
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn grading_toward_the_contact_edge_keeps_nested_functions() {
-        let mut hierarchy = Hierarchy::new(unit_square(2, Sides::HANGING).unwrap());
+        let mut hierarchy = Hierarchy::new(unit_square(2, SideParts::HANGING).unwrap());
         for _ in 0..4 {
             let on = hierarchy.finest().nodes_on(Part::Contact);
             let touches = |mesh: &Triangulation, t: usize| mesh.triangles()[t].iter().any(|&node| on[node]);

@@ -34,8 +34,8 @@ impl ContactEdge {
     /// The contact edge of a triangulation, in one piece.
     ///
     /// ```
-    /// use signorini::mesh::{ContactEdge, Sides, unit_square};
-    /// let edge = ContactEdge::of(&unit_square(4, Sides::HANGING)?)?;
+    /// use signorini::mesh::{ContactEdge, SideParts, unit_square};
+    /// let edge = ContactEdge::of(&unit_square(4, SideParts::HANGING)?)?;
     /// assert_eq!(edge.normal()?, [0.0, -1.0]);
     /// assert_eq!(edge.arc(), [0.0, 0.25, 0.5, 0.75, 1.0]);
     /// # Ok::<(), signorini::Error>(())
@@ -63,8 +63,8 @@ impl ContactEdge {
     /// their first appearance among the boundary edges. Only a single piece may be closed.
     ///
     /// ```
-    /// use signorini::mesh::{ContactEdge, Part, Sides, unit_square};
-    /// let sides = Sides { right: Part::Neumann, top: Part::Contact, left: Part::Dirichlet, ..Sides::HANGING
+    /// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
+    /// let sides = SideParts { right: Part::Neumann, top: Part::Contact, left: Part::Dirichlet, ..SideParts::HANGING
     /// }; let edge = ContactEdge::in_pieces(&unit_square(2, sides)?)?;
     /// assert_eq!(edge.normals()?, [[0.0, -1.0], [0.0, 1.0]]);
     /// # Ok::<(), signorini::Error>(())
@@ -251,11 +251,11 @@ fn follow(after: &mut BTreeMap<usize, usize>, head: usize) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Sides, mapped_grid, unit_square};
+    use crate::mesh::{SideParts, mapped_grid, unit_square};
 
     #[test]
     fn bottom_of_the_square_points_down() {
-        let edge = ContactEdge::of(&unit_square(4, Sides::HANGING).unwrap()).unwrap();
+        let edge = ContactEdge::of(&unit_square(4, SideParts::HANGING).unwrap()).unwrap();
         assert_eq!(edge.nodes(), [0, 1, 2, 3, 4]);
         assert_eq!(edge.normal(), Ok([0.0, -1.0]));
         assert_eq!(edge.nodal_lengths(), [0.125, 0.25, 0.25, 0.25, 0.125]);
@@ -264,19 +264,23 @@ mod tests {
 
     #[test]
     fn whole_boundary_closes_and_has_no_normal() {
-        let all =
-            Sides { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
+        let all = SideParts {
+            bottom: Part::Contact,
+            right: Part::Contact,
+            top: Part::Contact,
+            left: Part::Contact,
+        };
         let edge = ContactEdge::of(&unit_square(3, all).unwrap()).unwrap();
         assert!(edge.is_closed() && edge.nodes().len() == 12 && edge.segment_lengths().len() == 12);
         assert!(edge.normal().is_err());
-        let opposite = Sides { left: Part::Neumann, right: Part::Neumann, ..all };
+        let opposite = SideParts { left: Part::Neumann, right: Part::Neumann, ..all };
         let opposite = unit_square(3, opposite).unwrap();
         assert!(ContactEdge::of(&opposite).is_err());
         let both = ContactEdge::in_pieces(&opposite).unwrap();
         assert_eq!((both.pieces(), both.normals()), (vec![0..4, 4..8], Ok(vec![[0.0, -1.0], [0.0, 1.0]])));
         assert!(both.normal().is_err() && both.segment_lengths().len() == 6 && both.arc()[7] == 2.0);
         assert_eq!(both.nodal_lengths().iter().sum::<f64>(), 2.0);
-        let bent = mapped_grid(4, 4, Sides::HANGING, |[x, y]| [x, y - 0.1 * x * x]).unwrap();
+        let bent = mapped_grid(4, 4, SideParts::HANGING, |[x, y]| [x, y - 0.1 * x * x]).unwrap();
         assert!(ContactEdge::of(&bent).unwrap().normal().is_err());
     }
 
@@ -290,7 +294,7 @@ mod tests {
                 |[x, y]: Point| [cos * (x + 1.0) - sin * (y + 1.0), sin * (x + 1.0) + cos * (y + 1.0)];
             let origin = turned([0.0, 0.0]);
             let made = |bulge: f64| {
-                mapped_grid(4, 4, Sides::HANGING, |[x, y]| {
+                mapped_grid(4, 4, SideParts::HANGING, |[x, y]| {
                     let off = if y == 0.0 && x == 0.5 { bulge } else { 0.0 };
                     let [a, b] = turned([(1e-12 + y) * x, y - off]);
                     [a - origin[0], b - origin[1]]

@@ -5,7 +5,7 @@
 //! to the last bit, every interior node sees the same triangles. Cost: O(nodes).
 
 use super::geometry::{BoundaryEdge, Part, Point};
-use super::structured::{Sides, rectangles};
+use super::structured::{SideParts, rectangles};
 use super::triangulation::Triangulation;
 use std::collections::HashMap;
 
@@ -83,7 +83,7 @@ impl Grid {
         let nodes: Vec<Point> = (0..coarse.nodes())
             .map(|k| mesh.nodes()[self.node(2 * (k % (coarse.nx + 1)), 2 * (k / (coarse.nx + 1)))])
             .collect();
-        let template = rectangles(coarse.nx, coarse.ny, Sides::HANGING).ok()?;
+        let template = rectangles(coarse.nx, coarse.ny, SideParts::HANGING).ok()?;
         let mut parts: HashMap<[usize; 2], Part> = HashMap::new();
         for &BoundaryEdge { nodes: [a, b], part } in mesh.boundary() {
             parts.insert([a.min(b), a.max(b)], part);
@@ -134,26 +134,26 @@ mod tests {
 
     #[test]
     fn grids_are_recognised_and_coarsened() {
-        let fine = rectangles(8, 4, Sides::HANGING).unwrap();
+        let fine = rectangles(8, 4, SideParts::HANGING).unwrap();
         let grid = Grid::of(&fine).unwrap();
         assert_eq!((grid.nx, grid.ny), (8, 4));
         assert_eq!(grid.steps(&fine), Some([[0.125, 0.0], [0.0, 0.25]]));
         let (coarse, mesh) = grid.coarse_mesh(&fine).unwrap();
-        assert_eq!(mesh, rectangles(4, 2, Sides::HANGING).unwrap());
+        assert_eq!(mesh, rectangles(4, 2, SideParts::HANGING).unwrap());
         for (node, [a, b]) in grid.parents(coarse).into_iter().enumerate() {
             let (p, q) = (mesh.nodes()[a as usize], mesh.nodes()[b as usize]);
             assert_eq!(fine.nodes()[node], [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]);
         }
-        let bent = mapped_grid(4, 4, Sides::HANGING, |[x, y]| [x, y * (1.0 + x)]).unwrap();
+        let bent = mapped_grid(4, 4, SideParts::HANGING, |[x, y]| [x, y * (1.0 + x)]).unwrap();
         assert!(Grid::of(&bent).is_some_and(|grid| grid.steps(&bent).is_none()));
-        let hierarchy = Hierarchy::refined(unit_square(2, Sides::HANGING).unwrap(), 1).unwrap();
+        let hierarchy = Hierarchy::refined(unit_square(2, SideParts::HANGING).unwrap(), 1).unwrap();
         assert_eq!(Grid::of(hierarchy.finest()), None);
         assert!(Grid { nx: 3, ny: 4 }.coarser().is_none());
     }
 
     #[test]
     fn regions_and_labels_must_agree() {
-        let fine = unit_square(4, Sides::HANGING).unwrap();
+        let fine = unit_square(4, SideParts::HANGING).unwrap();
         let grid = Grid::of(&fine).unwrap();
         let split = |at: usize| {
             let regions = (0..32).map(|t| u32::from(t / 2 % 4 >= at)).collect();

@@ -34,8 +34,8 @@ impl Hierarchy {
     /// `coarsest` refined `times` times.
     ///
     /// ```
-    /// use signorini::mesh::{Hierarchy, Sides, unit_square};
-    /// let hierarchy = Hierarchy::refined(unit_square(2, Sides::HANGING)?, 3)?;
+    /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
+    /// let hierarchy = Hierarchy::refined(unit_square(2, SideParts::HANGING)?, 3)?;
     /// assert_eq!(hierarchy.finest().triangles().len(), 8 * 64);
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -75,8 +75,8 @@ impl Hierarchy {
     /// as keeps the mesh conforming and its angles bounded below (longest edges are halved first).
     ///
     /// ```
-    /// use signorini::mesh::{Hierarchy, Part, Sides, unit_square};
-    /// let mut hierarchy = Hierarchy::new(unit_square(4, Sides::HANGING)?);
+    /// use signorini::mesh::{Hierarchy, Part, SideParts, unit_square};
+    /// let mut hierarchy = Hierarchy::new(unit_square(4, SideParts::HANGING)?);
     /// let on = hierarchy.finest().nodes_on(Part::Contact);
     /// hierarchy.refine_where(|mesh, t| mesh.triangles()[t].iter().any(|&node| on[node]))?;
     /// assert!(hierarchy.finest().triangles().len() > 32);
@@ -98,8 +98,8 @@ impl Hierarchy {
     /// proportional to the distance, down to 2^-times of the first.
     ///
     /// ```
-    /// use signorini::mesh::{Hierarchy, Sides, unit_square};
-    /// let mut hierarchy = Hierarchy::new(unit_square(4, Sides::HANGING)?);
+    /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
+    /// let mut hierarchy = Hierarchy::new(unit_square(4, SideParts::HANGING)?);
     /// hierarchy.refine_toward_point([0.0, 0.0], 10)?;
     /// assert!(hierarchy.refine_toward_point([0.1, 0.1], 1).is_err());
     /// # Ok::<(), signorini::Error>(())
@@ -172,8 +172,8 @@ impl Hierarchy {
     /// `to` ≥ `from`.
     ///
     /// ```
-    /// use signorini::mesh::{Hierarchy, Sides, unit_square};
-    /// let hierarchy = Hierarchy::refined(unit_square(1, Sides::HANGING)?, 1)?;
+    /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
+    /// let hierarchy = Hierarchy::refined(unit_square(1, SideParts::HANGING)?, 1)?;
     /// let x: Vec<f64> = hierarchy.levels()[0].nodes().iter().map(|p| p[0]).collect();
     /// let fine = hierarchy.prolong(0, 1, 1, &x)?;
     /// assert!(fine.iter().zip(hierarchy.finest().nodes()).all(|(u, p)| *u == p[0]));
@@ -244,11 +244,11 @@ fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Sides, unit_square};
+    use crate::mesh::{SideParts, unit_square};
 
     #[test]
     fn red_refinement_of_the_square_is_the_finer_square() {
-        let hierarchy = Hierarchy::refined(unit_square(2, Sides::HANGING).unwrap(), 2).unwrap();
+        let hierarchy = Hierarchy::refined(unit_square(2, SideParts::HANGING).unwrap(), 2).unwrap();
         let key = |mesh: &Triangulation| {
             let mut corners: Vec<_> = (0..mesh.triangles().len())
                 .map(|t| {
@@ -260,7 +260,7 @@ mod tests {
             corners.sort_unstable();
             corners
         };
-        assert_eq!(key(hierarchy.finest()), key(&unit_square(8, Sides::HANGING).unwrap()));
+        assert_eq!(key(hierarchy.finest()), key(&unit_square(8, SideParts::HANGING).unwrap()));
         let checked = Triangulation::new(
             hierarchy.finest().nodes().to_vec(),
             hierarchy.finest().triangles().to_vec(),
@@ -271,7 +271,7 @@ mod tests {
 
     #[test]
     fn shells_around_a_point_are_the_same_but_for_scale() {
-        let mut hierarchy = Hierarchy::new(unit_square(16, Sides::HANGING).unwrap());
+        let mut hierarchy = Hierarchy::new(unit_square(16, SideParts::HANGING).unwrap());
         hierarchy.refine_around([1.0, 0.0], 0.25, 30).unwrap();
         let counts: Vec<usize> = hierarchy.levels().iter().map(|mesh| mesh.triangles().len()).collect();
         let added: Vec<usize> = counts.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -283,7 +283,7 @@ mod tests {
 
     #[test]
     fn prolongation_keeps_affine_functions() {
-        let hierarchy = Hierarchy::refined(unit_square(3, Sides::HANGING).unwrap(), 2).unwrap();
+        let hierarchy = Hierarchy::refined(unit_square(3, SideParts::HANGING).unwrap(), 2).unwrap();
         let affine = |mesh: &Triangulation| -> Vec<f64> {
             mesh.nodes().iter().map(|&[x, y]| 1.0 + 2.0 * x - 3.0 * y).collect()
         };

@@ -20,5 +20,5 @@ pub(crate) use grid::Grid;
 pub use hierarchy::Hierarchy;
 pub use msh::{parse_msh, read_msh};
 pub use rings::{Outline, polar_rings};
-pub use structured::{Sides, mapped_grid, rectangles, unit_square, unit_squares};
+pub use structured::{SideParts, mapped_grid, rectangles, unit_square, unit_squares};
 pub use triangulation::Triangulation;

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Labels of the four sides of a structured grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Sides {
+pub struct SideParts {
     /// y = 0.
     pub bottom: Part,
     /// x = 1.
@@ -22,18 +22,18 @@ pub struct Sides {
 /// Of one cell: its node, two triangles, and what is built beside them.
 const BYTES_OF_CELL: usize = 100;
 
-impl Sides {
+impl SideParts {
     /// Contact at the bottom, fixed at the top, free on both sides: the scenes `block` and `membrane`.
-    pub const HANGING: Sides =
-        Sides { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
+    pub const HANGING: SideParts =
+        SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
 }
 
 /// The unit square in `nx` by `ny` rectangles, each cut from bottom left to top right; node (i, j) has the
 /// number j(nx + 1) + i.
 ///
 /// ```
-/// use signorini::mesh::{Sides, rectangles};
-/// let mesh = rectangles(4, 2, Sides::HANGING)?;
+/// use signorini::mesh::{SideParts, rectangles};
+/// let mesh = rectangles(4, 2, SideParts::HANGING)?;
 /// assert_eq!((mesh.nodes()[5], mesh.boundary().len()), ([0.0, 0.5], 12));
 /// # Ok::<(), signorini::Error>(())
 /// ```
@@ -41,7 +41,7 @@ impl Sides {
 /// # Errors
 /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 16384, [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) for more cells than memory
 /// holds.
-pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
+pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulation> {
     for (name, value) in [("cells in x", nx), ("cells in y", ny)] {
         if !(1..=16384).contains(&value) {
             let range = "[1, 16384]";
@@ -72,23 +72,23 @@ pub fn rectangles(nx: usize, ny: usize, sides: Sides) -> Result<Triangulation> {
 /// The unit square in n x n squares.
 ///
 /// ```
-/// use signorini::mesh::{Sides, unit_square};
-/// let mesh = unit_square(4, Sides::HANGING)?;
+/// use signorini::mesh::{SideParts, unit_square};
+/// let mesh = unit_square(4, SideParts::HANGING)?;
 /// assert_eq!((mesh.nodes().len(), mesh.triangles().len()), (25, 32));
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
 /// # Errors
 /// As for [`rectangles`].
-pub fn unit_square(n: usize, sides: Sides) -> Result<Triangulation> {
+pub fn unit_square(n: usize, sides: SideParts) -> Result<Triangulation> {
     rectangles(n, n, sides)
 }
 
 /// The image of the `nx` by `ny` grid of the unit square under `map`.
 ///
 /// ```
-/// use signorini::mesh::{Sides, mapped_grid};
-/// let trapezoid = mapped_grid(8, 4, Sides::HANGING, |[x, y]| [2.0 * x + 0.3 * y, y])?;
+/// use signorini::mesh::{SideParts, mapped_grid};
+/// let trapezoid = mapped_grid(8, 4, SideParts::HANGING, |[x, y]| [2.0 * x + 0.3 * y, y])?;
 /// assert_eq!(trapezoid.nodes()[8], [2.0, 0.0]);
 /// # Ok::<(), signorini::Error>(())
 /// ```
@@ -98,7 +98,7 @@ pub fn unit_square(n: usize, sides: Sides) -> Result<Triangulation> {
 pub fn mapped_grid(
     nx: usize,
     ny: usize,
-    sides: Sides,
+    sides: SideParts,
     map: impl Fn(Point) -> Point,
 ) -> Result<Triangulation> {
     rectangles(nx, ny, sides)?.mapped(map)
@@ -158,11 +158,11 @@ mod tests {
 
     #[test]
     fn structured_grids_pass_the_check_of_foreign_meshes() {
-        let mesh = rectangles(3, 2, Sides::HANGING).unwrap();
+        let mesh = rectangles(3, 2, SideParts::HANGING).unwrap();
         let checked =
             Triangulation::new(mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
         assert_eq!(checked.unwrap(), mesh);
-        assert!(unit_square(0, Sides::HANGING).is_err());
+        assert!(unit_square(0, SideParts::HANGING).is_err());
         // Three squares around a reentrant corner: 3 n² cells, 8 n edges; one square is the structured grid.
         let free = |_| Part::Neumann;
         let around = unit_squares(3, &[[0, 0], [0, 1], [-1, 1]], free).unwrap();
@@ -170,6 +170,6 @@ mod tests {
         assert_eq!(unit_squares(2, &[[0, 0]], free).unwrap().triangles().len(), 8);
         assert!(unit_squares(0, &[[0, 0]], free).is_err() && unit_squares(1, &[], free).is_err());
         assert!(unit_squares(1, &[[0, 0]; 2], free).is_err());
-        assert!(mapped_grid(2, 2, Sides::HANGING, |[x, y]| [y, x]).is_err());
+        assert!(mapped_grid(2, 2, SideParts::HANGING, |[x, y]| [y, x]).is_err());
     }
 }

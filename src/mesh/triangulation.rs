@@ -125,9 +125,9 @@ impl Triangulation {
     /// triangle.
     ///
     /// ```
-    /// use signorini::mesh::{ContactEdge, Sides, unit_square};
+    /// use signorini::mesh::{ContactEdge, SideParts, unit_square};
     /// let (sin, cos) = 0.3_f64.sin_cos();
-    /// let turned = unit_square(2, Sides::HANGING)?.mapped(|[x, y]| [cos * x - sin * y, sin * x + cos * y])?;
+    /// let turned = unit_square(2, SideParts::HANGING)?.mapped(|[x, y]| [cos * x - sin * y, sin * x + cos * y])?;
     /// assert!((ContactEdge::of(&turned)?.normal()?[0] - sin).abs() < 1e-15);
     /// # Ok::<(), signorini::Error>(())
     /// ```

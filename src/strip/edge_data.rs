@@ -2,9 +2,9 @@
 //!
 //! On a fine edge of N cells with operator A (of a strip, or of the continuous harmonic problem) the pair
 //! (u_N, λ) solves the contact problem with the edge load b = A u_N + λ, whatever the pair is.
-//! [`crate::scenes`] builds pairs of given regularity.
+//! [`crate::problems`] builds pairs of given regularity.
 
-use super::sides::{Sides, check_cells};
+use super::sides::{LateralCondition, check_cells};
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_finite, require_length};
 use crate::numeric::text::pairs;
@@ -13,7 +13,7 @@ use crate::numeric::text::pairs;
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeData {
     cells: usize,
-    sides: Sides,
+    sides: LateralCondition,
     values: Vec<f64>,
     forces: Vec<f64>,
     regularity: Option<f64>,
@@ -27,7 +27,7 @@ impl EdgeData {
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite); [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign;
     /// [`Error::NotComplementary`] when both are nonzero at a node; [`Error::EmptyContact`] when no node has
     /// u_N = 0.
-    pub fn new(cells: usize, sides: Sides, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
+    pub fn new(cells: usize, sides: LateralCondition, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         for (name, field) in [("u_N", &values), ("lambda", &forces)] {
             require_length(name, field.len(), sides.nodes(cells))?;
@@ -53,7 +53,7 @@ impl EdgeData {
     /// # Errors
     /// [`Error::Syntax`] naming the line that is not two numbers, [`Error::AtLine`] one that is no pair;
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for the number of lines; and as [`EdgeData::new`].
-    pub fn from_samples(text: &str, sides: Sides) -> Result<Self> {
+    pub fn from_samples(text: &str, sides: LateralCondition) -> Result<Self> {
         let rows = pairs(text, "samples")?;
         for (node, &(line, [value, density])) in rows.iter().enumerate() {
             require_complementary(node, value, density).map_err(|cause| Error::AtLine {
@@ -65,8 +65,8 @@ impl EdgeData {
         let (values, densities): (Vec<f64>, Vec<f64>) =
             rows.iter().map(|&(_, [u, force])| (u, force)).unzip();
         let (cells, range) = match sides {
-            Sides::Natural => (values.len().saturating_sub(1), "the numbers 2^k + 1, k >= 1"),
-            Sides::Periodic => (values.len(), "the numbers 2^k, k >= 1"),
+            LateralCondition::Natural => (values.len().saturating_sub(1), "the numbers 2^k + 1, k >= 1"),
+            LateralCondition::Periodic => (values.len(), "the numbers 2^k, k >= 1"),
         };
         if !cells.is_power_of_two() || cells < 2 {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -77,7 +77,7 @@ impl EdgeData {
         }
         let forces = (0..densities.len())
             .map(|i| {
-                let at_side = sides == Sides::Natural && (i == 0 || i == cells);
+                let at_side = sides == LateralCondition::Natural && (i == 0 || i == cells);
                 densities[i] * if at_side { 0.5 } else { 1.0 } / cells as f64
             })
             .collect();
@@ -90,7 +90,7 @@ impl EdgeData {
     }
 
     /// What the sides do.
-    pub fn sides(&self) -> Sides {
+    pub fn sides(&self) -> LateralCondition {
         self.sides
     }
 
@@ -113,7 +113,7 @@ impl EdgeData {
     pub fn gaps(&self) -> usize {
         let open = |i: usize| self.values[i] < 0.0;
         let inner = (1..self.values.len()).filter(|&i| open(i) && !open(i - 1)).count();
-        let first_is_new = self.sides == Sides::Natural || !open(self.values.len() - 1);
+        let first_is_new = self.sides == LateralCondition::Natural || !open(self.values.len() - 1);
         inner + usize::from(open(0) && first_is_new)
     }
 }

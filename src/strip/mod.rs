@@ -25,7 +25,7 @@ mod transfer;
 pub use edge_data::EdgeData;
 pub use exact::{Reference, StripKind, StripProblem};
 pub use operator::edge::EdgeOperator;
-pub use sides::Sides;
+pub use sides::LateralCondition;
 pub use solver::solution::EdgeSolution;
 pub use strip::Strip;
 pub(crate) use transfer::restrict;

@@ -5,19 +5,19 @@ use crate::error::{Error, Result, ToolkitError};
 
 /// What the sides x = 0 and x = 1 of the strip do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Sides {
+pub enum LateralCondition {
     /// No condition is imposed (homogeneous Neumann): n + 1 edge nodes.
     Natural,
     /// The sides are identified: n edge nodes.
     Periodic,
 }
 
-impl Sides {
+impl LateralCondition {
     /// Number of nodes on an edge of `cells` cells.
     pub fn nodes(self, cells: usize) -> usize {
         match self {
-            Sides::Natural => cells + 1,
-            Sides::Periodic => cells,
+            LateralCondition::Natural => cells + 1,
+            LateralCondition::Periodic => cells,
         }
     }
 
@@ -32,25 +32,27 @@ impl Sides {
     /// The edge as a contact cone sees it: open, or with joined ends.
     pub(crate) fn ends(self) -> Ends {
         match self {
-            Sides::Natural => Ends::Open,
-            Sides::Periodic => Ends::Joined,
+            LateralCondition::Natural => Ends::Open,
+            LateralCondition::Periodic => Ends::Joined,
         }
     }
 
     /// Period of the (evenly extended) edge, in cells.
     pub fn period(self, cells: usize) -> usize {
         match self {
-            Sides::Natural => 2 * cells,
-            Sides::Periodic => cells,
+            LateralCondition::Natural => 2 * cells,
+            LateralCondition::Periodic => cells,
         }
     }
 }
 
 /// At least two cells, an even number on a ring.
-pub(crate) fn check_cells(cells: usize, sides: Sides) -> Result<()> {
+pub(crate) fn check_cells(cells: usize, sides: LateralCondition) -> Result<()> {
     let (admissible, range) = match sides {
-        Sides::Natural => (cells >= 2, "[2, 2^26]"),
-        Sides::Periodic => (cells >= 2 && cells.is_multiple_of(2), "the even numbers in [2, 2^26]"),
+        LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),
+        LateralCondition::Periodic => {
+            (cells >= 2 && cells.is_multiple_of(2), "the even numbers in [2, 2^26]")
+        }
     };
     if admissible && cells <= 1 << 26 {
         Ok(())

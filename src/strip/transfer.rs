@@ -1,6 +1,6 @@
 //! Between an edge and the half as fine edge: P, linear interpolation, and its adjoint P'.
 
-use super::sides::Sides;
+use super::sides::LateralCondition;
 
 /// P g: linear interpolation from the half as fine edge to one of `nodes` nodes.
 pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
@@ -16,17 +16,17 @@ pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
 }
 
 /// P'b: the load on the half as fine edge.
-pub(crate) fn restrict(fine: &[f64], sides: Sides) -> Vec<f64> {
+pub(crate) fn restrict(fine: &[f64], sides: LateralCondition) -> Vec<f64> {
     let cells = match sides {
-        Sides::Natural => (fine.len() - 1) / 2,
-        Sides::Periodic => fine.len() / 2,
+        LateralCondition::Natural => (fine.len() - 1) / 2,
+        LateralCondition::Periodic => fine.len() / 2,
     };
     let last = fine.len() - 1;
     (0..sides.nodes(cells))
         .map(|i| {
             let left = match (i, sides) {
-                (0, Sides::Natural) => 0.0,
-                (0, Sides::Periodic) => fine[last],
+                (0, LateralCondition::Natural) => 0.0,
+                (0, LateralCondition::Periodic) => fine[last],
                 _ => fine[2 * i - 1],
             };
             let right = fine.get(2 * i + 1).copied().unwrap_or(0.0);

@@ -2,8 +2,8 @@
 
 use experiments::convergence::Levels;
 use experiments::proof::{ProofCase, Resolution};
+use signorini::problems::StripData;
 use signorini::proof::{ProofConstants, Section, Step, ThetaRule};
-use signorini::scenes::StripScene;
 
 /// Rungs that coincide agree to the rounding of their sums and to the error of the constants, about 1e-9.
 pub const RUNG: f64 = 1e-8;
@@ -19,16 +19,16 @@ impl Random {
     }
 }
 
-fn scenes(tau: f64, random: &mut Random) -> Vec<StripScene> {
+fn scenes(tau: f64, random: &mut Random) -> Vec<StripData> {
     let rough = if tau < 2.0 {
-        StripScene::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
+        StripData::FatCantor { depth: 3 + (6.0 * random.next()) as usize }
     } else {
-        StripScene::Cantor { ratio: 0.4, depth: 8 }
+        StripData::Cantor { ratio: 0.4, depth: 8 }
     };
     vec![
-        StripScene::Transition { position: 0.05 + 0.9 * random.next() },
-        StripScene::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
-        StripScene::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
+        StripData::Transition { position: 0.05 + 0.9 * random.next() },
+        StripData::Transitions { gaps: 3 + (20.0 * random.next()) as usize },
+        StripData::Cantor { ratio: 0.2 + 0.2 * random.next(), depth: 8 },
         rough,
     ]
 }

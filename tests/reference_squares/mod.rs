@@ -3,7 +3,7 @@
 use serde_json::Value;
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Solver};
-use signorini::scenes::MeshScene;
+use signorini::problems::TestProblem;
 
 /// Relative difference in J: the rows agree among themselves to 12 digits or more.
 const ENERGY: f64 = 1e-11;
@@ -17,7 +17,7 @@ const SOLVERS: f64 = 1e-9;
 /// Scaled KKT figures of a direct solution with refinement.
 const KKT: f64 = 1e-11;
 
-pub fn check_against_reference(problem: &str, scene: MeshScene, cone: Cone) {
+pub fn check_against_reference(problem: &str, scene: TestProblem, cone: Cone) {
     let text = include_str!("../reference/signorini_square.json");
     let all: Value = serde_json::from_str(text).unwrap();
     let rows: Vec<&Value> =
@@ -62,7 +62,7 @@ fn check_row(row: &Value, solution: &ContactSolution, case: &str) {
     assert!(solution.kkt.worst() <= KKT, "{case}: {:?}", solution.kkt);
 }
 
-pub fn solvers_agree(scene: MeshScene, cone: Cone) {
+pub fn solvers_agree(scene: TestProblem, cone: Cone) {
     for n in [8, 16, 32, 64] {
         let problem = scene.problem(n).unwrap();
         let direct = problem.solve(cone, Solver::ActiveSet).unwrap();

@@ -5,9 +5,9 @@ use example_frame::{Finding, Headline, Outcome, Table, Verdict};
 use experiments::convergence::{Levels, MeshRates, NoMemory, Quantity, RateStrip, RateStudy, SceneFamily};
 use signorini::cone::Cone;
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
+use signorini::problems::{Parameters, StripData, TestProblem};
 use signorini::rates::Bound;
-use signorini::scenes::{MeshScene, Setting, StripScene};
-use signorini::strip::{Sides, StripKind};
+use signorini::strip::{LateralCondition, StripKind};
 
 /// Options of either example for one transition on few levels.
 macro_rules! one_transition {
@@ -29,7 +29,7 @@ const TERM: f64 = 0.03;
 
 fn strip(
     kind: StripKind,
-    source: &StripScene,
+    source: &StripData,
     levels: (u32, u32),
     positions: usize,
     cone: Cone,
@@ -63,19 +63,19 @@ fn check(studies: &[RateStudy]) {
 
 pub fn single_transitions(cone: Cone) {
     for kind in [StripKind::Scalar, StripKind::Elastic] {
-        check(&strip(kind, &StripScene::transition(), (3, 12), 7, cone));
+        check(&strip(kind, &StripData::transition(), (3, 12), 7, cone));
     }
 }
 
 pub fn many_transitions(cone: Cone) {
-    check(&strip(StripKind::Scalar, &StripScene::Transitions { gaps: 11 }, (6, 14), 1, cone));
+    check(&strip(StripKind::Scalar, &StripData::Transitions { gaps: 11 }, (6, 14), 1, cone));
 }
 
 pub fn corners(cone: Cone) {
     for angle in [100.0, 120.0, 135.0, 150.0] {
-        let setting = Setting { angle, ..Setting::default() };
+        let setting = Parameters { angle, ..Parameters::default() };
         let rates =
-            MeshRates { scene: MeshScene::Corner, setting, constant_load: true, coarsest: 3, levels: 7 };
+            MeshRates { scene: TestProblem::Corner, setting, constant_load: true, coarsest: 3, levels: 7 };
         let study = rates.study(&[cone]).unwrap().remove(0);
         let fit = study.fit(Quantity::Error).unwrap();
         assert!((fit.order - 90.0 / angle).abs() < CORNER, "{}: {fit}", study.subject);
@@ -87,8 +87,8 @@ pub fn corners(cone: Cone) {
 /// transition adds its own series.
 pub fn corner_with_contact(cone: Cone) {
     let rates = MeshRates {
-        scene: MeshScene::Corner,
-        setting: Setting::default(),
+        scene: TestProblem::Corner,
+        setting: Parameters::default(),
         constant_load: false,
         coarsest: 3,
         levels: 7,
@@ -105,7 +105,7 @@ const SUM: f64 = 1e-12;
 
 pub fn terms_by_two_roads(cone: Cone) {
     let cells = 1 << 10;
-    let scene = StripScene::Transitions { gaps: 3 }.data(1.75, cells, Sides::Natural).unwrap();
+    let scene = StripData::Transitions { gaps: 3 }.data(1.75, cells, LateralCondition::Natural).unwrap();
     let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
     let trace = EdgeTrace::new(nodes, scene.values().to_vec(), scene.forces().to_vec(), 0.0).unwrap();
     for (segments, term) in consistency_terms(&scene, cone) {

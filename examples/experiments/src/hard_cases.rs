@@ -8,8 +8,8 @@ use fractional_sobolev::{Given, Tolerance};
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, Fallback, Settings, Solver};
 use signorini::fem::{Field, Form, Lame};
-use signorini::mesh::{Hierarchy, Sides, mapped_grid};
-use signorini::scenes::{MeshScene, Setting};
+use signorini::mesh::{Hierarchy, SideParts, mapped_grid};
+use signorini::problems::{Parameters, TestProblem};
 use signorini::{Error, Result};
 use std::f64::consts::PI;
 use std::fmt;
@@ -31,7 +31,7 @@ const WEAK: f64 = 1e-9;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HardCase {
     /// A scene with its default setting.
-    Scene(MeshScene),
+    Scene(TestProblem),
     /// `block` with this λ/μ.
     Compressibility(f64),
     /// `corner`, or `leaning` (elastic), with this opening in degrees.
@@ -86,14 +86,14 @@ pub struct AgainstElimination {
 }
 
 /// `block` where it is elastic, `membrane` where it is not.
-fn plain(is_elastic: bool) -> MeshScene {
-    if is_elastic { MeshScene::Block } else { MeshScene::Membrane }
+fn plain(is_elastic: bool) -> TestProblem {
+    if is_elastic { TestProblem::Block } else { TestProblem::Membrane }
 }
 
 impl HardCase {
     /// The scenes; `block` for λ/μ from 0 to 1000; and, scalar and elastic, corners, slivers, graded meshes.
     pub fn all() -> Vec<Self> {
-        let mut cases: Vec<Self> = MeshScene::all().into_iter().map(Self::Scene).collect();
+        let mut cases: Vec<Self> = TestProblem::all().into_iter().map(Self::Scene).collect();
         cases.extend(RATIOS.map(Self::Compressibility));
         for is_elastic in [false, true] {
             cases.extend(ANGLES.map(|degrees| Self::Angle { degrees, is_elastic }));
@@ -108,22 +108,22 @@ impl HardCase {
     /// # Errors
     /// Those of meshes and problems.
     pub fn problem(&self, n: usize) -> Result<(ContactProblem, Option<Hierarchy>)> {
-        let with = |scene: MeshScene, setting| Ok((scene.problem_with(n, &setting)?, None));
-        let setting = Setting::default();
+        let with = |scene: TestProblem, setting| Ok((scene.problem_with(n, &setting)?, None));
+        let setting = Parameters::default();
         match *self {
             Self::Scene(scene) => with(scene, setting),
             Self::Compressibility(ratio) => {
                 let form = Form::elastic(Lame::new(ratio, 1.0)?);
-                let mesh = MeshScene::Block.mesh(n)?;
+                let mesh = TestProblem::Block.mesh(n)?;
                 let load = Field::Vector(&|[x, _]| [0.0, -(PI * x).cos()]).sample(mesh.nodes())?;
                 Ok((ContactProblem::new(mesh, form, &load)?, None))
             }
             Self::Angle { degrees, is_elastic } => {
-                let scene = if is_elastic { MeshScene::Leaning } else { MeshScene::Corner };
-                with(scene, Setting { angle: degrees, ..setting })
+                let scene = if is_elastic { TestProblem::Leaning } else { TestProblem::Corner };
+                with(scene, Parameters { angle: degrees, ..setting })
             }
             Self::Aspect { aspect, is_elastic } => {
-                let mesh = mapped_grid(n, n, Sides::HANGING, |[x, y]| [x, y / aspect])?;
+                let mesh = mapped_grid(n, n, SideParts::HANGING, |[x, y]| [x, y / aspect])?;
                 Ok((plain(is_elastic).on(mesh)?, None))
             }
             Self::Graded { levels, is_elastic } => {

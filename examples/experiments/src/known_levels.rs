@@ -3,7 +3,7 @@
 
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Settings, Start};
-use signorini::scenes::KnownSolution;
+use signorini::problems::KnownSolution;
 use signorini::{Error, Result, ToolkitError};
 
 /// n = 2 to this power on the coarsest mesh.

@@ -5,7 +5,7 @@
 use fractional_sobolev::Tolerance;
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver, Start};
-use signorini::scenes::KnownSolution;
+use signorini::problems::KnownSolution;
 use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 use std::time::Instant;

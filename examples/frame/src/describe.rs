@@ -172,14 +172,14 @@ fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
     use experiments::proof::{Against, Resolution};
     use signorini::cone::Cone;
     use signorini::contact::Solver;
-    use signorini::scenes::{MeshScene, Scene, StripScene};
+    use signorini::problems::{NamedProblem, StripData, TestProblem};
     use signorini::singular::SideConditions;
     use signorini::strip::{Reference, StripKind};
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
     // A scene that needs the name of a file has no default and is not read from its bare name.
-    let is_whole = |name: &&str| name.parse::<StripScene>().is_ok();
-    let strip: Vec<&str> = StripScene::all().iter().map(StripScene::name).filter(is_whole).collect();
-    let mesh: Vec<&str> = MeshScene::all().iter().map(MeshScene::name).collect();
+    let is_whole = |name: &&str| name.parse::<StripData>().is_ok();
+    let strip: Vec<&str> = StripData::all().iter().map(StripData::name).filter(is_whole).collect();
+    let mesh: Vec<&str> = TestProblem::all().iter().map(TestProblem::name).collect();
     let known = [
         (TypeId::of::<Cone>(), Kind::Choice(Cone::ALL.map(|cone| cone.to_string()).into())),
         (TypeId::of::<StripKind>(), Kind::Choice(words(&["scalar", "elastic"]))),
@@ -201,9 +201,9 @@ fn contact(is: impl Fn(TypeId) -> bool) -> Option<Kind> {
         ),
         (TypeId::of::<Levels>(), Kind::Levels),
         (TypeId::of::<Resolution>(), Kind::Named(words(&["segment", "edge"]))),
-        (TypeId::of::<MeshScene>(), Kind::Named(words(&mesh))),
-        (TypeId::of::<StripScene>(), Kind::Named(words(&strip))),
-        (TypeId::of::<Scene>(), Kind::Named(words(&[mesh, strip].concat()))),
+        (TypeId::of::<TestProblem>(), Kind::Named(words(&mesh))),
+        (TypeId::of::<StripData>(), Kind::Named(words(&strip))),
+        (TypeId::of::<NamedProblem>(), Kind::Named(words(&[mesh, strip].concat()))),
     ];
     known.into_iter().find(|(known, _)| is(*known)).map(|(_, kind)| kind)
 }
@@ -213,7 +213,7 @@ mod tests {
     use super::*;
     use experiments::convergence::Levels;
     use signorini::cone::Cone;
-    use signorini::scenes::Scene;
+    use signorini::problems::NamedProblem;
 
     crate::options! {
         /// What it does
@@ -229,7 +229,7 @@ mod tests {
             pub cone: Cone,
             /// Scene
             #[arg(long)]
-            pub scene: Option<Scene>,
+            pub scene: Option<NamedProblem>,
             /// Levels
             #[arg(long, default_value = "3-9")]
             pub levels: Levels,
@@ -279,7 +279,7 @@ mod tests {
         are_read::<GalleryFunction>(&["0.4"]);
         are_read::<SampleSlope>(&["0.4", "1"]);
         are_read::<Cone>(&[]);
-        are_read::<Scene>(&[]);
+        are_read::<NamedProblem>(&[]);
         are_read::<signorini::strip::StripKind>(&[]);
         are_read::<signorini::strip::Reference>(&[]);
         are_read::<experiments::proof::Against>(&[]);

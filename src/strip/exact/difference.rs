@@ -75,7 +75,7 @@ pub(super) fn rounding(exact: &[Complex<f64>], largest_symbol: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::strip::operator::edge::EdgeOperator;
-    use crate::strip::sides::Sides;
+    use crate::strip::sides::LateralCondition;
     use crate::strip::transfer::prolong;
 
     /// Transforms of length ≤ 256 of numbers up to 1.
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn modes_of_the_interpolant_are_those_of_its_nodal_values() {
-        for sides in [Sides::Natural, Sides::Periodic] {
+        for sides in [LateralCondition::Natural, LateralCondition::Periodic] {
             let operator = |n: usize| {
                 let symbol = vec![1.0; sides.period(n) / 2 + 1];
                 EdgeOperator::new(n, sides, symbol).unwrap()

@@ -1,6 +1,6 @@
 //! Exact energy-norm errors of the elastic strip from its edge alone.
 //!
-//! The scene prescribes u_N and λ on a fine edge of N cells; no tangential force acts, so u_x follows from
+//! The test problem prescribes u_N and λ on a fine edge of N cells; no tangential force acts, so u_x follows from
 //! u_N. As in the scalar case, with v = (u_x, u_y) on the edge,
 //!
 //! |u − u_h|²_a = ⟨A d, d⟩ + ⟨G v_h, v_h⟩,  d = v − P v_h,
@@ -17,7 +17,7 @@ use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::elastic::{EdgeMatrix, edge_matrices};
 use crate::strip::operator::elastic_defect::{aliased, halvings};
-use crate::strip::sides::Sides;
+use crate::strip::sides::LateralCondition;
 use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
 
@@ -44,14 +44,14 @@ pub(super) struct ExactElastic {
 }
 
 impl ExactElastic {
-    /// The scene as exact solution on the strip of height `height.0/height.1`; periodic sides, frictionless.
+    /// The test problem as exact solution on the strip of height `height.0/height.1`; periodic sides, frictionless.
     /// `coarsest` is the smallest number of cells errors are wanted for.
     ///
     /// # Errors
-    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a scene with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a test problem with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the
     /// numbers of layers are powers of two.
     pub(super) fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
-        if scene.sides() != Sides::Periodic {
+        if scene.sides() != LateralCondition::Periodic {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
@@ -81,7 +81,7 @@ impl ExactElastic {
             n /= 2;
         }
         let symbol = matrices[0].iter().map(|a| a.normal()).collect();
-        let operator = EdgeOperator::new(cells, Sides::Periodic, symbol)?;
+        let operator = EdgeOperator::new(cells, LateralCondition::Periodic, symbol)?;
         let mut exact = Self {
             cells,
             height,
@@ -91,20 +91,20 @@ impl ExactElastic {
             loads: Vec::new(),
             exact: Default::default(),
             rounding: 0.0,
-            interpolation: Interpolation::new(Sides::Periodic.period(cells)),
+            interpolation: Interpolation::new(LateralCondition::Periodic.period(cells)),
         };
         exact.set_scene(scene)?;
         Ok(exact)
     }
 
-    /// Replaces the scene by another one on the same fine grid.
+    /// Replaces the test problem by another one on the same fine grid.
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
     pub(super) fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
-        self.loads = pyramid(force, Sides::Periodic);
+        self.loads = pyramid(force, LateralCondition::Periodic);
         self.exact = displacement(&self.operator, &self.matrices[0], scene.values())?;
         let largest = self.matrices[0].iter().map(|a| a.xx + a.yy).fold(0.0, f64::max);
         self.rounding = self.exact.iter().map(|component| rounding(component, largest)).sum();
@@ -135,7 +135,7 @@ impl ExactElastic {
     pub(super) fn operator(&self, cells: usize) -> Result<EdgeOperator> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         let symbol = self.matrices[level].iter().map(|a| a.normal()).collect();
-        EdgeOperator::new(cells, Sides::Periodic, symbol)
+        EdgeOperator::new(cells, LateralCondition::Periodic, symbol)
     }
 
     /// |u − u_h|_a for the discrete solution with the given u_N on `cells` cells.
@@ -145,7 +145,7 @@ impl ExactElastic {
     pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         require_length("edge values", values.len(), cells)?;
-        let coarse = EdgeOperator::new(cells, Sides::Periodic, vec![1.0; cells / 2 + 1])?;
+        let coarse = EdgeOperator::new(cells, LateralCondition::Periodic, vec![1.0; cells / 2 + 1])?;
         let discrete = displacement(&coarse, &self.matrices[level], values)?;
         let interior = match level {
             0 => 0.0,

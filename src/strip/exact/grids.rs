@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, ToolkitError};
 use crate::strip::operator::scalar::check_layers;
-use crate::strip::sides::Sides;
+use crate::strip::sides::LateralCondition;
 use crate::strip::transfer::restrict;
 
 /// How often `fine` is halved to give `cells`, less than `levels` times.
@@ -43,7 +43,7 @@ pub(crate) fn layers_on(cells: usize, height: (usize, usize)) -> Result<usize> {
 }
 
 /// The load and its restrictions P'b, P'P'b, ... down to two cells.
-pub(crate) fn pyramid(force: Vec<f64>, sides: Sides) -> Vec<Vec<f64>> {
+pub(crate) fn pyramid(force: Vec<f64>, sides: LateralCondition) -> Vec<Vec<f64>> {
     let smallest = sides.nodes(2);
     let mut loads = vec![force];
     while let Some(last) = loads.last() {

@@ -8,7 +8,7 @@ use crate::fem::Lame;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::scalar::ScalarStrip;
-use crate::strip::sides::Sides;
+use crate::strip::sides::LateralCondition;
 use fractional_sobolev::Estimate;
 use std::fmt;
 use std::str::FromStr;
@@ -24,10 +24,10 @@ pub enum StripKind {
 
 impl StripKind {
     /// The sides of this kind of strip.
-    pub fn sides(self) -> Sides {
+    pub fn sides(self) -> LateralCondition {
         match self {
-            StripKind::Scalar => Sides::Natural,
-            StripKind::Elastic => Sides::Periodic,
+            StripKind::Scalar => LateralCondition::Natural,
+            StripKind::Elastic => LateralCondition::Periodic,
         }
     }
 }
@@ -68,7 +68,7 @@ enum Exact {
 }
 
 impl StripProblem {
-    /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the scene only.
+    /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the test problem only.
     ///
     /// # Errors
     /// As [`EdgeData::new`], [`ToolkitError::Incompatible`] for sides of the other kind, [`ToolkitError::CountOutOfRange`] unless the
@@ -91,7 +91,7 @@ impl StripProblem {
         }))
     }
 
-    /// Replaces the scene by another one on the same grid; much cheaper than a new problem.
+    /// Replaces the test problem by another one on the same grid; much cheaper than a new problem.
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.

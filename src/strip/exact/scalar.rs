@@ -20,7 +20,7 @@ use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::defect::{halving, harmonic_defect, harmonic_symbol};
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::scalar::scalar_symbol;
-use crate::strip::sides::Sides;
+use crate::strip::sides::LateralCondition;
 use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
@@ -48,13 +48,13 @@ pub(super) struct ExactEdge {
 }
 
 impl ExactEdge {
-    /// The scene as exact solution on the strip of height `height.0/height.1`; natural sides.
+    /// The test problem as exact solution on the strip of height `height.0/height.1`; natural sides.
     ///
     /// # Errors
-    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic scene, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic test problem, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two
     /// and the height gives a whole number of layers on it.
     pub(super) fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
-        if scene.sides() != Sides::Natural {
+        if scene.sides() != LateralCondition::Natural {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
                 given: format!("{:?}", scene.sides()),
@@ -74,7 +74,7 @@ impl ExactEdge {
                 }
             })
             .collect();
-        let operator = EdgeOperator::new(cells, Sides::Natural, symbol)?;
+        let operator = EdgeOperator::new(cells, LateralCondition::Natural, symbol)?;
         let defects = match reference {
             Reference::Nested => nested_defects(cells, layers),
             Reference::Harmonic => Vec::new(),
@@ -82,7 +82,7 @@ impl ExactEdge {
         let mut exact = Self {
             modes: Vec::new(),
             rounding: 0.0,
-            interpolation: Interpolation::new(Sides::Natural.period(cells)),
+            interpolation: Interpolation::new(LateralCondition::Natural.period(cells)),
             cells,
             layers_per_cell: height,
             reference,
@@ -94,14 +94,14 @@ impl ExactEdge {
         Ok(exact)
     }
 
-    /// Replaces the scene by another one on the same fine grid.
+    /// Replaces the test problem by another one on the same fine grid.
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
     pub(super) fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(scene.values())?;
         force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
-        self.loads = pyramid(force, Sides::Natural);
+        self.loads = pyramid(force, LateralCondition::Natural);
         self.modes = self.operator.modes(scene.values())?;
         self.rounding = rounding(&self.modes, self.operator.norm());
         Ok(())
@@ -115,7 +115,7 @@ impl ExactEdge {
         layers_on(cells, self.layers_per_cell)
     }
 
-    /// The load of the scene on the edge of `cells` cells.
+    /// The load of the test problem on the edge of `cells` cells.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `cells` is N divided by a power of two.
@@ -131,7 +131,7 @@ impl ExactEdge {
     pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
         require_length("edge values", values.len(), cells + 1)?;
-        let coarse = EdgeOperator::new(cells, Sides::Natural, vec![1.0; cells + 1])?;
+        let coarse = EdgeOperator::new(cells, LateralCondition::Natural, vec![1.0; cells + 1])?;
         let modes = coarse.modes(values)?;
         let interior = self.interior(level, &coarse, &modes)?;
         let interpolated = self.interpolation.of(modes);
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn a_height_that_is_no_number_of_layers_is_refused() {
-        let flat = EdgeData::new(8, Sides::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
+        let flat = EdgeData::new(8, LateralCondition::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
         let refused = ExactEdge::scalar(&flat, (1, 3), Reference::Nested).unwrap_err();
         assert!(refused.to_string().contains("cells"), "{refused}");
         let exact = ExactEdge::scalar(&flat, (1, 2), Reference::Nested).unwrap();

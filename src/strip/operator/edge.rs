@@ -16,7 +16,7 @@ use crate::cone::{Cone, EdgeCone};
 use crate::error::{Error, Result};
 use crate::numeric::check::{require_finite, require_length};
 use crate::numeric::sum::pairwise_sum;
-use crate::strip::sides::{Sides, check_cells};
+use crate::strip::sides::{LateralCondition, check_cells};
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::fmt;
@@ -25,7 +25,7 @@ use std::fmt;
 #[derive(Clone)]
 pub struct EdgeOperator {
     cells: usize,
-    sides: Sides,
+    sides: LateralCondition,
     symbol: Vec<f64>,
     norm: f64,
     fourier: RealFourier,
@@ -43,7 +43,7 @@ impl EdgeOperator {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two cells (or an odd number on a periodic edge),
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite values.
-    pub fn new(cells: usize, sides: Sides, symbol: Vec<f64>) -> Result<Self> {
+    pub fn new(cells: usize, sides: LateralCondition, symbol: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         let period = sides.period(cells);
         require_length("symbol", symbol.len(), period / 2 + 1)?;
@@ -75,7 +75,7 @@ impl EdgeOperator {
     }
 
     /// What the sides do.
-    pub fn sides(&self) -> Sides {
+    pub fn sides(&self) -> LateralCondition {
         self.sides
     }
 
@@ -101,7 +101,7 @@ impl EdgeOperator {
 
     /// W_i: ½ at the two ends of an edge with natural sides, else 1.
     pub fn weight(&self, node: usize) -> f64 {
-        if self.sides == Sides::Natural && (node == 0 || node == self.cells) { 0.5 } else { 1.0 }
+        if self.sides == LateralCondition::Natural && (node == 0 || node == self.cells) { 0.5 } else { 1.0 }
     }
 
     /// A g: the nodal forces that hold the edge in the shape g.
@@ -195,8 +195,8 @@ impl EdgeOperator {
         let last = period / 2;
         let inner = pairwise_sum(1, last, term);
         let gamma = match self.sides {
-            Sides::Natural => 0.5,
-            Sides::Periodic => 1.0,
+            LateralCondition::Natural => 0.5,
+            LateralCondition::Periodic => 1.0,
         };
         gamma * (term(0) + 2.0 * inner + term(last)) / period as f64
     }
@@ -211,13 +211,13 @@ impl EdgeOperator {
         for i in 0..nodes {
             work.real[i] = g[i] * scale(i);
         }
-        if self.sides == Sides::Natural {
+        if self.sides == LateralCondition::Natural {
             for i in nodes..2 * self.cells {
                 work.real[i] = work.real[2 * self.cells - i];
             }
         }
         self.fourier.forward(work)?;
-        if self.sides == Sides::Natural {
+        if self.sides == LateralCondition::Natural {
             work.spectrum.iter_mut().for_each(|v| v.im = 0.0);
         }
         Ok(())
@@ -238,7 +238,7 @@ mod tests {
     /// Rounding of two transforms of length ≤ 64.
     const ROUNDING: f64 = 1e-13;
 
-    fn operator(sides: Sides) -> EdgeOperator {
+    fn operator(sides: LateralCondition) -> EdgeOperator {
         let cells = 12;
         let symbol = (0..=sides.period(cells) / 2).map(|k| 0.3 + k as f64).collect();
         EdgeOperator::new(cells, sides, symbol).unwrap()
@@ -246,7 +246,7 @@ mod tests {
 
     #[test]
     fn product_and_solve_are_inverse_symmetric_and_give_the_energy() {
-        for sides in [Sides::Natural, Sides::Periodic] {
+        for sides in [LateralCondition::Natural, LateralCondition::Periodic] {
             let a = operator(sides);
             let g: Vec<f64> = (0..a.nodes()).map(|i| (1.0 + i as f64).sin()).collect();
             let v: Vec<f64> = (0..a.nodes()).map(|i| (3.0 * i as f64).cos()).collect();
@@ -265,11 +265,11 @@ mod tests {
 
     #[test]
     fn misuse_is_an_error() {
-        assert!(EdgeOperator::new(1, Sides::Natural, vec![1.0, 1.0]).is_err());
-        assert!(EdgeOperator::new(5, Sides::Periodic, vec![1.0; 3]).is_err());
-        assert!(EdgeOperator::new(4, Sides::Natural, vec![1.0; 4]).is_err());
-        assert!(EdgeOperator::new(2, Sides::Natural, vec![1.0, 0.0, f64::NAN]).is_err());
-        assert!(operator(Sides::Natural).apply(&[f64::NAN; 13]).is_err());
-        assert!(operator(Sides::Periodic).solve(&[1.0; 3]).is_err());
+        assert!(EdgeOperator::new(1, LateralCondition::Natural, vec![1.0, 1.0]).is_err());
+        assert!(EdgeOperator::new(5, LateralCondition::Periodic, vec![1.0; 3]).is_err());
+        assert!(EdgeOperator::new(4, LateralCondition::Natural, vec![1.0; 4]).is_err());
+        assert!(EdgeOperator::new(2, LateralCondition::Natural, vec![1.0, 0.0, f64::NAN]).is_err());
+        assert!(operator(LateralCondition::Natural).apply(&[f64::NAN; 13]).is_err());
+        assert!(operator(LateralCondition::Periodic).solve(&[1.0; 3]).is_err());
     }
 }

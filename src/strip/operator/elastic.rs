@@ -15,7 +15,7 @@ use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::numeric::check::require_finite;
-use crate::strip::sides::{Sides, check_cells};
+use crate::strip::sides::{LateralCondition, check_cells};
 use qd::Quad;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
@@ -77,7 +77,7 @@ impl ElasticStrip {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an odd n or an m that is not a power of two.
     pub(crate) fn new(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
-        check_cells(cells, Sides::Periodic)?;
+        check_cells(cells, LateralCondition::Periodic)?;
         check_layers(layers)?;
         if !layers.is_power_of_two() {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -88,7 +88,12 @@ impl ElasticStrip {
         }
         let matrices = edge_matrices(cells, layers, lame);
         let symbol = matrices.iter().map(|a| a.normal()).collect();
-        Ok(Self { operator: EdgeOperator::new(cells, Sides::Periodic, symbol)?, matrices, lame, layers })
+        Ok(Self {
+            operator: EdgeOperator::new(cells, LateralCondition::Periodic, symbol)?,
+            matrices,
+            lame,
+            layers,
+        })
     }
 
     /// The operator of the normal displacement, tangential component condensed.
@@ -117,7 +122,14 @@ impl ElasticStrip {
         self.condense_rows(|j, out| {
             let below = if j > 0 { nodal(j - 1) } else { [Vec::new(), Vec::new()] };
             for axis in 0..2 {
-                mass_row(n, Sides::Periodic, &below[axis], &here[axis], &above[axis], &mut out[axis]);
+                mass_row(
+                    n,
+                    LateralCondition::Periodic,
+                    &below[axis],
+                    &here[axis],
+                    &above[axis],
+                    &mut out[axis],
+                );
             }
             above = std::mem::replace(&mut here, below);
         })

@@ -1,10 +1,17 @@
 //! The rows of a consistent P1 load.
 
-use crate::strip::sides::Sides;
+use crate::strip::sides::LateralCondition;
 
 /// One row of the consistent P1 load: the mass matrix applied to nodal values in the rows below, here and
 /// above (`below` is empty on the contact edge). Squares cut from bottom left to top right, h = 1/n.
-pub(crate) fn mass_row(n: usize, sides: Sides, below: &[f64], here: &[f64], above: &[f64], out: &mut [f64]) {
+pub(crate) fn mass_row(
+    n: usize,
+    sides: LateralCondition,
+    below: &[f64],
+    here: &[f64],
+    above: &[f64],
+    out: &mut [f64],
+) {
     let unit = 1.0 / (24.0 * (n * n) as f64);
     let nodes = sides.nodes(n);
     out.fill(0.0);

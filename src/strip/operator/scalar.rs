@@ -16,7 +16,7 @@ use super::edge::EdgeOperator;
 use super::load::mass_row;
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::require_finite;
-use crate::strip::sides::{Sides, check_cells};
+use crate::strip::sides::{LateralCondition, check_cells};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 
@@ -33,11 +33,11 @@ impl ScalarStrip {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n < 2 or m = 0.
     pub(crate) fn new(cells: usize, layers: usize) -> Result<Self> {
-        check_cells(cells, Sides::Natural)?;
+        check_cells(cells, LateralCondition::Natural)?;
         check_layers(layers)?;
         let symbol =
             (0..=cells).map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64)).collect();
-        let operator = EdgeOperator::new(cells, Sides::Natural, symbol)?;
+        let operator = EdgeOperator::new(cells, LateralCondition::Natural, symbol)?;
         Ok(Self { operator, layers })
     }
 
@@ -108,7 +108,7 @@ impl ScalarStrip {
         let mut here = nodal(self.layers - 1);
         self.condense_rows(|j, out| {
             let below = if j > 0 { nodal(j - 1) } else { Vec::new() };
-            mass_row(n, Sides::Natural, &below, &here, &above, out);
+            mass_row(n, LateralCondition::Natural, &below, &here, &above, out);
             above = std::mem::replace(&mut here, below);
         })
     }

@@ -11,7 +11,7 @@ use crate::cone::{Block, Face};
 use crate::error::Result;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::fourier::{RealFourier, Workspace};
-use crate::strip::sides::Sides;
+use crate::strip::sides::LateralCondition;
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::collections::HashMap;
@@ -61,7 +61,7 @@ impl<'a> Preconditioner<'a> {
 
     fn gap(&mut self, gap: Block, r: &[f64], z: &mut [f64]) -> Result<()> {
         let nodes = self.operator.nodes();
-        let natural = self.operator.sides() == Sides::Natural;
+        let natural = self.operator.sides() == LateralCondition::Natural;
         let mirror_left = natural && gap.start == 0;
         let mirror_right = natural && gap.start + gap.len == nodes;
         let mirrored = mirror_left || mirror_right;

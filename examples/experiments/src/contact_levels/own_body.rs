@@ -41,9 +41,9 @@ impl OwnBody<'_> {
     /// use signorini::cone::Cone;
     /// use signorini::contact::Solver;
     /// use signorini::fem::{Field, Form, Lame};
-    /// use signorini::mesh::{Sides, unit_square};
+    /// use signorini::mesh::{SideParts, unit_square};
     /// use experiments::contact_levels::OwnBody;
-    /// let mesh = unit_square(8, Sides::HANGING)?;
+    /// let mesh = unit_square(8, SideParts::HANGING)?;
     /// let form = Form::elastic(Lame::plane_strain(2.5, 0.25)?);
     /// let load = Field::Vector(&|[x, _]| [0.0, 1.0 - 3.0 * x]);
     /// let body = OwnBody { mesh: &mesh, form: &form, load, cone: Cone::Nodal, solver: None, levels: 2, accuracy: None };

@@ -7,7 +7,7 @@ use super::levels::{
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, Solver};
-use signorini::scenes::{MeshScene, Setting};
+use signorini::problems::{Parameters, TestProblem};
 
 /// Cells along each side up to which the interior point is the second solver: there it takes seconds.
 pub(super) const INTERIOR: usize = 128;
@@ -16,9 +16,9 @@ pub(super) const INTERIOR: usize = 128;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SceneStudy {
     /// The scene.
-    pub scene: MeshScene,
+    pub scene: TestProblem,
     /// Its parameters.
-    pub setting: Setting,
+    pub setting: Parameters,
     /// The cone.
     pub cone: Cone,
     /// One solver. When `None` two: the active set, and beside it the interior point up to n = 128, multigrid
@@ -37,7 +37,7 @@ impl SceneStudy {
     /// J on n × n squares as other packages have found it ([`known_energy`]); `None` for another
     /// setting.
     pub fn known_energy(&self, n: usize) -> Option<f64> {
-        known_energy(self.scene, self.cone, n).filter(|_| self.setting == Setting::default())
+        known_energy(self.scene, self.cone, n).filter(|_| self.setting == Parameters::default())
     }
 
     /// About what the finest level takes, in bytes: elimination 100 log₂ N for each of N unknowns, the interior

@@ -7,8 +7,8 @@ use super::level_loop::Level;
 use super::strip_case::StripCase;
 use super::strip_levels::strip_levels;
 use fractional_sobolev::{Estimate, Work};
+use signorini::problems::StripData;
 use signorini::rates::order_between;
-use signorini::scenes::StripScene;
 use signorini::strip::{EdgeData, StripProblem};
 use signorini::{Error, Result, ToolkitError};
 
@@ -44,12 +44,12 @@ impl CaseStudy {
     /// Solves all levels of a case at all positions; `report` is called after each level.
     ///
     /// # Errors
-    /// As [`StripCase::sources`], [`signorini::scenes::StripScene::data`], [`StripProblem::new`] and
+    /// As [`StripCase::sources`], [`signorini::problems::StripData::data`], [`StripProblem::new`] and
     /// [`strip_levels`].
     pub fn of(case: &StripCase, mut report: impl FnMut(&Level)) -> Result<Self> {
         let sources = case.sources()?;
         let build =
-            |source: &StripScene| source.data(case.tau, case.levels.reference_cells(), case.kind.sides());
+            |source: &StripData| source.data(case.tau, case.levels.reference_cells(), case.kind.sides());
         let first: EdgeData = build(&sources[0])?;
         let finest = case.levels.finest_cells();
         if first.cells() < finest {

@@ -12,8 +12,8 @@ use signorini::Result;
 use signorini::cone::{Cone, ContactSet, KktResiduals};
 use signorini::contact::{self, ContactSolution, Settings, Solver};
 use signorini::edge::{RadialInterval, radial_intervals};
+use signorini::problems::DirichletEnd;
 use signorini::rates::ConvergenceOrder;
-use signorini::scenes::ClampedEnd;
 use signorini::singular::ContactZone;
 
 /// How a scene is solved.
@@ -50,8 +50,8 @@ impl EndRun {
     /// Solves the scene.
     ///
     /// # Errors
-    /// As for [`ClampedEnd::problem`] and [`signorini::contact::ContactProblem::solve`].
-    pub fn of(scene: &ClampedEnd, cone: Cone, start: Start) -> Result<Self> {
+    /// As for [`DirichletEnd::problem`] and [`signorini::contact::ContactProblem::solve`].
+    pub fn of(scene: &DirichletEnd, cone: Cone, start: Start) -> Result<Self> {
         let problem = scene.problem()?;
         let radii = problem.edge().arc();
         let full = ContactSet::new(vec![true; cone.constraints(radii.len())]);

@@ -8,7 +8,7 @@ use fractional_sobolev::{Estimate, Work};
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::mesh::Outline;
-use signorini::scenes::ClampedEnd;
+use signorini::problems::DirichletEnd;
 use signorini::singular::ContactZone;
 use std::f64::consts::LN_10;
 
@@ -16,7 +16,7 @@ use std::f64::consts::LN_10;
 #[derive(Debug, Clone)]
 pub struct EndCase {
     /// The scene.
-    pub scene: ClampedEnd,
+    pub scene: DirichletEnd,
     /// Nodal cone, active set from no contact: on the given rings, and with twice the angles and half the
     /// step.
     pub runs: [EndRun; 2],
@@ -34,11 +34,11 @@ impl EndCase {
     ///
     /// # Errors
     /// As for [`EndRun::of`].
-    pub fn of(scene: ClampedEnd) -> Result<Self> {
-        let finer = ClampedEnd { angles: 2 * scene.angles, step: 0.5 * scene.step, ..scene };
-        let shallow = ClampedEnd { smallest: scene.smallest.sqrt(), ..scene };
-        let square = ClampedEnd { outline: Outline::Rectangle, step: 0.8 * scene.step, ..scene };
-        let nodal = |scene: &ClampedEnd, start| EndRun::of(scene, Cone::Nodal, start);
+    pub fn of(scene: DirichletEnd) -> Result<Self> {
+        let finer = DirichletEnd { angles: 2 * scene.angles, step: 0.5 * scene.step, ..scene };
+        let shallow = DirichletEnd { smallest: scene.smallest.sqrt(), ..scene };
+        let square = DirichletEnd { outline: Outline::Rectangle, step: 0.8 * scene.step, ..scene };
+        let nodal = |scene: &DirichletEnd, start| EndRun::of(scene, Cone::Nodal, start);
         Ok(Self {
             runs: [nodal(&scene, Start::Open)?, nodal(&finer, Start::Open)?],
             again: [

@@ -19,8 +19,8 @@ use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::edge::radial_intervals;
 use signorini::fem::{Form, gradients, stresses};
 use signorini::mesh::{Hierarchy, Point, Triangulation};
+use signorini::problems::{CornerSingularity, Parameters, TestProblem};
 use signorini::rates::order_between;
-use signorini::scenes::{BodyCorner, MeshScene, Setting};
 use signorini::{Error, Result, ToolkitError};
 use std::f64::consts::PI;
 
@@ -37,7 +37,7 @@ const APART: usize = 4;
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerReading {
     /// The corner.
-    pub corner: BodyCorner,
+    pub corner: CornerSingularity,
     /// λ_h with `cells` and with 2 `cells`.
     pub meshes: [f64; 2],
     /// λ.
@@ -55,7 +55,7 @@ impl CornerReading {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless 2 ≤ cells ≤ 64; those of meshes and solvers;
     /// [`ToolkitError::ToleranceNotMet`](signorini::ToolkitError::ToleranceNotMet) when a solver did not converge or the stress vanishes at the corner.
-    pub fn of(scene: MeshScene, setting: &Setting, cells: usize) -> Result<Option<Self>> {
+    pub fn of(scene: TestProblem, setting: &Parameters, cells: usize) -> Result<Option<Self>> {
         if !(2..=64).contains(&cells) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "cells of a shell",
@@ -64,7 +64,7 @@ impl CornerReading {
             }));
         }
         let found = scene.regularity(setting)?;
-        let is_read = |corner: &&BodyCorner| {
+        let is_read = |corner: &&CornerSingularity| {
             let exponent = corner.regularity.exponent.as_ref();
             corner.wedge.angle() != PI && exponent.is_some_and(|exponent| !exponent.is_complex())
         };
@@ -94,7 +94,7 @@ struct Read {
 }
 
 impl Read {
-    fn of(scene: MeshScene, setting: &Setting, place: Point, cells: usize) -> Result<Self> {
+    fn of(scene: TestProblem, setting: &Parameters, place: Point, cells: usize) -> Result<Self> {
         let mut hierarchy = Hierarchy::new(scene.mesh_with(4 * cells, setting)?);
         hierarchy.refine_around(place, RADIUS, SHELLS)?;
         let fine = hierarchy.finest();

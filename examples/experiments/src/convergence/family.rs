@@ -1,8 +1,8 @@
 //! Families of scenes on a strip: a scene, or one at several positions whose errors are averaged.
 
 use super::subject::FamilyScene;
-use signorini::scenes::{StripScene, TransitionPowers};
-use signorini::strip::{EdgeData, Sides, StripKind};
+use signorini::problems::{StripData, TransitionPowers};
+use signorini::strip::{EdgeData, LateralCondition, StripKind};
 use signorini::{Error, Result, ToolkitError};
 
 /// One family of scenes: a scene, or one at several positions whose errors are averaged.
@@ -24,7 +24,7 @@ impl SceneFamily<'static> {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for no position.
     pub fn named(
-        source: &StripScene,
+        source: &StripData,
         tau: f64,
         kind: StripKind,
         coarsest: usize,
@@ -41,15 +41,19 @@ impl SceneFamily<'static> {
         let scene = FamilyScene::Named(source.clone());
         let source = source.clone();
         Ok(match source {
-            StripScene::Transition { position } => Self {
+            StripData::Transition { position } => Self {
                 scene,
                 tau,
                 count: positions,
                 member: Box::new(move |i, cells| {
                     let position = position + i as f64 / positions as f64 / coarsest as f64;
                     match sides {
-                        Sides::Natural => TransitionPowers::of_regularity(tau).data(position, cells),
-                        Sides::Periodic => StripScene::Transition { position }.data(tau, cells, sides),
+                        LateralCondition::Natural => {
+                            TransitionPowers::of_regularity(tau).data(position, cells)
+                        }
+                        LateralCondition::Periodic => {
+                            StripData::Transition { position }.data(tau, cells, sides)
+                        }
                     }
                 }),
             },
@@ -62,13 +66,13 @@ impl SceneFamily<'static> {
         })
     }
 
-    /// A named scene at τ = 2 with data times ℓ^{−α} ([`StripScene::damped_data`]); one transition is moved
+    /// A named scene at τ = 2 with data times ℓ^{−α} ([`StripData::damped_data`]); one transition is moved
     /// over `positions` places of a cell of the coarsest level.
     ///
     /// # Errors
     /// As [`SceneFamily::named`].
     pub fn damped(
-        source: &StripScene,
+        source: &StripData,
         logarithm: f64,
         kind: StripKind,
         coarsest: usize,
@@ -78,9 +82,9 @@ impl SceneFamily<'static> {
         let (source, sides) = (source.clone(), kind.sides());
         let scene = FamilyScene::Damped(source.clone(), logarithm);
         let member = move |i: usize, cells| match source {
-            StripScene::Transition { position } => {
+            StripData::Transition { position } => {
                 let position = position + i as f64 / positions as f64 / coarsest as f64;
-                StripScene::Transition { position }.damped_data(logarithm, cells, sides)
+                StripData::Transition { position }.damped_data(logarithm, cells, sides)
             }
             _ => source.damped_data(logarithm, cells, sides),
         };

@@ -7,7 +7,7 @@ use super::strip_rates::RateStrip;
 use super::study::RateStudy;
 use signorini::Result;
 use signorini::cone::Cone;
-use signorini::scenes::StripScene;
+use signorini::problems::StripData;
 use signorini::strip::StripKind;
 
 /// Families of scenes on one strip, with its levels and its reference grid.
@@ -32,7 +32,7 @@ impl StripGroup {
     ///
     /// # Errors
     /// As [`SceneFamily::named`].
-    pub fn with(mut self, scene: &StripScene, taus: &[f64], positions: usize) -> Result<Self> {
+    pub fn with(mut self, scene: &StripData, taus: &[f64], positions: usize) -> Result<Self> {
         for &tau in taus {
             let coarsest = self.levels.coarsest_cells();
             self.families.push(SceneFamily::named(scene, tau, self.kind, coarsest, positions)?);

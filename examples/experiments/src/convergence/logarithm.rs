@@ -1,6 +1,6 @@
 //! The case τ = 2, (3.2) and (4.3): which power of |ln h| does the error need?
 //!
-//! Near a transition whose slopes behave like |ln r|^{−α} ([`signorini::scenes::TransitionPowers`]; in H² exactly
+//! Near a transition whose slopes behave like |ln r|^{−α} ([`signorini::problems::TransitionPowers`]; in H² exactly
 //! for α > 1/2) the cells at distance r add up to e² ≈ h² ∫_h ℓ(r)^{−2α} dr/r = h² (c ± ℓ(h)^{1−2α}), ℓ(r) =
 //! 2 + |ln r|, so the model is
 //!

@@ -15,8 +15,8 @@ use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver};
 use signorini::fem::Form;
 use signorini::mesh::{Hierarchy, Triangulation};
+use signorini::problems::{Parameters, TestProblem, solution_regularity};
 use signorini::rates::Bound;
-use signorini::scenes::{MeshScene, Setting, body_regularity};
 use signorini::{Error, Result, ToolkitError};
 
 /// Uniform refinements between the finest level and the reference.
@@ -34,9 +34,9 @@ const ALGEBRAIC: f64 = 1e-10;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshRates {
     /// The scene.
-    pub scene: MeshScene,
+    pub scene: TestProblem,
     /// Its parameters.
-    pub setting: Setting,
+    pub setting: Parameters,
     /// f = −1 in place of the load of the scene. Where u = 0 is prescribed on the rest of the boundary or
     /// nothing, a constant f < 0 gives u < 0 (maximum principle): the contact edge is free and the corner is
     /// all there is.
@@ -70,14 +70,14 @@ impl MeshRates {
         }
         let tau = match self.constant_load {
             false => self.scene.regularity(&self.setting)?.tau,
-            true => body_regularity(&problem, &solution)?.tau,
+            true => solution_regularity(&problem, &solution)?.tau,
         }
         .min(Bound::SMOOTHEST);
         let solution = solution.displacement;
         let norm = problem.energy_norm(&solution)?;
         let reference = Reference { rates: *self, hierarchy, problem, solution, norm };
         let subject = match self.scene {
-            MeshScene::Corner => {
+            TestProblem::Corner => {
                 Subject::Corner { angle: self.setting.angle, constant_load: self.constant_load }
             }
             scene => Subject::Mesh(scene),
@@ -100,7 +100,7 @@ impl MeshRates {
         if !self.constant_load {
             return self.scene.on_with(mesh, &self.setting);
         }
-        if self.scene != MeshScene::Corner {
+        if self.scene != TestProblem::Corner {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "scene",
                 given: self.scene.to_string(),

@@ -7,18 +7,18 @@ use super::study::Quantity;
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::contact::Solver;
+use signorini::problems::{CornerSingularity, Parameters, TestProblem, solution_regularity};
 use signorini::rates::ConvergenceOrder;
-use signorini::scenes::{BodyCorner, MeshScene, Setting, body_regularity};
 
 /// A scene with its regularity and what a rate study shows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneOrder {
     /// The scene.
-    pub scene: MeshScene,
+    pub scene: TestProblem,
     /// The supremum of the τ with u ∈ H^τ, from corners and contact set.
     pub tau: f64,
     /// The corner responsible.
-    pub corner: Option<BodyCorner>,
+    pub corner: Option<CornerSingularity>,
     /// The same with the contact set of uniform squares alone, as fine as the finest of the study.
     pub on_squares: f64,
     /// Order of the error; `None` for too few levels.
@@ -87,17 +87,17 @@ const CELLS: usize = 4;
 /// after each.
 ///
 /// # Errors
-/// As [`MeshScene::regularity`], [`MeshRates::study`] and [`CornerReading::of`].
+/// As [`TestProblem::regularity`], [`MeshRates::study`] and [`CornerReading::of`].
 pub fn scene_orders(coarsest: usize, levels: usize, mut report: impl FnMut()) -> Result<Vec<SceneOrder>> {
-    let setting = Setting::default();
+    let setting = Parameters::default();
     let mut rows = Vec::new();
-    for scene in MeshScene::all() {
+    for scene in TestProblem::all() {
         let found = scene.regularity(&setting)?;
         let rates = MeshRates { scene, setting, constant_load: false, coarsest, levels };
         let study = rates.study(&[Cone::Nodal])?;
         let order = study.first().and_then(|study| study.fit(Quantity::Error));
         let problem = scene.problem_with(coarsest << (levels - 1), &setting)?;
-        let on_squares = body_regularity(&problem, &problem.solve(Cone::Nodal, Solver::ActiveSet)?)?.tau;
+        let on_squares = solution_regularity(&problem, &problem.solve(Cone::Nodal, Solver::ActiveSet)?)?.tau;
         let reading = CornerReading::of(scene, &setting, CELLS)?;
         let corner = found.responsible().cloned();
         rows.push(SceneOrder { scene, tau: found.tau, corner, on_squares, order, reading });

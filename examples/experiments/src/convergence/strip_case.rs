@@ -2,7 +2,7 @@
 
 use super::levels::Levels;
 use signorini::cone::Cone;
-use signorini::scenes::StripScene;
+use signorini::problems::StripData;
 use signorini::strip::{Reference, StripKind};
 use signorini::{Error, Result, ToolkitError};
 
@@ -17,7 +17,7 @@ pub struct StripCase {
     /// The levels.
     pub levels: Levels,
     /// The scene.
-    pub source: StripScene,
+    pub source: StripData,
     /// τ of the scene; samples bring their own.
     pub tau: f64,
     /// The discrete cone.
@@ -34,7 +34,7 @@ impl StripCase {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) for no position or too many.
-    pub fn sources(&self) -> Result<Vec<StripScene>> {
+    pub fn sources(&self) -> Result<Vec<StripData>> {
         let count = self.positions;
         if !(1..=POSITIONS).contains(&count) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -43,12 +43,12 @@ impl StripCase {
                 range: "[1, 1024]",
             }));
         }
-        let StripScene::Transition { position } = self.source else {
+        let StripData::Transition { position } = self.source else {
             return Ok(vec![self.source.clone()]);
         };
         let cell = 1.0 / self.levels.coarsest_cells() as f64;
         let shifted =
-            |i: usize| StripScene::Transition { position: position + i as f64 / count as f64 * cell };
+            |i: usize| StripData::Transition { position: position + i as f64 / count as f64 * cell };
         Ok((0..count).map(shifted).collect())
     }
 }

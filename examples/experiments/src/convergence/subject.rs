@@ -1,6 +1,6 @@
 //! What a rate study solves.
 
-use signorini::scenes::{MeshScene, StripScene, TransitionPowers};
+use signorini::problems::{StripData, TestProblem, TransitionPowers};
 use signorini::strip::StripKind;
 use std::fmt;
 
@@ -8,9 +8,9 @@ use std::fmt;
 #[derive(Debug, Clone, PartialEq)]
 pub enum FamilyScene {
     /// From the registry.
-    Named(StripScene),
+    Named(StripData),
     /// From the registry at τ = 2, times ℓ^{−α}.
-    Damped(StripScene, f64),
+    Damped(StripData, f64),
     /// One transition with a gap that is mirrored at the side, at one and at two thirds of a cell.
     Powers(TransitionPowers),
 }
@@ -43,7 +43,7 @@ pub enum Subject {
     /// On a strip.
     Strip(StripKind, FamilyScene),
     /// A scene on meshes with its own load.
-    Mesh(MeshScene),
+    Mesh(TestProblem),
     /// A corner of this opening in degrees, with the load of its scene or with f = −1.
     Corner {
         /// The opening.

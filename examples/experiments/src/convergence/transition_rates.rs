@@ -11,7 +11,7 @@ use super::subject::Subject;
 use fractional_sobolev::Estimate;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver};
-use signorini::scenes::{KnownSolution, TransitionPowers};
+use signorini::problems::{KnownSolution, TransitionPowers};
 use signorini::{Error, Result, ToolkitError};
 
 /// Where the transition lies.

@@ -3,10 +3,10 @@
 
 use signorini::cone::Cone;
 use signorini::edge::EdgeTrace;
+use signorini::problems::NamedProblem;
 use signorini::proof::Classification;
 use signorini::proof::Section;
 use signorini::proof::ThetaRule;
-use signorini::scenes::Scene;
 use signorini::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
@@ -31,7 +31,7 @@ pub struct AlternativeCase {
     /// Which alternative.
     pub section: Section,
     /// The scene.
-    pub source: Scene,
+    pub source: NamedProblem,
     /// Contact segments of the finest mesh.
     pub n: usize,
     /// How many meshes, each with half the segments of the next.
@@ -56,7 +56,7 @@ impl Against {
 
 impl AlternativeCase {
     /// Three meshes of a scene at τ = 7/4 on its fine reference.
-    pub fn new(section: Section, source: impl Into<Scene>, n: usize, rule: ThetaRule) -> Self {
+    pub fn new(section: Section, source: impl Into<NamedProblem>, n: usize, rule: ThetaRule) -> Self {
         Self { section, source: source.into(), n, meshes: 3, rule, tau: 1.75, against: Against::Reference }
     }
 
@@ -88,7 +88,7 @@ impl AlternativeCase {
             return Err(count("meshes", self.meshes, "[1, 16]"));
         }
         let parts = 1 << (self.meshes - 1);
-        let powers = matches!(self.source, Scene::Mesh(_)) || self.n.is_power_of_two();
+        let powers = matches!(self.source, NamedProblem::Mesh(_)) || self.n.is_power_of_two();
         if self.n < 2 * parts
             || !self.n.is_multiple_of(parts)
             || self.n > EdgeTrace::largest_segments(&self.source)

@@ -3,11 +3,11 @@
 use super::resolution::Resolution;
 use crate::convergence::Levels;
 use signorini::edge::{ContactPair, Traces};
+use signorini::problems::StripData;
 use signorini::proof::ProofConstants;
 use signorini::proof::Section;
 use signorini::proof::ThetaRule;
-use signorini::scenes::StripScene;
-use signorini::strip::Sides;
+use signorini::strip::LateralCondition;
 use signorini::{Error, Result, ToolkitError};
 
 /// Largest number of positions of a transition.
@@ -21,7 +21,7 @@ pub struct ProofCase {
     /// Theorem 3.1 or 4.1.
     pub section: Section,
     /// The manufactured pair; above τ = 2 a single transition.
-    pub source: StripScene,
+    pub source: StripData,
     /// The regularity the proof assumes, 3/2 < τ < 5/2 (at most 2 in Section 3).
     pub tau: f64,
     /// The regularity the pair is built with: its norms of order τ are the better resolved the larger the
@@ -46,7 +46,7 @@ impl ProofCase {
     pub fn standard(section: Section) -> Result<Self> {
         Ok(Self {
             section,
-            source: StripScene::transition(),
+            source: StripData::transition(),
             tau: 1.75,
             scene_tau: 1.75,
             levels: Levels::new(3, 11)?,
@@ -89,7 +89,7 @@ impl ProofCase {
         self.require_fitting()?;
         let cells = self.resolution.cells(self.levels.coarsest_cells());
         let tau = if self.tau > 2.0 { 2.0 } else { self.scene_tau };
-        self.source.data(tau, cells, Sides::Natural).map(|_| ())
+        self.source.data(tau, cells, LateralCondition::Natural).map(|_| ())
     }
 
     /// Fails where τ, the constants, the resolution or the positions do not fit.
@@ -126,9 +126,9 @@ impl ProofCase {
     /// The pair at every position, on an edge of so many cells.
     pub(super) fn pairs(&self, cells: usize, traces: Traces) -> Result<Vec<ContactPair>> {
         let step = 1.0 / (self.levels.coarsest_cells() * self.positions) as f64;
-        let StripScene::Transition { position } = self.source else {
+        let StripData::Transition { position } = self.source else {
             ToolkitError::require("tau", self.tau, "(3/2, 2] but for a single transition", self.tau <= 2.0)?;
-            let scene = self.source.data(self.scene_tau, cells, Sides::Natural)?;
+            let scene = self.source.data(self.scene_tau, cells, LateralCondition::Natural)?;
             return Ok(vec![ContactPair::of_scene(&scene, traces)?]);
         };
         (0..self.positions)
@@ -137,8 +137,8 @@ impl ProofCase {
                 if self.tau > 2.0 {
                     return ContactPair::smooth_transition(cells, position, self.scene_tau);
                 }
-                let source = StripScene::Transition { position };
-                let scene = source.data(self.scene_tau, cells, Sides::Natural)?;
+                let source = StripData::Transition { position };
+                let scene = source.data(self.scene_tau, cells, LateralCondition::Natural)?;
                 ContactPair::of_scene(&scene, traces)
             })
             .collect()

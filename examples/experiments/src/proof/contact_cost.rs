@@ -6,7 +6,7 @@
 //! c h^{2τ−2} (Σ_T |σ_N|²)^{1/2} (Σ_T |u_N'|²)^{1/2}, hence o(h^{2τ−2}), and for the nodal cone
 //! |u − u_h|_a² ≤ |u − I^h u|_a² + o(h^{2τ−2}).
 //!
-//! The order of the term over h^{2τ−2} in a scene of [`StripScene`], from the gaps longer than h, h^{−d} of
+//! The order of the term over h^{2τ−2} in a scene of [`StripData`], from the gaps longer than h, h^{−d} of
 //! them (this defines d; shorter ones, of length l, count with weight l/h and add no more),
 //! [`CostStudy::theory`]:
 //!
@@ -27,9 +27,9 @@ use crate::convergence::{Level, StripCase, StripLevels, StripSolution, solve_lev
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::edge::consistency_terms;
+use signorini::problems::StripData;
 use signorini::rates::ConvergenceOrder;
-use signorini::scenes::StripScene;
-use signorini::strip::{Sides, StripProblem};
+use signorini::strip::{LateralCondition, StripProblem};
 use std::f64::consts::LN_2;
 
 /// One mesh, mean over the positions of the scene; all squared.
@@ -68,7 +68,7 @@ impl CostRow {
 #[derive(Debug, Clone, PartialEq)]
 pub struct CostStudy {
     /// The scene.
-    pub scene: StripScene,
+    pub scene: StripData,
     /// Its regularity.
     pub tau: f64,
     /// The cone.
@@ -130,12 +130,12 @@ fn term_order(rows: &[CostRow], tau: f64) -> Option<ConvergenceOrder> {
 
 /// The order of the term over h^{2τ−2}, τ at most 2; `None` for samples and for transitions with 2 < τ < 5/2,
 /// which no row of the table describes.
-fn term_theory(scene: &StripScene, tau: f64) -> Option<f64> {
+fn term_theory(scene: &StripData, tau: f64) -> Option<f64> {
     match scene {
-        StripScene::Transition { .. } | StripScene::Transitions { .. } if tau <= 2.0 => Some(0.0),
-        StripScene::Transition { .. } | StripScene::Transitions { .. } if tau == 2.5 => Some(1.0),
-        StripScene::FatCantor { .. } => Some(0.0),
-        StripScene::Cantor { ratio, .. } => Some(1.0 - tau + 0.5 * LN_2 / -ratio.ln()),
+        StripData::Transition { .. } | StripData::Transitions { .. } if tau <= 2.0 => Some(0.0),
+        StripData::Transition { .. } | StripData::Transitions { .. } if tau == 2.5 => Some(1.0),
+        StripData::FatCantor { .. } => Some(0.0),
+        StripData::Cantor { ratio, .. } => Some(1.0 - tau + 0.5 * LN_2 / -ratio.ln()),
         _ => None,
     }
 }
@@ -186,17 +186,17 @@ pub fn contact_cost(case: &StripCase, mut report: impl FnMut()) -> Result<Vec<Co
 }
 
 /// Nodal forces on the mesh of twice the cell length: P'b, P the interpolation from there.
-fn restrict(fine: &[f64], sides: Sides) -> Vec<f64> {
+fn restrict(fine: &[f64], sides: LateralCondition) -> Vec<f64> {
     let cells = match sides {
-        Sides::Natural => (fine.len() - 1) / 2,
-        Sides::Periodic => fine.len() / 2,
+        LateralCondition::Natural => (fine.len() - 1) / 2,
+        LateralCondition::Periodic => fine.len() / 2,
     };
     let last = fine.len() - 1;
     (0..sides.nodes(cells))
         .map(|i| {
             let left = match (i, sides) {
-                (0, Sides::Natural) => 0.0,
-                (0, Sides::Periodic) => fine[last],
+                (0, LateralCondition::Natural) => 0.0,
+                (0, LateralCondition::Periodic) => fine[last],
                 _ => fine[2 * i - 1],
             };
             let right = fine.get(2 * i + 1).copied().unwrap_or(0.0);

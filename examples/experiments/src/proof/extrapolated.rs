@@ -10,8 +10,8 @@ use fractional_sobolev::{Estimate, Work};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Settings, Start};
 use signorini::mesh::Hierarchy;
+use signorini::problems::{PiecewiseLinearLoad, solution_regularity};
 use signorini::proof::TheoremConstants;
-use signorini::scenes::{LoadedBody, body_regularity};
 use signorini::{Error, Result, ToolkitError};
 
 /// n on the coarsest mesh.
@@ -22,7 +22,7 @@ const FINE: usize = 3;
 /// A body solved on nested meshes.
 pub struct SolvedBody {
     /// The body.
-    pub body: LoadedBody,
+    pub body: PiecewiseLinearLoad,
     /// The supremum of the σ with u ∈ H^σ, from the exponents of its corners and transitions.
     pub smoothness: f64,
     hierarchy: Hierarchy,
@@ -47,7 +47,7 @@ pub struct ExtrapolatedRow {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExtrapolatedStudy {
     /// The body.
-    pub body: LoadedBody,
+    pub body: PiecewiseLinearLoad,
     /// The supremum of the σ with u ∈ H^σ.
     pub smoothness: f64,
     /// The cone.
@@ -66,7 +66,7 @@ impl SolvedBody {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](signorini::ToolkitError::CountOutOfRange) unless 5 ≤ finest ≤ 10; [`ToolkitError::ToleranceNotMet`](signorini::ToolkitError::ToleranceNotMet) for a solution that does
     /// not meet its conditions; whatever problems and solvers return.
-    pub fn new(body: LoadedBody, finest: u32) -> Result<Self> {
+    pub fn new(body: PiecewiseLinearLoad, finest: u32) -> Result<Self> {
         if !(5..=10).contains(&finest) {
             let (name, value) = ("finest level", finest as usize);
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[5, 10]" }));
@@ -75,7 +75,7 @@ impl SolvedBody {
         let hierarchy = Hierarchy::refined(body.mesh(COARSEST)?, times)?;
         let solved = solve(body, &hierarchy, Cone::Nodal, times)?;
         let (problem, solution) = &solved[times];
-        let smoothness = body_regularity(problem, solution)?.tau;
+        let smoothness = solution_regularity(problem, solution)?.tau;
         let mut found = Self { body, smoothness, hierarchy, solved, errors: Vec::new() };
         found.errors = body.cones().iter().map(|&cone| found.errors(cone)).collect::<Result<_>>()?;
         Ok(found)
@@ -154,7 +154,7 @@ impl ExtrapolatedStudy {
 
 /// All levels up to one, each from the contact set of the one before.
 fn solve(
-    body: LoadedBody,
+    body: PiecewiseLinearLoad,
     hierarchy: &Hierarchy,
     cone: Cone,
     last: usize,

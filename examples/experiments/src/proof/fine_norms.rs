@@ -166,11 +166,11 @@ fn recovered_gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<[f64;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use signorini::mesh::{Sides, unit_square};
+    use signorini::mesh::{SideParts, unit_square};
 
     #[test]
     fn gradients_of_quadratic_functions_are_exact_inside() {
-        let mesh = unit_square(8, Sides::HANGING).unwrap();
+        let mesh = unit_square(8, SideParts::HANGING).unwrap();
         let values: Vec<f64> = mesh.nodes().iter().map(|[x, y]| x * x - 3.0 * x * y + 0.5 * y).collect();
         for (found, [x, y]) in recovered_gradients(&mesh, &values).unwrap().iter().zip(mesh.nodes()) {
             let exact = [2.0 * x - 3.0 * y, 0.5 - 3.0 * x];

@@ -7,11 +7,11 @@ use super::case::ProofCase;
 use super::profile::LevelProfile;
 use crate::convergence::Levels;
 use signorini::Result;
+use signorini::problems::StripData;
 use signorini::proof::Inequality;
 use signorini::proof::Section;
 use signorini::proof::Step;
 use signorini::proof::ThetaRule;
-use signorini::scenes::StripScene;
 
 /// A line over all pairs on which it was checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,13 +44,13 @@ pub struct LimitLines {
 /// As [`ProofCase::profile`].
 pub fn limit_lines(section: Section, q: f64) -> Result<LimitLines> {
     let two = [
-        StripScene::transition(),
-        StripScene::Transitions { gaps: 5 },
-        StripScene::Cantor { ratio: 0.3, depth: 4 },
+        StripData::transition(),
+        StripData::Transitions { gaps: 5 },
+        StripData::Cantor { ratio: 0.3, depth: 4 },
     ];
     let above: &[f64] = if section == Section::Four { &[2.05, 2.25, 2.45] } else { &[] };
     let pairs = two.into_iter().map(|source| (source, 2.0));
-    let pairs = pairs.chain(above.iter().map(|&tau| (StripScene::transition(), tau)));
+    let pairs = pairs.chain(above.iter().map(|&tau| (StripData::transition(), tau)));
     let (mut found, mut globally): (Vec<LimitLine>, f64) = (Vec::new(), 0.0);
     for (source, tau) in pairs {
         // With θ = h² no segment with a term is in the first case on these meshes; with θ = 1/2 there are

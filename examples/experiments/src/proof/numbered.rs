@@ -5,8 +5,8 @@ use crate::known_levels::{KnownLevel, known_levels};
 use fractional_sobolev::{Estimate, Tolerance};
 use signorini::Result;
 use signorini::cone::Cone;
+use signorini::problems::{EdgeDatum, KnownSolution};
 use signorini::proof::TheoremConstants;
-use signorini::scenes::{EdgeDatum, KnownSolution};
 
 /// Relative accuracy of the norms; all are rounded up by their errors.
 const ACCURACY: f64 = 1e-5;

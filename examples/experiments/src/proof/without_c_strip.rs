@@ -27,8 +27,8 @@ use super::contact_cost::{CostRow, contact_cost};
 use crate::convergence::{Levels, StripCase};
 use fractional_sobolev::{Estimate, Function, Order, Tolerance, Work};
 use signorini::cone::Cone;
+use signorini::problems::StripData;
 use signorini::proof::MeshShape;
-use signorini::scenes::StripScene;
 use signorini::strip::{Reference, StripKind};
 use signorini::{Error, Result, ToolkitError};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -53,8 +53,7 @@ pub(super) fn strip_bounds(
         let range = "[1, a quarter of the cells of the coarsest mesh]: one transition in a segment at most";
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "gaps", value: gaps, range }));
     }
-    let (kind, source, reference) =
-        (StripKind::Scalar, StripScene::Transitions { gaps }, Reference::Harmonic);
+    let (kind, source, reference) = (StripKind::Scalar, StripData::Transitions { gaps }, Reference::Harmonic);
     let case = StripCase { kind, levels, source, tau: 2.5, cone, reference, positions: 1 };
     let whole = second_seminorm(gaps)?;
     let fine = levels.reference_cells() as f64;
@@ -151,12 +150,12 @@ fn oscillation(ends: &[f64], n: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use signorini::strip::Sides;
+    use signorini::strip::LateralCondition;
 
     #[test]
     fn the_seminorm_is_that_of_the_cosines_of_the_data() {
         let (gaps, cells) = (3, 1 << 12);
-        let data = StripScene::Transitions { gaps }.data(2.5, cells, Sides::Natural).unwrap();
+        let data = StripData::Transitions { gaps }.data(2.5, cells, LateralCondition::Natural).unwrap();
         let sum: f64 = (1..200)
             .map(|k| {
                 let wave = PI * k as f64;

@@ -7,9 +7,9 @@ use crate::known_levels::{KnownLevel, known_levels};
 use fractional_sobolev::{Order, Tolerance};
 use signorini::Result;
 use signorini::cone::Cone;
+use signorini::problems::KnownSolution;
 use signorini::proof::{ExplicitBound, MeshShape, half_plane_korn};
 use signorini::proof::{SegmentConstant, consistency_constant, product_bound, product_constant};
-use signorini::scenes::KnownSolution;
 use std::fmt;
 
 /// Relative accuracy of |u|₂, rounded up by its error.

@@ -10,8 +10,8 @@
 
 use signorini::cone::Cone;
 use signorini::edge::{consistency_terms, edge_norms};
-use signorini::scenes::{StripScene, TransitionPowers};
-use signorini::strip::{EdgeData, Sides};
+use signorini::problems::{StripData, TransitionPowers};
+use signorini::strip::{EdgeData, LateralCondition};
 use signorini::{Result, ToolkitError};
 use std::fmt;
 
@@ -24,7 +24,7 @@ pub enum ContactFamily {
         pressure: f64,
     },
     /// A scene of the strip.
-    Scene(StripScene),
+    Scene(StripData),
 }
 
 /// What the meshes show of a family.
@@ -52,10 +52,10 @@ impl ContactFamily {
     /// fat Cantor sets.
     pub fn all(tau: f64) -> Vec<Self> {
         let transitions = [tau - 2.0, 0.0, 0.5].map(|pressure| ContactFamily::Transition { pressure });
-        let many = [3, 11, 47].map(|gaps| StripScene::Transitions { gaps });
+        let many = [3, 11, 47].map(|gaps| StripData::Transitions { gaps });
         let cantor = [(0.1, 2), (0.2, 3), (0.3, 4), (0.4, 5), (0.45, 6), (0.1, 20), (0.3, 20), (0.45, 20)]
-            .map(|(ratio, depth)| StripScene::Cantor { ratio, depth });
-        let fat = [4, 30].map(|depth| StripScene::FatCantor { depth });
+            .map(|(ratio, depth)| StripData::Cantor { ratio, depth });
+        let fat = [4, 30].map(|depth| StripData::FatCantor { depth });
         let scenes = many.into_iter().chain(cantor).chain(fat).map(ContactFamily::Scene);
         transitions.into_iter().chain(scenes).collect()
     }
@@ -75,7 +75,7 @@ impl ContactFamily {
 
     fn data(&self, tau: f64, cells: usize) -> Result<Vec<EdgeData>> {
         match self {
-            ContactFamily::Scene(scene) => Ok(vec![scene.data(tau, cells, Sides::Natural)?]),
+            ContactFamily::Scene(scene) => Ok(vec![scene.data(tau, cells, LateralCondition::Natural)?]),
             &ContactFamily::Transition { pressure } => {
                 let powers = TransitionPowers { pressure, ..TransitionPowers::of_regularity(tau) };
                 let place = |k: usize| FIRST + SPREAD * k as f64 / POSITIONS as f64;

@@ -3,16 +3,16 @@
 use super::plan::both_cones;
 use crate::Result;
 use experiments::convergence::{Levels, LogarithmFit, Quantity, RateStudy, SceneFamily, StripGroup};
+use signorini::problems::{StripData, TransitionPowers};
 use signorini::rates::Bound;
-use signorini::scenes::{StripScene, TransitionPowers};
 use signorini::strip::StripKind;
 
 /// Powers α of one transition: a kink outside H², and three in it; then those of 22, and of a Cantor set.
 const ALPHAS: [f64; 4] = [0.0, 0.75, 1.0, 1.5];
 const OF_MANY: [f64; 3] = [0.0, 0.75, 1.0];
 const OF_CANTOR: [f64; 3] = [0.0, 1.0, 1.5];
-const MANY: StripScene = StripScene::Transitions { gaps: 11 };
-const CANTOR: StripScene = StripScene::Cantor { ratio: 0.25, depth: 20 };
+const MANY: StripData = StripData::Transitions { gaps: 11 };
+const CANTOR: StripData = StripData::Cantor { ratio: 0.25, depth: 20 };
 /// So many halvings until twenty-two transitions are resolved: levels that say nothing of a power.
 const UNRESOLVED: usize = 3;
 

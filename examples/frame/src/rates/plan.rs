@@ -5,7 +5,7 @@ use super::store::LevelStore;
 use crate::{Error, Result, announce_memory, progress};
 use experiments::convergence::{LevelMemory, Levels, MeshRates, StripGroup, TransitionRates};
 use signorini::cone::Cone;
-use signorini::scenes::{MeshScene, Scene, Setting, StripScene};
+use signorini::problems::{NamedProblem, Parameters, StripData, TestProblem};
 use signorini::strip::StripKind;
 
 /// What is solved: groups of scenes on strips, whose exact solution is known, and corners on meshes.
@@ -24,10 +24,10 @@ const NINE: [f64; 9] = [1.55, 1.6, 1.65, 1.7, 1.75, 1.8, 1.85, 1.9, 1.95];
 /// Regularities from 2 on.
 const SMOOTH: [f64; 4] = [2.0, 2.1, 2.25, 2.4];
 /// Many transitions: 22 of them, none at a node of a dyadic mesh.
-const MANY: StripScene = StripScene::Transitions { gaps: 11 };
+const MANY: StripData = StripData::Transitions { gaps: 11 };
 /// Deeper than any grid resolves. These sets repeat themselves after a factor 2^{1/(4−2τ)} in h: only τ ≤ 1.8
 /// shows several periods.
-const FAT: StripScene = StripScene::FatCantor { depth: 30 };
+const FAT: StripData = StripData::FatCantor { depth: 30 };
 /// Regularities are told apart by this when they are chosen.
 const SAME: f64 = 1e-3;
 
@@ -42,8 +42,8 @@ impl RatePlan {
             Ok::<_, Error>(StripGroup::new(kind, Levels::new(from, to)?, 1 << reference))
         };
         let strips = vec![
-            group(StripKind::Scalar, 3, 12, 17)?.with(&StripScene::transition(), &all, 7)?,
-            group(StripKind::Elastic, 3, 12, 17)?.with(&StripScene::transition(), &[1.55, 1.75, 1.95], 5)?,
+            group(StripKind::Scalar, 3, 12, 17)?.with(&StripData::transition(), &all, 7)?,
+            group(StripKind::Elastic, 3, 12, 17)?.with(&StripData::transition(), &[1.55, 1.75, 1.95], 5)?,
             group(StripKind::Scalar, 6, 14, 18)?.with(&MANY, &FIVE, 1)?.with(&FAT, &FIVE[..3], 1)?,
         ];
         Ok(Self { strips, meshes: CORNERS.map(|angle| corner(angle, 3, 7)).to_vec() })
@@ -60,7 +60,7 @@ impl RatePlan {
             for kind in [StripKind::Scalar, StripKind::Elastic] {
                 let group = StripGroup::new(kind, Levels::new(from, 16)?, 1 << 20);
                 strips.push(match from {
-                    3 => group.with(&StripScene::transition(), &all, 5)?,
+                    3 => group.with(&StripData::transition(), &all, 5)?,
                     _ => group.with(&MANY, &all, 1)?.with(&FAT, &NINE[..6], 1)?,
                 });
             }
@@ -79,7 +79,7 @@ impl RatePlan {
     /// # Errors
     /// As [`StripGroup::with`].
     pub fn of_scene(
-        scene: &Scene,
+        scene: &NamedProblem,
         kind: StripKind,
         levels: Levels,
         tau: f64,
@@ -88,12 +88,12 @@ impl RatePlan {
         check(&[tau])?;
         let coarsest = levels.coarsest_cells();
         Ok(match scene {
-            Scene::Strip(scene) => {
+            NamedProblem::Strip(scene) => {
                 let group = StripGroup::new(kind, levels, (32 * levels.finest_cells()).min(1 << 22));
                 Self { strips: vec![group.with(scene, &[tau], positions)?], meshes: Vec::new() }
             }
-            Scene::Mesh(scene) => {
-                let (setting, levels) = (Setting::default(), levels.cells().count());
+            NamedProblem::Mesh(scene) => {
+                let (setting, levels) = (Parameters::default(), levels.cells().count());
                 let mesh = MeshRates { scene: *scene, setting, constant_load: false, coarsest, levels };
                 Self { strips: Vec::new(), meshes: vec![mesh] }
             }
@@ -193,6 +193,6 @@ pub fn on_meshes(transition: &TransitionRates) -> Result<[RateRow; 2]> {
 
 /// With f = −1: u < 0 by the maximum principle, the contact edge is free and the corner is all there is.
 fn corner(angle: f64, coarsest: usize, levels: usize) -> MeshRates {
-    let setting = Setting { angle, ..Setting::default() };
-    MeshRates { scene: MeshScene::Corner, setting, constant_load: true, coarsest, levels }
+    let setting = Parameters { angle, ..Parameters::default() };
+    MeshRates { scene: TestProblem::Corner, setting, constant_load: true, coarsest, levels }
 }

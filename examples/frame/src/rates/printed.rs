@@ -4,7 +4,7 @@ use super::plan::{both_cones, on_meshes};
 use super::row::RateRow;
 use crate::Result;
 use experiments::convergence::{Levels, SceneFamily, StripGroup, TransitionRates};
-use signorini::scenes::{StripScene, TransitionPowers};
+use signorini::problems::{StripData, TransitionPowers};
 use signorini::strip::StripKind;
 
 /// What stands for a regularity. On a strip: one transition, one in H² (slopes like |ln r|^{−1}), 22, a fat
@@ -112,11 +112,11 @@ impl Printed {
     fn family(&self, kind: StripKind, coarsest: usize) -> signorini::Result<SceneFamily<'static>> {
         let named = |scene, count| SceneFamily::named(&scene, self.tau, kind, coarsest, count);
         match self.shape {
-            Shape::Many => named(StripScene::Transitions { gaps: 11 }, 1),
-            Shape::FatCantor => named(StripScene::FatCantor { depth: 30 }, 1),
-            Shape::Elastic => named(StripScene::transition(), POSITIONS),
+            Shape::Many => named(StripData::Transitions { gaps: 11 }, 1),
+            Shape::FatCantor => named(StripData::FatCantor { depth: 30 }, 1),
+            Shape::Elastic => named(StripData::transition(), POSITIONS),
             Shape::ElasticInH2 => {
-                SceneFamily::damped(&StripScene::transition(), 1.0, kind, coarsest, POSITIONS)
+                SceneFamily::damped(&StripData::transition(), 1.0, kind, coarsest, POSITIONS)
             }
             _ => Ok(SceneFamily::at_thirds(self.powers(), self.tau, coarsest)),
         }

@@ -2,9 +2,9 @@
 
 use crate::{Cell, Column, Finding, Format, Headline, Result, Table};
 use experiments::convergence::{FamilyScene, Quantity, RateStudy, Subject};
+use signorini::problems::StripData;
 use signorini::rates::Bound;
 use signorini::rates::ConvergenceOrder;
-use signorini::scenes::StripScene;
 
 /// A study with the orders of error and root of the consistency term.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ impl RateRow {
     /// Whether the contact set is a fat Cantor set: it repeats itself after a factor 2^{1/(4−2τ)} in h, too
     /// few periods for an order as sharp as others.
     pub fn is_fat(&self) -> bool {
-        matches!(self.study.subject, Subject::Strip(_, FamilyScene::Named(StripScene::FatCantor { .. })))
+        matches!(self.study.subject, Subject::Strip(_, FamilyScene::Named(StripData::FatCantor { .. })))
     }
 
     /// Order of the error and what it may be off by.

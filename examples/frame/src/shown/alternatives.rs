@@ -3,9 +3,9 @@
 use crate::figures::{Axis, Chart, PALETTE, Series};
 use crate::{Column, Format, Result, Table};
 use experiments::proof::{AlternativeRow, AlternativeStudy};
+use signorini::problems::NamedProblem;
 use signorini::proof::{Alternative, Classification};
 use signorini::rates::order_between;
-use signorini::scenes::Scene;
 
 /// Points of a trace that are drawn.
 const DRAWN: usize = 2000;
@@ -57,8 +57,8 @@ pub fn edge_chart(label: &str, study: &AlternativeStudy, row: &AlternativeRow) -
         trace.nodes().iter().zip(values).step_by(step).map(|(&x, v)| (x, v / largest)).collect()
     };
     let unit = match source {
-        Scene::Mesh(_) => "side of the square = 1",
-        Scene::Strip(_) => "period = 1",
+        NamedProblem::Mesh(_) => "side of the square = 1",
+        NamedProblem::Strip(_) => "period = 1",
     };
     let x = Axis::linear(format!("x along the contact edge ({unit})"));
     let title = format!("{label} on scene {source}, 1/h = {}, θ = {:.3}", row.n, row.theta);

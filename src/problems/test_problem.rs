@@ -1,8 +1,8 @@
-//! Scenes on meshes: domain, data, and what is known of their solutions.
+//! Test problems on meshes: domain, data, and what is known of their solutions.
 //!
 //! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` from its left
 //! side, which meets the bottom at the angle ω. On the unit square except these, `taper` and `bracket`; n =
-//! (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic scenes and u ≤ 0 for scalar ones. Volume loads f are
+//! (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic test problems and u ≤ 0 for scalar ones. Volume loads f are
 //! replaced by their P1 interpolants. How smooth the solutions are follows from corners and contact set:
 //! `regularity`.
 
@@ -11,14 +11,14 @@ use super::registry::registry;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
-use crate::mesh::{Part, Point, Sides, Triangulation, mapped_grid, unit_square, unit_squares};
+use crate::mesh::{Part, Point, SideParts, Triangulation, mapped_grid, unit_square, unit_squares};
 use std::f64::consts::PI;
 
 registry! {
-    /// A named scene. Its block holds its domain, form and data.
+    /// A named test problem. Its block holds its domain, form and data.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
-    pub enum MeshScene: Body {
+    pub enum TestProblem: Body {
         /// Elastic square hanging from its top, pushed down on the left and up on the right: plane strain,
         /// λ = μ = 1, f = (0, −cos πx).
         #[default]
@@ -52,7 +52,7 @@ registry! {
         /// lock.
         Incompressible("incompressible") => Body {
             form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
-            ..MeshScene::Block.form()
+            ..TestProblem::Block.form()
         };
 
         /// Elastic corner of given opening ω between a clamped side and the contact edge, pressed on the
@@ -66,7 +66,7 @@ registry! {
         /// `leaning` lifted at that corner: f = (0, cos πx).
         Raised("raised") => Body {
             load: Load::Volume(|[x, _]| (PI * x).cos()),
-            ..MeshScene::Leaning.form()
+            ..TestProblem::Leaning.form()
         };
 
         /// Elastic, hanging from its top, with free sides that leave the contact edge at the opening ω;
@@ -93,18 +93,18 @@ registry! {
     }
 }
 
-/// All that tells one scene from another.
+/// All that tells one test problem from another.
 struct Body {
     is_elastic: bool,
-    form: fn(&Setting) -> Result<Form>,
+    form: fn(&Parameters) -> Result<Form>,
     /// The mesh with n x n cells.
-    mesh: fn(usize, &Setting) -> Result<Triangulation>,
+    mesh: fn(usize, &Parameters) -> Result<Triangulation>,
     load: Load,
 }
 
-/// The data of a scene.
+/// The data of a test problem.
 enum Load {
-    /// f alone, vertical for elastic scenes.
+    /// f alone, vertical for elastic test problems.
     Volume(fn(Point) -> f64),
     /// All data from a known solution; `problem` takes the factor on them.
     Exact { solution: fn() -> KnownSolution, problem: fn(Triangulation, f64) -> Result<ContactProblem> },
@@ -114,7 +114,7 @@ enum Load {
 const ELASTIC: Body = Body {
     is_elastic: true,
     form: |_| Ok(Form::elastic(Lame::new(1.0, 1.0)?)),
-    mesh: |n, _| unit_square(n, Sides::HANGING),
+    mesh: |n, _| unit_square(n, SideParts::HANGING),
     load: Load::Volume(|_| 0.0),
 };
 
@@ -123,7 +123,7 @@ const ELASTIC: Body = Body {
 const SCALAR: Body = Body {
     is_elastic: false,
     form: |_| Ok(Form::LAPLACE),
-    mesh: |n, _| unit_square(n, Sides::HANGING),
+    mesh: |n, _| unit_square(n, SideParts::HANGING),
     load: Load::Volume(|_| 0.0),
 };
 
@@ -140,7 +140,7 @@ fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
 fn taper(n: usize, angle: f64) -> Result<Triangulation> {
     Error::require("angle in degrees", angle, "[70, 160]", (70.0..=160.0).contains(&angle))?;
     let lean = -1.0 / angle.to_radians().tan();
-    mapped_grid(n, n, Sides::HANGING, |[x, y]| [x + y * lean * (2.0 * x - 1.0), y])
+    mapped_grid(n, n, SideParts::HANGING, |[x, y]| [x + y * lean * (2.0 * x - 1.0), y])
 }
 
 /// A leg, what is above it, and an arm to the left.
@@ -152,9 +152,9 @@ fn bracket(n: usize) -> Result<Triangulation> {
     })
 }
 
-/// Parameters of the scenes that have some.
+/// Parameters of the test problems that have some.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setting {
+pub struct Parameters {
     /// Opening ω at the left end of the contact edge of `corner`, `leaning` and `raised`, at both ends of
     /// that of `taper`, in degrees, in [20, 160]; for `taper` in [70, 160].
     pub angle: f64,
@@ -164,20 +164,20 @@ pub struct Setting {
     pub load_scale: f64,
 }
 
-impl Default for Setting {
+impl Default for Parameters {
     fn default() -> Self {
         Self { angle: 120.0, poisson: 0.4999, load_scale: 1.0 }
     }
 }
 
-const ALL_CONTACT: Sides =
-    Sides { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
+const ALL_CONTACT: SideParts =
+    SideParts { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
 
-const LEFT_HELD: Sides =
-    Sides { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Dirichlet };
+const LEFT_HELD: SideParts =
+    SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Dirichlet };
 
-impl MeshScene {
-    /// True for the scenes of elasticity.
+impl TestProblem {
+    /// True for the test problems of elasticity.
     pub fn is_elastic(self) -> bool {
         self.form().is_elastic
     }
@@ -186,16 +186,16 @@ impl MeshScene {
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter that is not admissible.
-    pub fn bilinear_form(self, setting: &Setting) -> Result<Form> {
+    pub fn bilinear_form(self, setting: &Parameters) -> Result<Form> {
         (self.form().form)(setting)
     }
 
-    /// What most scenes of its kind have: λ = μ = 1, or the Laplacian.
+    /// What most test problems of its kind have: λ = μ = 1, or the Laplacian.
     ///
     /// # Errors
     /// None for these constants.
     pub fn usual_form(self) -> Result<Form> {
-        ((if self.is_elastic() { ELASTIC } else { SCALAR }).form)(&Setting::default())
+        ((if self.is_elastic() { ELASTIC } else { SCALAR }).form)(&Parameters::default())
     }
 
     /// The solution where it is known in closed form, default setting.
@@ -206,52 +206,52 @@ impl MeshScene {
         }
     }
 
-    /// The structured mesh of the scene with n x n squares, default setting.
+    /// The structured mesh of the test problem with n x n squares, default setting.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
     pub fn mesh(self, n: usize) -> Result<Triangulation> {
-        self.mesh_with(n, &Setting::default())
+        self.mesh_with(n, &Parameters::default())
     }
 
-    /// The problem on a given triangulation of the scene's domain (a level of a hierarchy, say), default
+    /// The problem on a given triangulation of the test problem's domain (a level of a hierarchy, say), default
     /// setting.
     ///
     /// # Errors
     /// As for [`ContactProblem::new`].
     pub fn on(self, mesh: Triangulation) -> Result<ContactProblem> {
-        self.on_with(mesh, &Setting::default())
+        self.on_with(mesh, &Parameters::default())
     }
 
     /// The problem on the structured mesh with n x n squares, default setting.
     ///
     /// # Errors
-    /// As for [`MeshScene::mesh`] and [`MeshScene::on`].
+    /// As for [`TestProblem::mesh`] and [`TestProblem::on`].
     pub fn problem(self, n: usize) -> Result<ContactProblem> {
-        self.problem_with(n, &Setting::default())
+        self.problem_with(n, &Parameters::default())
     }
 
     /// The problem on the structured mesh with n x n squares.
     ///
     /// # Errors
-    /// As for [`MeshScene::mesh_with`] and [`MeshScene::on_with`].
-    pub fn problem_with(self, n: usize, setting: &Setting) -> Result<ContactProblem> {
+    /// As for [`TestProblem::mesh_with`] and [`TestProblem::on_with`].
+    pub fn problem_with(self, n: usize, setting: &Parameters) -> Result<ContactProblem> {
         self.on_with(self.mesh_with(n, setting)?, setting)
     }
 
-    /// The structured mesh of the scene with n x n cells.
+    /// The structured mesh of the test problem with n x n cells.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384, [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160].
-    pub fn mesh_with(self, n: usize, setting: &Setting) -> Result<Triangulation> {
+    pub fn mesh_with(self, n: usize, setting: &Parameters) -> Result<Triangulation> {
         (self.form().mesh)(n, setting)
     }
 
-    /// The problem on a given triangulation of the scene's domain.
+    /// The problem on a given triangulation of the test problem's domain.
     ///
     /// # Errors
     /// As for [`ContactProblem::new`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter that is not admissible.
-    pub fn on_with(self, mesh: Triangulation, setting: &Setting) -> Result<ContactProblem> {
+    pub fn on_with(self, mesh: Triangulation, setting: &Parameters) -> Result<ContactProblem> {
         let scale = setting.load_scale;
         Error::require("load scale", scale, "finite numbers", scale.is_finite())?;
         let body = self.form();
@@ -277,23 +277,23 @@ mod tests {
 
     #[test]
     fn every_scene_has_the_contact_it_is_named_for() {
-        for scene in MeshScene::all() {
+        for scene in TestProblem::all() {
             let solution = scene.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
             let (count, all) = (solution.contact_set.count(), solution.contact_set.constraints());
             match scene {
-                MeshScene::Free => assert_eq!(count, 0, "{scene}"),
-                MeshScene::Closed => assert_eq!(count, all, "{scene}"),
+                TestProblem::Free => assert_eq!(count, 0, "{scene}"),
+                TestProblem::Closed => assert_eq!(count, all, "{scene}"),
                 _ => assert!(0 < count && count < all, "{scene}: {count} of {all}"),
             }
             assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{scene}");
         }
-        let setting = Setting { angle: 10.0, ..Setting::default() };
-        for scene in [MeshScene::Corner, MeshScene::Leaning, MeshScene::Raised, MeshScene::Taper] {
+        let setting = Parameters { angle: 10.0, ..Parameters::default() };
+        for scene in [TestProblem::Corner, TestProblem::Leaning, TestProblem::Raised, TestProblem::Taper] {
             assert!(scene.problem_with(4, &setting).is_err(), "{scene}");
         }
-        let setting = Setting { angle: 60.0, ..Setting::default() };
-        assert!(MeshScene::Taper.mesh_with(4, &setting).is_err());
-        let setting = Setting { poisson: 0.5, ..Setting::default() };
-        assert!(MeshScene::Incompressible.problem_with(4, &setting).is_err());
+        let setting = Parameters { angle: 60.0, ..Parameters::default() };
+        assert!(TestProblem::Taper.mesh_with(4, &setting).is_err());
+        let setting = Parameters { poisson: 0.5, ..Parameters::default() };
+        assert!(TestProblem::Incompressible.problem_with(4, &setting).is_err());
     }
 }

@@ -1,4 +1,4 @@
-//! One transition with given powers and logarithms: the scenes at τ = 2, and those outside 3/2 < τ ≤ 2.
+//! One transition with given powers and logarithms: the test problems at τ = 2, and those outside 3/2 < τ ≤ 2.
 //!
 //! Contact for x < a, gap beyond, mirrored at x = 1. With δ = (x − a)(b − x)/(b − a), b = 2 − a, and ℓ(r) = 2
 //! + ln(1/r):
@@ -10,7 +10,7 @@
 //! transforms decay like 1/(|ξ| |ln ξ|^α).
 
 use crate::error::{Error, Result};
-use crate::strip::{EdgeData, Sides};
+use crate::strip::{EdgeData, LateralCondition};
 
 /// The powers of one transition.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +29,7 @@ impl TransitionPowers {
         Self { opening: tau - 1.0, pressure: tau - 2.0, logarithm: 0.0 }
     }
 
-    /// The scene on an edge of `cells` cells with natural sides, transition at `position` ∈ (0, 1).
+    /// The test problem on an edge of `cells` cells with natural sides, transition at `position` ∈ (0, 1).
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for powers or a position outside their ranges; as [`EdgeData::new`].
@@ -67,7 +67,7 @@ impl TransitionPowers {
         // What lies between the last contact node and a: no force is lost.
         let rest = position - last as f64 * h;
         forces[last] += if rest > 0.0 { integral(0.0, rest) } else { 0.0 };
-        EdgeData::new(cells, Sides::Natural, values, forces)
+        EdgeData::new(cells, LateralCondition::Natural, values, forces)
     }
 }
 

@@ -6,7 +6,7 @@ use super::harmonic::{Harmonic, SLOPE};
 use crate::contact::ContactProblem;
 use crate::error::Result;
 use crate::fem::{Cubature, Field, Form};
-use crate::mesh::{Part, Point, Sides, Triangulation, distance, unit_square};
+use crate::mesh::{Part, Point, SideParts, Triangulation, distance, unit_square};
 use fractional_sobolev::Rule;
 
 /// Points along each side of a triangle's rule for errors, below p = 1 and from there on; one less for loads.
@@ -22,7 +22,8 @@ impl Harmonic {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
     pub(super) fn problem(&self, n: usize) -> Result<ContactProblem> {
         let other = if self.whole_boundary { Part::Contact } else { Part::Dirichlet };
-        let mesh = unit_square(n, Sides { bottom: Part::Contact, right: other, top: other, left: other })?;
+        let mesh =
+            unit_square(n, SideParts { bottom: Part::Contact, right: other, top: other, left: other })?;
         let load = self.edge_load(&mesh)?;
         let zero = vec![0.0; load.len()];
         let u = |point: Point| self.displacement(point);

@@ -3,18 +3,18 @@
 use super::contact_sets::Gap;
 use super::pressure::contact_forces;
 use crate::error::{Error, Result, ToolkitError};
-use crate::strip::{EdgeData, Sides};
+use crate::strip::{EdgeData, LateralCondition};
 
-/// Where a scene is built.
+/// Where a test problem is built.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grid {
     pub(super) tau: f64,
     pub(super) cells: usize,
-    pub(super) sides: Sides,
+    pub(super) sides: LateralCondition,
 }
 
-/// The gaps of a scene on a grid, and the powers of its data.
-pub(super) struct SceneGaps {
+/// The gaps of a test problem on a grid, and the powers of its data.
+pub(super) struct Gaps {
     gaps: Vec<Gap>,
     /// Boundary dimension d.
     dimension: f64,
@@ -26,7 +26,7 @@ pub(super) struct SceneGaps {
     advance: f64,
 }
 
-impl SceneGaps {
+impl Gaps {
     /// Ends of gaps are transitions: λ = dist^{τ−2}, d = 0.
     pub(super) fn with_transitions(gaps: Vec<Gap>, grid: Grid) -> Self {
         Self { gaps, dimension: 0.0, pressure: grid.tau - 2.0, logarithm: 0.0, advance: 0.0 }
@@ -46,8 +46,8 @@ impl SceneGaps {
         let start = place * grid.cells as f64;
         let left = start as usize;
         let right = match grid.sides {
-            Sides::Natural => usize::MAX,
-            Sides::Periodic => left + grid.cells / 2,
+            LateralCondition::Natural => usize::MAX,
+            LateralCondition::Periodic => left + grid.cells / 2,
         };
         Ok(Self { advance: start.fract(), ..Self::with_transitions(vec![Gap { left, right }], grid) })
     }
@@ -76,7 +76,7 @@ impl SceneGaps {
         let mut values = vec![0.0; nodes];
         for &gap in &self.gaps {
             for i in gap.left + 1..gap.right.min(gap.left + nodes) {
-                let node = if sides == Sides::Periodic { i % cells } else { i };
+                let node = if sides == LateralCondition::Periodic { i % cells } else { i };
                 if node < nodes {
                     let depth = h * self.depth(gap, i, grid);
                     values[node] = -depth.powf(exponent) * (2.0 - depth.ln()).powf(-self.logarithm);
@@ -91,7 +91,7 @@ impl SceneGaps {
     /// the side.
     fn depth(&self, gap: Gap, i: usize, grid: Grid) -> f64 {
         let left = (i - gap.left) as f64 - self.advance;
-        if grid.sides == Sides::Natural && gap.right > grid.cells {
+        if grid.sides == LateralCondition::Natural && gap.right > grid.cells {
             left
         } else {
             left * (gap.right - i) as f64 / ((gap.right - gap.left) as f64 - self.advance)

@@ -4,7 +4,7 @@
 //! A gap (a, b) is open: its nodes a + 1, ..., b − 1 are free, a and b are in contact. Everything is rounded
 //! to nodes of the fine edge, except that a single transition may lie between two nodes; a Cantor
 //! construction stops where a gap would have no free node or a contact piece no cell, so that the discrete
-//! scene is never degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
+//! test problem is never degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
 
 use crate::error::{Error, Result, ToolkitError};
 

@@ -11,9 +11,9 @@ use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Outline, polar_rings};
 
-/// The data of the scene.
+/// The data of the test problem.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ClampedEnd {
+pub struct DirichletEnd {
     /// The outline of the body.
     pub outline: Outline,
     /// Sectors of a ring, a multiple of 4.
@@ -28,7 +28,7 @@ pub struct ClampedEnd {
     pub direction: f64,
 }
 
-impl ClampedEnd {
+impl DirichletEnd {
     /// The assembled problem.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ mod tests {
     use crate::contact::Solver;
     use crate::edge::radial_intervals;
 
-    const SCENE: ClampedEnd = ClampedEnd {
+    const SCENE: DirichletEnd = DirichletEnd {
         outline: Outline::HalfDisc,
         angles: 8,
         step: 0.4,
@@ -89,8 +89,8 @@ mod tests {
 
     #[test]
     fn bad_data_are_refused() {
-        assert!(ClampedEnd { direction: f64::NAN, ..SCENE }.problem().is_err());
-        assert!(ClampedEnd { poisson: Some(0.5), ..SCENE }.problem().is_err());
-        assert!(ClampedEnd { smallest: 1e-300, ..SCENE }.problem().is_err());
+        assert!(DirichletEnd { direction: f64::NAN, ..SCENE }.problem().is_err());
+        assert!(DirichletEnd { poisson: Some(0.5), ..SCENE }.problem().is_err());
+        assert!(DirichletEnd { smallest: 1e-300, ..SCENE }.problem().is_err());
     }
 }

@@ -4,13 +4,14 @@ use super::power::{Power, TRANSITION};
 use crate::contact::ContactProblem;
 use crate::error::Result;
 use crate::fem::Form;
-use crate::mesh::{Part, Sides, unit_square};
+use crate::mesh::{Part, SideParts, unit_square};
 
 impl Power {
     /// The problem without its Dirichlet data; the load of the edge is integrated exactly.
     pub(super) fn problem(&self, n: usize) -> Result<ContactProblem> {
         let given = Part::Dirichlet;
-        let mesh = unit_square(n, Sides { bottom: Part::Contact, right: given, top: given, left: given })?;
+        let mesh =
+            unit_square(n, SideParts { bottom: Part::Contact, right: given, top: given, left: given })?;
         let form = self.lame.map_or(Form::LAPLACE, Form::elastic);
         let (c, mut load) = (form.components(), vec![0.0; mesh.nodes().len() * form.components()]);
         // In the direction of n: u_N is u, or −u_y.

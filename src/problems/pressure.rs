@@ -1,11 +1,16 @@
 //! Contact forces of a scene: a density that is a power of the distance to the gap.
 
-use crate::strip::Sides;
+use crate::strip::LateralCondition;
 
 /// Nodal forces of the density dist^q ℓ(dist)^{−α} on the contact cells (both ends in contact), ℓ(r) = 2 +
 /// ln(1/r), dist to the nearest gap; half of each cell's integral goes to either end. ℓ is that of the middle
 /// of the cell.
-pub(crate) fn contact_forces(values: &[f64], cells: usize, sides: Sides, (q, alpha): (f64, f64)) -> Vec<f64> {
+pub(crate) fn contact_forces(
+    values: &[f64],
+    cells: usize,
+    sides: LateralCondition,
+    (q, alpha): (f64, f64),
+) -> Vec<f64> {
     let nodes = values.len();
     let distance = distance_to_gap(values, cells, sides);
     let h = 1.0 / cells as f64;
@@ -35,9 +40,9 @@ pub(crate) fn contact_forces(values: &[f64], cells: usize, sides: Sides, (q, alp
 }
 
 /// Distance of every node to the nearest free node's contact neighbour, in cells; infinite without gaps.
-fn distance_to_gap(values: &[f64], cells: usize, sides: Sides) -> Vec<f64> {
+fn distance_to_gap(values: &[f64], cells: usize, sides: LateralCondition) -> Vec<f64> {
     let nodes = values.len();
-    let turns = if sides == Sides::Periodic { 2 } else { 1 };
+    let turns = if sides == LateralCondition::Periodic { 2 } else { 1 };
     let mut distance = vec![f64::INFINITY; nodes];
     let mut sweep = |order: &mut dyn Iterator<Item = usize>| {
         let mut since = f64::INFINITY;

@@ -1,9 +1,9 @@
-//! How smooth a scene is: from its polygon, its conditions, and the contact set found on a mesh.
+//! How smooth a test problem is: from its polygon, its conditions, and the contact set found on a mesh.
 //!
 //! Whether contact reaches the ends of its edge is seen on a mesh graded toward them: squares may be too
 //! coarse for it.
 //!
-//! | scene | sup τ | corner responsible |
+//! | test problem | sup τ | corner responsible |
 //! | --- | --- | --- |
 //! | elastic squares | 1 + λ, 1.745 at ν_P = 1/4 | clamped/free right angle |
 //! | `leaning`, `raised` | 1.657 at ω = 120° | clamped/contact edge, open there |
@@ -13,10 +13,10 @@
 //! | `corner`, ω < 90° | 1 + 90°/(180° − ω) | clamped/free, at the other end of the clamped side |
 //! | other scalar | 5/2 | the transition of contact, r^{3/2} |
 //!
-//! At a right angle between u = 0 and zero flux λ = 1, 3, ...: polynomials. See [`super::body_regularity`].
+//! At a right angle between u = 0 and zero flux λ = 1, 3, ...: polynomials. See [`super::solution_regularity`].
 
-use super::corners::{BodyRegularity, is_closed_at, regularity_with_ends};
-use super::mesh::{MeshScene, Setting};
+use super::corners::{SolutionRegularity, is_closed_at, regularity_with_ends};
+use super::test_problem::{Parameters, TestProblem};
 use crate::cone::Cone;
 use crate::contact::Solver;
 use crate::error::Result;
@@ -32,13 +32,13 @@ const RADIUS: f64 = 0.25;
 /// Where they are read, by the length of the edge: far from the ends of the grading on both sides.
 const READ: f64 = 1e-7;
 
-impl MeshScene {
+impl TestProblem {
     /// Corners, transitions and the supremum of the τ with u ∈ H^τ, with the contact set of the nodal cone on
     /// 32 x 32 squares; at the ends of the contact edge with that of meshes graded toward them.
     ///
     /// # Errors
-    /// As [`MeshScene::problem_with`] and [`super::body_regularity`].
-    pub fn regularity(self, setting: &Setting) -> Result<BodyRegularity> {
+    /// As [`TestProblem::problem_with`] and [`super::solution_regularity`].
+    pub fn regularity(self, setting: &Parameters) -> Result<SolutionRegularity> {
         let problem = self.problem_with(SQUARES, setting)?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
         let mut ends = [None; 2];
@@ -51,7 +51,7 @@ impl MeshScene {
     }
 
     /// Whether contact is closed near the first or the last node of its edge.
-    fn closes_at(self, setting: &Setting, last: bool) -> Result<bool> {
+    fn closes_at(self, setting: &Parameters, last: bool) -> Result<bool> {
         let mut hierarchy = Hierarchy::new(self.mesh_with(COARSE, setting)?);
         let ends = self.problem_with(COARSE, setting)?;
         let points = ends.edge().points();
@@ -74,26 +74,28 @@ mod tests {
     /// What was typed by hand before, with its cap 2, and where it was wrong.
     #[test]
     fn computed_regularity_stands_beside_the_typed_one() {
-        let setting = Setting::default();
-        for scene in MeshScene::all() {
+        let setting = Parameters::default();
+        for scene in TestProblem::all() {
             let typed = match scene {
                 // 1 + the root of Williams' equation at a right angle and ratio 1/4, by bisection.
-                MeshScene::Block | MeshScene::Free | MeshScene::Closed => 1.744_749_698_597_720_7,
-                MeshScene::Corner => 1.75,
-                MeshScene::Incompressible => continue,
+                TestProblem::Block | TestProblem::Free | TestProblem::Closed => 1.744_749_698_597_720_7,
+                TestProblem::Corner => 1.75,
+                TestProblem::Incompressible => continue,
                 // To twelve digits by the count of `singular`.
-                MeshScene::Leaning | MeshScene::Raised => 1.657_460_971_897,
-                MeshScene::Taper => 1.615_731_059_491,
-                MeshScene::Bracket => 1.544_483_736_782,
+                TestProblem::Leaning | TestProblem::Raised => 1.657_460_971_897,
+                TestProblem::Taper => 1.615_731_059_491,
+                TestProblem::Bracket => 1.544_483_736_782,
                 _ => 2.0,
             };
             let found = scene.regularity(&setting).unwrap();
             assert!((found.tau.min(2.0) - typed).abs() < DIGITS, "{scene}: {found:?}");
             let responsible = found.responsible().unwrap().to_string();
             let expected = match scene {
-                MeshScene::Corner | MeshScene::Leaning | MeshScene::Raised => "O-D 120 deg at (0.000, 0.000)",
-                MeshScene::Taper => "C-N 120 deg at (0.000, 0.000)",
-                MeshScene::Bracket => "N-N 270 deg at (0.000, 1.000)",
+                TestProblem::Corner | TestProblem::Leaning | TestProblem::Raised => {
+                    "O-D 120 deg at (0.000, 0.000)"
+                }
+                TestProblem::Taper => "C-N 120 deg at (0.000, 0.000)",
+                TestProblem::Bracket => "N-N 270 deg at (0.000, 1.000)",
                 scene if scene.is_elastic() => "90 deg",
                 _ => "180 deg",
             };
@@ -105,11 +107,12 @@ mod tests {
     fn a_sharp_corner_has_a_blunt_one_opposite() {
         // Typed was 1 + 90/ω, at most 2: for ω < 90 the clamped side meets the free top at 180 − ω.
         for angle in [30.0, 60.0, 80.0, 100.0, 135.0, 150.0] {
-            let found = MeshScene::Corner.regularity(&Setting { angle, ..Setting::default() }).unwrap();
+            let found =
+                TestProblem::Corner.regularity(&Parameters { angle, ..Parameters::default() }).unwrap();
             let blunt = f64::max(angle, 180.0 - angle);
             assert!((found.tau - (1.0 + 90.0 / blunt)).abs() < DIGITS, "{angle}: {found:?}");
         }
-        let hard = MeshScene::Incompressible.regularity(&Setting::default()).unwrap();
+        let hard = TestProblem::Incompressible.regularity(&Parameters::default()).unwrap();
         assert!(hard.tau > 1.5 && hard.tau < 1.7, "{hard:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Scenes built on the edge of a strip: choose u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0 freely, the load
+//! Test problems built on the edge of a strip: choose u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0 freely, the load
 //! follows.
 //!
 //! Regularity, Ω two-dimensional: u ∈ H^τ needs u_N ∈ H^{τ−1/2} and λ ∈ H^{τ−3/2} on the edge.
@@ -14,12 +14,12 @@
 //! "Of regularity τ" means the supremum of admissible orders, as always with powers.
 
 use super::contact_sets::{cantor, check_depth, fat_cantor, generated_gaps, many_gaps};
-use super::gap_data::{Grid, SceneGaps};
+use super::gap_data::{Gaps, Grid};
 use super::registry::registry;
 use super::tau_range::TauRange;
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::text::read_text;
-use crate::strip::{EdgeData, Sides};
+use crate::strip::{EdgeData, LateralCondition};
 use std::f64::consts::LN_2;
 use std::path::PathBuf;
 
@@ -29,9 +29,9 @@ const POSITION: f64 = 0.381966;
 const FAT_MEASURE: f64 = 0.5;
 
 registry! {
-    /// A scene of the strip. Its block holds its parameters with their defaults, its data and regularities.
+    /// A test problem of the strip. Its block holds its parameters with their defaults, its data and regularities.
     #[derive(Debug, Clone, PartialEq)]
-    pub enum StripScene: Form {
+    pub enum StripData: Form {
         /// Contact for x < position, none beyond; on periodic sides the gap ends half a period later.
         Transition("transition") {
             /// Place of the transition, in (0, 1).
@@ -39,8 +39,8 @@ registry! {
         } => Form {
             words: format!("one transition at {position}"),
             gaps: Some(1),
-            tau: |sides| if sides == Sides::Periodic { TauRange::TRANSITION } else { TauRange::SLOPE },
-            data: Data::powers(move |grid| SceneGaps::after_transition(position, grid)),
+            tau: |sides| if sides == LateralCondition::Periodic { TauRange::TRANSITION } else { TauRange::SLOPE },
+            data: Data::powers(move |grid| Gaps::after_transition(position, grid)),
         };
 
         /// Gaps of equal length, as long as the contact pieces between them.
@@ -52,7 +52,7 @@ registry! {
             gaps: Some(gaps as u64),
             tau: |_| TauRange::TRANSITION,
             data: Data::powers(move |grid| {
-                Ok(SceneGaps::with_transitions(many_gaps(grid.cells, gaps)?, grid))
+                Ok(Gaps::with_transitions(many_gaps(grid.cells, gaps)?, grid))
             }),
         };
 
@@ -69,7 +69,7 @@ registry! {
             data: Data::powers(move |grid| {
                 Error::require("ratio", ratio, "(0, 1/2)", ratio > 0.0 && ratio < 0.5)?;
                 check_depth(depth)?;
-                Ok(SceneGaps::fractal(cantor(grid.cells, ratio, depth), LN_2 / -ratio.ln()))
+                Ok(Gaps::fractal(cantor(grid.cells, ratio, depth), LN_2 / -ratio.ln()))
             }),
         };
 
@@ -84,7 +84,7 @@ registry! {
             data: Data::powers(move |grid| {
                 check_depth(depth)?;
                 let dimension = 4.0 - 2.0 * grid.tau;
-                Ok(SceneGaps::fractal(fat_cantor(grid.cells, dimension, FAT_MEASURE, depth), dimension))
+                Ok(Gaps::fractal(fat_cantor(grid.cells, dimension, FAT_MEASURE, depth), dimension))
             }),
         };
 
@@ -101,39 +101,39 @@ registry! {
     }
 }
 
-/// All that tells one scene from another.
+/// All that tells one test problem from another.
 struct Form {
     words: String,
     /// How many gaps the construction has; `None` when they are given.
     gaps: Option<u64>,
     /// The regularities it can have.
-    tau: fn(Sides) -> TauRange,
+    tau: fn(LateralCondition) -> TauRange,
     data: Data,
 }
 
 /// Where u_N and λ come from.
 enum Data {
     /// Powers of the distance to the ends of gaps.
-    Powers(Box<dyn Fn(Grid) -> Result<SceneGaps>>),
+    Powers(Box<dyn Fn(Grid) -> Result<Gaps>>),
     /// A file.
     Samples(PathBuf),
 }
 
 impl Data {
-    fn powers(gaps: impl Fn(Grid) -> Result<SceneGaps> + 'static) -> Self {
+    fn powers(gaps: impl Fn(Grid) -> Result<Gaps> + 'static) -> Self {
         Data::Powers(Box::new(gaps))
     }
 }
 
-impl StripScene {
+impl StripData {
     /// One transition at an irrational-looking place.
     pub const fn transition() -> Self {
-        StripScene::Transition { position: POSITION }
+        StripData::Transition { position: POSITION }
     }
 
     /// Whether it is one transition, which studies move through its cell.
     pub fn moves(&self) -> bool {
-        matches!(self, StripScene::Transition { .. })
+        matches!(self, StripData::Transition { .. })
     }
 
     /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples bring
@@ -145,7 +145,7 @@ impl StripScene {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for counts and where no gap has a free node on this grid,
     /// [`Error::EmptyContact`] when the transition leaves no contact node; as [`EdgeData::from_samples`];
     /// [`Error::File`] for a file that cannot be read.
-    pub fn data(&self, tau: f64, cells: usize, sides: Sides) -> Result<EdgeData> {
+    pub fn data(&self, tau: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         let form = self.form();
         match form.data {
             Data::Samples(path) => {
@@ -164,8 +164,8 @@ impl StripScene {
     /// gap or piece: for α > 1/2 in H² itself, where at α = 0 only every τ < 2 is reached.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ α < ∞; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for samples; as [`StripScene::data`].
-    pub fn damped_data(&self, logarithm: f64, cells: usize, sides: Sides) -> Result<EdgeData> {
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ α < ∞; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for samples; as [`StripData::data`].
+    pub fn damped_data(&self, logarithm: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         let is_in = logarithm >= 0.0 && logarithm.is_finite();
         Error::require("alpha", logarithm, "[0, inf)", is_in)?;
         let form = self.form();
@@ -190,7 +190,7 @@ impl StripScene {
         self.form().gaps
     }
 
-    /// The scene in words: `one transition at 0.4`, `fat Cantor set of depth 15`.
+    /// The test problem in words: `one transition at 0.4`, `fat Cantor set of depth 15`.
     pub fn words(&self) -> String {
         self.form().words
     }
@@ -211,22 +211,25 @@ mod tests {
             "samples:edge.txt",
             "samples:a:b",
         ] {
-            assert_eq!(text.parse::<StripScene>().unwrap().to_string(), text);
+            assert_eq!(text.parse::<StripData>().unwrap().to_string(), text);
         }
-        assert_eq!("transition".parse(), Ok(StripScene::transition()));
-        assert_eq!("cantor:0.2".parse(), Ok(StripScene::Cantor { ratio: 0.2, depth: 20 }));
+        assert_eq!("transition".parse(), Ok(StripData::transition()));
+        assert_eq!("cantor:0.2".parse(), Ok(StripData::Cantor { ratio: 0.2, depth: 20 }));
         for bad in ["transitions:1e300", "transitions:-1", "cantor::9", "cantor:0.2:", "fat-cantor:3:4"] {
-            assert!(bad.parse::<StripScene>().is_err(), "{bad}");
+            assert!(bad.parse::<StripData>().is_err(), "{bad}");
         }
     }
 
     #[test]
     fn a_logarithm_damps_both_data() {
         let (cells, alpha) = (1 << 10, 0.75);
-        for scene in [StripScene::Transitions { gaps: 5 }, StripScene::Cantor { ratio: 0.3, depth: 9 }] {
-            let plain = scene.data(2.0, cells, Sides::Natural).unwrap();
-            assert_eq!(scene.damped_data(0.0, cells, Sides::Natural).unwrap().values(), plain.values());
-            let damped = scene.damped_data(alpha, cells, Sides::Natural).unwrap();
+        for scene in [StripData::Transitions { gaps: 5 }, StripData::Cantor { ratio: 0.3, depth: 9 }] {
+            let plain = scene.data(2.0, cells, LateralCondition::Natural).unwrap();
+            assert_eq!(
+                scene.damped_data(0.0, cells, LateralCondition::Natural).unwrap().values(),
+                plain.values()
+            );
+            let damped = scene.damped_data(alpha, cells, LateralCondition::Natural).unwrap();
             for (u, v) in plain.values().iter().zip(damped.values()).filter(|(u, _)| **u != 0.0) {
                 // ℓ ≥ 2, and the weight of a depth between half a cell and 1.
                 let weight = v / u;
@@ -237,20 +240,26 @@ mod tests {
             assert!(less < total * 2f64.powf(-alpha) && less > 0.0, "{scene}: {less} {total}");
         }
         for bad in [-0.1, f64::NAN, f64::INFINITY] {
-            assert!(StripScene::Transitions { gaps: 5 }.damped_data(bad, cells, Sides::Natural).is_err());
+            assert!(
+                StripData::Transitions { gaps: 5 }
+                    .damped_data(bad, cells, LateralCondition::Natural)
+                    .is_err()
+            );
         }
-        let samples = StripScene::Samples { file: "edge.txt".into() };
-        assert!(samples.damped_data(1.0, cells, Sides::Natural).is_err());
-        assert!(StripScene::FatCantor { depth: 9 }.damped_data(1.0, cells, Sides::Natural).is_err());
+        let samples = StripData::Samples { file: "edge.txt".into() };
+        assert!(samples.damped_data(1.0, cells, LateralCondition::Natural).is_err());
+        assert!(
+            StripData::FatCantor { depth: 9 }.damped_data(1.0, cells, LateralCondition::Natural).is_err()
+        );
     }
 
     #[test]
     fn every_scene_has_words_and_data_of_its_own() {
-        let scenes = StripScene::all();
-        let words: BTreeSet<String> = scenes.iter().map(StripScene::words).collect();
+        let scenes = StripData::all();
+        let words: BTreeSet<String> = scenes.iter().map(StripData::words).collect();
         assert_eq!(words.len(), scenes.len());
         for scene in scenes.iter().filter(|scene| scene.gaps().is_some()) {
-            let data = scene.data(1.75, 1 << 12, Sides::Natural).unwrap();
+            let data = scene.data(1.75, 1 << 12, LateralCondition::Natural).unwrap();
             let planned = scene.gaps().unwrap();
             assert!((1..=planned).contains(&(data.gaps() as u64)), "{scene}: {} of {planned}", data.gaps());
             assert_eq!(data.regularity(), Some(1.75), "{scene}");

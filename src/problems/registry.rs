@@ -1,4 +1,4 @@
-//! How scenes are registered: one block per scene, from which follow its variant, its place in the list of
+//! How test problems are registered: one block per test problem, from which follow its variant, its place in the list of
 //! all, its name with parameters and their defaults, and its form, all that tells it from the others.
 //!
 //! A name is `NAME[:PARAMETER[:PARAMETER]]`, parameters in the order of the fields. Those left out have their
@@ -8,7 +8,7 @@ use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::path::PathBuf;
 
-/// An enum of scenes, `NAME: FORM { VARIANT("name") { field: TYPE = DEFAULT, ... } => FORM; ... }`: the enum
+/// An enum of test problems, `NAME: FORM { VARIANT("name") { field: TYPE = DEFAULT, ... } => FORM; ... }`: the enum
 /// with `all`, `name`, `names`, [`Display`](fmt::Display) and [`FromStr`](std::str::FromStr), and `form`, in
 /// which the fields stand by their names. Types of fields are those of [`Slot`].
 macro_rules! registry {
@@ -29,7 +29,7 @@ macro_rules! registry {
         }
 
         impl $Scenes {
-            /// One scene of each kind, with the parameters it has when its name gives none.
+            /// One test problem of each kind, with the parameters it has when its name gives none.
             pub fn all() -> Vec<Self> {
                 vec![$($Scenes::$Scene $({ $($field: $default),+ })?),+]
             }
@@ -41,14 +41,14 @@ macro_rules! registry {
                 }
             }
 
-            /// The names and parameters of all scenes, for help texts and errors.
+            /// The names and parameters of all test problems, for help texts and errors.
             pub fn names() -> &'static str {
                 static NAMES: std::sync::LazyLock<String> =
-                    std::sync::LazyLock::new(|| $crate::scenes::registry::grammar($Scenes::all()));
+                    std::sync::LazyLock::new(|| $crate::problems::registry::grammar($Scenes::all()));
                 &NAMES
             }
 
-            /// All that tells this scene from the others.
+            /// All that tells this test problem from the others.
             fn form(&self) -> $Form {
                 match self {
                     $($Scenes::$Scene $({ $($field),+ })? => {
@@ -59,19 +59,19 @@ macro_rules! registry {
             }
         }
 
-        impl $crate::scenes::registry::Registered for $Scenes {
-            fn parts(&mut self) -> $crate::scenes::registry::Parts<'_> {
+        impl $crate::problems::registry::Registered for $Scenes {
+            fn parts(&mut self) -> $crate::problems::registry::Parts<'_> {
                 let name = self.name();
                 let parameters = match self {
                     $($Scenes::$Scene $({ $($field),+ })? => vec![$($((stringify!($field), $field.into())),+)?],)+
                 };
-                $crate::scenes::registry::Parts { name, parameters }
+                $crate::problems::registry::Parts { name, parameters }
             }
         }
 
         impl std::fmt::Display for $Scenes {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                $crate::scenes::registry::Registered::parts(&mut self.to_owned()).write(f)
+                $crate::problems::registry::Registered::parts(&mut self.to_owned()).write(f)
             }
         }
 
@@ -79,20 +79,20 @@ macro_rules! registry {
             type Err = $crate::error::Error;
 
             fn from_str(text: &str) -> $crate::error::Result<Self> {
-                $crate::scenes::registry::read(text, $Scenes::all(), $Scenes::names())
+                $crate::problems::registry::read(text, $Scenes::all(), $Scenes::names())
             }
         }
     };
 }
 pub(super) use registry;
 
-/// A scene whose name and parameters can be read and written.
+/// A test problem whose name and parameters can be read and written.
 pub(super) trait Registered {
     /// Name and parameters.
     fn parts(&mut self) -> Parts<'_>;
 }
 
-/// What the name of a scene is made of.
+/// What the name of a test problem is made of.
 pub(super) struct Parts<'a> {
     /// The name without parameters.
     pub(super) name: &'static str,
@@ -192,13 +192,13 @@ impl Parts<'_> {
     }
 }
 
-/// The names and parameters of all scenes.
+/// The names and parameters of all test problems.
 pub(super) fn grammar<S: Registered>(all: Vec<S>) -> String {
     let names: Vec<String> = all.into_iter().map(|mut scene| scene.parts().grammar()).collect();
     names.join(", ")
 }
 
-/// The scene of a name; `expected` are the names there are.
+/// The test problem of a name; `expected` are the names there are.
 pub(super) fn read<S: Registered>(text: &str, all: Vec<S>, expected: &'static str) -> Result<S> {
     let (name, rest) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
     all.into_iter()
@@ -212,7 +212,7 @@ pub(super) fn read<S: Registered>(text: &str, all: Vec<S>, expected: &'static st
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scenes::{MeshScene, Scene, StripScene};
+    use crate::problems::{NamedProblem, StripData, TestProblem};
     use std::collections::BTreeSet;
     use std::str::FromStr;
 
@@ -267,13 +267,13 @@ mod tests {
 
     #[test]
     fn every_scene_is_read_back_and_wrong_names_are_refused() {
-        let strip = is_read_back(&StripScene::all(), StripScene::names());
-        let mesh = is_read_back(&MeshScene::all(), MeshScene::names());
+        let strip = is_read_back(&StripData::all(), StripData::names());
+        let mesh = is_read_back(&TestProblem::all(), TestProblem::names());
         assert!(strip.is_disjoint(&mesh), "one name for two scenes: {strip:?}, {mesh:?}");
         for name in strip.iter().chain(&mesh) {
-            assert!(Scene::names().contains(name.as_str()), "{name}");
+            assert!(NamedProblem::names().contains(name.as_str()), "{name}");
         }
-        let error = "no-such-scene".parse::<Scene>().unwrap_err().to_string();
-        assert!(error.contains(MeshScene::names()) && error.contains(StripScene::names()), "{error}");
+        let error = "no-such-scene".parse::<NamedProblem>().unwrap_err().to_string();
+        assert!(error.contains(TestProblem::names()) && error.contains(StripData::names()), "{error}");
     }
 }

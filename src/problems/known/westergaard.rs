@@ -15,7 +15,7 @@
 use crate::contact::ContactProblem;
 use crate::error::{Result, ToolkitError};
 use crate::fem::{Cubature, Form, Lame};
-use crate::mesh::{Part, Point, Sides, mapped_grid, unit_square};
+use crate::mesh::{Part, Point, SideParts, mapped_grid, unit_square};
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use realfft::num_complex::Complex;
 use std::fmt;
@@ -125,7 +125,8 @@ impl Westergaard {
     /// The problem without its Dirichlet data.
     pub(super) fn problem(&self, n: usize) -> Result<ContactProblem> {
         let given = Part::Dirichlet;
-        let mesh = unit_square(n, Sides { bottom: Part::Contact, right: given, top: given, left: given })?;
+        let mesh =
+            unit_square(n, SideParts { bottom: Part::Contact, right: given, top: given, left: given })?;
         let form = self.lame.map_or(Form::LAPLACE, Form::elastic);
         let load = vec![0.0; mesh.nodes().len() * form.components()];
         ContactProblem::new(mesh, form, &load)
@@ -139,7 +140,8 @@ impl Westergaard {
     /// |u|₂ on (0, 1) × (0, 1/n).
     pub(super) fn second_seminorm(&self, n: usize, tolerance: Tolerance) -> Result<Estimate> {
         let height = 1.0 / n as f64;
-        let mesh = mapped_grid(n.max(4), (4 / n.max(1)).max(1), Sides::HANGING, |[x, y]| [x, height * y])?;
+        let mesh =
+            mapped_grid(n.max(4), (4 / n.max(1)).max(1), SideParts::HANGING, |[x, y]| [x, height * y])?;
         let integral = |points: usize| -> Result<(f64, u64)> {
             let (rule, mut sum, mut count) = (self.rule(points)?, 0.0, 0);
             for t in 0..mesh.triangles().len() {

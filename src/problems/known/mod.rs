@@ -23,7 +23,7 @@ use super::transition_powers::TransitionPowers;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Cubature, ErrorNorms, Field, Form, Lame, error_norms};
-use crate::mesh::{Point, Sides, unit_square};
+use crate::mesh::{Point, SideParts, unit_square};
 use fractional_sobolev::{Estimate, Given, Order, Tolerance, Work};
 use harmonic::Harmonic;
 use power::Power;
@@ -53,10 +53,10 @@ enum Formula {
 
 impl KnownSolution {
     /// u = −Re (z − 2/5)^{3/2}, scalar, with contact on \[0, 2/5\]: the solution of
-    /// [`MeshScene::Manufactured`](super::MeshScene::Manufactured).
+    /// [`TestProblem::Manufactured`](super::TestProblem::Manufactured).
     ///
     /// ```
-    /// use signorini::{cone::Cone, contact::Solver, scenes::KnownSolution};
+    /// use signorini::{cone::Cone, contact::Solver, problems::KnownSolution};
     /// let u = KnownSolution::three_halves();
     /// let problem = u.problem(16)?;
     /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
@@ -176,7 +176,7 @@ impl KnownSolution {
     /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
     pub fn problem(&self, n: usize) -> Result<ContactProblem> {
         match self.formula {
-            Formula::ThreeHalves => three_halves_problem(unit_square(n, Sides::HANGING)?, 1.0),
+            Formula::ThreeHalves => three_halves_problem(unit_square(n, SideParts::HANGING)?, 1.0),
             Formula::Westergaard(known) => {
                 let mut problem = known.problem(n)?;
                 self.with_field(|field| problem.set_dirichlet(field))?;
@@ -386,7 +386,7 @@ mod tests {
                 (solution.contact_set.count(), error.value)
             });
             assert!(nodal.0.abs_diff(2 * 16 / 3) <= 2, "{scene}: {nodal:?}");
-            // The errors of the two cones are of one size on every scene.
+            // The errors of the two cones are of one size on every test problem.
             assert!(
                 midpoint.1 < 1.5 * nodal.1 && nodal.1 < 1.5 * midpoint.1,
                 "{scene}: {nodal:?} {midpoint:?}"

@@ -20,7 +20,7 @@ const STRAIGHT: f64 = 1e-9;
 
 /// A corner of the body, or a change of conditions on a straight side.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BodyCorner {
+pub struct CornerSingularity {
     /// Where.
     pub place: Point,
     /// Opening and sides; θ = 0 is the side that leaves the corner with the body on its left.
@@ -29,7 +29,7 @@ pub struct BodyCorner {
     pub regularity: CornerRegularity,
 }
 
-impl fmt::Display for BodyCorner {
+impl fmt::Display for CornerSingularity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ([x, y], degrees) = (self.place, self.wedge.angle().to_degrees());
         write!(f, "{} {degrees:.0} deg at ({x:.3}, {y:.3})", self.wedge.sides())
@@ -38,16 +38,16 @@ impl fmt::Display for BodyCorner {
 
 /// How smooth a solution is.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BodyRegularity {
+pub struct SolutionRegularity {
     /// Supremum of the τ with u ∈ H^τ; at most 4, where exponents are no longer sought.
     pub tau: f64,
     /// All corners and transitions, the roughest first.
-    pub corners: Vec<BodyCorner>,
+    pub corners: Vec<CornerSingularity>,
 }
 
-impl BodyRegularity {
+impl SolutionRegularity {
     /// The corner responsible for τ, if an exponent limits it.
-    pub fn responsible(&self) -> Option<&BodyCorner> {
+    pub fn responsible(&self) -> Option<&CornerSingularity> {
         self.corners.first().filter(|corner| corner.regularity.exponent.is_some())
     }
 }
@@ -58,7 +58,10 @@ impl BodyRegularity {
 /// [`ToolkitError::Node`](crate::ToolkitError::Node) for a corner where two materials meet or several pieces of boundary touch;
 /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a Poisson's ratio outside (−1, 1/2); [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a contact
 /// edge in several pieces; those of [`Wedge::regularity`].
-pub fn body_regularity(problem: &ContactProblem, solution: &ContactSolution) -> Result<BodyRegularity> {
+pub fn solution_regularity(
+    problem: &ContactProblem,
+    solution: &ContactSolution,
+) -> Result<SolutionRegularity> {
     regularity_with_ends(problem, solution, [None; 2])
 }
 
@@ -67,7 +70,7 @@ pub(super) fn regularity_with_ends(
     problem: &ContactProblem,
     solution: &ContactSolution,
     ends: [Option<bool>; 2],
-) -> Result<BodyRegularity> {
+) -> Result<SolutionRegularity> {
     problem.edge().require_one_piece()?;
     let mesh = problem.mesh();
     let contact = closed_edges(problem, solution, ends);
@@ -90,7 +93,7 @@ pub(super) fn regularity_with_ends(
             }
         }
     }
-    let mut corners: Vec<BodyCorner> = Vec::new();
+    let mut corners: Vec<CornerSingularity> = Vec::new();
     for (node, ends) in sides {
         let [Some((next, mut first)), Some((last, second))] = ends else {
             return Err(Error::Toolkit(ToolkitError::Node { node, reason: "ends the boundary" }));
@@ -109,11 +112,11 @@ pub(super) fn regularity_with_ends(
             Some(regularity) => regularity,
             None => wedge.regularity()?,
         };
-        corners.push(BodyCorner { place, wedge, regularity });
+        corners.push(CornerSingularity { place, wedge, regularity });
     }
     corners.sort_by(|a, b| a.regularity.tau.total_cmp(&b.regularity.tau));
     let tau = corners.first().map_or(1.0 + crate::singular::LARGEST, |corner| corner.regularity.tau);
-    Ok(BodyRegularity { tau, corners })
+    Ok(SolutionRegularity { tau, corners })
 }
 
 /// Which edges of the contact boundary are closed, by their first node, and which nodes touch alone.

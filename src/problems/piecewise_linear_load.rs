@@ -10,12 +10,12 @@ use crate::cone::Cone;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Field, Form, Lame};
-use crate::mesh::{Part, Sides, Triangulation, unit_square};
+use crate::mesh::{Part, SideParts, Triangulation, unit_square};
 use std::fmt;
 
 /// One of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LoadedBody {
+pub enum PiecewiseLinearLoad {
     /// Scalar, u = 0 on top, free sides, f = 4 |x − 1/2| − 9/10: contact at both sides, a gap between.
     Membrane,
     /// Elastic, held on top and at both sides, f_y = 1 − 6 |x − 1/2|: pressed down beside both sides, where
@@ -25,7 +25,7 @@ pub enum LoadedBody {
     Hanging,
 }
 
-impl LoadedBody {
+impl PiecewiseLinearLoad {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Membrane, Self::Held, Self::Hanging];
 
@@ -64,10 +64,10 @@ impl LoadedBody {
             }));
         }
         let side = if self.is_held_all_around() { Part::Dirichlet } else { Part::Neumann };
-        unit_square(n, Sides { bottom: Part::Contact, right: side, top: Part::Dirichlet, left: side })
+        unit_square(n, SideParts { bottom: Part::Contact, right: side, top: Part::Dirichlet, left: side })
     }
 
-    /// The problem on [`LoadedBody::mesh`] or a refinement of it.
+    /// The problem on [`PiecewiseLinearLoad::mesh`] or a refinement of it.
     ///
     /// # Errors
     /// As [`ContactProblem::new`].
@@ -87,7 +87,7 @@ impl LoadedBody {
     }
 }
 
-impl fmt::Display for LoadedBody {
+impl fmt::Display for PiecewiseLinearLoad {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Membrane => "membrane",

@@ -1,0 +1,41 @@
+//! One registry of test problems, on meshes and on the edge of a strip: names, data, regularity, and the solution
+//! where it is known.
+//!
+//! | | what | where |
+//! | --- | --- | --- |
+//! | [`NamedProblem`] | a test problem of either kind, by name | `named` |
+//! | [`TestProblem`] | bodies, loads, boundary parts | `test_problem` |
+//! | [`TestProblem::regularity`], [`solution_regularity`] | sup τ from corners and the contact set found | `regularity`, `corners` |
+//! | [`StripData`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip_data`, `contact_sets`, `gap_data` |
+//! | names and parameters | one block per test problem; grammar, reading, writing | `registry` |
+//! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
+//! | [`DirichletEnd`] | a body clamped up to the end of its contact edge, on polar rings | `dirichlet_end` |
+//! | [`KnownSolution`] | problems on the square with known solution of given regularity, and errors against it | `known` |
+//! | [`PiecewiseLinearLoad`] | bodies with loads that every mesh integrates exactly, solution unknown | `piecewise_linear_load` |
+//!
+//! A new test problem is one block in `strip_data` or `test_problem`: variant, name, parameters with defaults, data.
+//! List of all, help texts, reading, writing and errors follow from it.
+
+mod contact_sets;
+mod corners;
+mod dirichlet_end;
+mod gap_data;
+mod known;
+mod named;
+mod piecewise_linear_load;
+mod pressure;
+mod registry;
+mod regularity;
+mod strip_data;
+mod tau_range;
+mod test_problem;
+mod transition_powers;
+
+pub use corners::{CornerSingularity, SolutionRegularity, solution_regularity};
+pub use dirichlet_end::DirichletEnd;
+pub use known::{EdgeDatum, KnownSolution};
+pub use named::NamedProblem;
+pub use piecewise_linear_load::PiecewiseLinearLoad;
+pub use strip_data::StripData;
+pub use test_problem::{Parameters, TestProblem};
+pub use transition_powers::TransitionPowers;

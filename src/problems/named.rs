@@ -1,0 +1,62 @@
+//! A test problem of either kind, by name: `block`, `corner`, `transition:0.4`, `fat-cantor`, ...
+
+use super::strip_data::StripData;
+use super::test_problem::TestProblem;
+use crate::error::{Error, Result, ToolkitError};
+use std::fmt;
+use std::str::FromStr;
+use std::sync::LazyLock;
+
+/// A test problem of the mesh solver or of the strip.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NamedProblem {
+    /// Two-dimensional, on a mesh.
+    Mesh(TestProblem),
+    /// Manufactured on the edge of the strip.
+    Strip(StripData),
+}
+
+impl NamedProblem {
+    /// The names and parameters of all test problems, for help texts and errors.
+    pub fn names() -> &'static str {
+        static NAMES: LazyLock<String> =
+            LazyLock::new(|| format!("{}, {}", TestProblem::names(), StripData::names()));
+        &NAMES
+    }
+}
+
+impl From<TestProblem> for NamedProblem {
+    fn from(scene: TestProblem) -> Self {
+        NamedProblem::Mesh(scene)
+    }
+}
+
+impl From<StripData> for NamedProblem {
+    fn from(scene: StripData) -> Self {
+        NamedProblem::Strip(scene)
+    }
+}
+
+impl fmt::Display for NamedProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NamedProblem::Mesh(scene) => scene.fmt(f),
+            NamedProblem::Strip(scene) => scene.fmt(f),
+        }
+    }
+}
+
+impl FromStr for NamedProblem {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let mesh = text.parse().map(NamedProblem::Mesh);
+        mesh.or_else(|_: Error| text.parse().map(NamedProblem::Strip)).map_err(|_: Error| {
+            Error::Toolkit(ToolkitError::UnknownName {
+                what: "scene",
+                given: text.to_owned(),
+                expected: NamedProblem::names(),
+            })
+        })
+    }
+}
