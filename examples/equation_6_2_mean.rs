@@ -4,10 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
-use fractional_sobolev::{
-    Estimate,
-    interpolation::{extremal_slopes, largest_share, limits::pointwise, mean_deviation},
-};
+use experiments::interpolation::{extremal_slopes, largest_share, mean_deviation, pointwise};
+use fractional_sobolev::Estimate;
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -5,8 +5,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use experiments::interpolation::{WorstRatios, worst_ratios};
-use fractional_sobolev::{Estimate, Order, Tolerance, interpolation::LocalConstants};
+use experiments::interpolation::{LocalConstants, WorstRatios, worst_ratios};
+use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;
 
 example_frame::options! {

@@ -1,12 +1,11 @@
 //! Lemma 6.1 in the plane: best constants of linear interpolation on a triangle, for gradients of order s.
 //!
-//! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.1,0.5,0.9 --degree 16`
+//! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.3,0.5,0.9 --tolerance 1e-7`
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
 use fractional_sobolev::{
-    Order,
-    interpolation::{TriangleConstant, TriangleConstants, TriangleShape, kobayashi},
+    BestConstant, Domain, ErrorNorm, Estimate, Order, Tolerance, interpolation_constant,
 };
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;
@@ -17,9 +16,9 @@ example_frame::options! {
         /// Orders s of the gradient in (0, 1), increasing; s = 1 is added
         #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.3", "0.35", "0.4", "0.5", "0.6", "0.7", "0.75", "0.8", "0.9", "0.95"])]
         pub s: Vec<Order>,
-        /// Degree of the polynomials
-        #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(10..=30))]
-        pub degree: u32,
+        /// Relative tolerance of the constants: fast, balanced, reference or a number
+        #[arg(long, default_value = "1e-6")]
+        pub tolerance: Tolerance,
     }
 }
 
@@ -28,8 +27,8 @@ example_frame::options! {
 pub struct Row {
     /// s; 1 for the norm of second derivatives.
     pub s: f64,
-    /// Both constants, legs 1.
-    pub constants: TriangleConstants,
+    /// The constants of ‖∇(u − Iu)‖ and of ‖u − Iu‖, legs 1.
+    pub constants: [BestConstant; 2],
 }
 
 impl Row {
@@ -38,11 +37,13 @@ impl Row {
         if self.s < 1.0 { (FRAC_PI_2 / (1.0 - self.s)).sqrt() } else { 1.0 }
     }
 
-    fn both(&self) -> [&TriangleConstant; 2] {
-        [&self.constants.derivative, &self.constants.l2]
+    fn both(&self) -> impl Iterator<Item = &BestConstant> {
+        self.constants.iter()
     }
 }
 
+/// The right isosceles triangle with legs 1.
+const RIGHT: Domain = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
 /// Babuska and Aziz' bound for the right isosceles triangle (1976), the root of 1/x + tan(1/x) = 0.
 const BABUSKA_AZIZ: f64 = 0.492_912_451_754_9;
 /// Relative error asked of every constant.
@@ -50,28 +51,29 @@ const DIGITS: f64 = 1e-6;
 
 /// Both constants for all orders and s = 1.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let shape = TriangleShape::right_isosceles()?;
-    let degree = options.degree as usize;
-    let below = options.s.iter().map(|&order| -> Result<Row> {
-        Ok(Row { s: order.value(), constants: TriangleConstants::new(&shape, order, degree)? })
-    });
-    let one = TriangleConstants::at_one(&shape, degree)?;
-    below.chain([Ok(Row { s: 1.0, constants: one })]).collect()
+    let row = |s: f64| -> Result<Row> {
+        let gradient = interpolation_constant(RIGHT, ErrorNorm::Derivative, s, options.tolerance)?;
+        let l2 = gradient.in_norm(ErrorNorm::L2)?;
+        Ok(Row { s, constants: [gradient, l2] })
+    };
+    options.s.iter().map(|order| order.value()).chain([1.0]).map(row).collect()
 }
 
 /// What decides: the digits, the bounds from both sides, the order in s, and the limit s = 1.
 pub fn findings(rows: &[Row]) -> Vec<Finding> {
     let constants = || rows.iter().flat_map(Row::both);
     let exact = |numbers: Vec<f64>| numbers.into_iter().reduce(f64::max).map(|number| (number, 0.0));
-    let digits = constants().map(|c| c.value.relative_error()).collect();
-    let lower = constants().map(|c| c.lower / (c.value.value + c.value.error)).collect();
-    let over = constants().filter_map(|c| c.value.times(c.upper?.recip()).ok());
+    let digits = constants().map(|c| c.constant.relative_error()).collect();
+    let lower = constants().map(|c| c.lower.value / (c.constant.value + c.constant.error)).collect();
+    let below = rows.iter().filter(|row| row.s < 1.0).flat_map(Row::both);
+    let over = below.filter_map(|c| c.constant.times(c.upper?.value.recip()).ok());
     let falls = rows.windows(2).flat_map(|pair| {
-        let normalised = |row: &Row, k: usize| row.both()[k].value.times(row.unit()).ok();
+        let normalised = |row: &Row, k: usize| row.constants[k].constant.times(row.unit()).ok();
         [0, 1].into_iter().filter_map(move |k| normalised(&pair[1], k)?.over(normalised(&pair[0], k)?).ok())
     });
-    let one = rows.iter().find(|row| row.s == 1.0).map(|row| row.constants.derivative.value);
-    let bound = TriangleShape::right_isosceles().map_or(f64::NAN, |shape| kobayashi(&shape));
+    let at_one = rows.iter().find(|row| row.s == 1.0).map(|row| &row.constants[0]);
+    let one = at_one.map(|found| found.constant);
+    let bound = at_one.and_then(|found| found.upper).map_or(f64::NAN, |upper| upper.value);
     vec![
         Finding::claim("digits", "every constant is known to a relative error of {value}")
             .number_or(exact(digits), "no order")
@@ -119,18 +121,19 @@ fn table(rows: &[Row]) -> Table {
         Column::new("l2_error", "+- L2", error, "error of it"),
         Column::new("normalised", "normalised", digits, "gradient, times (pi/2 / (1-s))^(1/2)"),
     ];
-    let at_one = TriangleShape::right_isosceles().ok().map(|shape| kobayashi(&shape));
     Table::new(columns).with_rows(rows.iter().map(|row| {
-        let [first, second] = row.both();
-        let upper = first.upper.or(at_one).map_or("".into(), Cell::from);
-        let value = [first.value.value, first.value.error, first.lower].map(Cell::from);
-        let l2 = [second.value.value, second.value.error, first.value.value * row.unit()].map(Cell::from);
+        let [first, second] = &row.constants;
+        let upper = first.upper.map_or("".into(), |upper| Cell::from(upper.value));
+        let (gradient, error): (Estimate, Estimate) = (first.constant, second.constant);
+        let value = [gradient.value, gradient.error, first.lower.value].map(Cell::from);
+        let l2 = [error.value, error.error, gradient.value * row.unit()].map(Cell::from);
         [[row.s.into()].as_slice(), &value, &[upper], &l2].concat()
     }))
 }
 
 fn draw(rows: &[Row]) -> Chart {
-    let of = |k: usize| rows.iter().map(|row| (row.s, row.both()[k].value.value * row.unit())).collect();
+    let of =
+        |k: usize| rows.iter().map(|row| (row.s, row.constants[k].constant.value * row.unit())).collect();
     let y = Axis::logarithmic("constant, seminorm normalised");
     Chart::new(
         "Linear interpolation on the right isosceles triangle",
@@ -147,7 +150,8 @@ fn draw_extremal(rows: &[Row]) -> Chart {
         (Axis::linear("place on a leg, from the right angle"), Axis::linear("u - Iu, largest value 1"));
     let chart = Chart::new("Functions that take the constant of the gradient", x, y);
     rows.iter().step_by((rows.len() / 3).max(1)).fold(chart, |chart, row| {
-        let value = |t: f64| row.constants.derivative.extremal.value([1.0 - t, t, 0.0]);
+        let extremal = row.constants[0].extremal();
+        let value = |t: f64| extremal.map_or(f64::NAN, |error| error.value(&[t, 0.0]));
         let leg: Vec<(f64, f64)> = (0..=100).map(|k| 0.01 * f64::from(k)).map(|t| (t, value(t))).collect();
         let top = leg.iter().fold(0f64, |top, p| if p.1.abs() > top.abs() { p.1 } else { top });
         let scaled = leg.into_iter().map(|(t, v)| (t, v / top)).collect();

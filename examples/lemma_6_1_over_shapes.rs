@@ -4,10 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use fractional_sobolev::{
-    Error, Estimate, Order,
-    interpolation::{TriangleConstants, TriangleShape, kobayashi},
-};
+use fractional_sobolev::{Domain, Error, ErrorNorm, Estimate, Order, Tolerance, interpolation_constant};
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;
 
@@ -20,9 +17,9 @@ example_frame::options! {
         /// Angles at the top in degrees, in (6, 174), increasing; one should be 60
         #[arg(long, value_delimiter = ',', default_values = ["20", "30", "40", "50", "60", "75", "90", "105", "120", "135"], value_parser = within::<f64>("(6, 174)"))]
         pub angles: Vec<f64>,
-        /// Degree of the polynomials
-        #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(10..=30))]
-        pub degree: u32,
+        /// Relative tolerance of the constants: fast, balanced, reference or a number
+        #[arg(long, default_value = "1e-5")]
+        pub tolerance: Tolerance,
     }
 }
 
@@ -44,21 +41,24 @@ const FLAT: f64 = 2.0;
 
 /// All constants for every angle.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let (degree, bar) = (options.degree as usize, progress(options.angles.len() as u64));
+    let bar = progress(options.angles.len() as u64);
     let row = |&angle: &f64| -> Result<Row> {
         Error::require("angle", angle, "(6, 174)", angle > 6.0 && angle < 174.0)?;
         let (width, height) = (0.5 * angle).to_radians().sin_cos();
         let longest = (2.0 * width).max(1.0);
         let corners = [[0.0, height], [-width, 0.0], [width, 0.0]].map(|p| p.map(|x| x / longest));
-        let shape = TriangleShape::new(corners)?;
+        let constant = |s: f64| {
+            interpolation_constant(Domain::Triangle(corners), ErrorNorm::Derivative, s, options.tolerance)
+        };
         let mut constants = Vec::new();
-        for &order in &options.s {
-            let found = TriangleConstants::new(&shape, order, degree)?.derivative.value;
+        for order in &options.s {
+            let found = constant(order.value())?.constant;
             constants.push(found.times((FRAC_PI_2 / order.complement()).sqrt())?);
         }
-        constants.push(TriangleConstants::at_one(&shape, degree)?.derivative.value);
+        let one = constant(1.0)?;
+        constants.push(one.constant);
         bar.inc(1);
-        Ok(Row { angle, constants, bound: kobayashi(&shape) })
+        Ok(Row { angle, constants, bound: one.upper.map_or(f64::NAN, |upper| upper.value) })
     };
     options.angles.iter().map(row).collect()
 }

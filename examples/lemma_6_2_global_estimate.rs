@@ -5,12 +5,11 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use experiments::interpolation::{InterpolationError, MeshRatios, SampleSlope};
-use fractional_sobolev::{Estimate, Mesh, Order, Tolerance, interpolation::LocalConstants};
+use experiments::interpolation::{InterpolationError, LocalConstants, MeshRatios, SampleSlope};
+use fractional_sobolev::{Estimate, Mesh, Order, Tolerance};
 use std::process::ExitCode;
 
-/// Cells per element and largest number of elements for the best constant on a mesh.
-const CELLS: usize = 8;
+/// Largest number of elements for the best constant on a mesh.
 const LARGEST_MESH: usize = 32;
 
 example_frame::options! {
@@ -48,8 +47,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
     for &order in &options.nu {
         let best = LocalConstants::new(order, Tolerance::balanced())?;
         for &elements in &options.elements {
-            let cells = (elements <= LARGEST_MESH).then_some(CELLS);
-            rows.push(Row::of_sample(options.function, order, &best, elements, cells)?);
+            rows.push(Row::of_sample(options.function, order, &best, elements, elements <= LARGEST_MESH)?);
             bar.inc(1);
         }
     }

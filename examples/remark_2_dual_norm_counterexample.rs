@@ -7,10 +7,7 @@
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
 use experiments::interpolation::{AliasedWave, all_waves_rate, smooth_dual_error};
-use fractional_sobolev::{
-    Estimate, Order, Tolerance, Work,
-    interpolation::{ErrorNorm, element_constant},
-};
+use fractional_sobolev::{Domain, ErrorNorm, Estimate, Order, Tolerance, Work, interpolation_constant};
 use signorini::rates::ConvergenceOrder;
 use std::process::ExitCode;
 
@@ -72,7 +69,9 @@ pub fn compute(options: &Options) -> Result<Computed> {
     };
     let wave = series(|n| AliasedWave::new(n)?.quotient())?;
     let (smooth, one) = (series(smooth_dual_error)?, all_waves_rate(ALL_WAVES.0, ALL_WAVES.1)?);
-    let best = element_constant(ErrorNorm::L2, Order::HALF, Tolerance::balanced())?;
+    let best =
+        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, Order::HALF, Tolerance::balanced())?;
+    let best = best.constant;
     let bounds = elements.iter().map(|&n| Ok(best.times((n as f64).powf(-1.5))?)).collect::<Result<_>>()?;
     Ok(Computed { elements, wave, smooth, bounds, one })
 }

@@ -4,7 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use fractional_sobolev::{Estimate, Order, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
+use experiments::square_trace::SquareTrace;
+use fractional_sobolev::{Domain, Estimate, Order, trace_constant, trace_quotient};
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
@@ -55,25 +56,28 @@ const COSINES: usize = 60;
 /// Distance from 1/2 at which the limit is read off; accuracy asked.
 const NEAR: f64 = 1e-7;
 const DIGITS: f64 = 1e-5;
+/// Accuracy asked of the closed form.
+const ROUNDING: f64 = 1e-8;
 
 /// Constants, second road, corner and square for every order.
 pub fn compute(options: &Options) -> Result<Computed> {
     let (bar, angle) = (progress(options.s.len() as u64), options.angle.to_radians());
     let row = |&order: &Order| -> Result<Row> {
-        let constant = half_plane_trace(order)?;
+        let constant = trace_constant(Domain::HalfPlane, order, ROUNDING)?.constant;
         let over = |found: Estimate| found.times(constant.value.powi(-2));
-        let all = |shape: WedgeTrace, modes: &[f64]| -> fractional_sobolev::Result<Vec<Estimate>> {
-            modes.iter().map(|&mu| over(shape.quotient(mu)?)).collect()
+        let all = |domain: Domain, modes: &[f64]| -> fractional_sobolev::Result<Vec<Estimate>> {
+            let of = |&mu: &f64| Estimate::or_best(trace_quotient(domain.clone(), order, mu, DIGITS));
+            modes.iter().map(|mu| over(of(mu)?)).collect()
         };
-        let half_plane = all(WedgeTrace::half_plane(order)?, &CORNER[..3])?;
-        let corner = all(WedgeTrace::corner(order, angle)?, &CORNER)?;
+        let half_plane = all(Domain::HalfPlane, &CORNER[..3])?;
+        let corner = all(Domain::Corner(angle), &CORNER)?;
         let trial = SquareTrace::new(order, options.degree as usize).ok();
         let square = trial.map(|found| over(found.largest())).transpose()?;
         bar.inc(1);
         Ok(Row { order, constant, half_plane, corner, square })
     };
     let rows = options.s.iter().map(row).collect::<Result<_>>()?;
-    let near = half_plane_trace(Order::half_plus(NEAR)?)?;
+    let near = trace_constant(Domain::HalfPlane, Order::half_plus(NEAR)?, ROUNDING)?.constant;
     let growth = near.times(2.0 * NEAR * PI / 3f64.sqrt())?;
     Ok(Computed { rows, growth, one: SquareTrace::at_one(COSINES)?.largest() })
 }
@@ -147,8 +151,9 @@ fn draw_profiles() -> Result<Chart> {
     let mut chart = Chart::new("Extremal functions: the profile beside cos(x)", x, y);
     let places: Vec<f64> = (0..61).map(|k| 10f64.powf(-5.0 + 0.1 * f64::from(k))).collect();
     for s in [0.55, 0.65, 0.8, 0.95] {
-        let order = Order::new(s)?;
-        let points = places.iter().map(|&y| Ok((y, extension_profile(order, y)?))).collect::<Result<_>>()?;
+        let found = trace_constant(Domain::HalfPlane, s, ROUNDING)?;
+        let profile = |y: f64| found.extremal().map_or(f64::NAN, |w| w.value(&[0.0, y]));
+        let points = places.iter().map(|&y| (y, profile(y))).collect();
         chart = chart.with(Series::line(format!("s = {s}"), points));
     }
     Ok(chart.with(Series::dashed("s = 1", places.iter().map(|&y| (y, (-y).exp())).collect())))

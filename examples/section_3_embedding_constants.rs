@@ -5,16 +5,13 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use fractional_sobolev::{
-    Estimate, Order,
-    interpolation::{
-        EMBEDDING_GROWTH, EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound,
-    },
-};
+use fractional_sobolev::{Estimate, Order, Target, Tolerance, embedding_constant};
 use std::process::ExitCode;
 
 /// C(q)/√q lies between these for q = 2 ... 200: below its limit 0.16719..., above 1/√2 at q = 2.
 const GROWTH: [f64; 2] = [0.167, 0.708];
+/// lim C(q)/√q for q → ∞ at ν = 1/2: (3/(4π²e))^{1/2}, from the logarithm cut off at ln(1/θ) = q/2.
+const LIMIT: f64 = 0.167_198_939_329_408_5;
 /// The quotient 1/√8 : 0.1672 of the limits of both bounds over √q, rounded up.
 const GAP: f64 = 2.2;
 /// To this the quotient of the constant function is known, where that function is the worst.
@@ -48,21 +45,20 @@ pub struct Row {
 
 /// Both bounds for every q and nu.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let largest = options.q.iter().copied().fold(2.0, f64::max);
-    let half = EmbeddingSpace::for_exponents_up_to(Order::HALF, largest)?;
-    let increments = EndIncrements::for_exponents_up_to(largest)?;
     let bar = progress((options.q.len() + options.nu.len()) as u64);
     let mut rows = Vec::new();
+    let row = |order: Order, q: f64| -> Result<Row> {
+        let found = embedding_constant(order, q, Tolerance::balanced())?;
+        let upper = found.upper.unwrap_or(found.constant);
+        Ok(Row { nu: order.value(), q, lower: found.lower, upper, hoelder: None })
+    };
     for &q in &options.q {
-        let upper = embedding_upper_bound(Order::HALF, q)?;
-        let hoelder = Some(increments.constant(1.0 - 1.0 / q)?.0);
-        rows.push(Row { nu: 0.5, q, lower: half.climb(q)?.quotient, upper, hoelder });
+        let hoelder = embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), Tolerance::balanced())?.lower;
+        rows.push(Row { hoelder: Some(hoelder), ..row(Order::HALF, q)? });
         bar.inc(1);
     }
     for &order in &options.nu {
-        let (q, space) = (critical_exponent(order)?, EmbeddingSpace::at_critical_exponent(order)?);
-        let (lower, upper) = (space.climb(q)?.quotient, embedding_upper_bound(order, q)?);
-        rows.push(Row { nu: order.value(), q, lower, upper, hoelder: None });
+        rows.push(row(order, 2.0 / order.one_minus_twice())?);
         bar.inc(1);
     }
     Ok(rows)
@@ -149,7 +145,7 @@ fn draw(rows: &[Row]) -> Chart {
         .with(Series::line_and_points("upper bound", points(|row| row.upper.value)))
         .with(Series::line_and_points("lower bound", points(|row| row.lower.value)))
         .with(Series::line_and_points("C(alpha), alpha = 1 - 1/q, lower bound", hoelder))
-        .with(Series::dashed("0.1672 sqrt(q)", points(|row| EMBEDDING_GROWTH * row.q.sqrt())))
+        .with(Series::dashed("0.1672 sqrt(q)", points(|row| LIMIT * row.q.sqrt())))
 }
 
 fn main() -> ExitCode {

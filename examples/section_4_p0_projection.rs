@@ -6,7 +6,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
 use experiments::interpolation::{ProjectionRates, ProjectionStudy};
-use fractional_sobolev::{Estimate, Tolerance, interpolation::projection_constant};
+use fractional_sobolev::{Domain, ErrorNorm, Estimate, Tolerance, projection_constant};
 use std::process::ExitCode;
 
 /// Distance of a rate from r or r + 1/2, its uncertainty included, that counts as agreement: a tenth of half
@@ -37,7 +37,9 @@ pub struct Row {
 /// Constants and rates for every r.
 pub fn compute(options: &Options) -> Result<Vec<Row>> {
     let bar = progress(options.r.len() as u64);
-    let (study, half) = (ProjectionStudy::new()?, projection_constant(0.5, Tolerance::balanced())?);
+    let unit = Domain::Interval(1.0);
+    let half = projection_constant(unit, ErrorNorm::L2, 0.5, Tolerance::balanced())?.constant;
+    let study = ProjectionStudy::new()?;
     let mut rows = Vec::new();
     for &r in &options.r {
         let norms = study.rates(r)?;

@@ -1,9 +1,7 @@
 //! (6.2): |v(x) − v̄| ≤ h^{1/2} ‖v'‖₀, its best constant at every point.
 
-use fractional_sobolev::{
-    Estimate, Rule,
-    interpolation::{extremal_slopes, largest_share, limits::pointwise, mean_deviation},
-};
+use experiments::interpolation::{extremal_slopes, largest_share, mean_deviation, pointwise};
+use fractional_sobolev::{Estimate, Rule};
 
 #[allow(dead_code)]
 #[path = "../examples/equation_6_2_mean.rs"]

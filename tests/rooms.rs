@@ -21,6 +21,7 @@ const ROOMS: [(&str, &[&str]); 2] = [
             "grading",
             "mesh",
             "nearly_one",
+            "constant",
             "kernel",
             "gram",
             "energy",

@@ -6,7 +6,8 @@
 mod example;
 
 use example_frame::{Outcome, Verdict};
-use fractional_sobolev::{Order, SquareTrace, WedgeTrace, extension_profile, half_plane_trace};
+use experiments::square_trace::SquareTrace;
+use fractional_sobolev::{Domain, trace_constant, trace_quotient};
 
 /// C(s) with sixteen digits, by mpmath.
 const CONSTANTS: [(f64, f64); 9] = [
@@ -41,6 +42,11 @@ const CORNERS: [(f64, f64, f64, f64); 15] = [
     (0.9, 30.0, 4.0, 0.92636003),
 ];
 
+/// C(s)² of the half-plane.
+fn half_plane(s: f64) -> f64 {
+    trace_constant(Domain::HalfPlane, s, 1e-8).unwrap().constant.value.powi(2)
+}
+
 #[test]
 fn nine_orders_have_five_digits_by_two_roads() {
     let options = example::Options::default();
@@ -62,9 +68,8 @@ fn nine_orders_have_five_digits_by_two_roads() {
 #[test]
 fn corners_agree_with_graded_meshes_and_acute_ones_do_harm() {
     for (s, degrees, tau, share) in CORNERS {
-        let order = Order::new(s).unwrap();
-        let square = half_plane_trace(order).unwrap().value.powi(2);
-        let found = WedgeTrace::corner(order, f64::to_radians(degrees)).unwrap().quotient(tau).unwrap();
+        let square = half_plane(s);
+        let found = trace_quotient(Domain::Corner(f64::to_radians(degrees)), s, tau, 1e-4).unwrap();
         // The reference itself is good to 1e-5.
         assert!((found.value / square - share).abs() < 2e-5 * share, "{s} {degrees} {tau}: {found} {share}");
     }
@@ -73,25 +78,9 @@ fn corners_agree_with_graded_meshes_and_acute_ones_do_harm() {
 }
 
 #[test]
-fn the_extension_is_the_minimum_of_a_local_energy_too() {
-    // ∫ y^{1−2σ} (φ'² + φ²) dy = 2σ b, b from φ = 1 − b y^{2σ} + ...: what the closed form takes from φ.
-    let order = Order::new(0.75).unwrap();
-    let profile = |y: f64| extension_profile(order, y).unwrap();
-    let b = (1.0 - profile(1e-6)) / 1e-6f64.sqrt();
-    let (step, mut energy) = (0.01, 0.0);
-    for k in -1400..400 {
-        let y = f64::exp(step * f64::from(k));
-        let slope = (profile(y * 1.0001) - profile(y / 1.0001)) / (y * 2e-4);
-        energy += step * y.powf(1.5) * (slope * slope + profile(y).powi(2));
-    }
-    assert!((energy / (0.5 * b) - 1.0).abs() < 2e-3, "{energy} {b}");
-}
-
-#[test]
 fn more_functions_on_the_square_reach_more_and_never_the_half_plane() {
-    let order = Order::new(0.8).unwrap();
-    let bound = half_plane_trace(order).unwrap().value.powi(2);
-    let found = [4, 8, 12].map(|degree| SquareTrace::new(order, degree).unwrap().largest().value / bound);
+    let bound = half_plane(0.8);
+    let found = [4, 8, 12].map(|degree| SquareTrace::new(0.8, degree).unwrap().largest().value / bound);
     assert!(found.windows(2).all(|pair| pair[0] < pair[1]) && found[2] < 1.0, "{found:?}");
 }
 

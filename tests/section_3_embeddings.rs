@@ -5,13 +5,15 @@
 mod example;
 
 use experiments::interpolation::{RoughFamily, RoughSlopes, SampleSlope};
-use fractional_sobolev::{
-    Mesh, Order, Tolerance,
-    interpolation::{EmbeddingSpace, EndIncrements, critical_exponent, embedding_upper_bound},
-};
+use fractional_sobolev::{Error, Order, Target, Tolerance, embedding_bound, embedding_constant};
 
 /// C(q)/√q for q = 2 ... 200 at ν = 1/2.
 const GROWTH: [f64; 2] = [0.167, 0.708];
+
+/// C(q) from below.
+fn lower(nu: f64, q: f64) -> f64 {
+    embedding_constant(nu, q, 1e-8).unwrap().lower.value
+}
 
 fn order(nu: f64) -> Order {
     Order::new(nu).unwrap()
@@ -27,9 +29,9 @@ fn no_rough_function_exceeds_the_upper_bound() {
                 let u = functions.draw().unwrap();
                 let norm = u.norm(nu, Tolerance::balanced()).unwrap().value;
                 for q in [2.0, 3.0, 20.0, 200.0_f64] {
-                    let q = q.min(critical_exponent(nu).unwrap());
+                    let q = q.min(2.0 / (nu.one_minus_twice() + 0.0));
                     let quotient = u.lp(q, Tolerance::balanced()).unwrap().value / norm;
-                    let bound = embedding_upper_bound(nu, q).unwrap().value;
+                    let bound = embedding_bound(nu, q).unwrap();
                     assert!(quotient <= bound, "{family:?} {index} nu {nu} q {q}: {quotient} above {bound}");
                 }
             }
@@ -55,21 +57,21 @@ fn the_circle_s_weights_bound_the_seminorm_of_waves() {
 #[test]
 fn constants_are_one_where_the_upper_bound_says_so() {
     for (nu, q) in [(0.5, 2.0), (0.5, 8.0), (0.3, 5.0), (0.1, 2.5), (1e-6, 2.0)] {
-        assert_eq!(embedding_upper_bound(order(nu), q).unwrap().value, 1.0, "{nu} {q}");
+        assert_eq!(embedding_bound(nu, q).unwrap(), 1.0, "{nu} {q}");
     }
     // the constant function loses its place when 2 + 1/γ₁² = 13.76 is passed, here by a global competitor
-    let space = EmbeddingSpace::new(Order::HALF, 40, 0.6).unwrap();
-    assert!((space.climb(12.0).unwrap().quotient.value - 1.0).abs() < 1e-10);
-    assert!(space.climb(16.0).unwrap().quotient.value > 1.005);
+    assert!((lower(0.5, 12.0) - 1.0).abs() < 1e-10);
+    assert!(lower(0.5, 16.0) > 1.005);
+    // known there, and only there
+    assert_eq!(embedding_constant(0.5, 8.0, 1e-8).unwrap().constant.value, 1.0);
+    assert!(embedding_constant(0.5, 16.0, 1e-8).unwrap().constant.relative_error() > 0.1);
 }
 
 #[test]
 fn growth_is_that_of_a_square_root_between_two_constants() {
-    let space = EmbeddingSpace::new(Order::HALF, 265, 0.6).unwrap();
     let mut last = f64::INFINITY;
     for q in [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0_f64] {
-        let lower = space.climb(q).unwrap().quotient.value / q.sqrt();
-        let upper = embedding_upper_bound(Order::HALF, q).unwrap().value / q.sqrt();
+        let (lower, upper) = (lower(0.5, q) / q.sqrt(), embedding_bound(0.5, q).unwrap() / q.sqrt());
         assert!(GROWTH[0] <= lower && lower <= upper && upper <= GROWTH[1], "{q}: {lower} {upper}");
         // towards (3/(4π²e))^{1/2} = 0.16721 from above
         assert!(lower < last, "{q}: {lower} after {last}");
@@ -79,51 +81,28 @@ fn growth_is_that_of_a_square_root_between_two_constants() {
 }
 
 #[test]
-fn a_finer_mesh_does_not_change_the_trial_quotient_much() {
-    let coarse = EmbeddingSpace::new(Order::HALF, 100, 0.5).unwrap();
-    let fine = EmbeddingSpace::new(Order::HALF, 195, 0.7).unwrap();
-    for q in [16.0, 50.0, 90.0] {
-        let (a, b) = (coarse.climb(q).unwrap().quotient.value, fine.climb(q).unwrap().quotient.value);
-        assert!(a <= b * (1.0 + 1e-6) && b <= a * 1.003, "{q}: {a} {b}");
-    }
-}
-
-#[test]
 fn hoelder_constants_grow_like_the_root_of_one_over_one_minus_alpha() {
-    let increments = EndIncrements::new(&Mesh::geometric(250, 0.6, 1.0).unwrap()).unwrap();
     for q in [2.0, 10.0, 50.0, 200.0_f64] {
-        let (lower, place) = increments.constant(1.0 - 1.0 / q).unwrap();
-        let upper = embedding_upper_bound(Order::HALF, q).unwrap().value;
-        assert!(lower.value <= upper, "{q}: {lower} {upper}");
-        assert!(lower.value / q.sqrt() > 0.167, "{q}: {lower}");
-        if q >= 50.0 {
-            // ln(1/θ) near q/2
-            assert!((0.3..0.7).contains(&(-place.ln() / q)), "{q}: {place:e}");
-        }
+        let found = embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8).unwrap();
+        let (lower, upper) = (found.lower.value, found.upper.unwrap().value);
+        assert!(lower <= upper && lower / q.sqrt() > 0.167, "{q}: {lower} {upper}");
     }
-    // A pair inside the interval has a smaller increment than one at the end.
-    let theta = 0.6f64.powi(20);
-    let at_end = increments
-        .increments()
-        .map(|(t, n)| ((t / theta).ln().abs(), n))
-        .fold((9.9, 0.0), |a, b| if b.0 < a.0 { b } else { a });
-    assert!(at_end.1 > 1.0);
     for alpha in [0.0, 1.0, -0.5, f64::NAN] {
-        assert!(increments.constant(alpha).is_err());
+        assert!(embedding_constant(1.5, Target::Hoelder(alpha), 1e-8).is_err());
     }
+    let other = embedding_constant(1.4, Target::Hoelder(0.5), 1e-8);
+    assert!(matches!(other, Err(Error::Incompatible { .. })), "{other:?}");
 }
 
 #[test]
 fn exponents_outside_the_embedding_are_errors() {
     for (nu, q) in [(0.6, 3.0), (0.3, 5.1), (0.5, 1.0), (0.5, f64::NAN), (0.5, f64::INFINITY), (0.5, 1e7)] {
-        assert!(embedding_upper_bound(order(nu), q).is_err(), "{nu} {q}");
+        assert!(embedding_bound(nu, q).is_err(), "{nu} {q}");
     }
-    assert!(critical_exponent(order(0.6)).is_err());
     let near = Order::half_plus(-1e-9).unwrap();
-    let at_half = embedding_upper_bound(order(0.5), 100.0).unwrap().value;
-    assert!((embedding_upper_bound(near, 100.0).unwrap().value / at_half - 1.0).abs() < 1e-6);
-    assert!(EmbeddingSpace::new(order(0.7), 10, 0.5).is_err());
-    assert!(EmbeddingSpace::new(order(0.5), 10, 1.5).is_err());
+    let at_half = embedding_bound(0.5, 100.0).unwrap();
+    assert!((embedding_bound(near, 100.0).unwrap() / at_half - 1.0).abs() < 1e-6);
+    assert!(embedding_constant(0.7, 3.0, 1e-8).is_err());
 }
 
 #[test]
@@ -157,7 +136,7 @@ fn spoiled_bounds_turn_the_verdict() {
 #[test]
 fn the_upper_bound_says_how_sharp_it_is() {
     for (nu, q) in [(0.5, 16.0), (0.5, 200.0), (0.3, 5.0), (0.49, 100.0)] {
-        let bound = embedding_upper_bound(order(nu), q).unwrap();
+        let bound = embedding_constant(nu, q, 1e-8).unwrap().upper.unwrap();
         assert!(bound.relative_error() < 1e-3 && bound.work.points <= 100_000, "{nu} {q}: {bound}");
     }
 }

@@ -8,13 +8,10 @@ mod example;
 mod saturation;
 
 use experiments::interpolation::{
-    SampleSlope, sample_projection_dual_error, sample_projection_error, wave_constant,
+    ElementMesh, SampleSlope, rate_of, sample_projection_dual_error, sample_projection_error, wave_constant,
 };
 use fractional_sobolev::{
-    Constraint, Error, Mesh, Order, Tolerance, gamma,
-    interpolation::{
-        ElementMesh, ProjectionNorm, dual_projection_constant, projection_constant, projection_norm_on_cells,
-    },
+    Constraint, Domain, Error, ErrorNorm, Estimate, Mesh, Order, Tolerance, gamma, projection_constant,
 };
 use std::sync::LazyLock;
 
@@ -23,8 +20,26 @@ const RATE_TOLERANCE: f64 = 0.02;
 /// Two codes, each to 1e-8.
 const TWO_ROADS: f64 = 2e-8;
 
+/// C(r) on (0, 1).
 fn constant(r: f64) -> f64 {
-    projection_constant(r, Tolerance::balanced()).unwrap().value
+    projection_constant(Domain::Interval(1.0), ErrorNorm::L2, r, Tolerance::balanced())
+        .unwrap()
+        .constant
+        .value
+}
+
+/// C*(r) on (0, 1).
+fn dual_constant(r: f64) -> f64 {
+    projection_constant(Domain::Interval(1.0), ErrorNorm::Dual, r, Tolerance::balanced())
+        .unwrap()
+        .constant
+        .value
+}
+
+/// The supremum on equal elements of (0, 1).
+fn on_mesh(norm: ErrorNorm, r: f64, elements: usize, tolerance: f64) -> fractional_sobolev::Result<Estimate> {
+    let mesh = Domain::Mesh(Mesh::uniform(elements, 1.0)?);
+    projection_constant(mesh, norm, r, tolerance).map(|found| found.constant)
 }
 
 #[test]
@@ -44,7 +59,7 @@ fn the_best_constant_is_the_poincare_constant_of_the_whole_interval() {
 fn the_dual_constant_lies_below_the_paper_s_chain_and_meets_it_at_one_half() {
     let half = constant(0.5);
     for r in [0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0] {
-        let dual = dual_projection_constant(r, Tolerance::balanced()).unwrap().value;
+        let dual = dual_constant(r);
         let chain = constant(r) * half;
         assert!(dual <= chain * (1.0 + 1e-8), "{r}: {dual} above {chain}");
         assert!(dual >= 0.99 * chain, "{r}: {dual} far below {chain}");
@@ -57,7 +72,7 @@ fn the_dual_constant_lies_below_the_paper_s_chain_and_meets_it_at_one_half() {
 #[test]
 fn one_element_on_a_mesh_is_the_best_constant() {
     for r in [0.2, 0.5, 1.0] {
-        let mesh = projection_norm_on_cells(ProjectionNorm::L2, r, 1, 32).unwrap();
+        let mesh = on_mesh(ErrorNorm::L2, r, 1, 2e-3).unwrap();
         assert!(mesh.value <= constant(r) * (1.0 + 1e-9), "{r}: {mesh}");
         assert!(constant(r) <= mesh.value + mesh.error, "{r}: {mesh}");
     }
@@ -66,16 +81,15 @@ fn one_element_on_a_mesh_is_the_best_constant() {
 #[test]
 fn norms_on_meshes_stay_below_the_constants_and_have_their_rates() {
     for r in [0.3, 0.5, 0.8, 1.0] {
-        for norm in [ProjectionNorm::L2, ProjectionNorm::Dual] {
+        for norm in [ErrorNorm::L2, ErrorNorm::Dual] {
             let best = match norm {
-                ProjectionNorm::L2 => constant(r),
-                ProjectionNorm::Dual => dual_projection_constant(r, Tolerance::balanced()).unwrap().value,
+                ErrorNorm::L2 => constant(r),
+                _ => dual_constant(r),
             };
-            let norms: Vec<f64> =
-                [16, 32].iter().map(|&n| projection_norm_on_cells(norm, r, n, 4).unwrap().value).collect();
-            assert!(norms[1] <= best * 32f64.powf(-norm.rate(r)), "{norm:?} {r}: {norms:?}");
+            let norms: Vec<f64> = [16, 32].iter().map(|&n| on_mesh(norm, r, n, 0.1).unwrap().value).collect();
+            assert!(norms[1] <= best * 32f64.powf(-rate_of(norm, r).unwrap()), "{norm:?} {r}: {norms:?}");
             let rate = (norms[0] / norms[1]).log2();
-            assert!((rate - norm.rate(r)).abs() < RATE_TOLERANCE, "{norm:?} {r}: {rate}");
+            assert!((rate - rate_of(norm, r).unwrap()).abs() < RATE_TOLERANCE, "{norm:?} {r}: {rate}");
         }
     }
 }
@@ -96,7 +110,7 @@ fn both_estimates_hold_for_given_functions() {
             let l2 = sample_projection_error(phi, &Mesh::uniform(elements, 1.0).unwrap()).unwrap();
             assert!(l2.value <= constant(r) * h.powf(r) * seminorm, "{phi} N {elements}: {l2}");
             let error = sample_projection_dual_error(phi, &cells, 128 / elements).unwrap();
-            let best = dual_projection_constant(r, Tolerance::fast()).unwrap().value * 1.0001;
+            let best = dual_constant(r) * 1.0001;
             assert!(error.value <= best * h.powf(r + 0.5) * seminorm, "{phi} N {elements}: {error}");
         }
     }
@@ -113,12 +127,19 @@ fn projections_are_means() {
 #[test]
 fn inadmissible_orders_are_errors() {
     for r in [-0.1, 1.1, f64::NAN] {
-        assert!(matches!(projection_constant(r, Tolerance::fast()), Err(Error::OutOfRange { .. })));
-        assert!(dual_projection_constant(r, Tolerance::fast()).is_err());
-        assert!(projection_norm_on_cells(ProjectionNorm::L2, r, 2, 4).is_err());
+        for norm in [ErrorNorm::L2, ErrorNorm::Dual] {
+            let found = projection_constant(Domain::Interval(1.0), norm, r, Tolerance::fast());
+            assert!(matches!(found, Err(Error::OutOfRange { .. })), "{norm:?} {r}");
+        }
+        assert!(on_mesh(ErrorNorm::L2, r, 2, 0.1).is_err());
     }
-    for (elements, cells) in [(0, 4), (4, 3), (4, 2), (usize::MAX, 4), (10_000, 4)] {
-        assert!(projection_norm_on_cells(ProjectionNorm::L2, 0.5, elements, cells).is_err());
+    for elements in [0, 10_000] {
+        assert!(on_mesh(ErrorNorm::L2, 0.5, elements, 0.1).is_err());
+    }
+    // The norm of the error is one of a projection, a point one at r = 1.
+    for norm in [ErrorNorm::H1, ErrorNorm::Derivative, ErrorNorm::At(0.5)] {
+        let found = projection_constant(Domain::Interval(1.0), norm, 0.5, Tolerance::fast());
+        assert!(matches!(found, Err(Error::Incompatible { .. })), "{norm:?}");
     }
     let mesh = Mesh::uniform(8, 1.0).unwrap();
     for cells in [0, 3, 9] {
@@ -178,14 +199,14 @@ fn spoiled_rates_and_constants_turn_the_verdict() {
 #[test]
 fn the_supremum_lies_between_its_bounds_on_every_mesh() {
     for r in [0.1, 0.4, 0.5, 0.8, 1.0] {
-        for norm in [ProjectionNorm::L2, ProjectionNorm::Dual] {
+        for norm in [ErrorNorm::L2, ErrorNorm::Dual] {
             let best = match norm {
-                ProjectionNorm::L2 => constant(r),
-                ProjectionNorm::Dual => dual_projection_constant(r, Tolerance::balanced()).unwrap().value,
+                ErrorNorm::L2 => constant(r),
+                _ => dual_constant(r),
             };
             for elements in [1, 2, 4, 8, 16] {
-                let supremum = projection_norm_on_cells(norm, r, elements, 8).unwrap();
-                let power = (elements as f64).powf(norm.rate(r));
+                let supremum = on_mesh(norm, r, elements, 0.025).unwrap();
+                let power = (elements as f64).powf(rate_of(norm, r).unwrap());
                 let wave = wave_constant(norm, r, elements).unwrap().value;
                 assert!(wave <= power * (supremum.value + supremum.error), "{norm:?} {r} {elements}");
                 assert!(power * supremum.value <= best * (1.0 + 1e-8), "{norm:?} {r} {elements}");

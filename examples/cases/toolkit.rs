@@ -3,8 +3,8 @@
 
 use experiments::largest;
 use fractional_sobolev::{
-    Constraint, Estimate, Function, Gram, Mesh, Order, Result, Tolerance, Work, closed_forms, gamma,
-    interpolation::{ErrorNorm, dual_projection_constant, element_constant},
+    Constraint, Domain, ErrorNorm, Estimate, Function, Gram, Mesh, Order, Result, Tolerance, Work,
+    closed_forms, gamma, interpolation_constant, projection_constant,
 };
 
 /// A name, the value found another way, and what is asked.
@@ -21,7 +21,14 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
     };
     let best = |name, nu, norm, exact| -> Result<Case<'a>> {
         let order = Order::new(nu)?;
-        Ok((name, exact, Box::new(move |tolerance| element_constant(norm, order, tolerance))))
+        Ok((
+            name,
+            exact,
+            Box::new(move |tolerance| {
+                let found = interpolation_constant(Domain::Interval(1.0), norm, order, tolerance)?;
+                Ok(found.constant)
+            }),
+        ))
     };
     let zone = |name, nu, theta, exact| -> Result<Case<'a>> {
         let order = Order::new(nu)?;
@@ -70,7 +77,10 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
         (
             "projection C*, r 1/2",
             whole * whole,
-            Box::new(|tolerance| dual_projection_constant(0.5, tolerance)),
+            Box::new(|tolerance| {
+                let found = projection_constant(Domain::Interval(1.0), ErrorNorm::Dual, 0.5, tolerance)?;
+                Ok(found.constant)
+            }),
         ),
         zone("gamma, nu 0.25, theta 0.01", 0.25, 1e-2, 1.656_712_117_564_16)?,
         zone("gamma, nu 0.49, theta 1e-300", 0.49, 1e-300, 2_758.865_095_337_738_5)?,

@@ -3,10 +3,8 @@
 use super::laws::TwoLaws;
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{
-    Constraint, Order, Tolerance, gamma,
-    interpolation::{
-        ErrorNorm, critical_exponent, element_constant, embedding_upper_bound, limits, projection_constant,
-    },
+    Constraint, Domain, ErrorNorm, Order, Tolerance, embedding_bound, gamma, interpolation_constant,
+    projection_constant,
 };
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -55,10 +53,10 @@ impl ProofConstants {
         let tolerance = Tolerance::balanced();
         let upper = |e: fractional_sobolev::Estimate| e.value + e.error;
         let (q, embedding) = if tau < 2.0 {
-            let q = critical_exponent(order)?;
-            (q, embedding_upper_bound(order, q)?.value)
+            let q = 2.0 / order.one_minus_twice();
+            (q, embedding_bound(order, q)?)
         } else {
-            (q, embedding_upper_bound(Order::HALF, q)?.value)
+            (q, embedding_bound(Order::HALF, q)?)
         };
         let (gammas, factors) = if tau > 2.0 {
             let constant =
@@ -69,15 +67,20 @@ impl ProofConstants {
             let factors = law_factors(tau, &gammas);
             (gammas, factors)
         };
+        let unit = Domain::Interval(1.0);
+        let interpolation = interpolation_constant(unit.clone(), ErrorNorm::L2, order, tolerance)?.constant;
+        let projection = |norm, r: f64| {
+            projection_constant(unit.clone(), norm, r, tolerance).map(|found| upper(found.constant))
+        };
         Ok(Self {
             tau,
             order,
             q,
             embedding,
-            interpolation: upper(element_constant(ErrorNorm::L2, order, tolerance)?),
-            projection: upper(projection_constant(order.value(), tolerance)?),
-            wirtinger: upper(projection_constant(1.0, tolerance)?),
-            pointwise: upper(limits::pointwise(0.0)?),
+            interpolation: upper(interpolation),
+            projection: projection(ErrorNorm::L2, order.value())?,
+            wirtinger: projection(ErrorNorm::L2, 1.0)?,
+            pointwise: projection(ErrorNorm::At(0.0), 1.0)?,
             factors,
             gammas,
         })

@@ -5,7 +5,7 @@
 //!
 //! |u − u_h|₁² ≤ C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + b²,
 //!
-//! C(s) of [`fractional_sobolev::interpolation::TriangleConstants`], value plus error; the sum over triangles of
+//! C(s) of [`interpolation_constant`] on the triangle, value plus error; the sum over triangles of
 //! |∇u|²_{s,T} is at most that over a half disc that holds Ω. c(ν) = K(ν) of [`super::product_constant`] for
 //! the nodal cone and half of it for the midpoint cone, value plus error: for any contact set. b = 0 for the
 //! nodal cone; for the midpoint cone b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T ≤ (θ/π) P(ν)² h^{2τ−2} |σ_N|_ν², θ =
@@ -14,7 +14,7 @@
 //! like h^{1+2ν}
 //! |σ_N|_ν |u_N'|_ν, and 1 + 2ν = 2τ − 2; seminorms over all segments together are at most that of the edge.
 //!
-//! At τ = 2: ‖D²u‖ for |∇u|_s, Kobayashi's bound for C.
+//! At τ = 2: ‖D²u‖ for |∇u|_s, Kobayashi's bound for C, which the constant carries.
 //!
 //! Elasticity, one material, u given on all of ∂Ω \ Γ_C for the midpoint cone: |v|_a² ≤ M ‖∇v‖², M = 2μ + 2
 //! max(λ, 0), applied to u − I^h u component by component, and ‖∇z_N‖ ≤ B |z|_a, B of [`half_plane_korn`]:
@@ -27,13 +27,10 @@ use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::fem::Lame;
 use fractional_sobolev::{
-    Estimate, Order, Tolerance,
-    interpolation::{TriangleConstants, TriangleShape, kobayashi, projection_constant},
+    BestConstant, Domain, ErrorNorm, Estimate, Order, Tolerance, interpolation_constant, projection_constant,
 };
 use std::f64::consts::PI;
 
-/// Degree of the polynomials for C(s).
-const DEGREE: usize = 10;
 /// Relative accuracy of constants and norms; all are rounded up by their errors.
 const ACCURACY: f64 = 1e-5;
 /// More than the rounding of a few dozen operations.
@@ -66,19 +63,22 @@ impl TheoremConstants {
     pub fn new(tau: f64) -> Result<Self> {
         let tau = Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let (order, asked) = (Order::half_plus(tau - 2.0)?, Tolerance::new(ACCURACY)?);
-        let shape = TriangleShape::right_isosceles()?;
-        let interpolation = if tau == 2.0 {
-            ROUND_UP * kobayashi(&shape)
-        } else {
-            up(TriangleConstants::new(&shape, Order::new(tau - 1.0)?, DEGREE)?.derivative.value)
+        let triangle = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+        let interpolation = match interpolation_constant(triangle, ErrorNorm::Derivative, tau - 1.0, asked) {
+            Ok(BestConstant { upper: Some(bound), .. }) if tau == 2.0 => ROUND_UP * bound.value,
+            Ok(found) => up(found.constant),
+            // The error is added: any will do.
+            Err(error) => up(error.best().ok_or(error)?),
         };
+        let unit = Domain::Interval(1.0);
+        let projection = projection_constant(unit, ErrorNorm::L2, order.value(), asked)?.constant;
         let theta = 1.0 / PI.tanh();
         Ok(Self {
             tau,
             order,
             interpolation,
             segment: up(product_constant(order, asked)?.value),
-            projection: (theta / PI).sqrt() * up(projection_constant(order.value(), asked)?),
+            projection: (theta / PI).sqrt() * up(projection),
         })
     }
 

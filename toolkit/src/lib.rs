@@ -4,6 +4,7 @@
 
 mod boundary;
 pub mod closed_forms;
+mod constant;
 mod dual;
 mod energy;
 mod error;
@@ -13,7 +14,7 @@ mod function;
 mod functions;
 mod grading;
 mod gram;
-pub mod interpolation;
+mod interpolation;
 mod kernel;
 mod matrix;
 mod mesh;
@@ -29,12 +30,16 @@ mod trace;
 mod value;
 
 pub use boundary::Curve;
+pub use constant::{BestConstant, Domain, ErrorNorm, Extremal};
 pub use dual::DualOf;
 pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};
 pub use function::Function;
 pub use functions::Position;
 pub(crate) use gram::{gram_linears, mass_linears};
+pub use interpolation::{
+    Target, embedding_bound, embedding_constant, interpolation_constant, projection_constant,
+};
 pub use matrix::Gram;
 pub use mesh::Mesh;
 pub use order::Order;
@@ -44,4 +49,4 @@ pub use poincare::{
 };
 pub use quadrature::Rule;
 pub(crate) use trace::HalfLineSymbol;
-pub use trace::{SquareTrace, WedgeTrace, extension_profile, half_plane_trace, half_plane_trace_at_one};
+pub use trace::{trace_constant, trace_quotient};

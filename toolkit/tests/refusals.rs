@@ -2,8 +2,8 @@
 //! its square or of a part of it, and says why more is not to be had.
 
 use fractional_sobolev::{
-    Constraint, DualOf, Error, Estimate, Function, Mesh, Order, Result, Tolerance, gamma,
-    interpolation::{ErrorNorm, dual_projection_constant, element_constant},
+    Constraint, Domain, DualOf, Error, ErrorNorm, Estimate, Function, Mesh, Order, Result, Tolerance, gamma,
+    interpolation_constant, projection_constant,
 };
 
 const SHARPEST: f64 = 1e-15;
@@ -85,8 +85,12 @@ fn constants_carry_theirs() {
             .map(|found| found.0)
     };
     assert_carries("gamma with its function", SHARPEST, 1e-11, attained);
-    assert_carries("element", SHARPEST, 1e-12, |t| element_constant(ErrorNorm::L2, order(0.3), t));
-    assert_carries("projection", SHARPEST, 1e-10, |t| dual_projection_constant(0.3, t));
+    assert_carries("element", SHARPEST, 1e-12, |t| {
+        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, 0.3, t).map(|found| found.constant)
+    });
+    assert_carries("projection", SHARPEST, 1e-10, |t| {
+        projection_constant(Domain::Interval(1.0), ErrorNorm::Dual, 0.3, t).map(|found| found.constant)
+    });
     let near = gamma(Order::half_plus(1e-6).unwrap(), Constraint::vanishing_at(0.0), Tolerance::fast())
         .map(|found| found.constant);
     assert!(matches!(near, Err(Error::ToleranceNotMet { best: None, .. })), "{near:?}");

@@ -2,14 +2,12 @@
 
 use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
 use experiments::SplitMix;
-use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
+use experiments::interpolation::{
+    InterpolationError, SampleSlope, extremal_slopes, mean_deviation, pointwise, power_slope,
+};
 use fractional_sobolev::{
-    Constraint, Estimate, Mesh, Moment, Order, Result, Work, Zones, gamma,
-    interpolation::{
-        ErrorNorm, ProjectionNorm, element_constant, extremal_slopes, limits, mean_deviation,
-        projection_norm_on_mesh,
-    },
-    law, moment,
+    Constraint, Domain, ErrorNorm, Estimate, Mesh, Moment, Order, Result, Work, Zones, gamma,
+    interpolation_constant, law, moment, projection_constant,
 };
 
 const GAMMA: &str = include_str!("../../../toolkit/tests/reference/gamma_reference.json");
@@ -136,7 +134,8 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     for row in reference.as_array().into_iter().flatten() {
         let order = order_of(row, "nu")?;
         for (norm, key) in [(ErrorNorm::L2, "C_L2"), (ErrorNorm::Derivative, "C_H1")] {
-            constants.push((printed(row, key)?, ask(move |t| element_constant(norm, order, t))));
+            let on_unit = move |t| interpolation_constant(Domain::Interval(1.0), norm, order, t);
+            constants.push((printed(row, key)?, ask(move |t| on_unit(t).map(|found| found.constant))));
         }
     }
     let slopes = draw(each, || {
@@ -153,7 +152,7 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let means = draw(each, || {
         let cells = 1 + random.below(200);
         let node = random.below(cells + 1);
-        let best = limits::pointwise(node as f64 / cells as f64)?.value;
+        let best = pointwise(node as f64 / cells as f64)?.value;
         let exact = (best * best - 1.0 / (12.0 * (cells * cells) as f64)).sqrt();
         let exact = Estimate::new(exact, 1e-15 / exact, Work::default())?;
         Ok((exact, ask(move |_| mean_deviation(&extremal_slopes(cells, node)?, node))))
@@ -161,13 +160,15 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let waves = draw(each.min(4), || {
         let elements = 1 + random.below(8);
         let exact = formula(std::f64::consts::FRAC_1_PI / elements as f64)?;
-        Ok((exact, ask(move |t| projection_norm_on_mesh(ProjectionNorm::L2, 1.0, elements, t))))
+        let mesh = Domain::Mesh(Mesh::uniform(elements, 1.0)?);
+        let on_mesh = move |t| projection_constant(mesh.clone(), ErrorNorm::L2, 1.0, t);
+        Ok((exact, ask(move |t| on_mesh(t).map(|found| found.constant))))
     })?;
     let by = "closed form";
     Ok(vec![
         Family {
             name: "element",
-            functions: "interpolation::element_constant",
+            functions: "interpolation_constant",
             range: "0.01 <= nu <= 0.99",
             by: "ball arithmetic, another program",
             least: 0.0,
@@ -183,7 +184,7 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "mean",
-            functions: "interpolation::mean_deviation",
+            functions: "projection_constant, At(x)",
             range: "up to 200 cells",
             by,
             least: 0.0,
@@ -191,7 +192,7 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         },
         Family {
             name: "projection",
-            functions: "interpolation::projection_norm_on_mesh",
+            functions: "projection_constant",
             range: "r = 1, to 1e-4",
             by,
             least: 1e-4,

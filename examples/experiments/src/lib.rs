@@ -18,6 +18,7 @@ mod scale;
 mod search;
 pub mod solver_variants;
 pub mod sorting;
+pub mod square_trace;
 mod sum;
 mod text;
 pub mod trial;

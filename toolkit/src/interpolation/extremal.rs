@@ -1,4 +1,4 @@
-//! The largest quotient of two quadratic forms over the piecewise linears on N equal elements of (0, 1).
+//! The largest quotient of two quadratic forms over the piecewise linears on m cells per element of a mesh.
 //!
 //! A lower bound of the supremum over the whole space, which rises as the cells are halved. What halving them
 //! adds falls by a factor of at least two each time, so the last addition bounds what is still missing: it is
@@ -6,65 +6,67 @@
 
 use super::elements::ElementMesh;
 use super::forms::{MAX_CELLS, without_constants};
+use crate::Mesh;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::pencil::Factored;
 use nalgebra::DMatrix;
 
-/// Cells per element of the coarsest pair of meshes that is compared.
+/// Cells per element of the finer of two meshes that are compared, at least.
 const FEWEST: usize = 4;
 
 /// The seminorm |·|_r² and the form that is measured against it, on a mesh.
 pub(super) type Forms = (DMatrix<f64>, DMatrix<f64>);
 
-/// The root of the largest quotient on `cells` cells per element.
-pub(super) fn extremal_on_cells(
-    elements: usize,
-    cells: usize,
-    forms: impl Fn(&ElementMesh) -> Result<Forms>,
-) -> Result<Estimate> {
-    if cells < FEWEST || !cells.is_multiple_of(2) {
-        return Err(Error::CountOutOfRange { name: "cells per element", value: cells, range: "even, >= 4" });
-    }
-    require_size(elements, cells)?;
-    let (coarse, fine) = (quotient(elements, cells / 2, &forms)?, quotient(elements, cells, &forms)?);
-    Estimate::new(fine, fine - coarse, Work { factorizations: 4, ..Work::default() })
+/// The root of a largest quotient, and the values at the cell nodes of a function with seminorm 1 that takes it.
+pub(super) struct Largest {
+    pub(super) root: Estimate,
+    pub(super) mesh: ElementMesh,
+    pub(super) values: Vec<f64>,
 }
 
-/// The same on as many cells as the tolerance takes.
-pub(super) fn extremal(
-    elements: usize,
+/// The root of the largest quotient on as many cells as the tolerance takes, `first` or more per element.
+///
+/// # Errors
+/// [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`] beyond 4096 cells.
+pub(super) fn largest(
+    mesh: &Mesh,
+    first: usize,
     tolerance: Tolerance,
     forms: impl Fn(&ElementMesh) -> Result<Forms>,
-) -> Result<Estimate> {
-    require_size(elements, FEWEST)?;
+) -> Result<Largest> {
+    let fits = |cells: usize| mesh.len().saturating_mul(cells) <= MAX_CELLS;
+    if !fits(FEWEST) {
+        return Err(Error::CountOutOfRange { name: "elements", value: mesh.len(), range: "<= 1024" });
+    }
+    let mut cells = if fits(first) { first } else { FEWEST };
     let mut work = Work { factorizations: 2, ..Work::default() };
-    let (mut coarse, mut cells) = (quotient(elements, FEWEST / 2, &forms)?, FEWEST);
+    let mut coarse = quotient(mesh, cells / 2, &forms)?.0;
     let mut best: Option<Estimate> = None;
-    while elements.saturating_mul(cells) <= MAX_CELLS {
-        let fine = quotient(elements, cells, &forms)?;
+    while fits(cells) {
+        let (fine, mesh, values) = quotient(mesh, cells, &forms)?;
         work += Work { factorizations: 2, iterations: 1, ..Work::default() };
-        let estimate = Estimate::new(fine, fine - coarse, work)?;
-        if estimate.relative_error() <= tolerance.relative() {
-            return Ok(estimate);
+        let root = Estimate::new(fine, fine - coarse, work)?;
+        if root.relative_error() <= tolerance.relative() {
+            return Ok(Largest { root, mesh, values });
         }
-        best = Some(estimate);
+        best = Some(root);
         (coarse, cells) = (fine, 2 * cells);
     }
     let why = "more than 4096 cells in all would be needed";
     Err(Error::best_of("best constant on a mesh", tolerance.relative(), best, why))
 }
 
-fn require_size(elements: usize, cells: usize) -> Result<()> {
-    let total = elements.saturating_mul(cells);
-    if total > MAX_CELLS {
-        return Err(Error::CountOutOfRange { name: "cells", value: total, range: "<= 4096" });
-    }
-    Ok(())
-}
-
-fn quotient(elements: usize, cells: usize, forms: &impl Fn(&ElementMesh) -> Result<Forms>) -> Result<f64> {
-    let mesh = ElementMesh::uniform(elements, cells)?;
+fn quotient(
+    mesh: &Mesh,
+    cells: usize,
+    forms: &impl Fn(&ElementMesh) -> Result<Forms>,
+) -> Result<(f64, ElementMesh, Vec<f64>)> {
+    let mesh = ElementMesh::refined(mesh, cells)?;
     let (seminorm, form) = forms(&mesh)?;
-    Ok(Factored::new(&without_constants(&seminorm, mesh.cells()))?.largest_eigenvalue(&form)?.0.sqrt())
+    let (top, vector) =
+        Factored::new(&without_constants(&seminorm, mesh.cells()))?.largest_eigenvalue(&form)?;
+    // The vector has xᵀ B x = 1.
+    let root = top.sqrt();
+    Ok((root, mesh, vector.into_iter().map(|x| x * root).collect()))
 }

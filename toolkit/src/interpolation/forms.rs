@@ -12,6 +12,7 @@
 //! hundred cells. The forms with π^h vanish on constants, so m mᵀ changes no extremal quotient.
 
 use super::elements::ElementMesh;
+use crate::constant::UnitOrder;
 use crate::error::{Error, Result};
 use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
@@ -46,20 +47,18 @@ fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> DMatrix<f64> {
 }
 
 /// |v|_r²: r = 0 is ‖v‖₀², r = 1 is ‖v'‖₀², between them the double integral of (1.1).
-pub(super) fn seminorm_form(cells: &Mesh, r: f64) -> Result<DMatrix<f64>> {
-    Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
-    if r == 0.0 {
-        return Ok(mass_form(cells));
-    }
-    if r < 1.0 {
-        return Ok(gram_linears(cells, Order::new(r)?));
+pub(super) fn seminorm_form(cells: &Mesh, r: UnitOrder) -> DMatrix<f64> {
+    match r {
+        UnitOrder::Zero => return mass_form(cells),
+        UnitOrder::Inner(order) => return gram_linears(cells, order),
+        UnitOrder::One => {}
     }
     let mut diagonal = vec![0.0; cells.len() + 1];
     for (i, h) in cells.lengths().iter().enumerate() {
         diagonal[i] += 1.0 / h;
         diagonal[i + 1] += 1.0 / h;
     }
-    Ok(tridiagonal(&diagonal, &cells.lengths().iter().map(|h| -1.0 / h).collect::<Vec<_>>()))
+    tridiagonal(&diagonal, &cells.lengths().iter().map(|h| -1.0 / h).collect::<Vec<_>>())
 }
 
 /// The form plus m mᵀ: positive definite.
@@ -122,11 +121,11 @@ pub(super) fn lagrange_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
     Ok(form)
 }
 
-/// ‖v − π^h v‖²_{1/2,*} over the piecewise linears.
-pub(super) fn dual_projection_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
+/// ‖v − π^h v‖²_{1/2,*} over the piecewise linears, dual to |ψ|²_{1/2} + `length` ‖ψ‖².
+pub(super) fn dual_projection_form(mesh: &ElementMesh, length: f64) -> Result<DMatrix<f64>> {
     let cells = mesh.cells();
     let size = cells.len() + 1;
-    let norm = seminorm_form(cells, 0.5)? + mass_form(cells);
+    let norm = gram_linears(cells, Order::HALF) + mass_form(cells) * length;
     let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
     let factor = Cholesky::new(&norm).ok_or_else(broken)?;
     let load = projection_form(mesh);

@@ -25,6 +25,7 @@ pub(crate) mod legendre;
 pub(crate) mod memory;
 pub(crate) mod parallel;
 pub(crate) mod pencil;
+#[cfg(test)]
 pub(crate) mod random;
 pub(crate) mod scale;
 pub(crate) mod search;

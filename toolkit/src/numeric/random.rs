@@ -26,9 +26,4 @@ impl SplitMix {
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.uniform()
     }
-
-    /// One of 0, ..., `count` − 1; 0 for no count.
-    pub(crate) fn below(&mut self, count: usize) -> usize {
-        (self.uniform() * count as f64) as usize
-    }
 }

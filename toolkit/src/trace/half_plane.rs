@@ -1,6 +1,6 @@
 //! The half-plane H = {y > 0}: |w(·,0)|²_{s−1/2,ℝ} ≤ C(s)² |w|²_{s,H} with the best constant
 
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::gamma::digamma_above_one;
 use crate::order::Order;
@@ -9,15 +9,10 @@ use std::f64::consts::PI;
 /// Rounding of the closed form, relative: D is a difference of π tan(πσ) and at most a third of it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// C(s), the best constant of the trace on the half-plane; no edge of a domain has a smaller one.
+/// C(s), the best constant of the trace on the half-plane: the closed form of [`crate::trace_constant`]. Cost: twenty
+/// terms.
 ///
-/// Invariant under scaling. Cost: twenty terms.
-///
-/// # Method
-///
-/// C(s)² = 4s² / ((2s−1) D(s)),  D(s) = −π cot(πs) − ψ(2s) − γ,  1/2 < s < 1,
-///
-/// ψ = Γ'/Γ, γ Euler's constant. Three steps, proved in full on the page of the book:
+/// Three steps, proved in full on the page of the book:
 /// - y^{2s−1} is harmonic for Lw(x) = PV ∫_H (w(x)−w(z)) |x−z|^{-2-2s} dz, and L commutes with the inversion
 ///   w ↦ |x|^{2s−2} w(x/|x|²); so y^{2s−1}/|x|^{2s} is harmonic too, the Poisson kernel of the operator
 ///   div(y^{2−2s} ∇w).
@@ -26,22 +21,9 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 ///   per length it is b A (D/s) |ξ|^{2σ}, A = √π Γ(s+1/2)/Γ(s+1).
 /// - The edge has 2π/(Γ(2s) sin πσ) |ξ|^{2σ}; the Γ functions of the quotient cancel.
 ///
-/// Limits: C(s)² (2s−1)² → 3/π² as s → 1/2; π/(2(1−s)) C(s)² → 2π as s → 1, the square of the constant of
-/// the Dirichlet integral.
-///
-/// ```
-/// use fractional_sobolev::{Order, half_plane_trace};
-/// let near: Order = "1/2+1e-9".parse()?;
-/// let limit = half_plane_trace(near)?.value * 2e-9;
-/// assert!((limit - 3f64.sqrt() / std::f64::consts::PI).abs() < 1e-8);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2, where functions have no trace.
-#[doc(alias("trace theorem", "trace constant"))]
-pub fn half_plane_trace(order: impl Given<Order>) -> Result<Estimate> {
-    let order = order.given()?;
+pub(super) fn half_plane_trace(order: Order) -> Result<Estimate> {
     let sigma = require_trace(order)?;
     // −π cot(πs) = π tan(πσ), from the nearer end.
     let tangent = if sigma < 0.25 { (PI * sigma).tan() } else { (PI * order.complement()).tan().recip() };
@@ -50,15 +32,6 @@ pub fn half_plane_trace(order: impl Given<Order>) -> Result<Estimate> {
     // What the rounding of s itself does where 1 − s is small.
     let conditioning = f64::EPSILON / order.complement();
     Estimate::new(value, value * (ROUNDING + conditioning), Work::default())
-}
-
-/// √(2π), the best constant for s = 1 with ‖∇w‖ on the right: half-plane and square.
-///
-/// ```
-/// assert!((fractional_sobolev::half_plane_trace_at_one().powi(2) - std::f64::consts::TAU).abs() < 1e-14);
-/// ```
-pub fn half_plane_trace_at_one() -> f64 {
-    (2.0 * PI).sqrt()
 }
 
 /// σ = s − 1/2 where there is a trace.
@@ -76,18 +49,9 @@ const STEP: f64 = 0.06;
 /// From φ(y) = (1/Γ(σ)) ∫₀^∞ t^{σ−1} e^{−t−y²/(4t)} dt by the trapezoidal rule in ln t; φ(0) = 1, relative
 /// error below 1e-13 where φ > 1e-100. Cost: a few hundred exponentials.
 ///
-/// ```
-/// use fractional_sobolev::{Order, extension_profile};
-/// // sigma nearly 1/2: e^{-y}
-/// let value = extension_profile(Order::new(0.999999)?, 1.0)?;
-/// assert!((value - (-1f64).exp()).abs() < 1e-5);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-///
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2 and unless 1e-30 ≤ y ≤ 1e3 or y = 0.
-pub fn extension_profile(order: impl Given<Order>, y: f64) -> Result<f64> {
-    let order = order.given()?;
+pub(super) fn extension_profile(order: Order, y: f64) -> Result<f64> {
     let sigma = require_trace(order)?;
     if y == 0.0 {
         return Ok(1.0);
@@ -123,7 +87,25 @@ mod tests {
         let near_one = Order::new(1.0 - 1e-8).unwrap();
         let normalised =
             half_plane_trace(near_one).unwrap().value * (0.5 * PI / near_one.complement()).sqrt();
-        assert!((normalised - half_plane_trace_at_one()).abs() < 1e-7, "{normalised}");
+        assert!((normalised - (2.0 * PI).sqrt()).abs() < 1e-7, "{normalised}");
+    }
+
+    #[test]
+    fn the_extension_is_the_minimum_of_a_local_energy_too() {
+        // ∫ y^{1−2σ} (φ'² + φ²) dy = 2σ b, b from φ = 1 − b y^{2σ} + ...: what the closed form takes from φ.
+        let order = Order::new(0.75).unwrap();
+        let profile = |y: f64| extension_profile(order, y).unwrap();
+        let b = (1.0 - profile(1e-6)) / 1e-6f64.sqrt();
+        let (step, mut energy) = (0.01, 0.0);
+        for k in -1400..400 {
+            let y = f64::exp(step * f64::from(k));
+            let slope = (profile(y * 1.0001) - profile(y / 1.0001)) / (y * 2e-4);
+            energy += step * y.powf(1.5) * (slope * slope + profile(y).powi(2));
+        }
+        assert!((energy / (0.5 * b) - 1.0).abs() < 2e-3, "{energy} {b}");
+        // σ nearly 1/2: e^{-y}
+        let value = extension_profile(Order::new(0.999999).unwrap(), 1.0).unwrap();
+        assert!((value - (-1f64).exp()).abs() < 1e-5);
     }
 
     #[test]

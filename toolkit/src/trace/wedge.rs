@@ -4,7 +4,7 @@ use super::angular_kernel::AngularKernel;
 use super::half_line::HalfLineSymbol;
 use super::half_plane::require_trace;
 use super::wedge_elements::{Fineness, WedgeElements};
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::pencil::Factored;
 use crate::order::Order;
@@ -19,8 +19,7 @@ const FINENESS: [Fineness; 2] = [
 /// the quadrature points by one rounding changes the quotient by 1.1e-11/(1−s) at 1 − s = 1e-8.
 const ROUNDING: f64 = 1e-12;
 const LOST: f64 = 2e-11;
-/// Smallest angle and largest τ: what the meshes resolve.
-const ANGLES: &str = "[0.1, pi]";
+/// Largest τ that the meshes resolve.
 const LARGEST_TAU: f64 = 100.0;
 
 /// Quotients edge/wedge of the squared seminorms, mode by mode.
@@ -37,7 +36,7 @@ const LARGEST_TAU: f64 = 100.0;
 /// from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
 /// at π/2; there the quotient is the closed form for *every* τ, a second road to it.
 #[derive(Debug, Clone, Copy)]
-pub struct WedgeTrace {
+pub(super) struct WedgeTrace {
     order: Order,
     angle: f64,
     mirrored: bool,
@@ -46,41 +45,18 @@ pub struct WedgeTrace {
 impl WedgeTrace {
     /// The corner of angle ω, in radians.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, WedgeTrace, half_plane_trace};
-    /// let s = Order::new(0.75)?;
-    /// let corner = WedgeTrace::corner(s, std::f64::consts::FRAC_PI_2)?.quotient(1.0)?;
-    /// // A right angle does no harm.
-    /// assert!(corner.value < 0.7 * half_plane_trace(s)?.value.powi(2));
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 1/2 < s and 0.1 ≤ ω ≤ π.
-    pub fn corner(order: impl Given<Order>, angle: f64) -> Result<Self> {
-        let order = order.given()?;
+    pub(super) fn corner(order: Order, angle: f64) -> Result<Self> {
         require_trace(order)?;
-        Error::require("angle", angle, ANGLES, (0.1..=PI).contains(&angle))?;
-        Ok(Self { order, angle, mirrored: false })
+        Ok(Self { order, angle: require_angle(angle)?, mirrored: false })
     }
 
     /// The half-plane with even boundary values.
     ///
-    /// ```
-    /// use fractional_sobolev::{Order, WedgeTrace, half_plane_trace};
-    /// let s = Order::new(0.75)?;
-    /// let flat = WedgeTrace::half_plane(s)?.quotient(2.0)?;
-    /// assert!(flat.value <= half_plane_trace(s)?.value.powi(2) + flat.error);
-    /// // s = 1, the mode τ → ∞ of any corner: 2π
-    /// let deep = WedgeTrace::quotient_at_one(1.0, 100.0)?;
-    /// assert!((deep / std::f64::consts::TAU - 1.0).abs() < 0.01);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`Error::OutOfRange`] for s ≤ 1/2.
-    pub fn half_plane(order: impl Given<Order>) -> Result<Self> {
-        let order = order.given()?;
+    pub(super) fn half_plane(order: Order) -> Result<Self> {
         require_trace(order)?;
         Ok(Self { order, angle: FRAC_PI_2, mirrored: true })
     }
@@ -93,29 +69,14 @@ impl WedgeTrace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 ≤ τ ≤ 100.
-    pub fn quotient(&self, tau: f64) -> Result<Estimate> {
-        Error::require("tau", tau, "[0, 100]", (0.0..=LARGEST_TAU).contains(&tau))?;
+    pub(super) fn quotient(&self, tau: f64) -> Result<Estimate> {
+        require_tau(tau)?;
         let edge = self.edge(tau);
         let [coarse, fine] = FINENESS.map(|fineness| self.least_energy(tau, fineness));
         let ((coarse, _), (fine, points)) = (coarse?, fine?);
         let error = (fine - coarse).abs() + (ROUNDING + LOST / self.order.complement()) * fine;
         let work = Work { points, factorizations: 2, ..Work::default() };
         Estimate::new(edge / fine, edge / fine * error / fine, work)
-    }
-
-    /// The same quotient for s = 1, ‖∇w‖² on the wedge: 2(πτ coth(πτ) − 1)/(τ tanh(ωτ)).
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] unless 0.1 ≤ ω ≤ π and 0 ≤ τ ≤ 100.
-    pub fn quotient_at_one(angle: f64, tau: f64) -> Result<f64> {
-        Error::require("angle", angle, ANGLES, (0.1..=PI).contains(&angle))?;
-        Error::require("tau", tau, "[0, 100]", (0.0..=LARGEST_TAU).contains(&tau))?;
-        let x = PI * tau;
-        if x < 1e-3 {
-            // x coth x − 1 = x²/3 − x⁴/45 + ...
-            return Ok(2.0 * PI * PI / (3.0 * angle) * (1.0 - x * x / 15.0 + (angle * tau).powi(2) / 3.0));
-        }
-        Ok(2.0 * (x / x.tanh() - 1.0) / (tau * (angle * tau).tanh()))
     }
 
     /// The symbol of the edge.
@@ -149,10 +110,32 @@ impl WedgeTrace {
     }
 }
 
+fn require_angle(angle: f64) -> Result<f64> {
+    Error::require("angle", angle, "[0.1, pi]", (0.1..=PI).contains(&angle))
+}
+
+fn require_tau(tau: f64) -> Result<f64> {
+    Error::require("tau", tau, "[0, 100]", (0.0..=LARGEST_TAU).contains(&tau))
+}
+
+/// The same quotient for s = 1, ‖∇w‖² on the wedge: 2(πτ coth(πτ) − 1)/(τ tanh(ωτ)).
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0.1 ≤ ω ≤ π and 0 ≤ τ ≤ 100.
+pub(super) fn quotient_at_one(angle: f64, tau: f64) -> Result<f64> {
+    require_angle(angle)?;
+    let x = PI * require_tau(tau)?;
+    if x < 1e-3 {
+        // x coth x − 1 = x²/3 − x⁴/45 + ...
+        return Ok(2.0 * PI * PI / (3.0 * angle) * (1.0 - x * x / 15.0 + (angle * tau).powi(2) / 3.0));
+    }
+    Ok(2.0 * (x / x.tanh() - 1.0) / (tau * (angle * tau).tanh()))
+}
+
 #[cfg(test)]
 mod tests {
+    use super::super::half_plane::half_plane_trace;
     use super::*;
-    use crate::half_plane_trace;
 
     #[test]
     fn the_half_plane_has_its_constant_in_every_mode() {
@@ -171,7 +154,7 @@ mod tests {
         let scale = 0.5 * PI / order.complement();
         for (angle, tau) in [(FRAC_PI_2, 0.0), (1.0, 1.5)] {
             let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
-            let limit = WedgeTrace::quotient_at_one(angle, tau).unwrap();
+            let limit = quotient_at_one(angle, tau).unwrap();
             assert!((found.value * scale / limit - 1.0).abs() < 1e-3, "{angle} {tau}: {found} {limit}");
         }
         // The rules come as close as 1 − s; the quotient goes to its limit like 1 − s.
@@ -180,13 +163,13 @@ mod tests {
             let scale = 0.5 * PI / order.complement();
             for (angle, tau) in [(FRAC_PI_2, 0.0), (2.0, 1.0), (0.5, 0.3)] {
                 let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
-                let limit = WedgeTrace::quotient_at_one(angle, tau).unwrap();
+                let limit = quotient_at_one(angle, tau).unwrap();
                 let apart = (found.value * scale / limit - 1.0).abs();
                 let allowed = 3.0 * distance + found.error * scale / limit;
                 assert!(apart < allowed, "1 - s = {distance}, {angle} {tau}: {apart} > {allowed}");
             }
         }
-        let [below, above] = [0.999e-3, 1.001e-3].map(|x| WedgeTrace::quotient_at_one(1.0, x / PI).unwrap());
+        let [below, above] = [0.999e-3, 1.001e-3].map(|x| quotient_at_one(1.0, x / PI).unwrap());
         assert!((below / above - 1.0).abs() < 1e-8);
     }
 

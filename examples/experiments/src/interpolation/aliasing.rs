@@ -2,7 +2,7 @@
 //! h^{3/2}.
 
 use fractional_sobolev::Order;
-use fractional_sobolev::interpolation::{ErrorNorm, element_constant};
+use fractional_sobolev::{Domain, ErrorNorm, interpolation_constant};
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use signorini::rates::ConvergenceOrder;
@@ -68,9 +68,11 @@ impl AliasedWave {
     /// ‖u_N − I^h u_N‖\_{1/2,\*}: the middle of its bounds, with their half distance as error.
     ///
     /// # Errors
-    /// None for N ≥ 1; those of [`element_constant`] are passed on.
+    /// None for N ≥ 1; those of [`interpolation_constant`] are passed on.
     pub fn dual_norm_of_error(self) -> Result<Estimate> {
-        let gamma = element_constant(ErrorNorm::Derivative, Order::HALF, Tolerance::balanced())?;
+        let unit = Domain::Interval(1.0);
+        let gamma =
+            interpolation_constant(unit, ErrorNorm::Derivative, Order::HALF, Tolerance::balanced())?.constant;
         let wave = gamma.value * gamma.value / (2.0 * self.elements as f64);
         // √(1 + w) − 1 without cancellation
         let excess = wave / (1.0 + (1.0 + wave).sqrt());
@@ -102,7 +104,7 @@ impl AliasedWave {
     /// ‖u_N − I^h u_N‖\_{1/2,\*} / ‖u_N‖\_{3/2}.
     ///
     /// # Errors
-    /// None for N ≥ 1; those of [`element_constant`] are passed on.
+    /// None for N ≥ 1; those of [`interpolation_constant`] are passed on.
     pub fn quotient(self) -> Result<Estimate> {
         let (dual, norm) = (self.dual_norm_of_error()?, self.norm()?);
         let value = dual.value / norm.value;

@@ -1,10 +1,10 @@
 //! Both sides of Lemmas 6.1 and 6.2 and of (4.6) for one function, given by its slope v = u' (in (4.6): by φ
 //! = v).
 
+use super::elements::ElementMesh;
 use super::norms::{ROUNDING, error_norms, sample_norms};
 use super::sample::{SampleSlope, power_error_norms};
 use crate::scale::{power_of_two, unit_of};
-use fractional_sobolev::interpolation::ElementMesh;
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use fractional_sobolev::{Function, Mesh, Order, closed_forms};
@@ -22,8 +22,8 @@ use fractional_sobolev::{Function, Mesh, Order, closed_forms};
 /// ‖e'‖₀² = a²/((2a+1)(a+1)²),  ‖e‖₀² = 2a²/(3(2a+3)(a+3)(a+1)²).
 ///
 /// ```
-/// use experiments::interpolation::{InterpolationError, SampleSlope, power_slope};
-/// use fractional_sobolev::{Order, Mesh, Function, Tolerance, interpolation::{ElementMesh}};
+/// use experiments::interpolation::{ElementMesh, InterpolationError, SampleSlope, power_slope};
+/// use fractional_sobolev::{Order, Mesh, Function, Tolerance};
 /// // u = x²/2 on (0, 1), slope x: e = x(x−1)/2, ‖e‖₀² = 1/120, ‖e'‖₀² = 1/12, |u|_{3/2} = 1
 /// let order = Order::HALF;
 /// let cells = Mesh::uniform(2, 1.0)?;

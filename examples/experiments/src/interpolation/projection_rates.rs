@@ -4,10 +4,10 @@ use super::dual_norm::DualNorm;
 use super::projection_sample::{projection_dual_error, sample_projection_error};
 use super::rate::last_order;
 use super::sample::SampleSlope;
-use super::supremum::{SupremumRate, supremum_rate, wave_constant};
+use super::supremum::{SupremumRate, rate_of, supremum_rate, wave_constant};
 use fractional_sobolev::Mesh;
 use fractional_sobolev::Result;
-use fractional_sobolev::interpolation::{ProjectionNorm, dual_projection_constant, projection_constant};
+use fractional_sobolev::{Domain, ErrorNorm, projection_constant};
 use fractional_sobolev::{Estimate, Tolerance};
 use signorini::rates::order_between;
 
@@ -19,6 +19,8 @@ const DUAL_COARSEST: usize = 96;
 
 /// Elements of the finest mesh for the supremum.
 const SUPREMUM: usize = 64;
+/// Accuracy asked of each: that of four cells per element.
+const ACCURACY: f64 = 0.1;
 
 /// Cells per element in dense matrices: with 2 the sawtooth of a smooth function is not seen.
 const CELLS: usize = 4;
@@ -135,18 +137,20 @@ impl ProjectionStudy {
     /// # Errors
     /// [`Error::OutOfRange`](fractional_sobolev::Error::OutOfRange) for r outside [0, 1]; those of the constants.
     pub fn rates(&self, r: f64) -> Result<[ProjectionRates; 2]> {
-        let in_norm =
-            |norm: ProjectionNorm, constant: Estimate, function: Estimate| -> Result<ProjectionRates> {
-                let (supremum, wave) =
-                    (supremum_rate(norm, r, SUPREMUM, CELLS)?, wave_constant(norm, r, SUPREMUM)?);
-                Ok(ProjectionRates { theory: norm.rate(r), constant, function, supremum, wave })
-            };
-        let constant = projection_constant(r, Tolerance::balanced())?;
-        let dual_constant = dual_projection_constant(r, Tolerance::balanced())?;
+        let in_norm = |norm: ErrorNorm, constant: Estimate, function: Estimate| -> Result<ProjectionRates> {
+            let (supremum, wave) =
+                (supremum_rate(norm, r, SUPREMUM, ACCURACY)?, wave_constant(norm, r, SUPREMUM)?);
+            Ok(ProjectionRates { theory: rate_of(norm, r)?, constant, function, supremum, wave })
+        };
+        let on_element = |norm| {
+            let found = projection_constant(Domain::Interval(1.0), norm, r, Tolerance::balanced())?;
+            Ok::<_, fractional_sobolev::Error>(found.constant)
+        };
+        let (constant, dual_constant) = (on_element(ErrorNorm::L2)?, on_element(ErrorNorm::Dual)?);
         let phi = if r == 1.0 { SampleSlope::Cosine(1) } else { SampleSlope::barely_in(r)? };
         Ok([
-            in_norm(ProjectionNorm::L2, constant, sample_projection_rate(phi)?)?,
-            in_norm(ProjectionNorm::Dual, dual_constant, self.dual.rate(phi)?)?,
+            in_norm(ErrorNorm::L2, constant, sample_projection_rate(phi)?)?,
+            in_norm(ErrorNorm::Dual, dual_constant, self.dual.rate(phi)?)?,
         ])
     }
 }

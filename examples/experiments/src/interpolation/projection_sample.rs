@@ -1,6 +1,7 @@
 //! ‖φ − π^h φ‖₀ and ‖φ − π^h φ‖_{1/2,*} of one φ in closed form.
 
 use super::dual_norm::DualNorm;
+use super::elements::ElementMesh;
 use super::{
     norms::{require_unit, sample_norms},
     panels::PanelRules,
@@ -9,7 +10,6 @@ use super::{
 use fractional_sobolev::Estimate;
 use fractional_sobolev::Mesh;
 use fractional_sobolev::Result;
-use fractional_sobolev::interpolation::ElementMesh;
 
 /// ‖φ − π^h φ‖₀ on a mesh of (0, 1) for φ in closed form; cost O(N).
 ///

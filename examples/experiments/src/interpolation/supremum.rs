@@ -1,9 +1,7 @@
 //! The rates of (4.6) and (4.7) for the whole space: S(N) = sup ‖φ − π^h φ‖/|φ|_r over φ ∈ H^r(0, 1),
 //! h = 1/N.
 
-use fractional_sobolev::interpolation::ProjectionNorm;
-use fractional_sobolev::interpolation::projection_norm_on_cells;
-use fractional_sobolev::{Error, Result};
+use fractional_sobolev::{Domain, Error, ErrorNorm, Mesh, Result, projection_constant};
 use fractional_sobolev::{Estimate, Work};
 use signorini::rates::order_between;
 use std::f64::consts::PI;
@@ -14,8 +12,8 @@ use std::f64::consts::PI;
 ///
 /// ```
 /// use experiments::interpolation::{SupremumRate, supremum_rate};
-/// use fractional_sobolev::interpolation::{ProjectionNorm};
-/// let SupremumRate { rate, observed, .. } = supremum_rate(ProjectionNorm::L2, 0.25, 16, 8)?;
+/// use fractional_sobolev::ErrorNorm;
+/// let SupremumRate { rate, observed, .. } = supremum_rate(ErrorNorm::L2, 0.25, 16, 0.01)?;
 /// // with the constant part taken out the exponent is nearer to r
 /// assert!((rate.value - 0.25).abs() < (observed.value - 0.25).abs());
 /// # Ok::<(), fractional_sobolev::Error>(())
@@ -50,7 +48,8 @@ const CHANGES: f64 = 3.0;
 /// = 0).
 const GROWTH: f64 = 1e-9;
 
-/// The rate of the supremum over H^r from meshes of N/8, N/4, N/2 and N elements of `cells` cells each.
+/// The rate of the supremum over H^r from meshes of N/8, N/4, N/2 and N elements, each supremum to the
+/// tolerance.
 ///
 /// # Method
 ///
@@ -73,32 +72,35 @@ const GROWTH: f64 = 1e-9;
 ///
 /// ```
 /// use experiments::interpolation::{supremum_rate, wave_constant};
-/// use fractional_sobolev::{Tolerance, interpolation::{ProjectionNorm, projection_constant}};
-/// let found = supremum_rate(ProjectionNorm::L2, 0.5, 16, 8)?;
+/// use fractional_sobolev::{Domain, ErrorNorm, projection_constant};
+/// let found = supremum_rate(ErrorNorm::L2, 0.5, 16, 0.01)?;
 /// assert!((found.rate.value - 0.5).abs() < 0.05);
 /// // S(N) N^r lies between the wave and the constant of one element
 /// let (below, above) =
-///     (wave_constant(ProjectionNorm::L2, 0.5, 16)?, projection_constant(0.5, Tolerance::balanced())?);
+///     (wave_constant(ErrorNorm::L2, 0.5, 16)?, projection_constant(Domain::Interval(1.0), ErrorNorm::L2, 0.5, 1e-8)?.constant);
 /// assert!(below.value < found.scaled.value && found.share(above)?.value < 1.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] unless N is a multiple of 8, and as [`projection_norm_on_cells`].
-pub fn supremum_rate(norm: ProjectionNorm, r: f64, elements: usize, cells: usize) -> Result<SupremumRate> {
+/// [`Error::CountOutOfRange`] unless N is a multiple of 8, and as [`projection_constant`].
+pub fn supremum_rate(norm: ErrorNorm, r: f64, elements: usize, tolerance: f64) -> Result<SupremumRate> {
     if elements == 0 || !elements.is_multiple_of(8) {
         return Err(Error::CountOutOfRange { name: "elements", value: elements, range: "multiples of 8" });
     }
-    let on = |part: usize| projection_norm_on_cells(norm, r, elements / part, cells);
+    let on = |part: usize| {
+        let mesh = Mesh::uniform(elements / part, 1.0)?;
+        projection_constant(Domain::Mesh(mesh), norm, r, tolerance).map(|found| found.constant)
+    };
     let norms = [on(8)?, on(4)?, on(2)?, on(1)?];
     let work = norms.iter().fold(Work::default(), |work, norm| work + norm.work);
     // Half an order of the dual norm belongs to ψ.
-    let half = norm.rate(0.0);
+    let half = rate_of(norm, 0.0)?;
     let fine = fit(norms.map(|norm| norm.value), half);
     let fewer_cells = fit(norms.map(|norm| norm.value - norm.error), half);
     let error = CHANGES * (fine.rate - fine.coarse).abs() + (fine.rate - fewer_cells.rate).abs();
     let of_cells = (fine.observed - fewer_cells.observed).abs();
-    let power = (elements as f64).powf(norm.rate(r));
+    let power = (elements as f64).powf(rate_of(norm, r)?);
     Ok(SupremumRate {
         rate: Estimate::new(fine.rate, error, work)?,
         observed: Estimate::new(fine.observed, of_cells, work)?,
@@ -129,12 +131,35 @@ fn fit(norms: [f64; 4], half: f64) -> Fit {
     Fit { rate: exponent(&squares[1..]), coarse: exponent(&squares[..3]), observed }
 }
 
+/// The exponent of h in (4.6) or, in the dual norm, (4.7).
+///
+/// ```
+/// use experiments::interpolation::rate_of;
+/// assert_eq!(rate_of(fractional_sobolev::ErrorNorm::Dual, 0.5)?, 1.0);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Incompatible`] for another norm.
+pub fn rate_of(norm: ErrorNorm, r: f64) -> Result<f64> {
+    match norm {
+        ErrorNorm::L2 => Ok(r),
+        ErrorNorm::Dual => Ok(r + 0.5),
+        _ => Err(Error::Incompatible {
+            what: "norm of the error",
+            given: format!("{norm:?}"),
+            with: "a projection",
+            expected: "L2 or Dual",
+        }),
+    }
+}
+
 /// What S(N) N^r (or N^{r+1/2}) is at least for every N ≥ `elements`, by the wave of half a period per
 /// element.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for r outside [0, 1]; [`Error::CountOutOfRange`] without elements.
-pub fn wave_constant(norm: ProjectionNorm, r: f64, elements: usize) -> Result<Estimate> {
+pub fn wave_constant(norm: ErrorNorm, r: f64, elements: usize) -> Result<Estimate> {
     Error::require("r", r, "[0, 1]", (0.0..=1.0).contains(&r))?;
     if elements == 0 {
         return Err(Error::CountOutOfRange { name: "elements", value: 0, range: ">= 1" });
@@ -145,9 +170,10 @@ pub fn wave_constant(norm: ProjectionNorm, r: f64, elements: usize) -> Result<Es
         2.0 * PI / (libm::tgamma(1.0 + 2.0 * r) * (PI * r.min(1.0 - r)).sin())
     };
     let seminorm = symbol * PI.powf(2.0 * r);
+    rate_of(norm, r)?;
     let value = match norm {
-        ProjectionNorm::L2 => seminorm.sqrt().recip(),
-        ProjectionNorm::Dual => 0.5 / ((PI * PI + 0.5 / elements as f64) * 0.5 * seminorm).sqrt(),
+        ErrorNorm::L2 => seminorm.sqrt().recip(),
+        _ => 0.5 / ((PI * PI + 0.5 / elements as f64) * 0.5 * seminorm).sqrt(),
     };
     Estimate::new(value, 16.0 * f64::EPSILON * value, Work::default())
 }
@@ -162,7 +188,7 @@ mod tests {
     fn the_wave_stays_below_its_bound_and_reaches_it() {
         for r in [0.1, 0.5, 0.9] {
             let order = Order::new(r).unwrap();
-            let bound = wave_constant(ProjectionNorm::L2, r, 1).unwrap().value;
+            let bound = wave_constant(ErrorNorm::L2, r, 1).unwrap().value;
             let quotient = |n: usize| {
                 let seminorm = SampleSlope::Cosine(n).seminorm(order).unwrap().value;
                 0.5f64.sqrt() / seminorm * (n as f64).powf(r)
@@ -179,13 +205,13 @@ mod tests {
 
     #[test]
     fn bad_orders_and_meshes_are_errors() {
-        assert!(wave_constant(ProjectionNorm::L2, 1.5, 4).is_err());
-        assert!(wave_constant(ProjectionNorm::Dual, 0.5, 0).is_err());
-        assert!(supremum_rate(ProjectionNorm::L2, 0.5, 12, 4).is_err());
-        assert!(supremum_rate(ProjectionNorm::L2, 0.5, 0, 4).is_err());
-        assert!(supremum_rate(ProjectionNorm::L2, -0.5, 8, 4).is_err());
+        assert!(wave_constant(ErrorNorm::L2, 1.5, 4).is_err());
+        assert!(wave_constant(ErrorNorm::Dual, 0.5, 0).is_err());
+        assert!(supremum_rate(ErrorNorm::L2, 0.5, 12, 0.1).is_err());
+        assert!(supremum_rate(ErrorNorm::L2, 0.5, 0, 0.1).is_err());
+        assert!(supremum_rate(ErrorNorm::L2, -0.5, 8, 0.1).is_err());
         // r = 0: the quotient is 1 on every mesh
-        let still = supremum_rate(ProjectionNorm::L2, 0.0, 8, 4).unwrap();
+        let still = supremum_rate(ErrorNorm::L2, 0.0, 8, 0.1).unwrap();
         assert!(still.rate.value.abs() < 1e-9 && (still.scaled.value - 1.0).abs() < 1e-9, "{still:?}");
     }
 }

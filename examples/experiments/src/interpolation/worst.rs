@@ -2,9 +2,9 @@
 //! finds.
 
 use super::error::{InterpolationError, power_slope};
+use super::local::LocalConstants;
 use super::rough::{RoughFamily, RoughSlopes};
 use fractional_sobolev::Order;
-use fractional_sobolev::interpolation::LocalConstants;
 use fractional_sobolev::{Estimate, Tolerance};
 use fractional_sobolev::{Given, Result};
 
@@ -16,8 +16,7 @@ const GAPS: [f64; 7] = [1e-6, 1e-2, 0.1, 0.4, 0.8, 1.3, 2.0];
 /// Returned by [`worst_ratios`].
 ///
 /// ```
-/// use experiments::interpolation::{WorstRatios, worst_ratios};
-/// use fractional_sobolev::interpolation::{LocalConstants};
+/// use experiments::interpolation::{LocalConstants, WorstRatios, worst_ratios};
 /// let WorstRatios { l2, derivative } = worst_ratios(0.5, 5, 7)?;
 /// // functions tried at random stay below the best constants, by not much
 /// let best = LocalConstants::new(0.5, 1e-6)?;
@@ -46,8 +45,8 @@ impl WorstRatios {
 /// powers.
 ///
 /// ```
-/// use experiments::interpolation::{worst_ratios};
-/// use fractional_sobolev::{Order, Tolerance, interpolation::{LocalConstants}};
+/// use experiments::interpolation::{LocalConstants, worst_ratios};
+/// use fractional_sobolev::{Order, Tolerance};
 /// let order = Order::HALF;
 /// let shares = worst_ratios(order, 3, 1)?.shares(&LocalConstants::new(order, Tolerance::fast())?)?;
 /// assert!(shares.iter().all(|share| share.value < 1.0));

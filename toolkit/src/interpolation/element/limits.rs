@@ -1,4 +1,4 @@
-//! Limits of the constants of Lemma 6.1 and the constant of (6.2).
+//! Constants of Lemma 6.1 at both ends of the orders, and the constant of (6.2).
 //!
 //! - ν → 0: |v|²_ν → ∫∫ (v(x)−v(y))²/|x−y|, whose eigenfunctions are Legendre's polynomials with eigenvalues
 //!   4 H_k, H_k = 1 + 1/2 + ... + 1/k. Hence C_H1(0) = 1/2, and C_L2(0) from the three-term matrix of the
@@ -9,8 +9,9 @@
 //!   with k(s) = s/h for s < x, s/h − 1 for s > x. Worst at the ends, 1/√3; best in the centre, 1/(2√3). The
 //!   paper has 1.
 
-use super::constant::ErrorNorm;
+use super::constant::form;
 use super::legendre::odd_degrees;
+use crate::constant::ErrorNorm;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::numeric::pencil::Factored;
@@ -20,19 +21,11 @@ use std::f64::consts::PI;
 /// Odd polynomials in C_L2(0); its extremal function is analytic and 12 give 16 digits.
 const COUNT: usize = 12;
 
-/// lim C(ν) as ν → 0.
-///
-/// ```
-/// use fractional_sobolev::interpolation::{ErrorNorm, limits};
-/// assert!((limits::at_zero(ErrorNorm::Derivative)?.value - 0.5).abs() < 1e-12);
-/// assert!((limits::at_one(ErrorNorm::L2)?.value - std::f64::consts::PI.powi(-2)).abs() < 1e-15);
-/// assert!((limits::pointwise(0.5)?.value - 0.5 / 3f64.sqrt()).abs() < 1e-15);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
+/// lim C(ν) as ν → 0, on an interval of length h scaled to 1.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a bad length in [`ErrorNorm::H1`].
-pub fn at_zero(norm: ErrorNorm) -> Result<Estimate> {
+/// [`Error::Incompatible`] for a norm without a form.
+pub(super) fn at_zero(norm: ErrorNorm, h: f64) -> Result<Estimate> {
     if norm == ErrorNorm::Derivative {
         return Estimate::new(0.5, 0.0, Work::default());
     }
@@ -41,25 +34,32 @@ pub fn at_zero(norm: ErrorNorm) -> Result<Estimate> {
         let harmonic = |k: usize| (1..=k).rev().map(|j| 1.0 / j as f64).sum::<f64>();
         let seminorm =
             DMatrix::from_fn(count, count, |i, j| if i == j { 4.0 * harmonic(degrees[i]) } else { 0.0 });
-        Ok(Factored::new(&seminorm)?.largest_eigenvalue(&norm.form(&degrees)?)?.0.sqrt())
+        Ok(Factored::new(&seminorm)?.largest_eigenvalue(&form(norm, h, &degrees)?)?.0.sqrt())
     };
     let fine = value(COUNT)?;
     let error = (fine - value(COUNT / 2)?).abs() + 16.0 * f64::EPSILON * fine;
     Estimate::new(fine, error, Work { factorizations: 4, ..Work::default() })
 }
 
-/// lim C(ν)/√(1−ν) as ν → 1: 1/π for the derivative, 1/π² in L², (π² + h²)^{1/2}/π² for the full norm.
+/// sup ‖e‖/‖u'‖: 1 for the derivative, 1/π in L², (1 + h²/π²)^{1/2} for the full norm; attained by u = sin πx.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a bad length in [`ErrorNorm::H1`].
-pub fn at_one(norm: ErrorNorm) -> Result<Estimate> {
+/// As [`at_zero`].
+pub(super) fn zero(norm: ErrorNorm, h: f64) -> Result<Estimate> {
+    one(norm, h).and_then(|constant| constant.times(PI))
+}
+
+/// sup ‖e‖/‖u''‖ = lim C(ν)/√(1−ν) as ν → 1: 1/π for the derivative, 1/π² in L², (π² + h²)^{1/2}/π² for the full
+/// norm.
+///
+/// # Errors
+/// As [`at_zero`].
+pub(super) fn one(norm: ErrorNorm, h: f64) -> Result<Estimate> {
     let value = match norm {
         ErrorNorm::L2 => 1.0 / (PI * PI),
         ErrorNorm::Derivative => 1.0 / PI,
-        ErrorNorm::H1 { h } => {
-            Error::require("element length h", h, "(0, 1e150]", h > 0.0 && h <= 1e150)?;
-            PI.hypot(h) / (PI * PI)
-        }
+        ErrorNorm::H1 => PI.hypot(h) / (PI * PI),
+        ErrorNorm::Dual | ErrorNorm::At(_) => return Err(super::constant::refused(norm)),
     };
     Estimate::new(value, 4.0 * f64::EPSILON * value, Work::default())
 }
@@ -68,9 +68,25 @@ pub fn at_one(norm: ErrorNorm) -> Result<Estimate> {
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 ≤ t ≤ 1.
-pub fn pointwise(t: f64) -> Result<Estimate> {
-    Error::require("t", t, "[0, 1]", (0.0..=1.0).contains(&t))?;
+pub(in crate::interpolation) fn pointwise(t: f64) -> Result<Estimate> {
+    Error::require("x/h", t, "[0, 1]", (0.0..=1.0).contains(&t))?;
     let rest = 1.0 - t;
     let value = ((t * t * t + rest * rest * rest) / 3.0).sqrt();
     Estimate::new(value, 4.0 * f64::EPSILON * value, Work::default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ends_have_their_closed_forms() {
+        assert!((at_zero(ErrorNorm::Derivative, 1.0).unwrap().value - 0.5).abs() < 1e-12);
+        assert!((one(ErrorNorm::L2, 1.0).unwrap().value - PI.powi(-2)).abs() < 1e-15);
+        assert!((zero(ErrorNorm::L2, 1.0).unwrap().value - PI.recip()).abs() < 1e-15);
+        assert!((pointwise(0.5).unwrap().value - 0.5 / 3f64.sqrt()).abs() < 1e-15);
+        for bad in [-0.1, 1.1, f64::NAN] {
+            assert!(pointwise(bad).is_err());
+        }
+    }
 }

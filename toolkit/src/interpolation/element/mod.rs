@@ -2,12 +2,9 @@
 //! found in.
 
 mod constant;
-mod deviation;
 mod legendre;
-pub mod limits;
-mod local;
+mod limits;
 
-pub use constant::{ElementExtremal, ErrorNorm, element_constant, element_extremal, longest_element};
-pub use deviation::{extremal_slopes, largest_share, mean_deviation};
+pub(super) use constant::{of_mean, on_interval, refused, require_length, scale};
 pub(super) use legendre::{converge, odd_degrees, seminorm_gram, stiffness_gram};
-pub use local::LocalConstants;
+pub(super) use limits::pointwise;

@@ -1,7 +1,6 @@
 //! C(α), the best constant of H^{3/2}(0,1) ⊂ C^{0,α}: |u(x) − u(y)| ≤ C(α) |x − y|^α ‖u‖_{3/2}, 0 < α < 1;
 //! (E3).
 
-use super::trial::graded;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::interpolation::forms::mass_form;
@@ -21,19 +20,8 @@ use nalgebra::DMatrix;
 /// Upper bound, Hölder: |∫ v| ≤ |x−y|^{1−1/q} ‖v‖_q, so C(α) ≤ C(q) with q = 1/(1−α).
 /// Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) →
 /// 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
-///
-/// ```
-/// use fractional_sobolev::{Order, Mesh, interpolation::{EndIncrements, embedding_upper_bound}};
-/// let (lower, theta) = EndIncrements::for_exponents_up_to(4.0)?.constant(0.5)?;
-/// // C(1/2) ≤ C(q) with q = 1/(1 − 1/2)
-/// let upper = embedding_upper_bound(Order::HALF, 2.0)?;
-/// assert!(lower.value <= upper.value && theta <= 1.0);
-/// let coarse = EndIncrements::new(&Mesh::geometric(10, 0.5, 1.0)?)?;
-/// assert_eq!(coarse.increments().count(), 11);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct EndIncrements {
+pub(super) struct EndIncrements {
     nodes: Vec<f64>,
     norms: Vec<f64>,
 }
@@ -43,7 +31,7 @@ impl EndIncrements {
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding.
-    pub fn new(partition: &Mesh) -> Result<Self> {
+    pub(super) fn new(partition: &Mesh) -> Result<Self> {
         let size = partition.len() + 1;
         let norm = gram_linears(partition, Order::HALF) + mass_form(partition) + primitive_form(partition)?;
         let broken =
@@ -64,27 +52,13 @@ impl EndIncrements {
         Ok(Self { nodes, norms })
     }
 
-    /// On a mesh that serves every α up to 1 − 1/q.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] unless 2 ≤ q ≤ 1000.
-    pub fn for_exponents_up_to(q: f64) -> Result<Self> {
-        Self::new(&graded(q)?)
-    }
-
-    /// The nodes θ and N(0, θ)/θ.
-    pub fn increments(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        self.nodes.iter().copied().zip(self.norms.iter().copied())
-    }
-
     /// max over θ of N(0, θ)/θ^α, a lower bound of C(α), and the θ where it is attained.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 0 < α < 1.
-    pub fn constant(&self, alpha: f64) -> Result<(Estimate, f64)> {
-        Error::require("alpha", alpha, "(0, 1)", alpha > 0.0 && alpha < 1.0)?;
+    /// None.
+    pub(super) fn constant(&self, alpha: f64) -> Result<(Estimate, f64)> {
         let (mut largest, mut place) = (0.0, 1.0);
-        for (theta, norm) in self.increments() {
+        for (&theta, &norm) in self.nodes.iter().zip(&self.norms) {
             let value = norm * theta.powf(1.0 - alpha);
             if value > largest {
                 (largest, place) = (value, theta);
@@ -123,4 +97,25 @@ fn primitive_form(partition: &Mesh) -> Result<DMatrix<f64>> {
         }
     }
     Ok(transpose_times(&rows, &rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_grow_like_the_root_of_one_over_one_minus_alpha() {
+        let increments = EndIncrements::new(&Mesh::geometric(250, 0.6, 1.0).unwrap()).unwrap();
+        for q in [50.0, 200.0_f64] {
+            let (lower, place) = increments.constant(1.0 - 1.0 / q).unwrap();
+            assert!(lower.value / q.sqrt() > 0.167, "{q}: {lower}");
+            // ln(1/θ) near q/2
+            assert!((0.3..0.7).contains(&(-place.ln() / q)), "{q}: {place:e}");
+        }
+        // A pair inside the interval has a smaller increment than one at the end.
+        let theta = 0.6f64.powi(20);
+        let distance = |k: usize| (increments.nodes[k] / theta).ln().abs();
+        let near = (0..increments.nodes.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
+        assert!(increments.norms[near] > 1.0);
+    }
 }

@@ -2,7 +2,7 @@
 //! (3.6), (3.10), (4.12).
 
 use crate::Order;
-use crate::error::{Error, Given, Result};
+use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;
 
@@ -23,21 +23,16 @@ pub(super) fn check(order: Order, q: f64) -> Result<()> {
 }
 
 /// The critical exponent 2/(1−2ν), infinite at ν = 1/2.
-///
-/// # Errors
-/// [`Error::OutOfRange`] for ν > 1/2, where functions are continuous.
-pub fn critical_exponent(order: impl Given<Order>) -> Result<f64> {
-    let order = order.given()?;
-    Error::require("nu", order.value(), "(0, 1/2]", order.offset() <= 0.0)?;
+pub(super) fn critical_exponent(order: Order) -> f64 {
     // + 0: 1 − 2ν may be −0.
-    Ok(2.0 / (order.one_minus_twice() + 0.0))
+    2.0 / (order.one_minus_twice() + 0.0)
 }
 
 /// An upper bound of C(q), for every function of H^ν(0,1); rounded up.
 ///
 /// `value` is the bound; max_k (m_k/w_k)^{1/2}, the best this road gives, lies at most `error` below it:
 /// rounding, and what terms beyond the 100 000th could add. How far C(q) itself lies below it is seen from
-/// the functions of [`EmbeddingSpace`](crate::interpolation::EmbeddingSpace).
+/// the functions of [`super::trial`].
 ///
 /// # Method
 ///
@@ -66,9 +61,7 @@ pub fn critical_exponent(order: impl Given<Order>) -> Result<f64> {
 ///
 /// # Errors
 /// [`Error::OutOfRange`] outside the domain.
-#[doc(alias("Sobolev embedding", "Sobolev inequality"))]
-pub fn embedding_upper_bound(order: impl Given<Order>, q: f64) -> Result<Estimate> {
-    let order = order.given()?;
+pub(super) fn upper_bound(order: Order, q: f64) -> Result<Estimate> {
     check(order, q)?;
     let (nu, below) = (order.value(), -order.offset());
     let p = 1.0 + 2.0 * nu;

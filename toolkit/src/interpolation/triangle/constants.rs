@@ -1,13 +1,14 @@
 //! Lemma 6.1 on a triangle: sup ‖∇(u − Iu)‖₀/|∇u|_s and sup ‖u − Iu‖₀/|∇u|_s, I linear interpolation at the
 //! corners.
 
-use super::extremal::{TriangleExtremal, largest_quotient};
-use super::shape::TriangleShape;
+use super::extremal::largest_quotient;
+use super::shape::{TriangleShape, at_point};
 use super::space::{Forms, Space};
 use super::upper::bounds;
-use crate::Order;
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Work};
+use crate::constant::{BestConstant, ErrorNorm, UnitOrder};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::interpolation::element::{refused, scale};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -16,127 +17,170 @@ use std::sync::Arc;
 const FROM_POLYNOMIALS: f64 = 0.004;
 /// Angular polynomials of the powers.
 const ANGULAR: usize = 8;
-/// Degrees that are admissible.
-const DEGREES: std::ops::RangeInclusive<usize> = 10..=30;
+/// Degrees that are tried in turn, from the second one for tolerances below [`COARSE`].
+const DEGREES: [usize; 6] = [10, 14, 18, 22, 26, 30];
+const COARSE: f64 = 1e-5;
+/// A degree that leaves more than this part of the error before it ends the search.
+const GAIN: f64 = 0.8;
 /// Part of what was extrapolated that may be wrong, and of the value by quadrature.
 const TRUST: f64 = 0.03;
 const QUADRATURE: f64 = 3e-8;
+/// How far outside the triangle rounding may put a point.
+const OUTSIDE: f64 = -1e-12;
 
-/// A best constant from below, extrapolated, and from above.
+const WHAT: &str = "interpolation constant of a triangle";
+
+/// The best constant of a triangle, by rising degrees.
 ///
-/// Returned by [`TriangleConstants`].
-///
-/// ```
-/// use fractional_sobolev::interpolation::{TriangleConstant, TriangleConstants, TriangleShape};
-/// let found = TriangleConstants::new(&TriangleShape::right_isosceles()?, 0.5, 10)?;
-/// let TriangleConstant { lower, value, upper, levels, .. } = found.l2;
-/// // the bounds of rising degrees climb to the value
-/// assert!(levels.windows(2).all(|pair| pair[0].1 <= pair[1].1));
-/// assert!(lower <= value.value + value.error && upper.is_some_and(|upper| value.value <= upper));
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-#[derive(Debug, Clone)]
-pub struct TriangleConstant {
-    /// Quotient of a function: a lower bound up to quadrature.
-    pub lower: f64,
-    /// The limit of the lower bounds, with its error.
-    pub value: Estimate,
-    /// An upper bound; `None` at s = 1, see [`kobayashi`].
-    pub upper: Option<f64>,
-    /// Degree and lower bound of each space.
-    pub levels: Vec<(usize, f64)>,
-    /// The function of the lower bound.
-    pub extremal: TriangleExtremal,
+/// # Errors
+/// As [`crate::interpolation_constant`].
+pub(in crate::interpolation) fn on_triangle(
+    corners: [[f64; 2]; 3],
+    norm: ErrorNorm,
+    s: UnitOrder,
+    tolerance: Tolerance,
+) -> Result<BestConstant> {
+    let from = usize::from(tolerance.relative() < COARSE);
+    refine(corners, norm, s, tolerance, &DEGREES[from..])
 }
 
-/// Both constants of one triangle and one order.
-///
-/// # Method
-///
-/// |∇u|_s² = ∫∫|∇u(x) − ∇u(y)|²/|x−y|^{2+2s}, 0 < s < 1; at s = 1 the norm ‖D²u‖₀, to which ((1−s) 2/π)^{1/2}
-/// |∇u|_s tends. A trial space (`space`) gives a lower bound: a generalised eigenvalue problem. The
-/// bounds of degrees p, p − 2, ... settle like p^{-k}, with k from three of them: the limit so found is the
-/// value, and its error is what that limit changed by from p − 2 to p, a part of the distance from the bound,
-/// and what the last direction of the powers still gave. `upper` is an upper bound.
-#[derive(Debug, Clone)]
-pub struct TriangleConstants {
-    /// ‖∇(u − Iu)‖₀ over |∇u|_s; scales like (size)^s.
-    pub derivative: TriangleConstant,
-    /// ‖u − Iu‖₀ over |∇u|_s; scales like (size)^{1+s}.
-    pub l2: TriangleConstant,
-}
-
-impl TriangleConstants {
-    /// For an order s < 1, with polynomials up to a degree.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Order, interpolation::{TriangleConstants, TriangleShape}};
-    /// let shape = TriangleShape::right_isosceles()?;
-    /// let found = TriangleConstants::new(&shape, Order::new(0.75)?, 10)?;
-    /// assert!((found.derivative.value.value - 0.262_185_14).abs() < 1e-7);
-    /// assert!(found.derivative.upper > Some(found.derivative.lower));
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] for an order below 0.02, [`Error::CountOutOfRange`] for a degree outside 10 ...
-    /// 30.
-    pub fn new(shape: &TriangleShape, order: impl Given<Order>, degree: usize) -> Result<Self> {
-        let order = order.given()?;
-        let s = Error::require("s", order.value(), "[0.02, 1)", order.value() >= 0.02)?;
-        require_degree(degree)?;
-        let unit = shape.unit();
-        let is_near = (2.0 * s - 1.0).abs() < FROM_POLYNOMIALS;
-        let power = if is_near { 1.0 + FROM_POLYNOMIALS } else { (2.0 * s).min(2.0 - FROM_POLYNOMIALS) };
-        let space = Space::new(unit, degree, power, ANGULAR);
-        let forms = space.forms(order)?;
-        Self::of(space, &forms, degree, ANGULAR)?.scaled(shape, s, Some(bounds(&unit, order)?))
-    }
-
-    /// For s = 1, with ‖D²u‖₀ below.
-    ///
-    /// # Errors
-    /// As [`TriangleConstants::new`].
-    pub fn at_one(shape: &TriangleShape, degree: usize) -> Result<Self> {
-        require_degree(degree)?;
-        let space = Space::new(shape.unit(), degree, 2.0, 0);
-        let forms = space.forms_at_one()?;
-        Self::of(space, &forms, degree, 0)?.scaled(shape, 1.0, None)
-    }
-
-    fn of(space: Space, forms: &Forms, degree: usize, angular: usize) -> Result<Self> {
-        let space = Arc::new(space);
-        let one = |form: &DMatrix<f64>| settled(&space, &forms.seminorm, form, degree, angular);
-        Ok(Self { derivative: one(&forms.derivative)?, l2: one(&forms.l2)? })
-    }
-
-    fn scaled(mut self, shape: &TriangleShape, s: f64, upper: Option<[f64; 2]>) -> Result<Self> {
-        for (k, constant) in [&mut self.derivative, &mut self.l2].into_iter().enumerate() {
-            let factor = shape.size().powf(s + k as f64);
-            constant.lower *= factor;
-            constant.value = constant.value.times(factor)?;
-            constant.upper = upper.map(|bounds| bounds[k] * factor);
-            constant.levels.iter_mut().for_each(|level| level.1 *= factor);
+/// The first of some degrees that meets the tolerance.
+fn refine(
+    corners: [[f64; 2]; 3],
+    norm: ErrorNorm,
+    s: UnitOrder,
+    tolerance: Tolerance,
+    degrees: &[usize],
+) -> Result<BestConstant> {
+    let shape = TriangleShape::new(corners)?;
+    let mut best: Option<Estimate> = None;
+    for (k, &degree) in degrees.iter().enumerate() {
+        let matrices = Arc::new(Matrices::new(&shape, s, degree)?);
+        let found = matrices.constant(corners, norm)?;
+        let constant = found.constant;
+        if constant.relative_error() <= tolerance.relative() {
+            let rest: Vec<usize> = degrees[k + 1..].to_vec();
+            return Ok(found.with_others(move |norm| {
+                let other = matrices.constant(corners, norm)?;
+                if other.constant.relative_error() <= tolerance.relative() {
+                    return Ok(other);
+                }
+                refine(corners, norm, s, tolerance, &rest).map_err(|error| {
+                    if error.best().is_some() { error } else { missed(tolerance, other.constant) }
+                })
+            }));
         }
-        Ok(self)
+        let gained = best.is_none_or(|best| constant.error < GAIN * best.error);
+        if best.is_none_or(|best| constant.error < best.error) {
+            best = Some(constant);
+        }
+        if !gained || tolerance.relative() < QUADRATURE {
+            break;
+        }
+    }
+    Err(best.map_or_else(
+        || Error::best_of(WHAT, tolerance.relative(), None, WHY),
+        |best| missed(tolerance, best),
+    ))
+}
+
+const WHY: &str = "quadrature and polynomials of degree 30 do not reach it";
+
+fn missed(tolerance: Tolerance, best: Estimate) -> Error {
+    Error::not_met(WHAT, tolerance.relative(), best, WHY)
+}
+
+/// The matrices of one triangle, order and degree, in units of the longest edge.
+struct Matrices {
+    shape: TriangleShape,
+    s: f64,
+    degree: usize,
+    angular: usize,
+    space: Arc<Space>,
+    forms: Forms,
+    /// Upper bounds of both constants.
+    upper: [Option<f64>; 2],
+}
+
+impl Matrices {
+    fn new(shape: &TriangleShape, s: UnitOrder, degree: usize) -> Result<Self> {
+        let unit = shape.unit();
+        let with = |space: Space, forms, angular, upper| Self {
+            shape: *shape,
+            s: s.value(),
+            degree,
+            angular,
+            space: Arc::new(space),
+            forms,
+            upper,
+        };
+        match s {
+            UnitOrder::Inner(order) if order.value() >= 0.02 => {
+                let s = order.value();
+                let is_near = (2.0 * s - 1.0).abs() < FROM_POLYNOMIALS;
+                let power =
+                    if is_near { 1.0 + FROM_POLYNOMIALS } else { (2.0 * s).min(2.0 - FROM_POLYNOMIALS) };
+                let space = Space::new(unit, degree, power, ANGULAR);
+                let forms = space.forms(order)?;
+                Ok(with(space, forms, ANGULAR, bounds(&unit, order)?.map(Some)))
+            }
+            UnitOrder::One => {
+                let space = Space::new(unit, degree, 2.0, 0);
+                let forms = space.forms_at_one()?;
+                Ok(with(space, forms, 0, [Some(kobayashi(&unit)), None]))
+            }
+            _ => Err(Error::OutOfRange { name: "s", value: s.value(), range: "[0.02, 1]" }),
+        }
+    }
+
+    /// The constant in one norm.
+    fn constant(&self, corners: [[f64; 2]; 3], norm: ErrorNorm) -> Result<BestConstant> {
+        let size = self.shape.size();
+        let [derivative, l2] = self.upper;
+        let (form, upper) = match norm {
+            ErrorNorm::Derivative => (self.forms.derivative.clone(), derivative),
+            ErrorNorm::L2 => (self.forms.l2.clone(), l2),
+            ErrorNorm::H1 => {
+                let upper = derivative.zip(l2).map(|(a, b)| a.hypot(size * b));
+                (&self.forms.derivative + &self.forms.l2 * (size * size), upper)
+            }
+            ErrorNorm::Dual | ErrorNorm::At(_) => return Err(refused(norm)),
+        };
+        let found = settled(&self.space, &self.forms.seminorm, &form, self.degree, self.angular)?;
+        let exact = |value: f64| Estimate::new(value, 0.0, found.value.work);
+        let lower = Estimate::new(found.lower, QUADRATURE * found.lower, found.value.work)?;
+        let upper = upper.map(exact).transpose()?;
+        let (space, coefficients) = (self.space.clone(), found.coefficients);
+        // |∇u(·/h)|_s = h^{−s} |∇u|_s in the plane
+        let unit = size.powf(self.s);
+        let value = move |x: [f64; 2]| {
+            let beta = at_point(&corners, x);
+            if beta.iter().any(|&b| b.is_nan() || b < OUTSIDE) {
+                return f64::NAN;
+            }
+            unit * space.errors(beta).iter().zip(&coefficients).map(|(value, c)| value * c).sum::<f64>()
+        };
+        BestConstant::new(found.value, lower, upper)
+            .with_extremal(move |point| point.first_chunk().map_or(f64::NAN, |&x| value(x)))
+            .times(scale(norm, self.s, size))
     }
 }
 
-fn require_degree(degree: usize) -> Result<()> {
-    if DEGREES.contains(&degree) {
-        return Ok(());
-    }
-    Err(Error::CountOutOfRange { name: "degree", value: degree, range: "10 <= p <= 30" })
+/// Lower bound, limit of the lower bounds, and coefficients of the function of the lower bound.
+struct Settled {
+    lower: f64,
+    value: Estimate,
+    coefficients: Vec<f64>,
 }
 
-/// All lower bounds of one constant, and their limit.
+/// The lower bounds of one constant, and their limit.
 fn settled(
-    space: &Arc<Space>,
+    space: &Space,
     seminorm: &DMatrix<f64>,
     form: &DMatrix<f64>,
     degree: usize,
     angular: usize,
-) -> Result<TriangleConstant> {
+) -> Result<Settled> {
     let degrees = space.degrees();
     let quotient = |p: usize, k: usize| -> Result<(f64, Vec<f64>)> {
         let is_kept = |&i: &usize| match degrees[i] {
@@ -157,13 +201,7 @@ fn settled(
     let (before, value) = (limit(&levels[..3]), limit(&levels[1..]));
     let error = (value - before).abs() + TRUST * (value - lower) + 2.0 * direction.abs() + QUADRATURE * lower;
     let work = Work { points: degrees.len() as u64, ..Work::default() };
-    Ok(TriangleConstant {
-        lower,
-        value: Estimate::new(value, error, work)?,
-        upper: None,
-        levels,
-        extremal: TriangleExtremal { space: space.clone(), coefficients },
-    })
+    Ok(Settled { lower, value: Estimate::new(value, error, work)?, coefficients })
 }
 
 /// The limit of three values c − C p^{-k}; the last value where they do not look like that.
@@ -187,17 +225,7 @@ fn limit(levels: &[(usize, f64)]) -> f64 {
 ///
 /// Source: Kobayashi, in Proc. Symp. RIMS 1733 (2011) 58-77; 0.4915960 for the right isosceles triangle with
 /// legs 1, where Babuska and Aziz have 0.4929.
-///
-/// ```
-/// use fractional_sobolev::interpolation::{TriangleConstants, TriangleExtremal, TriangleShape, kobayashi};
-/// let shape = TriangleShape::right_isosceles()?;
-/// let best = TriangleConstants::at_one(&shape, 10)?.derivative;
-/// assert!((kobayashi(&shape) - 0.491_596_0).abs() < 1e-7 && best.lower < kobayashi(&shape));
-/// let extremal: &TriangleExtremal = &best.extremal;
-/// assert!(extremal.value([1.0, 0.0, 0.0]).abs() < 1e-9); // zero at the corners
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-pub fn kobayashi(shape: &TriangleShape) -> f64 {
+fn kobayashi(shape: &TriangleShape) -> f64 {
     let [f, t] = shape.frame(0);
     let squares = [f, t, [f[0] + t[0], f[1] + t[1]]].map(|e| e[0] * e[0] + e[1] * e[1]);
     let area = 0.25 * shape.twice() * shape.twice();

@@ -1,34 +1,12 @@
-//! The largest quotient of two forms on a part of a space, and the function that takes it.
+//! The largest quotient of two forms on a part of a space, and the coefficients of a function that takes it.
 
-use super::space::Space;
 use crate::error::{Error, Result};
 use crate::numeric::dense::{product, symmetric_eigen, transpose_times};
 use nalgebra::DMatrix;
-use std::sync::Arc;
 
 /// Directions in which the scaled seminorm is below this part of its largest value are left out: what is left
 /// of them is rounding. The quotient of what stays is a lower bound all the same.
 const CUT: f64 = 1e-11;
-
-/// An extremal function less its interpolant.
-#[derive(Clone)]
-pub struct TriangleExtremal {
-    pub(super) space: Arc<Space>,
-    pub(super) coefficients: Vec<f64>,
-}
-
-impl std::fmt::Debug for TriangleExtremal {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("TriangleExtremal").field("coefficients", &self.coefficients.len()).finish()
-    }
-}
-
-impl TriangleExtremal {
-    /// u − Iu at barycentric coordinates, on the triangle with longest edge 1; |∇u|_s = 1, the sign is free.
-    pub fn value(&self, barycentric: [f64; 3]) -> f64 {
-        self.space.errors(barycentric).iter().zip(&self.coefficients).map(|(value, c)| value * c).sum()
-    }
-}
 
 /// The largest λ with B x = λ A x on the span of the `kept` functions, and its vector with xᵀ A x = 1.
 ///

@@ -10,6 +10,4 @@ mod shape;
 mod space;
 mod upper;
 
-pub use constants::{TriangleConstant, TriangleConstants, kobayashi};
-pub use extremal::TriangleExtremal;
-pub use shape::TriangleShape;
+pub(super) use constants::on_triangle;

@@ -12,7 +12,7 @@ pub(super) type Barycentric = [f64; 3];
 /// From the corner A with B and C behind it: x = A + τ (B − A + a (C − B)), 0 < τ, a < 1, so that τ = β_B +
 /// β_C, a = β_C/τ in barycentric coordinates and dx = 2|T| τ dτ da.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TriangleShape {
+pub(super) struct TriangleShape {
     corners: [[f64; 2]; 3],
     size: f64,
     twice: f64,
@@ -25,15 +25,10 @@ const THINNEST: f64 = 0.1;
 impl TriangleShape {
     /// The triangle with these corners.
     ///
-    /// ```
-    /// use fractional_sobolev::interpolation::TriangleShape;
-    /// assert!(TriangleShape::new([[0.0, 0.0], [1.0, 0.0], [0.0, 1e-9]]).is_err());
-    /// ```
-    ///
     /// # Errors
     /// [`Error::NotFinite`] for a coordinate, [`Error::OutOfRange`] for an angle below 5.8 degrees or above
     /// its supplement.
-    pub fn new(corners: [[f64; 2]; 3]) -> Result<Self> {
+    pub(super) fn new(corners: [[f64; 2]; 3]) -> Result<Self> {
         for (index, x) in corners.iter().flatten().enumerate() {
             crate::numeric::check::require_finite_at("coordinate", index, *x)?;
         }
@@ -54,29 +49,9 @@ impl TriangleShape {
         Ok(Self { corners: unit, size, twice: signed.abs(), gradients })
     }
 
-    /// The right isosceles triangle with legs 1.
-    ///
-    /// # Errors
-    /// None.
-    pub fn right_isosceles() -> Result<Self> {
-        Self::new([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
-    }
-
     /// Length of the longest edge.
-    pub fn size(&self) -> f64 {
+    pub(super) fn size(&self) -> f64 {
         self.size
-    }
-
-    /// Corners divided by the longest edge, the first at the origin.
-    ///
-    /// ```
-    /// let shape = fractional_sobolev::interpolation::TriangleShape::new([[1.0, 1.0], [5.0, 1.0], [1.0, 4.0]])?;
-    /// assert_eq!(shape.size(), 5.0);
-    /// assert_eq!(shape.unit_corners()[0], [0.0, 0.0]);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    pub fn unit_corners(&self) -> [[f64; 2]; 3] {
-        self.corners
     }
 
     /// 2|T| in units of the longest edge.
@@ -121,4 +96,28 @@ pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Barycentric coordinates of a point.
+pub(super) fn at_point(corners: &[[f64; 2]; 3], x: [f64; 2]) -> Barycentric {
+    let [a, b, c] = *corners;
+    let cross = |u: [f64; 2], v: [f64; 2]| u[0] * v[1] - u[1] * v[0];
+    let all = cross(minus(b, a), minus(c, a));
+    let (second, third) = (cross(minus(x, a), minus(c, a)) / all, cross(minus(b, a), minus(x, a)) / all);
+    [1.0 - second - third, second, third]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thin_triangles_are_refused_and_points_have_their_coordinates() {
+        assert!(TriangleShape::new([[0.0, 0.0], [1.0, 0.0], [0.0, 1e-9]]).is_err());
+        let corners = [[1.0, 1.0], [5.0, 1.0], [1.0, 4.0]];
+        let shape = TriangleShape::new(corners).unwrap();
+        assert_eq!((shape.size(), shape.corners[0]), (5.0, [0.0, 0.0]));
+        let beta = at_point(&corners, [2.0, 2.5]);
+        assert!((0..3).all(|k| (beta[k] - [0.25, 0.25, 0.5][k]).abs() < 1e-15), "{beta:?}");
+    }
 }

@@ -1,9 +1,7 @@
 //! (6.2) for one function: |v(x) − v̄| ≤ h^{1/2} ‖v'‖₀ at a node x, v with constant slopes on equal cells.
 
-use super::limits::pointwise;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
-use crate::numeric::random::SplitMix;
+use crate::SplitMix;
+use fractional_sobolev::{Domain, Error, ErrorNorm, Estimate, Result, Work, projection_constant};
 
 /// Most cells: sums of so many terms keep twelve digits.
 const LARGEST: usize = 1 << 20;
@@ -13,7 +11,7 @@ const LARGEST: usize = 1 << 20;
 /// # Method
 ///
 /// Both sides scale alike with h, so that the interval is (0, 1). At x = j/N the slopes that come nearest are
-/// the means of k over the cells (`limits`), k(s) = s before x and s − 1 beyond; on a cell k is
+/// the means of k over the cells, k(s) = s before x and s − 1 beyond; on a cell k is
 /// linear with slope one, and what they miss is
 ///
 /// κ(x)² − q² = 1/(12 N²).
@@ -21,7 +19,7 @@ const LARGEST: usize = 1 << 20;
 /// Values and mean of v are summed from the slopes; κ does not enter. Cost O(N) for one function.
 ///
 /// ```
-/// use fractional_sobolev::interpolation::{extremal_slopes, largest_share, mean_deviation};
+/// use experiments::interpolation::{extremal_slopes, largest_share, mean_deviation};
 /// // at an end the best constant of (6.2) is 1/√3
 /// let found = mean_deviation(&extremal_slopes(100, 0)?, 0)?;
 /// assert!((found.value - 1.0 / 3f64.sqrt()).abs() < 1e-5);
@@ -34,7 +32,9 @@ const LARGEST: usize = 1 << 20;
 pub fn mean_deviation(slopes: &[f64], node: usize) -> Result<Estimate> {
     let cells = slopes.len();
     check(cells, node)?;
-    crate::numeric::check::require_finite("slopes", slopes)?;
+    if let Some(index) = slopes.iter().position(|slope| !slope.is_finite()) {
+        return Err(Error::NotFinite { name: "slopes", index, value: slopes[index] });
+    }
     let scale = slopes.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
     if scale == 0.0 {
         return Estimate::new(0.0, 0.0, Work::default());
@@ -93,6 +93,20 @@ pub fn largest_share(cells: usize, functions: usize, seed: u64) -> Result<Estima
         }
     }
     Ok(best)
+}
+
+/// κ(x), the best constant of (6.2) at x ∈ \[0, 1\], h = 1.
+///
+/// ```
+/// let end = experiments::interpolation::pointwise(0.0)?;
+/// assert!((end.value - 1.0 / 3f64.sqrt()).abs() < 1e-15);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::OutOfRange`] outside [0, 1].
+pub fn pointwise(x: f64) -> Result<Estimate> {
+    projection_constant(Domain::Interval(1.0), ErrorNorm::At(x), 1.0, 1e-12).map(|found| found.constant)
 }
 
 fn check(cells: usize, node: usize) -> Result<()> {

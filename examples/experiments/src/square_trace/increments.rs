@@ -3,9 +3,21 @@
 //! For w = X(x) Y(y) and the displacement (a, b), w(x+a, y+b) − w(x, y) = ΔX Y + X⁺ ΔY with X⁺ = X(x+a),
 //! ΔX = X⁺ − X: products over the overlap of one function of x and one of y, formed from differences.
 
-use crate::error::Result;
-use crate::numeric::legendre;
-use crate::quadrature::Rule;
+use fractional_sobolev::{Result, Rule};
+
+/// P_k(a) and (P_k(b) − P_k(a))/(b − a) into all places, from the recurrence itself and so without a
+/// difference: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
+fn fill_with_quotients(values: &mut [f64], quotients: &mut [f64], a: f64, b: f64) {
+    let (mut previous, mut quotient) = (0.0, 0.0);
+    let (mut before, mut current) = (0.0, 1.0);
+    for (k, (value, place)) in values.iter_mut().zip(quotients).enumerate() {
+        (*value, *place) = (current, quotient);
+        let n = k as f64;
+        let following = ((2.0 * n + 1.0) * (b * quotient + current) - n * previous) / (n + 1.0);
+        (previous, quotient) = (quotient, following);
+        (before, current) = (current, ((2.0 * n + 1.0) * a * current - n * before) / (n + 1.0));
+    }
+}
 
 /// ⟨f_i f_k⟩, ⟨f_i Δf_k⟩, ⟨f_i⁺ f_k⁺⟩, ⟨Δf_i f_k⁺⟩ and ⟨Δf_i Δf_k⟩ over (0, 1 − a), row after row.
 pub(super) struct Increments {
@@ -40,7 +52,7 @@ impl Family for Parity {
     fn fill(&self, x: f64, a: f64, values: &mut [f64], steps: &mut [f64]) {
         let (mut all, mut quotients) = (vec![0.0; self.degree + 1], vec![0.0; self.degree + 1]);
         let t = 2.0 * x - 1.0;
-        legendre::fill_with_quotients(&mut all, &mut quotients, t, t + 2.0 * a);
+        fill_with_quotients(&mut all, &mut quotients, t, t + 2.0 * a);
         for (i, k) in (self.first..=self.degree).step_by(2).enumerate() {
             (values[i], steps[i]) = (all[k], 2.0 * a * quotients[k]);
         }
@@ -82,7 +94,7 @@ impl Family for EdgeFamily {
         let most = self.smooth.max(self.singular) + 1;
         let (mut all, mut quotients) = (vec![0.0; most], vec![0.0; most]);
         let t = 2.0 * y - 1.0;
-        legendre::fill_with_quotients(&mut all, &mut quotients, t, t + 2.0 * b);
+        fill_with_quotients(&mut all, &mut quotients, t, t + 2.0 * b);
         let power = y.powf(self.power);
         let rise = power * (self.power * (b / y).ln_1p()).exp_m1();
         for j in 0..=self.smooth {

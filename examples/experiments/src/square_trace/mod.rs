@@ -1,14 +1,10 @@
 //! The unit square, trace on the edge y = 0: lower bounds of the best constant from trial functions.
 
-use super::half_plane::require_trace;
-use super::increments::{EdgeFamily, Family, Increments, Parity};
-use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Work};
-use crate::numeric::dense::product;
-use crate::numeric::pencil::Factored;
-use crate::order::Order;
-use crate::quadrature::Rule;
-use nalgebra::DMatrix;
+mod increments;
+
+use fractional_sobolev::{Error, Estimate, Given, Order, Result, Rule, Work};
+use increments::{EdgeFamily, Family, Increments, Parity};
+use nalgebra::{Cholesky, DMatrix};
 use std::f64::consts::PI;
 
 /// Ratio of the cells of the displacements, and points in a cell: value and judge.
@@ -44,10 +40,10 @@ impl SquareTrace {
     /// Trial functions with polynomials in x and in y up to the degree, and y^{2s−1} times those up to 2.
     ///
     /// ```
-    /// use fractional_sobolev::{Order, SquareTrace, half_plane_trace};
-    /// let s = Order::new(0.9)?;
-    /// let found = SquareTrace::new(s, 6)?.largest();
-    /// assert!(found.value < half_plane_trace(s)?.value.powi(2));
+    /// use experiments::square_trace::SquareTrace;
+    /// use fractional_sobolev::{Domain, trace_constant};
+    /// let found = SquareTrace::new(0.9, 6)?.largest();
+    /// assert!(found.value < trace_constant(Domain::Square, 0.9, 1e-8)?.constant.value.powi(2));
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -71,9 +67,9 @@ impl SquareTrace {
     /// s = 1 with ‖∇w‖²: the first modes cos(kπx), k = 1, ..., and their harmonic extensions.
     ///
     /// ```
-    /// use fractional_sobolev::{SquareTrace, half_plane_trace_at_one};
+    /// use experiments::square_trace::SquareTrace;
     /// let found = SquareTrace::at_one(20)?.largest();
-    /// assert!(found.value <= half_plane_trace_at_one().powi(2) + found.error);
+    /// assert!(found.value <= std::f64::consts::TAU + found.error);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -90,7 +86,7 @@ impl SquareTrace {
             let energy = |k: f64| 0.5 * k * PI * (k * PI).tanh();
             let energy = DMatrix::from_fn(n, n, |i, j| if i == j { energy(kept[i]) } else { 0.0 });
             let edge = cosine_edge(&kept)?;
-            let (value, _) = Factored::new(&energy)?.largest_eigenvalue(&edge)?;
+            let value = largest_quotient(&energy, &edge)?;
             found.push(Estimate::new(value, ROUNDING * value, Work::default())?);
         }
         Ok(Self { quotients: [found[0], found[1]] })
@@ -134,7 +130,7 @@ fn cosine_edge(modes: &[f64]) -> Result<DMatrix<f64>> {
 /// The largest quotients of edge and square for odd and for even functions.
 fn quotients(order: Order, degree: usize, points: usize) -> Result<[f64; 2]> {
     let steps = graded(order, points)?;
-    let family = EdgeFamily { power: 2.0 * require_trace(order)?, smooth: degree, singular: SINGULAR };
+    let family = EdgeFamily { power: 2.0 * order.offset(), smooth: degree, singular: SINGULAR };
     let of_y: Vec<Increments> =
         steps.iter().map(|&(b, _)| Increments::new(&family, b)).collect::<Result<_>>()?;
     let quotient = |first: usize| quotient(order, &Parity { first, degree }, &family, &steps, &of_y);
@@ -160,7 +156,7 @@ fn quotient(
     let term = |left: fn(&Increments) -> &Vec<f64>, right: fn(&Increments) -> &Vec<f64>| {
         let right = DMatrix::from_fn(count, m * m, |b, jl| right(&of_y[b])[jl]);
         let left = DMatrix::from_fn(n * n, count, |ik, a| left(&of_x[a])[ik]);
-        product(&left, &product(&kernel, &right))
+        left * (&kernel * right)
     };
     let squares = [term(|x| &x.both, |y| &y.plain), term(|x| &x.moved, |y| &y.both)];
     let mixed = term(|x| &x.mixed_moved, |y| &y.mixed);
@@ -181,7 +177,20 @@ fn quotient(
         let ((i, j), (k, l)) = (place(p), place(q));
         rows[i * n + k] * at_edge[j] * at_edge[l]
     });
-    Ok(Factored::new(&energy)?.largest_eigenvalue(&edge)?.0)
+    largest_quotient(&energy, &edge)
+}
+
+/// The largest λ with B x = λ A x.
+fn largest_quotient(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Result<f64> {
+    let size = a.nrows();
+    let scale: Vec<f64> = (0..size).map(|i| a[(i, i)].sqrt()).collect();
+    let scaled =
+        |form: &DMatrix<f64>| DMatrix::from_fn(size, size, |i, j| form[(i, j)] / scale[i] / scale[j]);
+    let broken = || Error::NotPositiveDefinite { what: "energy of the trial functions", pivot: size };
+    let lower = Cholesky::new(scaled(a)).ok_or_else(broken)?.unpack();
+    let half = lower.solve_lower_triangular(&scaled(b)).ok_or_else(broken)?;
+    let reduced = lower.solve_lower_triangular(&half.transpose()).ok_or_else(broken)?;
+    Ok(((&reduced + reduced.transpose()) * 0.5).symmetric_eigenvalues().max())
 }
 
 /// Points and weights on (0, 1), graded to 0.
@@ -200,7 +209,7 @@ fn graded(order: Order, points: usize) -> Result<Vec<(f64, f64)>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{closed_forms, half_plane_trace};
+    use fractional_sobolev::{Domain, Function, Triangles, trace_constant};
 
     #[test]
     fn linear_functions_have_the_closed_form() {
@@ -220,7 +229,9 @@ mod tests {
                 4.0 * v * w * a.hypot(b).powf(-3.5) * of_x.both[0] * of_y.plain[0]
             })
             .sum();
-        let exact = closed_forms::coordinate_on_square_seminorm_squared(order).unwrap().value;
+        let square = Triangles::grid([1, 1], 1.0).unwrap();
+        let coordinate = Function::on_triangles(&square, 1, &[0.0, 1.0, 0.0, 1.0]).unwrap();
+        let exact = coordinate.seminorm(order, 1e-8).unwrap().value.powi(2);
         assert!((plain / 4.0 / exact - 1.0).abs() < 1e-6, "{plain} {exact}");
     }
 
@@ -228,7 +239,7 @@ mod tests {
     fn trial_functions_grow_and_stay_below_the_half_plane() {
         for s in [0.6, 0.95] {
             let order = Order::new(s).unwrap();
-            let bound = half_plane_trace(order).unwrap().value.powi(2);
+            let bound = trace_constant(Domain::HalfPlane, order, 1e-8).unwrap().constant.value.powi(2);
             let [few, more] = [3, 6].map(|degree| SquareTrace::new(order, degree).unwrap());
             for k in 0..2 {
                 assert!(few.quotients[k].value < more.quotients[k].value && more.quotients[k].value < bound);

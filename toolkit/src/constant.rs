@@ -1,0 +1,236 @@
+//! Best constants: on which domain, in which norm, and what is known of one.
+
+use crate::Mesh;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance};
+use crate::order::{Order, SobolevOrder};
+use std::fmt;
+use std::sync::Arc;
+
+/// The domain of a best constant.
+///
+/// | domain | interpolation, projection | trace |
+/// | --- | --- | --- |
+/// | `Interval`, `Mesh` | [`interpolation_constant`](crate::interpolation_constant), [`projection_constant`](crate::projection_constant) | |
+/// | `Triangle` | [`interpolation_constant`](crate::interpolation_constant) | |
+/// | `HalfPlane`, `Corner`, `Square` | | [`trace_constant`](crate::trace_constant) |
+///
+/// ```
+/// use fractional_sobolev::{Domain, ErrorNorm, Mesh, interpolation_constant};
+/// let mesh = Domain::Mesh(Mesh::uniform(4, 1.0)?);
+/// let on_mesh = interpolation_constant(mesh, ErrorNorm::L2, 0.5, 1e-2)?.constant;
+/// let on_element = interpolation_constant(Domain::Interval(0.25), ErrorNorm::L2, 0.5, 1e-2)?.constant;
+/// assert!(on_mesh.value < on_element.value);
+/// assert!(interpolation_constant(Domain::HalfPlane, ErrorNorm::L2, 0.5, 1e-2).is_err());
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum Domain {
+    /// The interval (0, h), one element; h is given.
+    Interval(f64),
+    /// All elements of a mesh.
+    Mesh(Mesh),
+    /// The triangle with these corners.
+    Triangle([[f64; 2]; 3]),
+    /// The half-plane y > 0 and its edge y = 0.
+    HalfPlane,
+    /// The sector 0 < θ < ω and its edge θ = 0; ω is given, in radians.
+    Corner(f64),
+    /// The unit square and its edge y = 0.
+    Square,
+}
+
+impl Domain {
+    /// The refusal of a domain.
+    pub(crate) fn refused(&self, with: &'static str, expected: &'static str) -> Error {
+        Error::Incompatible { what: "domain", given: format!("{self:?}"), with, expected }
+    }
+}
+
+/// The norm of the error e that a constant bounds.
+///
+/// ```
+/// use fractional_sobolev::{Domain, ErrorNorm, projection_constant};
+/// // φ less its mean, for φ with ‖φ'‖ = 1: in L² and at an end
+/// let of = |norm| projection_constant(Domain::Interval(1.0), norm, 1.0, 1e-8).map(|found| found.constant.value);
+/// assert!((of(ErrorNorm::L2)? - std::f64::consts::FRAC_1_PI).abs() < 1e-12);
+/// assert!((of(ErrorNorm::At(0.0))? - 1.0 / 3f64.sqrt()).abs() < 1e-12);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ErrorNorm {
+    /// ‖e‖.
+    L2,
+    /// ‖∇e‖.
+    Derivative,
+    /// (‖e‖² + ‖∇e‖²)^{1/2}.
+    H1,
+    /// The norm of e of order −1/2, dual to that of order 1/2.
+    Dual,
+    /// |e(x)| at a point x.
+    At(f64),
+}
+
+impl ErrorNorm {
+    /// The refusal of a norm.
+    pub(crate) fn refused(self, with: &'static str, expected: &'static str) -> Error {
+        Error::Incompatible { what: "norm of the error", given: format!("{self:?}"), with, expected }
+    }
+}
+
+/// What is known of a best constant: its value, bounds, and a function for which it is attained.
+///
+/// ```
+/// use fractional_sobolev::{BestConstant, Domain, ErrorNorm, interpolation_constant};
+/// let triangle = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+/// let gradient: BestConstant = interpolation_constant(triangle, ErrorNorm::Derivative, 0.75, 1e-5)?;
+/// assert!((gradient.constant.value - 0.262_185_14).abs() < 1e-6);
+/// assert!(gradient.lower.value <= gradient.constant.value + gradient.constant.error);
+/// assert!(gradient.upper.is_some_and(|upper| upper.value > gradient.constant.value));
+/// // in another norm, from the same matrices
+/// assert!(gradient.in_norm(ErrorNorm::L2)?.constant.value < gradient.constant.value);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct BestConstant {
+    /// The constant, to the tolerance that was asked for.
+    pub constant: Estimate,
+    /// The quotient of a function, a lower bound up to quadrature and rounding.
+    pub lower: Estimate,
+    /// A proved upper bound, where one is known.
+    pub upper: Option<Estimate>,
+    extremal: Option<Extremal>,
+    others: Option<Others>,
+}
+
+/// The constant in another norm.
+type Others = Arc<dyn Fn(ErrorNorm) -> Result<BestConstant> + Send + Sync>;
+
+impl fmt::Debug for BestConstant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("BestConstant")
+            .field("constant", &self.constant)
+            .field("lower", &self.lower)
+            .field("upper", &self.upper)
+            .finish_non_exhaustive()
+    }
+}
+
+impl BestConstant {
+    pub(crate) fn new(constant: Estimate, lower: Estimate, upper: Option<Estimate>) -> Self {
+        Self { constant, lower, upper, extremal: None, others: None }
+    }
+
+    /// A constant in closed form.
+    pub(crate) fn exact(constant: Estimate) -> Self {
+        Self::new(constant, constant, Some(constant))
+    }
+
+    pub(crate) fn with_extremal(self, value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static) -> Self {
+        Self { extremal: Some(Extremal(Arc::new(value))), ..self }
+    }
+
+    pub(crate) fn with_others(
+        self,
+        others: impl Fn(ErrorNorm) -> Result<Self> + Send + Sync + 'static,
+    ) -> Self {
+        Self { others: Some(Arc::new(others)), ..self }
+    }
+
+    /// Constant and bounds times a factor.
+    pub(crate) fn times(self, factor: f64) -> Result<Self> {
+        let upper = self.upper.map(|upper| upper.times(factor)).transpose()?;
+        Ok(Self { constant: self.constant.times(factor)?, lower: self.lower.times(factor)?, upper, ..self })
+    }
+
+    /// The same where its error meets the tolerance.
+    pub(crate) fn met(self, what: &'static str, tolerance: Tolerance, why: &'static str) -> Result<Self> {
+        if self.constant.relative_error() <= tolerance.relative() {
+            return Ok(self);
+        }
+        Err(Error::not_met(what, tolerance.relative(), self.constant, why))
+    }
+
+    /// The constant of the same domain, order and tolerance in another norm of the error. On a triangle the
+    /// Gram matrices, nearly all of the cost, are used again.
+    ///
+    /// # Errors
+    /// As the function that returned this constant; [`Error::Incompatible`] for the embedding and the trace.
+    pub fn in_norm(&self, norm: ErrorNorm) -> Result<Self> {
+        let refused = || norm.refused("this constant", "a constant of interpolation or projection");
+        self.others.as_ref().ok_or_else(refused)?(norm)
+    }
+
+    /// A function for which the constant, or for the embedding the lower bound, is attained; `None` where none is
+    /// known.
+    #[doc(alias("eigenfunction", "worst function"))]
+    pub fn extremal(&self) -> Option<&Extremal> {
+        self.extremal.as_ref()
+    }
+}
+
+/// The function for which a best constant is attained.
+///
+/// For interpolation it is the error u − Iu of the extremal u with |∇u|_s = 1, for projection φ with |φ|_r = 1, for
+/// the embedding and the trace the function itself. The sign is free.
+///
+/// ```
+/// use fractional_sobolev::{Domain, ErrorNorm, Extremal, interpolation_constant};
+/// let found = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, 0.5, 1e-8)?;
+/// let error: Option<Vec<f64>> =
+///     found.extremal().map(|e: &Extremal| [0.0, 0.25, 0.5].map(|x| e.value(&[x]).abs()).to_vec());
+/// assert!(error.is_some_and(|e| e[0] < 1e-12 && e[1] < e[2])); // zero at the nodes, largest in the middle
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Extremal(Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>);
+
+impl fmt::Debug for Extremal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Extremal(..)")
+    }
+}
+
+impl Extremal {
+    /// The value at a point of the domain: one coordinate on an interval, two in the plane. NaN outside.
+    pub fn value(&self, point: &[f64]) -> f64 {
+        (self.0)(point)
+    }
+}
+
+/// An order 0 ≤ s ≤ 1 of a seminorm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum UnitOrder {
+    /// s = 0.
+    Zero,
+    /// 0 < s < 1.
+    Inner(Order),
+    /// s = 1.
+    One,
+}
+
+impl UnitOrder {
+    /// Of an order of a norm.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] outside [0, 1].
+    pub(crate) fn new(s: SobolevOrder) -> Result<Self> {
+        let outside = |value| Err(Error::OutOfRange { name: "s", value, range: "[0, 1]" });
+        match s {
+            SobolevOrder::Zero => Ok(Self::Zero),
+            SobolevOrder::Fractional(order) => Ok(Self::Inner(order)),
+            SobolevOrder::One => Ok(Self::One),
+            SobolevOrder::Dual(order) => outside(-order.value()),
+            SobolevOrder::OnePlus(order) => outside(1.0 + order.value()),
+        }
+    }
+
+    /// s.
+    pub(crate) fn value(self) -> f64 {
+        match self {
+            Self::Zero => 0.0,
+            Self::Inner(order) => order.value(),
+            Self::One => 1.0,
+        }
+    }
+}
