@@ -410,6 +410,11 @@ impl<'a> Function<'a> {
 
     /// |u|_s for 0 < s < 2: |u|_1 = ‖∇u‖, and |u|_s = |∇u|\_{s−1} beyond. s as for [`Function::norm`].
     ///
+    /// Finite for s < 1/2 where u jumps; at a corner or breakpoint with r^a for a > s − d/2. In the plane
+    /// (1−s)|u|²_s → (π/2)‖∇u‖² as s → 1, and |u(·/l)|_s = l^{d/2−s}|u|_s. On a curve the distance is that of the plane,
+    /// the norm of traces on a Lipschitz curve up to equivalence. A singularity along an edge of a triangulation has no
+    /// rule of its own: [`Error::ToleranceNotMet`] says how far the others come.
+    ///
     /// ```
     /// use fractional_sobolev::{Function, Order};
     /// let slope = Function::from_fn(&[0.0, 1.0], |x| x)?;
@@ -450,7 +455,11 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The norm of u in L^q, 1 ≤ q ≤ ∞; in the plane q = 2.
+    /// The norm of u in L^q, (∫ |u|^q)^{1/q} for 1 ≤ q < ∞, max |u| for q = ∞; in the plane q = 2.
+    ///
+    /// Of values on a mesh or a curve it is exact to rounding where u is linear; elements of higher degree are bisected
+    /// until a Gauss rule and its two halves agree. Of a formula the zeros should be breakpoints, for q = ∞ the jumps:
+    /// |u|^q is not smooth there.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`Function::norm`].
@@ -473,7 +482,8 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The mean of u over its interval; the tolerance is relative to the mean of |u|.
+    /// The mean (1/|I|) ∫ u of u over its interval; the tolerance is relative to the mean of |u|. Of a piecewise polynomial
+    /// it is exact to rounding.
     ///
     /// # Errors
     /// [`Error::Incompatible`] for a function that is not on an interval; else as [`Function::norm`].
@@ -488,6 +498,13 @@ impl<'a> Function<'a> {
 
     /// sup ∫ u v / ‖v‖ for the norm of order 0 < s < 1 that [`DualOf`] names; [`Function::norm`] of order −s is that
     /// of [`DualOf::Slobodeckij`].
+    ///
+    /// In the interpolation spaces a piecewise polynomial has Balakrishnan's integral of resolvents, each in closed form
+    /// on every element: all digits on every mesh, some hundred passes over the elements. In the norm of
+    /// [`DualOf::Slobodeckij`] the supremum is taken over piecewise linears on M equal elements, with a correction for
+    /// what they miss; M doubles up to 2^20, and the error is that of doubling. A formula is replaced by a piecewise
+    /// polynomial graded to its breakpoints; the L² norm of the difference bounds the dual norm of the difference and is
+    /// part of the error. On a closed curve the interpolation spaces are periodic in the arc length.
     ///
     /// ```
     /// use fractional_sobolev::{DualOf, Function, Mesh};

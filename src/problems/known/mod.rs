@@ -287,7 +287,7 @@ impl KnownSolution {
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for τ ≥ p + 1; [`ToolkitError::OutOfRange`] unless 1 < τ ≤ 2;
     /// [`ToolkitError::Incompatible`] unless u is that of [`KnownSolution::power`]; as
-    /// [`SectorPower::elastic_gradient`](fractional_sobolev::SectorPower::elastic_gradient).
+    /// [`Function::elastic_corner`](fractional_sobolev::Function::elastic_corner).
     pub fn body_seminorm(&self, tau: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match self.formula {
@@ -301,7 +301,7 @@ impl KnownSolution {
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for ν ≥ p − 1/2; [`ToolkitError::Incompatible`] unless u is that of
     /// [`KnownSolution::power`]; as
-    /// [`SingularFunction::seminorm`](fractional_sobolev::SingularFunction::seminorm).
+    /// [`Function::seminorm`](fractional_sobolev::Function::seminorm).
     pub fn edge_seminorm(
         &self,
         datum: EdgeDatum,
