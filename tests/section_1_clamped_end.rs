@@ -5,7 +5,7 @@
 mod example;
 
 use example_frame::Outcome;
-use experiments::convergence::{EndCase, EndRun, Start};
+use experiments::convergence::{EndCase, EndMethod, EndRun};
 use signorini::cone::Cone;
 use signorini::mesh::Outline;
 use signorini::problems::DirichletEnd;
@@ -50,7 +50,7 @@ fn every_elastic_body_touches_at_the_end() {
 /// The zone of the closed form: the pressure follows it over four decades, the gap beyond too.
 #[test]
 fn the_zone_of_a_pulled_body_is_the_closed_form() {
-    let run = EndRun::of(&SCENE, Cone::Nodal, Start::Open).unwrap();
+    let run = EndRun::of(&SCENE, Cone::Nodal, EndMethod::Open).unwrap();
     // The border is known to half a ring, 12 % of ℓ; the pressure at ℓ/4 changes by a third of that.
     assert!(run.shape.unwrap() < 0.05, "{:?}", run.shape);
     let radius = run.intervals[0].to;
@@ -68,7 +68,7 @@ fn the_zone_of_a_pulled_body_is_the_closed_form() {
 #[test]
 fn a_hundred_decades_say_the_same() {
     let deep = DirichletEnd { smallest: 1e-100, ..SCENE };
-    let [short, long] = [SCENE, deep].map(|scene| EndRun::of(&scene, Cone::Nodal, Start::Open).unwrap());
+    let [short, long] = [SCENE, deep].map(|scene| EndRun::of(&scene, Cone::Nodal, EndMethod::Open).unwrap());
     assert_eq!(long.decades.len(), 100);
     assert!(long.worst_decade() < 1e-10, "{}", long.worst_decade());
     assert_eq!(short.borders().len(), 1);
@@ -82,7 +82,7 @@ fn coarse_rings_move_the_zone_and_keep_it() {
     let borders = |angles: usize| {
         let step = std::f64::consts::PI / angles as f64;
         let scene = DirichletEnd { angles, step, poisson: Some(0.45), smallest: 1e-60, ..SCENE };
-        let run = EndRun::of(&scene, Cone::Nodal, Start::Open).unwrap();
+        let run = EndRun::of(&scene, Cone::Nodal, EndMethod::Open).unwrap();
         assert!(run.touches() && run.worst_decade() < 1e-10, "{:?}", run.intervals);
         run.borders()
     };
@@ -100,6 +100,6 @@ fn what_collapses_is_refused() {
         DirichletEnd { poisson: Some(0.5), ..SCENE },
         DirichletEnd { direction: f64::INFINITY, ..SCENE },
     ] {
-        assert!(EndRun::of(&scene, Cone::Nodal, Start::Open).is_err(), "{scene:?}");
+        assert!(EndRun::of(&scene, Cone::Nodal, EndMethod::Open).is_err(), "{scene:?}");
     }
 }

@@ -2,15 +2,9 @@
 
 use crate::zone_bound::ZoneBound;
 use crate::zones::{Condition, Place};
+pub use crate::zones::{END_SLOPE, INTERIOR_SLOPE};
 use fractional_sobolev::{Constraint, GammaBounds, Law, Zones, gamma, law};
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance, Work};
-use std::f64::consts::PI;
-
-/// A = 3/(2π²): slope of γ² against ln(1/θ) at ν = 1/2 for a zone at an end.
-pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
-
-/// 1/(2π²): the slope for a zone inside.
-pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 
 /// Growth of γ between the last two of a sequence of zones (θ, γ), longest first: the slope of γ² against
 /// ln(1/θ) at ν = 1/2, the exponent of θ at other orders. The error adds those of the constants to the change

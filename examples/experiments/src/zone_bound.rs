@@ -1,7 +1,6 @@
 //! An upper bound of the constants of all zones of one length.
 
-use crate::growth::END_SLOPE;
-use crate::zones::Condition;
+use crate::zones::{Condition, END_SLOPE};
 use fractional_sobolev::{Constraint, gamma, law};
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance};
 

@@ -1,8 +1,15 @@
 //! Zones and conditions as options of a command: where zones of any length are put, and what holds on them.
 
 use fractional_sobolev::{Constraint, Error, Given, Result, Zones};
+use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;
+
+/// A = 3/(2π²): slope of γ² against ln(1/θ) at ν = 1/2 for a zone at an end.
+pub const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
+
+/// 1/(2π²): the slope for a zone inside.
+pub const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 
 /// Where zones of any length are put.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -18,7 +18,7 @@ use signorini::singular::ContactZone;
 
 /// How a scene is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Start {
+pub enum EndMethod {
     /// The active set, from no contact.
     Open,
     /// The active set, from full contact.
@@ -51,17 +51,17 @@ impl EndRun {
     ///
     /// # Errors
     /// As for [`DirichletEnd::problem`] and [`signorini::contact::ContactProblem::solve`].
-    pub fn of(scene: &DirichletEnd, cone: Cone, start: Start) -> Result<Self> {
+    pub fn of(scene: &DirichletEnd, cone: Cone, start: EndMethod) -> Result<Self> {
         let problem = scene.problem()?;
         let radii = problem.edge().arc();
         let full = ContactSet::new(vec![true; cone.constraints(radii.len())]);
         let solution = match start {
-            Start::Open => problem.solve(cone, Solver::ActiveSet)?,
-            Start::Closed => {
+            EndMethod::Open => problem.solve(cone, Solver::ActiveSet)?,
+            EndMethod::Closed => {
                 problem.solve(cone, Settings { start: contact::Start::Set(full), ..Settings::default() })?
             }
-            Start::Interior => problem.solve(cone, Solver::InteriorPoint)?,
-            Start::Scaled => {
+            EndMethod::Interior => problem.solve(cone, Solver::InteriorPoint)?,
+            EndMethod::Scaled => {
                 let (solver, sizes) = (Solver::EdgeInteriorPoint, sizes(radii));
                 problem.solve(cone, Settings { solver, sizes: Some(&sizes), ..Settings::default() })?
             }

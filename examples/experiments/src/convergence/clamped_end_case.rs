@@ -3,7 +3,7 @@
 //! Errors of linear elements are of order h² in powers, energies and forces: with n and 2n angles the limit
 //! is put at fine + (fine − coarse)/3, and its distance from the finer value is the estimate of its error.
 
-use super::clamped_end::{EndRun, Start};
+use super::clamped_end::{EndMethod, EndRun};
 use fractional_sobolev::{Estimate, Work};
 use signorini::Result;
 use signorini::cone::Cone;
@@ -40,14 +40,17 @@ impl EndCase {
         let square = DirichletEnd { outline: Outline::Rectangle, step: 0.8 * scene.step, ..scene };
         let nodal = |scene: &DirichletEnd, start| EndRun::of(scene, Cone::Nodal, start);
         Ok(Self {
-            runs: [nodal(&scene, Start::Open)?, nodal(&finer, Start::Open)?],
+            runs: [nodal(&scene, EndMethod::Open)?, nodal(&finer, EndMethod::Open)?],
             again: [
-                nodal(&scene, Start::Closed)?,
-                nodal(&shallow, Start::Open)?,
-                nodal(&square, Start::Open)?,
+                nodal(&scene, EndMethod::Closed)?,
+                nodal(&shallow, EndMethod::Open)?,
+                nodal(&square, EndMethod::Open)?,
             ],
-            others: [EndRun::of(&scene, Cone::Midpoint, Start::Open)?, nodal(&shallow, Start::Interior)?],
-            scaled: [nodal(&scene, Start::Scaled)?, nodal(&finer, Start::Scaled)?],
+            others: [
+                EndRun::of(&scene, Cone::Midpoint, EndMethod::Open)?,
+                nodal(&shallow, EndMethod::Interior)?,
+            ],
+            scaled: [nodal(&scene, EndMethod::Scaled)?, nodal(&finer, EndMethod::Scaled)?],
             scene,
         })
     }

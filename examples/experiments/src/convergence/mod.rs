@@ -36,7 +36,7 @@ mod transition_rates;
 mod trend;
 
 pub use case_study::{CaseStudy, Solved, mean_errors};
-pub use clamped_end::{EndRun, Start};
+pub use clamped_end::{EndMethod, EndRun};
 pub use clamped_end_case::EndCase;
 pub use corner_reading::CornerReading;
 pub use family::SceneFamily;

@@ -5,11 +5,11 @@
 //! xᵀA x of the error down by ρ²/κ. √ρ is the residual in the norm of the preconditioner. Cost of a step: one
 //! product, one B, O(n).
 
-use super::sum::pairwise_dot;
 use crate::error::Result;
+use crate::numeric::sum::pairwise_dot;
 
 /// A matrix and its preconditioner.
-pub(crate) trait System {
+pub(super) trait System {
     /// out ← A x.
     ///
     /// # Errors
@@ -27,7 +27,7 @@ pub(crate) trait System {
 ///
 /// Returned by [`ConjugateGradients::step`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Step {
+pub(super) enum CgStep {
     /// The energy of the error fell by this, ρ²/κ.
     Gain(f64),
     /// κ is not positive, or not a number: A is not positive definite along the direction, or the residual is
@@ -38,7 +38,7 @@ pub(crate) enum Step {
 /// The state of an iteration.
 #[doc(alias("CG", "PCG"))]
 #[derive(Debug, Clone)]
-pub(crate) struct ConjugateGradients {
+pub(super) struct ConjugateGradients {
     /// b − A x.
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -49,7 +49,7 @@ pub(crate) struct ConjugateGradients {
 
 impl ConjugateGradients {
     /// For n unknowns.
-    pub(crate) fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self { residual: zeros(), direction: zeros(), image: zeros(), corrected: zeros(), rho: 0.0 }
     }
@@ -58,7 +58,7 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// Those of the preconditioner.
-    pub(crate) fn start(&mut self, system: &mut impl System, residual: &[f64]) -> Result<()> {
+    pub(super) fn start(&mut self, system: &mut impl System, residual: &[f64]) -> Result<()> {
         self.residual.copy_from_slice(residual);
         self.rho = self.precondition(system)?;
         self.direction.copy_from_slice(&self.corrected);
@@ -66,7 +66,7 @@ impl ConjugateGradients {
     }
 
     /// ρ = rᵀB r ≥ 0.
-    pub(crate) fn rho(&self) -> f64 {
+    pub(super) fn rho(&self) -> f64 {
         self.rho
     }
 
@@ -74,12 +74,12 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// Those of the system.
-    pub(crate) fn step(&mut self, system: &mut impl System, x: &mut [f64]) -> Result<Step> {
+    pub(super) fn step(&mut self, system: &mut impl System, x: &mut [f64]) -> Result<CgStep> {
         system.apply(&self.direction, &mut self.image)?;
         let curvature = pairwise_dot(&self.direction, &self.image);
         // The negation catches NaN.
         if !(curvature > 0.0 && curvature.is_finite()) {
-            return Ok(Step::Flat);
+            return Ok(CgStep::Flat);
         }
         let length = self.rho / curvature;
         for i in 0..x.len() {
@@ -93,7 +93,7 @@ impl ConjugateGradients {
             *d = c + turn * *d;
         }
         self.rho = next;
-        Ok(Step::Gain(gain))
+        Ok(CgStep::Gain(gain))
     }
 
     fn precondition(&mut self, system: &mut impl System) -> Result<f64> {
@@ -129,13 +129,13 @@ mod tests {
         iteration.start(&mut system, &b).unwrap();
         let mut energy = 0.0;
         for _ in 0..3 {
-            let Step::Gain(gain) = iteration.step(&mut system, &mut x).unwrap() else { panic!() };
+            let CgStep::Gain(gain) = iteration.step(&mut system, &mut x).unwrap() else { panic!() };
             energy += gain;
         }
         assert!(x.iter().zip([1.0, 1.0, -2.0, 2.0]).all(|(x, e)| (x - e).abs() < 1e-13), "{x:?}");
         assert!((energy - (1.0 + 2.0 + 8.0 + 20.0)).abs() < 1e-12);
         let mut indefinite = Diagonal(vec![-1.0; 4]);
         iteration.start(&mut indefinite, &b).unwrap();
-        assert_eq!(iteration.step(&mut indefinite, &mut x).unwrap(), Step::Flat);
+        assert_eq!(iteration.step(&mut indefinite, &mut x).unwrap(), CgStep::Flat);
     }
 }
