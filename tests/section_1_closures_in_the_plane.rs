@@ -136,7 +136,7 @@ fn norms_of_order_one_and_more_take_the_gradient() {
     let sum = l2(&w) + gradient.iter().map(half).sum::<f64>();
     assert!((norm * norm / sum - 1.0).abs() < 1e-6);
     // ∫ r^{2p} sin²(pφ) by Gauss rules in polar coordinates, sector by sector.
-    let rule = fractional_sobolev::Rule::gauss_legendre(30).unwrap();
+    let rule = fractional_sobolev::gauss_legendre(30).unwrap();
     let octant = |k: usize| {
         rule.integrate(|t| {
             let phi = 0.25 * PI * (k as f64 + t);

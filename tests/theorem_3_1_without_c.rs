@@ -7,7 +7,7 @@ mod example;
 use example_frame::Outcome;
 use experiments::known_levels;
 use experiments::proof::BoundStudy;
-use fractional_sobolev::Rule;
+use fractional_sobolev::gauss_legendre;
 use signorini::cone::Cone;
 use signorini::contact::{Settings, Solver, Start};
 use signorini::fem::{Form, Lame};
@@ -133,7 +133,7 @@ fn the_korn_constant_of_the_half_plane_is_sharp() {
 /// quotients.
 #[test]
 fn the_trace_constant_of_the_square_is_nearly_attained() {
-    let (modes, rule) = (24, Rule::gauss_legendre(100).unwrap());
+    let (modes, rule) = (24, gauss_legendre(100).unwrap());
     let points: Vec<(f64, f64)> = rule.iter().collect();
     let quotient = |k: usize, x: f64, y: f64| {
         let wave = k as f64 * PI;

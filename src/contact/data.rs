@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::fem::{Cubature, Field, surface_load, volume_load};
 use crate::mesh::{Part, Point};
 use crate::numeric::check::require_values;
-use fractional_sobolev::Rule;
+use fractional_sobolev::gauss_legendre;
 
 /// Gauss points per boundary edge for surface loads.
 const EDGE_POINTS: usize = 5;
@@ -65,7 +65,7 @@ impl ContactProblem {
         part: Part,
         density: &dyn Fn(Point, Point) -> Result<Point>,
     ) -> Result<()> {
-        let rule = Rule::gauss_legendre(EDGE_POINTS)?;
+        let rule = gauss_legendre(EDGE_POINTS)?;
         let load = surface_load(&self.mesh, part, self.form.components(), density, &rule)?;
         self.add_load(&load)
     }

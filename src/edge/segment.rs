@@ -6,7 +6,7 @@
 use super::pair::{ContactPair, Segment};
 use super::seminorm::SeminormForm;
 use crate::error::Result;
-use fractional_sobolev::{Estimate, Given, Order, Rule};
+use fractional_sobolev::{Estimate, Given, Order, gauss_legendre};
 use rayon::prelude::*;
 
 /// The norms of one segment.
@@ -172,7 +172,7 @@ struct Integrals {
 
 impl Integrals {
     fn new(segment: &Segment<'_>) -> Result<Self> {
-        let rule = Rule::gauss_legendre(3)?;
+        let rule = gauss_legendre(3)?;
         let (cells, cell) = (segment.slopes.len(), segment.cell);
         let (left, right) = (segment.values[0], segment.values[cells]);
         let means = means(segment);

@@ -73,7 +73,7 @@ mod tests {
     use crate::edge::ContactPair;
     use crate::problems::StripData;
     use crate::strip::LateralCondition;
-    use fractional_sobolev::Rule;
+    use fractional_sobolev::{Rule, gauss_legendre};
 
     /// What is asked of the quadrature, with a factor for the cancellation in nearly
     /// constant traces.
@@ -105,8 +105,8 @@ mod tests {
         let ends = if which == SegmentTrace::Stress { segment.pressures } else { segment.slopes };
         // Constants have seminorm zero: without the first value nearly constant traces keep their digits.
         let ends: Vec<[f64; 2]> = ends.iter().map(|e| e.map(|v| v - ends[0][0])).collect();
-        let inner = Rule::gauss_legendre(3)?;
-        let (rule, finer) = (Rule::gauss_legendre(8)?, Rule::gauss_legendre(13)?);
+        let inner = gauss_legendre(3)?;
+        let (rule, finer) = (gauss_legendre(8)?, gauss_legendre(13)?);
         let cells = ends.len();
         // D(t) for t in units of a cell: between breaks of v and of v(· + t) the integrand is a polynomial.
         let difference = |t: f64| {

@@ -8,7 +8,7 @@
 
 use crate::error::Result;
 use crate::mesh::{Point, doubled_area};
-use fractional_sobolev::Rule;
+use fractional_sobolev::{gauss_jacobi, gauss_legendre};
 
 /// Cuts toward a singular point: what is left has 4^{−40} of the area, below rounding for every r^p with p >
 /// −0.7.
@@ -32,7 +32,7 @@ impl Cubature {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n = 0.
     pub fn new(n: usize) -> Result<Self> {
-        let (radial, across) = (Rule::gauss_jacobi(n, 0.0, 1.0)?, Rule::gauss_legendre(n)?);
+        let (radial, across) = (gauss_jacobi(n, 0.0, 1.0)?, gauss_legendre(n)?);
         let points = radial
             .iter()
             .flat_map(|(s, v)| across.iter().map(move |(t, w)| [s, t, v * w]).collect::<Vec<_>>())
@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn singular_points_cost_no_accuracy() {
         // ∫ r^{-1/2} over the unit triangle, in polar coordinates (2/3) ∫ (cos φ + sin φ)^{-3/2} dφ.
-        let angle = Rule::gauss_legendre(40).unwrap();
+        let angle = gauss_legendre(40).unwrap();
         let quarter = std::f64::consts::FRAC_PI_2;
         let exact = quarter
             * angle.integrate(|t| {

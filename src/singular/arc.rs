@@ -19,7 +19,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Par, c64};
-use fractional_sobolev::Rule;
+use fractional_sobolev::gauss_legendre;
 
 /// Shifts that are tried: the one that gives the smallest matrix is far from all exponents.
 const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
@@ -76,7 +76,7 @@ impl Wedge {
     /// its slope, then √w λU at the Gauss points; equations times √w, w the weights, so that slopes are an
     /// orthogonal matrix.
     fn pencil(&self, degree: usize) -> Result<(Mat<f64>, Mat<f64>)> {
-        let rule = Rule::gauss_legendre(degree)?;
+        let rule = gauss_legendre(degree)?;
         let omega = self.angle();
         let law = Law::of(self.medium());
         let (count, functions) = (degree + 1, law.first.len());

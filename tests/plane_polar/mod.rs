@@ -3,7 +3,7 @@
 //! With r = R(φ)ρ, r' = R(φ')ρ', v = ln(ρ/ρ') > 0 and κ = e^{-v} R(φ')/R(φ) one radius integrates to
 //! R(φ)^{2a+2−2s}/(2a+2−2s); left are φ, φ' = φ ± ψ and v, on cells that shrink towards v = ψ = 0.
 
-use fractional_sobolev::Rule;
+use fractional_sobolev::{Rule, gauss_legendre};
 use std::f64::consts::PI;
 
 /// Rings towards the singular point, and their ratio.
@@ -81,7 +81,7 @@ impl Star {
     }
 
     fn rectangle(&self, [a, b, s]: [f64; 3], psi: [f64; 2], v: [f64; 2]) -> f64 {
-        let (rule, gap) = (Rule::gauss_legendre(11).unwrap(), a + 1.0 - s);
+        let (rule, gap) = (gauss_legendre(11).unwrap(), a + 1.0 - s);
         let mut sum = 0.0;
         for (x, weight) in rule.iter() {
             let (psi, weight) = (psi[0] + (psi[1] - psi[0]) * x, weight * (psi[1] - psi[0]));

@@ -13,7 +13,9 @@ mod references;
 
 use attack::{Count, cases, seeded};
 use common::SplitMix;
-use fractional_sobolev::{Constraint, Error, Function, Mesh, Order, Rule, Tolerance, closed_forms, gamma};
+use fractional_sobolev::{
+    Constraint, Error, Function, Mesh, Order, Rule, Tolerance, closed_forms, gamma, gauss_legendre,
+};
 use std::f64::consts::PI;
 
 /// Rounding of the references: sums of some thousand positive terms.
@@ -143,7 +145,7 @@ fn root_of_reference(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Ru
 
 #[test]
 fn piecewise_linears_on_lengths_of_300_decades() {
-    let (mut random, rule) = (seeded(2), Rule::gauss_legendre(12).unwrap());
+    let (mut random, rule) = (seeded(2), gauss_legendre(12).unwrap());
     let mut linears = Count::default();
     for _ in 0..cases(4000) {
         let (order, lengths, tolerance) = (order(&mut random), lengths(&mut random), tolerance(&mut random));
@@ -160,7 +162,7 @@ fn piecewise_linears_on_lengths_of_300_decades() {
 
 #[test]
 fn piecewise_constants_on_lengths_of_300_decades() {
-    let (mut random, rule) = (seeded(6), Rule::gauss_legendre(12).unwrap());
+    let (mut random, rule) = (seeded(6), gauss_legendre(12).unwrap());
     let mut constants = Count::default();
     for _ in 0..cases(2000) {
         let order = order_below_half(&mut random);
@@ -278,7 +280,7 @@ fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
 
 #[test]
 fn cosines_up_to_ten_thousand_half_waves() {
-    let (mut random, rule) = (seeded(4), Rule::gauss_legendre(16).unwrap());
+    let (mut random, rule) = (seeded(4), gauss_legendre(16).unwrap());
     let mut closures = Count::default();
     for _ in 0..cases(20) {
         let k = decades(&mut random, 0.0, 4.0) as u32;
@@ -297,7 +299,7 @@ fn cosines_up_to_ten_thousand_half_waves() {
 
 #[test]
 fn cosines_in_pieces() {
-    let (mut random, rule) = (seeded(8), Rule::gauss_legendre(16).unwrap());
+    let (mut random, rule) = (seeded(8), gauss_legendre(16).unwrap());
     let mut pieces = Count::default();
     for _ in 0..cases(600) {
         let (k, order, tolerance) = (1 + random.below(6) as u32, order(&mut random), tolerance(&mut random));

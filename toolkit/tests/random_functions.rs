@@ -17,8 +17,8 @@ mod references;
 use attack::cases;
 use common::SplitMix;
 use fractional_sobolev::{
-    Curve, DualOf, Error, Estimate, Function, Mesh, Order, Position, Result, Rule, Tolerance, Work,
-    closed_forms,
+    Curve, DualOf, Error, Estimate, Function, Mesh, Order, Position, Result, Tolerance, Work, closed_forms,
+    gauss_legendre,
 };
 use std::f64::consts::PI;
 
@@ -205,7 +205,7 @@ fn closure(random: &mut SplitMix) -> Case {
 fn wave(random: &mut SplitMix) -> Case {
     let (order, asked) = (order(random, 0.97), tolerance(random));
     let k = 10f64.powf(random.between(0.0, 3.3)) as u32;
-    let rule = Rule::gauss_legendre(16).unwrap();
+    let rule = gauss_legendre(16).unwrap();
     let exact = references::cosine(k, order, &rule).sqrt();
     let u = Function::from_fn(&[0.0, 1.0], |x: f64| (f64::from(k) * PI * x).cos()).unwrap();
     let reference = Estimate { error: 1e-11 * exact, ..exactly(exact) };

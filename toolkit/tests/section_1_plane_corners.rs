@@ -1,6 +1,6 @@
 //! Section 1 in the plane: corner singularities on sectors, by two roads and against polygons.
 
-use fractional_sobolev::{Error, Function, Order, Rule, Tolerance, Triangles};
+use fractional_sobolev::{Error, Function, Order, Tolerance, Triangles, gauss_legendre};
 use std::f64::consts::PI;
 
 /// Two roads.
@@ -9,7 +9,7 @@ const TWO_ROADS: f64 = 1e-8;
 /// 2/(2a+2−2s) ∫∫ dφ dφ' ∫₀¹ (g(φ) − ρ^a g(φ'))² |e_φ − ρ e_φ'|^{-2-2s} ρ dρ: cells that shrink towards ρ = 1
 /// and φ = φ', no Duffy coordinates, the angle integrated numerically.
 fn by_cells(a: f64, b: f64, angle: f64, s: f64) -> f64 {
-    let rule = Rule::gauss_legendre(10).unwrap();
+    let rule = gauss_legendre(10).unwrap();
     let cuts = |end: f64, most: f64| -> Vec<f64> {
         let mut cuts = vec![0.0];
         let first = 1e-12f64.powf(0.6 / (1.0 - s)).max(1e-200) * angle.min(1.0);

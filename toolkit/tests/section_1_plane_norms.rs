@@ -6,7 +6,7 @@ mod common;
 mod plane_duffy;
 
 use common::SplitMix;
-use fractional_sobolev::{Error, Function, Order, Rule, Tolerance, Triangles, closed_forms};
+use fractional_sobolev::{Error, Function, Order, Tolerance, Triangles, closed_forms, gauss_legendre};
 use plane_duffy::Values;
 use rayon::prelude::*;
 use serde_json::Value;
@@ -196,7 +196,7 @@ fn order_one_is_a_limit() {
 /// ∫₀¹ (g·v)² |v|^{-2-2s} dt by halving until nothing changes, v along the side opposite each corner: the
 /// covariogram of a triangle.
 fn by_covariogram(corners: [[f64; 2]; 3], gradient: [f64; 2], s: f64) -> f64 {
-    let rule = Rule::gauss_legendre(20).unwrap();
+    let rule = gauss_legendre(20).unwrap();
     let mut sum = 0.0;
     for k in 0..3 {
         let [a, b, c] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];

@@ -4,7 +4,7 @@
 #[allow(dead_code)]
 mod common;
 use common::SplitMix;
-use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Rule, Tolerance};
+use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Tolerance, gauss_legendre};
 use std::f64::consts::PI;
 
 fn order(nu: f64) -> Order {
@@ -60,7 +60,7 @@ impl Pieces {
 
     /// ∫ u² and ∫ u cos(kπx/L) or ∫ u sin(kπx/L).
     fn integrals(&self, wave: Option<(usize, bool)>) -> f64 {
-        let rule = Rule::gauss_legendre(16).unwrap();
+        let rule = gauss_legendre(16).unwrap();
         let (mut start, mut sum) = (0.0, 0.0);
         for (&h, &[l, r, c, d]) in self.lengths.iter().zip(&self.values) {
             let value = |t: f64| l * (1.0 - t) + r * t + t * (1.0 - t) * (c + d * (2.0 * t - 1.0));
@@ -194,7 +194,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
         .collect();
     let value = |layers: usize, ratio: f64| {
         let mesh = Mesh::graded(&breaks, layers, ratio).unwrap();
-        let rule = Rule::gauss_legendre(4).unwrap();
+        let rule = gauss_legendre(4).unwrap();
         let (mut load, mut element) = (vec![0.0; mesh.len() + 1], 0);
         for (i, h) in mesh.lengths().iter().enumerate() {
             // an element of f carries 2 (layers + 1) elements
@@ -351,7 +351,7 @@ fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
 fn a_power_has_the_norm_of_its_cosine_series() {
     let coefficient = |k: usize| {
         // x = z^{5/3}: ∫ (5/3) cos(kπ z^{5/3}) dz
-        let rule = Rule::gauss_legendre(12).unwrap();
+        let rule = gauss_legendre(12).unwrap();
         let parts = 4 * k + 4;
         let mut sum = 0.0;
         for part in 0..parts {

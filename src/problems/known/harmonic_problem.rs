@@ -7,7 +7,7 @@ use crate::contact::ContactProblem;
 use crate::error::Result;
 use crate::fem::{Cubature, Field, Form};
 use crate::mesh::{Part, Point, SideParts, Triangulation, distance, unit_square};
-use fractional_sobolev::Rule;
+use fractional_sobolev::{Rule, gauss_legendre};
 
 /// Points along each side of a triangle's rule for errors, below p = 1 and from there on; one less for loads.
 const POINTS: [usize; 2] = [5, 4];
@@ -56,7 +56,7 @@ impl Harmonic {
 
     /// ∫ g φ_i over the contact part.
     fn edge_load(&self, mesh: &Triangulation) -> Result<Vec<f64>> {
-        let rule = Rule::gauss_legendre(EDGE_POINTS)?;
+        let rule = gauss_legendre(EDGE_POINTS)?;
         let mut load = vec![0.0; mesh.nodes().len()];
         for edge in mesh.boundary().iter().filter(|edge| edge.part == Part::Contact) {
             let [from, to] = mesh.ends(edge);
@@ -140,7 +140,7 @@ mod tests {
                     }
                 }
                 let mut load = scene.edge_load(mesh).unwrap();
-                let rule = Rule::gauss_legendre(EDGE_POINTS).unwrap();
+                let rule = gauss_legendre(EDGE_POINTS).unwrap();
                 for i in 0..n {
                     let start = i as f64 / n as f64;
                     for (t, weight, beyond) in scene.points_on_bottom(start, 1.0 / n as f64, &rule) {

@@ -8,5 +8,5 @@ mod rules;
 mod tail;
 
 pub(crate) use power_weight::PowerWeightRule;
-pub use rules::Rule;
+pub use rules::{Rule, gauss_jacobi, gauss_legendre};
 pub(crate) use tail::{Limit, extrapolate};

@@ -6,7 +6,9 @@ use gauss_quad::GaussLegendre;
 use nalgebra::DMatrix;
 use std::sync::OnceLock;
 
-/// Points in (0, 1), increasing, with positive weights.
+/// A quadrature rule: points in (0, 1), increasing, with positive weights.
+///
+/// Returned by [`gauss_legendre`] and [`gauss_jacobi`].
 ///
 /// # Method
 ///
@@ -21,20 +23,43 @@ pub struct Rule {
     weights: Vec<f64>,
 }
 
+/// n-point Gauss-Legendre rule for ∫₀¹ f(t) dt.
+///
+/// ```
+/// use fractional_sobolev::{Rule, gauss_legendre};
+/// let rule: Rule = gauss_legendre(3)?;
+/// let fifth: f64 = rule.points().iter().zip(rule.weights()).map(|(x, w)| w * x.powi(5)).sum();
+/// assert!((fifth - 1.0 / 6.0).abs() < 1e-15);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::CountOutOfRange`] for n = 0 or n > 65536.
+pub fn gauss_legendre(n: usize) -> Result<Rule> {
+    Rule::gauss_legendre(n)
+}
+
+/// n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
+/// size.
+///
+/// ```
+/// use fractional_sobolev::gauss_jacobi;
+/// // ∫₀¹ (1−t)^{1/2} t^{−1/2} dt = π/2
+/// let rule = gauss_jacobi(5, 0.5, -0.5)?;
+/// assert!((rule.integrate(|_| 1.0) - std::f64::consts::FRAC_PI_2).abs() < 1e-14);
+/// assert!(rule.iter().all(|(t, w)| 0.0 < t && t < 1.0 && w > 0.0));
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::CountOutOfRange`] for n = 0 or n > 65536, [`Error::OutOfRange`] unless α, β > −1 and finite.
+pub fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Rule> {
+    Rule::gauss_jacobi(n, alpha, beta)
+}
+
 impl Rule {
-    /// n-point Gauss-Legendre rule for ∫₀¹ f(t) dt.
-    ///
-    /// ```
-    /// use fractional_sobolev::Rule;
-    /// let rule = Rule::gauss_legendre(3)?;
-    /// let fifth: f64 = rule.points().iter().zip(rule.weights()).map(|(x, w)| w * x.powi(5)).sum();
-    /// assert!((fifth - 1.0 / 6.0).abs() < 1e-15);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::CountOutOfRange`] for n = 0 or n > 65536.
-    pub fn gauss_legendre(n: usize) -> Result<Self> {
+    /// As [`gauss_legendre`].
+    pub(crate) fn gauss_legendre(n: usize) -> Result<Self> {
         require_points(n)?;
         match KNOWN.get(n) {
             Some(known) => Ok(known.get_or_init(|| legendre_rule(n)).clone()),
@@ -42,21 +67,8 @@ impl Rule {
         }
     }
 
-    /// n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
-    /// size.
-    ///
-    /// ```
-    /// use fractional_sobolev::Rule;
-    /// // ∫₀¹ (1−t)^{1/2} t^{−1/2} dt = π/2
-    /// let rule = Rule::gauss_jacobi(5, 0.5, -0.5)?;
-    /// assert!((rule.integrate(|_| 1.0) - std::f64::consts::FRAC_PI_2).abs() < 1e-14);
-    /// assert!(rule.iter().all(|(t, w)| 0.0 < t && t < 1.0 && w > 0.0));
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::CountOutOfRange`] for n = 0 or n > 65536, [`Error::OutOfRange`] unless α, β > −1 and finite.
-    pub fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Self> {
+    /// As [`gauss_jacobi`].
+    pub(crate) fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Self> {
         require_points(n)?;
         for (name, exponent) in [("alpha", alpha), ("beta", beta)] {
             Error::require(name, exponent, "(-1, inf)", exponent > -1.0 && exponent.is_finite())?;

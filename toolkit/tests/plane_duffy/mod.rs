@@ -2,7 +2,7 @@
 //! Methods, Springer 2011, Section 5.2) with Gauss-Jacobi rules for touching triangles, cutting both
 //! triangles of other pairs into four until they are as far apart as they are large.
 
-use fractional_sobolev::{Function, Order, Rule, Triangles};
+use fractional_sobolev::{Function, Order, Rule, Triangles, gauss_jacobi, gauss_legendre};
 
 /// A function by its values: of degree 0 one per triangle, of degree 1 one per node.
 #[derive(Debug, Clone)]
@@ -67,8 +67,8 @@ struct Road {
 impl Road {
     fn new(s: f64, degree: i32, n: usize) -> Self {
         let p = f64::from(degree) - 2.0 - 2.0 * s;
-        let weighted = [3.0, 2.0, 1.0].map(|k| Rule::gauss_jacobi(POWERS, 0.0, k + p).ok());
-        let [plain, across, apart] = [n, 3 * n, n.min(10)].map(|n| Rule::gauss_legendre(n).unwrap());
+        let weighted = [3.0, 2.0, 1.0].map(|k| gauss_jacobi(POWERS, 0.0, k + p).ok());
+        let [plain, across, apart] = [n, 3 * n, n.min(10)].map(|n| gauss_legendre(n).unwrap());
         Self { s, degree, plain, across, apart, weighted }
     }
 

@@ -3,7 +3,7 @@
 
 use crate::scale::unit_of;
 use fractional_sobolev::Mesh;
-use fractional_sobolev::Rule;
+use fractional_sobolev::gauss_legendre;
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Work};
 use fractional_sobolev::{Gram, Order};
@@ -72,7 +72,7 @@ impl DualNorm {
     /// # Errors
     /// [`Error::NotFinite`] for a value of f or a norm beyond the range of binary64.
     pub(crate) fn of(&self, f: impl Fn(usize, f64) -> f64) -> Result<Estimate> {
-        let rule = Rule::gauss_legendre(POINTS)?;
+        let rule = gauss_legendre(POINTS)?;
         let count = self.cells.len();
         let values: Vec<f64> =
             (0..count).flat_map(|i| rule.iter().map(move |(t, _)| (i, t))).map(|(i, t)| f(i, t)).collect();

@@ -7,7 +7,7 @@
 use super::panels::PanelRules;
 use super::sample::SampleSlope;
 use crate::sum::RunningSum;
-use fractional_sobolev::Rule;
+use fractional_sobolev::gauss_legendre;
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use fractional_sobolev::{Function, Mesh};
@@ -19,7 +19,7 @@ pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 pub(super) fn error_norms(slope: &Function<'_>) -> Result<(Estimate, Estimate)> {
     let partition = slope.mesh()?;
     let mean = slope.mean(Tolerance::reference())?.value;
-    let rule = Rule::gauss_legendre(slope.degree()? + 2)?;
+    let rule = gauss_legendre(slope.degree()? + 2)?;
     let total = partition.total();
     let (mut squares, mut error_squares, mut error, mut largest) = (0.0, 0.0, 0.0, 0.0f64);
     for (index, length) in partition.lengths().iter().enumerate() {

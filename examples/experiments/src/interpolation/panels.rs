@@ -5,7 +5,7 @@
 //! cancels on elements far shorter than their distance from the singular point.
 
 use fractional_sobolev::Result;
-use fractional_sobolev::Rule;
+use fractional_sobolev::{Rule, gauss_legendre};
 
 /// Gauss points per panel: a function analytic up to one panel length away is integrated to 6^{-24}.
 const POINTS: usize = 12;
@@ -40,7 +40,7 @@ pub(in crate::interpolation) struct PanelRules {
 
 impl PanelRules {
     pub(in crate::interpolation) fn new() -> Result<Self> {
-        Ok(Self { long: Rule::gauss_legendre(POINTS)?, short: Rule::gauss_legendre(POINTS / 2)? })
+        Ok(Self { long: gauss_legendre(POINTS)?, short: gauss_legendre(POINTS / 2)? })
     }
 
     /// At an eighth of the distance the radius of analyticity is 34 half lengths: half the points do.

@@ -3,7 +3,7 @@
 //! For w = X(x) Y(y) and the displacement (a, b), w(x+a, y+b) − w(x, y) = ΔX Y + X⁺ ΔY with X⁺ = X(x+a),
 //! ΔX = X⁺ − X: products over the overlap of one function of x and one of y, formed from differences.
 
-use fractional_sobolev::{Result, Rule};
+use fractional_sobolev::{Result, gauss_legendre};
 
 /// P_k(a) and (P_k(b) − P_k(a))/(b − a) into all places, from the recurrence itself and so without a
 /// difference: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
@@ -125,7 +125,7 @@ impl Increments {
         let mut all = Self { plain: zero(), mixed: zero(), moved: zero(), mixed_moved: zero(), both: zero() };
         let (mut values, mut steps) = (vec![0.0; n], vec![0.0; n]);
         let (cuts, points) = family.cells(a);
-        let rule = Rule::gauss_legendre(points)?;
+        let rule = gauss_legendre(points)?;
         for pair in cuts.windows(2) {
             for (t, w) in rule.iter() {
                 let (x, weight) = (pair[1] + (pair[0] - pair[1]) * t, w * (pair[0] - pair[1]));

@@ -2,7 +2,7 @@
 
 mod increments;
 
-use fractional_sobolev::{Error, Estimate, Given, Order, Result, Rule, Work};
+use fractional_sobolev::{Error, Estimate, Given, Order, Result, Work, gauss_legendre};
 use increments::{EdgeFamily, Family, Increments, Parity};
 use nalgebra::{Cholesky, DMatrix};
 use std::f64::consts::PI;
@@ -107,7 +107,7 @@ fn require_degree(name: &'static str, value: usize) -> Result<()> {
 /// ∫∫ (c_j(x)−c_j(y)) (c_k(x)−c_k(y)) (x−y)^{-2}, c_k = cos(kπx), for modes of one parity.
 fn cosine_edge(modes: &[f64]) -> Result<DMatrix<f64>> {
     let most = modes.last().copied().unwrap_or(1.0);
-    let (cells, rule) = (2 * most as usize, Rule::gauss_legendre(10)?);
+    let (cells, rule) = (2 * most as usize, gauss_legendre(10)?);
     let mut edge = DMatrix::<f64>::zeros(modes.len(), modes.len());
     // ∫ sin(jπz) sin(kπz) over (a/2, 1 − a/2), j ± k even
     let overlap =
@@ -197,7 +197,7 @@ fn largest_quotient(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Result<f64> {
 fn graded(order: Order, points: usize) -> Result<Vec<(f64, f64)>> {
     let missed = 2.0 * order.offset().min(order.complement());
     let cells = (INNERMOST.ln() / RATIO.ln() / missed).ceil() as i32;
-    let rule = Rule::gauss_legendre(points)?;
+    let rule = gauss_legendre(points)?;
     let mut all = Vec::new();
     for k in 0..=cells {
         let (high, low) = (RATIO.powi(k), if k == cells { 0.0 } else { RATIO.powi(k + 1) });
