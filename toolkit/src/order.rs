@@ -164,6 +164,14 @@ fn unreadable(text: &str) -> Error {
 /// The order s of a norm, −1 < s < 2, by its fractional part, so that the distance from ±1/2 and 3/2 keeps its digits.
 ///
 /// Given as a plain number, an [`Order`] ν for s = ν, `-ν`, or [`Order::plus_one`].
+///
+/// ```
+/// use fractional_sobolev::{Function, Order, SobolevOrder};
+/// let u = Function::from_fn(&[0.0, 1.0], |x| x)?;
+/// let dual: SobolevOrder = -Order::HALF;
+/// assert_eq!(u.norm(dual, 1e-6)?.value, u.norm(-0.5, 1e-6)?.value);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SobolevOrder {
     /// s = −ν: the norm dual to that of order ν.
