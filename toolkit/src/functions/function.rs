@@ -76,6 +76,14 @@ impl Position<'_> {
     }
 
     /// ln |offset|, also where the offset underflows: as far as −10^{300}.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Function, Position};
+    /// // |ln x|^0.3 at 0, its limit at 1
+    /// let near = |at: Position| if at.anchor() == 0 { (-at.log_distance()).powf(0.3) } else { (-at.x().ln()).powf(0.3) };
+    /// assert!(Function::from_positions(&[0.0, 0.5], near)?.norm(0.25, 1e-4)?.value > 0.5);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
     pub fn log_distance(&self) -> f64 {
         self.depth.unwrap_or_else(|| self.offset.abs().ln())
     }

@@ -32,7 +32,7 @@ const FIRST: usize = 4;
 /// (6.2)  At(x)   κ(x/h) h^{1/2},  κ(t)² = (t³ + (1−t)³)/3, for r = 1
 /// ```
 ///
-/// The dual norm on an interval is that of the seminorm |ψ|_{1/2}, with which (4.7) follows element by element:
+/// The dual norm on an interval is that of the seminorm |ψ|\_{1/2}, with which (4.7) follows element by element:
 /// Σ |·|²_{r,I} ≤ |·|²_{r,Γ}. The square of C* is the largest eigenvalue of A_{1/2}⁻¹ x = λ A_r x in L²-orthonormal
 /// coordinates; the paper's chain gives γ₁(r) γ₁(1/2) in its place, equal at r = 1/2.
 ///
