@@ -42,7 +42,7 @@ pub struct Gram {
 }
 
 enum Form {
-    Interval(Interval),
+    Interval(Box<Interval>),
     Grid { squares: [usize; 2], h: f64, form: GridOperator },
 }
 
@@ -106,7 +106,7 @@ impl Gram {
 
     fn on_interval(mesh: &Mesh, order: Order, tolerance: Tolerance, is_linear: bool) -> Self {
         let (mesh, fast) = (mesh.clone(), OnceLock::new());
-        Self { form: Form::Interval(Interval { mesh, order, tolerance, is_linear, fast }) }
+        Self { form: Form::Interval(Box::new(Interval { mesh, order, tolerance, is_linear, fast })) }
     }
 
     /// For the hat functions of all nodes of [`Triangles::grid`] with the same arguments, row by row from the bottom.
@@ -168,11 +168,11 @@ impl Gram {
         require_values("vector", x, self.len())?;
         let mut y = vec![0.0; x.len()];
         match &self.form {
-            Form::Interval(Interval { mesh, is_linear: false, .. }) => {
-                y.iter_mut().zip(x).zip(mass_constants(mesh)).for_each(|((y, x), h)| *y = h * x);
+            Form::Interval(interval) if !interval.is_linear => {
+                y.iter_mut().zip(x).zip(mass_constants(&interval.mesh)).for_each(|((y, x), h)| *y = h * x);
             }
-            Form::Interval(Interval { mesh, .. }) => {
-                let (diagonal, beside) = mass_linears(mesh);
+            Form::Interval(interval) => {
+                let (diagonal, beside) = mass_linears(&interval.mesh);
                 y.iter_mut().zip(x).zip(diagonal).for_each(|((y, x), d)| *y = d * x);
                 for (k, entry) in beside.into_iter().enumerate() {
                     y[k] += entry * x[k + 1];
@@ -221,8 +221,10 @@ impl Gram {
         let n = self.len();
         require_memory("entries", n.saturating_mul(n), 16)?;
         match &self.form {
-            Form::Interval(Interval { mesh, order, is_linear: true, .. }) => Ok(gram_linears(mesh, *order)),
-            Form::Interval(Interval { mesh, order, .. }) => gram_constants(mesh, *order),
+            Form::Interval(interval) if interval.is_linear => {
+                Ok(gram_linears(&interval.mesh, interval.order))
+            }
+            Form::Interval(interval) => gram_constants(&interval.mesh, interval.order),
             Form::Grid { form, .. } => {
                 let mut dense = DMatrix::zeros(n, n);
                 for k in 0..n {
