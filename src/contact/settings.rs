@@ -32,6 +32,7 @@ pub struct Settings<'a> {
     /// grid is left out.
     pub hierarchy: Option<&'a Hierarchy>,
     /// Called after every step of multigrid; its error ends the iteration.
+    #[allow(clippy::type_complexity)] // a callback, spelled out
     pub progress: Option<&'a mut (dyn FnMut(&Progress) -> Result<()> + Send)>,
     /// Relative sizes expected of the displacement at the nodes of the contact edge, all positive, for
     /// [`Solver::EdgeInteriorPoint`] in the nodal cone: each node has its own barrier weight.

@@ -17,15 +17,15 @@
 mod edge_data;
 mod exact;
 mod operator;
+mod reduced;
 mod sides;
 mod solver;
-mod strip;
 mod transfer;
 
 pub use edge_data::EdgeData;
 pub use exact::{Reference, StripKind, StripProblem};
 pub use operator::edge::EdgeOperator;
+pub use reduced::Strip;
 pub use sides::LateralCondition;
 pub use solver::solution::EdgeSolution;
-pub use strip::Strip;
 pub(crate) use transfer::restrict;
