@@ -1,6 +1,7 @@
 //! Best constants of Lemma 6.1, (6.1), on one element, by an eigenproblem for the slope.
 
-use super::legendre::{converge, evaluate, odd_degrees, primitive_gram, seminorm_gram};
+use super::form::form;
+use super::legendre::{converge, evaluate, odd_degrees, seminorm_gram};
 use super::limits;
 use crate::Order;
 use crate::constant::{BestConstant, ErrorNorm, UnitOrder};
@@ -11,29 +12,6 @@ use nalgebra::DMatrix;
 
 /// Orders below this have the constant of the limit ν → 0: the two differ by less than the order.
 const LIMIT: f64 = 1e-30;
-
-/// The form whose quotient with |v|²_ν is maximised, on the unit element.
-///
-/// # Errors
-/// [`Error::Incompatible`] for a norm without a form.
-pub(super) fn form(norm: ErrorNorm, h: f64, degrees: &[usize]) -> Result<DMatrix<f64>> {
-    let mass = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
-    let size = degrees.len();
-    Ok(match norm {
-        ErrorNorm::L2 => primitive_gram(degrees),
-        ErrorNorm::Derivative => DMatrix::from_fn(size, size, mass),
-        ErrorNorm::H1 => {
-            let primitive = primitive_gram(degrees);
-            DMatrix::from_fn(size, size, |i, j| mass(i, j) + h * h * primitive[(i, j)])
-        }
-        ErrorNorm::Dual | ErrorNorm::At(_) => return Err(refused(norm)),
-    })
-}
-
-/// The refusal of a norm.
-pub(in crate::interpolation) fn refused(norm: ErrorNorm) -> Error {
-    norm.refused("interpolation", "L2, Derivative or H1")
-}
 
 /// Checks the length of an element; its square must stay finite beside 1.
 pub(in crate::interpolation) fn require_length(h: f64) -> Result<f64> {

@@ -9,7 +9,7 @@
 //!   with k(s) = s/h for s < x, s/h − 1 for s > x. Worst at the ends, 1/√3; best in the centre, 1/(2√3). The
 //!   paper has 1.
 
-use super::constant::form;
+use super::form::{form, refused};
 use super::legendre::odd_degrees;
 use crate::constant::ErrorNorm;
 use crate::error::{Error, Result};
@@ -59,7 +59,7 @@ pub(super) fn one(norm: ErrorNorm, h: f64) -> Result<Estimate> {
         ErrorNorm::L2 => 1.0 / (PI * PI),
         ErrorNorm::Derivative => 1.0 / PI,
         ErrorNorm::H1 => PI.hypot(h) / (PI * PI),
-        ErrorNorm::Dual | ErrorNorm::At(_) => return Err(super::constant::refused(norm)),
+        ErrorNorm::Dual | ErrorNorm::At(_) => return Err(refused(norm)),
     };
     Estimate::new(value, 4.0 * f64::EPSILON * value, Work::default())
 }

@@ -2,9 +2,11 @@
 //! found in.
 
 mod constant;
+mod form;
 mod legendre;
 mod limits;
 
-pub(super) use constant::{of_mean, on_interval, refused, require_length, scale};
+pub(super) use constant::{of_mean, on_interval, require_length, scale};
+pub(super) use form::refused;
 pub(super) use legendre::{converge, odd_degrees, seminorm_gram, stiffness_gram};
 pub(super) use limits::pointwise;
