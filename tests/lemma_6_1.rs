@@ -42,7 +42,14 @@ fn slope(found: &BestConstant, h: f64) -> Function<'static> {
     let error = found.extremal().unwrap();
     let partition = Mesh::graded(&[0.0, 1.0], 12, 0.4).unwrap();
     let error = Function::interpolate(&partition, 9, |x| error.value(&[h * x.min(1.0)]));
-    error.and_then(|error| error.derivative()).unwrap()
+    let pieces = error.and_then(|error| error.derivative()).unwrap();
+    // one value at every node: continuous
+    let nodes = partition.from_left();
+    let slope = |x: f64| {
+        let k = nodes.partition_point(|&node| node <= x).clamp(1, partition.len()) - 1;
+        pieces.value(k, (x - nodes[k]) / partition.lengths()[k]).unwrap()
+    };
+    Function::interpolate(&partition, 8, slope).unwrap()
 }
 
 fn element_constant(
