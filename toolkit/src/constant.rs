@@ -169,6 +169,9 @@ impl BestConstant {
     }
 }
 
+/// A function of the coordinates of a point.
+type PointFunction = dyn Fn(&[f64]) -> f64 + Send + Sync;
+
 /// The function for which a best constant is attained.
 ///
 /// For interpolation it is the error u − Iu of the extremal u with |∇u|_s = 1, for projection φ with |φ|_r = 1, for
@@ -183,7 +186,7 @@ impl BestConstant {
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Extremal(Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>);
+pub struct Extremal(Arc<PointFunction>);
 
 impl fmt::Debug for Extremal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
