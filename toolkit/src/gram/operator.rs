@@ -175,8 +175,15 @@ mod tests {
             let exact: Vec<f64> = (0..=n).map(row).collect();
             let largest = exact.iter().fold(0.0f64, |m, v| m.max(v.abs()));
             for operator in both(&mesh, Order::HALF, 1e-8) {
-                let worst = largest_difference(&operator.apply(&x).unwrap(), &exact);
+                let product = operator.apply(&x).unwrap();
+                let worst = largest_difference(&product, &exact);
                 assert!(worst <= PRODUCT_TOLERANCE * largest, "{n} elements: {worst:e}");
+                // Without a transform every entry has its digits, relative to |A||x|.
+                for i in (0..=n).filter(|_| !operator.is_uniform()) {
+                    let absolute: f64 = (0..=n).map(|j| (matrix[(i, j)] * x[j]).abs()).sum();
+                    let off = (product[i] - exact[i]).abs();
+                    assert!(off <= PRODUCT_TOLERANCE * absolute, "{n} elements, entry {i}: {off:e}");
+                }
             }
         }
     }

@@ -48,3 +48,22 @@ pub(crate) fn dual_moments(order: Order, theta: f64, tolerance: Tolerance) -> Re
     };
     Ok(DualMoments { square: estimate(0)?, representer: estimate(1)?, image: estimate(2)? })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+
+    #[test]
+    fn a_refused_dual_norm_carries_its_best_value() {
+        let (order, constraint) = (Order::new(0.4).unwrap(), Constraint::mean_zero_on(0.0..0.25).unwrap());
+        let norm = |tolerance: f64| largest_mean(order, &constraint, Tolerance::new(tolerance).unwrap());
+        let met = norm(1e-11).unwrap();
+        let refused = norm(1e-15).unwrap_err();
+        let Error::ToleranceNotMet { asked, reached, best: Some(best), why, .. } = refused else {
+            panic!("{refused:?}");
+        };
+        assert!((best.value - met.value).abs() <= best.error + met.error, "{best} {met}");
+        assert!(reached > asked && reached == best.relative_error() && !why.is_empty());
+    }
+}
