@@ -4,6 +4,18 @@ use std::ops::Range;
 
 /// Which constraints hold with equality: nodes (nodal cone) or segments (midpoint cone), in the order of the
 /// edge.
+///
+/// A contact interval is a maximal run of active indices; on a closed edge a contact interval through node 0 is
+/// listed as two runs, one at either end of the numbering.
+///
+/// ```
+/// use signorini::cone::{Cone, ContactSet, Ends};
+/// let coarse = ContactSet::new(vec![true, true, false, false]);
+/// // halved segments inherit contact: the set covers the same part of the edge
+/// let fine = Cone::Midpoint.on(9, Ends::Open).refined_set(&coarse)?;
+/// assert_eq!(fine.count() * coarse.constraints(), coarse.count() * fine.constraints());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct ContactSet {
     active: Vec<bool>,
@@ -11,11 +23,22 @@ pub struct ContactSet {
 
 impl ContactSet {
     /// The set with the given characteristic function.
+    ///
+    /// Entry i is true if constraint i holds with equality, (B w)_i = g_i. Numbered from left to right.
     pub fn new(active: Vec<bool>) -> Self {
         Self { active }
     }
 
     /// The empty subset of `constraints` constraints.
+    ///
+    /// This is the default first guess of the active set ([`Start::Open`](crate::contact::Start::Open)); its face is
+    /// the whole space, so that the first linear problem has no constraint.
+    ///
+    /// ```
+    /// let none = signorini::cone::ContactSet::empty(4);
+    /// assert_eq!((none.constraints(), none.count(), none.runs().len()), (4, 0, 0));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn empty(constraints: usize) -> Self {
         Self::new(vec![false; constraints])
     }
@@ -26,11 +49,16 @@ impl ContactSet {
     }
 
     /// Number of active constraints.
+    ///
+    /// In units of the mesh this is the measure of the contact set: for the midpoint cone on a uniform edge of n
+    /// segments the contact set has length count/n. Cost: O(constraints).
     pub fn count(&self) -> usize {
         self.active.iter().filter(|&&active| active).count()
     }
 
     /// True when constraint `i` exists and is active.
+    ///
+    /// An index out of range is not active.
     pub fn contains(&self, i: usize) -> bool {
         self.active.get(i).copied().unwrap_or(false)
     }
@@ -41,11 +69,30 @@ impl ContactSet {
     }
 
     /// The active indices, ascending.
+    ///
+    /// ```
+    /// let set = signorini::cone::ContactSet::new(vec![true, false, true, true]);
+    /// assert_eq!(set.indices(), [0, 2, 3]);
+    /// assert_eq!(set.indices(), set.runs().into_iter().flatten().collect::<Vec<_>>());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn indices(&self) -> Vec<usize> {
         (0..self.active.len()).filter(|&i| self.active[i]).collect()
     }
 
     /// Maximal runs of consecutive active indices.
+    ///
+    /// The components of the discrete contact set, as half-open ranges, ascending; two runs are
+    /// separated by at least one inactive constraint. Cost: O(constraints).
+    ///
+    /// ```
+    /// use signorini::cone::ContactSet;
+    /// let set = ContactSet::new(vec![true, true, false, true, false]);
+    /// assert_eq!(set.runs(), [0..2, 3..4]);
+    /// // the lengths of the runs sum to the number of active constraints
+    /// assert_eq!(set.runs().iter().map(|run| run.len()).sum::<usize>(), set.count());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn runs(&self) -> Vec<Range<usize>> {
         let mut runs: Vec<Range<usize>> = Vec::new();
         for i in self.indices() {
@@ -58,6 +105,16 @@ impl ContactSet {
     }
 
     /// Number of constraints that are active in exactly one of the two sets.
+    ///
+    /// The cardinality of the symmetric difference, a metric on sets of equal length; the shorter set is continued by
+    /// inactive constraints. The active set iteration ends at distance 0 of two successive sets.
+    ///
+    /// ```
+    /// use signorini::cone::ContactSet;
+    /// let [a, b] = [[true, false, true], [true, true, false]].map(|set| ContactSet::new(set.to_vec()));
+    /// assert_eq!((a.distance(&a), a.distance(&b), b.distance(&a)), (0, 2, 2));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn distance(&self, other: &Self) -> usize {
         let longest = self.active.len().max(other.active.len());
         (0..longest).filter(|&i| self.contains(i) != other.contains(i)).count()

@@ -45,6 +45,9 @@ impl Derivative {
     }
 
     /// Puts zero in the place of the positive part; returns where F' vanishes.
+    ///
+    /// F_i' ← min(F_i', 0): the derivative of t ↦ F_i(min(t, m_i)); the minimiser m_i is returned. Amortised O(1):
+    /// each piece is removed once.
     pub(super) fn cut(&mut self) -> f64 {
         let zero = if self.sigma > 0.0 { self.cut_right() } else { self.cut_left() };
         self.sigma * (zero - self.offset)

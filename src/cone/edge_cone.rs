@@ -8,6 +8,14 @@ use super::kind::Cone;
 use crate::error::{Error, Result, ToolkitError};
 
 /// What the ends of an edge do.
+///
+/// ```
+/// use signorini::cone::{Cone, Ends};
+/// // on a chain of n nodes there are n - 1 segments, on a ring n
+/// let segments = |ends| Cone::Midpoint.on(6, ends).constraints();
+/// assert_eq!((segments(Ends::Open), segments(Ends::Joined)), (5, 6));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Ends {
     /// The edge has a first and a last node: one segment less than nodes.
@@ -18,6 +26,25 @@ pub enum Ends {
 }
 
 /// { w : B w ≤ g } for the nodal values w on an edge.
+///
+/// A closed convex polyhedral set; for g = 0 a cone. The matrix B is never stored.
+///
+/// | | rows of B | B B' | kernel of B |
+/// | --- | --- | --- | --- |
+/// | nodal | e_i | I | 0 |
+/// | midpoint | (e_i + e_{i+1})/2 | tridiag(1/4, 1/2, 1/4) | the sawtooth (−1)^i; on an odd ring 0 |
+///
+/// The least eigenvalue of the midpoint B B' is about (π/2n)², so that multipliers are computed by recursion along
+/// a contact interval and not from B B'.
+///
+/// ```
+/// use signorini::cone::{Cone, Ends};
+/// let cone = Cone::Midpoint.on(5, Ends::Open);
+/// // the sawtooth lies in the kernel of B, and constants are reproduced
+/// assert_eq!(cone.apply(&[1.0, -1.0, 1.0, -1.0, 1.0]), [0.0; 4]);
+/// assert_eq!(cone.apply(&[3.0; 5]), [3.0; 4]);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct EdgeCone {
     cone: Cone,
@@ -27,11 +54,21 @@ pub struct EdgeCone {
 
 impl Cone {
     /// This cone on an edge of `nodes` nodes.
+    ///
+    /// ```
+    /// use signorini::cone::{Cone, Ends};
+    /// let cone = Cone::Nodal.on(5, Ends::Open);
+    /// // the nodal B is the identity
+    /// assert_eq!((cone.kind(), cone.nodes(), cone.constraints(), cone.weight()), (Cone::Nodal, 5, 5, 1.0));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub const fn on(self, nodes: usize, ends: Ends) -> EdgeCone {
         EdgeCone { cone: self, nodes, ends }
     }
 
     /// Number of constraints on an open edge of `nodes` nodes.
+    ///
+    /// Nodal: `nodes`; midpoint: `nodes` − 1.
     pub const fn constraints(self, nodes: usize) -> usize {
         self.on(nodes, Ends::Open).constraints()
     }
@@ -63,6 +100,18 @@ impl EdgeCone {
 
     /// B w: nodal values, or the means over the segments. Also maps nodal positions on an open edge to those
     /// of the constraints.
+    ///
+    /// On a ring the last mean is that of the closing segment, (w_{n−1} + w_0)/2. Halves are added, so that no mean of
+    /// finite values overflows. Cost: O(nodes).
+    ///
+    /// ```
+    /// use signorini::cone::{Cone, Ends};
+    /// let w = [1.0, 3.0, -2.0];
+    /// assert_eq!(Cone::Midpoint.on(3, Ends::Open).apply(&w), [2.0, 0.5]);
+    /// assert_eq!(Cone::Midpoint.on(3, Ends::Joined).apply(&w), [2.0, 0.5, -0.5]);
+    /// assert_eq!(Cone::Nodal.on(3, Ends::Open).apply(&w), w);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn apply(self, w: &[f64]) -> Vec<f64> {
         // Halves first: the sum of two huge values must not overflow.
         let mean = |left: f64, right: f64| 0.5 * left + 0.5 * right;
@@ -79,6 +128,21 @@ impl EdgeCone {
     }
 
     /// B'λ: the nodal forces of the multipliers.
+    ///
+    /// Nodal: (B'λ)_i = λ_i; midpoint: (B'λ)_i = (λ_{i−1} + λ_i)/2, with λ_{−1} = λ_{n−1} = 0 at the ends of an open
+    /// edge. Row sums of B are 1, so that the resultant Σ_i (B'λ)_i = Σ_i λ_i = −∫ σ_N is kept.
+    ///
+    /// ```
+    /// use signorini::cone::{Cone, Ends};
+    /// let cone = Cone::Midpoint.on(4, Ends::Open);
+    /// let (w, multiplier) = ([1.0, -2.0, 4.0, 3.0], [2.0, 1.0, 5.0]);
+    /// let force = cone.apply_transposed(&multiplier)?;
+    /// // (B w)'λ = w'(B'λ), and the resultant is kept
+    /// let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    /// assert_eq!(product(&cone.apply(&w), &multiplier), product(&w, &force));
+    /// assert_eq!(force.iter().sum::<f64>(), multiplier.iter().sum::<f64>());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when λ does not hold one entry per constraint.
@@ -105,6 +169,18 @@ impl EdgeCone {
     }
 
     /// The nodes of constraint `i`, one node or the two ends of a segment: where row `i` of B is not zero.
+    ///
+    /// In the nodal cone node i; in the midpoint cone nodes i and i + 1, modulo the number of nodes on a ring. Together
+    /// with [`EdgeCone::weight`] this is the sparsity pattern of B.
+    ///
+    /// ```
+    /// use signorini::cone::{Cone, Ends};
+    /// let ring = Cone::Midpoint.on(4, Ends::Joined);
+    /// assert_eq!(ring.support(3).collect::<Vec<_>>(), [3, 0]);
+    /// // every row of B sums to 1
+    /// assert_eq!(ring.support(3).count() as f64 * ring.weight(), 1.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn support(self, i: usize) -> impl Iterator<Item = usize> {
         let second = match self.cone {
             Cone::Nodal => None,
@@ -114,6 +190,8 @@ impl EdgeCone {
     }
 
     /// The entry of B at every node of a support.
+    ///
+    /// 1 for the nodal cone, 1/2 for the midpoint cone.
     pub const fn weight(self) -> f64 {
         match self.cone {
             Cone::Nodal => 1.0,
@@ -123,6 +201,18 @@ impl EdgeCone {
 
     /// The contact set that `coarse`, a set on the edge with segments twice as long, suggests here: the
     /// constraints lying in it.
+    ///
+    /// Nodal: an old node keeps its flag, a new node is active if both neighbours are. Midpoint: both halves of a
+    /// segment have its flag. The refined set covers the same contact intervals, as subsets of the edge.
+    ///
+    /// ```
+    /// use signorini::cone::{Cone, ContactSet, Ends};
+    /// let coarse = ContactSet::new(vec![true, true, false]);
+    /// let fine = Cone::Nodal.on(5, Ends::Open).refined_set(&coarse)?;
+    /// assert_eq!(fine.indices(), [0, 1, 2]);
+    /// assert!(Cone::Nodal.on(6, Ends::Open).refined_set(&coarse).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when halving the segments of that edge does not give this one.
@@ -148,6 +238,9 @@ impl EdgeCone {
 
     /// The largest t ≤ 1 with w + t (v − w) in the cone B w ≤ 0, for w inside it; constraints in `active`
     /// hold at both.
+    ///
+    /// t = min(1, min { s_i / (s_i − v_i) : v_i > 0 }) with s = B w ≤ 0 and v = B v: the ratio test over the
+    /// constraints that are not active. Along it J falls if v minimises J on the face.
     pub(crate) fn longest_step(self, w: &[f64], v: &[f64], active: &[bool]) -> f64 {
         let (here, there) = (self.apply(w), self.apply(v));
         let mut longest: f64 = 1.0;

@@ -24,6 +24,10 @@ impl Block {
 }
 
 /// A face of the cone: its gaps and contact runs in the order of the edge.
+///
+/// As a linear space (for g = 0): V = { w : (B w)_i = 0 for the active i }. Nodal: dim V = n − (active nodes);
+/// midpoint: dim V = (free nodes) + (contact runs), one sawtooth amplitude for every run (none on an odd ring
+/// that is in contact all round).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Face {
     cone: EdgeCone,
@@ -80,6 +84,9 @@ impl Face {
     }
 
     /// x ← Π x.
+    ///
+    /// Π is orthogonal in the Euclidean product: on a run of m nodes i_0 < ... < i_{m−1} of the midpoint cone
+    /// (Π x)_{i_k} = (−1)^k c, c = (1/m) Σ_j (−1)^j x_{i_j}; in the nodal cone (Π x)_{i_k} = 0; Π² = Π = Π'.
     pub(crate) fn project(&self, x: &mut [f64]) {
         let nodes = self.cone.nodes();
         for run in self.runs() {

@@ -5,6 +5,19 @@ use std::fmt;
 use std::str::FromStr;
 
 /// Which discrete noninterpenetration condition.
+///
+/// K^h ⊂ K for g affine on every segment, because u_N is piecewise affine there; K̄^h ⊃ K^h is not contained in K:
+/// u_N may exceed g on half of a segment.
+///
+/// ```
+/// use signorini::cone::{Cone, Ends};
+/// // K^h is contained in the midpoint cone: means of values ≤ 0 are ≤ 0, but not conversely
+/// let w = [-1.0, 0.5, -1.0];
+/// let [nodal, midpoint] = Cone::ALL.map(|cone| cone.on(3, Ends::Open).apply(&w));
+/// assert!(nodal.iter().any(|w| *w > 0.0) && midpoint.iter().all(|w| *w <= 0.0));
+/// assert_eq!("midpoint".parse::<Cone>()?, Cone::Midpoint);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Cone {
     /// K^h of (2.9): u_N ≤ g at every node of the contact edge, end nodes included.

@@ -22,6 +22,18 @@ use crate::numeric::check::{require_finite, require_length};
 pub const KKT_ROUNDING: f64 = 1e-13;
 
 /// The terms of the KKT conditions at a candidate solution. Vectors in any order, as long as `multiplier` and `gap` agree.
+///
+/// ```
+/// use signorini::cone::KktTerms;
+/// // min w²/2 − 3 w over w ≤ 1: w = 1, λ = 2
+/// let (force, displacement) = (4.0, 1.0);
+/// let exact = KktTerms { residual: &[0.0], multiplier: &[2.0], gap: &[0.0], force, displacement };
+/// assert_eq!(exact.residuals()?.worst(), 0.0);
+/// // with λ = 2.4 the balance w − 3 + λ is 0.4, relative to |w| + 3
+/// let wrong = KktTerms { residual: &[0.4], multiplier: &[2.4], ..exact };
+/// assert!((wrong.residuals()?.balance - 0.1).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct KktTerms<'a> {
     /// K u − F + B'λ on every unknown that is not prescribed.
@@ -37,6 +49,16 @@ pub struct KktTerms<'a> {
 }
 
 /// The four scaled residuals of the KKT conditions; all 0 at an exact solution.
+///
+/// Nondimensional, ≥ 0, invariant under (K, F, g) → (α K, αβ F, β g), α, β > 0. The balance is a normwise backward
+/// error: K u + B'λ = F holds exactly for data changed by this relative amount.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// let kkt = TestProblem::Block.problem(4)?.solve(Cone::Midpoint, Solver::ActiveSet)?.kkt;
+/// assert!(kkt.worst() < 1e-13 && kkt.worst() >= kkt.balance);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KktResiduals {
     /// Balance of forces.
@@ -58,6 +80,20 @@ impl KktResiduals {
 
 /// How far the solution is from a degenerate one, where contact without force or force-free touching makes
 /// the contact set ambiguous.
+///
+/// Strict complementarity: λ_i > 0 or (B u − g)_i < 0 for every i. With both margins at least m, a perturbation of
+/// the data that moves λ and B u by less than m relative to their scales leaves the contact set unchanged.
+///
+/// ```
+/// use signorini::cone::KktTerms;
+/// let (force, displacement) = (4.0, 2.0);
+/// let (multiplier, gap) = (&[4.0, 1.0, 0.0], &[0.0, 0.0, -0.5]);
+/// let terms = KktTerms { residual: &[0.0], multiplier, gap, force, displacement };
+/// let margins = terms.margins(&[true, true, false])?;
+/// assert_eq!((margins.pressure, margins.gap), (Some(0.25), Some(0.25)));
+/// assert!(margins.is_weak(0.3) && !margins.is_weak(0.2));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
     /// min λ_i over the active constraints, relative to the λ scale; `None` without contact.
@@ -76,6 +112,8 @@ impl Margins {
 
 impl KktTerms<'_> {
     /// The four scaled residuals.
+    ///
+    /// By the formulas of the table above, on vectors of any order; empty vectors have residual 0.
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite): for values that are not finite.
@@ -98,6 +136,8 @@ impl KktTerms<'_> {
     }
 
     /// The margins of strict complementarity for the given active set.
+    ///
+    /// One flag per constraint. Nonnegative up to the sign and gap residuals.
     ///
     /// # Errors
     /// As for [`KktTerms::residuals`].

@@ -54,6 +54,9 @@ pub(crate) fn project_chain(z: &[f64]) -> (Vec<f64>, Vec<bool>) {
 
 /// Projects z onto p_i + p_{i+1} ≤ 2 g_i along a chain in the norm with weights d; returns p and the n − 1
 /// active flags.
+///
+/// The minimiser of ½ Σ_i d_i (p_i − z_i)²: with λ ≥ 0 on the segments, d_i (z_i − p_i) = λ_{i−1} + λ_i and
+/// λ_i (p_i + p_{i+1} − 2 g_i) = 0. Two passes, forwards for the m_i and backwards for the p_i; O(n).
 pub(crate) fn project_weighted<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> (Vec<f64>, Vec<bool>)
 where
     W: Fn(usize) -> f64,
@@ -80,6 +83,8 @@ where
 }
 
 /// m_i for every i; 0 at fixed nodes.
+///
+/// m_i is the zero of the increasing function F_i'(t) = d_i (t − z_i) − min(F_{i−1}'(2 g_{i−1} − t), 0).
 fn minimisers<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<f64>
 where
     W: Fn(usize) -> f64,
@@ -117,6 +122,8 @@ where
 const TRIES: usize = 32;
 
 /// The constraints active at the projection on a ring in the norm with weights d.
+///
+/// The same conditions with indices modulo n; a closed ring of contact is active on all segments.
 pub(crate) fn active_on_ring<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<bool>
 where
     W: Fn(usize) -> f64,
@@ -171,6 +178,9 @@ where
 }
 
 /// The nearest x with x_i + x_{i+1} = 2 g_i all round: x = o ± q; an odd ring leaves no q free.
+///
+/// o_0 = 0, o_{i+1} = 2 g_i − o_i; on an even ring q = Σ_i d_i (−1)^i (z_i − o_i) / Σ_i d_i, the weighted least
+/// squares fit; on an odd ring the closing condition gives q = g_{n−1} − o_{n−1}/2.
 fn sawtooth<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<f64>
 where
     W: Fn(usize) -> f64,

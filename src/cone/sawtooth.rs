@@ -11,6 +11,8 @@ use super::face::{Block, Face};
 use super::kind::Cone;
 
 /// w = offset + sign · q at every node; no q where the node is determined by the contact set.
+///
+/// w = o + Z q with Z'Z diagonal and entries 0, ±1: o holds (B o)_i = g_i on the set, and B Z = 0 there.
 pub(crate) struct Coordinates {
     pub(crate) offset: Vec<f64>,
     /// Which q, and its sign.
@@ -126,6 +128,9 @@ impl Coordinates {
     }
 
     /// Starts where the value is known: at a fixed end, else at the left end with a new amplitude.
+    ///
+    /// o_{k+1} = 2 g_k − o_k and Z_{k+1} = −Z_k along the run; between two fixed ends no amplitude is left, and the
+    /// last equation may fail.
     fn add_sawtooth(&mut self, run: Block, bound: &[f64], fixed: &[bool]) {
         let (first, last) = (run.start, run.start + run.len - 1);
         if fixed[last] && !fixed[first] {
@@ -152,6 +157,9 @@ fn shift_sawtooth(multiplier: &mut [f64], c: f64) {
 }
 
 /// Adds ±c so that the smallest even and the smallest odd multiplier are equal.
+///
+/// The shift c = (min_odd − min_even)/2 maximises min_k (λ_k + (−1)^k c), the least multiplier of the family
+/// λ + ker B'.
 fn center_sawtooth(multiplier: &mut [f64]) {
     let least = |parity: usize| multiplier.iter().skip(parity).step_by(2).copied().reduce(f64::min);
     let (Some(even), Some(odd)) = (least(0), least(1)) else {

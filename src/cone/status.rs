@@ -3,6 +3,15 @@
 use std::fmt;
 
 /// How an iteration ended. Independent of the KKT residuals of the solution.
+///
+/// ```
+/// use signorini::{cone::{Cone, Status}, contact::Solver, problems::TestProblem};
+/// let solution = TestProblem::Membrane.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// assert_eq!(solution.status, Status::Converged);
+/// // a residual at the level of rounding is not a stopping rule, and a stalled iteration says how far it came
+/// assert_eq!(Status::Stalled { residual: 2e-7 }.to_string(), "stalled at 2.0e-7");
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Status {

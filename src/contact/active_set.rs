@@ -132,6 +132,9 @@ fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
 }
 
 /// The wrong constraint that is furthest off: by its gap, or by its multiplier over the diagonal of S.
+///
+/// The maximum of (B w − g)_i over the penetrating constraints and of −λ_i/max S_kk over the pulling ones, both
+/// lengths.
 fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wrong: &[usize]) -> usize {
     let cone = problem.edge_cone();
     let off = |i: usize| {
@@ -145,6 +148,9 @@ fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wron
 }
 
 /// The constraints active at the projection of w − D⁻¹ ∇J = w + D⁻¹ B'λ, D the diagonal of S.
+///
+/// d = diag S, z = w + D⁻¹B'λ, A = { i : (B p)_i = g_i } with p = argmin ½ Σ d_i (p_i − z_i)² over B p ≤ g. In the
+/// nodal cone this would be the rule λ_i + d_i (w_i − g_i) > 0.
 fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<ContactSet> {
     let force = problem.edge_cone().apply_transposed(&state.multiplier)?;
     let weight = |i: usize| problem.stiffness[(i, i)];
@@ -158,6 +164,8 @@ fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<Contact
 }
 
 /// The constraints on the wrong side, ascending.
+///
+/// i ∈ A with λ_i < −16 ε (|b| + |S||w|) or a gap that does not close; i ∉ A with (B w − g)_i > 16 ε of its terms.
 fn wrong_constraints(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState) -> Vec<usize> {
     let sizes = problem.sizes(&state.displacement);
     let is_wrong = |&i: &usize| {

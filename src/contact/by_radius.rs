@@ -16,6 +16,17 @@ impl ContactProblem {
     /// The four figures of every ring `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; a ring without free
     /// unknowns has zeros. Cost: O(unknowns) per ring.
     ///
+    /// An unknown belongs to the ring of its node, a constraint to that of its farthest node.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+    /// let problem = TestProblem::Block.problem(8)?;
+    /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// let rings = problem.kkt_by_radius(&solution, [0.0, 0.0], &[0.0, 0.5, 2.0])?;
+    /// assert!(rings.len() == 2 && rings.iter().all(|ring| ring.worst() < 1e-12));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the bounds increase; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when
     /// the solution is not one of this problem.

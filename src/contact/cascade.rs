@@ -18,6 +18,9 @@ const COARSEST: usize = 5;
 
 /// The guess; no contact on a ring with an odd number of nodes, and where a node inside is held.
 ///
+/// Recursion: A_k on P_k'SP_k, P_k'b with g_k, k from the coarsest; A_{k+1} is the refinement of A_k, corrected by the
+/// active set on level k + 1.
+///
 /// # Errors
 /// As for [`EdgeProblem::solve_with`].
 pub(super) fn guess(problem: &EdgeProblem<'_>) -> Result<ContactSet> {

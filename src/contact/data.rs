@@ -58,6 +58,8 @@ impl ContactProblem {
     /// Adds ∫ F(x, n)·v over the edges with the given label, n the outward normal. On the contact part this
     /// is a force besides the contact force.
     ///
+    /// Five Gauss points per edge. The function receives the point and the outward unit normal.
+    ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), or what F returns.
     pub fn add_boundary_load(
@@ -72,6 +74,22 @@ impl ContactProblem {
 
     /// Adds nodal forces (Cartesian, node-major).
     ///
+    /// F ← F + f: entries are forces, ∫ f·φ_i and not densities. The solution depends on F Lipschitz continuously in
+    /// the dual of the energy norm with constant 1.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+    /// let mut problem = TestProblem::Closed.problem(4)?;
+    /// let before = problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force;
+    /// // a force of 1 downwards on the first node of the bottom, in full contact: the contact carries all of it
+    /// let mut force = vec![0.0; 50];
+    /// force[2 * problem.edge().nodes()[1] + 1] = -1.0;
+    /// problem.add_load(&force)?;
+    /// let after = problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force;
+    /// assert!((after - before - 1.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn add_load(&mut self, load: &[f64]) -> Result<()> {
@@ -82,6 +100,19 @@ impl ContactProblem {
     }
 
     /// Prescribes u = data on the Dirichlet part.
+    ///
+    /// The P1 interpolant of the data at the Dirichlet nodes; it replaces earlier data.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::{ContactProblem, Solver}, fem::{Field, Form}};
+    /// use signorini::mesh::{SideParts, unit_square};
+    /// let mut problem = ContactProblem::new(unit_square(4, SideParts::HANGING)?, Form::LAPLACE, &[0.0; 25])?;
+    /// problem.set_dirichlet(&Field::Scalar(&|_| 1.0))?;
+    /// // u = 1 on top and u ≤ 0 at the bottom: u = y, the contact force is ∫ ∂u/∂y = 1, J = 1/2
+    /// let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// assert!((u.contact_force - 1.0).abs() < 1e-14 && (u.energy - 0.5).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`ContactProblem::add_volume_load`].

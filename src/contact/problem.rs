@@ -16,6 +16,18 @@ use rayon::prelude::*;
 use std::time::Instant;
 
 /// A discrete Signorini problem, assembled.
+///
+/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in it, that is the minimiser of
+/// J(v) = ½ a(v, v) − F(v). Vectors in and out are node-major and Cartesian: (v_x, v_y) of node i at 2i, 2i + 1.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// let problem = TestProblem::Membrane.problem(8)?;
+/// let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?.normal_displacement;
+/// // u_N ≤ 0 at all n + 1 contact nodes
+/// assert!(u.len() == problem.edge().nodes().len() && u.iter().all(|u| *u <= 1e-15));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ContactProblem {
     pub(super) mesh: Triangulation,
@@ -109,6 +121,12 @@ impl ContactProblem {
 
     /// The contact edge as a partition of (0, length) into its segments.
     ///
+    /// ```
+    /// let mesh = signorini::problems::TestProblem::Block.problem(4)?.contact_mesh()?;
+    /// assert!(mesh.len() == 4 && (mesh.nodes()[4] - 1.0).abs() < 1e-15);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`Mesh::from_lengths`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
     pub fn contact_mesh(&self) -> Result<Mesh> {
@@ -138,6 +156,14 @@ impl ContactProblem {
     }
 
     /// Unknowns that are not prescribed.
+    ///
+    /// The dimension of the trial space: nodes off the Dirichlet part times components.
+    ///
+    /// ```
+    /// // (n + 1) n nodes below the clamped top, two components
+    /// assert_eq!(signorini::problems::TestProblem::Block.problem(4)?.free_unknowns(), 2 * 5 * 4);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn free_unknowns(&self) -> usize {
         self.prescribed.iter().filter(|&&prescribed| !prescribed).count()
     }
@@ -149,6 +175,16 @@ impl ContactProblem {
     }
 
     /// u_N (scalar: u) at the nodes of the contact edge, from Cartesian nodal values.
+    ///
+    /// u·n with the outward normal, one value per contact node from left to right.
+    ///
+    /// ```
+    /// let problem = signorini::problems::TestProblem::Block.problem(2)?;
+    /// // n = (0, −1) on the bottom: a lift by 1 is u_N = −1
+    /// let lift: Vec<f64> = [0.0, 1.0].repeat(9);
+    /// assert_eq!(problem.normal_displacement(&lift)?, [-1.0; 3]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).

@@ -49,6 +49,19 @@ impl From<Solver> for Settings<'_> {
 }
 
 /// Where the search of the active set for the contact set begins.
+///
+/// The discrete solution is unique, so that the start changes the number of steps only.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::{Settings, Solver, Start}, problems::TestProblem};
+/// let problem = TestProblem::Block.problem(8)?;
+/// let cold = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// let start = Start::Set(cold.contact_set.clone());
+/// let warm = problem.solve(Cone::Nodal, Settings { start, ..Settings::default() })?;
+/// // a set that reproduces itself is that of the solution
+/// assert_eq!((warm.history.len(), &warm.contact_set), (1, &cold.contact_set));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub enum Start<'a> {
     /// Without contact.

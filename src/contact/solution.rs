@@ -21,6 +21,15 @@ use fractional_sobolev::Work;
 pub(super) const ACCEPTED: f64 = 1e-8;
 
 /// Wall-clock seconds by phase.
+///
+/// Nonnegative; phases that a solver does not have are 0.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// let seconds = TestProblem::Block.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?.seconds;
+/// assert!(seconds.total() >= seconds.factorization + seconds.contact);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Seconds {
     /// Stiffness matrix and load.
@@ -41,6 +50,21 @@ impl Seconds {
 }
 
 /// A discrete solution with everything that is reported of it.
+///
+/// In exact arithmetic: K u − F + B'λ = 0 on the free unknowns, B u ≤ g, λ ≥ 0, λ'(B u − g) = 0. For homogeneous
+/// Dirichlet data and g = 0 testing with u gives a(u, u) = F'u, hence J(u) = −½ a(u, u) = −½ F'u.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// let problem = TestProblem::Block.problem(8)?;
+/// let u = problem.solve(Cone::Midpoint, Solver::ActiveSet)?;
+/// let norm = problem.energy_norm(&u.displacement)?;
+/// assert!((u.energy + 0.5 * norm * norm).abs() < 1e-14);
+/// // λ (B u − g) = 0 constraint by constraint, and all forces are in equilibrium
+/// assert!(u.multiplier.iter().zip(&u.gap).all(|(l, gap)| (l * gap).abs() < 1e-15));
+/// assert!(u.balance < 1e-13);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct ContactSolution {
@@ -49,16 +73,26 @@ pub struct ContactSolution {
     /// The solver.
     pub solver: Solver,
     /// Cartesian nodal displacement, node-major.
+    /// Cartesian nodal displacement, node-major: (u_x, u_y) of node i at 2i, 2i + 1 (scalar: u at i), prescribed nodes
+    /// included, in units of length of the mesh.
     pub displacement: Vec<f64>,
     /// u_N (scalar: u) at the nodes of the contact edge, in order.
+    ///
+    /// One value per contact node from left to right, n outward: u_N ≤ g is admissible in the nodal cone.
     pub normal_displacement: Vec<f64>,
     /// λ, one per constraint.
+    ///
+    /// A force, not a density: λ_i = −∫ σ_N φ_i (nodal) or −∫ σ_N over segment i (midpoint); ≥ 0 up to `kkt.sign`.
     pub multiplier: Vec<f64>,
     /// B u − g, one per constraint.
+    ///
+    /// A length ≤ 0 up to `kkt.gap`; 0 where the constraint is active.
     pub gap: Vec<f64>,
     /// Arc length of every constraint: of its node or of the middle of its segment.
     pub positions: Vec<f64>,
     /// −σ_N at the nodes of the contact edge.
+    ///
+    /// (B'λ)_i / ∫ φ_i, one per contact node, ≥ 0 in compression.
     pub pressure: Vec<f64>,
     /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force over
     /// nodal length. At clamped nodes this is the reaction; a scalar problem has (∂u/∂n, 0).
@@ -78,8 +112,12 @@ pub struct ContactSolution {
     /// J.
     pub energy: f64,
     /// What the rounding of K and F leaves uncertain in J, in the mean: ε (Σ_i u_i² (|K||u| + |F|)_i²)^{1/2}.
+    ///
+    /// A standard deviation and no bound; differences of J below it have no meaning.
     pub energy_rounding: f64,
     /// Sum of the multipliers.
+    ///
+    /// Σ_i λ_i = −∫ σ_N over the contact edge, in both cones, because the rows of B sum to 1.
     pub contact_force: f64,
     /// Total reaction of the Dirichlet part (scalar: second entry 0).
     pub reaction: Point,
@@ -245,6 +283,8 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
 
 /// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents
 /// everything.
+///
+/// Positive also where contact keeps u = 0, so that rounding of the gap has a scale.
 fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let alone = (0..u.len())
         .filter(|&i| !problem.prescribed[i] && problem.load[i] != 0.0)

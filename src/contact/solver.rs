@@ -5,6 +5,24 @@ use std::fmt;
 use std::str::FromStr;
 
 /// Independent solvers for the same discrete problem.
+///
+/// | solver | method | cost for N unknowns, n contact nodes |
+/// | --- | --- | --- |
+/// | `ActiveSet` | Schur complement S on the edge, Z'SZ on each face | one sparse factorization, O(n³) per step |
+/// | `InteriorPoint` | primal-dual central path on (K, B) | 11 to 16 sparse factorizations of size N |
+/// | `EdgeInteriorPoint` | the same on (S, B) | one sparse, some 15 dense factorizations of size n |
+/// | `Multigrid` | nested iteration, V-cycle preconditioner | O(N) for a fixed accuracy |
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// let problem = TestProblem::Block.problem(8)?;
+/// let direct = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// let independent = problem.solve(Cone::Nodal, Solver::EdgeInteriorPoint)?;
+/// // the minimum of J and the contact set do not depend on the solver
+/// assert!((direct.energy - independent.energy).abs() < 1e-9 * direct.energy.abs());
+/// assert_eq!(direct.contact_set, independent.contact_set);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Solver {
     /// Eliminate all but the contact unknowns once, then a primal-dual active set on the edge.
@@ -29,6 +47,14 @@ impl Solver {
     pub const CROSSING: usize = 10_000;
 
     /// The solver that `Auto` selects for this many unknowns.
+    ///
+    /// ```
+    /// use signorini::contact::Solver;
+    /// assert_eq!(Solver::Auto.for_unknowns(Solver::CROSSING), Solver::ActiveSet);
+    /// assert_eq!(Solver::Auto.for_unknowns(Solver::CROSSING + 1), Solver::Multigrid);
+    /// assert_eq!(Solver::InteriorPoint.for_unknowns(1), Solver::InteriorPoint);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn for_unknowns(self, unknowns: usize) -> Self {
         match self {
             Solver::Auto if unknowns <= Self::CROSSING => Solver::ActiveSet,

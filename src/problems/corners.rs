@@ -19,6 +19,18 @@ use std::fmt;
 const STRAIGHT: f64 = 1e-9;
 
 /// A corner of the body, or a change of conditions on a straight side.
+///
+/// Near the corner u = Σ_j c_j r^{λ_j} φ_j(θ) + smooth, and r^λ φ ∈ H^τ exactly for τ < 1 + Re λ unless it is a
+/// polynomial.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::{TestProblem, solution_regularity}};
+/// let problem = TestProblem::Free.problem(4)?;
+/// let found = solution_regularity(&problem, &problem.solve(Cone::Nodal, Solver::ActiveSet)?)?;
+/// // without contact only the right angles of the square are left
+/// assert!(found.corners.iter().all(|c| (c.wedge.angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-12));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerSingularity {
     /// Where.
@@ -37,6 +49,16 @@ impl fmt::Display for CornerSingularity {
 }
 
 /// How smooth a solution is.
+///
+/// τ = min over the corners, not attained: u ∈ H^{τ−ε} for every ε > 0.
+///
+/// ```
+/// use signorini::problems::{Parameters, TestProblem};
+/// let found = TestProblem::Closed.regularity(&Parameters::default())?;
+/// let least = found.corners.iter().map(|corner| corner.regularity.tau).fold(4.0, f64::min);
+/// assert_eq!(found.tau, least);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolutionRegularity {
     /// Supremum of the τ with u ∈ H^τ; at most 4, where exponents are no longer sought.
@@ -53,6 +75,18 @@ impl SolutionRegularity {
 }
 
 /// Corners, transitions and regularity of a discrete solution. Cost: a millisecond for each different wedge.
+///
+/// A node of the boundary is a wedge if the boundary bends there or the condition (clamped, free, closed, open)
+/// changes; a segment is closed if its constraint is active (midpoint) or both its nodes are (nodal).
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::{TestProblem, solution_regularity}};
+/// let problem = TestProblem::Manufactured.problem(8)?;
+/// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// // r^{3/2} at the transition inside the edge: 1 + 3/2
+/// assert!((solution_regularity(&problem, &solution)?.tau - 2.5).abs() < 1e-9);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`ToolkitError::Node`](crate::ToolkitError::Node) for a corner where two materials meet or several pieces of boundary touch;

@@ -12,6 +12,18 @@ use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Outline, polar_rings};
 
 /// The data of the test problem.
+///
+/// At the origin clamped and contact sides meet at the angle π. Nodes: about `angles` · ln(1/`smallest`)/`step`.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, mesh::Outline, problems::DirichletEnd};
+/// let (outline, poisson) = (Outline::HalfDisc, Some(0.0));
+/// let pressed = DirichletEnd { outline, angles: 8, step: 0.4, smallest: 1e-4, poisson, direction: -90.0 };
+/// let found = pressed.problem()?.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// // λ ≥ 0 and equilibrium of all forces, over four decades of r
+/// assert!(found.multiplier.iter().all(|l| *l >= -1e-12) && found.balance < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DirichletEnd {
     /// The outline of the body.

@@ -59,6 +59,8 @@ impl Gaps {
 
     /// u_N and λ.
     ///
+    /// u_N = −δ^p at the nodes of each gap, λ_i = ∫ dist^q φ_i on the contact set, both times ℓ^{−α} if damped.
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a gap; as [`EdgeData::new`].
     pub(super) fn pair(&self, grid: Grid) -> Result<EdgeData> {

@@ -8,6 +8,17 @@ use std::str::FromStr;
 use std::sync::LazyLock;
 
 /// A test problem of the mesh solver or of the strip.
+///
+/// Text and problem are in bijection up to defaults: parsing what is displayed gives the same problem.
+///
+/// ```
+/// use signorini::problems::NamedProblem;
+/// let problem: NamedProblem = "transition:0.4".parse()?;
+/// assert!(matches!(problem, NamedProblem::Strip(_)));
+/// assert_eq!(problem.to_string().parse::<NamedProblem>()?, problem);
+/// assert!(matches!("block".parse()?, NamedProblem::Mesh(_)));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum NamedProblem {
     /// Two-dimensional, on a mesh.
@@ -18,6 +29,14 @@ pub enum NamedProblem {
 
 impl NamedProblem {
     /// The names and parameters of all test problems, for help texts and errors.
+    ///
+    /// ```
+    /// use signorini::problems::{NamedProblem, StripData, TestProblem};
+    /// let names = NamedProblem::names();
+    /// assert!(TestProblem::all().iter().all(|problem| names.contains(problem.name())));
+    /// assert!(StripData::all().iter().all(|data| names.contains(data.name())));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn names() -> &'static str {
         static NAMES: LazyLock<String> =
             LazyLock::new(|| format!("{}, {}", TestProblem::names(), StripData::names()));

@@ -14,6 +14,16 @@ use crate::mesh::{Part, SideParts, Triangulation, unit_square};
 use std::fmt;
 
 /// One of them.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::PiecewiseLinearLoad::Membrane};
+/// let solve = |n| -> signorini::Result<f64> {
+///     Ok(Membrane.on(Membrane.mesh(n)?)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
+/// };
+/// // nested spaces, one functional: J decreases under refinement
+/// assert!(solve(8)? < solve(4)? && solve(4)? < solve(2)?);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PiecewiseLinearLoad {
     /// Scalar, u = 0 on top, free sides, f = 4 |x − 1/2| − 9/10: contact at both sides, a gap between.
@@ -52,6 +62,8 @@ impl PiecewiseLinearLoad {
     }
 
     /// The structured mesh with n × n squares.
+    ///
+    /// x = 1/2 is a mesh line, so that f is affine on every element.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n is even and 2 ≤ n ≤ 16384.

@@ -5,6 +5,8 @@ use crate::strip::LateralCondition;
 /// Nodal forces of the density dist^q ℓ(dist)^{−α} on the contact cells (both ends in contact), ℓ(r) = 2 +
 /// ln(1/r), dist to the nearest gap; half of each cell's integral goes to either end. ℓ is that of the middle
 /// of the cell.
+///
+/// ∫_{r_0}^{r_1} r^q dr = (r_1^{q+1} − r_0^{q+1})/(q + 1) per cell, finite for q > −1.
 pub(crate) fn contact_forces(
     values: &[f64],
     cells: usize,

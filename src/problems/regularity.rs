@@ -36,6 +36,13 @@ impl TestProblem {
     /// Corners, transitions and the supremum of the τ with u ∈ H^τ, with the contact set of the nodal cone on
     /// 32 x 32 squares; at the ends of the contact edge with that of meshes graded toward them.
     ///
+    /// ```
+    /// use signorini::problems::{Parameters, TestProblem};
+    /// // clamped/free right angle at λ = μ: 1 + λ = 1.745
+    /// assert!((TestProblem::Block.regularity(&Parameters::default())?.tau - 1.745).abs() < 1e-3);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`TestProblem::problem_with`] and [`super::solution_regularity`].
     pub fn regularity(self, setting: &Parameters) -> Result<SolutionRegularity> {

@@ -30,6 +30,15 @@ const FAT_MEASURE: f64 = 0.5;
 
 registry! {
     /// A test problem of the strip. Its block holds its parameters with their defaults, its data and regularities.
+    ///
+    /// ```
+    /// use signorini::{problems::StripData, strip::LateralCondition};
+    /// let data = StripData::Transitions { gaps: 2 }.data(2.0, 64, LateralCondition::Natural)?;
+    /// // complementary at every node, with the gaps asked for
+    /// assert!(data.values().iter().zip(data.forces()).all(|(u, l)| *u <= 0.0 && *l >= 0.0 && u * l == 0.0));
+    /// assert_eq!(data.gaps(), 2);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     #[derive(Debug, Clone, PartialEq)]
     pub enum StripData: Form {
         /// Contact for x < position, none beyond; on periodic sides the gap ends half a period later.
@@ -140,6 +149,14 @@ impl StripData {
     /// their own number of cells and no regularity. Beyond 2 only transitions inside the edge: the gap of a
     /// single one on natural sides meets the side at a slope, where u leaves H² whatever τ is.
     ///
+    /// ```
+    /// use signorini::{problems::StripData, strip::LateralCondition};
+    /// let data = |tau| StripData::FatCantor { depth: 2 }.data(tau, 256, LateralCondition::Natural);
+    /// assert_eq!((data(1.75)?.regularity(), data(1.75)?.gaps()), (Some(1.75), 3));
+    /// assert!(data(2.0).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, position or ratio outside their ranges (a fat Cantor set needs τ < 2),
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for counts and where no gap has a free node on this grid,
@@ -162,6 +179,15 @@ impl StripData {
 
     /// The pair at τ = 2 with u_N and λ times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends of their
     /// gap or piece: for α > 1/2 in H² itself, where at α = 0 only every τ < 2 is reached.
+    ///
+    /// ```
+    /// use signorini::{problems::StripData, strip::LateralCondition};
+    /// let damped = |alpha| StripData::transition().damped_data(alpha, 64, LateralCondition::Natural);
+    /// // ℓ ≥ 2 − ln r > 1: damping lowers every |u_N|
+    /// let (plain, damped) = (damped(0.0)?, damped(1.0)?);
+    /// assert!(plain.values().iter().zip(damped.values()).all(|(u, v)| u.abs() >= v.abs()));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ α < ∞; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for samples; as [`StripData::data`].
@@ -186,6 +212,12 @@ impl StripData {
 
     /// How many gaps the construction has, `None` for samples; on a grid those without a free node, or
     /// without contact beside them, are left out with all that would follow them.
+    ///
+    /// ```
+    /// // 2^depth − 1 gaps in a Cantor set of `depth` generations
+    /// assert_eq!(signorini::problems::StripData::Cantor { ratio: 0.3, depth: 5 }.gaps(), Some(31));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn gaps(&self) -> Option<u64> {
         self.form().gaps
     }

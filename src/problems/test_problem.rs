@@ -16,6 +16,20 @@ use std::f64::consts::PI;
 
 registry! {
     /// A named test problem. Its block holds its domain, form and data.
+    ///
+    /// λ = μ = 1 is Poisson's ratio 1/4; all lengths, moduli and loads are nondimensional.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+    /// // pressed down on a clamped top: full contact, ∫ f = −1 is shared by the top and the plane
+    /// let found = TestProblem::Closed.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// assert_eq!(found.contact_set.count(), 5);
+    /// assert!((found.contact_force + found.reaction[1] - 1.0).abs() < 1e-12);
+    /// // lifted: no contact, the top carries all of it
+    /// let found = TestProblem::Free.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// assert!(found.contact_force == 0.0 && (found.reaction[1] + 1.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum TestProblem: Body {
@@ -153,6 +167,17 @@ fn bracket(n: usize) -> Result<Triangulation> {
 }
 
 /// Parameters of the test problems that have some.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::{Parameters, TestProblem}};
+/// let energy = |load_scale| -> signorini::Result<f64> {
+///     let setting = Parameters { load_scale, ..Parameters::default() };
+///     Ok(TestProblem::Block.problem_with(4, &setting)?.solve(Cone::Nodal, Solver::ActiveSet)?.energy)
+/// };
+/// // u is positively homogeneous of degree 1 in the data, J of degree 2
+/// assert!((energy(3.0)? / energy(1.0)? - 9.0).abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameters {
     /// Opening ω at the left end of the contact edge of `corner`, `leaning` and `raised`, at both ends of
@@ -199,6 +224,13 @@ impl TestProblem {
     }
 
     /// The solution where it is known in closed form, default setting.
+    ///
+    /// ```
+    /// use signorini::problems::{KnownSolution, TestProblem};
+    /// assert_eq!(TestProblem::Manufactured.solution(), Some(KnownSolution::three_halves()));
+    /// assert_eq!(TestProblem::Block.solution(), None);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn solution(self) -> Option<KnownSolution> {
         match self.form().load {
             Load::Exact { solution, .. } => Some(solution()),
@@ -207,6 +239,14 @@ impl TestProblem {
     }
 
     /// The structured mesh of the test problem with n x n squares, default setting.
+    ///
+    /// (n + 1)² nodes and 2n² triangles on a square, h = 1/n; squares are cut from bottom left to top right.
+    ///
+    /// ```
+    /// let mesh = signorini::problems::TestProblem::Block.mesh(4)?;
+    /// assert_eq!((mesh.nodes().len(), mesh.triangles().len()), (25, 32));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.

@@ -13,6 +13,15 @@ use crate::error::{Error, Result};
 use crate::strip::{EdgeData, LateralCondition};
 
 /// The powers of one transition.
+///
+/// ```
+/// use signorini::problems::TransitionPowers;
+/// let data = TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: 0.0 }.data(0.5, 8)?;
+/// // λ = 1 on [0, 1/2] as nodal forces: the total is its measure; u_N = −δ with δ(3/4) = (1/4)(3/4)
+/// assert!((data.forces().iter().sum::<f64>() - 0.5).abs() < 1e-15);
+/// assert!((data.values()[6] + 0.1875).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TransitionPowers {
     /// p > 0.
@@ -25,11 +34,22 @@ pub struct TransitionPowers {
 
 impl TransitionPowers {
     /// p = τ − 1, q = τ − 2, no logarithm: regularity τ ∈ (1, 5/2].
+    ///
+    /// ```
+    /// use signorini::problems::TransitionPowers;
+    /// // τ = 5/2 is the natural r^{3/2}, with σ_N of size r^{1/2}
+    /// let powers = TransitionPowers::of_regularity(2.5);
+    /// assert_eq!((powers.opening, powers.pressure), (1.5, 0.5));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn of_regularity(tau: f64) -> Self {
         Self { opening: tau - 1.0, pressure: tau - 2.0, logarithm: 0.0 }
     }
 
     /// The test problem on an edge of `cells` cells with natural sides, transition at `position` ∈ (0, 1).
+    ///
+    /// u_N at the nodes; the forces are exact integrals of the density over the cells (α = 0), half of each to either
+    /// node, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1). Cost: O(cells).
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for powers or a position outside their ranges; as [`EdgeData::new`].

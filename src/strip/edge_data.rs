@@ -10,6 +10,22 @@ use crate::mesh::quoted;
 use crate::numeric::check::{require_finite, require_length};
 
 /// Complementary data on a fine edge.
+///
+/// Values and forces are ordered by x = i/n; n + 1 of them with natural sides, n with periodic ones. The forces are
+/// λ_i = −∫ σ_N φ_i, so that Σ_i λ_i is the total contact force.
+///
+/// ```
+/// use signorini::{cone::Cone, strip::{EdgeData, LateralCondition, Strip}};
+/// let (values, forces) = (vec![0.0, 0.0, 0.0, -0.1, -0.2], vec![0.3, 0.2, 0.1, 0.0, 0.0]);
+/// let data = EdgeData::new(4, LateralCondition::Natural, values, forces)?;
+/// // the load A u_N + λ has the pair as its contact solution
+/// let strip = Strip::scalar(4, 4)?;
+/// let held = strip.operator().apply(data.values())?;
+/// let load: Vec<f64> = held.iter().zip(data.forces()).map(|(a, b)| a + b).collect();
+/// let found = strip.operator().solve_contact(&load, Cone::Nodal, None, 1e-13)?;
+/// assert!(found.values.iter().zip(data.values()).all(|(a, b)| (a - b).abs() < 1e-12));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeData {
     cells: usize,
@@ -22,6 +38,14 @@ pub struct EdgeData {
 impl EdgeData {
     /// The pair u_N = `values` ≤ 0 and nodal forces λ = `forces` ≥ 0 at the nodes of an edge of `cells`
     /// cells.
+    ///
+    /// ```
+    /// use signorini::strip::{EdgeData, LateralCondition};
+    /// let pair = |forces| EdgeData::new(2, LateralCondition::Natural, vec![0.0, -1.0, 0.0], forces);
+    /// // λ u_N = 0 at every node
+    /// assert!(pair(vec![1.0, 0.0, 2.0]).is_ok() && pair(vec![1.0, 0.5, 2.0]).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite); [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign;
@@ -43,12 +67,24 @@ impl EdgeData {
     }
 
     /// The same data, known to be of regularity `tau`.
+    ///
+    /// Carried along for rates; it is neither checked nor used in a computation.
     pub fn with_regularity(self, tau: f64) -> Self {
         Self { regularity: Some(tau), ..self }
     }
 
     /// Reads u_N and λ (a density) from text: one line per node, two numbers per line, `#` starts a comment.
     /// The number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
+    ///
+    /// Words are separated by blanks or commas. A density at a node is integrated by the trapezoidal rule: λ_i =
+    /// density/n, half of it at an end with natural sides.
+    ///
+    /// ```
+    /// use signorini::strip::{EdgeData, LateralCondition};
+    /// let data = EdgeData::from_samples("# u_N, density\n0 2\n0 2\n-1 0\n", LateralCondition::Natural)?;
+    /// assert_eq!((data.cells(), data.forces()), (2, &[0.5, 1.0, 0.0][..]));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Syntax`] naming the line that is not two numbers, [`Error::AtLine`] one that is no pair;
@@ -110,6 +146,16 @@ impl EdgeData {
     }
 
     /// Number of gaps on the fine edge: maximal runs of nodes with u_N < 0.
+    ///
+    /// With periodic sides a gap through x = 0 is counted once.
+    ///
+    /// ```
+    /// use signorini::strip::{EdgeData, LateralCondition};
+    /// let gaps = |sides, values: Vec<f64>| EdgeData::new(4, sides, values.clone(), vec![0.0; values.len()]);
+    /// assert_eq!(gaps(LateralCondition::Natural, vec![-1.0, 0.0, 0.0, 0.0, -1.0])?.gaps(), 2);
+    /// assert_eq!(gaps(LateralCondition::Periodic, vec![-1.0, 0.0, 0.0, -1.0])?.gaps(), 1);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn gaps(&self) -> usize {
         let open = |i: usize| self.values[i] < 0.0;
         let inner = (1..self.values.len()).filter(|&i| open(i) && !open(i - 1)).count();

@@ -29,6 +29,17 @@ enum Kind {
 impl Strip {
     /// Laplace's equation, natural sides.
     ///
+    /// On (0, 1) × (0, m/n): ∫ ∇u·∇v = ℓ(v), u = 0 on top. Symbol S(θ) = 2 s √(1 + s²) coth(m φ), s = sin(θ/2),
+    /// φ = 2 asinh s, θ = kπ/n, and S(0) = 1/m. Cost: O(n).
+    ///
+    /// ```
+    /// use signorini::strip::Strip;
+    /// // u = 1 on the edge: u is linear in y, and its energy is n (1/m) = 1/H
+    /// let strip = Strip::scalar(8, 4)?;
+    /// assert!((strip.operator().energy(&[1.0; 9])? - 8.0 / 4.0).abs() < 1e-13);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n < 2 or m = 0.
     pub fn scalar(cells: usize, layers: usize) -> Result<Self> {
@@ -37,6 +48,17 @@ impl Strip {
 
     /// Elasticity of one material, periodic sides.
     ///
+    /// On (0, 1) × (0, m/n), plane strain, u = 0 on top, no friction. The edge matrix of a mode, Hermitian 2 × 2, comes
+    /// from log₂ m doublings of a layer; relative accuracy 1e-13 for λ = μ, 1e-12 for λ = 100 μ. Cost: O(n log m).
+    ///
+    /// ```
+    /// use signorini::{fem::Lame, strip::Strip};
+    /// // u_N = 1: u_y is linear in y, and its energy is (λ + 2μ)/H
+    /// let strip = Strip::elastic(8, 4, Lame::new(1.0, 1.0)?)?;
+    /// assert!((strip.operator().energy(&[1.0; 8])? - 3.0 / 0.5).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an odd n or an m that is not a power of two.
     pub fn elastic(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
@@ -44,6 +66,8 @@ impl Strip {
     }
 
     /// The edge operator A; elastic: that of the normal displacement, the tangential one condensed.
+    ///
+    /// With v = (u_x, u_y) and the matrix A of a mode, S_N = A_yy − |A_xy|²/A_xx acts on u_N = −u_y.
     pub fn operator(&self) -> &EdgeOperator {
         match &self.0 {
             Kind::Scalar(strip) => strip.operator(),
@@ -52,6 +76,15 @@ impl Strip {
     }
 
     /// Unknowns of the two-dimensional problem this stands for: (n + 1) m scalar, 2 n m elastic.
+    ///
+    /// A number of binary64, exact below 2^53.
+    ///
+    /// ```
+    /// use signorini::{fem::Lame, strip::Strip};
+    /// assert_eq!(Strip::scalar(8, 4)?.unknowns(), 36.0);
+    /// assert_eq!(Strip::elastic(8, 4, Lame::new(1.0, 1.0)?)?.unknowns(), 64.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn unknowns(&self) -> f64 {
         match &self.0 {
             Kind::Scalar(strip) => strip.virtual_unknowns(),
@@ -62,6 +95,21 @@ impl Strip {
     /// b and c of J(g) = ½ g'A g − b'g + c under the load ∫ f_h·v, f_h the nodal interpolant of f (scalar: of its
     /// first entry), consistent P1 mass matrix: nodal forces on the edge, and the energy of the interior with the edge
     /// held. Cost: O(n m log n).
+    ///
+    /// Block elimination from the top: with pivots C_j of the rows, y_j ← F_j − R C_{j+1}⁻¹ y_{j+1} and
+    /// c = −½ Σ_j y_j* C_j⁻¹ y_j over the interior rows. In the elastic strip b belongs to u_N; the energy of the
+    /// condensed tangential edge displacement is part of c.
+    ///
+    /// ```
+    /// use signorini::strip::Strip;
+    /// let strip = Strip::scalar(8, 8)?;
+    /// let (b, c) = strip.condense(|_, _| [1.0, 0.0])?;
+    /// // without contact: J(u) = -½ b'A⁻¹b + c, and ∫ f u = -2 J; exactly 1/3 for u = (1 - y²)/2 as h → 0
+    /// let w = strip.operator().solve(&b)?;
+    /// let energy: f64 = c - 0.5 * b.iter().zip(&w).map(|(b, w)| b * w).sum::<f64>();
+    /// assert!((-2.0 * energy - 1.0 / 3.0).abs() < 1.0 / 64.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.

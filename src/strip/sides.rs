@@ -4,6 +4,17 @@ use crate::cone::Ends;
 use crate::error::{Error, Result, ToolkitError};
 
 /// What the sides x = 0 and x = 1 of the strip do.
+///
+/// Modes: cos(θ_k i), θ_k = kπ/n, k = 0, ..., n with natural sides; e^{iθ_k j}, θ_k = 2πk/n with periodic ones.
+///
+/// ```
+/// use signorini::strip::LateralCondition::{Natural, Periodic};
+/// assert_eq!((Natural.nodes(8), Periodic.nodes(8)), (9, 8));
+/// // the even extension has twice the period
+/// assert_eq!((Natural.period(8), Periodic.period(8)), (16, 8));
+/// assert!(Periodic.check_cells(7).is_err() && Natural.check_cells(7).is_ok());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LateralCondition {
     /// No condition is imposed (homogeneous Neumann): n + 1 edge nodes.
@@ -38,6 +49,8 @@ impl LateralCondition {
     }
 
     /// Period of the (evenly extended) edge, in cells.
+    ///
+    /// P = 2n with natural sides, P = n with periodic ones: the length of the Fourier transforms.
     pub fn period(self, cells: usize) -> usize {
         match self {
             LateralCondition::Natural => 2 * cells,

@@ -3,6 +3,8 @@
 use super::sides::LateralCondition;
 
 /// P g: linear interpolation from the half as fine edge to one of `nodes` nodes.
+///
+/// (P g)_{2i} = g_i, (P g)_{2i+1} = (g_i + g_{i+1})/2; on a ring indices are modulo the coarse length.
 pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
     (0..nodes)
         .map(|i| {
@@ -16,6 +18,8 @@ pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
 }
 
 /// P'b: the load on the half as fine edge.
+///
+/// (P'b)_i = b_{2i} + (b_{2i−1} + b_{2i+1})/2. Σ_i (P'b)_i = Σ_i b_i: the resultant is kept.
 pub(crate) fn restrict(fine: &[f64], sides: LateralCondition) -> Vec<f64> {
     let cells = match sides {
         LateralCondition::Natural => (fine.len() - 1) / 2,

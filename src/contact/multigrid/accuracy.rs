@@ -4,6 +4,22 @@ use fractional_sobolev::{Estimate, Tolerance};
 use std::fmt;
 
 /// How exact a discrete solution is to be.
+///
+/// The estimate that is compared is |u_h − ũ|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K ũ − B'λ⁺ and
+/// C = λ⁺'(g − B ũ) ≥ 0.
+///
+/// ```
+/// use signorini::contact::{Accuracy, Settings, Solver};
+/// use signorini::{cone::Cone, problems::TestProblem};
+/// let problem = TestProblem::Membrane.problem(16)?;
+/// let exact = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// let accuracy = Accuracy::OfDiscretisation(0.1);
+/// let settings = Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
+/// let found = problem.solve(Cone::Nodal, settings)?;
+/// // u_h minimises J over the cone: the energy of an admissible approximation is not smaller
+/// assert!(found.energy >= exact.energy - 1e-6 * exact.energy.abs());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Accuracy {
     /// The algebraic error is this share of the error of discretisation, as estimated on the way up: more is
@@ -21,6 +37,20 @@ impl Default for Accuracy {
 }
 
 /// Where the iteration of multigrid is.
+///
+/// Levels are counted from the first one above the coarsest; `error` is an estimate of |u_k − x|_a on that level.
+///
+/// ```
+/// use signorini::contact::{Progress, Settings, Solver};
+/// use signorini::{cone::Cone, problems::TestProblem};
+/// let mut unknowns = Vec::new();
+/// let mut observe = |step: &Progress| Ok(unknowns.push(step.unknowns));
+/// let settings = Settings { solver: Solver::Multigrid, progress: Some(&mut observe), ..Settings::default() };
+/// TestProblem::Membrane.problem(16)?.solve(Cone::Nodal, settings)?;
+/// // nested iteration goes from coarse to fine
+/// assert!(unknowns.windows(2).all(|pair| pair[0] <= pair[1]));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// The level, from 1.
@@ -36,6 +66,20 @@ pub struct Progress {
 }
 
 /// Why the direct solver was taken instead.
+///
+/// The solution is then that of [`Solver::ActiveSet`](crate::contact::Solver::ActiveSet), with the same KKT residuals.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::{Fallback, Solver}, fem::{Form, Lame}};
+/// use signorini::{contact::ContactProblem, mesh::{SideParts, unit_square}};
+/// // λ/μ = 2ν/(1 − 2ν) = 499 at ν = 0.499
+/// let form = Form::elastic(Lame::plane_strain(1.0, 0.499)?);
+/// let load: Vec<f64> = (0..162).map(|i| if i % 2 == 1 { -1.0 } else { 0.0 }).collect();
+/// let problem = ContactProblem::new(unit_square(8, SideParts::HANGING)?, form, &load)?;
+/// let report = problem.solve(Cone::Nodal, Solver::Multigrid)?.multigrid;
+/// assert_eq!(report.and_then(|report| report.fallback), Some(Fallback::NearlyIncompressible));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fallback {
     /// The contact edge lies in several pieces.
@@ -66,6 +110,16 @@ impl fmt::Display for Fallback {
 }
 
 /// What happened on one level.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// let found = TestProblem::Membrane.problem(32)?.solve(Cone::Nodal, Solver::Multigrid)?;
+/// let levels = found.multigrid.map(|report| report.levels).unwrap_or_default();
+/// // four times as many unknowns from level to level, and cycles that contract
+/// assert!(levels.windows(2).all(|pair| pair[1].unknowns > 3 * pair[0].unknowns));
+/// assert!(levels.iter().all(|level| level.factor < 1.0));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MultigridLevel {
     /// Unknowns, prescribed ones included.
@@ -85,6 +139,16 @@ pub struct MultigridLevel {
 }
 
 /// What multigrid reports beside the solution.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// let problem = TestProblem::Membrane.problem(32)?;
+/// let found = problem.solve(Cone::Nodal, Solver::Multigrid)?;
+/// let Some(norm) = found.multigrid.and_then(|report| report.error) else { panic!("no levels") };
+/// // the value is |u_h|_a itself
+/// assert!((norm.value - problem.energy_norm(&found.displacement)?).abs() < 1e-9 * norm.value);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct MultigridReport {
     /// |u_h|_a with the estimated error of u_h in the same norm; `None` for the direct solver.

@@ -21,6 +21,9 @@ struct Work {
 }
 
 /// The levels up to some level, and what a contact set holds on them.
+///
+/// One V-cycle C with a forward sweep M before and M' after the correction: I − C K = (I − M⁻ᵀK)(I − P C_c P'K)(I −
+/// M⁻¹K), C_c the cycle of the coarser level and the exact inverse on the coarsest; C is symmetric positive definite.
 pub(super) struct Cycle<'a, L> {
     levels: &'a [L],
     links: &'a [Link],

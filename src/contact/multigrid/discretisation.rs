@@ -24,6 +24,8 @@ impl Discretisation {
 
     /// The expected |u − u_k|_a on the last level so far; `None` for fewer than three levels, and where J did
     /// not fall.
+    ///
+    /// |u − u_k| ≈ (2 (J_{k−1} − J_k)/(4^p − 1))^{1/2}, p = ½ log₂ of the quotient of the last two energy differences.
     pub(super) fn here(&self) -> Option<f64> {
         let [.., first, second, third] = self.energies[..] else { return None };
         let (before, now) = ((first - second).max(0.0), (second - third).max(0.0));
@@ -38,6 +40,7 @@ impl Discretisation {
     }
 }
 
+/// ½ log₂((J_{k−2} − J_{k−1})/(J_{k−1} − J_k)), clipped to the believed orders.
 fn order(before: f64, now: f64) -> f64 {
     (0.5 * (before / now).log2()).clamp(ORDERS.0, ORDERS.1)
 }

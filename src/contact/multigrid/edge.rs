@@ -145,6 +145,8 @@ impl Edge {
     }
 
     /// The energy norm of a change that mends all penetration, node by node.
+    ///
+    /// (Σ_i k_i (B u − g)_{i,+}²)^{1/2}, k_i the larger K_kk of the nodes of constraint i.
     pub(super) fn penetration(&self, contact: &Contact) -> f64 {
         let term = |(i, gap): (usize, &f64)| {
             let stiff = self.cone.support(i).map(|k| self.diagonals[k]).fold(0.0, f64::max);

@@ -38,6 +38,21 @@ const POINTS: usize = 4;
 const MOST_POINTS: usize = 16;
 
 /// A contact problem on the unit square with known solution u.
+///
+/// −Δu = f or −div σ(u) = f in the square; u_N ≤ 0, σ_N ≤ 0, u_N σ_N = 0 and σ_T = 0 at y = 0 (initial gap 0).
+/// Values are exact up to rounding.
+///
+/// ```
+/// use signorini::problems::KnownSolution;
+/// let u = KnownSolution::two_transitions(None);
+/// for k in 0..=20 {
+///     let x = k as f64 / 20.0;
+///     // complementarity on y = 0
+///     let (normal, stress) = (u.displacement([x, 0.0])[0], u.normal_stress(x));
+///     assert!(normal <= 1e-12 && stress <= 1e-12 && (normal * stress).abs() < 1e-12);
+/// }
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KnownSolution {
     formula: Formula,
@@ -70,16 +85,50 @@ impl KnownSolution {
     }
 
     /// Contact before 3/10, a gap beyond; scalar without Lamé's constants, else elastic.
+    ///
+    /// F = (z − 3/10)^{3/2}: u = −Re F (scalar); 2μ u_x = −α Im F − y Re F', 2μ u_y = β Re F + y Im F', α = μ/(λ + μ),
+    /// β = 1 + α (elastic, zero volume load and zero shear on the edge).
+    ///
+    /// ```
+    /// use signorini::{fem::Lame, problems::KnownSolution};
+    /// let u = KnownSolution::one_transition(Some(Lame::new(1.0, 1.0)?));
+    /// // σ_N = −Im F' = −(3/2) √(3/10 − x) before the transition, 0 beyond
+    /// assert!((u.normal_stress(0.05) + 0.75).abs() < 1e-14 && u.normal_stress(0.6).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn one_transition(lame: Option<Lame>) -> Self {
         Self { formula: Formula::Westergaard(Westergaard { two_transitions: false, lame }) }
     }
 
     /// Contact before 3/10 and beyond 7/10; scalar without Lamé's constants, else elastic.
+    ///
+    /// F = ((z − 3/10)(7/10 − z))^{3/2} in the formulas of [`KnownSolution::one_transition`]; symmetric about x = 1/2.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let u = KnownSolution::two_transitions(None);
+    /// // u = −((x − 3/10)(7/10 − x))^{3/2} in the gap, symmetric
+    /// assert!((u.displacement([0.5, 0.0])[0] + 0.008).abs() < 1e-15);
+    /// assert!((u.displacement([0.4, 0.0])[0] - u.displacement([0.6, 0.0])[0]).abs() < 1e-15);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn two_transitions(lame: Option<Lame>) -> Self {
         Self { formula: Formula::Westergaard(Westergaard { two_transitions: true, lame }) }
     }
 
     /// r^p about the transition 2/5, contact before it; scalar without Lamé's constants, else elastic.
+    ///
+    /// u_N = −c r^p in the gap, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load that makes up for the rest.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let u = KnownSolution::power(0.75, None)?;
+    /// assert_eq!(u.regularity(), 1.75);
+    /// // u_N scales like r^p: a distance 16 times as small gives 1/8
+    /// let at = |r: f64| u.displacement([0.4 + r, 0.0])[0];
+    /// assert!((at(0.32) / at(0.02) - 8.0).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`] unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u would be linear).
@@ -89,6 +138,18 @@ impl KnownSolution {
 
     /// The powers of a transition at `position`, contact beyond it, the other three sides held; scalar.
     ///
+    /// u = Re F − 4y, F = i z^p/sin πp about a = `position` (p = 1: with logarithms); gap 0 ≤ x < a, contact a ≤ x ≤ 1;
+    /// u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
+    ///
+    /// ```
+    /// use signorini::problems::{KnownSolution, TransitionPowers};
+    /// let u = KnownSolution::transition(TransitionPowers::of_regularity(1.75), 0.4)?;
+    /// // u = −r^{3/4} before the transition, 0 beyond
+    /// assert!((u.displacement([0.4 - 0.0625, 0.0])[0] + 0.125).abs() < 1e-14);
+    /// assert!(u.displacement([0.7, 0.0])[0].abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`] unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < position < 1; for p ≠ 1 also
     /// |p − 1| ≥ 1/10 and α = 0.
@@ -97,6 +158,18 @@ impl KnownSolution {
     }
 
     /// The same with a reaction term and conditions of contact on the whole boundary: Remark 1 as printed.
+    ///
+    /// −Δu + u = f with f = u, since u is harmonic; u ≤ 0 on all four sides, open on three of them.
+    ///
+    /// ```
+    /// use signorini::problems::{KnownSolution, TransitionPowers};
+    /// let powers = TransitionPowers::of_regularity(1.75);
+    /// let [held, whole] = [KnownSolution::transition(powers, 0.4)?, KnownSolution::whole_boundary(powers, 0.4)?];
+    /// // the same u, another form
+    /// assert_eq!(held.displacement([0.3, 0.2]), whole.displacement([0.3, 0.2]));
+    /// assert_ne!(held.form(), whole.form());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`KnownSolution::transition`].
@@ -122,6 +195,8 @@ impl KnownSolution {
     }
 
     /// The ends of contact on y = 0; with contact on the whole boundary those inside that side.
+    ///
+    /// Abscissae in (0, 1), ascending. Those fixed here, 3/10, 2/5 and 7/10, are no nodes of a uniform dyadic mesh.
     pub fn transitions(&self) -> Vec<f64> {
         match self.formula {
             Formula::ThreeHalves => vec![three_halves::TRANSITION],
@@ -132,6 +207,15 @@ impl KnownSolution {
     }
 
     /// The supremum of the τ with u ∈ H^τ and σ_N ∈ H^{τ−3/2}.
+    ///
+    /// 5/2 for r^{3/2}, p + 1 for powers, min(p + 1, q + 2) in general; not attained.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// assert_eq!(KnownSolution::three_halves().regularity(), 2.5);
+    /// assert_eq!(KnownSolution::power(1.25, None)?.regularity(), 2.25);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn regularity(&self) -> f64 {
         match self.formula {
             Formula::ThreeHalves | Formula::Westergaard(_) => 2.5,
@@ -141,6 +225,8 @@ impl KnownSolution {
     }
 
     /// u; a scalar solution has second entry 0.
+    ///
+    /// Cartesian, at (x, y) in the closed unit square.
     pub fn displacement(&self, point: Point) -> Point {
         match self.formula {
             Formula::ThreeHalves => [three_halves::displacement(point), 0.0],
@@ -151,6 +237,17 @@ impl KnownSolution {
     }
 
     /// ∇u: row c is the gradient of component c.
+    ///
+    /// Not finite at a transition if u ∉ C¹ there.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let u = KnownSolution::three_halves();
+    /// let ([x, y], d) = ([0.7, 0.3], 1e-5);
+    /// let along = |s: f64| u.displacement([x + s, y])[0];
+    /// assert!(((along(d) - along(-d)) / (2.0 * d) - u.gradient([x, y])[0][0]).abs() < 1e-9);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn gradient(&self, point: Point) -> [Point; 2] {
         match self.formula {
             Formula::ThreeHalves => [three_halves::gradient(point), [0.0; 2]],
@@ -161,6 +258,8 @@ impl KnownSolution {
     }
 
     /// σ_N at (x, 0); scalar: the contact force, ∂u/∂n less the load of the edge.
+    ///
+    /// ≤ 0, zero in the gap; a density in units of the modulus.
     pub fn normal_stress(&self, x: f64) -> f64 {
         match self.formula {
             Formula::ThreeHalves => three_halves::normal_stress(x),
@@ -171,6 +270,18 @@ impl KnownSolution {
     }
 
     /// The problem on the structured mesh with n × n squares, its data from u.
+    ///
+    /// Dirichlet data by nodal interpolation of u; loads of the edge integrated exactly or with rules graded toward the
+    /// transition.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, problems::KnownSolution};
+    /// let u = KnownSolution::one_transition(None);
+    /// let solution = u.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// // total contact force ∫ (3/2) √(3/10 − x) dx = (3/10)^{3/2}, up to the error of discretisation
+    /// assert!((solution.contact_force - 0.3f64.powf(1.5)).abs() < 0.05);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
@@ -193,6 +304,16 @@ impl KnownSolution {
 
     /// Values of u at the nodes of a problem, node-major.
     ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let u = KnownSolution::two_transitions(None);
+    /// let problem = u.problem(4)?;
+    /// let values = u.interpolant(&problem)?;
+    /// // nodal values of u: the normal displacement at x = 1/2 is −(1/5)³
+    /// assert!((problem.normal_displacement(&values)?[2] + 0.008).abs() < 1e-15);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Field::sample`].
     pub fn interpolant(&self, problem: &ContactProblem) -> Result<Vec<f64>> {
@@ -201,6 +322,19 @@ impl KnownSolution {
 
     /// Norms of u − v for nodal values v on the mesh of a problem, by a fixed rule graded toward the transitions: four
     /// points along each side of a triangle, exact to a thousandth.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let u = KnownSolution::one_transition(None);
+    /// let norms = |n| -> signorini::Result<_> {
+    ///     let problem = u.problem(n)?;
+    ///     u.error_norms(&problem, &u.interpolant(&problem)?)
+    /// };
+    /// // the interpolation error of a function of H^{5/2−ε}: order 1 in H¹, 2 in L²
+    /// let (coarse, fine) = (norms(4)?, norms(8)?);
+    /// assert!((coarse.h1 / fine.h1 - 2.0).abs() < 0.3 && coarse.l2 / fine.l2 > 3.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`error_norms`].
@@ -271,6 +405,18 @@ impl KnownSolution {
     /// |u|₂ on (0, 1) × (0, 1/n), the root of the sum over components of ∫ u_xx² + 2 u_xy² + u_yy²; the error is
     /// what a rule of fewer points changes, and points are added until the tolerance is met.
     ///
+    /// Enters the interpolation error h |u|₂ on the row of elements at the contact edge. |u|₂² is additive over strips
+    /// and finite, since u ∈ H^{5/2−ε}.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let u = KnownSolution::one_transition(None);
+    /// let [all, half] = [u.second_seminorm(1, 1e-3)?.value, u.second_seminorm(2, 1e-3)?.value];
+    /// // the second derivatives are of size r^{−1/2}: most of them lies near the edge
+    /// assert!(half < all && half * half > 0.5 * all * all);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::Incompatible`] unless u is that of
     /// [`KnownSolution::one_transition`] or [`KnownSolution::two_transitions`]; [`ToolkitError::ToleranceNotMet`].
@@ -285,6 +431,18 @@ impl KnownSolution {
     /// |∇u|_{τ−1} on the half disc about the transition that holds the square, 3/2 < τ < 2, ‖D²u‖ at τ = 2:
     /// ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for elasticity α² + β² + 1 − q + q² times that over 4μ².
     ///
+    /// R is the radius of the half disc.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let found = KnownSolution::power(1.25, None)?.body_seminorm(2.0, 1e-8)?;
+    /// // the farthest corner of the square from (2/5, 0) is (1, 1): R² = 1.36
+    /// let (p, q) = (1.25, 0.25);
+    /// let exact = (p * p * q * std::f64::consts::PI * 1.36f64.powf(q)).sqrt();
+    /// assert!((found.value - exact).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for τ ≥ p + 1; [`ToolkitError::OutOfRange`] unless 1 < τ ≤ 2;
     /// [`ToolkitError::Incompatible`] unless u is that of [`KnownSolution::power`]; as
@@ -298,6 +456,17 @@ impl KnownSolution {
     }
 
     /// |σ_N|_ν or |u_N'|_ν on the part (from, to) of the edge.
+    ///
+    /// Gagliardo's seminorm, (∫∫ |f(x) − f(y)|²/|x − y|^{1+2ν})^{1/2} on the part; invariant under reflection, and
+    /// homogeneous: a part k times as long about the transition gives k^{p−1/2−ν} times the value.
+    ///
+    /// ```
+    /// use signorini::problems::{EdgeDatum, KnownSolution};
+    /// let u = KnownSolution::power(1.0 + 0.25, None)?;
+    /// let on = |length: f64| u.edge_seminorm(EdgeDatum::Pressure, [0.4 - length, 0.4], 0.25, 1e-8);
+    /// assert!((on(0.4)?.value / on(0.1)?.value - 4f64.powf(0.5)).abs() < 1e-6);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for ν ≥ p − 1/2; [`ToolkitError::Incompatible`] unless u is that of

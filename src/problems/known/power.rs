@@ -32,6 +32,17 @@ pub(super) struct Power {
 }
 
 /// Which function of the edge.
+///
+/// Both are multiples of r^{p−1} on one side of the transition and 0 on the other.
+///
+/// ```
+/// use signorini::problems::{EdgeDatum, KnownSolution};
+/// let u = KnownSolution::power(1.25, None)?;
+/// // on the other side of the transition each of them vanishes
+/// assert_eq!(u.edge_seminorm(EdgeDatum::Pressure, [0.5, 0.9], 0.25, 1e-6)?.value, 0.0);
+/// assert_eq!(u.edge_seminorm(EdgeDatum::Slope, [0.1, 0.3], 0.25, 1e-6)?.value, 0.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EdgeDatum {
     /// σ_N.

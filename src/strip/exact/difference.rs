@@ -64,6 +64,8 @@ impl Interpolated<'_> {
 }
 
 /// By how much rounding of the modes `exact` of period P moves the square root of Σ S |ĝ − ĝ_h|² γ/P.
+///
+/// ε log₂ P (γ max S)^{1/2} ‖g‖₂: absolute, in the energy norm.
 pub(super) fn rounding(exact: &[Complex<f64>], largest_symbol: f64) -> f64 {
     let period = 2.0 * (exact.len() - 1) as f64;
     // Σ over k mod P of |ĝ|²/P is the square of the norm of the extended nodal values; γ ≤ 1.

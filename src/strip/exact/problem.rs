@@ -14,6 +14,13 @@ use std::fmt;
 use std::str::FromStr;
 
 /// Which strip.
+///
+/// ```
+/// use signorini::strip::{LateralCondition, StripKind};
+/// assert_eq!("elastic".parse::<StripKind>()?.sides(), LateralCondition::Periodic);
+/// assert_eq!(StripKind::Scalar.sides(), LateralCondition::Natural);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StripKind {
     /// Laplace, natural sides.
@@ -58,6 +65,24 @@ impl FromStr for StripKind {
 }
 
 /// Complementary data as exact solution on a unit square strip.
+///
+/// The load b = A u_N + λ on the fine edge is restricted to all coarser edges by P', so that every coarse problem is
+/// the Galerkin problem of the reference. The errors |u − u_h|_a need the edge values alone: with d = u_N − P u_h,N,
+/// |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, G ≥ 0 the surplus of the coarse strip's energy in the interior.
+///
+/// ```
+/// use signorini::cone::Cone;
+/// use signorini::problems::StripData;
+/// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
+/// let data = StripData::transition().data(2.0, 64, LateralCondition::Natural)?;
+/// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
+/// let error = |n| -> signorini::Result<f64> {
+///     let u = problem.operator(n)?.0.solve_contact(&problem.load(n)?, Cone::Nodal, None, 1e-12)?;
+///     Ok(problem.error(n, &u.values)?.value)
+/// };
+/// assert!(error(16)? < error(8)? && error(8)? < error(4)?);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct StripProblem(Exact);
 
@@ -69,6 +94,9 @@ enum Exact {
 
 impl StripProblem {
     /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the test problem only.
+    ///
+    /// `coarsest` is the smallest number of cells for which errors will be asked. Cost: O(N log N), N the cells of the
+    /// data.
     ///
     /// # Errors
     /// As [`EdgeData::new`], [`ToolkitError::Incompatible`] for sides of the other kind, [`ToolkitError::CountOutOfRange`] unless the
@@ -92,6 +120,8 @@ impl StripProblem {
     }
 
     /// Replaces the test problem by another one on the same grid; much cheaper than a new problem.
+    ///
+    /// Operators and defects are kept; the loads and the modes of u_N are computed anew, O(N log N).
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
@@ -121,6 +151,18 @@ impl StripProblem {
     }
 
     /// b: the nodal forces of the load on the edge of `cells` cells.
+    ///
+    /// b_n = P'...P' (A u_N + λ), one entry per edge node; Σ_i b_i is the same on every level.
+    ///
+    /// ```
+    /// use signorini::problems::StripData;
+    /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
+    /// let data = StripData::transition().data(2.0, 32, LateralCondition::Natural)?;
+    /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
+    /// let total = |n| -> signorini::Result<f64> { Ok(problem.load(n)?.iter().sum()) };
+    /// assert!((total(4)? - total(32)?).abs() < 1e-12 * total(4)?.abs().max(1.0));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.

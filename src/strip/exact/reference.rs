@@ -5,6 +5,15 @@ use std::fmt;
 use std::str::FromStr;
 
 /// What the discrete solutions are compared with.
+///
+/// `Nested` measures |u_fine − u_h|_a, which misses the error of the fine mesh; `Harmonic` includes it, and needs the
+/// edge alone as well.
+///
+/// ```
+/// use signorini::strip::Reference;
+/// assert_eq!(Reference::Nested.to_string().parse::<Reference>()?, Reference::Nested);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reference {
     /// The discrete solution on the strip of the fine grid.

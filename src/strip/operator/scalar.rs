@@ -115,6 +115,8 @@ impl ScalarStrip {
 }
 
 /// S(θ) of the scalar strip with m layers (m may be fractional: coarse and fine grids share mφ).
+///
+/// S(θ) = sinh φ coth(mφ), sinh(φ/2) = sin(θ/2); S(0) = 1/m.
 pub(crate) fn scalar_symbol(theta: f64, layers: f64) -> f64 {
     if theta == 0.0 {
         return 1.0 / layers;

@@ -3,6 +3,18 @@
 use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 
 /// A discrete contact solution on the edge, with its KKT residuals.
+///
+/// A w − b + B'λ = 0, B w ≤ 0, λ ≥ 0 and λ'B w = 0 up to `kkt`. Hence w'A w = b'w, and the energy is −½ b'w.
+///
+/// ```
+/// use signorini::{cone::Cone, strip::Strip};
+/// let strip = Strip::scalar(8, 8)?;
+/// let b: Vec<f64> = (0..9).map(|i| 0.2 - (i as f64 / 4.0).sin()).collect();
+/// let found = strip.operator().solve_contact(&b, Cone::Midpoint, None, 1e-13)?;
+/// let work: f64 = b.iter().zip(&found.values).map(|(b, w)| b * w).sum();
+/// assert!(found.kkt.worst() < 1e-12 && (found.energy + 0.5 * work).abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeSolution {
     /// u_N at the edge nodes.
