@@ -5,7 +5,7 @@
 
 use super::pair::{ContactPair, Segment};
 use super::seminorm::SeminormForm;
-use crate::error::Result;
+use crate::error::{Result, ToolkitError};
 use fractional_sobolev::{Estimate, Given, Order, gauss_legendre};
 use rayon::prelude::*;
 
@@ -150,9 +150,31 @@ impl ContactPair {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N;
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2.
     pub fn norms(&self, segments: usize, order: impl Given<Order>, q: f64) -> Result<Vec<SegmentNorms>> {
+        let form = SeminormForm::new(self.traces(), order.given()?, self.cells() / segments.max(1))?;
+        self.norms_by(&form, segments, q)
+    }
+
+    /// [`ContactPair::norms`] of pairs of the same kind on the same grid, one after the other: their Gram matrix is
+    /// made once, and the norms of one pair are held at a time.
+    ///
+    /// # Errors
+    /// As [`ContactPair::norms`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without pairs,
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a pair on another grid.
+    pub fn norms_of(
+        pairs: &[Self],
+        segments: usize,
+        order: impl Given<Order>,
+        q: f64,
+    ) -> Result<impl Iterator<Item = Result<Vec<SegmentNorms>>>> {
+        let none = ToolkitError::CountOutOfRange { name: "pairs", value: 0, range: "[1, inf)" };
+        let first = pairs.first().ok_or(none)?;
+        let form = SeminormForm::new(first.traces(), order.given()?, first.cells() / segments.max(1))?;
+        Ok(pairs.iter().map(move |pair| pair.norms_by(&form, segments, q)))
+    }
+
+    fn norms_by(&self, form: &SeminormForm, segments: usize, q: f64) -> Result<Vec<SegmentNorms>> {
         let parts: Vec<Segment<'_>> = self.segments(segments)?.collect();
-        let form = SeminormForm::new(self.traces(), order.given()?, self.cells() / segments)?;
-        parts.par_iter().map(|segment| SegmentNorms::new(segment, q, &form)).collect()
+        parts.par_iter().map(|segment| SegmentNorms::new(segment, q, form)).collect()
     }
 }
 

@@ -109,15 +109,10 @@ impl ProofCase {
         let traces = Traces::for_regularity(self.tau);
         let finest = self.levels.cells().last().unwrap_or(1);
         let pairs = self.pairs(self.resolution.cells(finest), traces)?;
-        let squares = pairs
-            .iter()
-            .map(|pair| {
-                let edge = pair.norms(1, constants.order(), constants.q())?;
-                let square = |norms: &SegmentNorms| {
-                    0.5 * (norms.stress.norm_squared() + norms.displacement_norm_squared())
-                };
-                Ok(edge.iter().map(square).sum())
-            })
+        let square =
+            |norms: &SegmentNorms| 0.5 * (norms.stress.norm_squared() + norms.displacement_norm_squared());
+        let squares = ContactPair::norms_of(&pairs, 1, constants.order(), constants.q())?
+            .map(|edge| Ok(edge?.iter().map(square).sum()))
             .collect::<Result<Vec<f64>>>()?;
         let mut levels = Vec::new();
         for n in self.levels.cells() {
@@ -144,8 +139,9 @@ impl ProofCase {
         let (mut inequalities, mut rungs, mut cases) =
             (Vec::new(), [TwoLaws::default(); Step::ALL.len()], CaseCounts::default());
         let share = 1.0 / pairs.len() as f64;
-        for (pair, square) in pairs.iter().zip(squares) {
-            for segment in &pair.norms(n, constants.order(), constants.q())? {
+        let all = ContactPair::norms_of(pairs, n, constants.order(), constants.q())?;
+        for (norms, square) in all.zip(squares) {
+            for segment in &norms? {
                 let setting = self.setting(segment, theta, gamma, constants)?;
                 self.count(segment, theta, &mut cases);
                 let checks = segment_checks(self.section, segment, constants, &setting);
