@@ -64,6 +64,16 @@ impl ContactSet {
     }
 
     /// The characteristic function.
+    ///
+    /// Its length is [`ContactSet::constraints`].
+    ///
+    /// ```
+    /// use signorini::cone::ContactSet;
+    /// let set = ContactSet::new(vec![true, false, true]);
+    /// // characteristic function and indices describe the same set
+    /// assert!(set.indices().iter().all(|&i| set.as_slice()[i]) && set.indices().len() == set.count());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn as_slice(&self) -> &[bool] {
         &self.active
     }

@@ -73,6 +73,15 @@ pub struct KktResiduals {
 
 impl KktResiduals {
     /// The largest of the four.
+    ///
+    /// Max norm of the four; 0 exactly at a KKT point of the convex program, hence at its solution.
+    ///
+    /// ```
+    /// use signorini::cone::KktResiduals;
+    /// let kkt = KktResiduals { balance: 1e-15, gap: 3e-9, ..KktResiduals::default() };
+    /// assert_eq!(kkt.worst(), 3e-9);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn worst(&self) -> f64 {
         self.balance.max(self.sign).max(self.gap).max(self.complementarity)
     }
@@ -105,6 +114,16 @@ pub struct Margins {
 
 impl Margins {
     /// True when some active force or some inactive gap is below `threshold`: contact is weak there.
+    ///
+    /// Monotone in the threshold; without contact only the gap counts, with full contact only the force.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+    /// let margins = TestProblem::Free.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?.margins;
+    /// // lifted off everywhere: no contact force, and every gap is open
+    /// assert!(margins.pressure.is_none() && !margins.is_weak(1e-3));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn is_weak(&self, threshold: f64) -> bool {
         [self.pressure, self.gap].into_iter().flatten().any(|margin| margin <= threshold)
     }

@@ -36,6 +36,12 @@ pub enum Status {
 
 impl Status {
     /// True for [`Status::Converged`].
+    ///
+    /// ```
+    /// use signorini::cone::Status;
+    /// assert!(Status::Converged.is_converged() && !Status::Cycled { period: 2 }.is_converged());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn is_converged(self) -> bool {
         self == Status::Converged
     }

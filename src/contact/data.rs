@@ -60,6 +60,17 @@ impl ContactProblem {
     ///
     /// Five Gauss points per edge. The function receives the point and the outward unit normal.
     ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, mesh::Part, problems::TestProblem};
+    /// let mut problem = TestProblem::Closed.problem(4)?;
+    /// let before = problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force;
+    /// // a pressure of 1/4 on the contact edge in the direction −n lifts: the contact force falls by 1/4
+    /// problem.add_boundary_load(Part::Contact, &|_, [x, y]| Ok([-0.25 * x, -0.25 * y]))?;
+    /// let after = problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force;
+    /// assert!((before - after - 0.25).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), or what F returns.
     pub fn add_boundary_load(

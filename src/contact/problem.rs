@@ -105,16 +105,45 @@ impl ContactProblem {
     }
 
     /// The triangulation.
+    ///
+    /// ```
+    /// let problem = signorini::problems::TestProblem::Block.problem(4)?;
+    /// // Euler's formula for a disc: nodes − edges + triangles = 1, edges = (3 triangles + boundary)/2
+    /// let mesh = problem.mesh();
+    /// let edges = (3 * mesh.triangles().len() + mesh.boundary().len()) / 2;
+    /// assert_eq!(mesh.nodes().len() + mesh.triangles().len(), edges + 1);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn mesh(&self) -> &Triangulation {
         &self.mesh
     }
 
     /// The bilinear form.
+    ///
+    /// Scalar: a(u, v) = ∫ ∇u·∇v + r u v; elastic: a(u, v) = ∫ 2μ ε(u):ε(v) + λ div u div v, plane strain.
+    ///
+    /// ```
+    /// use signorini::{fem::Form, problems::TestProblem};
+    /// assert_eq!(TestProblem::Membrane.problem(2)?.form(), &Form::LAPLACE);
+    /// assert_eq!(TestProblem::Block.problem(2)?.form().components(), 2);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn form(&self) -> &Form {
         &self.form
     }
 
     /// The contact edge.
+    ///
+    /// Nodes from left to right; the order of all vectors along the contact edge.
+    ///
+    /// ```
+    /// let problem = signorini::problems::TestProblem::Block.problem(4)?;
+    /// let edge = problem.edge();
+    /// // the integrals of the hat functions sum to the length of the edge
+    /// assert!((edge.nodal_lengths().iter().sum::<f64>() - 1.0).abs() < 1e-15);
+    /// assert!(edge.points().windows(2).all(|pair| pair[0][0] < pair[1][0]));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn edge(&self) -> &ContactEdge {
         &self.edge
     }

@@ -44,6 +44,8 @@ pub struct Seconds {
 
 impl Seconds {
     /// All phases.
+    ///
+    /// Their sum.
     pub fn total(&self) -> f64 {
         self.assembly + self.factorization + self.contact + self.recovery
     }

@@ -43,6 +43,17 @@ pub struct DirichletEnd {
 impl DirichletEnd {
     /// The assembled problem.
     ///
+    /// ```
+    /// use signorini::{fem::Form, mesh::Outline, problems::DirichletEnd};
+    /// let (outline, poisson) = (Outline::HalfDisc, None);
+    /// let body = DirichletEnd { outline, angles: 8, step: 0.4, smallest: 1e-3, poisson, direction: 90.0 };
+    /// let problem = body.problem()?;
+    /// // the contact edge reaches from the origin to (1, 0)
+    /// assert!((problem.contact_mesh()?.nodes().last().unwrap_or(&0.0) - 1.0).abs() < 1e-12);
+    /// assert_eq!(problem.form(), &Form::LAPLACE);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`polar_rings`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for Poisson's ratio or a direction that is not finite.
     pub fn problem(&self) -> Result<ContactProblem> {

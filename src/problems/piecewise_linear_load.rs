@@ -41,6 +41,8 @@ impl PiecewiseLinearLoad {
 
     /// Lamé's constants; none for the scalar body.
     ///
+    /// λ = μ = 1 for the elastic bodies, Poisson's ratio 1/4.
+    ///
     /// # Errors
     /// None for these constants.
     pub fn lame(self) -> Result<Option<Lame>> {
@@ -51,12 +53,26 @@ impl PiecewiseLinearLoad {
     }
 
     /// True where displacements are given on all of the boundary but the contact edge.
+    ///
+    /// ```
+    /// use signorini::problems::PiecewiseLinearLoad;
+    /// let held = PiecewiseLinearLoad::ALL.map(PiecewiseLinearLoad::is_held_all_around);
+    /// assert_eq!(held, [false, true, false]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn is_held_all_around(self) -> bool {
         self == Self::Held
     }
 
     /// The cones for which all constants are known: the midpoint cone needs Korn's constant of a body that is
     /// held all around, unless it is scalar.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, problems::PiecewiseLinearLoad};
+    /// assert_eq!(PiecewiseLinearLoad::Hanging.cones(), [Cone::Nodal]);
+    /// assert_eq!(PiecewiseLinearLoad::Membrane.cones(), Cone::ALL);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn cones(self) -> &'static [Cone] {
         if self == Self::Hanging { &[Cone::Nodal] } else { &[Cone::Nodal, Cone::Midpoint] }
     }
@@ -80,6 +96,15 @@ impl PiecewiseLinearLoad {
     }
 
     /// The problem on [`PiecewiseLinearLoad::mesh`] or a refinement of it.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, problems::PiecewiseLinearLoad::Held};
+    /// let problem = Held.on(Held.mesh(8)?)?;
+    /// let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// // homogeneous data: a(u, u) = F'u, hence J = −a(u, u)/2
+    /// assert!((u.energy + 0.5 * problem.energy_norm(&u.displacement)?.powi(2)).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`ContactProblem::new`].

@@ -136,11 +136,25 @@ impl Data {
 
 impl StripData {
     /// One transition at an irrational-looking place.
+    ///
+    /// At x = 0.381966, close to 1 − 1/φ = (3 − √5)/2, so that its place within the cells of dyadic meshes varies.
+    ///
+    /// ```
+    /// let value = signorini::problems::StripData::transition().to_string();
+    /// assert!(value.starts_with("transition"));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub const fn transition() -> Self {
         StripData::Transition { position: POSITION }
     }
 
     /// Whether it is one transition, which studies move through its cell.
+    ///
+    /// ```
+    /// use signorini::problems::StripData;
+    /// assert!(StripData::transition().moves() && !StripData::FatCantor { depth: 3 }.moves());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn moves(&self) -> bool {
         matches!(self, StripData::Transition { .. })
     }
@@ -223,6 +237,12 @@ impl StripData {
     }
 
     /// The test problem in words: `one transition at 0.4`, `fat Cantor set of depth 15`.
+    ///
+    /// ```
+    /// use signorini::problems::StripData;
+    /// assert_eq!(StripData::FatCantor { depth: 15 }.words(), "fat Cantor set of depth 15");
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn words(&self) -> String {
         self.form().words
     }

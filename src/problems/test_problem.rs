@@ -203,11 +203,31 @@ const LEFT_HELD: SideParts =
 
 impl TestProblem {
     /// True for the test problems of elasticity.
+    ///
+    /// ```
+    /// use signorini::problems::TestProblem;
+    /// for problem in TestProblem::all() {
+    ///     assert_eq!(problem.is_elastic(), problem.usual_form()?.components() == 2);
+    /// }
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn is_elastic(self) -> bool {
         self.form().is_elastic
     }
 
     /// The bilinear form.
+    ///
+    /// `incompressible` has E = 5/2 and the ratio of the setting: λ/μ = 2ν/(1 − 2ν) grows without bound as ν → 1/2.
+    ///
+    /// ```
+    /// use signorini::{fem::{Form, Lame}, problems::{Parameters, TestProblem}};
+    /// let setting = Parameters { poisson: 0.25, ..Parameters::default() };
+    /// // E = 5/2 and ν = 1/4 are λ = μ = 1
+    /// let Form::Elastic { materials } = TestProblem::Incompressible.bilinear_form(&setting)? else { panic!("scalar")
+    /// }; let lame: Lame = materials[0];
+    /// assert!((lame.lambda() - 1.0).abs() < 1e-14 && (lame.mu() - 1.0).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter that is not admissible.
@@ -257,6 +277,15 @@ impl TestProblem {
     /// The problem on a given triangulation of the test problem's domain (a level of a hierarchy, say), default
     /// setting.
     ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, problems::TestProblem};
+    /// let hierarchy = Hierarchy::refined(TestProblem::MembraneReaction.mesh(2)?, 1)?;
+    /// let fine = TestProblem::MembraneReaction.on(hierarchy.levels()[1].clone())?;
+    /// // refinement of a structured mesh is the structured mesh
+    /// assert_eq!(fine.free_unknowns(), TestProblem::MembraneReaction.problem(4)?.free_unknowns());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`ContactProblem::new`].
     pub fn on(self, mesh: Triangulation) -> Result<ContactProblem> {
@@ -264,6 +293,16 @@ impl TestProblem {
     }
 
     /// The problem on the structured mesh with n x n squares, default setting.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+    /// let energy = |cone| -> signorini::Result<f64> {
+    ///     Ok(TestProblem::Block.problem(8)?.solve(cone, Solver::ActiveSet)?.energy)
+    /// };
+    /// // K^h is contained in the midpoint cone, so that the minimum of J over it is not smaller
+    /// assert!(energy(Cone::Midpoint)? <= energy(Cone::Nodal)?);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`TestProblem::mesh`] and [`TestProblem::on`].
@@ -280,6 +319,15 @@ impl TestProblem {
     }
 
     /// The structured mesh of the test problem with n x n cells.
+    ///
+    /// ```
+    /// use signorini::problems::{Parameters, TestProblem};
+    /// let setting = Parameters { angle: 60.0, ..Parameters::default() };
+    /// let mesh = TestProblem::Corner.mesh_with(4, &setting)?;
+    /// assert_eq!(mesh.nodes().len(), 25);
+    /// assert!(TestProblem::Corner.mesh_with(4, &Parameters { angle: 10.0, ..setting }).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384, [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160].

@@ -187,6 +187,16 @@ impl KnownSolution {
     }
 
     /// The bilinear form.
+    ///
+    /// The Laplacian, with the reaction term u v on the whole boundary's problem; elastic with the given constants.
+    ///
+    /// ```
+    /// use signorini::{fem::{Form, Lame}, problems::KnownSolution};
+    /// let lame = Lame::new(2.0, 1.0)?;
+    /// assert_eq!(KnownSolution::one_transition(Some(lame)).form(), Form::elastic(lame));
+    /// assert_eq!(KnownSolution::three_halves().form(), Form::LAPLACE);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn form(&self) -> Form {
         match self.formula {
             Formula::Harmonic(known) => known.form(),
@@ -346,6 +356,17 @@ impl KnownSolution {
     /// along each side of a triangle changes; points are added until the tolerance is met. The rule converges
     /// algebraically near the transition: the true error of quadrature may be a few times as large. Cost: two passes over the
     /// mesh with 9 to 25 points on a triangle for two digits.
+    ///
+    /// ```
+    /// use signorini::problems::KnownSolution;
+    /// let u = KnownSolution::one_transition(None);
+    /// let problem = u.problem(8)?;
+    /// let zero = vec![0.0; problem.mesh().nodes().len()];
+    /// let [norm, error] = [u.error(&problem, &zero, 1e-2)?, u.error(&problem, &u.interpolant(&problem)?, 1e-2)?];
+    /// // interpolation of order h: far below the norm of u
+    /// assert!(error.value < 0.2 * norm.value && norm.error <= 1e-2 * norm.value);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`error_norms`]; [`ToolkitError::ToleranceNotMet`] when 16 points do not meet the tolerance.

@@ -134,6 +134,17 @@ impl StripProblem {
 
     /// The edge operator on `cells` cells and the number of unknowns it stands for.
     ///
+    /// ```
+    /// use signorini::problems::StripData;
+    /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
+    /// let data = StripData::transition().data(2.0, 16, LateralCondition::Natural)?;
+    /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
+    /// // (n + 1) n unknowns of a unit square; constants have the energy 1/H = 1 on every level
+    /// let (a, unknowns) = problem.operator(8)?;
+    /// assert!(unknowns == 72.0 && (a.energy(&[1.0; 9])? - 1.0).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
     pub fn operator(&self, cells: usize) -> Result<(EdgeOperator, f64)> {
@@ -175,6 +186,20 @@ impl StripProblem {
 
     /// |u − u_h|_a for the discrete solution with edge values `values` on `cells` cells. It takes no tolerance: the
     /// energy is a finite sum of nonnegative terms over modes, and the error is its rounding.
+    ///
+    /// Cost: O(N). `error` of the estimate bounds the rounding of the modes, η (γ max S)^{1/2} ‖u_N‖₂ with η = ε log₂
+    /// P.
+    ///
+    /// ```
+    /// use signorini::problems::StripData;
+    /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
+    /// let data = StripData::transition().data(2.0, 16, LateralCondition::Natural)?;
+    /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
+    /// // v = 0 on the coarse edge: the error is the energy norm of u itself
+    /// let norm = problem.operator(16)?.0.energy(data.values())?.sqrt();
+    /// assert!((problem.error(8, &[0.0; 9])?.value - norm).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).

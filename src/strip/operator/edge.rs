@@ -53,6 +53,17 @@ impl fmt::Debug for EdgeOperator {
 impl EdgeOperator {
     /// The operator with symbol values at θ = 2πk/P, k = 0 ... P/2.
     ///
+    /// Cost: plans of two transforms of length P, O(n).
+    ///
+    /// ```
+    /// use signorini::strip::{EdgeOperator, LateralCondition::Periodic};
+    /// // S(θ) = 4 sin²(θ/2) on a ring of 4 nodes plus 1: second differences, row (−1, 3, −1)
+    /// let a = EdgeOperator::new(4, Periodic, vec![1.0, 3.0, 5.0])?;
+    /// let column = a.apply(&[1.0, 0.0, 0.0, 0.0])?;
+    /// assert!(column.iter().zip([3.0, -1.0, 0.0, -1.0]).all(|(a, b)| (a - b).abs() < 1e-14));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two cells (or an odd number on a periodic edge),
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite values.
@@ -124,6 +135,15 @@ impl EdgeOperator {
     }
 
     /// Position of node i, i/n.
+    ///
+    /// ```
+    /// let strip = signorini::strip::Strip::scalar(8, 8)?;
+    /// let a = strip.operator();
+    /// assert_eq!((a.position(0), a.position(2), a.position(8)), (0.0, 0.25, 1.0));
+    /// // nodal lengths h W_i sum to 1
+    /// assert_eq!((0..a.nodes()).map(|i| a.weight(i)).sum::<f64>(), a.cells() as f64);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn position(&self, node: usize) -> f64 {
         node as f64 / self.cells as f64
     }
