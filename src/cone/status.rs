@@ -8,7 +8,7 @@ use std::fmt;
 /// use signorini::{cone::{Cone, Status}, contact::Solver, problems::TestProblem};
 /// let solution = TestProblem::Membrane.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
 /// assert_eq!(solution.status, Status::Converged);
-/// // a residual at the level of rounding is not a stopping rule, and a stalled iteration says how far it came
+/// // a stalled iteration reports its largest KKT residual
 /// assert_eq!(Status::Stalled { residual: 2e-7 }.to_string(), "stalled at 2.0e-7");
 /// # Ok::<(), signorini::Error>(())
 /// ```

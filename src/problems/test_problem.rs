@@ -223,8 +223,9 @@ impl TestProblem {
     /// use signorini::{fem::{Form, Lame}, problems::{Parameters, TestProblem}};
     /// let setting = Parameters { poisson: 0.25, ..Parameters::default() };
     /// // E = 5/2 and ν = 1/4 are λ = μ = 1
-    /// let Form::Elastic { materials } = TestProblem::Incompressible.bilinear_form(&setting)? else { panic!("scalar")
-    /// }; let lame: Lame = materials[0];
+    /// let form = TestProblem::Incompressible.bilinear_form(&setting)?;
+    /// let Form::Elastic { materials } = form else { panic!("a scalar form") };
+    /// let lame: Lame = materials[0];
     /// assert!((lame.lambda() - 1.0).abs() < 1e-14 && (lame.mu() - 1.0).abs() < 1e-14);
     /// # Ok::<(), signorini::Error>(())
     /// ```
