@@ -8,6 +8,18 @@
 use super::trace::{EdgeTrace, Interval};
 
 /// ∫_T σ_N (I^h u)_N dΓ over one segment. Cost: the number of nodes of the trace in the segment.
+///
+/// Equals −Σ λᵢ (I^h u)_N(xᵢ) ≥ 0, where (I^h u)_N is the linear interpolant of u_N at the two end points of the
+/// segment; it vanishes when u_N = 0 at both. Exact up to rounding for the piecewise linear u_N.
+///
+/// ```
+/// use signorini::edge::{EdgeTrace, Interval, nodal_term};
+/// let (nodes, gap) = (vec![0.0, 0.25, 0.5, 0.75, 1.0], vec![0.0, -0.25, -0.5, 0.0, 0.0]);
+/// let trace = EdgeTrace::new(nodes, gap, vec![1.0, 0.0, 0.0, 3.0, 2.0], 0.0)?;
+/// // The force 3 at x = 3/4 meets the interpolant −1/4 of the values −1/2 and 0.
+/// assert_eq!(nodal_term(&trace, Interval { start: 0.5, end: 1.0 }), 0.75);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn nodal_term(trace: &EdgeTrace, segment: Interval) -> f64 {
     let (left, right) = (trace.displacement_at(segment.start), trace.displacement_at(segment.end));
     forces_in(trace, segment)
@@ -20,6 +32,18 @@ pub fn nodal_term(trace: &EdgeTrace, segment: Interval) -> f64 {
 
 /// ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ over one segment. Cost: the number of nodes of the trace in the
 /// segment.
+///
+/// Equals (1/h_e) (∫_T σ_N)(∫_T u_N) ≥ 0, since σ_N u_N = 0: it vanishes on a segment that is wholly open or wholly in
+/// contact. Exact up to rounding for the piecewise linear u_N.
+///
+/// ```
+/// use signorini::edge::{EdgeTrace, Interval, midpoint_term};
+/// let (nodes, gap) = (vec![0.0, 0.25, 0.5, 0.75, 1.0], vec![0.0, -0.25, -0.5, 0.0, 0.0]);
+/// let trace = EdgeTrace::new(nodes, gap, vec![1.0, 0.0, 0.0, 3.0, 2.0], 0.0)?;
+/// // ∫σ_N = −5, ∫u_N = −1/16, h_e = 1/2.
+/// assert_eq!(midpoint_term(&trace, Interval { start: 0.5, end: 1.0 }), 5.0 / 8.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn midpoint_term(trace: &EdgeTrace, segment: Interval) -> f64 {
     let force: f64 = forces_in(trace, segment).map(|(_, force)| force).sum();
     0.0 - force * integral(trace, segment) / segment.length()
@@ -37,6 +61,7 @@ fn forces_in(trace: &EdgeTrace, segment: Interval) -> impl Iterator<Item = (f64,
     })
 }
 
+/// Indices [from, to) of the nodes with start ≤ x ≤ end, by bisection: O(log N).
 fn node_range(trace: &EdgeTrace, segment: Interval) -> (usize, usize) {
     let nodes = trace.nodes();
     (nodes.partition_point(|&x| x < segment.start), nodes.partition_point(|&x| x <= segment.end))

@@ -13,6 +13,17 @@ use crate::strip::{EdgeData, LateralCondition, restrict};
 
 /// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far
 /// as it halves.
+///
+/// No discrete problem is solved. The nodal term vanishes on every grid of which the transitions are nodes.
+///
+/// ```
+/// use signorini::{cone::Cone, edge::consistency_terms, problems::StripData, strip::LateralCondition};
+/// let data = StripData::Transitions { gaps: 4 }.data(1.75, 1 << 8, LateralCondition::Periodic)?;
+/// let terms = consistency_terms(&data, Cone::Nodal);
+/// assert!(terms.iter().all(|&(_, term)| term >= 0.0));
+/// assert!(terms.contains(&(16, 0.0)) && !terms.contains(&(8, 0.0)));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn consistency_terms(scene: &EdgeData, cone: Cone) -> Vec<(usize, f64)> {
     match cone {
         Cone::Nodal => nodal(scene),
@@ -20,10 +31,13 @@ pub fn consistency_terms(scene: &EdgeData, cone: Cone) -> Vec<(usize, f64)> {
     }
 }
 
+/// N/2, N/4, ..., 2, as long as the number is even.
 fn halvings(cells: usize) -> impl Iterator<Item = usize> {
     std::iter::successors(Some(cells), |&n| (n % 2 == 0 && n > 2).then_some(n / 2)).skip(1)
 }
 
+/// −Σ_j (P'λ)_j u_N(x_j) on each grid: the coarse forces follow from the finer ones by λ_j + (λ_{j−1} + λ_{j+1})/2, the
+/// coarse values by injection.
 fn nodal(scene: &EdgeData) -> Vec<(usize, f64)> {
     let mut forces = scene.forces().to_vec();
     halvings(scene.cells())
@@ -36,6 +50,7 @@ fn nodal(scene: &EdgeData) -> Vec<(usize, f64)> {
         .collect()
 }
 
+/// (1/h) Σ_T (∫_T λ)(−∫_T u_N) on each grid: both integrals over a coarse cell are the sums over its two halves.
 fn midpoint(scene: &EdgeData) -> Vec<(usize, f64)> {
     let (values, forces, sides) = (scene.values(), scene.forces(), scene.sides());
     let next = |i: usize| if i + 1 < values.len() { i + 1 } else { 0 };

@@ -11,6 +11,9 @@ use crate::strip::{EdgeData, LateralCondition};
 use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 
 /// Norm and seminorms of the data of a scene on its edge.
+///
+/// ν = τ − 3/2; ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν and ‖σ_N‖²_{τ−3/2} = ‖σ_N‖₀² + |σ_N|²_ν, with the
+/// Sobolev-Slobodeckij seminorm (1.1) on the edge of length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgeNorms {
     /// (‖u_N‖²_{τ−1/2} + ‖σ_N‖²_{τ−3/2})^{1/2}.
@@ -22,6 +25,17 @@ pub struct EdgeNorms {
 }
 
 /// Norm and seminorms, 3/2 < τ < 2.
+///
+/// The forces are spread over the adjacent cells, half to each; cost O(N log N) for N cells.
+///
+/// ```
+/// use signorini::{edge::edge_norms, problems::StripData, strip::LateralCondition};
+/// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
+/// let norms = edge_norms(&data, 1.75)?;
+/// assert!(norms.norm.powi(2) >= norms.slope.powi(2) + norms.pressure.powi(2));
+/// assert!(edge_norms(&data, 2.0).is_err());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2, [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ 2: then slopes with jumps

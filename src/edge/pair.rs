@@ -25,6 +25,9 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, LateralCondition};
 
 /// Which functions stand for u_N' and σ_N.
+///
+/// A function that is constant on cells has a finite seminorm of order ν only for ν < 1/2, a continuous piecewise linear
+/// one for ν < 3/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Traces {
     /// Constant on cells: orders ν < 1/2.
@@ -35,6 +38,14 @@ pub enum Traces {
 
 impl Traces {
     /// The traces whose norms of order τ − 3/2 are finite.
+    ///
+    /// Constants for τ < 2, linears from τ = 2 on.
+    ///
+    /// ```
+    /// use signorini::edge::Traces;
+    /// assert_eq!(Traces::for_regularity(1.75), Traces::Constants);
+    /// assert_eq!(Traces::for_regularity(2.0), Traces::Linears);
+    /// ```
     pub fn for_regularity(tau: f64) -> Self {
         if tau < 2.0 { Traces::Constants } else { Traces::Linears }
     }
@@ -55,6 +66,20 @@ pub struct ContactPair {
 impl ContactPair {
     /// The pair of a scene of the strip; a ring is opened at 0.
     ///
+    /// ∫ σ_N = −Σ λ_i is preserved. The example checks the consistency bound with the constant 1/2 on every segment,
+    /// ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_ν |u_N'|_ν.
+    ///
+    /// ```
+    /// use signorini::edge::{ContactPair, Traces};
+    /// use signorini::{problems::StripData, strip::LateralCondition};
+    /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
+    /// for norms in ContactPair::of_scene(&data, Traces::Constants)?.norms(8, 0.25, 2.0)? {
+    ///     let product = norms.stress.seminorm() * norms.slope.seminorm();
+    ///     assert!(norms.nodal_term <= 0.5 * norms.length.powf(1.5) * product + 1e-14);
+    /// }
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::NotComplementary`] when a node with a force has no contact cell beside it to carry a density.
     pub fn of_scene(scene: &EdgeData, traces: Traces) -> Result<Self> {
@@ -71,6 +96,8 @@ impl ContactPair {
         }
     }
 
+    /// u_N' = (u_{i+1} − u_i)/δ on cell i; a force λ_i gives the density λ_i/(mδ) on each of the m ∈ {1, 2} closed cells at
+    /// its node.
     fn constants(values: Vec<f64>, forces: &[f64]) -> Result<Self> {
         let cells = values.len() - 1;
         let n = cells as f64;
@@ -91,6 +118,7 @@ impl ContactPair {
         Ok(Self { traces: Traces::Constants, values, slopes, pressures })
     }
 
+    /// u_N' = (u_{i+1} − u_{i−1})/(2δ) at the nodes and the nodal densities λ_i/δ where both cells are closed.
     fn linears(data: &[f64], forces: &[f64]) -> Self {
         let cells = data.len() - 1;
         let n = cells as f64;
@@ -118,6 +146,18 @@ impl ContactPair {
     }
 
     /// u = −(x − a)₊^{τ−1}, σ = −(a − x)₊^{τ−2}: one transition at a of any regularity 2 ≤ τ < 5/2.
+    ///
+    /// The exact solution of regularity τ near a transition: contact for x < a, open for x > a, so the segments left of a
+    /// have u_N' = 0 and those right of a have σ_N = 0.
+    ///
+    /// ```
+    /// use signorini::edge::ContactPair;
+    /// let norms = ContactPair::smooth_transition(256, 0.5, 2.25)?.norms(4, 0.75, 2.0)?;
+    /// assert_eq!(norms[0].depth, 0.0);
+    /// assert_eq!(norms[3].force, 0.0);
+    /// assert!(norms[0].force > 0.0 && norms[3].depth > 0.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a outside (0, 1) or τ outside [2, 5/2); as [`EdgeData::new`] for the cells.

@@ -20,6 +20,12 @@ pub struct RadialInterval {
 
 impl RadialInterval {
     /// log₁₀ of the ratio of its ends.
+    ///
+    /// ```
+    /// use signorini::edge::RadialInterval;
+    /// let interval = RadialInterval { from: 1e-5, to: 1e-2, in_contact: true };
+    /// assert!((interval.decades() - 3.0).abs() < 1e-14);
+    /// ```
     pub fn decades(&self) -> f64 {
         self.to.log10() - self.from.log10()
     }

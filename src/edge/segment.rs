@@ -10,6 +10,20 @@ use fractional_sobolev::{Estimate, Given, Order, gauss_legendre};
 use rayon::prelude::*;
 
 /// The norms of one segment.
+///
+/// On T of length h_e with vertices a₁ < a₂: I^h is the linear interpolant at the vertices, π^h the mean over T, ν the
+/// order of the seminorms (1.1). Because σ_N u_N = 0, `interpolation_term` = `nodal_term` (3.11) and `projection_term` =
+/// `midpoint_term`, up to rounding.
+///
+/// ```
+/// use signorini::edge::ContactPair;
+/// let pair = ContactPair::smooth_transition(96, 0.4, 2.25)?;
+/// for norms in pair.norms(3, 0.75, 2.0)? {
+///     assert!((norms.interpolation_term - norms.nodal_term).abs() < 1e-14);
+///     assert!((norms.projection_term - norms.midpoint_term).abs() < 1e-14);
+/// }
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SegmentNorms {
     /// h_e.
@@ -49,6 +63,8 @@ pub struct SegmentNorms {
 }
 
 /// Norms of a trace on a segment.
+///
+/// ‖v − π^h v‖₀ ≤ ‖v‖₀, and by (4.6) ‖v − π^h v‖₀ ≤ γ₁(ν) h_e^ν |v|_ν.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceNorms {
     /// ‖v‖₀.
@@ -265,6 +281,8 @@ fn free_cells(segment: &Segment<'_>) -> usize {
 }
 
 /// ∫₀¹ |a(1−t) + bt|^q dt for |a|, |b| ≤ 1.
+///
+/// Equals (b|b|^q − a|a|^q)/((q+1)(b − a)) for a ≠ b.
 fn linear_power(a: f64, b: f64, q: f64) -> f64 {
     if a * b <= 0.0 {
         let (a, b) = (a.abs(), b.abs());

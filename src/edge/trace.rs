@@ -32,6 +32,18 @@ impl Interval {
 }
 
 /// Nodes of a fine mesh of the contact edge with normal displacements and contact forces.
+///
+/// u_N ≤ 0 is linear between the nodes; −σ_N dΓ is a sum of point forces λᵢ ≥ 0, so ∫ σ_N v dΓ = −Σ λᵢ v(xᵢ).
+///
+/// ```
+/// use signorini::edge::{EdgeTrace, Interval};
+/// let (nodes, gap) = (vec![0.0, 0.25, 0.5, 0.75, 1.0], vec![0.0, -0.25, -0.5, 0.0, 0.0]);
+/// let trace = EdgeTrace::new(nodes, gap, vec![1.0, 0.0, 0.0, 3.0, 2.0], 0.0)?;
+/// let contact = [Interval { start: 0.0, end: 0.0 }, Interval { start: 0.75, end: 1.0 }];
+/// assert_eq!((trace.contact(), trace.transitions()), (&contact[..], 2));
+/// assert_eq!(trace.displacement_at(0.625), -0.25);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeTrace {
     nodes: Vec<f64>,
@@ -94,6 +106,15 @@ impl EdgeTrace {
     }
 
     /// −σ_N at the nodes: each force over half the length of the cells it belongs to.
+    ///
+    /// The lumped densities λᵢ / ∫ φᵢ, φᵢ the hat function of node i: Σ pressureᵢ ∫ φᵢ is the total force.
+    ///
+    /// ```
+    /// use signorini::edge::EdgeTrace;
+    /// let trace = EdgeTrace::new(vec![0.0, 0.25, 1.0], vec![0.0; 3], vec![1.0, 1.0, 3.0], 0.0)?;
+    /// assert_eq!(trace.pressure(), [8.0, 2.0, 8.0]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn pressure(&self) -> Vec<f64> {
         let last = self.nodes.len() - 1;
         let width = |i: usize| self.nodes[(i + 1).min(last)] - self.nodes[i.saturating_sub(1)];

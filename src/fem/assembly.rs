@@ -51,6 +51,19 @@ struct Rows {
 }
 
 /// The stiffness matrix of `form` in the unknowns of `frame`, boundary rows included.
+///
+/// K_ij = a(φ_j, φ_i), symmetric, node-major, without boundary conditions: constants lie in the kernel of the Laplacian,
+/// rigid motions in that of elasticity. Scaling the mesh does not change it (two dimensions, no reaction term).
+///
+/// ```
+/// use signorini::fem::{Form, Frame, Lame, stiffness};
+/// use signorini::mesh::{SideParts, unit_square};
+/// let mesh = unit_square(2, SideParts::HANGING)?;
+/// let matrix = stiffness(&mesh, &Form::elastic(Lame::new(2.0, 1.0)?), &Frame::cartesian());
+/// let rotation: Vec<f64> = mesh.nodes().iter().flat_map(|&[x, y]| [-y, x]).collect();
+/// assert!(matrix.multiply(&rotation).iter().all(|force| force.abs() < 1e-13));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatrix {
     stiffness_in(mesh, form, &Frames::all(*frame))
 }

@@ -29,6 +29,15 @@ pub struct Cubature {
 impl Cubature {
     /// n x n points, exact for polynomials of degree 2n − 1.
     ///
+    /// ```
+    /// use signorini::fem::Cubature;
+    /// let mut integral = 0.0;
+    /// let triangle = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    /// Cubature::new(2)?.on(triangle, &mut |[x, y], weight| Ok(integral += weight * x * x * y))?;
+    /// assert!((integral - 1.0 / 60.0).abs() < 1e-16);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n = 0.
     pub fn new(n: usize) -> Result<Self> {
@@ -41,6 +50,18 @@ impl Cubature {
     }
 
     /// The same rule for integrands that are singular (integrable, or not smooth) at the given points.
+    ///
+    /// Triangles that touch a point are cut toward it 40 times; all others keep the plain rule.
+    ///
+    /// ```
+    /// use signorini::fem::Cubature;
+    /// let (rule, mut integral) = (Cubature::new(8)?.singular_at(&[[0.0, 0.0]]), 0.0);
+    /// let triangle = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+    /// rule.on(triangle, &mut |[x, y], weight| Ok(integral += weight / x.hypot(y)))?;
+    /// // ∫ 1/r = ∫ dθ/cos θ over (0, π/4) = ln(1 + √2).
+    /// assert!((integral - 1f64.asinh()).abs() < 1e-9);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn singular_at(mut self, points: &[Point]) -> Self {
         self.singular.extend_from_slice(points);
         self

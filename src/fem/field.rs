@@ -4,6 +4,15 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Point;
 
 /// A function on the plane with as many components as the form has.
+///
+/// ```
+/// use signorini::fem::Field;
+/// let rotation = |[x, y]: [f64; 2]| [-y, x];
+/// let values = Field::Vector(&rotation).sample(&[[1.0, 0.0], [0.0, 2.0]])?;
+/// assert_eq!(values, [0.0, 1.0, -2.0, 0.0]);
+/// assert!(Field::Scalar(&|[x, _]| 1.0 / x).at([0.0, 1.0]).is_err());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Clone, Copy)]
 pub enum Field<'a> {
     /// For scalar forms.

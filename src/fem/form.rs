@@ -33,6 +33,16 @@ impl Lame {
 
     /// Plane strain from Young's modulus E and Poisson's ratio: λ = E ν / ((1+ν)(1−2ν)), μ = E / (2(1+ν)).
     ///
+    /// λ tends to infinity as ν → 1/2.
+    ///
+    /// ```
+    /// use signorini::fem::Lame;
+    /// let material = Lame::plane_strain(2.5, 0.25)?;
+    /// assert_eq!((material.lambda(), material.mu()), (1.0, 1.0));
+    /// assert!(Lame::plane_strain(1.0, 0.5).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless E > 0 and −1 < ν < 1/2.
     pub fn plane_strain(young: f64, poisson: f64) -> Result<Self> {
@@ -40,6 +50,16 @@ impl Lame {
     }
 
     /// Plane stress from Young's modulus E and Poisson's ratio: λ = E ν / (1−ν²), μ = E / (2(1+ν)).
+    ///
+    /// The shear modulus is that of plane strain, λ is smaller for ν > 0: λ* = 2λμ/(λ + 2μ).
+    ///
+    /// ```
+    /// use signorini::fem::Lame;
+    /// let (strain, stress) = (Lame::plane_strain(1.0, 0.3)?, Lame::plane_stress(1.0, 0.3)?);
+    /// let reduced = 2.0 * strain.lambda() * strain.mu() / (strain.lambda() + 2.0 * strain.mu());
+    /// assert!((stress.lambda() - reduced).abs() < 1e-15 && stress.mu() == strain.mu());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless E > 0 and −1 < ν < 1/2.
@@ -68,6 +88,15 @@ impl Lame {
 }
 
 /// A bilinear form on P1 functions.
+///
+/// ```
+/// use signorini::fem::{Form, Lame};
+/// let form = Form::elastic(Lame::new(1.0, 2.0)?);
+/// assert_eq!((Form::LAPLACE.components(), form.components()), (1, 2));
+/// // Regions beyond the list have the last material.
+/// assert_eq!(form.material(7).map(|material| material.mu()), Some(2.0));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Form {
     /// ∫ ∇u·∇v + c u v for scalar u.

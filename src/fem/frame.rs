@@ -3,6 +3,15 @@
 use crate::mesh::Point;
 
 /// The two unknowns of every node: Cartesian, or (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
+///
+/// The turn is a rotation, so lengths are kept. On a floor, n = (0, −1), u_N = −u_y and u_T = u_x.
+///
+/// ```
+/// use signorini::fem::Frame;
+/// let floor = Frame::turned([0.0, -1.0]);
+/// assert_eq!(floor.to_frame([3.0, 4.0]), [3.0, -4.0]);
+/// assert_eq!(floor.to_cartesian(floor.to_frame([3.0, 4.0])), [3.0, 4.0]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     normal: Option<Point>,

@@ -8,6 +8,19 @@ use crate::mesh::{Part, Point, Triangulation, distance};
 use fractional_sobolev::Rule;
 
 /// The load of the P1 function with the given nodal values: consistent mass matrix times values.
+///
+/// ∫ f_h φ_i, exact for P1 functions f_h; `values` and the result have `components` entries a node, node-major. The
+/// element mass matrix is A (1 + δ_ij)/12.
+///
+/// ```
+/// use signorini::fem::consistent_load;
+/// use signorini::mesh::{SideParts, unit_square};
+/// let mesh = unit_square(3, SideParts::HANGING)?;
+/// let x: Vec<f64> = mesh.nodes().iter().map(|p| p[0]).collect();
+/// let total: f64 = consistent_load(&mesh, 1, &x).iter().sum();
+/// assert!((total - 0.5).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) -> Vec<f64> {
     let mut load = vec![0.0; mesh.nodes().len() * components];
     for (t, corners) in mesh.triangles().iter().enumerate() {
@@ -24,6 +37,18 @@ pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) 
 }
 
 /// ∫_Ω f·φ_i by the given rule.
+///
+/// Node-major, with as many components as the field; the entries of a component add up to its integral over Ω.
+///
+/// ```
+/// use signorini::fem::{Cubature, Field, volume_load};
+/// use signorini::mesh::{SideParts, unit_square};
+/// let (mesh, weight) = (unit_square(2, SideParts::HANGING)?, |_: [f64; 2]| [0.0, -1.0]);
+/// let load = volume_load(&mesh, &Field::Vector(&weight), &Cubature::new(2)?)?;
+/// let total: f64 = load.iter().skip(1).step_by(2).sum();
+/// assert!((total + 1.0).abs() < 1e-15);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) when f is not finite at a point of the rule.

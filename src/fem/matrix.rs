@@ -11,6 +11,16 @@ use std::collections::{BTreeMap, BTreeSet};
 const CHUNK: usize = 4096;
 
 /// A sparse matrix of node blocks.
+///
+/// ```
+/// use signorini::fem::{Form, Frame, stiffness};
+/// use signorini::mesh::{SideParts, unit_square};
+/// let matrix = stiffness(&unit_square(2, SideParts::HANGING)?, &Form::LAPLACE, &Frame::cartesian());
+/// // The five-point stencil at the inner node: the diagonal neighbours of the cut cells have entry 0.
+/// assert!((matrix.diagonal(4) - 4.0).abs() < 1e-14);
+/// assert_eq!(matrix.neighbours(4), [0, 1, 3, 4, 5, 7, 8]);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct BlockMatrix {
     components: usize,
@@ -114,6 +124,8 @@ impl BlockMatrix {
     }
 
     /// |K| |x|: the size of the terms in every row of K x.
+    ///
+    /// Rounding errors of the product are at most a few ε of these numbers, row by row.
     pub fn multiply_absolute(&self, x: &[f64]) -> Vec<f64> {
         self.map_rows(|column, value| (value * x[column]).abs())
     }

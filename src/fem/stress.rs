@@ -6,6 +6,16 @@ use crate::mesh::{Point, Triangulation};
 use crate::numeric::check::require_length;
 
 /// The in-plane stress tensor.
+///
+/// In the units of λ and μ; tension is positive.
+///
+/// ```
+/// use signorini::fem::Stress;
+/// let stress = Stress { xx: 3.0, yy: -1.0, xy: 1.5 };
+/// assert_eq!(stress.max_shear(), 2.5);
+/// // On the floor, n = (0, −1): σ_N = σ_yy and σ_T along t = (1, 0) is −σ_xy.
+/// assert_eq!(stress.traction([0.0, -1.0]), [-1.0, -1.5]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Stress {
     /// σ_xx.
@@ -31,6 +41,17 @@ impl Stress {
 
 /// ∇v on every triangle, for scalar nodal values.
 ///
+/// Exact for affine v. One vector per triangle, in the order of the triangles.
+///
+/// ```
+/// use signorini::fem::gradients;
+/// use signorini::mesh::{SideParts, unit_square};
+/// let mesh = unit_square(2, SideParts::HANGING)?;
+/// let values: Vec<f64> = mesh.nodes().iter().map(|[x, y]| 3.0 * x - 2.0 * y).collect();
+/// assert!(gradients(&mesh, &values)?.iter().all(|&g| g == [3.0, -2.0]));
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one value per node.
 pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
@@ -44,6 +65,18 @@ pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
 }
 
 /// σ = λ (div u) I + 2 μ ε(u) on every triangle, for Cartesian nodal displacements (node-major).
+///
+/// Nodal displacements are (u_x, u_y) for node after node. Uniform stretching u = (x, 0) gives σ_xx = λ + 2μ, σ_yy = λ.
+///
+/// ```
+/// use signorini::fem::{Form, Lame, Stress, stresses};
+/// use signorini::mesh::{SideParts, unit_square};
+/// let mesh = unit_square(2, SideParts::HANGING)?;
+/// let stretched: Vec<f64> = mesh.nodes().iter().flat_map(|p| [p[0], 0.0]).collect();
+/// let all = stresses(&mesh, &Form::elastic(Lame::new(1.0, 2.0)?), &stretched)?;
+/// assert_eq!(all[0], Stress { xx: 5.0, yy: 1.0, xy: 0.0 });
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there are two values per node; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a scalar form.

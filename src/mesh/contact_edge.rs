@@ -144,6 +144,16 @@ impl ContactEdge {
     }
 
     /// Half the length of the segments at each node: the integral of the hat function.
+    ///
+    /// The entries add up to the length of Γ_C; a multiplier λ_i has the mean pressure λ_i / (nodal length).
+    ///
+    /// ```
+    /// use signorini::mesh::{ContactEdge, SideParts, unit_square};
+    /// let edge = ContactEdge::of(&unit_square(4, SideParts::HANGING)?)?;
+    /// assert_eq!(edge.segment_lengths(), [0.25; 4]);
+    /// assert_eq!(edge.nodal_lengths(), [0.125, 0.25, 0.25, 0.25, 0.125]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn nodal_lengths(&self) -> Vec<f64> {
         let mut weights = vec![0.0; self.nodes.len()];
         for ([i, j], length) in self.segments().zip(self.segment_lengths()) {

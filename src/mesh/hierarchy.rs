@@ -130,6 +130,16 @@ impl Hierarchy {
     /// `radius` 2^−k are cut. In every shell the mesh is the same but for scale, as fine as in the first:
     /// `radius` over mesh size.
     ///
+    /// ```
+    /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
+    /// let mut hierarchy = Hierarchy::new(unit_square(4, SideParts::HANGING)?);
+    /// hierarchy.refine_around([0.5, 0.0], 0.5, 2)?;
+    /// let sizes: Vec<f64> = hierarchy.levels().iter().map(|mesh| mesh.mesh_size()).collect();
+    /// assert!(sizes.windows(2).all(|pair| pair[1] <= pair[0]));
+    /// assert!(hierarchy.refine_around([0.5, 0.0], 0.0, 1).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`Hierarchy::refined`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the radius is positive and finite.
     pub fn refine_around(&mut self, point: Point, radius: f64, times: usize) -> Result<()> {

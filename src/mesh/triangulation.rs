@@ -53,6 +53,14 @@ impl Triangulation {
 
     /// The same triangulation with a region number on every triangle (for piecewise constant materials).
     ///
+    /// ```
+    /// use signorini::mesh::{SideParts, unit_square};
+    /// let mesh = unit_square(1, SideParts::HANGING)?;
+    /// assert_eq!((mesh.region(1), mesh.clone().with_regions(vec![0, 3])?.region(1)), (0, 3));
+    /// assert!(mesh.with_regions(vec![0]).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one number per triangle.
     pub fn with_regions(mut self, regions: Vec<u32>) -> Result<Self> {
@@ -103,6 +111,8 @@ impl Triangulation {
     }
 
     /// h: the longest edge.
+    ///
+    /// The largest diameter of a triangle, h in the estimates; halved exactly by a uniform refinement. Cost: O(triangles).
     pub fn mesh_size(&self) -> f64 {
         (0..self.triangles.len())
             .flat_map(|t| {
@@ -113,6 +123,14 @@ impl Triangulation {
     }
 
     /// True for every node on a boundary edge with the given label, end nodes included.
+    ///
+    /// ```
+    /// use signorini::mesh::{Part, SideParts, unit_square};
+    /// let mesh = unit_square(3, SideParts::HANGING)?;
+    /// let on = mesh.nodes_on(Part::Contact);
+    /// assert!(mesh.nodes().iter().zip(on).all(|(point, on)| on == (point[1] == 0.0)));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn nodes_on(&self, part: Part) -> Vec<bool> {
         let mut on = vec![false; self.nodes.len()];
         for edge in self.boundary.iter().filter(|edge| edge.part == part) {

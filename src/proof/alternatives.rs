@@ -18,6 +18,17 @@ use crate::edge::{EdgeTrace, Interval, SegmentNorms};
 use crate::error::Result;
 
 /// Which cases hold on a segment; at least one does.
+///
+/// ```
+/// use signorini::edge::{EdgeTrace, Interval};
+/// use signorini::proof::{Alternative, Section};
+/// let trace = EdgeTrace::new(vec![0.0, 0.5, 1.0], vec![0.0, 0.0, -1.0], vec![1.0, 1.0, 0.0], 0.0)?;
+/// let segment = Interval { start: 0.0, end: 1.0 };
+/// // diam C_T = 1/2 against h θ = 3/4 and 1/4.
+/// assert_eq!(Alternative::on_segment(Section::Four, &trace, segment, 0.75)?, Alternative::First);
+/// assert_eq!(Alternative::on_segment(Section::Four, &trace, segment, 0.25)?, Alternative::Second);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Alternative {
     /// The first case only.

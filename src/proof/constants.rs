@@ -17,6 +17,16 @@ const LAW: i32 = 16;
 const LARGEST_ZONE_OF_LAW: f64 = 0.5;
 
 /// C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones.
+///
+/// ```
+/// use signorini::proof::ProofConstants;
+/// let constants = ProofConstants::new(1.75, 2.0, &[0.25])?;
+/// assert_eq!((constants.q(), constants.hoelder()), (4.0, 0.75));
+/// // The Poincaré constant grows as the zone shrinks, at most like its law C θ^{τ−2}.
+/// assert!(constants.gamma(0.125)? >= constants.gamma(0.25)?);
+/// assert!(constants.gamma(0.25)? <= constants.law(0.25).printed * (1.0 + 1e-12));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProofConstants {
     tau: f64,

@@ -64,11 +64,30 @@ impl MeshShape {
 ///
 /// and the integral of the last term is (φ f(0) − g(0))²/φ ≥ 0. |v|_a² ≥ 2 (μ + min(λ, 0)) ‖ε‖². Sharp for λ
 /// = 0; for λ = μ the least B² μ is 1.183 against φ²/2 = 1.309.
+///
+/// ```
+/// use signorini::{fem::Lame, proof::half_plane_korn};
+/// // B² μ = φ²/2 for λ ≥ 0, φ the golden ratio.
+/// assert!((half_plane_korn(Lame::new(1.0, 1.0)?).powi(2) - 1.3090169943749475).abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn half_plane_korn(lame: Lame) -> f64 {
     ROUND_UP * GOLDEN_RATIO / (2.0 * (lame.mu() + lame.lambda().min(0.0))).sqrt()
 }
 
 /// The bound for one form, cone, and shape of mesh.
+///
+/// The energy norm of the form is meant; the constants depend on neither h nor u, and every one is rounded up.
+///
+/// ```
+/// use signorini::{cone::Cone, fem::Form};
+/// use signorini::proof::{ExplicitBound, MeshShape};
+/// let shape = MeshShape::right_isosceles();
+/// let bound = ExplicitBound::new(&Form::LAPLACE, Cone::Nodal, shape, 0.25, 1.0)?;
+/// assert_eq!(bound.projection, 0.0);
+/// assert!((bound.bound(0.1, 2.0, 2.0)? / (0.2 * bound.constant()) - 1.0).abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExplicitBound {
     /// M^{1/2} A.

@@ -3,6 +3,13 @@
 use std::fmt;
 
 /// An inequality of Section 3 or 4 (three are equalities), in the order of the paper.
+///
+/// ```
+/// use signorini::proof::Inequality;
+/// assert_eq!(Inequality::FirstCaseTwo.key(), "first-case-two");
+/// assert!(Inequality::FirstCaseTwo.is_limit() && !Inequality::FirstCase.is_limit());
+/// assert!(Inequality::Complementarity.is_equality());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Inequality {
     /// (3.3): ∫σ_N(I^h u)_N ≤ ‖σ_N‖₀‖(I^h u)_N‖₀.

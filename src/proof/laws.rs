@@ -1,6 +1,13 @@
 //! A bound with both laws of the Poincaré constant.
 
 /// A bound with the printed law of γ_θ, and with the one that holds; they differ at τ = 2 only.
+///
+/// ```
+/// use signorini::proof::TwoLaws;
+/// let mut sum = TwoLaws { printed: 4.0, corrected: 2.0 };
+/// sum.add(TwoLaws::same(1.0), 0.5);
+/// assert_eq!(sum, TwoLaws { printed: 4.5, corrected: 2.5 });
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TwoLaws {
     /// C ln(1/θ) at τ = 2, C θ^{τ−2} below.

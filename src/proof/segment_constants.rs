@@ -68,6 +68,14 @@ impl SegmentConstant {
 }
 
 /// c(ν) = ν / (2 (4^ν − 1)): 1/(4 ln 2) as ν → 0, 1/4 at ν = 1/2, 1/6 as ν → 1.
+///
+/// ```
+/// use fractional_sobolev::Order;
+/// use signorini::proof::product_bound;
+/// assert!((product_bound(Order::HALF) - 0.25).abs() < 1e-15);
+/// assert!((product_bound(Order::new(1e-9)?) - 0.25 / std::f64::consts::LN_2).abs() < 1e-8);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn product_bound(order: Order) -> f64 {
     0.5 * order.value() / (2.0 * std::f64::consts::LN_2 * order.value()).exp_m1()
 }

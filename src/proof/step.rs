@@ -1,6 +1,11 @@
 //! The chain of estimates from the consistency term to the final bound, and its steps.
 
 /// A step of the chain of estimates; its value bounds the one before.
+///
+/// ```
+/// use signorini::proof::Step;
+/// assert_eq!((Step::ALL[0], Step::ALL[6]), (Step::Term, Step::WholeEdge));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Step {
     /// The consistency term itself.

@@ -15,6 +15,15 @@ fn printed_theta(h: f64, tau: f64) -> Result<f64> {
 
 /// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the exponent of h in the squared error
 /// that θ = h^{2τ−3} gives, (3.1)-(3.2), (4.2)-(4.4).
+///
+/// Twice the exponent of [`Bound::Paper`](crate::rates::Bound::Paper) for 3/2 < τ ≤ 2.
+///
+/// ```
+/// use signorini::{proof::printed_exponent, rates::Bound};
+/// assert_eq!(printed_exponent(1.75), 2.0 * Bound::Paper.exponent(1.75)?);
+/// assert_eq!(printed_exponent(2.0), 2.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 pub fn printed_exponent(tau: f64) -> f64 {
     if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 * tau - 2.0 }
 }
@@ -24,6 +33,13 @@ pub(super) fn checked_theta(theta: f64) -> Result<f64> {
 }
 
 /// How θ follows from h = 1/n.
+///
+/// ```
+/// use signorini::proof::ThetaRule;
+/// assert_eq!(ThetaRule::Fixed(0.3).theta(0.25)?, 0.3);
+/// assert!(ThetaRule::Fixed(1.5).theta(0.25).is_err());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ThetaRule {
     /// θ = h^{2τ−3}, at τ = 2 θ = h²: the paper's choice.

@@ -43,6 +43,16 @@ const HALVINGS: u32 = 4;
 /// the cell length (order 2 − 2ν > 1). For one gap of length b the nodal ratio of b is the midpoint ratio of
 /// 1 − b.
 ///
+/// ```
+/// use signorini::{cone::Cone, proof::worst_ratio};
+/// let tolerance = fractional_sobolev::Tolerance::new(0.1)?;
+/// let left = worst_ratio(Cone::Nodal, 1.75, 0.1, 0.3, tolerance)?.value;
+/// let right = worst_ratio(Cone::Nodal, 1.75, 0.3, 0.1, tolerance)?.value;
+/// // Mirrored gaps give the same ratio, and no contact set exceeds 1/2.
+/// assert!((left / right - 1.0).abs() < 1e-10 && left <= 0.5);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for gaps that leave no contact or τ outside (3/2, 2); [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
 pub fn worst_ratio(

@@ -4,6 +4,17 @@
 use crate::error::{Error, Result};
 
 /// The bounds for the H¹ error that stand side by side.
+///
+/// Each bound is C times the given function of h, C independent of h. Optimal ≤ Sharpened ≤ Paper ≤ Earlier for small h
+/// and 3/2 < τ ≤ 2; at τ = 3/2 all are h^{1/2}.
+///
+/// ```
+/// use signorini::rates::Bound;
+/// let exponents = [Bound::Earlier, Bound::Paper, Bound::Optimal].map(|bound| bound.exponent(1.75));
+/// assert_eq!(exponents, [Ok(0.625), Ok(0.6875), Ok(0.75)]);
+/// assert_eq!(Bound::Paper.law(2.0)?, "h |ln h|^1/2");
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bound {
     /// h^{τ/2 − 1/4} (E2), at τ = 2 h^{3/4} (E3).
@@ -22,6 +33,13 @@ impl Bound {
     pub const SMOOTHEST: f64 = 2.5;
 
     /// The value of the bound, without its constant, for 1 < τ ≤ 5/2 and 0 < h < 1.
+    ///
+    /// ```
+    /// use signorini::rates::Bound;
+    /// assert_eq!(Bound::Optimal.value(0.25, 1.5)?, 0.5);
+    /// assert!((Bound::Paper.value(0.25, 2.0)? - 0.25 * 4f64.ln().sqrt()).abs() < 1e-16);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside these ranges.
@@ -42,6 +60,13 @@ impl Bound {
     }
 
     /// (h, C bound(h)) for the given h, C such that the bound passes through the given point (h₀, e₀).
+    ///
+    /// ```
+    /// use signorini::rates::Bound;
+    /// let line = Bound::Optimal.through((0.25, 3.0), [0.25, 0.0625].into_iter(), 2.0)?;
+    /// assert_eq!(line, [(0.25, 3.0), (0.0625, 0.75)]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Bound::value`].

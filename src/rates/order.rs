@@ -146,6 +146,18 @@ impl ConvergenceOrder {
     }
 
     /// As [`ConvergenceOrder::of`] for distances to a solution of mesh size `reference`.
+    ///
+    /// With e(h)² − e(h_r)² as the measured square, h_r = `reference`, every term h^q of the model becomes h^q − h_r^q.
+    ///
+    /// ```
+    /// use signorini::rates::ConvergenceOrder;
+    /// let (square, finest) = (|h: f64| h.powf(1.5) + h * h, 0.5f64.powi(12));
+    /// let distance = |h: f64| (square(h) - square(finest)).sqrt();
+    /// let levels: Vec<(f64, f64)> = (2..11).map(|k| 0.5f64.powi(k)).map(|h| (h, distance(h))).collect();
+    /// let found = ConvergenceOrder::against(&levels, Some(finest)).ok_or("too few levels")?;
+    /// assert!((found.order - 0.75).abs() <= found.uncertainty.max(1e-5));
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn against(points: &[(f64, f64)], reference: Option<f64>) -> Option<Self> {
         let one = one_power(points)?;
         let two = beside(points, ErrorModel::PowerAndSmooth, reference);
@@ -179,6 +191,16 @@ impl ConvergenceOrder {
 
     /// One power and nothing beside it, as the consistency term is, over the finer half of the levels; its uncertainty
     /// from the two halves and the scatter. `None` for fewer than five levels or a value that is not positive.
+    ///
+    /// e = C h^p in the least squares sense of ln e against ln h.
+    ///
+    /// ```
+    /// use signorini::rates::ConvergenceOrder;
+    /// let levels: Vec<(f64, f64)> = (2..10).map(|k| 0.5f64.powi(k)).map(|h| (h, 3.0 * h.powf(1.25))).collect();
+    /// let found = ConvergenceOrder::of_power(&levels).ok_or("too few levels")?;
+    /// assert!((found.order - 1.25).abs() < 1e-12 && found.uncertainty < 1e-12);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn of_power(points: &[(f64, f64)]) -> Option<Self> {
         let Candidate { order, drift, scatter, model, regime, .. } = one_power(points)?;
         Some(Self { order, uncertainty: drift.max(SCATTER * scatter), model, regime })
@@ -257,6 +279,7 @@ pub fn order_between(coarse: (f64, f64), fine: (f64, f64)) -> f64 {
     (coarse.1 / fine.1).log2() / (coarse.0 / fine.0).log2()
 }
 
+/// ln e = ln C + p ln h by least squares over the finer half of the levels.
 fn one_power(points: &[(f64, f64)]) -> Option<Candidate> {
     if points.len() <= WINDOW || !is_positive(points) {
         return None;

@@ -40,6 +40,16 @@ impl Wedge {
     /// should stay below half of it. By increasing real part, each as often as its multiplicity, conjugates
     /// both.
     ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let flat = Wedge::new(std::f64::consts::PI, "D-N".parse()?, Medium::Scalar)?;
+    /// let found = flat.exponents_on_arc(24, 1.0)?;
+    /// // Clamped meets free on a straight side: λ = 1/2, 3/2, 5/2.
+    /// assert_eq!(found.len(), 3);
+    /// assert!(found.iter().enumerate().all(|(k, lambda)| (lambda.re - k as f64 - 0.5).abs() < 1e-10));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ degree ≤ 200; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a height that is
     /// negative or not finite; [`Error::Solver`] when the eigenvalues do not converge.

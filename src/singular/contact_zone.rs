@@ -21,6 +21,15 @@ use crate::numeric::search::sign_change;
 use std::f64::consts::PI;
 
 /// The field of one contact zone at a clamped end, in units of its real factor; μ = 1.
+///
+/// ```
+/// use signorini::singular::ContactZone;
+/// let zone = ContactZone::new(0.0, 1.0)?;
+/// assert!((zone.epsilon() - 3f64.ln() / std::f64::consts::TAU).abs() < 1e-16);
+/// assert!(zone.pressure(0.5) > 0.0 && zone.opening(0.5) == 0.0);
+/// assert!(zone.pressure(2.0) == 0.0 && zone.opening(2.0) > 0.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactZone {
     kappa: f64,
@@ -48,6 +57,9 @@ impl ContactZone {
     }
 
     /// −σ_N at the distance r; 0 off the zone.
+    ///
+    /// 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the clamped end and vanishes like
+    /// (ℓ − r)^{1/2} at the transition.
     pub fn pressure(&self, r: f64) -> f64 {
         if r >= self.length {
             return 0.0;
@@ -56,6 +68,8 @@ impl ContactZone {
     }
 
     /// −u_N at the distance r; 0 in the zone. Negative where the field would penetrate.
+    ///
+    /// (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ); it starts like (r − ℓ)^{3/2}.
     pub fn opening(&self, r: f64) -> f64 {
         if r <= self.length {
             return 0.0;
@@ -67,6 +81,8 @@ impl ContactZone {
     }
 
     /// ln(r/ℓ) at which the gap would close again.
+    ///
+    /// (π + arctan 2ε)/ε − ln 4 up to exponentially small terms: the field of one zone is a solution up to this distance only.
     pub fn reach(&self) -> f64 {
         // sin t − 2ε tanh(t/2ε) cos t, t = 2εy in (π, 3π/2), changes sign once.
         let rate = 2.0 * self.epsilon;

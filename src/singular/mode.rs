@@ -13,6 +13,19 @@ const RAYS: usize = 64;
 /// λ.
 ///
 /// Elastic: displacement (u_r, u_θ), traction (σ_θθ, σ_rθ), shear modulus 1/2. Scalar: (u, 0) and (∂u/∂θ, 0).
+///
+/// The Cartesian orientation is that of the polar basis (e_r, e_θ) at θ; σ_N = σ_θθ on either side of the wedge.
+///
+/// ```
+/// use signorini::singular::{Medium, Wedge};
+/// let crack = Wedge::new(std::f64::consts::TAU, "N-N".parse()?, Medium::PlaneStrain(0.3))?;
+/// for mode in &crack.exponents()?.exponents[0].modes {
+///     assert_eq!(mode.exponent().1, 0.0);
+///     // The faces of the crack carry no traction.
+///     assert!(mode.traction(0.0).iter().all(|t| t.0.abs() < 1e-12));
+/// }
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mode {
     wedge: Wedge,

@@ -75,6 +75,17 @@ impl Wedge {
 
     /// The supremum of the τ with u ∈ H^τ near the corner, and the exponent responsible.
     ///
+    /// τ = 1 + Re λ with the first λ that is neither excluded nor polynomial. Where contact and gap meet on a straight side
+    /// the sign conditions exclude r^{1/2}: u ∈ H^τ for τ < 5/2.
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let flat = |sides: &str| Wedge::new(std::f64::consts::PI, sides.parse()?, Medium::PlaneStrain(0.3));
+    /// assert!((flat("C-O")?.regularity()?.tau - 2.5).abs() < 1e-12);
+    /// assert!((flat("C-N")?.regularity()?.tau - 1.5).abs() < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Wedge::exponents`].
     pub fn regularity(&self) -> Result<CornerRegularity> {

@@ -70,6 +70,16 @@ impl Wedge {
     /// taken in double-double, and of the result; opening and ratio are taken as they are. Cost: a
     /// millisecond.
     ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let corner = Wedge::new(1.5 * std::f64::consts::PI, "D-D".parse()?, Medium::Scalar)?;
+    /// let found: Vec<f64> = corner.exponents()?.exponents.iter().map(|lambda| lambda.re.value).collect();
+    /// // sin λω = 0 at the re-entrant corner: λ = 2k/3.
+    /// assert_eq!(found.len(), 4);
+    /// assert!(found.iter().enumerate().all(|(k, re)| (re - 2.0 * (k + 1) as f64 / 3.0).abs() < 1e-14));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when a count fails on all paths tried: three zeros nearer than 1e-5 of each
     /// other.
@@ -108,6 +118,15 @@ impl Wedge {
 
     /// The first exponent whose function is no polynomial, whatever signs of contact say.
     ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let corner = Wedge::new(1.5 * std::f64::consts::PI, "N-N".parse()?, Medium::PlaneStrain(0.3))?;
+    /// let first = corner.first_singular()?.map_or(0.0, |lambda| lambda.re.value);
+    /// // The least root of sin²(λω) = λ² sin²ω, whatever the material.
+    /// assert!((first - 0.5444837).abs() < 1e-7);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Wedge::exponents`].
     pub fn first_singular(&self) -> Result<Option<Exponent>> {
@@ -117,6 +136,16 @@ impl Wedge {
     /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the
     /// argument principle on one rectangle per factor. The zero at 0 that belongs to translations, or to
     /// nothing, counts.
+    ///
+    /// The number is (1/2πi) ∮ f'/f over the rectangle, f the characteristic function, and independent of the list.
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let crack = Wedge::new(std::f64::consts::TAU, "N-N".parse()?, Medium::PlaneStrain(0.3))?;
+    /// // 1/2, 1, 3/2, 2, 5/2, each twice.
+    /// assert_eq!((crack.count(0.2, 2.8)?, crack.exponents()?.zeros()), (10, 10));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless −3 ≤ left < right ≤ 4; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with a zero on one of

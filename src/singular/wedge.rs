@@ -53,6 +53,14 @@ impl SideCondition {
 }
 
 /// The two sides of a wedge, θ = 0 first.
+///
+/// ```
+/// use signorini::singular::{SideCondition, SideConditions};
+/// let sides: SideConditions = "c-n".parse()?;
+/// assert_eq!(sides, SideConditions(SideCondition::Closed, SideCondition::Free));
+/// assert_eq!(sides.to_string(), "C-N");
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct SideConditions(pub SideCondition, pub SideCondition);
 
