@@ -118,7 +118,8 @@ impl ContactPair {
         Ok(Self { traces: Traces::Constants, values, slopes, pressures })
     }
 
-    /// u_N' = (u_{i+1} − u_{i−1})/(2δ) at the nodes and the nodal densities λ_i/δ where both cells are closed.
+    /// u_N' = (u_{i+1} − u_{i−1})/(2δ) at inner nodes, the one-sided quotient at the ends; densities λ_i/δ (2λ_i/δ at the
+    /// ends) where both cells are closed.
     fn linears(data: &[f64], forces: &[f64]) -> Self {
         let cells = data.len() - 1;
         let n = cells as f64;
