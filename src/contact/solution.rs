@@ -88,7 +88,7 @@ pub struct ContactSolution {
     pub multiplier: Vec<f64>,
     /// B u − g, one per constraint.
     ///
-    /// A length ≤ 0 up to `kkt.gap`; 0 where the constraint is active.
+    /// A length ≤ 0 up to `kkt.gap`; 0 up to rounding where the constraint is active.
     pub gap: Vec<f64>,
     /// Arc length of every constraint: of its node or of the middle of its segment.
     pub positions: Vec<f64>,

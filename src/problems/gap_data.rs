@@ -59,7 +59,8 @@ impl Gaps {
 
     /// u_N and λ.
     ///
-    /// u_N = −δ^p at the nodes of each gap, λ_i = ∫ dist^q φ_i on the contact set, both times ℓ^{−α} if damped.
+    /// u_N = −δ^p at the nodes of each gap, λ_i half the integral of dist^q over either contact cell at node i, both
+    /// times ℓ^{−α} if damped.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a gap; as [`EdgeData::new`].
