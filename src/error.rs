@@ -78,6 +78,10 @@ pub enum Error {
 
 impl Error {
     /// The best estimate that a missed tolerance carries; `None` for all other errors.
+    ///
+    /// ```
+    /// assert!(signorini::Error::file("body.msh", "no such file").best().is_none());
+    /// ```
     pub fn best(&self) -> Option<Estimate> {
         match self {
             Error::Toolkit(error) => error.best(),

@@ -44,6 +44,18 @@ impl EdgeTrace {
 
     /// The manufactured pair of a strip on its fine edge; a ring is opened at 0, where the force is halved.
     ///
+    /// The nodal values and forces of the data without a solver; u_N below 1e-12 of its largest value counts as zero.
+    ///
+    /// ```
+    /// use signorini::{edge::EdgeTrace, problems::StripData, strip::LateralCondition};
+    /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
+    /// let trace = EdgeTrace::of_scene(&data)?;
+    /// // Contact left of the transition, to within a cell.
+    /// assert_eq!(trace.transitions(), 1);
+    /// assert!((trace.contact()[0].end - 0.3).abs() <= 1.0 / 256.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`EdgeTrace::new`].
     pub fn of_scene(scene: &EdgeData) -> Result<Self> {

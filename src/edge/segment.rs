@@ -143,6 +143,8 @@ impl SegmentNorms {
     }
 
     /// ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν.
+    ///
+    /// With ν = τ − 3/2 the seminorm of order τ − 1/2 of u_N is that of order ν of u_N'.
     pub fn displacement_norm_squared(&self) -> f64 {
         self.displacement.powi(2) + self.slope.norm_squared()
     }
@@ -153,6 +155,16 @@ impl SegmentNorms {
     }
 
     /// diam C_T, `None` without contact.
+    ///
+    /// h_e less the distances from both vertices to the nearest zeros of u_N; 0 for a single contact point.
+    ///
+    /// ```
+    /// use signorini::edge::ContactPair;
+    /// let pair = ContactPair::smooth_transition(256, 0.5, 2.25)?;
+    /// let diameters: Vec<_> = pair.norms(4, 0.75, 2.0)?.iter().map(|norms| norms.contact_diameter()).collect();
+    /// assert_eq!((diameters[0], diameters[3]), (Some(0.25), None));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn contact_diameter(&self) -> Option<f64> {
         self.zero_distance.map(|[left, right]| (self.length - left - right).max(0.0))
     }
@@ -161,6 +173,17 @@ impl SegmentNorms {
 impl ContactPair {
     /// The norms on each of n equal contact segments, in order; n = 1 is the whole edge. Seminorms of order ν, L^q
     /// norms with the given q ≥ 1, rounding relative to the norms. Cost: O(N log(N/n)) for N cells.
+    ///
+    /// ```
+    /// use signorini::edge::ContactPair;
+    /// let pair = ContactPair::smooth_transition(256, 0.5, 2.25)?;
+    /// let (whole, parts) = (pair.norms(1, 0.75, 2.0)?, pair.norms(4, 0.75, 2.0)?);
+    /// // ∫ σ_N is additive, the seminorms over segments add up to at most that of the edge.
+    /// let force: f64 = parts.iter().map(|norms| norms.force).sum();
+    /// let squares: f64 = parts.iter().map(|norms| norms.stress.seminorm().powi(2)).sum();
+    /// assert!((force - whole[0].force).abs() < 1e-13 && squares <= whole[0].stress.seminorm().powi(2));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N;

@@ -32,6 +32,19 @@ const BYTES_PER_DEPTH: usize = 100;
 const PRESCRIBED: u32 = u32::MAX;
 
 /// The factorization and the condensed matrix.
+///
+/// ```
+/// use signorini::fem::{Condensation, Form, Frame, stiffness};
+/// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
+/// let mesh = unit_square(4, SideParts::HANGING)?;
+/// let (matrix, edge) = (stiffness(&mesh, &Form::LAPLACE, &Frame::cartesian()), ContactEdge::of(&mesh)?);
+/// let fixed = mesh.nodes_on(Part::Dirichlet);
+/// let condensed = Condensation::new(&matrix, mesh.nodes(), &fixed, edge.nodes())?;
+/// // The discrete harmonic function with values 1 at the bottom and 0 at the top is 1 − y.
+/// let u = condensed.recover(&condensed.reduce(&[0.0; 25]), &[1.0; 5]);
+/// assert!(u.iter().zip(mesh.nodes()).all(|(u, [_, y])| (u - (1.0 - y)).abs() < 1e-13));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Condensation {
     /// Position in the elimination order of every unknown.

@@ -19,6 +19,8 @@ const DEPTH: usize = 40;
 const MARGIN: f64 = 1e-12;
 
 /// A rule for triangles.
+///
+/// All weights are positive; on a triangle of area A they add up to A, in every cell of the graded rule as well.
 #[derive(Debug, Clone)]
 pub struct Cubature {
     /// (s, t, weight), weights summing to 1/2 for the unit square with Jacobian s.
@@ -92,6 +94,7 @@ impl Cubature {
         Ok(())
     }
 
+    /// Σ 2A w_k f(a + s_k ((b − a) + t_k (c − b))), w_k with the factor s_k of the Jacobian.
     fn plain(&self, triangle: [Point; 3], visit: &mut dyn FnMut(Point, f64) -> Result<()>) -> Result<()> {
         let [a, b, c] = triangle;
         let doubled = doubled_area(triangle);

@@ -13,6 +13,14 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, doubled_area};
 
 /// Lamé's constants of the plane problem.
+///
+/// Both have the unit of a stress; σ = λ (div u) I + 2 μ ε(u).
+///
+/// ```
+/// use signorini::fem::Lame;
+/// // Coercive in the plane from λ + μ > 0 on: a negative λ is admitted.
+/// assert!(Lame::new(-0.9, 1.0).is_ok() && Lame::new(-1.0, 1.0).is_err());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lame {
     lambda: f64,

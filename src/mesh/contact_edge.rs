@@ -18,6 +18,9 @@ const STRAIGHTNESS: f64 = 1e-10;
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The nodes of Γ_C in order, piece after piece.
+///
+/// All arrays of contact unknowns of the crate have this order: along the chain with the domain on its left, on a floor
+/// from left to right.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactEdge {
     nodes: Vec<usize>,
@@ -99,6 +102,16 @@ impl ContactEdge {
     }
 
     /// Where each piece lies in [`ContactEdge::nodes`].
+    ///
+    /// ```
+    /// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
+    /// let both = SideParts { top: Part::Contact, left: Part::Dirichlet, ..SideParts::HANGING };
+    /// let edge = ContactEdge::in_pieces(&unit_square(2, both)?)?;
+    /// assert_eq!(edge.pieces(), [0..3, 3..6]);
+    /// // The domain is on the left: the top runs from right to left.
+    /// assert_eq!((edge.points()[0], edge.points()[3]), ([0.0, 0.0], [1.0, 1.0]));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn pieces(&self) -> Vec<Range<usize>> {
         let ends = self.starts.iter().skip(1).copied().chain([self.nodes.len()]);
         self.starts.iter().zip(ends).map(|(&start, end)| start..end).collect()
@@ -133,6 +146,15 @@ impl ContactEdge {
     }
 
     /// True when the chain is the whole of a boundary curve.
+    ///
+    /// ```
+    /// use signorini::mesh::{ContactEdge, Part::Contact, SideParts, unit_square};
+    /// let all = SideParts { bottom: Contact, right: Contact, top: Contact, left: Contact };
+    /// let edge = ContactEdge::of(&unit_square(2, all)?)?;
+    /// assert!(edge.is_closed() && edge.normal().is_err());
+    /// assert_eq!((edge.nodes().len(), edge.segment_lengths().iter().sum::<f64>()), (8, 4.0));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn is_closed(&self) -> bool {
         self.closed
     }

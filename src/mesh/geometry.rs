@@ -4,6 +4,8 @@
 pub type Point = [f64; 2];
 
 /// What happens on a boundary edge: the three open parts of Section 2.1.
+///
+/// The closures of the three parts cover ∂Ω; a node between two edges belongs to both parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Part {
     /// Γ_D: prescribed displacement.
@@ -15,6 +17,8 @@ pub enum Part {
 }
 
 /// An edge on the boundary, the domain on its left.
+///
+/// The outward unit normal is (b_y − a_y, a_x − b_x)/|b − a| for `nodes` = [a, b].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BoundaryEdge {
     /// Start and end node.

@@ -53,6 +53,18 @@ impl Hierarchy {
 
     /// Adds a level.
     ///
+    /// Four times as many triangles, all similar to their parents: the mesh size is halved.
+    ///
+    /// ```
+    /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
+    /// let mut hierarchy = Hierarchy::new(unit_square(2, SideParts::HANGING)?);
+    /// hierarchy.refine()?;
+    /// let [coarse, fine] = [0, 1].map(|level| hierarchy.levels()[level].clone());
+    /// assert_eq!((coarse.triangles().len(), fine.triangles().len()), (8, 32));
+    /// assert_eq!(fine.mesh_size(), 0.5 * coarse.mesh_size());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`Hierarchy::refined`].
     pub fn refine(&mut self) -> Result<()> {
@@ -223,6 +235,8 @@ impl Hierarchy {
 }
 
 /// One red refinement and the parents of the new nodes.
+///
+/// Triangle (a, b, c) with edge midpoints p, q, r of ab, bc, ca becomes (a, p, r), (p, b, q), (r, q, c), (p, q, r).
 fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
     let count = coarse.nodes().len();
     let edges = Edges::new(count, coarse.triangles());

@@ -7,6 +7,15 @@ use crate::numeric::memory::require_memory;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Labels of the four sides of a structured grid.
+///
+/// ```
+/// use signorini::mesh::{Part, SideParts, unit_square};
+/// let clamped = SideParts { left: Part::Dirichlet, ..SideParts::HANGING };
+/// let mesh = unit_square(3, clamped)?;
+/// let fixed = mesh.nodes_on(Part::Dirichlet).into_iter().filter(|&on| on).count();
+/// assert_eq!(fixed, 7);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SideParts {
     /// y = 0.

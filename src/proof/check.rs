@@ -6,6 +6,9 @@ use super::inequality::Inequality;
 const ROUNDING: f64 = 1e-9;
 
 /// left ≤ right, or left = right, with the relative error of both.
+///
+/// `error` is (1e-9 + relative error of the seminorms)(|left| + |right|), for an equality relative to the size of the
+/// terms that cancel. The sides are in the units of the data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
     /// Which inequality of the paper.
@@ -39,6 +42,8 @@ impl Check {
     }
 
     /// Holds within the error of its two sides.
+    ///
+    /// left ≤ right + error, or |left − right| ≤ error for an equality.
     pub fn holds(&self) -> bool {
         let excess = self.left - self.right;
         if self.is_equality { excess.abs() <= self.error } else { excess <= self.error }

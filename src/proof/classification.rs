@@ -77,6 +77,8 @@ impl Classification {
     }
 
     /// How many segments carry more than the part `least` of the whole term.
+    ///
+    /// Terms that exceed `least` times [`Classification::total`]; 0 segments where the term vanishes everywhere.
     pub fn carriers(&self, least: f64) -> usize {
         let limit = least * self.total();
         self.segments.iter().filter(|s| s.term > limit).count()

@@ -35,6 +35,16 @@ use std::f64::consts::{FRAC_PI_2, GOLDEN_RATIO, PI};
 const ROUND_UP: f64 = 1.0 + 1e-14;
 
 /// What the bound needs to know of a mesh.
+///
+/// Only the triangles enter A; H concerns the contact segments, h the length of these.
+///
+/// ```
+/// use signorini::proof::MeshShape;
+/// let shape = MeshShape::right_isosceles();
+/// // A = 1/t with t + tan t = 0.
+/// let t = 1.0 / shape.interpolation;
+/// assert!((t + t.tan()).abs() < 1e-12 && shape.height == 1.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshShape {
     /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For any triangles the largest circumradius over h (K.
@@ -154,6 +164,8 @@ impl ExplicitBound {
     }
 
     /// C in |u − u_h|_a ≤ C h |u|₂.
+    ///
+    /// C = (M A² + b² + 2 c π θ S)^{1/2}, the bound with |u|_{2,S_h} replaced by |u|₂.
     pub fn constant(&self) -> f64 {
         ROUND_UP * self.approximation.hypot(self.projection).hypot(self.consistency.sqrt())
     }

@@ -28,6 +28,9 @@ use crate::error::Result;
 use crate::strip::{EdgeSolution, StripProblem};
 
 /// The terms of the lemma for one pair (u, u_h); all squared, integrals without the factor 2.
+///
+/// |·|² is the energy of the strip, the sign convention u_N ≤ 0, σ_N ≤ 0. `consistency` is ≥ 0, as an integral of a
+/// product of two nonpositive functions; |u − u_h|² ≤ 2 [`FalkTerms::bracket`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FalkTerms {
     /// |u − u_h|².

@@ -50,6 +50,15 @@ impl SegmentConstant {
     /// Lower and upper bound, the product of those of both moments: an independent computation of the value at this
     /// contact set.
     ///
+    /// ```
+    /// use fractional_sobolev::{Order, Tolerance};
+    /// use signorini::proof::product_constant;
+    /// let sharp = product_constant(Order::HALF, Tolerance::fast())?;
+    /// let ([low, high], value) = (sharp.bounds()?, sharp.value);
+    /// assert!(low <= value.value + value.error && value.value - value.error <= high);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`MomentConstant::bounds`].
     pub fn bounds(&self) -> Result<[f64; 2]> {
@@ -102,6 +111,17 @@ pub fn product_constant(
 /// κ(ν), the best constant of the consistency term of either cone over the contact sets with one gap, at an
 /// end.
 ///
+/// κ(ν) = max_e A(e) B(1−e) ≤ K(ν) ≤ c(ν): by restricting the contact sets and by the potentials.
+///
+/// ```
+/// use fractional_sobolev::{Order, Tolerance};
+/// use signorini::proof::{consistency_constant, product_constant};
+/// let kappa = consistency_constant(Order::HALF, Tolerance::fast())?;
+/// let product = product_constant(Order::HALF, Tolerance::fast())?;
+/// assert!(kappa.value.value < product.value.value && kappa.contact > 0.0 && kappa.contact < 1.0);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
 /// # Errors
 /// As for [`product_constant`].
 pub fn consistency_constant(
@@ -112,6 +132,17 @@ pub fn consistency_constant(
 }
 
 /// κ̄(ν): the term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact set.
+///
+/// κ̄(ν) = max_e B(e) D(1−e) ≥ κ(ν), since one gap at an end is among the contact sets.
+///
+/// ```
+/// use fractional_sobolev::{Order, Tolerance};
+/// use signorini::proof::{consistency_constant, midpoint_bound};
+/// let every = midpoint_bound(Order::HALF, Tolerance::fast())?.value;
+/// let one_gap = consistency_constant(Order::HALF, Tolerance::fast())?.value;
+/// assert!(one_gap.value <= every.value + every.error + one_gap.error);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 ///
 /// # Errors
 /// As for [`product_constant`].

@@ -83,6 +83,9 @@ impl TheoremConstants {
     }
 
     /// These constants for elasticity.
+    ///
+    /// `interpolation` is multiplied by M^{1/2} = (2μ + 2 max(λ, 0))^{1/2}, `projection` by the constant B of
+    /// [`half_plane_korn`]; K(ν) does not depend on the form.
     #[must_use]
     pub fn elastic(self, lame: Lame) -> Self {
         let energy = 2.0 * lame.mu() + 2.0 * lame.lambda().max(0.0);
@@ -93,6 +96,9 @@ impl TheoremConstants {
     /// The bound of |u − u_h|_a for a mesh size, given a bound of |u − I^h u|_a, Σ_T |σ_N|_{ν,T} |u_N'|_{ν,T}
     /// or more, and
     /// |σ_N|_ν.
+    ///
+    /// (x² + 2 c h^{2τ−2} p + b² h^{2τ−2} s²)^{1/2}, x = `interpolation`, p = `product`, s = `pressure`, c = K(ν) and b = 0
+    /// for the nodal cone, c = K(ν)/2 for the midpoint cone. All norms in the units of the data; the result is an energy norm.
     pub fn bound(&self, cone: Cone, h: f64, interpolation: f64, product: f64, pressure: f64) -> f64 {
         let scale = h.powf(self.tau - 1.0);
         let (segment, projection) = match cone {

@@ -54,6 +54,14 @@ pub enum ThetaRule {
 impl ThetaRule {
     /// θ on a mesh of size h.
     ///
+    /// ```
+    /// use signorini::proof::ThetaRule;
+    /// let theta = |tau: f64| ThetaRule::Printed { tau }.theta(0.25);
+    /// assert_eq!((theta(1.75)?, theta(2.0)?), (0.5, 0.0625));
+    /// assert!(theta(2.25).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, θ or h outside their ranges.
     pub fn theta(self, h: f64) -> Result<f64> {

@@ -40,6 +40,8 @@ use std::f64::consts::LN_2;
 use std::fmt;
 
 /// How the errors depend on h.
+///
+/// p < 1 in the models with a smooth part, whose order one is assumed; A > 0, B and D of either sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorModel {
     /// e = C h^p.

@@ -41,6 +41,16 @@ pub struct CornerRegularity {
 
 impl Wedge {
     /// What the sign conditions on the contact sides of this wedge say of an exponent that leads.
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, SignCondition, Wedge};
+    /// let flat = Wedge::new(std::f64::consts::PI, "C-O".parse()?, Medium::PlaneStrain(0.3))?;
+    /// let all = flat.exponents()?.exponents;
+    /// let at = |re: f64| all.iter().find(|lambda| (lambda.re.value - re).abs() < 1e-10);
+    /// assert_eq!(at(0.5).map(|lambda| flat.sign_condition(lambda)), Some(SignCondition::Excluded));
+    /// assert_eq!(at(1.5).map(|lambda| flat.sign_condition(lambda)), Some(SignCondition::Signed));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn sign_condition(&self, exponent: &Exponent) -> SignCondition {
         let rows: Vec<[f64; 2]> = exponent.modes.iter().map(|mode| self.signs(mode)).collect();
         let is_neutral = |signs: &[f64; 2]| signs.iter().all(|value| value.abs() <= ZERO);

@@ -10,6 +10,19 @@ use fractional_sobolev::{Estimate, Work};
 pub const LARGEST: f64 = 3.0;
 
 /// An exponent λ; of a pair of conjugates the one with Im λ > 0 stands for both.
+///
+/// r^λ U(θ) oscillates like r^{Re λ} cos(Im λ ln r) for complex λ. At a flat transition from clamped to free in plane
+/// strain λ = 1/2 ± iε, ε = ln(3 − 4ν)/(2π).
+///
+/// ```
+/// use signorini::singular::{Medium, Wedge};
+/// let flat = Wedge::new(std::f64::consts::PI, "D-N".parse()?, Medium::PlaneStrain(0.3))?;
+/// let first = &flat.exponents()?.exponents[0];
+/// assert!((first.re.value - 0.5).abs() < 1e-14);
+/// assert!((first.im.value - 1.8f64.ln() / std::f64::consts::TAU).abs() < 1e-14);
+/// assert!(first.is_complex() && first.zeros() == 2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exponent {
     /// Re λ.
@@ -164,6 +177,17 @@ impl Wedge {
 
 impl Spectrum {
     /// All zeros, conjugates both, each as often as its multiplicity.
+    ///
+    /// As (Re λ, Im λ), as many as [`Spectrum::zeros`] counts.
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let flat = Wedge::new(std::f64::consts::PI, "D-N".parse()?, Medium::PlaneStrain(0.3))?;
+    /// let spectrum = flat.exponents()?;
+    /// assert_eq!(spectrum.places().len(), spectrum.zeros());
+    /// assert!(spectrum.places().iter().map(|place| place.1).sum::<f64>().abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn places(&self) -> Vec<(f64, f64)> {
         let mut all = Vec::new();
         for exponent in &self.exponents {

@@ -28,6 +28,8 @@ use std::fmt;
 use std::str::FromStr;
 
 /// What holds on a side.
+///
+/// u_N = u·n with the outward normal, σ_N = n·σn, σ_T the shear stress; contact has u_N ≤ 0, σ_N ≤ 0, σ_N u_N = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SideCondition {
     /// u = 0.
@@ -113,6 +115,16 @@ pub enum Medium {
 }
 
 /// A wedge {0 < θ < ω} with homogeneous conditions on both sides.
+///
+/// The exponents depend on the opening, the unordered pair of sides and Poisson's ratio only; the mirrored wedge has the
+/// same.
+///
+/// ```
+/// use signorini::singular::{Medium, Wedge};
+/// let wedge = |sides: &str| Wedge::new(2.0, sides.parse()?, Medium::PlaneStrain(0.3));
+/// assert_eq!(wedge("D-N")?.exponents()?.places(), wedge("N-D")?.exponents()?.places());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wedge {
     angle: f64,
