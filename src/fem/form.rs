@@ -129,6 +129,8 @@ impl Form {
     }
 
     /// Unknowns per node.
+    ///
+    /// 1 for the scalar form, 2 for elasticity; a nodal vector has this many entries for each node, node after node.
     pub fn components(&self) -> usize {
         match self {
             Form::Scalar { .. } => 1,
@@ -182,6 +184,8 @@ impl Element {
     }
 
     /// ∇v from the values at the corners; a constant has gradient exactly zero.
+    ///
+    /// (v₁ − v₀) g₁ + (v₂ − v₀) g₂, with g_i the gradients of the barycentric coordinates and g₀ = −g₁ − g₂.
     pub(crate) fn gradient(&self, values: [f64; 3]) -> Point {
         let (a, b) = (values[1] - values[0], values[2] - values[0]);
         let [_, g, h] = self.gradients;

@@ -126,6 +126,8 @@ impl Front {
     }
 
     /// y ← L⁻¹ y for the columns of this front.
+    ///
+    /// y_p ← L_pp⁻¹ y_p for the pivots, then y_r ← y_r − L_rp y_p for the rows below.
     pub(super) fn forward(&self, values: &mut [f64]) {
         let mut below = vec![0.0; self.rows.len()];
         let own = &mut values[self.pivots.clone()];
@@ -141,6 +143,8 @@ impl Front {
     }
 
     /// x ← L⁻ᵀ y for the columns of this front.
+    ///
+    /// x_p ← L_pp⁻ᵀ (y_p − L_rpᵀ x_r), the pivots in reverse order.
     pub(super) fn backward(&self, values: &mut [f64]) {
         let below: Vec<f64> = self.rows.iter().map(|&row| values[row as usize]).collect();
         let own = &mut values[self.pivots.clone()];

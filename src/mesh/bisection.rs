@@ -46,6 +46,8 @@ pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<(Triangu
 /// A triangle (a, b, c) with longest edge ab, and its edges ab, bc, ca.
 type Turned = ([usize; 3], [usize; 3]);
 
+/// Every triangle with its longest edge first; of two edges of equal length the one with the larger pair of node numbers,
+/// so that both neighbours of an edge agree.
 fn turned_to_longest(mesh: &Triangulation, edges: &Edges) -> Result<Vec<Turned>> {
     let turn = |&corners: &[usize; 3]| {
         let length = |k: usize| {

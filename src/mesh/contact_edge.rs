@@ -216,6 +216,7 @@ impl ContactEdge {
         self.normal_of(0..self.nodes.len())
     }
 
+    /// (b_y − a_y, a_x − b_x)/|b − a| of the first node a and the last node b; every other node is tested against the line.
     fn normal_of(&self, piece: Range<usize>) -> Result<Point> {
         let (points, arc) = (&self.points[piece.clone()], &self.arc[piece.clone()]);
         let (first, last) = (points[0], points[points.len() - 1]);

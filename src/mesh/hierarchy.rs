@@ -18,6 +18,8 @@ const SAME_POINT: f64 = 1e-12;
 const BYTES_OF_TRIANGLE: usize = 60;
 
 /// A triangulation and its uniform refinements, coarsest first.
+///
+/// The P1 spaces are nested, V₀ ⊂ V₁ ⊂ ..., so the minimum of an energy over V_k does not increase with k.
 #[derive(Debug, Clone)]
 pub struct Hierarchy {
     levels: Vec<Triangulation>,
@@ -176,6 +178,14 @@ impl Hierarchy {
     }
 
     /// The levels up to a given one; all of them when there are fewer.
+    ///
+    /// ```
+    /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
+    /// let hierarchy = Hierarchy::refined(unit_square(1, SideParts::HANGING)?, 2)?;
+    /// assert_eq!(hierarchy.up_to(1).finest(), &hierarchy.levels()[1]);
+    /// assert_eq!(hierarchy.up_to(9).levels().len(), 3);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     #[must_use]
     pub fn up_to(&self, level: usize) -> Self {
         let last = level.min(self.levels.len() - 1);

@@ -21,6 +21,14 @@ const SMALLEST: f64 = 1e-140;
 const MOST: usize = 4_000_000;
 
 /// What the outline of the body is.
+///
+/// ```
+/// use signorini::mesh::{Outline, polar_rings};
+/// let mesh = polar_rings(Outline::Rectangle, 8, 0.5, 0.1)?;
+/// let (x, y) = mesh.nodes().iter().fold((0.0f64, 0.0f64), |(x, y), p| (x.max(p[0].abs()), y.max(p[1])));
+/// assert_eq!((x, y), (1.0, 1.0));
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Outline {
     /// The unit half disc (its polygon with the given angles).

@@ -86,6 +86,8 @@ impl Triangulation {
     }
 
     /// The labelled boundary edges.
+    ///
+    /// In the order in which they were given, each turned so that the domain is on its left.
     pub fn boundary(&self) -> &[BoundaryEdge] {
         &self.boundary
     }
@@ -101,11 +103,22 @@ impl Triangulation {
     }
 
     /// The three corners of a triangle.
+    ///
+    /// In the order of [`Triangulation::triangles`], counterclockwise: the signed area of the triangle is positive.
     pub fn corners(&self, triangle: usize) -> [Point; 3] {
         self.triangles[triangle].map(|node| self.nodes[node])
     }
 
     /// The end points of an edge.
+    ///
+    /// ```
+    /// use signorini::mesh::{Part, SideParts, unit_square};
+    /// let mesh = unit_square(2, SideParts::HANGING)?;
+    /// let length = |[a, b]: [[f64; 2]; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+    /// let contact = mesh.boundary().iter().filter(|edge| edge.part == Part::Contact);
+    /// assert_eq!(contact.map(|edge| length(mesh.ends(edge))).sum::<f64>(), 1.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn ends(&self, edge: &BoundaryEdge) -> [Point; 2] {
         edge.nodes.map(|node| self.nodes[node])
     }

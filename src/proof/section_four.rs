@@ -31,6 +31,8 @@ pub(super) fn checks(
     checks
 }
 
+/// diam C_T ≤ h θ: (4.10) bounds the term by ‖σ_N‖_{L¹} ‖u_N − π^h u_N‖_{L^∞}, with ‖·‖_{L^∞} ≤ (h/3)^{1/2} ‖u_N'‖₀ and
+/// ‖σ_N‖_{L¹} ≤ (hθ)^{1−1/q} C(q) h^{1/q−1/2} ‖σ_N‖_ν; the product is C(q) h θ^{1−1/q}/√3 ‖σ_N‖_ν ‖u_N'‖₀.
 fn first_case(norms: &SegmentNorms, constants: &ProofConstants, theta: f64, checks: &mut Vec<Check>) {
     let (h, q, power) = (norms.length, constants.q(), constants.hoelder());
     let highest = norms.projection_error[1];
@@ -52,6 +54,8 @@ fn first_case(norms: &SegmentNorms, constants: &ProofConstants, theta: f64, chec
     checks.push(Check::at_most(last, norms.midpoint_term, product, error));
 }
 
+/// diam C_T ≥ h θ: (4.11) bounds the term by ‖σ_N − π^h σ_N‖₀ ‖u_N − π^h u_N‖₀, with the factors γ₁ h^ν |σ_N|_ν and
+/// (h/π) ‖u_N'‖₀ ≤ (γ_θ/π) h^{1+ν} |u_N'|_ν, since u_N' = 0 almost everywhere on C_T.
 fn second_case(
     norms: &SegmentNorms,
     constants: &ProofConstants,

@@ -52,6 +52,9 @@ impl Rectangle {
 }
 
 /// The zeros of f in a rectangle with their multiplicities; `None` where the path is too near to one.
+///
+/// (1/2π) times the change of arg f around the rectangle, in steps so short that f changes by at most 0.7 |f| in each:
+/// |f''| is bounded on the rectangle, so no turn is missed.
 pub(super) fn zeros(f: &Factor, area: &Rectangle, points: &mut u64) -> Option<usize> {
     let Rectangle { left, right, bottom, top } = *area;
     let corners = [(left, bottom), (right, bottom), (right, top), (left, top)].map(|(x, y)| c64::new(x, y));
@@ -66,6 +69,8 @@ pub(super) fn zeros(f: &Factor, area: &Rectangle, points: &mut u64) -> Option<us
 }
 
 /// By how much the argument of f turns from one point to another.
+///
+/// Σ arg(f(z_{k+1})/f(z_k)) along the segment, each below arcsin 0.7 in absolute value.
 fn turn(f: &Factor, from: c64, to: c64, bend: f64, points: &mut u64) -> Option<f64> {
     let length = (to - from).norm();
     let direction = (to - from) / length;

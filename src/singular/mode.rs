@@ -106,6 +106,18 @@ impl Mode {
     }
 
     /// U(θ), 0 ≤ θ ≤ ω: radial and tangential component, each as real and imaginary part; scalar (u, 0).
+    ///
+    /// The displacement of the term is Re (c r^λ U(θ)) with a complex coefficient c.
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let flat = Wedge::new(std::f64::consts::PI, "D-N".parse()?, Medium::Scalar)?;
+    /// let mode = flat.exponents()?.exponents[0].modes[0].clone();
+    /// // U(θ) = sin(θ/2) up to sign: 0 on the clamped side.
+    /// assert!(mode.displacement(0.0)[0].0.abs() < 1e-15);
+    /// assert!((mode.displacement(1.0)[0].0.abs() - 0.5f64.sin()).abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn displacement(&self, theta: f64) -> [(f64, f64); 2] {
         let [a, b, ..] = self.rows(theta);
         [a, b].map(|u| (u.re, u.im))

@@ -47,6 +47,14 @@ impl Exponent {
     }
 
     /// Whether r^λ ln r belongs to it: fewer functions than the multiplicity.
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let crack = Wedge::new(std::f64::consts::TAU, "N-N".parse()?, Medium::PlaneStrain(0.3))?;
+    /// // Two independent functions belong to the double exponent 1/2 of a crack: no r^{1/2} ln r.
+    /// assert!(!crack.exponents()?.exponents[0].has_logarithm());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn has_logarithm(&self) -> bool {
         self.modes.len() < self.multiplicity
     }
@@ -54,6 +62,15 @@ impl Exponent {
     /// Whether all its functions are polynomials in x and y: a whole number without logarithm.
     ///
     /// A harmonic function of whole degree is one, and so are κφ − z conj φ′ − conj ψ with φ, ψ powers z^k.
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let flat = Wedge::new(std::f64::consts::PI, "N-N".parse()?, Medium::Scalar)?;
+    /// // On a straight free side the functions are Re (x + iy)^k: the solution is smooth.
+    /// assert!(flat.exponents()?.exponents.iter().all(|lambda| lambda.is_polynomial()));
+    /// assert!(flat.first_singular()?.is_none());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     pub fn is_polynomial(&self) -> bool {
         let off = (self.re.value - self.re.value.round()).abs();
         !self.is_complex() && !self.has_logarithm() && off <= SAME * self.re.value

@@ -106,6 +106,8 @@ impl FromStr for SideConditions {
 }
 
 /// What the wedge is made of.
+///
+/// μ does not enter the exponents. Plane stress is plane strain with ν/(1 + ν) for ν_P.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Medium {
     /// The Laplace equation.
