@@ -1,5 +1,5 @@
 //! The dual norm of (4.7): ‖f‖\_{1/2,*} = sup ∫ f ψ / ‖ψ‖\_{1/2} over ψ ∈ H^{1/2}(I), with the full norm
-//! (1.1), on one mesh for many f. The toolkit's dual norms are in [`fractional_sobolev::dual`].
+//! (1.1), on one mesh for many f. The toolkit's dual norms are in [`fractional_sobolev::Function::norm`].
 
 use crate::scale::unit_of;
 use fractional_sobolev::Mesh;
