@@ -545,7 +545,9 @@ mod tests {
             let values = scene.interpolant(&problem).unwrap();
             let coarse = scene.error_norms(&problem, &values).unwrap().energy;
             let fine = scene.norms(&problem, &values, 10).unwrap().energy;
-            assert!((coarse / fine - 1.0).abs() < 1e-3, "{scene}: {coarse} {fine}");
+            // Four points a side see less of the gradient r^{p−1} of a rough solution than of r^{1/2}.
+            let allowed = if powers.contains(&scene) { 3e-3 } else { 1e-3 };
+            assert!((coarse / fine - 1.0).abs() < allowed, "{scene}: {coarse} {fine}");
             let found = scene.error(&problem, &values, 1e-2).unwrap();
             assert_eq!(found.value, coarse, "{scene}");
             assert!((found.value - fine).abs() <= 4.0 * found.error, "{scene}: {found:?} {fine}");
