@@ -192,11 +192,12 @@ impl Cells {
         Run {
             near: h * (even + odd),
             far: h * (even - odd),
-            form: 2.0 * h * h * form,
+            // h² alone may underflow
+            form: 2.0 * h * form * h,
             decay: moments.decay,
             near_error: ulp * h * size,
             far_error: ulp * h * size,
-            form_error: 2.0 * ulp * h * h * form_size,
+            form_error: 2.0 * ulp * h * form_size * h,
         }
     }
 }

@@ -94,13 +94,18 @@ impl Interpolant {
         let radius = |k: usize| arm.length * 0.5f64.powi(k as i32);
         let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
         let middle = |k: usize| u.at(arm, 0.75 * radius(k));
-        let (mut layers, mut small) = (1, 0);
-        // Until two layers in a row vary by less than counts.
-        while layers < deepest && small < 2 {
-            let variation = middle(layers)? - middle(layers + 1)?;
-            small = if radius(layers) * variation * variation <= goal { small + 1 } else { 0 };
-            layers += 1;
+        // Until no layer below varies by more than counts: all of them are looked at, down to the smallest distance.
+        let mut layers = 1;
+        let mut before = middle(1)?;
+        for k in 1..deepest {
+            let Ok(value) = middle(k + 1) else { break };
+            let variation = value - before;
+            if radius(k) * variation * variation > goal {
+                layers = k + 1;
+            }
+            before = value;
         }
+        layers = (layers + 2).min(deepest);
         let mut cells: Vec<[f64; 2]> = (0..layers).map(|k| [radius(k + 1), radius(k)]).collect();
         cells.push([0.0, radius(layers)]);
         if arm.sign > 0.0 {

@@ -4,6 +4,7 @@
 use super::resolvent::Ends;
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
+use crate::numeric::scale::power_of_two;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
@@ -41,6 +42,19 @@ pub enum DualOf {
 }
 
 impl PiecewisePolynomial {
+    /// The largest value times a power of two near the L² norm of f over it, the interval over its length: squares of
+    /// a load on a short element neither over- nor underflow. 0 for the zero function.
+    pub(super) fn unit_of_load(&self) -> f64 {
+        let size = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
+        if size == 0.0 {
+            return 0.0;
+        }
+        let total = self.mesh().total();
+        let pieces = self.pieces().iter().zip(self.mesh().lengths());
+        let square: f64 = pieces.map(|(piece, h)| h / total * (piece.size() / size).powi(2)).sum();
+        size * power_of_two(square.sqrt())
+    }
+
     /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||_ν with (1.1): dual to
     /// [`PiecewisePolynomial::norm`].
     ///

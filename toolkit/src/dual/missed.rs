@@ -92,8 +92,9 @@ impl Rough<'_> {
         let rule = Rule::gauss_legendre(self.u.degree() / 2 + 2)?;
         let mut loads = vec![vec![0.0; cells + 1]; 1 + shares.len()];
         let mut add = |cell: usize, element: usize, [s0, s1]: [f64; 2], [t0, t1]: [f64; 2]| {
-            // the part (s0, s1) of a cell is the part (t0, t1) of an element
-            let h = (s1 - s0) / cells as f64;
+            // The part (s0, s1) of a cell is the part (t0, t1) of an element; its length is that of the element, which
+            // the positions may have rounded to nothing.
+            let h = (t1 - t0) * partition.lengths()[element] / (partition.total() * part.length);
             let mut here = [0.0; 2];
             for (x, w) in rule.iter() {
                 let value = self.u.pieces()[element].value(t0 + (t1 - t0) * x) / self.unit - self.mean;

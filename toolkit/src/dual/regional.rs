@@ -68,7 +68,7 @@ impl Rough<'_> {
 
 impl PiecewisePolynomial {
     pub(super) fn dual_of_regional(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let unit = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
+        let unit = self.unit_of_load();
         if unit == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }

@@ -112,6 +112,15 @@ pub(crate) struct SingularFunction<'a> {
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
     pub(super) sight: Sight,
     pub(super) budget: Budget,
+    /// the unit of length, a power of two, in which the breaks are given
+    unit: f64,
+}
+
+/// A function over a unit, on an interval over a unit of length: both powers of two near its size and length.
+pub(crate) struct Normalized<'a> {
+    pub(crate) size: f64,
+    pub(crate) length: f64,
+    pub(crate) u: SingularFunction<'a>,
 }
 
 /// What the closure sees of a point.
@@ -182,7 +191,7 @@ impl<'a> SingularFunction<'a> {
             let range = "numbers above the break before by 1e-290, and by 1e-290 of the interval";
             require_entry("break point", k + 1, pair[1], range, admissible)?;
         }
-        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited() })
+        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited(), unit: 1.0 })
     }
 
     /// The break points.
@@ -220,8 +229,32 @@ impl<'a> SingularFunction<'a> {
                 function: Box::new(unit),
                 sight: self.sight,
                 budget: Budget::of(tolerance),
+                unit: self.unit,
             },
         ))
+    }
+
+    /// u over its size, on its interval over its length: no quantity that is compared with a number then has a
+    /// unit. The closure is asked at the points of the interval as it was given, offsets exact.
+    pub(crate) fn normalized(&self, tolerance: Tolerance) -> Result<Normalized<'_>> {
+        let (size, u) = self.of_moderate_size(tolerance)?;
+        let length = power_of_two(self.length());
+        let breaks = self.breaks.iter().map(|at| at / length).collect();
+        let shift = length.ln();
+        let function = move |at: Position| {
+            let offset = at.offset * length;
+            let depth = at.depth.map(|depth| depth + shift);
+            let x = self.breaks[at.anchor] + offset;
+            (self.function)(Position { breaks: &self.breaks, x, anchor: at.anchor, offset, depth }) / size
+        };
+        let u = SingularFunction {
+            breaks,
+            function: Box::new(function),
+            sight: self.sight,
+            budget: u.budget,
+            unit: self.unit * length,
+        };
+        Ok(Normalized { size, length, u })
     }
 
     /// The arms, from left to right.
@@ -237,7 +270,8 @@ impl<'a> SingularFunction<'a> {
 
     fn arm(&self, anchor: usize, sign: f64, length: f64) -> Arm {
         let start = self.breaks[anchor];
-        let smallest = 1e-300f64.max(1e-300 * length);
+        // Offsets are numbers of binary64 in the unit of the closure.
+        let smallest = (1e-300 / self.unit).max(1e-300 * length).max(1e-305);
         // Where x = c + δ is rounded, δ has no digits below an ulp of c and few above it.
         let blurred = match self.sight {
             Sight::Coordinate => start.abs() * 4.0 * f64::EPSILON,

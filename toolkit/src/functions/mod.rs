@@ -3,8 +3,10 @@
 mod arm;
 mod arm_integral;
 mod budget;
+mod by_scales;
 mod deep_tail;
 mod function;
+mod graded;
 mod interpolant;
 mod level;
 mod log_energy;
@@ -13,6 +15,7 @@ mod partials;
 mod refine;
 mod resolution;
 mod rest;
+mod scales;
 mod seen;
 mod supremum;
 mod two_rates;

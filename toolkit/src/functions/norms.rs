@@ -1,13 +1,17 @@
 //! Norms of functions with declared break points.
 
 use super::arm_integral::ArmIntegral;
-use super::function::SingularFunction;
+use super::function::{Normalized, SingularFunction};
+use super::graded::UNDECLARED;
 use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
 use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
+use super::scales::{Profile, is_deep};
+use super::waves::OfWaves;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled};
 
@@ -30,14 +34,43 @@ impl SingularFunction<'_> {
     /// Refused are a function of the coordinate with a singularity at a break that is not 0, where x is rounded
     /// ([`SingularFunction::from_positions`] serves), and what takes more than [`Tolerance::with_work`] allows.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, unit) = self.of_moderate_size(tolerance)?;
-        let waves = unit.seminorm_of_waves(order, tolerance);
-        if let Some(found) = waves.map_err(|error| error.carry("seminorm", |best| scaled(scale, best)))? {
-            return scaled(scale, found);
+        let Normalized { size, length, u } = self.normalized(tolerance)?;
+        let found = u.seminorm_of_normalized(order, tolerance);
+        // |u|_ν ~ L^{1/2−ν}; ν − 1/2 is rounded for small ν, and the logarithm of the unit may be 700.
+        let factor = if order.value() < 0.25 {
+            length.sqrt() * length.powf(-order.value())
+        } else {
+            length.powf(-order.offset())
+        };
+        let rounding = 0.3 * length.ln().abs() * f64::EPSILON;
+        let back = |found: Estimate| {
+            let error = found.error + rounding * found.value;
+            scaled(size, scaled(factor, Estimate { error, ..found })?)
+        };
+        found.map_err(|error| error.carry("seminorm", back)).and_then(back)
+    }
+
+    /// |u|_ν of a function of size 1 on an interval of length 1.
+    fn seminorm_of_normalized(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let waves = self.seminorm_of_waves(order, tolerance)?;
+        if let OfWaves::Found(found) = waves {
+            return Ok(found);
         }
-        let root = |squared: Estimate| scaled(scale, squared.sqrt()?);
-        refine(&unit, tolerance, 2.0, |level, tolerance| {
-            LogEnergy::new(&unit, order, level)?.compute(tolerance)
+        let profile = Profile::of(self);
+        let is_constant = profile.is_constant();
+        let is_inside = matches!(waves, OfWaves::Inside);
+        let logs = profile.energies(PowerKernel::new(order));
+        let is_deep = profile.is_unequal() || is_deep(&logs, 2.0 * tolerance.relative());
+        if !is_constant && (is_inside || is_deep) {
+            match self.seminorm_by_scales(&profile, order, tolerance) {
+                // Where it is smooth inside, the rules below may still do.
+                Err(Error::ToleranceNotMet { why, .. }) if !is_deep && why != UNDECLARED => {}
+                found => return found,
+            }
+        }
+        let root = |squared: Estimate| squared.sqrt();
+        refine(self, tolerance, 2.0, is_constant, |level, tolerance| {
+            LogEnergy::new(self, order, level)?.compute(tolerance)
         })
         .map_err(|error| error.carry("seminorm", root))
         .and_then(root)
@@ -87,25 +120,27 @@ impl SingularFunction<'_> {
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].
     pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
-        let (scale, unit) = self.of_moderate_size(tolerance)?;
+        let Normalized { size, length, u } = self.normalized(tolerance)?;
         if q == f64::INFINITY {
-            return scaled(scale, unit.largest(tolerance)?);
+            return scaled(size, u.largest(tolerance)?);
         }
-        if q == 2.0
-            && let Some(found) = unit.l2_norm_of_waves(tolerance)?
-        {
-            return scaled(scale, found);
+        let back = |found: Estimate| scaled(size, scaled(length.powf(1.0 / q), found)?);
+        let waves = if q == 2.0 { u.l2_norm_of_waves(tolerance)? } else { OfWaves::AtBreaks };
+        if let OfWaves::Found(found) = waves {
+            return back(found);
         }
+        let is_inside = matches!(waves, OfWaves::Inside);
         let root = |power: Estimate| {
             let value = power.value.max(0.0).powf(1.0 / q);
             let error = if power.value > power.error {
-                value * power.error / (q * power.value)
+                value * (power.error / power.value) / q
             } else {
                 power.error.powf(1.0 / q)
             };
-            scaled(scale, Estimate::new(value, error, power.work)?)
+            back(Estimate::new(value, error, power.work)?)
         };
-        unit.integral_of(tolerance, q, |u| u.abs().powf(q))
+        let profile = Profile::of(&u);
+        u.integral_of(&profile, is_inside, tolerance, q, q, |u| u.abs().powf(q))
             .map_err(|error| error.carry("L^q norm", root))
             .and_then(root)
     }
@@ -115,27 +150,65 @@ impl SingularFunction<'_> {
     /// # Errors
     /// As [`SingularFunction::lq_norm`].
     pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, unit) = self.of_moderate_size(tolerance)?;
-        let size = unit.lq_norm(1.0, Tolerance::fast().with_work(tolerance.work()))?.value;
+        let Normalized { size: scale, u, .. } = self.normalized(tolerance)?;
+        let profile = Profile::of(&u);
+        let crude = Tolerance::fast().with_work(tolerance.work());
+        let size = Estimate::or_best(u.integral_of(&profile, false, crude, 1.0, 1.0, f64::abs))?.value;
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
         // u/size + 2 is safely positive in the mean, so that a relative tolerance means something.
-        let length = self.length();
+        let length = u.length();
         let shift = 2.0 / length;
         let back = |shifted: Estimate| {
-            let factor = size / length * scale;
-            Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)
+            let factor = size / length;
+            let of_unit =
+                Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?;
+            scaled(scale, of_unit)
         };
-        unit.integral_of(tolerance, 0.3, |u| u / size + shift)
+        u.integral_of(&profile, false, tolerance, 0.3, 1.0, |u| u / size + shift)
             .map_err(|error| error.carry("mean", back))
             .and_then(back)
     }
 
-    /// ∫ f(u(x)) dx, to `factor` times the tolerance.
-    fn integral_of(&self, tolerance: Tolerance, factor: f64, f: impl Fn(f64) -> f64) -> Result<Estimate> {
+    /// ∫ f(u(x)) dx, f about |u|^q, to `factor` times the tolerance.
+    fn integral_of(
+        &self,
+        profile: &Profile,
+        is_inside: bool,
+        tolerance: Tolerance,
+        factor: f64,
+        q: f64,
+        f: impl Fn(f64) -> f64,
+    ) -> Result<Estimate> {
+        let asked = factor * tolerance.relative();
+        let by_scales = || {
+            let found = self.integral_by_scales(asked, &f)?;
+            if found.relative_error() <= asked {
+                return Ok(found);
+            }
+            Err(Error::not_met("integral", tolerance.relative(), found, LIMIT))
+        };
+        if is_inside || is_deep(&profile.densities(q), asked) {
+            return by_scales();
+        }
+        match self.integral_by_rules(tolerance, factor, &f) {
+            Err(refused @ Error::ToleranceNotMet { .. }) if self.work_left() > 0 => {
+                by_scales().map_err(|_| refused)
+            }
+            found => found,
+        }
+    }
+
+    /// The same for functions without structure far down.
+    fn integral_by_rules(
+        &self,
+        tolerance: Tolerance,
+        factor: f64,
+        f: &impl Fn(f64) -> f64,
+    ) -> Result<Estimate> {
         let arms = self.arms();
-        refine(self, tolerance, factor, |level, tolerance| {
+        refine(self, tolerance, factor, false, |level, tolerance| {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             for arm in &arms {
@@ -149,7 +222,7 @@ impl SingularFunction<'_> {
                 tail += found.limit.error;
                 rounding += found.rounding;
             }
-            let missed = missed_of_integral(self, level, &f)?;
+            let missed = missed_of_integral(self, level, f)?;
             Ok(LevelValue { value, tail, rounding, missed, points })
         })
     }

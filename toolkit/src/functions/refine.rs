@@ -21,7 +21,7 @@ const LEVELS: [Level; 11] = [
     Level { points: 26, width: 0.06 },
 ];
 
-/// Below this the square of the seminorm of a function of size 1 is rounding: (64 ε)².
+/// The integral of a function of size 1 that does not vary is below this: (64 ε)².
 const ZERO: f64 = 2e-28;
 
 /// What ends the accuracy of a closure.
@@ -45,6 +45,7 @@ pub(super) fn refine(
     u: &SingularFunction,
     asked: Tolerance,
     factor: f64,
+    is_constant: bool,
     compute: impl Fn(Level, f64) -> Result<LevelValue>,
 ) -> Result<Estimate> {
     let tolerance = factor * asked.relative();
@@ -71,9 +72,9 @@ pub(super) fn refine(
                 + current.missed
                 + 64.0 * f64::EPSILON * current.value.abs();
             let estimate = Estimate::new(current.value, error, work)?;
-            // The function is of size 1: an integral within a few ulps of zero is that of a function without
-            // variation.
-            if estimate.error.max(estimate.value.abs()) <= ZERO || estimate.relative_error() <= tolerance {
+            // All that is found of a function without variation is its rounding.
+            let is_zero = is_constant && estimate.error.max(estimate.value.abs()) <= ZERO;
+            if is_zero || estimate.relative_error() <= tolerance {
                 return Ok(estimate);
             }
             let best = found.iter().map(|e| e.error).fold(f64::INFINITY, f64::min);

@@ -21,6 +21,9 @@ use crate::quadrature::Rule;
 /// Depth down to which cells are looked at: waves in ln δ beyond it would have to begin there.
 const DEEPEST: f64 = 45.0;
 
+/// Ulps of the largest value, per point of a rule, that projections leave of a function without waves.
+const ROUNDING: f64 = 3.0;
+
 /// The part of one cell in the bound of |e|²_ν.
 pub(super) fn of_residual(kernel: PowerKernel, degree: usize, residual: f64, length: f64, total: f64) -> f64 {
     let steep = 2.0 * ((degree + 2) as f64).powi(2);
@@ -64,7 +67,7 @@ pub(super) fn missed(u: &SingularFunction, level: Level, kernel: PowerKernel) ->
                 residual = residual.max((value(t)? - p).abs());
             }
             // Rounding is no wave, and counted where the rules are; here h^{1−2ν} would blow it up.
-            residual = (residual - n as f64 * f64::EPSILON * largest).max(0.0);
+            residual = (residual - ROUNDING * n as f64 * f64::EPSILON * largest).max(0.0);
             let length = arm.delta(start) - arm.delta(start + level.width);
             sum += of_residual(kernel, n - 1, residual, length, u.length());
             points += (2 * n + 1) as u64;

@@ -32,6 +32,8 @@ const DEEPEST: u32 = 40;
 /// A cell has none of GRADED times its length within REACH times its length, unless cells are graded.
 const GRADED: f64 = 8.0;
 const REACH: f64 = 64.0;
+/// The cell at a break is so many times longer than the shortest one, unless that one lies at the break.
+const INSIDE: f64 = 4.0;
 /// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
 const UNSEEN: f64 = 2.0;
 /// Rounds of cells, each for a tenth of what the one before left, or less.
@@ -46,12 +48,21 @@ const LIMIT: &str = "rounding of the values is all that shorter cells show";
 
 /// What the cells say of a function.
 pub(super) enum Waves {
-    /// Few cells, or cells that shrink towards a point.
+    /// Few cells, or cells that shrink towards a break.
     None,
+    /// Cells that shrink towards a point between the breaks.
+    Inside,
     /// Resolved by so many cells that rules in logarithmic coordinates would not do.
     Resolved(Box<Resolved>),
     /// More than anything here resolves.
     TooMany,
+}
+
+/// The seminorm of a function with many waves, or where its structure lies.
+pub(super) enum OfWaves {
+    Found(Estimate),
+    AtBreaks,
+    Inside,
 }
 
 /// A function with its polynomials.
@@ -83,11 +94,11 @@ struct Fit {
 }
 
 impl SingularFunction<'_> {
-    /// |u|_ν of a function of size 1 with many waves; `None` for all others.
+    /// |u|_ν of a function of size 1 with many waves; where the structure of all others lies.
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
-    pub(super) fn seminorm_of_waves(&self, order: Order, tolerance: Tolerance) -> Result<Option<Estimate>> {
+    pub(super) fn seminorm_of_waves(&self, order: Order, tolerance: Tolerance) -> Result<OfWaves> {
         let asked = tolerance.relative();
         let mut best: Option<Estimate> = None;
         // A cell of about a wave: |e|_ν/|u|_ν is about ε (D/6)^ν.
@@ -101,7 +112,8 @@ impl SingularFunction<'_> {
             };
             let resolved = match (waves, &best) {
                 (Waves::Resolved(resolved), _) => resolved,
-                (Waves::None, None) => return Ok(None),
+                (Waves::None, None) => return Ok(OfWaves::AtBreaks),
+                (Waves::Inside, None) => return Ok(OfWaves::Inside),
                 (Waves::TooMany, None) => {
                     return Err(Error::out_of_reach("seminorm", asked, f64::INFINITY, TOO_MANY));
                 }
@@ -109,7 +121,7 @@ impl SingularFunction<'_> {
             };
             let found = resolved.seminorm(order, tolerance)?;
             if found.relative_error() <= asked {
-                return Ok(Some(found));
+                return Ok(OfWaves::Found(found));
             }
             let gained = best.is_none_or(|best| found.error < 0.5 * best.error);
             accuracy = (0.3 * accuracy * asked / found.relative_error()).min(0.1 * accuracy);
@@ -123,14 +135,15 @@ impl SingularFunction<'_> {
         Err(Error::best_of("seminorm", asked, best, LIMIT))
     }
 
-    /// The L² norm of a function of size 1 with many waves.
+    /// The L² norm of a function of size 1 with many waves; where the structure of all others lies.
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`].
-    pub(super) fn l2_norm_of_waves(&self, tolerance: Tolerance) -> Result<Option<Estimate>> {
+    pub(super) fn l2_norm_of_waves(&self, tolerance: Tolerance) -> Result<OfWaves> {
         match self.waves((0.1 * tolerance.relative()).max(FLOOR))? {
-            Waves::Resolved(resolved) => resolved.l2_norm().map(Some),
-            _ => Ok(None),
+            Waves::Resolved(resolved) => resolved.l2_norm().map(OfWaves::Found),
+            Waves::Inside => Ok(OfWaves::Inside),
+            Waves::None | Waves::TooMany => Ok(OfWaves::AtBreaks),
         }
     }
 
@@ -139,12 +152,13 @@ impl SingularFunction<'_> {
         let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
         let fit = Fit { degree, accuracy, between: Rule::gauss_legendre(2 * degree)? };
         let (mut cells, mut slack) = (Vec::new(), Vec::new());
-        let mut is_smooth = true;
+        let (mut is_smooth, mut is_inside) = (true, false);
         for arm in self.arms() {
             let Some((mut found, all)) = self.cells_of(&arm, &fit, MOST - cells.len().min(MOST))? else {
                 return Ok(if is_smooth { Waves::TooMany } else { Waves::None });
             };
             is_smooth &= all;
+            is_inside |= shrinks_inside(&found);
             if arm.sign < 0.0 {
                 found.reverse();
             }
@@ -153,6 +167,9 @@ impl SingularFunction<'_> {
             cells.push(found);
         }
         let count: usize = cells.iter().map(Vec::len).sum();
+        if is_inside && (!is_smooth || count < MANY) {
+            return Ok(Waves::Inside);
+        }
         if count < MANY {
             return Ok(Waves::None);
         }
@@ -171,7 +188,13 @@ impl SingularFunction<'_> {
             }
         }
         if !is_smooth || is_graded(&flat) {
-            return Ok(if count > BEYOND_RULES * self.breaks().len() { Waves::TooMany } else { Waves::None });
+            return Ok(if is_inside {
+                Waves::Inside
+            } else if count > BEYOND_RULES * self.breaks().len() {
+                Waves::TooMany
+            } else {
+                Waves::None
+            });
         }
         let lengths: Vec<f64> = flat.iter().map(|cell| cell.far - cell.near).collect();
         let ends: Vec<[f64; 2]> = flat.iter().map(|cell| cell.ends).collect();
@@ -243,6 +266,13 @@ impl Cell {
         let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);
         FLOOR * size + slope * (arm.delta(arm.depth) + 16.0 * f64::EPSILON * arm.start.abs())
     }
+}
+
+/// Whether the shortest cell of an arm, from its break on, lies away from the break.
+fn shrinks_inside(cells: &[Cell]) -> bool {
+    let length = |cell: &Cell| cell.far - cell.near;
+    let shortest = cells.iter().map(length).fold(f64::INFINITY, f64::min);
+    length(&cells[0]) >= INSIDE * shortest
 }
 
 /// Whether cells shrink geometrically somewhere.

@@ -1,0 +1,122 @@
+//! ∫ f(u) for functions with structure on many scales: Gauss rules on cells of t = ln(R/δ) along every arm, from
+//! the middle of an interval down to the smallest distance, halved wherever two rules differ.
+
+use super::arm::Arm;
+use super::function::SingularFunction;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Work};
+use crate::quadrature::Rule;
+
+/// Orders of the two rules.
+const ORDERS: [usize; 2] = [9, 14];
+/// Of the tolerance: the error of one cell.
+const SHARE: f64 = 0.003;
+/// The largest distance of four values to the best of them bounds its error.
+const SAFETY: f64 = 1.0;
+/// The share of a cell between its end and the first point of the fine rule.
+const END: f64 = 0.007;
+/// Halvings of a cell, and cells, at most.
+const HALVINGS: u32 = 50;
+const CELLS: usize = 100_000;
+/// Cells that shrink by less than this do not.
+const FALLS: f64 = 0.99;
+/// Why the integral is not known.
+const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
+
+/// An integral over a cell by the coarse rule, by the fine one, and by that with what it is off at the ends.
+type Sums = [f64; 3];
+
+fn apart_of(sums: &Sums) -> f64 {
+    (sums[0] - sums[1]).abs().max((sums[2] - sums[1]).abs())
+}
+
+/// Weights of the value at `end` of the polynomial through points.
+fn extrapolation(points: &[f64], end: f64) -> Vec<f64> {
+    let weight = |k: usize| {
+        let others = (0..points.len()).filter(|&j| j != k);
+        others.map(|j| (end - points[j]) / (points[k] - points[j])).product()
+    };
+    (0..points.len()).map(weight).collect()
+}
+
+impl SingularFunction<'_> {
+    /// ∫ f(u(x)) dx with its error, whatever it is; halved to the relative tolerance.
+    pub(super) fn integral_by_scales(&self, tolerance: f64, f: &impl Fn(f64) -> f64) -> Result<Estimate> {
+        let [coarse, fine] = [Rule::gauss_legendre(ORDERS[0])?, Rule::gauss_legendre(ORDERS[1])?];
+        let to_ends = [0.0, 1.0].map(|end| extrapolation(fine.points(), end));
+        let mut points = 0;
+        // By both rules, and by the finer one with what its polynomial is off at the ends: there kinks may hide.
+        let mut all = |arm: &Arm, from: f64, width: f64| -> Result<Sums> {
+            let mut value = |t: f64| -> Result<f64> {
+                let delta = arm.delta((from + width * t).min(arm.depth));
+                points += 1;
+                Ok(width * delta * f(self.at(arm, delta)?))
+            };
+            let mut sums = [0.0; 3];
+            for (t, w) in coarse.iter() {
+                sums[0] += w * value(t)?;
+            }
+            let mut off = [0.0; 2];
+            for (k, (t, w)) in fine.iter().enumerate() {
+                let here = value(t)?;
+                sums[1] += w * here;
+                off.iter_mut().zip(&to_ends).for_each(|(off, weights)| *off -= weights[k] * here);
+            }
+            off[0] += value(0.0)?;
+            off[1] += value(1.0)?;
+            sums[2] = sums[1] + END * (off[0].abs() + off[1].abs());
+            Ok(sums)
+        };
+        let (mut value, mut error, mut size) = (0.0, 0.0, 0.0);
+        let mut open = Vec::new();
+        for arm in self.arms() {
+            let count = arm.depth.ceil().max(1.0);
+            let width = arm.depth / count;
+            let mut last = [0.0; 2];
+            for k in 0..count as usize {
+                let from = width * k as f64;
+                let sums = all(&arm, from, width)?;
+                size += sums[1].abs();
+                last = [last[1], sums[1]];
+                open.push((arm, from, width, sums, 0));
+            }
+            let ratio = (last[1] / last[0]).abs();
+            if last[1] != 0.0 {
+                if ratio.is_nan() || ratio > FALLS {
+                    return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, GROWS));
+                }
+                let rest = last[1] * ratio / (1.0 - ratio);
+                value += rest;
+                error += rest.abs();
+            }
+        }
+        let (enough, nothing) = (SHARE * tolerance * size, f64::EPSILON * size);
+        let mut cells = open.len();
+        while let Some((arm, from, width, sums, halvings)) = open.pop() {
+            let apart = apart_of(&sums);
+            if apart <= nothing || halvings == HALVINGS || cells > CELLS {
+                value += sums[1];
+                error += apart;
+                continue;
+            }
+            cells += 1;
+            let half = 0.5 * width;
+            let halves = [from, from + half].map(|start| Ok((start, all(&arm, start, half)?)));
+            let [left, right]: [Result<(f64, Sums)>; 2] = halves;
+            let (left, right) = (left?, right?);
+            // At a kink two rules may agree by accident; a third value hardly does at the same time.
+            let together = [0, 1, 2].map(|k| left.1[k] + right.1[k]);
+            let apart = apart_of(&together).max(apart).max((sums[1] - together[1]).abs());
+            if apart <= enough {
+                value += together[1];
+                error += SAFETY * apart;
+                continue;
+            }
+            for (start, sums) in [left, right] {
+                open.push((arm, start, half, sums, halvings + 1));
+            }
+        }
+        let work = Work { points, ..Work::default() };
+        Estimate::new(value, error + 8.0 * f64::EPSILON * size, work)
+    }
+}

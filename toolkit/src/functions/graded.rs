@@ -1,0 +1,307 @@
+//! Functions with structure on many scales as piecewise polynomials: layers far below the interval at a break,
+//! short intervals beside long ones, kinks and peaks that were not declared.
+//!
+//! Every arm is cut at R/2^k towards its break as deep as u differs there from one polynomial by more than
+//! counts, at all scales ([`Profile`]); cells away from the break are halved likewise. A difference ε at the
+//! scale δ counts as ε δ^{1/2−ν} beside |u|_ν. The seminorm is |p|_ν of the piecewise polynomial, which uses
+//! lengths alone and is right on all scales; the error is the bound of |u − p|_ν of [`super::resolution`].
+
+use super::arm::Arm;
+use super::function::SingularFunction;
+use super::resolution::of_residual;
+use super::scales::{Profile, log_sum};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
+use crate::kernel::power::PowerKernel;
+use crate::mesh::Mesh;
+use crate::order::Order;
+use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
+use crate::quadrature::Rule;
+
+/// Rounds of cells, each for a tenth of what the one before left, or less.
+const ROUNDS: usize = 4;
+/// Cells of one arm at most.
+const MOST: usize = 6000;
+/// Halvings of a cell away from the break at most.
+const HALVINGS: u32 = 50;
+/// What rounding leaves of values of size 1.
+const FLOOR: f64 = 64.0 * f64::EPSILON;
+/// A line to so many ulps is one.
+const STRAIGHT: f64 = 8.0 * f64::EPSILON;
+/// Rounding of a polynomial.
+const NOISE: f64 = 8.0 * f64::EPSILON;
+/// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
+const UNSEEN: f64 = 2.0;
+
+/// Why more is not known.
+const LIMIT: &str = "structure on so many scales leaves no more digits";
+/// Why nothing is known of a function that is not smooth between its breaks.
+pub(super) const UNDECLARED: &str =
+    "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
+/// Why there is no limit at a break.
+const ENDLESS: &str = "contributions do not end as close to a break as the function can be evaluated";
+/// Why it takes too much.
+const TOO_MANY: &str = "the function has structure on more scales and at more places than 6000 cells resolve";
+
+/// A cell of an arm, δ from its break, with its polynomial from left to right.
+struct Cell {
+    near: f64,
+    far: f64,
+    piece: Piece,
+    /// |u − p| at points between, less rounding
+    residual: f64,
+    /// Σ ε² δ^{1−2ν} over the scales of the end of an arm
+    rest: f64,
+}
+
+/// What cells are held against.
+struct Fit<'a> {
+    profile: &'a Profile,
+    kernel: PowerKernel,
+    degree: usize,
+    /// accuracy times |u|_ν
+    goal: f64,
+    between: Rule,
+}
+
+impl Fit<'_> {
+    /// ε that does not count at the scale δ.
+    fn allowed(&self, delta: f64) -> f64 {
+        self.goal * (-0.5 * self.kernel.one_minus * delta.ln()).exp()
+    }
+}
+
+/// What is known of |u|_ν by one choice of cells.
+pub(super) struct Found {
+    pub(super) value: Estimate,
+    /// not smooth at a point between breaks
+    pub(super) is_rough: bool,
+}
+
+impl SingularFunction<'_> {
+    /// |u|_ν of a function of size 1 on an interval of length 1.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
+    pub(super) fn seminorm_by_scales(
+        &self,
+        profile: &Profile,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        let kernel = PowerKernel::new(order);
+        let asked = tolerance.relative();
+        let size = (0.5 * log_sum(&profile.energies(kernel))).exp();
+        let (mut best, mut why): (Option<Estimate>, _) = (None, LIMIT);
+        let mut accuracy = 0.05 * asked * 0.03f64.powf(order.value());
+        for _ in 0..ROUNDS {
+            let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
+            let between = Rule::gauss_legendre(2 * degree)?;
+            let size = best.map_or(size, |best: Estimate| best.value);
+            let goal = accuracy.max(f64::EPSILON) * size;
+            let fit = Fit { profile, kernel, degree, goal, between };
+            let found = match self.by_graded_cells(&fit, order, tolerance) {
+                Err(_) if self.work_left() == 0 => {
+                    why = SPENT;
+                    break;
+                }
+                other => other?,
+            };
+            if found.value.relative_error() <= asked {
+                return Ok(found.value);
+            }
+            if found.is_rough {
+                why = UNDECLARED;
+            }
+            let gained = best.is_none_or(|best| found.value.error < 0.5 * best.error);
+            let missed = found.value.relative_error();
+            accuracy = (0.3 * accuracy * asked / missed).min(0.1 * accuracy);
+            if best.is_none_or(|best| found.value.error < best.error) {
+                best = Some(found.value);
+            }
+            if !gained || accuracy < 0.1 * f64::EPSILON {
+                break;
+            }
+        }
+        Err(Error::best_of("seminorm", asked, best, why))
+    }
+
+    fn by_graded_cells(&self, fit: &Fit, order: Order, tolerance: Tolerance) -> Result<Found> {
+        let (mut cells, mut slack) = (Vec::new(), Vec::new());
+        let (mut is_rough, mut is_endless) = (false, false);
+        for (k, arm) in self.arms().iter().enumerate() {
+            let (mut found, rough) = self.graded_cells(k, arm, fit)?;
+            is_rough |= rough;
+            is_endless |= found[0].rest > 0.0;
+            slack.push(found[0].slack(arm, fit.degree));
+            if arm.sign < 0.0 {
+                found.reverse();
+            }
+            cells.push(found);
+        }
+        let mut flat: Vec<Cell> = Vec::with_capacity(cells.iter().map(Vec::len).sum());
+        for (k, arm) in cells.into_iter().enumerate() {
+            let start = flat.len();
+            flat.extend(arm);
+            if k > 0 {
+                let (left, right) = (flat[start - 1].piece.right, flat[start].piece.left);
+                if k % 2 == 1 || (left - right).abs() <= slack[k - 1] + slack[k] {
+                    let mean = if left == right { left } else { 0.5 * (left + right) };
+                    flat[start - 1].piece.right = mean;
+                    flat[start].piece.left = mean;
+                } else if is_endless && !order.is_below_half() {
+                    return Err(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, ENDLESS));
+                }
+            }
+        }
+        if is_rough && !order.is_below_half() {
+            // A step there would make it infinite.
+            return Err(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, UNDECLARED));
+        }
+        let (mut square, mut points) = (0.0, 0);
+        let total = self.length();
+        for cell in &flat {
+            let (length, degree) = (cell.far - cell.near, cell.piece.degree());
+            square += of_residual(fit.kernel, fit.degree, cell.residual, length, total) + cell.rest;
+            if is_rough && cell.residual > 0.0 && order.is_below_half() {
+                // A step of this height within the cell.
+                let step = fit.kernel.scaling(length) * 4.0 / (fit.kernel.twice * fit.kernel.one_minus);
+                square += step * cell.residual * cell.residual;
+            }
+            let is_constant = cell.piece.bubbles.is_empty() && cell.piece.left == cell.piece.right;
+            if !is_constant {
+                let noise = NOISE * cell.piece.size();
+                square += noise * noise * fit.kernel.scaling(length) * (degree as f64).powf(fit.kernel.twice)
+                    * (2.0 / fit.kernel.two_minus + 2.0 / fit.kernel.twice);
+            }
+            points += 3 * fit.degree as u64;
+        }
+        let lengths: Vec<f64> = flat.iter().map(|cell| cell.far - cell.near).collect();
+        let ends: Vec<[f64; 2]> = flat.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
+        let bubbles = flat.into_iter().map(|cell| cell.piece.bubbles).collect();
+        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
+        let inner = Tolerance::new((0.3 * tolerance.relative()).max(1e-15))?;
+        let found = Estimate::or_best(u.seminorm(order, inner))?;
+        let work = Work { points: found.work.points + points, ..found.work };
+        Ok(Found { value: Estimate::new(found.value, found.error + square.sqrt(), work)?, is_rough })
+    }
+
+    /// The cells of an arm from its break on, and whether one is not resolved.
+    fn graded_cells(&self, index: usize, arm: &Arm, fit: &Fit) -> Result<(Vec<Cell>, bool)> {
+        let least = arm.delta(arm.depth);
+        let (mut far, mut halvings) = (arm.length, Vec::new());
+        // The end of the arm, halved until one polynomial is enough on all scales below.
+        let end = loop {
+            let cell = self.graded_cell(arm, fit, 0.0, far)?;
+            let rest = self.rest(index, arm, fit, &cell);
+            if rest == Some(0.0) && cell.residual <= fit.allowed(far) {
+                break Cell { rest: 0.0, ..cell };
+            }
+            if 0.25 * far <= least {
+                let residual = cell.residual;
+                break Cell { rest: self.below(index, arm, fit, &cell), residual, ..cell };
+            }
+            halvings.push(far);
+            far *= 0.5;
+        };
+        let (mut cells, mut is_rough) = (vec![end], false);
+        for &outer in halvings.iter().rev() {
+            let mut stack = vec![(0.5 * outer, outer, 0)];
+            while let Some((near, far, count)) = stack.pop() {
+                let cell = self.graded_cell(arm, fit, near, far)?;
+                let fits = cell.residual <= fit.allowed(far - near);
+                let short = far - near <= 8.0 * f64::EPSILON * (far + self.coordinate_if_seen(arm.anchor).abs());
+                if fits || count == HALVINGS || short {
+                    is_rough |= !fits;
+                    cells.push(cell);
+                    if cells.len() > MOST {
+                        return Err(Error::out_of_reach("seminorm", fit.goal, f64::INFINITY, TOO_MANY));
+                    }
+                } else {
+                    let middle = 0.5 * (near + far);
+                    stack.extend([(middle, far, count + 1), (near, middle, count + 1)]);
+                }
+            }
+        }
+        Ok((cells, is_rough))
+    }
+
+    /// Σ ε² δ^{1−2ν} over the samples below a cell at the break; nothing where all of them are within what is allowed.
+    fn rest(&self, index: usize, arm: &Arm, fit: &Fit, cell: &Cell) -> Option<f64> {
+        let at_break = if arm.sign > 0.0 { cell.piece.left } else { cell.piece.right };
+        let mut inside = fit.profile.samples(index).filter(|(delta, _)| *delta < cell.far);
+        let fits = inside.all(|(delta, value)| {
+            // p is rounded less close to the break.
+            let size = value.abs() + at_break.abs() + delta / cell.far * cell.piece.size();
+            (value - cell.value(arm, delta)).abs() <= fit.allowed(delta).max(FLOOR * size)
+        });
+        fits.then_some(0.0)
+    }
+
+    /// The same where they are not, with what lies below the last sample as a geometric series.
+    fn below(&self, index: usize, arm: &Arm, fit: &Fit, cell: &Cell) -> f64 {
+        let kernel = fit.kernel;
+        let factor = 16.0 * (1.0 / kernel.twice + 1.0 / kernel.two_minus);
+        let (mut sum, mut last, mut ratio) = (0.0, 0.0_f64, 0.5_f64);
+        for (delta, value) in fit.profile.samples(index).filter(|(delta, _)| *delta < 4.0 * cell.far) {
+            let share = (value - cell.value(arm, delta.min(cell.far))).powi(2) * kernel.scaling(delta);
+            ratio = if last > 0.0 { share / last } else { 0.5 };
+            (sum, last) = (sum + share, share);
+        }
+        factor * (sum + last * ratio / (1.0 - ratio.min(0.99)))
+    }
+
+    fn graded_cell(&self, arm: &Arm, fit: &Fit, near: f64, far: f64) -> Result<Cell> {
+        let least = arm.delta(arm.depth);
+        let value = |delta: f64| self.at(arm, delta.max(least));
+        let length = far - near;
+        let local = |t: f64| if arm.sign > 0.0 { near + length * t } else { far - length * t };
+        let (at_near, at_far) = (value(near)?, value(far)?);
+        let ends = if arm.sign > 0.0 { [at_near, at_far] } else { [at_far, at_near] };
+        let fault = std::cell::RefCell::new(None);
+        let seen = |t: f64| {
+            value(local(t)).unwrap_or_else(|error| {
+                fault.borrow_mut().get_or_insert(error);
+                0.0
+            })
+        };
+        let mut piece = Piece { left: ends[0], right: ends[1], bubbles: bubbles_of(fit.degree, ends, seen)? };
+        let values: Vec<f64> = fit.between.points().iter().map(|&t| seen(t)).collect();
+        let bounds = values.iter().fold(ends, |[low, high], &v| [low.min(v), high.max(v)]);
+        let (low, high) = (bounds[0].min(ends[1]), bounds[1].max(ends[0]));
+        let off = |piece: &Piece| {
+            let pairs = fit.between.points().iter().zip(&values);
+            pairs.map(|(&t, value)| (value - piece.value(t)).abs()).fold(0.0, f64::max)
+        };
+        // Rounding of a straight line is no bubble.
+        let line = Piece { left: ends[0], right: ends[1], bubbles: Vec::new() };
+        let mut residual = off(&line);
+        if residual > STRAIGHT * low.abs().max(high.abs()) {
+            residual = off(&piece);
+        } else {
+            piece = line;
+        }
+        let slope = (high - low) / length;
+        let rounded = self.coordinate_if_seen(arm.anchor).abs();
+        let noise = FLOOR * (low.abs().max(high.abs()) + slope * rounded);
+        match fault.into_inner() {
+            Some(error) => Err(error),
+            None => Ok(Cell { near, far, piece, residual: UNSEEN * (residual - noise).max(0.0), rest: 0.0 }),
+        }
+    }
+}
+
+impl Cell {
+    /// p at δ.
+    fn value(&self, arm: &Arm, delta: f64) -> f64 {
+        let t = (delta - self.near) / (self.far - self.near);
+        self.piece.value(if arm.sign > 0.0 { t } else { 1.0 - t })
+    }
+
+    /// How far the value at the break may be off its limit.
+    fn slack(&self, arm: &Arm, degree: usize) -> f64 {
+        let size = self.piece.size();
+        let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);
+        FLOOR * size + slope * (arm.delta(arm.depth) + 16.0 * arm.blur)
+    }
+}

@@ -1,0 +1,144 @@
+//! A function looked at on all scales, once: one value per unit of t = ln(R/δ) along every arm, down to the
+//! smallest distance at which it can be evaluated.
+//!
+//! What is seen is a crude profile of the integrand along an arm: of |u|²_ν
+//!
+//! e(t) = δ^{1−2ν} max_s e^{−2νs} |u(t−s) − u(t−s−1)|²,
+//!
+//! of ∫ |u|^q δ |u|^q. Powers and logarithms of δ, and what the rules in t follow cell by cell, have profiles
+//! without a valley, smooth in t far from the beginning. Where a profile rises again after it had fallen to
+//! nothing, as for x + exp(−x/w), or bends sharply far down, as for exp(−x/w) alone, the rules might have left
+//! before, or gone on in wide steps: such functions go to [`super::graded`] and to [`super::by_scales`].
+
+use super::arm::Arm;
+use super::function::SingularFunction;
+use crate::kernel::power::PowerKernel;
+
+/// Where the first cells, at which every rule looks, end.
+const BEGUN: f64 = 3.0;
+/// ln of what a profile rises by after a valley that counts.
+const RISE: f64 = 2.0;
+/// From here on cells of a rule may be wide, and the second difference of ln e for which they are too wide.
+const FAR: f64 = 35.0;
+const BEND: f64 = 0.3;
+/// Of the tolerance: what counts.
+const COUNTS: f64 = 0.01;
+/// Differences of so many ulps are rounding.
+const ULPS: f64 = 16.0 * f64::EPSILON;
+/// A neighbouring interval longer than this many times: the shorter one is a layer beside it.
+const UNEQUAL: f64 = 1e8;
+
+/// Values of u at t = 1/2, 3/2, ... along every arm.
+pub(super) struct Profile {
+    arms: Vec<Arm>,
+    values: Vec<Vec<f64>>,
+}
+
+/// ln of a profile along every arm.
+pub(super) type Logs = Vec<Vec<f64>>;
+
+/// t of sample k.
+fn place(k: usize) -> f64 {
+    k as f64 + 0.5
+}
+
+impl Profile {
+    /// Looks at u until a value is no number, or the work allowed is spent.
+    pub(super) fn of(u: &SingularFunction) -> Self {
+        let arms = u.arms();
+        let values = arms
+            .iter()
+            .map(|arm| {
+                let count = arm.depth.floor() as usize;
+                (0..count).map_while(|k| u.at(arm, arm.delta(place(k))).ok()).collect()
+            })
+            .collect();
+        Self { arms, values }
+    }
+
+    /// (δ, u) of the samples of an arm, from its far end on.
+    pub(super) fn samples(&self, arm: usize) -> impl Iterator<Item = (f64, f64)> {
+        let place_of = move |k: usize| self.arms[arm].delta(place(k));
+        self.values[arm].iter().enumerate().map(move |(k, &value)| (place_of(k), value))
+    }
+
+    /// Whether all values are the same to rounding.
+    pub(super) fn is_constant(&self) -> bool {
+        let all = || self.values.iter().flatten();
+        let (low, high) =
+            all().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+        high - low <= 4.0 * ULPS * high.abs().max(low.abs())
+    }
+
+    /// Whether some interval is much longer than a neighbour.
+    pub(super) fn is_unequal(&self) -> bool {
+        let quotient = |pair: &[Arm]| (pair[0].length / pair[1].length).max(pair[1].length / pair[0].length);
+        self.arms.windows(2).any(|pair| quotient(pair) > UNEQUAL)
+    }
+
+    /// ln e.
+    pub(super) fn energies(&self, kernel: PowerKernel) -> Logs {
+        let fade = (-0.5 * kernel.twice).exp();
+        let mut logs = Vec::with_capacity(self.arms.len());
+        for (arm, values) in self.arms.iter().zip(&self.values) {
+            // The other arm of the same break.
+            let other = self.arms.iter().position(|b| b.anchor == arm.anchor && b.sign != arm.sign);
+            let across = |k: usize| {
+                let other = other?;
+                let shift = (self.arms[other].length / arm.length).ln();
+                let at = (place(k) + shift - 0.5).round();
+                (at >= 0.0).then(|| self.values[other].get(at as usize).copied())?
+            };
+            let mut seen = 0.0_f64;
+            let log = |(k, &value): (usize, &f64)| {
+                let differs = |other: f64| {
+                    let (apart, size) = ((value - other).abs(), value.abs().max(other.abs()));
+                    if apart <= ULPS * size { 0.0 } else { apart }
+                };
+                let before = if k > 0 { differs(values[k - 1]) } else { 0.0 };
+                seen = (fade * seen).max(before);
+                let largest = across(k).map_or(seen, |other| seen.max(differs(other)));
+                kernel.one_minus * (arm.length.ln() - place(k)) + 2.0 * largest.ln()
+            };
+            logs.push(values.iter().enumerate().map(log).collect());
+        }
+        logs
+    }
+
+    /// ln of δ |u|^q.
+    pub(super) fn densities(&self, q: f64) -> Logs {
+        let of = |(arm, values): (&Arm, &Vec<f64>)| {
+            let log = |(k, value): (usize, &f64)| arm.length.ln() - place(k) + q * value.abs().ln();
+            values.iter().enumerate().map(log).collect()
+        };
+        self.arms.iter().zip(&self.values).map(of).collect()
+    }
+}
+
+/// ln of the sum of a profile.
+pub(super) fn log_sum(logs: &Logs) -> f64 {
+    let all = || logs.iter().flatten().copied().filter(|log| !log.is_nan());
+    let largest = all().fold(f64::NEG_INFINITY, f64::max);
+    if largest.is_finite() { largest + all().map(|log| (log - largest).exp()).sum::<f64>().ln() } else { largest }
+}
+
+/// Whether what counts at this tolerance lies behind a valley, or bends sharply far down.
+pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
+    let whole = log_sum(logs);
+    let (counts, nothing) = (whole + (COUNTS * tolerance).ln(), whole + tolerance.ln());
+    logs.iter().any(|arm| {
+        let mut lowest = f64::INFINITY;
+        (0..arm.len()).any(|k| {
+            let here = arm[k];
+            let rises = here > counts && lowest < nothing && here > lowest + RISE;
+            let bends = place(k) > FAR && here > counts && k + 1 < arm.len() && {
+                let bend = arm[k - 1] - 2.0 * here + arm[k + 1];
+                bend.is_finite() && bend.abs() > BEND
+            };
+            if place(k) > BEGUN {
+                lowest = lowest.min(here);
+            }
+            rises || bends
+        })
+    })
+}
