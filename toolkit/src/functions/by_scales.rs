@@ -11,8 +11,6 @@ use crate::quadrature::Rule;
 const ORDERS: [usize; 2] = [9, 14];
 /// Of the tolerance: the error of one cell.
 const SHARE: f64 = 0.003;
-/// The largest distance of four values to the best of them bounds its error.
-const SAFETY: f64 = 1.0;
 /// The share of a cell between its end and the first point of the fine rule.
 const END: f64 = 0.007;
 /// Halvings of a cell, and cells, at most.
@@ -109,7 +107,7 @@ impl SingularFunction<'_> {
             let apart = apart_of(&together).max(apart).max((sums[1] - together[1]).abs());
             if apart <= enough {
                 value += together[1];
-                error += SAFETY * apart;
+                error += apart;
                 continue;
             }
             for (start, sums) in [left, right] {

@@ -150,7 +150,12 @@ impl SingularFunction<'_> {
                     flat[start - 1].piece.right = mean;
                     flat[start].piece.left = mean;
                 } else if is_endless && !order.is_below_half() {
-                    return Err(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, ENDLESS));
+                    return Err(Error::out_of_reach(
+                        "seminorm",
+                        tolerance.relative(),
+                        f64::INFINITY,
+                        ENDLESS,
+                    ));
                 }
             }
         }
@@ -171,7 +176,10 @@ impl SingularFunction<'_> {
             let is_constant = cell.piece.bubbles.is_empty() && cell.piece.left == cell.piece.right;
             if !is_constant {
                 let noise = NOISE * cell.piece.size();
-                square += noise * noise * fit.kernel.scaling(length) * (degree as f64).powf(fit.kernel.twice)
+                square += noise
+                    * noise
+                    * fit.kernel.scaling(length)
+                    * (degree as f64).powf(fit.kernel.twice)
                     * (2.0 / fit.kernel.two_minus + 2.0 / fit.kernel.twice);
             }
             points += 3 * fit.degree as u64;
@@ -210,7 +218,8 @@ impl SingularFunction<'_> {
             while let Some((near, far, count)) = stack.pop() {
                 let cell = self.graded_cell(arm, fit, near, far)?;
                 let fits = cell.residual <= fit.allowed(far - near);
-                let short = far - near <= 8.0 * f64::EPSILON * (far + self.coordinate_if_seen(arm.anchor).abs());
+                let short =
+                    far - near <= 8.0 * f64::EPSILON * (far + self.coordinate_if_seen(arm.anchor).abs());
                 if fits || count == HALVINGS || short {
                     is_rough |= !fits;
                     cells.push(cell);

@@ -7,7 +7,7 @@ use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
 use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
-use super::scales::{Profile, is_deep};
+use super::scales::{Profile, is_deep, is_endless};
 use super::waves::OfWaves;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -25,7 +25,10 @@ impl SingularFunction<'_> {
     /// the *coarser* one), plus what the limits along the arms, rounding, and waves between the points of the
     /// rules leave. Cost: a seminorm takes about (arms)² 10⁵ kernel values at 1e-8.
     ///
-    /// A function with many waves is interpolated on short cells instead, and takes O(cells).
+    /// A function with many waves is interpolated on short cells instead, and takes O(cells). So is one with structure
+    /// on several scales: every arm is looked at once per unit of ln δ, down to the smallest distance, and a layer
+    /// e^{−δ/w} at a break counts whatever else there is, w ≥ 1e-290. A layer narrower than 1/50 of an interval away
+    /// from the breaks may not be seen: declare its place as a break, and give the function by positions.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
@@ -60,7 +63,10 @@ impl SingularFunction<'_> {
         let is_constant = profile.is_constant();
         let is_inside = matches!(waves, OfWaves::Inside);
         let logs = profile.energies(PowerKernel::new(order));
-        let is_deep = profile.is_unequal() || is_deep(&logs, 2.0 * tolerance.relative());
+        let asked = 2.0 * tolerance.relative();
+        // Whether the rest of a slow end is finite, and how large, the rules find out.
+        let is_endless = is_endless(&logs, asked);
+        let is_deep = !is_endless && (profile.is_unequal() || is_deep(&logs, asked));
         if !is_constant && (is_inside || is_deep) {
             match self.seminorm_by_scales(&profile, order, tolerance) {
                 // Where it is smooth inside, the rules below may still do.
@@ -125,11 +131,11 @@ impl SingularFunction<'_> {
             return scaled(size, u.largest(tolerance)?);
         }
         let back = |found: Estimate| scaled(size, scaled(length.powf(1.0 / q), found)?);
-        let waves = if q == 2.0 { u.l2_norm_of_waves(tolerance)? } else { OfWaves::AtBreaks };
-        if let OfWaves::Found(found) = waves {
-            return back(found);
-        }
-        let is_inside = matches!(waves, OfWaves::Inside);
+        let is_inside = match u.l2_norm_of_waves(tolerance)? {
+            OfWaves::Found(found) if q == 2.0 => return back(found),
+            OfWaves::Found(_) | OfWaves::AtBreaks => false,
+            OfWaves::Inside => true,
+        };
         let root = |power: Estimate| {
             let value = power.value.max(0.0).powf(1.0 / q);
             let error = if power.value > power.error {
@@ -152,8 +158,9 @@ impl SingularFunction<'_> {
     pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
         let Normalized { size: scale, u, .. } = self.normalized(tolerance)?;
         let profile = Profile::of(&u);
+        let is_inside = matches!(u.l2_norm_of_waves(tolerance)?, OfWaves::Inside);
         let crude = Tolerance::fast().with_work(tolerance.work());
-        let size = Estimate::or_best(u.integral_of(&profile, false, crude, 1.0, 1.0, f64::abs))?.value;
+        let size = Estimate::or_best(u.integral_of(&profile, is_inside, crude, 1.0, 1.0, f64::abs))?.value;
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
@@ -166,7 +173,7 @@ impl SingularFunction<'_> {
                 Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?;
             scaled(scale, of_unit)
         };
-        u.integral_of(&profile, false, tolerance, 0.3, 1.0, |u| u / size + shift)
+        u.integral_of(&profile, is_inside, tolerance, 0.3, 1.0, |u| u / size + shift)
             .map_err(|error| error.carry("mean", back))
             .and_then(back)
     }
@@ -187,7 +194,8 @@ impl SingularFunction<'_> {
             if found.relative_error() <= asked {
                 return Ok(found);
             }
-            Err(Error::not_met("integral", tolerance.relative(), found, LIMIT))
+            let why = if is_inside { UNDECLARED } else { LIMIT };
+            Err(Error::not_met("integral", tolerance.relative(), found, why))
         };
         if is_inside || is_deep(&profile.densities(q), asked) {
             return by_scales();

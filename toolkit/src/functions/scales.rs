@@ -23,6 +23,8 @@ const FAR: f64 = 35.0;
 const BEND: f64 = 0.3;
 /// Of the tolerance: what counts.
 const COUNTS: f64 = 0.01;
+/// ln of what a profile falls by over half of an arm where it ends.
+const FADES: f64 = 3.0;
 /// Differences of so many ulps are rounding.
 const ULPS: f64 = 16.0 * f64::EPSILON;
 /// A neighbouring interval longer than this many times: the shorter one is a layer beside it.
@@ -119,7 +121,11 @@ impl Profile {
 pub(super) fn log_sum(logs: &Logs) -> f64 {
     let all = || logs.iter().flatten().copied().filter(|log| !log.is_nan());
     let largest = all().fold(f64::NEG_INFINITY, f64::max);
-    if largest.is_finite() { largest + all().map(|log| (log - largest).exp()).sum::<f64>().ln() } else { largest }
+    if largest.is_finite() {
+        largest + all().map(|log| (log - largest).exp()).sum::<f64>().ln()
+    } else {
+        largest
+    }
 }
 
 /// Whether what counts at this tolerance lies behind a valley, or bends sharply far down.
@@ -140,5 +146,14 @@ pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
             }
             rises || bends
         })
+    })
+}
+
+/// Whether contributions that count go on to the smallest distance without falling over half of the arm.
+pub(super) fn is_endless(logs: &Logs, tolerance: f64) -> bool {
+    let counts = log_sum(logs) + (COUNTS * tolerance).ln();
+    logs.iter().any(|arm| match arm.last() {
+        Some(&last) => last > counts && last > arm[arm.len() / 2] - FADES,
+        None => false,
     })
 }
