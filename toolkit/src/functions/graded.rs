@@ -50,7 +50,7 @@ struct Cell {
     piece: Piece,
     /// |u − p| at points between, less rounding
     residual: f64,
-    /// Σ ε² δ^{1−2ν} over the scales of the end of an arm
+    /// Σ ε² δ^{1−2ν} over the scales of the end of an arm, over |u|²_ν
     rest: f64,
 }
 
@@ -59,7 +59,9 @@ struct Fit<'a> {
     profile: &'a Profile,
     kernel: PowerKernel,
     degree: usize,
-    /// accuracy times |u|_ν
+    /// |u|_ν, crudely
+    size: f64,
+    /// accuracy times that
     goal: f64,
     between: Rule,
 }
@@ -99,7 +101,7 @@ impl SingularFunction<'_> {
             let between = Rule::gauss_legendre(2 * degree)?;
             let size = best.map_or(size, |best: Estimate| best.value);
             let goal = accuracy.max(f64::EPSILON) * size;
-            let fit = Fit { profile, kernel, degree, goal, between };
+            let fit = Fit { profile, kernel, degree, size, goal, between };
             let found = match self.by_graded_cells(&fit, order, tolerance) {
                 Err(_) if self.work_left() == 0 => {
                     why = SPENT;
@@ -167,15 +169,16 @@ impl SingularFunction<'_> {
         let total = self.length();
         for cell in &flat {
             let (length, degree) = (cell.far - cell.near, cell.piece.degree());
-            square += of_residual(fit.kernel, fit.degree, cell.residual, length, total) + cell.rest;
+            square +=
+                of_residual(fit.kernel, fit.degree, cell.residual / fit.size, length, total) + cell.rest;
             if is_rough && cell.residual > 0.0 && order.is_below_half() {
                 // A step of this height within the cell.
                 let step = fit.kernel.scaling(length) * 4.0 / (fit.kernel.twice * fit.kernel.one_minus);
-                square += step * cell.residual * cell.residual;
+                square += step * (cell.residual / fit.size).powi(2);
             }
             let is_constant = cell.piece.bubbles.is_empty() && cell.piece.left == cell.piece.right;
             if !is_constant {
-                let noise = NOISE * cell.piece.size();
+                let noise = NOISE * cell.piece.size() / fit.size;
                 square += noise
                     * noise
                     * fit.kernel.scaling(length)
@@ -191,7 +194,10 @@ impl SingularFunction<'_> {
         let inner = Tolerance::new((0.3 * tolerance.relative()).max(1e-15))?;
         let found = Estimate::or_best(u.seminorm(order, inner))?;
         let work = Work { points: found.work.points + points, ..found.work };
-        Ok(Found { value: Estimate::new(found.value, found.error + square.sqrt(), work)?, is_rough })
+        Ok(Found {
+            value: Estimate::new(found.value, found.error + fit.size * square.sqrt(), work)?,
+            is_rough,
+        })
     }
 
     /// The cells of an arm from its break on, and whether one is not resolved.
@@ -253,7 +259,8 @@ impl SingularFunction<'_> {
         let factor = 16.0 * (1.0 / kernel.twice + 1.0 / kernel.two_minus);
         let (mut sum, mut last, mut ratio) = (0.0, 0.0_f64, 0.5_f64);
         for (delta, value) in fit.profile.samples(index).filter(|(delta, _)| *delta < 4.0 * cell.far) {
-            let share = (value - cell.value(arm, delta.min(cell.far))).powi(2) * kernel.scaling(delta);
+            let share =
+                ((value - cell.value(arm, delta.min(cell.far))) / fit.size).powi(2) * kernel.scaling(delta);
             ratio = if last > 0.0 { share / last } else { 0.5 };
             (sum, last) = (sum + share, share);
         }

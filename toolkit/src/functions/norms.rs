@@ -136,6 +136,9 @@ impl SingularFunction<'_> {
             OfWaves::Found(_) | OfWaves::AtBreaks => false,
             OfWaves::Inside => true,
         };
+        // Powers of a layer high above what counts of it in L² would overflow.
+        let profile = Profile::of(&u);
+        let unit = profile.unit_in_lq(q);
         let root = |power: Estimate| {
             let value = power.value.max(0.0).powf(1.0 / q);
             let error = if power.value > power.error {
@@ -143,10 +146,9 @@ impl SingularFunction<'_> {
             } else {
                 power.error.powf(1.0 / q)
             };
-            back(Estimate::new(value, error, power.work)?)
+            back(scaled(unit, Estimate::new(value, error, power.work)?)?)
         };
-        let profile = Profile::of(&u);
-        u.integral_of(&profile, is_inside, tolerance, q, q, |u| u.abs().powf(q))
+        u.integral_of(&profile, is_inside, tolerance, q, q, |u| (u / unit).abs().powf(q))
             .map_err(|error| error.carry("L^q norm", root))
             .and_then(root)
     }

@@ -13,6 +13,7 @@
 use super::arm::Arm;
 use super::function::SingularFunction;
 use crate::kernel::power::PowerKernel;
+use crate::numeric::scale::power_of_two;
 
 /// Where the first cells, at which every rule looks, end.
 const BEGUN: f64 = 3.0;
@@ -23,6 +24,8 @@ const FAR: f64 = 35.0;
 const BEND: f64 = 0.3;
 /// Of the tolerance: what counts.
 const COUNTS: f64 = 0.01;
+/// ln of a size that needs no unit.
+const MODERATE: f64 = 7.0;
 /// ln of what a profile falls by over half of an arm where it ends.
 const FADES: f64 = 3.0;
 /// Differences of so many ulps are rounding.
@@ -105,6 +108,12 @@ impl Profile {
             logs.push(values.iter().enumerate().map(log).collect());
         }
         logs
+    }
+
+    /// A power of two near the largest δ^{1/q} |u|; 1 where that is not far from 1.
+    pub(super) fn unit_in_lq(&self, q: f64) -> f64 {
+        let largest = self.densities(q).into_iter().flatten().fold(f64::NEG_INFINITY, f64::max) / q;
+        if largest.is_finite() && largest.abs() > MODERATE { power_of_two(largest.exp()) } else { 1.0 }
     }
 
     /// ln of δ |u|^q.
