@@ -28,6 +28,8 @@ const HALVINGS: u32 = 50;
 const FLOOR: f64 = 64.0 * f64::EPSILON;
 /// A line to so many ulps is one.
 const STRAIGHT: f64 = 8.0 * f64::EPSILON;
+/// Of what a function varies by on a cell: what rounding of x may explain.
+const MOVED: f64 = 0.1;
 /// Rounding of a polynomial.
 const NOISE: f64 = 8.0 * f64::EPSILON;
 /// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
@@ -93,13 +95,15 @@ impl SingularFunction<'_> {
     ) -> Result<Estimate> {
         let kernel = PowerKernel::new(order);
         let asked = tolerance.relative();
-        let size = (0.5 * log_sum(&profile.energies(kernel))).exp();
+        // Nothing may be seen between the samples.
+        let seen = (0.5 * log_sum(&profile.energies(kernel))).exp();
+        let size = if seen > 0.0 { seen } else { 1.0 };
         let (mut best, mut why): (Option<Estimate>, _) = (None, LIMIT);
         let mut accuracy = 0.05 * asked * 0.03f64.powf(order.value());
         for _ in 0..ROUNDS {
             let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
             let between = Rule::gauss_legendre(2 * degree)?;
-            let size = best.map_or(size, |best: Estimate| best.value);
+            let size = best.map_or(size, |best: Estimate| if best.value > 0.0 { best.value } else { size });
             let goal = accuracy.max(f64::EPSILON) * size;
             let fit = Fit { profile, kernel, degree, size, goal, between };
             let found = match self.by_graded_cells(&fit, order, tolerance) {
@@ -299,7 +303,9 @@ impl SingularFunction<'_> {
         }
         let slope = (high - low) / length;
         let rounded = self.coordinate_if_seen(arm.anchor).abs();
-        let noise = FLOOR * (low.abs().max(high.abs()) + slope * rounded);
+        // What x is rounded by moves a value along a slope; a step is no slope.
+        let moved = (FLOOR * slope * rounded).min(MOVED * (high - low));
+        let noise = FLOOR * low.abs().max(high.abs()) + moved;
         match fault.into_inner() {
             Some(error) => Err(error),
             None => Ok(Cell { near, far, piece, residual: UNSEEN * (residual - noise).max(0.0), rest: 0.0 }),

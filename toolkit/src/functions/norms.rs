@@ -60,8 +60,8 @@ impl SingularFunction<'_> {
             return Ok(found);
         }
         let profile = Profile::of(self);
-        let is_constant = profile.is_constant();
         let is_inside = matches!(waves, OfWaves::Inside);
+        let is_constant = !is_inside && profile.is_constant();
         let logs = profile.energies(PowerKernel::new(order));
         let asked = 2.0 * tolerance.relative();
         // Whether the rest of a slow end is finite, and how large, the rules find out.
