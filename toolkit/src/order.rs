@@ -166,10 +166,9 @@ fn unreadable(text: &str) -> Error {
 /// Given as a plain number, an [`Order`] ν for s = ν, `-ν`, or [`Order::plus_one`].
 ///
 /// ```
-/// use fractional_sobolev::{Function, Order, SobolevOrder};
+/// use fractional_sobolev::{Function, Order};
 /// let u = Function::from_fn(&[0.0, 1.0], |x| x)?;
-/// let dual: SobolevOrder = -Order::HALF;
-/// assert_eq!(u.norm(dual, 1e-6)?.value, u.norm(-0.5, 1e-6)?.value);
+/// assert_eq!(u.norm(-Order::HALF, 1e-6)?.value, u.norm(-0.5, 1e-6)?.value);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
