@@ -1,0 +1,416 @@
+//! A comparison that decides a sentence.
+
+use crate::Measured;
+use crate::cell::{bound_text, measured_text};
+use serde_json::{Value, json};
+
+/// What a comparison says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Decision {
+    /// True by proof; no number could say otherwise.
+    ByProof,
+    /// The relation is satisfied, errors included.
+    Holds,
+    /// Errors reach across the bound, or there is no number.
+    Undecided,
+    /// The relation is violated, errors included.
+    Fails,
+}
+
+impl Decision {
+    /// The mark in front of the line.
+    pub fn mark(self) -> char {
+        match self {
+            Decision::ByProof => '∎',
+            Decision::Holds => '✓',
+            Decision::Undecided => '?',
+            Decision::Fails => '✗',
+        }
+    }
+
+    /// As in the values that the book reads.
+    pub fn word(self) -> &'static str {
+        match self {
+            Decision::ByProof => "by proof",
+            Decision::Holds => "holds",
+            Decision::Undecided => "undecided",
+            Decision::Fails => "refuted",
+        }
+    }
+}
+
+/// What a check does to the status of the statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Must hold.
+    Claim,
+    /// The paper's own form: where it fails, the statement is false as printed.
+    AsPrinted,
+    /// Another growth: where it holds, the statement is not sharp.
+    NotSharp,
+    /// A stronger statement: where it holds, the paper's is loose.
+    Stronger,
+    /// Decides nothing.
+    Observed,
+}
+
+impl Role {
+    fn word(self) -> &'static str {
+        match self {
+            Role::Claim => "claim",
+            Role::AsPrinted => "printed",
+            Role::NotSharp | Role::Stronger => "sharpness",
+            Role::Observed => "remark",
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Relation {
+    AtMost,
+    AtLeast,
+    Near(f64),
+}
+
+/// A sentence with the comparison that decided it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    pub(crate) claim: String,
+    pub(crate) role: Role,
+    value: Measured,
+    relation: Relation,
+    bound: Measured,
+    pub(crate) source: String,
+    proof: Option<String>,
+    /// How often it was reported.
+    pub(crate) cases: usize,
+}
+
+impl Check {
+    /// The sentence in letters, digits and hyphens: by this name a page quotes it.
+    pub fn key(&self) -> String {
+        slug(&self.claim)
+    }
+
+    /// What is claimed.
+    pub fn claim(&self) -> &str {
+        &self.claim
+    }
+
+    /// What it does to the status.
+    pub fn role(&self) -> Role {
+        self.role
+    }
+
+    /// Where the bound comes from.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// The number that is compared.
+    pub fn value(&self) -> Measured {
+        self.value
+    }
+
+    /// The decision; the only place where one is taken.
+    pub fn decision(&self) -> Decision {
+        if self.proof.is_some() {
+            return Decision::ByProof;
+        }
+        let slack = self.value.error + self.bound.error;
+        let excess = self.excess();
+        // Comparisons with NaN are false.
+        if excess + slack <= 0.0 {
+            Decision::Holds
+        } else if excess - slack > 0.0 {
+            Decision::Fails
+        } else {
+            Decision::Undecided
+        }
+    }
+
+    /// How far the value is on the wrong side.
+    fn excess(&self) -> f64 {
+        let distance = self.value.value - self.bound.value;
+        match self.relation {
+            // Equal infinities are no difference.
+            _ if self.value.value == self.bound.value => match self.relation {
+                Relation::Near(tolerance) => -tolerance,
+                _ => 0.0,
+            },
+            Relation::AtMost => distance,
+            Relation::AtLeast => -distance,
+            Relation::Near(tolerance) => distance.abs() - tolerance,
+        }
+    }
+
+    /// The same check with its value moved to where the decision is `wanted`: how faults are planted.
+    #[must_use]
+    pub fn moved(&self, wanted: Decision) -> Self {
+        let scale = self.bound.value.abs().max(f64::MIN_POSITIVE);
+        let (step, tolerance) = match self.relation {
+            Relation::Near(tolerance) => {
+                (2.0 * (tolerance + self.bound.error) + 4.0 * f64::EPSILON * scale, tolerance)
+            }
+            _ => (0.5 * scale + 2.0 * self.bound.error, 0.0),
+        };
+        let outward = if self.relation == Relation::AtLeast { -1.0 } else { 1.0 };
+        let value = match wanted {
+            Decision::Fails => Measured::new(self.bound.value + outward * step, 0.0),
+            Decision::Undecided => Measured::new(self.bound.value, 2.0 * step + tolerance),
+            _ if tolerance > 0.0 => Measured::new(self.bound.value, 0.0),
+            _ => Measured::new(self.bound.value - outward * step, 0.0),
+        };
+        Self { value, ..self.clone() }
+    }
+
+    /// Value, relation and bound: "0.9968 ≤ 1".
+    pub fn comparison(&self) -> String {
+        let [value, relation] = self.parts();
+        format!("{value} {relation}")
+    }
+
+    /// The number, and relation with bound; or the page of a proof.
+    pub(crate) fn parts(&self) -> [String; 2] {
+        if let Some(page) = &self.proof {
+            return ["proof".to_owned(), format!("page {page}")];
+        }
+        let sign = match (self.relation, self.decision()) {
+            (_, Decision::Undecided) => match self.relation {
+                Relation::AtMost => "≤?",
+                Relation::AtLeast => "≥?",
+                Relation::Near(_) => "=?",
+            },
+            (Relation::AtMost, Decision::Fails) => ">",
+            (Relation::AtMost, _) => "≤",
+            (Relation::AtLeast, Decision::Fails) => "<",
+            (Relation::AtLeast, _) => "≥",
+            (Relation::Near(_), Decision::Fails) => "≠",
+            (Relation::Near(_), _) => "=",
+        };
+        let tolerance = match self.relation {
+            Relation::Near(tolerance) if tolerance > 0.0 => format!(" ± {}", bound_text(tolerance)),
+            _ => String::new(),
+        };
+        [measured_text(self.value), format!("{sign} {}{tolerance}", bound_text(self.bound.value))]
+    }
+
+    /// Sentence with its comparison.
+    pub fn words(&self) -> String {
+        if self.proof.is_some() {
+            self.claim.clone()
+        } else {
+            format!("{} ({})", self.claim, self.comparison())
+        }
+    }
+
+    /// Everything, with all digits.
+    pub fn json(&self) -> Value {
+        let mut object = json!({
+            "finding": self.key(),
+            "outcome": self.decision().word(),
+            "role": self.role.word(),
+            "words": self.words(),
+            "comparison": if self.source.is_empty() { self.comparison() } else { format!("{}, {}", self.comparison(), self.source) },
+            "cases": self.cases,
+        });
+        match &self.proof {
+            Some(page) => object["proof"] = page.as_str().into(),
+            None => {
+                let (relation, tolerance) = match self.relation {
+                    Relation::AtMost => ("at most", None),
+                    Relation::AtLeast => ("at least", None),
+                    Relation::Near(tolerance) => ("within", Some(tolerance)),
+                };
+                let numbers = [
+                    ("value", Some(self.value.value)),
+                    ("uncertainty", Some(self.value.error)),
+                    ("bound", Some(self.bound.value)),
+                    ("tolerance", tolerance),
+                ];
+                object["relation"] = relation.into();
+                for (key, number) in numbers.into_iter().filter_map(|(key, n)| Some((key, n?))) {
+                    object[key] = if number.is_finite() { number.into() } else { number.to_string().into() };
+                }
+            }
+        }
+        object
+    }
+
+    /// Which of two cases of one sentence is shown: the worse one.
+    fn is_worse_than(&self, other: &Self) -> bool {
+        let order = self.decision().cmp(&other.decision());
+        let margin = |check: &Self| check.excess() + check.value.error + check.bound.error;
+        order.is_gt() || order.is_eq() && margin(self) > margin(other)
+    }
+}
+
+/// A sentence that waits for its comparison.
+#[must_use = "a sentence without a comparison decides nothing"]
+pub struct Claim<'a> {
+    checks: &'a mut Vec<Check>,
+    claim: String,
+    role: Role,
+}
+
+impl<'a> Claim<'a> {
+    pub(crate) fn new(checks: &'a mut Vec<Check>, claim: String, role: Role) -> Self {
+        Self { checks, claim, role }
+    }
+
+    /// value ≤ bound; `source` says where the bound comes from.
+    pub fn at_most(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
+        self.compared(value.into(), Relation::AtMost, bound.into(), source);
+    }
+
+    /// value ≥ bound.
+    pub fn at_least(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
+        self.compared(value.into(), Relation::AtLeast, bound.into(), source);
+    }
+
+    /// |value − expected| ≤ tolerance.
+    pub fn near(
+        self,
+        value: impl Into<Measured>,
+        expected: impl Into<Measured>,
+        tolerance: f64,
+        source: &str,
+    ) {
+        self.compared(value.into(), Relation::Near(tolerance), expected.into(), source);
+    }
+
+    /// A yes or no: the number of cases in which it does not hold is at most zero.
+    pub fn holds(self, is_true: bool, source: &str) {
+        self.compared(f64::from(u8::from(!is_true)).into(), Relation::AtMost, 0.0.into(), source);
+    }
+
+    /// True by the proof on that page of the book.
+    pub(crate) fn by_proof(self, page: &str) {
+        let check = Check {
+            claim: self.claim,
+            role: self.role,
+            value: Measured::NONE,
+            relation: Relation::AtMost,
+            bound: Measured::NONE,
+            source: String::new(),
+            proof: Some(page.to_owned()),
+            cases: 1,
+        };
+        self.checks.push(check);
+    }
+
+    fn compared(self, value: Measured, relation: Relation, bound: Measured, source: &str) {
+        let mut check = Check {
+            claim: self.claim,
+            role: self.role,
+            value,
+            relation,
+            bound,
+            source: source.to_owned(),
+            proof: None,
+            cases: 1,
+        };
+        match self.checks.iter_mut().find(|known| known.claim == check.claim) {
+            Some(known) => {
+                let cases = known.cases + 1;
+                if check.is_worse_than(known) {
+                    std::mem::swap(known, &mut check);
+                }
+                known.cases = cases;
+            }
+            None => self.checks.push(check),
+        }
+    }
+}
+
+/// Letters, digits and hyphens; letters that a keyboard lacks by name.
+pub(crate) fn slug(words: &str) -> String {
+    let mut text = String::new();
+    for c in words.chars() {
+        let name = GREEK.iter().find(|(letter, _)| *letter == c).map(|(_, name)| *name);
+        match name {
+            Some(name) => text.push_str(name),
+            None if c.is_ascii_alphanumeric() || c == '.' => text.push(c.to_ascii_lowercase()),
+            None if !text.ends_with('-') => text.push('-'),
+            None => {}
+        }
+    }
+    text.trim_matches(['-', '.']).to_owned()
+}
+
+/// Greek letters with their names.
+pub(crate) const GREEK: [(char, &str); 15] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('θ', "theta"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('π', "pi"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('φ', "phi"),
+    ('ω', "omega"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn decided(report: impl FnOnce(Claim<'_>)) -> Check {
+        let mut checks = Vec::new();
+        report(Claim::new(&mut checks, "γ ≤ 1 at ν = 1/2".to_owned(), Role::Claim));
+        checks.remove(0)
+    }
+
+    #[test]
+    fn errors_of_both_sides_count() {
+        let at_most = |value, bound| decided(|c| c.at_most(value, bound, "")).decision();
+        assert_eq!(at_most((0.9, 0.05), (1.0, 0.04)), Decision::Holds);
+        assert_eq!(at_most((0.95, 0.05), (1.0, 0.01)), Decision::Undecided);
+        assert_eq!(at_most((1.1, 0.05), (1.0, 0.04)), Decision::Fails);
+        assert_eq!(at_most((f64::NAN, 0.0), (1.0, 0.0)), Decision::Undecided);
+        assert_eq!(at_most((f64::INFINITY, 0.0), (1.0, 0.0)), Decision::Fails);
+        let near = |value| decided(|c| c.near(value, 1.0, 0.1, "")).decision();
+        assert_eq!([near(1.05), near(1.2)], [Decision::Holds, Decision::Fails]);
+        assert_eq!(decided(|c| c.near((1.05, 0.1), 1.0, 0.1, "")).decision(), Decision::Undecided);
+        assert_eq!(decided(|c| c.holds(false, "")).decision(), Decision::Fails);
+    }
+
+    #[test]
+    fn of_one_sentence_the_worst_case_is_kept() {
+        let mut checks = Vec::new();
+        for value in [0.2, 0.9, 0.5] {
+            Claim::new(&mut checks, "small".to_owned(), Role::Claim).at_most(value, 1.0, "");
+        }
+        assert_eq!((checks.len(), checks[0].cases, checks[0].value.value), (1, 3, 0.9));
+        Claim::new(&mut checks, "small".to_owned(), Role::Claim).at_most(1.5, 1.0, "");
+        Claim::new(&mut checks, "small".to_owned(), Role::Claim).at_most(0.1, 1.0, "");
+        assert_eq!(checks[0].decision(), Decision::Fails);
+    }
+
+    #[test]
+    fn every_relation_can_be_turned() {
+        let all = [
+            decided(|c| c.at_most(0.5, (1.0, 0.1), "")),
+            decided(|c| c.at_least(2.0, 1.0, "")),
+            decided(|c| c.near(1.0, 1.0, 1e-3, "")),
+            decided(|c| c.holds(true, "")),
+        ];
+        for check in all {
+            for wanted in [Decision::Holds, Decision::Undecided, Decision::Fails] {
+                assert_eq!(check.moved(wanted).decision(), wanted, "{check:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn keys_are_letters_digits_and_hyphens() {
+        assert_eq!(decided(|c| c.at_most(0.0, 1.0, "")).key(), "gamma-1-at-nu-1-2");
+        assert_eq!(slug("ν = 0.25: slope"), "nu-0.25-slope");
+    }
+}

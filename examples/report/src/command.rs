@@ -1,0 +1,100 @@
+//! The command line of an example, and its exit codes: 0 every claim holds, 1 one fails or is undecided, 2 bad input.
+
+use crate::files::{require_writable, write_whole};
+use crate::options::{command, describe};
+use crate::{Error, Outcome, Parameters, Report, Result};
+use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Parses the command line, runs the example and prints its outcome.
+pub fn main<P: Parameters>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode {
+    let matches = match command::<P>().try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) => return usage(&error),
+    };
+    if matches.get_flag("describe") {
+        let _ = writeln!(std::io::stdout(), "{}", describe::<P>());
+        return ExitCode::SUCCESS;
+    }
+    let text = |name: &str| match matches.try_get_one::<bool>(name) {
+        Ok(flag) => flag.map_or(String::new(), ToString::to_string),
+        Err(_) => matches.get_one::<String>(name).cloned().unwrap_or_default(),
+    };
+    let asked = Asked {
+        json: matches.get_flag("json"),
+        out: matches.get_one::<String>("out").map(PathBuf::from),
+        values: matches.get_one::<String>("values").map(PathBuf::from),
+        fault: matches.get_one::<String>("fault").cloned(),
+    };
+    match asked.answer::<P>(&text, run) {
+        Ok(outcome) => ExitCode::from(outcome.exit_code()),
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Where the outcome goes.
+struct Asked {
+    json: bool,
+    out: Option<PathBuf>,
+    values: Option<PathBuf>,
+    fault: Option<String>,
+}
+
+impl Asked {
+    fn answer<P: Parameters>(
+        &self,
+        text: &dyn Fn(&str) -> String,
+        run: fn(&P, &mut Report) -> Result<()>,
+    ) -> Result<Outcome> {
+        for option in P::declared() {
+            option.check(&text(option.name))?;
+        }
+        let options = P::read(text)?;
+        self.values.as_deref().map_or(Ok(()), require_writable)?;
+        let directory = self.out.as_deref().map(writable_directory).transpose()?;
+        let mut report = Report::of::<P>();
+        report.draws = directory.is_some();
+        run(&options, &mut report)?;
+        let mut outcome = report.close();
+        if let Some(check) = &self.fault {
+            outcome.plant(check)?;
+        }
+        if let Some(directory) = directory {
+            outcome.save_pictures(directory)?;
+        }
+        if let Some(file) = &self.values {
+            write_whole(file, &outcome.json())?;
+        }
+        let text = match self.json {
+            true => outcome.json_lines(),
+            false => outcome.text(std::io::stdout().is_terminal()),
+        };
+        // A closed pipe (`| head`) is the reader's choice, not a failure.
+        let _ = std::io::stdout().write_all(text.as_bytes());
+        Ok(outcome)
+    }
+}
+
+/// A directory that can be written, created if need be: found out before the work, not after it.
+fn writable_directory(directory: &Path) -> Result<&Path> {
+    std::fs::create_dir_all(directory).map_err(|error| Error::file(directory, error))?;
+    require_writable(&directory.join(".write-probe")).map_err(|error| match error {
+        Error::File { reason, .. } => Error::file(directory, reason),
+        other => other,
+    })?;
+    Ok(directory)
+}
+
+/// `--help` goes to stdout; anything else is one line on stderr.
+fn usage(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    eprintln!("{}", error.to_string().lines().next().unwrap_or("error: bad command line"));
+    ExitCode::from(2)
+}

@@ -1,0 +1,152 @@
+//! What an example reports: rows, checks, pictures; and its options.
+//!
+//! An example is one file. [`example!`] declares label, statement and options; `run(&Options, &mut Report)` is
+//! the loop. Table, checks, status, JSON, charts and the numbers that the book quotes follow from what the loop
+//! reports, so that example, test, tour and book cannot disagree.
+//!
+//! | verb | meaning |
+//! | --- | --- |
+//! | `out.row(cells! { nu, theta => gamma, over_law: gamma / law })` | one row: what it is about `=>` what was found |
+//! | `out.check("no gamma exceeds its bound").at_most(value, bound, "where the bound comes from")` | must hold; also `at_least`, `near(value, expected, tolerance, ..)`, `holds(bool, ..)` |
+//! | `out.as_printed("(5.2) as theta -> 1")` | the paper's own form, which may fail: then the statement is false as printed |
+//! | `out.stronger("order tau - 1")` | a stronger statement: where it holds, the paper's is loose |
+//! | `out.not_sharp("growth is a square root less")` | another growth: where it holds, the paper's is not sharp |
+//! | `out.observe("pre-asymptotic order")` | compared and shown; decides nothing |
+//! | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on that page of the book |
+//! | `out.note("sharpness", value)` | a number worth quoting |
+//! | `out.order("h", "error")` | order of convergence over the rows like the last one |
+//! | `out.plot(..)`, `out.picture(..)` | SVG, written where `--out` says so |
+//!
+//! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w: *at most* holds
+//! if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at least* likewise; *near* holds if
+//! |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check that is reported several times keeps the case that
+//! is worst: failed before undecided before held, and of equals the one nearest to its bound.
+//!
+//! **Status** of a statement, from its checks alone: *fails* or *undecided* where a check does (exit code 1), else
+//! *false as printed*, *not sharp*, *loose*, *true*; *open* where no number was compared.
+
+mod cell;
+mod check;
+mod command;
+mod eigen;
+mod error;
+pub mod figures;
+mod files;
+mod measured;
+mod options;
+mod outcome;
+mod plot;
+mod report;
+mod shown;
+
+pub use cell::{Cell, Cells};
+pub use check::{Check, Claim, Decision, Role};
+pub use command::main;
+pub use eigen::largest_eigenvalue;
+pub use error::{Error, Result};
+pub use measured::{Measured, largest, smallest};
+pub use options::{Declared, OptionValue, Parameters};
+pub use outcome::{Outcome, Status};
+pub use plot::{Axes, Plot};
+pub use report::Report;
+
+/// What an example needs.
+pub mod prelude {
+    pub use crate::{
+        Axes, Error, Measured, Report, Result, cells, example, largest, largest_eigenvalue, smallest,
+    };
+    pub use fractional_sobolev::{Estimate, Order, Tolerance};
+}
+
+/// Declares an example: how long it takes (`quick`: below a second, `seconds`, `long`), label, statement, options.
+/// Each option has one line of help, a type, a default, and where a number is bounded its interval and the ends of
+/// the slider of the book's page. Makes `Options`, `outcome(&Options)` and `main`, which call
+/// `run(&Options, &mut Report) -> Result<()>` of the file.
+///
+/// ```
+/// use example_report::prelude::*;
+/// example! { quick "Lemma 0", "x² ≤ 1 for x in [0, 1]";
+///     /// places x
+///     x: Vec<f64> = "0,0.5,1" in "[0, 1]" slider "0.1 to 1",
+/// }
+/// fn run(options: &Options, out: &mut Report) -> Result<()> {
+///     for &x in &options.x {
+///         out.row(cells! { x => square: x * x });
+///         out.check("no square exceeds 1").at_most(x * x, 1.0, "x ≤ 1");
+///     }
+///     Ok(())
+/// }
+/// assert_eq!(outcome(&Options::default()).unwrap().status().word(), "true");
+/// ```
+#[macro_export]
+macro_rules! example {
+    ($cost:ident $label:literal, $statement:literal $(;)?) => { $crate::example! { $cost $label, $statement; } };
+    ($cost:ident $label:literal, $statement:literal;
+        $($(#[doc = $help:literal])+ $field:ident: $kind:ty = $default:literal $(in $range:literal)? $(slider $slider:literal)?),* $(,)?
+    ) => {
+        /// What may be asked of this example.
+        #[derive(Debug, Clone)]
+        pub struct Options {
+            $($(#[doc = $help])+ pub $field: $kind,)*
+        }
+
+        impl $crate::Parameters for Options {
+            const LABEL: &'static str = $label;
+            const STATEMENT: &'static str = $statement;
+            const COST: &'static str = stringify!($cost);
+
+            fn declared() -> Vec<$crate::Declared> {
+                vec![$({
+                    #[allow(unused_mut, unused_assignments, reason = "not every option is bounded")]
+                    let (mut range, mut slider) = ("", "");
+                    $(range = $range;)?
+                    $(slider = $slider;)?
+                    $crate::Declared::of::<$kind>(stringify!($field), concat!($($help),+), $default, range, slider)
+                }),*]
+            }
+
+            fn read(given: &dyn Fn(&str) -> String) -> $crate::Result<Self> {
+                let _ = given;
+                Ok(Self { $($field: $crate::OptionValue::read(&given(stringify!($field)))
+                    .map_err(|what| $crate::Error::option(stringify!($field), &what))?,)* })
+            }
+        }
+
+        impl Default for Options {
+            fn default() -> Self {
+                $crate::Parameters::of_defaults()
+            }
+        }
+
+        /// Runs the example and closes its report.
+        pub fn outcome(options: &Options) -> $crate::Result<$crate::Outcome> {
+            let mut out = $crate::Report::of::<Options>();
+            run(options, &mut out)?;
+            Ok(out.close())
+        }
+
+        fn main() -> std::process::ExitCode {
+            $crate::main::<Options>(run)
+        }
+    };
+}
+
+/// Cells of a row: what it is about, `=>`, what was found. `name` alone stands for `name: name`.
+///
+/// ```
+/// use example_report::{Cells, cells};
+/// let (nu, gamma) = (0.25, 0.9);
+/// let row: Cells = cells! { nu => gamma, over_bound: gamma / 2.0 };
+/// assert_eq!(row.key(), "nu0.25");
+/// ```
+#[macro_export]
+macro_rules! cells {
+    ($($key:ident $(: $about:expr)?),* => $($name:ident $(: $value:expr)?),* $(,)?) => {
+        $crate::Cells::new(
+            vec![$((stringify!($key), $crate::Cell::from($crate::cells!(@ $key $($about)?)))),*],
+            vec![$((stringify!($name), $crate::Cell::from($crate::cells!(@ $name $($value)?)))),*],
+        )
+    };
+    (@ $name:ident) => { $name };
+    (@ $name:ident $value:expr) => { $value };
+}

@@ -1,0 +1,274 @@
+//! What an example found: rows, checks, status; as JSON for the book.
+
+use crate::cell::{Cells, column};
+use crate::check::{Check, Decision, GREEK, Role};
+use crate::report::Picture;
+use crate::{Error, Result};
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+
+/// What the checks say of the statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Every check holds.
+    True,
+    /// True, and a stronger statement is true too.
+    Loose,
+    /// True, and the growth is another one.
+    NotSharp,
+    /// True in a repaired form; what is printed fails.
+    FalseAsPrinted,
+    /// No number was compared.
+    Open,
+    /// Errors reach across the bound of a check.
+    Undecided,
+    /// A check fails.
+    Fails,
+}
+
+impl Status {
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::True => "true",
+            Status::Loose => "loose",
+            Status::NotSharp => "not sharp",
+            Status::FalseAsPrinted => "false as printed",
+            Status::Open => "open",
+            Status::Undecided => "undecided",
+            Status::Fails => "fails",
+        }
+    }
+
+    /// The status that these checks give.
+    pub fn of(checks: &[Check]) -> Self {
+        let has = |role: Role, decision: Decision| {
+            checks.iter().any(|c| c.role() == role && c.decision() == decision)
+        };
+        if has(Role::Claim, Decision::Fails) {
+            Status::Fails
+        } else if has(Role::Claim, Decision::Undecided) {
+            Status::Undecided
+        } else if !has(Role::Claim, Decision::Holds) {
+            Status::Open
+        } else if has(Role::AsPrinted, Decision::Fails) {
+            Status::FalseAsPrinted
+        } else if has(Role::NotSharp, Decision::Holds) {
+            Status::NotSharp
+        } else if has(Role::Stronger, Decision::Holds) {
+            Status::Loose
+        } else {
+            Status::True
+        }
+    }
+
+    /// Whether every claim holds.
+    pub fn is_confirmed(self) -> bool {
+        !matches!(self, Status::Fails | Status::Undecided | Status::Open)
+    }
+}
+
+/// Everything an example has to say.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    pub(crate) label: String,
+    pub(crate) statement: String,
+    pub(crate) rows: Vec<Cells>,
+    pub(crate) checks: Vec<Check>,
+    pub(crate) notes: Vec<(String, f64)>,
+    pub(crate) columns: Vec<(&'static str, &'static str, &'static str)>,
+    pub(crate) pictures: Vec<Picture>,
+    pub(crate) saved: Vec<PathBuf>,
+    pub(crate) remark: String,
+    pub(crate) seconds: f64,
+}
+
+impl Outcome {
+    /// The paper's label.
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// What the checks say.
+    pub fn status(&self) -> Status {
+        Status::of(&self.checks)
+    }
+
+    /// All checks, in the order in which they were first reported.
+    pub fn checks(&self) -> &[Check] {
+        &self.checks
+    }
+
+    /// The check of this key.
+    pub fn check(&self, key: &str) -> Option<&Check> {
+        self.checks.iter().find(|check| check.key() == key)
+    }
+
+    /// The outcome with one check replaced: what tests plant.
+    #[must_use]
+    pub fn with_check(&self, at: usize, check: Check) -> Self {
+        let mut changed = self.clone();
+        changed.checks[at] = check;
+        changed
+    }
+
+    /// Moves the number of a check across its bound.
+    ///
+    /// # Errors
+    /// [`Error::Option`] where no check has this key.
+    pub(crate) fn plant(&mut self, key: &str) -> Result<()> {
+        let known: Vec<String> = self.checks.iter().map(Check::key).collect();
+        let check = self.checks.iter_mut().find(|check| check.key() == key);
+        let check = check.ok_or_else(|| Error::option("fault", &format!("one of {}", known.join(", "))))?;
+        *check = check.moved(Decision::Fails);
+        Ok(())
+    }
+
+    /// 0 where every claim holds, 1 where one fails or is undecided, or none was made.
+    pub fn exit_code(&self) -> u8 {
+        u8::from(!self.status().is_confirmed())
+    }
+
+    /// The number that is quoted under this key: `column.row`, a note, or the key of a check.
+    pub fn value(&self, key: &str) -> Option<f64> {
+        self.values().into_iter().find(|(known, _)| known == key).map(|(_, value)| value)
+    }
+
+    /// All numbers that may be quoted, by key.
+    pub fn values(&self) -> Vec<(String, f64)> {
+        let mut values = Vec::new();
+        for row in &self.rows {
+            let key = row.key();
+            for (name, cell) in &row.found {
+                let number = cell.number();
+                let key = if key.is_empty() { (*name).to_owned() } else { format!("{name}.{key}") };
+                values.push((key.clone(), number.value));
+                if number.error > 0.0 {
+                    values.push((format!("{key}.error"), number.error));
+                }
+            }
+        }
+        values.extend(self.notes.iter().cloned());
+        values.extend(self.checks.iter().map(|check| (check.key(), check.value().value)));
+        // What is not finite cannot be quoted: a page that does so fails by its key.
+        values.retain(|(_, value)| value.is_finite());
+        values
+    }
+
+    /// The numbers of a column, in the order of the rows; NaN where a row has none.
+    pub fn numbers(&self, name: &str) -> Vec<f64> {
+        self.rows.iter().map(|row| crate::report::number_of(row, name)).collect()
+    }
+
+    /// The title of a column.
+    pub(crate) fn title(&self, name: &str) -> String {
+        let given =
+            self.columns.iter().find(|(known, ..)| *known == name).map(|(_, title, _)| (*title).to_owned());
+        given.unwrap_or_else(|| {
+            let greek = |word: &str| {
+                GREEK
+                    .iter()
+                    .find(|(_, known)| *known == word)
+                    .map_or(word.to_owned(), |(letter, _)| letter.to_string())
+            };
+            let words: Vec<String> = name.replace("_over_", "_/_").split('_').map(greek).collect();
+            words.join(" ").replace(" / ", "/").replace("over ", "/ ")
+        })
+    }
+
+    /// Titles, and the cells of every row as texts.
+    pub(crate) fn table(&self) -> (Vec<[String; 2]>, Vec<Vec<String>>) {
+        let mut names: Vec<&'static str> = Vec::new();
+        for (name, _) in self.rows.iter().flat_map(Cells::all) {
+            if !names.contains(name) {
+                names.push(name);
+            }
+        }
+        let missing = crate::Cell::Missing;
+        let mut titles = Vec::new();
+        let mut rows = vec![Vec::new(); self.rows.len()];
+        for name in names {
+            let cells: Vec<&crate::Cell> =
+                self.rows.iter().map(|row| row.get(name).unwrap_or(&missing)).collect();
+            let meaning =
+                self.columns.iter().find(|(known, ..)| *known == name).map_or("", |(.., meaning)| meaning);
+            for (k, texts) in column(&cells).into_iter().enumerate() {
+                titles.push(if k == 0 {
+                    [self.title(name), meaning.to_owned()]
+                } else {
+                    ["±".to_owned(), String::new()]
+                });
+                rows.iter_mut().zip(texts).for_each(|(row, text)| row.push(text));
+            }
+        }
+        (titles, rows)
+    }
+
+    /// Draws and writes every picture.
+    ///
+    /// # Errors
+    /// Those of the drawing and of the files.
+    pub fn save_pictures(&mut self, directory: &Path) -> Result<()> {
+        for picture in &self.pictures {
+            let path = match picture {
+                Picture::Plot(plot) => {
+                    plot.chart(&self.rows, &|name| self.title(name)).save(directory, &plot.name)?
+                }
+                Picture::Chart(name, chart) => chart.save(directory, name)?,
+                Picture::Svg(name, svg) => crate::figures::save_svg(svg, directory, name)?,
+            };
+            self.saved.push(path);
+        }
+        Ok(())
+    }
+
+    /// One JSON object per row, then one per check (told apart by the key `finding`).
+    pub fn json_lines(&self) -> String {
+        let row = |row: &Cells| {
+            let mut object = Map::new();
+            for (name, cell) in row.all() {
+                object.insert((*name).to_owned(), cell.json());
+                let error = cell.number().error;
+                if error > 0.0 && error.is_finite() {
+                    object.insert(format!("{name}_error"), json!(error));
+                }
+            }
+            Value::Object(object)
+        };
+        let lines = self.rows.iter().map(row).chain(self.checks.iter().map(Check::json));
+        lines.map(|line| format!("{line}\n")).collect()
+    }
+
+    /// All of it but the pictures as one JSON object: `label`, `claim`, `measured`, `verdict`, `confirmed`,
+    /// `findings`, `values` by key, and the table as it is printed (`columns`, `rows`).
+    pub fn json(&self) -> String {
+        let values: Map<String, Value> =
+            self.values().into_iter().map(|(key, value)| (key, json!(value))).collect();
+        let (titles, rows) = self.table();
+        let columns: Vec<Value> = titles
+            .iter()
+            .map(|[title, meaning]| json!({"key": title, "title": title, "meaning": meaning}))
+            .collect();
+        json!({
+            "label": self.label,
+            "claim": self.statement,
+            "measured": self.measured(),
+            "verdict": self.status().word(),
+            "confirmed": self.status().is_confirmed(),
+            "findings": self.checks.iter().map(Check::json).collect::<Vec<_>>(),
+            "values": values,
+            "columns": columns,
+            "rows": rows,
+        })
+        .to_string()
+    }
+
+    /// The checks that a number decided, in words.
+    fn measured(&self) -> String {
+        let told = self
+            .checks
+            .iter()
+            .filter(|check| check.decision() != Decision::ByProof && check.role() != Role::Observed);
+        told.map(Check::words).collect::<Vec<_>>().join("; ")
+    }
+}

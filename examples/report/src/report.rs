@@ -1,0 +1,190 @@
+//! What the loop of an example reports.
+
+use crate::cell::{Cell, Cells};
+use crate::check::{Check, Claim, Role};
+use crate::figures::{BodyPicture, Chart};
+use crate::outcome::Outcome;
+use crate::plot::{Axes, Plot};
+use crate::{Measured, Parameters, Result};
+use signorini::rates::ConvergenceOrder;
+use std::time::Instant;
+
+/// A picture before it is written.
+#[derive(Debug, Clone)]
+pub(crate) enum Picture {
+    Plot(Plot),
+    Chart(String, Chart),
+    Svg(String, String),
+}
+
+/// Collects rows, checks and pictures.
+#[derive(Debug)]
+pub struct Report {
+    label: &'static str,
+    statement: &'static str,
+    rows: Vec<Cells>,
+    checks: Vec<Check>,
+    notes: Vec<(String, f64)>,
+    columns: Vec<(&'static str, &'static str, &'static str)>,
+    pictures: Vec<Picture>,
+    remark: String,
+    pub(crate) draws: bool,
+    started: Instant,
+}
+
+impl Report {
+    /// An empty report under the label of an example.
+    pub fn of<P: Parameters>() -> Self {
+        Self {
+            label: P::LABEL,
+            statement: P::STATEMENT,
+            rows: Vec::new(),
+            checks: Vec::new(),
+            notes: Vec::new(),
+            columns: Vec::new(),
+            pictures: Vec::new(),
+            remark: String::new(),
+            draws: false,
+            started: Instant::now(),
+        }
+    }
+
+    /// The same report under another label and statement: twins, one file for two theorems.
+    pub fn rename(&mut self, label: &'static str, statement: &'static str) {
+        (self.label, self.statement) = (label, statement);
+    }
+
+    /// A title, and what it means, for the column of that name; without it the title is the name, Greek letters by
+    /// their names and `_over_` as a slash. The meaning stands below the table.
+    pub fn column(&mut self, name: &'static str, title: &'static str, meaning: &'static str) {
+        if !self.columns.iter().any(|(known, ..)| *known == name) {
+            self.columns.push((name, title, meaning));
+        }
+    }
+
+    /// One row; each number of what was found is quoted as `name.row`, for example `gamma.nu0.25.theta1e-3`.
+    pub fn row(&mut self, cells: Cells) {
+        self.rows.push(cells);
+    }
+
+    /// A sentence that must hold.
+    pub fn check(&mut self, claim: impl Into<String>) -> Claim<'_> {
+        Claim::new(&mut self.checks, claim.into(), Role::Claim)
+    }
+
+    /// The paper's own form, which may fail; the source of its comparison says where it is true: "for θ ≤ 1/2".
+    pub fn as_printed(&mut self, claim: impl Into<String>) -> Claim<'_> {
+        Claim::new(&mut self.checks, claim.into(), Role::AsPrinted)
+    }
+
+    /// A statement stronger than the paper's: where it holds, the paper's is loose.
+    pub fn stronger(&mut self, claim: impl Into<String>) -> Claim<'_> {
+        Claim::new(&mut self.checks, claim.into(), Role::Stronger)
+    }
+
+    /// Another growth than the paper's: where it holds, the paper's is not sharp.
+    pub fn not_sharp(&mut self, claim: impl Into<String>) -> Claim<'_> {
+        Claim::new(&mut self.checks, claim.into(), Role::NotSharp)
+    }
+
+    /// A comparison worth showing that decides nothing.
+    pub fn observe(&mut self, claim: impl Into<String>) -> Claim<'_> {
+        Claim::new(&mut self.checks, claim.into(), Role::Observed)
+    }
+
+    /// True by the proof on a page of the book (its file name without ending).
+    pub fn proof(&mut self, claim: impl Into<String>, page: &str) {
+        Claim::new(&mut self.checks, claim.into(), Role::Claim).by_proof(page);
+    }
+
+    /// A number worth quoting, under this key.
+    pub fn note(&mut self, key: impl Into<String>, value: impl Into<Measured>) {
+        self.notes.push((key.into(), value.into().value));
+    }
+
+    /// A last line: what explains a number that surprises.
+    pub fn remark(&mut self, words: impl Into<String>) {
+        self.remark = words.into();
+    }
+
+    /// The numbers of these two columns over the last rows that are about the same but for `x`.
+    pub fn series(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
+        let Some(last) = self.rows.last() else { return Vec::new() };
+        let same = |row: &&Cells| {
+            row.about.iter().zip(&last.about).all(|(a, b)| a.0 == b.0 && (a.0 == x || a.1 == b.1))
+        };
+        let rows = self.rows.iter().rev().take_while(same);
+        let number = |row: &Cells, name: &str| row.get(name).map_or(f64::NAN, |cell| cell.number().value);
+        let mut points: Vec<(f64, f64)> = rows.map(|row| (number(row, x), number(row, y))).collect();
+        points.reverse();
+        points
+    }
+
+    /// Order of convergence p of y ≈ C xᵖ over the rows like the last one ([`ConvergenceOrder::of`]); no number
+    /// where there are too few levels.
+    pub fn order(&self, x: &str, y: &str) -> Measured {
+        ConvergenceOrder::of(&self.series(x, y)).into()
+    }
+
+    /// Slope of ln y against ln x between the last two rows; no number where there is one row.
+    pub fn exponent(&self, x: &str, y: &str) -> Measured {
+        self.slope(x, y, f64::ln, f64::ln)
+    }
+
+    /// Slope of g(y) against f(x) between the last two rows.
+    pub fn slope(&self, x: &str, y: &str, f: impl Fn(f64) -> f64, g: impl Fn(f64) -> f64) -> Measured {
+        match self.series(x, y).as_slice() {
+            [.., a, b] => ((g(b.1) - g(a.1)) / (f(b.0) - f(a.0))).into(),
+            _ => Measured::NONE,
+        }
+    }
+
+    /// A chart of rows; curves are added to what this returns.
+    pub fn plot(&mut self, name: &str, title: &str, axes: Axes) -> &mut Plot {
+        self.pictures.push(Picture::Plot(Plot::new(name, title, axes)));
+        match self.pictures.last_mut() {
+            Some(Picture::Plot(plot)) => plot,
+            _ => unreachable!("the plot was pushed above"),
+        }
+    }
+
+    /// Whether pictures are wanted: what only a picture needs is computed then.
+    pub fn draws(&self) -> bool {
+        self.draws
+    }
+
+    /// A chart of its own.
+    pub fn chart(&mut self, name: impl Into<String>, chart: Chart) {
+        self.pictures.push(Picture::Chart(name.into(), chart));
+    }
+
+    /// A deformed body.
+    ///
+    /// # Errors
+    /// Those of [`BodyPicture::svg`].
+    pub fn picture(&mut self, name: impl Into<String>, picture: &BodyPicture<'_>) -> Result<()> {
+        self.pictures.push(Picture::Svg(name.into(), picture.svg()?));
+        Ok(())
+    }
+
+    /// The outcome.
+    pub fn close(self) -> Outcome {
+        Outcome {
+            label: self.label.to_owned(),
+            statement: self.statement.to_owned(),
+            rows: self.rows,
+            checks: self.checks,
+            notes: self.notes,
+            columns: self.columns,
+            pictures: self.pictures,
+            saved: Vec::new(),
+            remark: self.remark,
+            seconds: self.started.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+/// Rows as a plot sees them.
+pub(crate) fn number_of(row: &Cells, name: &str) -> f64 {
+    row.get(name).map_or(f64::NAN, |cell: &Cell| cell.number().value)
+}

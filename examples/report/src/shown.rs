@@ -1,0 +1,193 @@
+//! The outcome on a terminal: one screen of at most 100 columns.
+
+use crate::Outcome;
+use crate::check::{Check, Decision, Role};
+use crate::outcome::Status;
+use comfy_table::{CellAlignment, Table, presets};
+use std::fmt::Write as _;
+
+/// The widest a line gets; less where the variable COLUMNS says so.
+const WIDTH: usize = 100;
+/// More rows than this are shown by their first and last ones.
+const ROWS: usize = 21;
+const ENDS: usize = 9;
+/// The widest a source stands beside its check; a longer one has a line of its own.
+const SOURCE: usize = 28;
+/// More checks than this: those that hold beyond it are counted.
+const CHECKS: usize = 12;
+
+impl Outcome {
+    /// Statement, table, checks, status; `in_colour` on a terminal.
+    pub fn text(&self, in_colour: bool) -> String {
+        let width = std::env::var("COLUMNS")
+            .ok()
+            .and_then(|text| text.parse().ok())
+            .unwrap_or(WIDTH)
+            .clamp(40, WIDTH);
+        let mut text = String::new();
+        let head = wrapped(&format!("{}   {}", self.label, self.statement), width);
+        let _ = writeln!(text, "{}\n", head.join("\n    "));
+        if !self.rows.is_empty() {
+            text.push_str(&self.table_text(width));
+            text.push('\n');
+        }
+        text.push_str(&self.checks_text(width, in_colour));
+        let status = self.status();
+        let colour = if status.is_confirmed() { GREEN } else { RED };
+        let mut last = format!("  status: {}", painted(status.word(), colour, in_colour));
+        let failing =
+            self.checks.iter().find(|c| c.role() == Role::AsPrinted && c.decision() == Decision::Fails);
+        if let Some(check) = failing.filter(|_| status == Status::FalseAsPrinted) {
+            let _ = write!(last, ", true {}", check.source());
+        }
+        if let [.., path] = self.saved.as_slice() {
+            let more = if self.saved.len() > 1 {
+                format!(" and {} more", self.saved.len() - 1)
+            } else {
+                String::new()
+            };
+            let _ = write!(last, "     picture: {}{more}", path.display());
+        }
+        let _ = writeln!(text, "{last}     {:.1} s", self.seconds);
+        if !self.remark.is_empty() {
+            let _ = writeln!(text, "  {}", wrapped(&self.remark, width - 2).join("\n  "));
+        }
+        text
+    }
+
+    fn table_text(&self, width: usize) -> String {
+        let (titles, rows) = self.table();
+        let mut table = Table::new();
+        table.load_preset(presets::NOTHING);
+        table.set_header(titles.iter().map(|[title, _]| title));
+        let is_number = |text: &str| {
+            text.starts_with(|c: char| c.is_ascii_digit() || "-−–∞".contains(c)) || text.is_empty()
+        };
+        let all = rows.len() <= ROWS;
+        for (k, row) in rows.iter().enumerate() {
+            if all || k < ENDS || k + ENDS >= rows.len() {
+                table.add_row(row);
+            } else if k == ENDS {
+                table.add_row([format!("… {} more", rows.len() - 2 * ENDS)]);
+            }
+        }
+        for k in 0..titles.len() {
+            if rows.iter().all(|row| is_number(&row[k]))
+                && let Some(column) = table.column_mut(k)
+            {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+            if let Some(column) = table.column_mut(k) {
+                column.set_padding((0, 2));
+            }
+        }
+        let mut text = String::new();
+        for line in table.to_string().lines() {
+            let _ = writeln!(text, "  {}", line.trim_end());
+        }
+        let explained = titles.iter().filter(|[_, meaning]| !meaning.is_empty());
+        let explained: Vec<String> =
+            explained.map(|[title, meaning]| format!("{title}: {meaning}")).collect();
+        for line in wrapped(&explained.join("; "), width - 2).iter().filter(|line| !line.is_empty()) {
+            let _ = writeln!(text, "  {line}");
+        }
+        text
+    }
+
+    fn checks_text(&self, width: usize, in_colour: bool) -> String {
+        let is_plain = |check: &Check| check.decision() <= Decision::Holds && check.role() != Role::AsPrinted;
+        let few = self.checks.len() <= CHECKS;
+        let mut shown = 0;
+        let mut hidden = 0;
+        let checks: Vec<&Check> = self
+            .checks
+            .iter()
+            .filter(|check| {
+                shown += 1;
+                let keep = few || !is_plain(check) || shown < CHECKS;
+                hidden += usize::from(!keep);
+                keep
+            })
+            .collect();
+        let widest =
+            |k: usize| checks.iter().map(|check| check.parts()[k].chars().count()).max().unwrap_or(0);
+        let (value, bound) = (widest(0), widest(1));
+        let longest = checks.iter().map(|check| claim(check).chars().count()).max().unwrap_or(0);
+        let source = checks.iter().map(|check| check.source().chars().count()).max().unwrap_or(0).min(SOURCE);
+        let words = longest.min(width.saturating_sub(value + bound + source + 9).max(30));
+        let mut text = String::new();
+        for check in checks {
+            let [number, relation] = check.parts();
+            let claim = wrapped(&claim(check), words);
+            let mark = painted(&check.decision().mark().to_string(), mark_colour(check), in_colour);
+            let first = claim.first().map_or("", String::as_str);
+            let mut line = format!("  {mark} {first:<words$}  {number:>value$} {relation:<bound$}");
+            let beside = check.source().chars().count() <= width.saturating_sub(words + value + bound + 9);
+            if beside && !check.source().is_empty() {
+                let _ = write!(line, "  {}", check.source());
+            }
+            let _ = writeln!(text, "{}", line.trim_end());
+            for rest in claim.iter().skip(1) {
+                let _ = writeln!(text, "    {rest}");
+            }
+            if !beside {
+                for rest in wrapped(check.source(), width - 8) {
+                    let _ = writeln!(text, "      {rest}");
+                }
+            }
+        }
+        if hidden > 0 {
+            let _ = writeln!(text, "  ✓ {hidden} more checks hold (all of them with --json)");
+        }
+        text
+    }
+}
+
+/// The sentence, with how often it was decided.
+fn claim(check: &Check) -> String {
+    let prefix = match (check.role(), check.decision()) {
+        (Role::AsPrinted, Decision::Fails) => "as printed: ",
+        _ => "",
+    };
+    let cases = if check.cases > 1 { format!(" (worst of {})", check.cases) } else { String::new() };
+    format!("{prefix}{}{cases}", check.claim())
+}
+
+const GREEN: u8 = 32;
+const RED: u8 = 31;
+const YELLOW: u8 = 33;
+
+fn mark_colour(check: &Check) -> u8 {
+    match (check.decision(), check.role()) {
+        (Decision::ByProof | Decision::Holds, _) => GREEN,
+        (Decision::Fails, Role::Claim) => RED,
+        _ => YELLOW,
+    }
+}
+
+fn painted(text: &str, colour: u8, in_colour: bool) -> String {
+    if in_colour { format!("\u{1b}[{colour}m{text}\u{1b}[0m") } else { text.to_owned() }
+}
+
+/// Greedy line breaking at spaces; a longer word stands alone on its line.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words.split(' ') {
+        let Some(line) = lines.last_mut() else { break };
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= width {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
+}
+
+impl std::fmt::Display for Status {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.word())
+    }
+}
