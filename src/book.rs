@@ -65,7 +65,6 @@ chapters! {
     section_1_clamped_end: "section_1_clamped_end.md",
     section_2_strip: "section_2_strip.md",
     speed_for_accuracy: "speed_for_accuracy.md",
-    accuracy_table: "accuracy_table.md",
     extremes: "extremes.md",
     toolkit: "toolkit.md",
     tour: "tour.md",

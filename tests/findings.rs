@@ -86,11 +86,9 @@ macro_rules! examples {
 
 examples! {
     // examples
-    accuracy_table: "../examples/accuracy_table.rs",
     contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     equation_6_2_mean: "../examples/equation_6_2_mean.rs",
-    extremes: "../examples/extremes.rs",
     falk_terms: "../examples/falk_terms.rs",
     figure_3_1: "../examples/figure_3_1.rs",
     figure_3_2_alternative: "../examples/figure_3_2_alternative.rs",
@@ -114,7 +112,6 @@ examples! {
     section_1_clamped_end: "../examples/section_1_clamped_end.rs",
     section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
     section_1_field_errors: "../examples/section_1_field_errors.rs",
-    section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_1_norms_in_the_plane: "../examples/section_1_norms_in_the_plane.rs",
     section_1_plane_cost: "../examples/section_1_plane_cost.rs",
     section_1_polygon_norms: "../examples/section_1_polygon_norms.rs",
@@ -129,7 +126,6 @@ examples! {
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
     section_4_p0_projection: "../examples/section_4_p0_projection.rs",
     segment_constants: "../examples/segment_constants.rs",
-    speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
     theorem_3_1_with_numbers: "../examples/theorem_3_1_with_numbers.rs",

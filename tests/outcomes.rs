@@ -64,5 +64,8 @@ macro_rules! examples {
 }
 
 examples! {
+    extremes: "../examples/extremes.rs",
+    section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
+    speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
 }

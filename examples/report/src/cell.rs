@@ -5,9 +5,10 @@ use fractional_sobolev::{Estimate, Order, Tolerance};
 use serde_json::{Value, json};
 use signorini::rates::ConvergenceOrder;
 
-/// Significant digits of a number with an error, and of one without.
+/// Significant digits of a number with an error, of one without, and of columns of errors, all below 1e-3.
 const TEN: usize = 10;
 const FIVE: usize = 5;
+const TWO: usize = 2;
 /// A column of numbers that are all this short is written as it stands: parameters that somebody chose.
 const SHORT: usize = 7;
 
@@ -182,6 +183,7 @@ pub(crate) fn bound_text(value: f64) -> String {
 pub(crate) fn column(cells: &[&Cell]) -> Vec<Vec<String>> {
     let is_measured = cells.iter().any(|cell| matches!(cell, Cell::Measured(m) if m.error != 0.0));
     let numbers = || cells.iter().filter_map(|cell| if let Cell::Number(v) = cell { Some(*v) } else { None });
+    let digits_of_numbers = if numbers().all(|value| value.abs() < 1e-3) { TWO } else { FIVE };
     let is_short = numbers().all(|value| shortest(value).chars().count() <= SHORT);
     let text = |cell: &&Cell| match cell {
         Cell::Number(value) if is_short => {
@@ -191,7 +193,7 @@ pub(crate) fn column(cells: &[&Cell]) -> Vec<Vec<String>> {
                 shortest(*value)
             }
         }
-        Cell::Number(value) => significant(*value, FIVE),
+        Cell::Number(value) => significant(*value, digits_of_numbers),
         Cell::Measured(measured) => significant(measured.value, digits(*measured, TEN)),
         Cell::Integer(count) => count.to_string(),
         Cell::Text(words) => words.clone(),

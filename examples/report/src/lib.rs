@@ -80,7 +80,6 @@ pub mod prelude {
 /// ```
 #[macro_export]
 macro_rules! example {
-    ($cost:ident $label:literal, $statement:literal $(;)?) => { $crate::example! { $cost $label, $statement; } };
     ($cost:ident $label:literal, $statement:literal;
         $($(#[doc = $help:literal])+ $field:ident: $kind:ty = $default:literal $(in $range:literal)? $(slider $slider:literal)?),* $(,)?
     ) => {
@@ -128,6 +127,9 @@ macro_rules! example {
         fn main() -> std::process::ExitCode {
             $crate::main::<Options>(run)
         }
+    };
+    ($cost:ident $label:literal, $statement:literal) => {
+        $crate::example! { $cost $label, $statement; }
     };
 }
 
