@@ -96,8 +96,6 @@ examples! {
     introduction_rates: "../examples/introduction_rates.rs",
     lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
     lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
-    lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
-    lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
     lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
     lemma_6_1_over_shapes: "../examples/lemma_6_1_over_shapes.rs",
     lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",

@@ -64,8 +64,10 @@ macro_rules! examples {
 }
 
 examples! {
+    lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
     extremes: "../examples/extremes.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
+    lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
 }
