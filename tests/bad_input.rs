@@ -53,8 +53,6 @@ fn poincare_example_refuses_what_has_no_zone_or_order() {
         ["--nu", "1"],
         ["--nu", "0"],
         ["--nu", "half"],
-        ["--tolerance", "0"],
-        ["--tolerance", "tight"],
         ["--condition", "positive"],
         ["--out", "Cargo.toml/figures"],
     ] {
