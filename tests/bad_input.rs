@@ -32,10 +32,8 @@ fn contact_examples_refuse_what_has_no_mesh_cone_or_solver() {
             ["--n", "many"],
             ["--n", "99999999"],
             ["--cone", "dual"],
-            ["--solver", "guess"],
             ["--out", "Cargo.toml"],
             ["--colour", "red"],
-            ["--load-scale", "-inf"],
             ["--values", "Cargo.toml/values"],
         ] {
             is_refused(name, &arguments);
@@ -79,7 +77,6 @@ fn studies_refuse_what_cannot_be_classified_or_refined() {
         is_refused("theorem_3_1_rates", &arguments);
         is_refused("theorem_4_1_rates", &arguments);
     }
-    is_refused("section_2_elastic_contact", &["--scene", "incompressible", "--poisson", "-1"]);
     is_refused("tour", &["--out", "Cargo.toml"]);
     is_refused("lemma_6_1_local_estimate", &["--nu", "1"]);
 }

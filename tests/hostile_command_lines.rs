@@ -296,9 +296,6 @@ fn an_option_without_effect_is_refused() {
         ("theorem_4_1_rates", "--scene block --tau 1.75"),
         ("theorem_4_1_rates", "--scene transition --full"),
         ("theorem_4_1_proof_profile", "--scene cantor --positions 3"),
-        ("section_2_elastic_contact", "--poisson 0.3"),
-        ("section_2_elastic_contact", "--scene block --angle 100"),
-        ("section_2_scalar_contact", "--solver active-set --tolerance 1e-9"),
     ] {
         let line: Vec<String> = line.split(' ').map(str::to_owned).collect();
         let answer = ask(name, &line, PATIENCE);
@@ -315,7 +312,6 @@ fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
         ("lemma_6_2_global_estimate", "--elements=1000000000000"),
         ("section_2_elastic_contact", "--n=16384"),
         ("section_2_scalar_contact", "--n=18446744073709551615"),
-        ("section_2_elastic_contact", "--n=8192 --levels=12"),
         ("section_2_speed_for_accuracy", "--n=16384 --levels=2"),
         ("theorem_4_1_proof_profile", "--q=NaN"),
         ("theorem_4_1_proof_profile", "--q=5e-324"),

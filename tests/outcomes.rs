@@ -64,6 +64,8 @@ macro_rules! examples {
 }
 
 examples! {
+    section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
+    section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
     extremes: "../examples/extremes.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
