@@ -68,8 +68,11 @@ examples! {
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
     extremes: "../examples/extremes.rs",
+    section_1_field_errors: "../examples/section_1_field_errors.rs",
+    section_1_polygon_norms: "../examples/section_1_polygon_norms.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
+    lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
 }

@@ -12,7 +12,7 @@ const WIDTH: usize = 100;
 const ROWS: usize = 24;
 const ENDS: usize = 11;
 /// The widest a source stands beside its check; a longer one has a line of its own.
-const SOURCE: usize = 28;
+const SOURCE: usize = 32;
 /// More checks than this: those that hold beyond it are counted.
 const CHECKS: usize = 12;
 
