@@ -33,7 +33,7 @@ const NEAR: f64 = 0.2;
 
 /// lim N^(2−ν) |u − I_h u|_ν where the first element does not decide: per unit element the chain t(1 − t) has
 /// |·|²_ν = π (2π)^(2ν) ζ(4 − 2ν) / (Γ(1 + 2ν) sin πν π⁴); then ∫ (h² u''/2)² h^(1−2ν−...) over h = β x^(1−1/β) / N.
-fn limit(alpha: f64, nu: f64, beta: f64) -> f64 {
+pub fn limit(alpha: f64, nu: f64, beta: f64) -> f64 {
     let zeta: f64 = (1..100_000).rev().map(|k| f64::from(k).powf(2.0 * nu - 4.0)).sum();
     let chain =
         PI * (2.0 * PI).powf(2.0 * nu) * zeta / (libm::tgamma(1.0 + 2.0 * nu) * (PI * nu).sin() * PI.powi(4));
