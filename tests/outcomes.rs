@@ -64,15 +64,21 @@ macro_rules! examples {
 }
 
 examples! {
+    figure_3_2_alternative: "../examples/figure_3_2_alternative.rs",
+    figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
+    lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
     extremes: "../examples/extremes.rs",
     section_1_field_errors: "../examples/section_1_field_errors.rs",
     section_1_polygon_norms: "../examples/section_1_polygon_norms.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
+    lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
     lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
+    theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
+    theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
 }
