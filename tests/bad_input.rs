@@ -65,15 +65,13 @@ fn studies_refuse_what_cannot_be_classified_or_refined() {
         ["--tau", "2.5"],
         ["--theta", "0"],
         ["--theta", "1"],
-        ["--n", "6"],
-        ["--scene", "drum"],
+        ["--n", "6,32"],
+        ["--problem", "drum"],
     ] {
         is_refused("figure_3_2_alternative", &arguments);
         is_refused("figure_4_1_alternative", &arguments);
     }
-    for arguments in
-        [["--levels", "1"], ["--tau", "1.5"], ["--tau", "2.6"], ["--tau", "1.7"], ["--scene", "drum"]]
-    {
+    for arguments in [["--finest", "1"], ["--tau", "1.5"], ["--tau", "2.6"], ["--problem", "drum"]] {
         is_refused("theorem_3_1_rates", &arguments);
         is_refused("theorem_4_1_rates", &arguments);
     }

@@ -266,7 +266,7 @@ fn options_are_checked_before_the_first_computation() {
         ("theorem_3_1_without_c", "--mu=1e-300"),
         ("theorem_3_1_without_c", "--lambda=1e300"),
         ("theta_balance", "--levels=1-1"),
-        ("figure_4_1_alternative", "--scene=membrane-reaction"),
+        ("figure_4_1_alternative", "--problem=membrane-reaction"),
         ("remark_1_whole_boundary", "--n=100000"),
     ]);
     let late = |&(name, line): &(&str, &str)| {
@@ -289,12 +289,6 @@ fn an_option_without_effect_is_refused() {
         ("falk_terms", "--scene cantor --positions 3"),
         ("figure_3_1", "--scene cantor --positions 3"),
         ("section_2_strip", "--scene fat-cantor --positions 3"),
-        ("figure_3_2_alternative", "--over-theta --theta 0.5"),
-        ("figure_4_1_alternative", "--over-theta --meshes 2"),
-        ("theorem_3_1_rates", "--positions 0"),
-        ("theorem_3_1_rates", "--levels 3-9"),
-        ("theorem_4_1_rates", "--scene block --tau 1.75"),
-        ("theorem_4_1_rates", "--scene transition --full"),
         ("theorem_4_1_proof_profile", "--scene cantor --positions 3"),
     ] {
         let line: Vec<String> = line.split(' ').map(str::to_owned).collect();
