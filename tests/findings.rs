@@ -107,7 +107,6 @@ examples! {
     section_1_plane_cost: "../examples/section_1_plane_cost.rs",
     section_1_trace_constants: "../examples/section_1_trace_constants.rs",
     section_2_multigrid: "../examples/section_2_multigrid.rs",
-    section_2_own_body: "../examples/section_2_own_body.rs",
     section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
     section_2_strip: "../examples/section_2_strip.rs",

@@ -64,6 +64,7 @@ macro_rules! examples {
 }
 
 examples! {
+    section_2_own_body: "../examples/section_2_own_body.rs",
     figure_3_2_alternative: "../examples/figure_3_2_alternative.rs",
     figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",

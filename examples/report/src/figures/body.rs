@@ -107,3 +107,38 @@ fn one_two_five(value: f64) -> f64 {
     let decade = 10f64.powf(value.log10().floor());
     [5.0, 2.0, 1.0].into_iter().map(|m| m * decade).find(|&m| m <= value).unwrap_or(decade)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use signorini::cone::Cone;
+    use signorini::contact::Solver;
+    use signorini::fem::{Form, Lame};
+    use signorini::mesh::parse_msh;
+
+    /// The first number pairs of the first path with this attribute: x, y of "M", then of "L".
+    fn first_stroke(picture: &str, attribute: &str) -> [f64; 2] {
+        let at = picture.find(attribute).unwrap();
+        let start = picture[..at].rfind("d=\"M").unwrap() + 4;
+        let words = picture[start..at].split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+        let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).take(4).collect();
+        let (dx, dy) = (numbers[2] - numbers[0], numbers[3] - numbers[1]);
+        [dx / dx.hypot(dy), dy / dx.hypot(dy)]
+    }
+
+    #[test]
+    fn floor_and_arrows_follow_the_normal_of_a_slanted_edge() {
+        let mesh = parse_msh(include_str!("../../../data/l_shape.msh")).unwrap();
+        let load: Vec<f64> = mesh.nodes().iter().flat_map(|p| [0.015, 0.02 - 0.03 * p[0]]).collect();
+        let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
+        let problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        let picture = body_svg(&problem, &solution, "L", (0.0, 1.0)).unwrap();
+        // The floor rises by 20 degrees and presses upwards to the left; y of a picture points down. One decimal is written.
+        let (sin, cos) = 20_f64.to_radians().sin_cos();
+        let [dx, dy] = first_stroke(&picture, "stroke=\"rgb(213,94,0)\"");
+        assert!((dx + sin).abs() < 0.02 && (dy + cos).abs() < 0.02);
+        let [dx, dy] = first_stroke(&picture, "stroke-opacity=\"0.7\"");
+        assert!((dx - cos).abs() < 0.02 && (dy + sin).abs() < 0.02);
+    }
+}
