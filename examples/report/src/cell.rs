@@ -23,6 +23,8 @@ pub enum Cell {
     Integer(i64),
     /// Words.
     Text(String),
+    /// A number by its name: 1/2 + 1e-12 keeps its offset.
+    Named(String, f64),
     /// Nothing to report.
     Missing,
 }
@@ -33,6 +35,7 @@ impl Cell {
         match self {
             Cell::Number(value) => (*value).into(),
             Cell::Measured(measured) => *measured,
+            Cell::Named(_, value) => (*value).into(),
             Cell::Integer(count) => (*count as f64).into(),
             Cell::Text(_) | Cell::Missing => Measured::NONE,
         }
@@ -45,6 +48,7 @@ impl Cell {
             Cell::Measured(measured) => number(measured.value),
             Cell::Integer(count) => json!(count),
             Cell::Text(words) => json!(words),
+            Cell::Named(_, value) => number(*value),
             Cell::Missing => Value::Null,
         }
     }
@@ -52,7 +56,7 @@ impl Cell {
     /// As few characters as identify it: for keys.
     pub(crate) fn short(&self) -> String {
         match self {
-            Cell::Text(words) => crate::check::slug(words),
+            Cell::Text(words) | Cell::Named(words, _) => crate::check::slug(words),
             other => shortest(other.number().value),
         }
     }
@@ -80,8 +84,7 @@ cell_from! {
     String => Cell::Text,
     bool => |is: bool| Cell::Text(if is { "yes" } else { "no" }.to_owned()),
     Tolerance => |tolerance: Tolerance| Cell::Number(tolerance.relative()),
-    // Words, so that 1/2 + 1e-12 keeps its offset.
-    Order => |order: Order| if order.offset().abs() < 1e-6 { Cell::Text(order.to_string()) } else { Cell::Number(order.value()) },
+    Order => |order: Order| Cell::Named(order.to_string(), order.value()),
 }
 
 impl<T: Into<Cell>> From<Option<T>> for Cell {
@@ -196,7 +199,7 @@ pub(crate) fn column(cells: &[&Cell]) -> Vec<Vec<String>> {
         Cell::Number(value) => significant(*value, digits_of_numbers),
         Cell::Measured(measured) => significant(measured.value, digits(*measured, TEN)),
         Cell::Integer(count) => count.to_string(),
-        Cell::Text(words) => words.clone(),
+        Cell::Text(words) | Cell::Named(words, _) => words.clone(),
         Cell::Missing => "–".to_owned(),
     };
     let error = |cell: &&Cell| match cell {
