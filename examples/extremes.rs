@@ -26,7 +26,7 @@ type Pair = (f64, f64);
 fn ramp(order: Order, length: f64, height: f64) -> Answer<Pair> {
     let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|v| v * height);
     let u = Function::linears(&Mesh::uniform(4, length)?, &values)?;
-    let unit = (order.complement() * (1.0 + 2.0 * order.complement())).sqrt().recip();
+    let unit = ((1.0 - order.value()) * (3.0 - 2.0 * order.value())).sqrt().recip();
     Ok((u.seminorm(order, 1e-12)?.value, height * unit * length.powf(-order.offset())))
 }
 

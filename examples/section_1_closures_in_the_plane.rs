@@ -51,7 +51,7 @@ fn on_polygon(
     gap: f64,
     cut: bool,
 ) -> fractional_sobolev::Result<Estimate> {
-    let (a, b) = (gap - options.s.complement(), PI / polygon.angle);
+    let (a, b) = (gap - (1.0 - options.s.value()), PI / polygon.angle);
     let star = Triangles::star(&polygon.points)?;
     let mesh = if cut { star.cut_at(0, 0.45)? } else { star };
     let w = Function::from_plane_positions(&mesh, &[(0, a)], |at| {
@@ -74,7 +74,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // On a sector polar coordinates leave one integral over the quotient of the radii.
             let on_sector = |radius: f64| {
                 let w = Function::sector_power(
-                    gap - options.s.complement(),
+                    gap - (1.0 - options.s.value()),
                     PI / polygon.angle,
                     polygon.angle,
                     radius,

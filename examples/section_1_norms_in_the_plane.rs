@@ -56,8 +56,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             options.tolerance.relative(),
             "tolerance",
         );
-        let to_one = Measured::from(found).squared() * s.complement() / FRAC_PI_2;
-        if s.complement() < 1e-7 {
+        let to_one = Measured::from(found).squared() * (1.0 - s.value()) / FRAC_PI_2;
+        if (1.0 - s.value()) < 1e-7 {
             out.check("s → 1: (1 − s)|x₁|² over π/2").near(to_one, 1.0, 1e-6, "∫ |∇x₁|² = 1");
         }
         let found_step = step.seminorm(s, options.tolerance).ok();

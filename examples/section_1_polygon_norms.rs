@@ -61,7 +61,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             corners.push((n as f64, hat));
             // n₁ is constant on each side. The supremum over linear elements graded to the corners, by the Gram matrix;
             // its error is the change under refinement.
-            let graded = Curve::graded(&vertices, n, 3.0)?;
+            let graded = Curve::algebraic(&vertices, n, 3.0)?;
             let normal: Vec<f64> =
                 (0..graded.len()).map(|e| side(e / n)).map(|(length, rise)| rise / length).collect();
             let dual = Estimate::or_best(Function::on_curve(&graded, 0, &normal)?.norm(-nu, 1e-3))?;

@@ -102,7 +102,6 @@ examples! {
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     section_1_clamped_end: "../examples/section_1_clamped_end.rs",
-    section_1_trace_constants: "../examples/section_1_trace_constants.rs",
     section_2_multigrid: "../examples/section_2_multigrid.rs",
     section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",

@@ -76,6 +76,7 @@ examples! {
     section_1_polygon_norms: "../examples/section_1_polygon_norms.rs",
     section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
     section_1_norms_in_the_plane: "../examples/section_1_norms_in_the_plane.rs",
+    section_1_trace_constants: "../examples/section_1_trace_constants.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
