@@ -1,169 +1,163 @@
-//! Falk's lemma, (4.5) and (4.8): every term on computed solutions of the strip, and the measured constant.
+//! Falk's lemma, term by term, for both cones: the first line of the proofs of Theorems 3.1 and 4.1.
 //!
-//! `cargo run --release --example falk_terms -- --cone nodal --scene fat-cantor`
+//! u solves Signorini's problem, u^h the discrete one: P1 elements on squares of size h cut into triangles, u^h ≤ 0 at the
+//! nodes of the contact edge (nodal cone) or in the mean over each segment (midpoint cone); ∫ is over the contact edge,
+//! σ_N ≤ 0 the stress there, I^h u interpolates u at the nodes, π is the mean over each segment. With ‖·‖ the energy norm
+//!
+//! ```text
+//! ‖u − u^h‖² ≤ C (‖u − I^h u‖² + ∫ σ_N (I^h u − u))                     nodal cone, Section 3
+//! ‖u − u^h‖² ≤ C (‖u − I^h u‖² + ∫ σ_N (I^h u − u) − ∫ σ_N u^h)         midpoint cone (4.5): inf ∫ σ_N (v − u^h) is at v = 0
+//! − ∫ σ_N u^h ≤ − ∫ (σ_N − π σ_N)(u^h − u) − ∫ (σ_N − π σ_N) u          (4.8)
+//! ```
+//!
+//! Young's inequality gives C = 2. Refuted if a quotient of the two sides exceeds C = 2, if (4.8) fails, or if
+//! ‖u − u^h‖² − 2 ∫ −σ_N u^h, the minimum over the cone of ‖u − v‖² + 2 ∫ σ_N (v − u), is above its value at I^h u.
+//!
+//! Test problem: as in Theorem 3.1, u is harmonic on the unit square, 0 on top, ∂u/∂n = 0 on the sides, with the values
+//! g ≤ 0 and the pressure λ = −σ_N ≥ 0, g λ = 0, chosen on the edge. `transition`: contact for x < a = 5/12 and 11/24, the
+//! terms are means over both a; λ = (a − x)^(τ−2), g = −δ^(τ−1), δ = d (2 − 2a − d)/(2 − 2a), d = x − a > 0.
+//!
+//! `cargo run --release --example falk_terms -- --problem fat-cantor --tau 1.6`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use experiments::convergence::{Levels, StripCase};
-use experiments::proof::{FalkRow, falk_terms};
+use example_report::prelude::*;
 use signorini::cone::Cone;
-use signorini::problems::StripData;
+use signorini::problems::{StripData, TransitionPowers};
 use signorini::proof::printed_exponent;
 use signorini::rates::ConvergenceOrder;
-use signorini::strip::{Reference, StripKind};
-use std::process::ExitCode;
+use signorini::strip::{EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem};
+use std::f64::consts::PI;
 
-example_frame::options! {
-    /// Terms of Falk's lemma for the nodal or the midpoint cone on a scene with known solution
-    pub struct Options: Quick {
-        /// scalar or elastic
-        #[arg(long, default_value_t = StripKind::Scalar)]
-        pub kind: StripKind,
-        /// A scene of the strip
-        #[arg(long, default_value_t = StripData::transition(), help = StripData::names())]
-        pub scene: StripData,
-        /// Regularity of the scene, in (3/2, 2]
-        #[arg(long, default_value_t = 1.75)]
-        pub tau: f64,
-        /// nodal or midpoint
-        #[arg(long, default_value_t = Cone::Midpoint)]
-        pub cone: Cone,
-        /// Mesh sizes h = 2^-COARSEST ... 2^-FINEST
-        #[arg(long, default_value = "3-10")]
-        pub levels: Levels,
-        /// Over how many positions in its cell a single transition is moved (odd)
-        #[arg(long, default_value_t = 5)]
-        pub positions: usize,
-    }
-    without_effect(options) {
-        "positions" if !options.scene.moves() => "unless the scene is one transition",
-    }
+example! { quick "Falk's lemma, (4.5), (4.8)", "‖u−u^h‖² ≤ C (‖u−I^hu‖² + ∫σ(I^hu−u)); midpoint cone: −∫σu^h added";
+    /// a contact set chosen on the edge
+    problem: StripData = "transition",
+    /// regularity τ of the solution
+    tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
+    /// meshes of 8, 16, .. 2^finest cells along the edge
+    finest: u32 = "10" in "[5, 14]",
 }
 
-/// Solves the scene on all meshes and integrates the terms, coarsest mesh first.
-pub fn compute(options: &Options) -> Result<Vec<FalkRow>> {
-    let Options { kind, levels, scene: source, tau, cone, positions, .. } = options.clone();
-    let case = StripCase { kind, levels, source, tau, cone, reference: Reference::Nested, positions };
-    Ok(falk_terms(&case, |_| ())?)
-}
-
-/// Part of the largest term that rounding may change: squared errors carry 1e-12 of the energy.
-const ROUNDING: f64 = 1e-9;
-
-/// A term: key, name, name in the figure.
-type Term = (&'static str, &'static str, fn(&FalkRow) -> f64);
-
-const TERMS: [Term; 6] = [
-    ("error", "|u − u_h|²", |r| r.terms.error),
-    ("approximation", "|u − I^h u|²", |r| r.terms.approximation),
-    ("consistency", "∫σ(I^h u)", |r| r.terms.consistency),
-    ("second", "|∫σ u_h|", |r| r.terms.second_infimum),
-    ("part.one", "(4.8), first part", |r| r.terms.first_part),
-    ("part.two", "(4.8), second part", |r| r.terms.second_part),
-];
-
-/// Exponent of h of a term; none with fewer than three meshes on which it does not vanish.
-fn exponent(rows: &[FalkRow], term: fn(&FalkRow) -> f64) -> Option<(f64, f64)> {
-    let points = rows.iter().map(|r| (1.0 / r.n as f64, term(r).abs())).filter(|point| point.1 > 0.0);
-    ConvergenceOrder::of_scattered(&points.collect::<Vec<_>>()).map(|found| (found.order, found.uncertainty))
-}
-
-/// What decides: both sides of the lemma and of (4.8) on every mesh, a sign, an order.
-pub fn findings(options: &Options, rows: &[FalkRow]) -> Vec<Finding> {
-    let largest = |number: &dyn Fn(&FalkRow) -> f64| {
-        rows.iter().map(number).reduce(f64::max).map(|number| (number, ROUNDING * number.abs()))
+/// ‖u − v‖², u discrete harmonic with values g on N cells, v with values on n. In waves c_k = Σ v_i cos kπi/n (end nodes
+/// by half), k = 0, .., n, the energy is ‖v‖² = Σ S_k c_k², S_k = (2/n) sinh η coth nη (k = 0, n by half), cosh η = 2 − cos(kπ/n).
+fn by_definition(g: &[f64], v: &[f64]) -> f64 {
+    let form = |v: &[f64], w: &[f64]| -> f64 {
+        let n = v.len() - 1;
+        let half = |i: usize| if i == 0 || i == n { 0.5 } else { 1.0 };
+        let wave = |v: &[f64], k: usize| -> f64 {
+            v.iter()
+                .enumerate()
+                .map(|(i, v)| half(i) * v * ((k * i % (2 * n)) as f64 * PI / n as f64).cos())
+                .sum()
+        };
+        let symbol = |k: usize| match (2.0 - (k as f64 * PI / n as f64).cos()).acosh() {
+            0.0 => 1.0 / (n * n) as f64,
+            eta => 2.0 * half(k) / n as f64 * eta.sinh() / (n as f64 * eta).tanh(),
+        };
+        (0..=n).map(|k| symbol(k) * wave(v, k) * wave(w, k)).sum()
     };
-    let (none, zero) = ("no mesh", "0 up to the rounding of squared errors");
-    // On K^h, inside K, the sign is a claim; the midpoint cone leaves it open.
-    let of_cone = if options.cone == Cone::Nodal { Finding::claim } else { Finding::remark };
-    vec![
-        Finding::claim("lemma", "the first infimum takes at most {percent} % of its bound by v_h = I^h u")
-            .number_or(largest(&|r| r.terms.interpolant_share()), none)
-            .at_most(1.0, "|u - v_h|^2 + 2 int sigma (v_h - u), which u_h minimises")
-            .otherwise("I^h u is better than u_h: the first infimum takes {percent} % of its bound"),
-        Finding::claim("constant", "measured constant of the lemma at most {value}")
-            .number_or(largest(&|r| r.terms.constant(options.cone)), none)
-            .at_most(2.0, "2 by Young's inequality in the energy norm")
-            .told(),
-        Finding::claim("split", "the second infimum is at most the two parts of (4.8) on every mesh")
-            .number_or(largest(&|r| r.terms.split_excess()), none)
-            .at_most(ROUNDING, zero),
-        of_cone("second", "the second infimum is negative on every mesh: under stress u_h stays open")
-            .number_or(largest(&|r| r.terms.second_share()), none)
-            .at_most(ROUNDING, zero)
-            .otherwise("the second infimum is positive on some mesh"),
-        Finding::remark("consistency", "the consistency term falls like h^{value}, faster than the bound")
-            .number_or(
-                exponent(rows, |r| r.terms.consistency),
-                "fewer than three meshes with a positive term",
-            )
-            .at_least(printed_exponent(options.tau), "2 tau^2 - 5 tau + 4, 2 at tau = 2")
-            .told(),
-    ]
+    let on_fine: Vec<f64> = (0..g.len()).map(|j| linear(v, j, (g.len() - 1) / (v.len() - 1))).collect();
+    form(g, g) - 2.0 * form(g, &on_fine) + form(v, v)
 }
 
-/// Solves, decides and shows.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "the squared error is at most C times approximation, consistency and nonconformity";
-    let (cone, found) = (options.cone, findings(options, &rows));
-    let mut headline = Headline::new("Falk's lemma, (4.5), (4.8)", claim, table(cone, &rows), found);
-    headline.quote(
-        format!("falk.{cone}.constant"),
-        rows.iter().map(|r| r.terms.constant(cone)).fold(0.0, f64::max),
-    );
-    for (key, _, term) in TERMS {
-        if let Some((value, uncertainty)) = exponent(&rows, term) {
-            headline.quote_with(&format!("falk.{cone}.{key}.exponent"), value, uncertainty);
+/// The piecewise linear function with these nodal values at the fine node j, with so many fine cells to a cell.
+fn linear(v: &[f64], j: usize, cells: usize) -> f64 {
+    let (i, s) = (j / cells, (j % cells) as f64 / cells as f64);
+    if s == 0.0 { v[i] } else { v[i] + s * (v[i + 1] - v[i]) }
+}
+
+/// ‖u − u^h‖², ‖u − I^h u‖², ∫ σ_N (I^h u − u), − ∫ σ_N u^h and the two parts of (4.8), on n cells; −σ_N is a force λ_j at
+/// every node of the fine edge.
+fn terms(edge: &EdgeData, problem: &StripProblem, n: usize, u: &EdgeSolution) -> Result<[f64; 6]> {
+    let (g, force, cells) = (edge.values(), edge.forces(), edge.cells() / n);
+    let nodal: Vec<f64> = g.iter().copied().step_by(cells).collect(); // I^h u
+    let work = |v: &[f64]| force.iter().enumerate().map(|(j, f)| f * linear(v, j, cells)).sum::<f64>();
+    // Σ of the force on a segment times the means of u^h and of u; a force at a common node belongs to both by half.
+    let mut means = [0.0, 0.0];
+    for s in 0..n {
+        let (a, b) = (s * cells, (s + 1) * cells);
+        let share = |j: usize| if j == a && s > 0 || j == b && s + 1 < n { 0.5 } else { 1.0 };
+        let on_segment = (a..=b).map(|j| share(j) * force[j]).sum::<f64>();
+        means[0] += on_segment * 0.5 * (u.values[s] + u.values[s + 1]);
+        means[1] += on_segment * (a..b).map(|j| 0.5 * (g[j] + g[j + 1])).sum::<f64>() / cells as f64;
+    }
+    // ‖u − v‖² as in `by_definition`, by fast transforms.
+    let square = |v: &[f64]| -> Result<f64> { Ok(problem.error(n, v)?.value.powi(2)) };
+    let second = work(&u.values);
+    Ok([square(&u.values)?, square(&nodal)?, -work(&nodal), second, second - means[0] + means[1], -means[1]])
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let &Options { ref problem, tau, finest } = options;
+    let edges = |cells: usize| -> signorini::Result<Vec<EdgeData>> {
+        let transition = |a: f64| TransitionPowers::of_regularity(tau).data(a, cells);
+        if problem.moves() {
+            return [5.0 / 12.0, 11.0 / 24.0].into_iter().map(transition).collect();
+        }
+        Ok(vec![problem.data(tau, cells, LateralCondition::Natural)?])
+    };
+    // u^h: the active set is iterated, with conjugate gradients for the values at the edge, to 1e-13 of the load.
+    let solve = |exact: &StripProblem, n: usize, cone: Cone| -> Result<EdgeSolution> {
+        Ok(exact.operator(n)?.0.solve_contact(&exact.load(n)?, cone, None, 1e-13)?)
+    };
+    for (name, title, meaning) in [
+        ("error", "‖u−u^h‖²", ""),
+        ("interpolation", "‖u−I^hu‖²", ""),
+        ("consistency", "∫σ(I^hu−u)", ""),
+        ("second", "−∫σu^h", ""),
+        ("part_one", "part 1", "−∫ (σ − πσ)(u^h − u) of (4.8)"),
+        ("part_two", "part 2", "−∫ (σ − πσ) u"),
+        ("constant", "C", "the first column over the bracket"),
+    ] {
+        out.column(name, title, meaning);
+    }
+    let (fine, coarse) = (edges(64 << finest)?, edges(512)?);
+    for cone in [Cone::Nodal, Cone::Midpoint] {
+        for edge in &coarse {
+            let exact = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
+            let u = solve(&exact, 8, cone)?;
+            let quotient = by_definition(edge.values(), &u.values) / exact.error(8, &u.values)?.value.powi(2);
+            out.check("‖u−u^h‖² by definition, n = 8").near(quotient, 1.0, 1e-9, "`by_definition`");
+        }
+        let exact = fine.iter().map(|edge| StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8));
+        let exact = exact.collect::<signorini::Result<Vec<StripProblem>>>()?;
+        for n in (3..=finest).map(|level| 1 << level) {
+            let mut mean = [0.0; 6];
+            for (edge, exact) in fine.iter().zip(&exact) {
+                let found = terms(edge, exact, n, &solve(exact, n, cone)?)?;
+                mean.iter_mut().zip(found).for_each(|(sum, term)| *sum += term / fine.len() as f64);
+            }
+            let [error, interpolation, consistency, second, part_one, part_two] = mean;
+            let bracket = interpolation + consistency + if cone == Cone::Midpoint { second } else { 0.0 };
+            let constant = error / bracket;
+            out.row(
+                cells! { cone: cone.to_string(), n => error, interpolation, consistency, second, part_one,
+                part_two, constant },
+            );
+            let rounded = |value: f64| Measured::new(value, 1e-9 * value.abs()); // squares carry 1e-12 of the energy
+            out.check(format!("C, {cone} cone")).at_most(rounded(constant), 2.0, "Young's inequality");
+            out.check("‖u−v‖²+2∫σ(v−u) at u^h over I^hu").at_most(
+                rounded((error - 2.0 * second) / (interpolation + 2.0 * consistency)),
+                1.0,
+                "u^h minimises it",
+            );
+            let excess = (second - part_one - part_two) / (error + interpolation);
+            out.check("(4.8), left less right side").at_most(excess, 1e-9, "πσ, mean of u^h ≤ 0");
+            let sign = second / (error + interpolation); // over squares, as the excess
+            match cone {
+                Cone::Nodal => out.check("−∫σu^h, nodal cone").at_most(sign, 1e-9, "u^h ≤ 0"),
+                Cone::Midpoint => out.observe("−∫σu^h, midpoint cone").at_most(sign, 1e-9, "either sign"),
+            }
         }
     }
-    if let Some(finest) = rows.last() {
-        headline
-            .quote(format!("falk.{cone}.consistency.share"), finest.terms.consistency / finest.terms.error);
+    let points = out.series("n", "consistency").into_iter().map(|(n, term)| (1.0 / n, term));
+    let order = ConvergenceOrder::of_scattered(&points.collect::<Vec<_>>()); // least squares in logarithms
+    out.observe("order of ∫σ(I^hu−u) in h").at_least(order, printed_exponent(tau), "2τ² − 5τ + 4");
+    let (error, consistency) = (out.series("n", "error"), out.series("n", "consistency"));
+    if let (Some(error), Some(consistency)) = (error.last(), consistency.last()) {
+        out.note("share", consistency.1 / error.1);
     }
-    headline.draw(&options.output, "falk_terms", || Ok(draw(options, &rows)))?;
-    Ok(headline)
-}
-
-fn table(cone: Cone, rows: &[FalkRow]) -> Table {
-    let (number, four) = (Format::Scientific(2), Format::Fixed(4));
-    let columns = vec![
-        Column::new("n", "1/h", Format::Plain, "contact segments"),
-        Column::new("error", "error^2", number, "|u - u_h|^2, energy norm"),
-        Column::new("approximation", "approx", number, "|u - v_h|^2, v_h = I^h u on the edge"),
-        Column::new("consistency", "consist", number, "int sigma_N (I^h u)_N"),
-        Column::new("second_infimum", "2nd inf", number, "inf over K of int sigma_N (v - u_h)_N"),
-        Column::new("first_part", "(4.8) 1", number, "-int (sigma_N - pi sigma_N)(u_h - u)_N"),
-        Column::new("second_part", "(4.8) 2", number, "-int (sigma_N - pi sigma_N) u_N"),
-        Column::new("bracket", "bracket", number, "approx + consist, midpoint cone: + 2nd inf"),
-        Column::new("constant", "C", four, "error^2 / bracket"),
-        Column::new("split_constant", "C split", four, "the same with (4.8) for the 2nd inf"),
-        Column::new("first_infimum", "inf/err^2", four, "first infimum, attained at u_h, over error^2"),
-    ];
-    Table::new(columns).with_rows(rows.iter().map(|r| {
-        let terms = TERMS.map(|(_, _, term)| term(r));
-        let constants = [
-            r.terms.constant(cone),
-            r.terms.error / r.terms.split_bracket(cone),
-            r.terms.first_infimum() / r.terms.error,
-        ];
-        [&[r.n as f64], terms.as_slice(), &[r.terms.bracket(cone)], &constants].concat()
-    }))
-}
-
-/// All terms over h, absolute values.
-fn draw(options: &Options, rows: &[FalkRow]) -> Chart {
-    let Options { cone, scene, tau, .. } = options;
-    let title = format!("Terms of Falk's lemma, {cone} cone, scene {scene}, τ = {tau}");
-    let y = Axis::logarithmic("size of the term (squared energy norm)");
-    let points = |term: fn(&FalkRow) -> f64| rows.iter().map(|r| (1.0 / r.n as f64, term(r).abs())).collect();
-    let mut chart = Chart::new(title, Axis::logarithmic("h (edge = 1)"), y);
-    for (_, name, term) in TERMS {
-        chart = chart.with(Series::line_and_points(name, points(term)));
-    }
-    chart
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    out.plot("falk_terms", "Terms of Falk's lemma", Axes::LogLog("n = 1/h", "term"))
+        .curve_by("cone", "n", "error")
+        .curve_by("cone", "n", "interpolation")
+        .curve_by("cone", "n", "consistency");
+    Ok(())
 }

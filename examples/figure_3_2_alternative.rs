@@ -37,11 +37,15 @@ example! { quick "Figure 3.2", "each segment: zeros of u_N within θh of both en
     theta: Option<f64> = "" in "(0, 1)",
 }
 
-/// One segment: first and second case, whether a cell more or less changes them, the integral, and d in cells.
+/// One segment.
 pub struct Segment {
+    /// Whether it is a first and a second case.
     pub cases: [bool; 2],
+    /// Whether one cell more or less changes that.
     pub unsure: bool,
+    /// ∫ σ_N I^h u_N, or that of Figure 4.1.
     pub integral: f64,
+    /// What is compared with θh, in cells.
     pub d: f64,
 }
 

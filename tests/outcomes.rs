@@ -64,6 +64,8 @@ macro_rules! examples {
 }
 
 examples! {
+    section_2_strip: "../examples/section_2_strip.rs",
+    falk_terms: "../examples/falk_terms.rs",
     section_2_own_body: "../examples/section_2_own_body.rs",
     figure_3_2_alternative: "../examples/figure_3_2_alternative.rs",
     figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
