@@ -1,146 +1,142 @@
-//! Lemma 6.2: ‖u − I^h u‖_{0,Γ} ≤ h^{1+ν} |u|_{1+ν,Γ} and ‖u − I^h u‖_{1,Γ} ≤ h^ν |u|_{1+ν,Γ} on a mesh.
+//! Lemma 6.2: linear interpolation on a mesh, with the constant 1.
 //!
-//! Ratios of one function on finer and finer meshes, beside the best constants on a mesh and on one element.
-//! With the full H¹ norm the second line needs h ≤ h*(ν); it is tried for h = 2 h* too.
+//! I^h u is the piecewise linear interpolant of u at the nodes of a mesh of Γ = (0, 1), h the length of the largest
+//! element, and |u|²_(1+ν) = ∬ (u'(x) − u'(y))² / |x − y|^(1+2ν) dx dy over Γ × Γ, 0 < ν < 1. The lemma says
+//!
+//! ```text
+//! ‖u − I^h u‖₀ ≤ h^(1+ν) |u|_(1+ν),        ‖u − I^h u‖₁ ≤ h^ν |u|_(1+ν).
+//! ```
+//!
+//! The squares of Lemma 6.1 are added over the elements, so its best constants C₀(ν) of the first line and C₁(ν) of
+//! |u − I^h u|₁ serve every mesh. On N equal elements the best constants are smaller, since |u|_(1+ν) also has the pairs of
+//! points in different elements. With the full norm, ‖·‖₁² = ‖·‖₀² + |·|₁², the second line needs h ≤ h*(ν), as in Lemma 6.1.
+//!
+//! Refuted if C₀, C₁ or the constant of the full norm at h = 1 is above 1, if the best constant of a mesh or the quotient of
+//! u = x^(1+a) is above that of one element, or if `of_mesh` and the library differ by more than 3 %.
+//!
+//! `cargo run --release --example lemma_6_2_global_estimate -- --nu 0.1,0.4 --power 0`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use experiments::interpolation::{InterpolationError, LocalConstants, MeshRatios, SampleSlope};
-use fractional_sobolev::{Estimate, Mesh, Order, Tolerance};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::closed_forms::power_seminorm;
+use fractional_sobolev::{Domain, ErrorNorm, Gram, Mesh, gauss_legendre, interpolation_constant};
+use nalgebra::DMatrix;
 
-/// Largest number of elements for the best constant on a mesh.
-const LARGEST_MESH: usize = 32;
+example! { quick "Lemma 6.2", "‖u − I^h u‖₀ ≤ h^(1+ν) |u|_(1+ν),  ‖u − I^h u‖₁ ≤ h^ν |u|_(1+ν)  on a mesh";
+    /// orders ν
+    nu: Vec<Order> = "0.25,0.5,0.75" in "(0, 1)" slider "0.02 to 0.98",
+    /// numbers N of equal elements; best constants up to 16
+    elements: Vec<usize> = "1,2,4,8,16,1024,65536" in "[1, 1000000]",
+    /// exponent a of the function with u' = x^a
+    power: f64 = "0.3" in "[0.01, 100]",
+}
 
-example_frame::options! {
-    /// Global interpolation estimate: ratios of one function and the best constants on a mesh
-    pub struct Options: Quick {
-        /// Orders nu in (0, 1), comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<Order>,
-        /// Slope u' on (0,1): power:A, step:S, cosine:K or constant
-        #[arg(long, default_value = "power:0.3")]
-        pub function: SampleSlope,
-        /// Numbers of elements, comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["1", "2", "4", "8", "16", "1024", "65536"], value_parser = within::<usize>("[1, 1e15]"))]
-        pub elements: Vec<usize>,
-    }
-    check(options) {
-        let element = Mesh::uniform(1, 1.0)?;
-        for &order in &options.nu {
-            InterpolationError::of_sample(options.function, &element, order)?;
+/// Best constants on N elements of length h, divided by h^(1+ν), h^ν and h^ν: of ‖u − I^h u‖₀, of |u − I^h u|₁, and of
+/// ‖u − I^h u‖₁. u' = v is linear on each of 12 cells per element, given by nodal values. By scaling all on elements of
+/// length 1: √λ, λ the largest with Dᵀ D v = λ A v, ‖D₀ v‖ = ‖u − I^h u‖₀, ‖D₁ v‖ = |u − I^h u|₁, D = D₀, D₁ or both.
+fn of_mesh(nu: Order, elements: usize, h: f64) -> Result<[f64; 3]> {
+    const CELLS: usize = 12;
+    let (n, c, rule) = (elements * CELLS, 1.0 / CELLS as f64, gauss_legendre(3)?);
+    let [mut d0, mut d1] = [(); 2].map(|()| DMatrix::zeros(3 * n, n)); // v = 0 at the last node: constants change nothing
+    for node in 0..n {
+        let v = |k: usize| f64::from(k == node); // hat function
+        for first in (0..n).step_by(CELLS) {
+            let (mut u, mut values) = (0.0, Vec::new()); // ∫ v from the start of the element
+            for k in first..first + CELLS {
+                for (t, w) in rule.iter() {
+                    let slope = v(k) + t * (v(k + 1) - v(k));
+                    values.push((
+                        u + c * t * (v(k) + slope) / 2.0,
+                        slope,
+                        ((k - first) as f64 + t) * c,
+                        (w * c).sqrt(),
+                    ));
+                }
+                u += c * (v(k) + v(k + 1)) / 2.0;
+            }
+            for (j, (value, slope, x, weight)) in (3 * first..).zip(values) {
+                d0[(j, node)] = weight * (value - u * x); // I^h u is u x on the element
+                d1[(j, node)] = weight * (slope - u);
+            }
         }
-        Ok(())
     }
-    memory(options) {
-        28.0 * options.elements.iter().copied().max().unwrap_or(0) as f64
-    }
-}
-
-/// One order on one mesh: ratios and constants for the function, its derivative, and the full norm.
-pub type Row = MeshRatios;
-
-/// Ratios and constants on every mesh.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let bar = progress((options.nu.len() * options.elements.len()) as u64);
-    let mut rows = Vec::new();
-    for &order in &options.nu {
-        let best = LocalConstants::new(order, Tolerance::balanced())?;
-        for &elements in &options.elements {
-            rows.push(Row::of_sample(options.function, order, &best, elements, elements <= LARGEST_MESH)?);
-            bar.inc(1);
-        }
-    }
-    Ok(rows)
-}
-
-/// What decides: constants of one element against the printed 1, ratios against them, long elements.
-pub fn findings(options: &Options, rows: &[Row]) -> Vec<Finding> {
-    let best = |k: usize| rows.iter().map(move |row| row.element[k]);
-    let share = |k: usize| rows.iter().filter_map(move |row| row.function[k].over(row.element[k]).ok());
-    let on_mesh = rows.iter().filter_map(|row| row.mesh?[1].over(row.element[1]).ok());
-    let factor = |k: usize| best(k).filter_map(|constant| constant.recip().ok());
-    let (printed, element) = ("printed constant", "constant of one element");
-    let ratio = format!("largest ratio of u' = {} is {{value}}", options.function);
-    let long = "second line, full H1 norm, on elements of length 2 h*(nu), there the constant is {value}";
-    let falls = "on a mesh the best constant of the derivative falls to {percent} % of that of one element";
-    let claim = |key: &str, words: &str, k| Finding::claim(key, words).largest(best(k)).at_most(1.0, printed);
-    let loose = |key: &str, words: &str, k| Finding::sharpness(key, words).smallest(factor(k));
-    vec![
-        claim("l2", "the first line holds, constant at most {value}", 0),
-        claim("derivative", "for the derivative the second line holds, constant at most {value}", 1),
-        claim("full.short", "with the full H1 norm it holds for h <= 1, constant at most {value}", 2),
-        Finding::printed("full", "with the full H1 norm it holds for every h")
-            .largest(rows.iter().filter_map(|row| Some(row.mesh?[2])))
-            .at_most(1.0, printed)
-            .otherwise(long),
-        Finding::claim("function", "u takes at most {percent} % of the constant of one element")
-            .largest((0..3).flat_map(share))
-            .at_most(1.0, element),
-        Finding::remark("function.ratio", ratio)
-            .largest(rows.iter().flat_map(|row| [row.function[0], row.function[1]]))
-            .at_most(1.0, printed)
-            .told(),
-        Finding::remark("mesh.share", falls).smallest(on_mesh).at_most(1.0, element).told(),
-        loose("loose.l2", "by {value} or more in L2", 0).at_least(1.0, printed),
-        loose("loose.derivative", "by {value} or more in the derivative", 1).at_least(1.0, printed),
-    ]
-}
-
-/// Ratios and constants set beside the printed 1.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "|u - I^h u|_0 <= h^(1+nu) |u|_(1+nu), |u - I^h u|_1 <= h^nu |u|_(1+nu) on a mesh";
-    let mut headline = Headline::new("Lemma 6.2", claim, table(&rows), findings(options, &rows));
-    for (key, name) in [("mesh.share", "mesh_share"), ("function.ratio", "largest_ratio")] {
-        headline.quote_found(key, format!("lemma_6_2.{name}"));
-    }
-    headline.draw(&options.output, "lemma_6_2_global_estimate", || Ok(draw(options, &rows)))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let (ratio, mesh, element) = (Format::Scientific(3), Format::Fixed(5), Format::Fixed(7));
-    let (on_mesh, of_one) = ("largest possible on this mesh (from below)", "largest possible on one element");
-    Table::new(vec![
-        Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("elements", "elements", Format::Plain, ""),
-        Column::new("ratio_l2", "u, L2", ratio, "|u - Iu|_0 / (h^(1+nu) |u|_(1+nu)) of the given function"),
-        Column::new("mesh_l2", "mesh, L2", mesh, on_mesh),
-        Column::new("element_l2", "element, L2", element, of_one),
-        Column::new("ratio_derivative", "u, deriv.", ratio, "|(u - Iu)'|_0 / (h^nu |u|_(1+nu))"),
-        Column::new("mesh_derivative", "mesh, deriv.", mesh, on_mesh),
-        Column::new("element_derivative", "element, deriv.", element, of_one),
-        Column::new("ratio_full", "u, H1", ratio, "with the full norm of u - Iu, h = 1/elements"),
-        Column::new("mesh_long", "mesh, H1", mesh, "the same, largest on elements of length 2 h*(nu)"),
-        Column::new("element_full", "element, H1", element, "largest on one element of length 1"),
+    let fine = Mesh::uniform(n, elements as f64)?;
+    let a = Gram::new(&fine, nu, 1e-8)?.to_dense()?.remove_row(n).remove_column(n); // |v|²_ν = vᵀ A v, closed forms
+    let [m0, m1] = [d0.transpose() * d0, d1.transpose() * d1];
+    let full = &m1 + &m0 * (h * h);
+    Ok([
+        largest_eigenvalue(&m0, &a)?.sqrt(),
+        largest_eigenvalue(&m1, &a)?.sqrt(),
+        largest_eigenvalue(&full, &a)?.sqrt(),
     ])
-    .with_rows(rows.iter().map(|row| {
-        let mesh = |k: usize| row.mesh.map(|mesh| mesh[k].value);
-        let of = |k: usize| [Some(row.function[k].value), mesh(k), Some(row.element[k].value)];
-        [Some(row.nu), Some(row.elements as f64)].into_iter().chain((0..3).flat_map(of).collect::<Vec<_>>())
-    }))
 }
 
-fn draw(options: &Options, rows: &[Row]) -> Chart {
-    let points = |of: &dyn Fn(&Row) -> Option<Estimate>| -> Vec<(f64, f64)> {
-        let first = rows.iter().filter(|row| row.nu == rows[0].nu);
-        first.filter_map(|row| Some((row.elements as f64, of(row)?.value))).collect()
-    };
-    let title = format!("Lemma 6.2, nu = {}, u' = {}", options.nu[0], options.function);
-    let y = Axis::logarithmic("error over its bound with constant 1");
-    let chart = Chart::new(title, Axis::logarithmic("number of elements"), y);
-    [(1, "derivative"), (0, "L2")].iter().fold(chart, |chart, &(k, norm)| {
-        chart
-            .with(Series::dashed(format!("one element, {norm}"), points(&|row| Some(row.element[k]))))
-            .with(Series::line_and_points(
-                format!("best on the mesh, {norm}"),
-                points(&|row| Some(row.mesh?[k])),
+/// ‖u − I^h u‖₀ and |u − I^h u|₁ for u' = x^a on N equal elements: closed forms on the first, six Gauss points on each other.
+fn of_power(a: f64, elements: usize) -> Result<[f64; 2]> {
+    let (h, rule) = (1.0 / elements as f64, gauss_legendre(6)?);
+    let mut error =
+        h.powf(2.0 * a + 3.0) * 2.0 * (a / (a + 1.0)).powi(2) / (3.0 * (2.0 * a + 3.0) * (a + 3.0));
+    let mut slope = h.powf(2.0 * a + 1.0) * (a / (a + 1.0)).powi(2) / (2.0 * a + 1.0);
+    for k in 1..elements {
+        let (x, y) = (k as f64 * h, h / (k as f64 * h)); // u(x (1 + s)) − u(x) = x^(a+1) ((1 + s)^(a+1) − 1) / (a + 1)
+        let rise = |s: f64| x.powf(a + 1.0) * ((a + 1.0) * s.ln_1p()).exp_m1() / (a + 1.0);
+        let mean = rise(y) / h;
+        error += h * rule.integrate(|t| (rise(t * y) - mean * t * h).powi(2));
+        slope += h * rule.integrate(|t| ((x + t * h).powf(a) - mean).powi(2));
+    }
+    Ok([error.sqrt(), slope.sqrt()])
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    for &nu in &options.nu {
+        // On one element: odd Legendre polynomials for v, largest eigenvalue; error: change when doubled.
+        let best = |norm| {
+            Ok::<_, Error>(Measured::from(
+                interpolation_constant(Domain::Interval(1.0), norm, nu, 1e-8)?.constant,
             ))
-            .with(Series::line_and_points(format!("u, {norm}"), points(&|row| Some(row.function[k]))))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+        };
+        let [c0, c1, short] = [best(ErrorNorm::L2)?, best(ErrorNorm::Derivative)?, best(ErrorNorm::H1)?];
+        out.check("first line").at_most(c0, 1.0, "printed");
+        out.check("second line, seminorm").at_most(c1, 1.0, "printed");
+        out.check("second line, full norm, h ≤ 1").at_most(short, 1.0, "printed");
+        out.stronger("first line, constant 0.16").at_most(c0, 0.16, "Lemma 6.1");
+        let seminorm = power_seminorm(options.power, nu).ok(); // |x^a|_ν: Gamma functions; none for a + 1/2 ≤ ν
+        for &elements in &options.elements {
+            let h = 1.0 / elements as f64;
+            let [e0, e1] = of_power(options.power, elements)?;
+            let quotient = |error: f64, power: f64| {
+                seminorm.map(|s| Measured::from(s).recip() * (error / h.powf(power)))
+            };
+            let [u0, u1] = [quotient(e0, 1.0 + nu.value()), quotient(e1, nu.value())];
+            for (quotient, best) in [(u0, c0), (u1, c1)] {
+                if let Some(quotient) = quotient {
+                    out.check("u = x^(1+a) over one element").at_most(quotient / best, 1.0, "C₀, C₁");
+                }
+            }
+            let mut mesh = [None; 4];
+            if elements <= 16 {
+                let long = 2.0 / c0.value;
+                let [m0, m1, full] = of_mesh(nu, elements, long)?;
+                out.check("best on the mesh over one element").at_most(
+                    (m0 / c0.value).max(m1 / c1.value),
+                    1.0,
+                    "C₀, C₁",
+                );
+                out.as_printed("second line, full norm, h = 2/C₀").at_most(full, 1.0, "for h ≤ 5.4");
+                // The same with more cells per element, until the gain is below 1 %, which is the error.
+                let domain = Domain::Mesh(Mesh::uniform(elements, elements as f64)?);
+                let library = interpolation_constant(domain, ErrorNorm::Derivative, nu, 0.01)?.constant;
+                out.check("of_mesh over the library").near(
+                    Measured::from(library).recip() * m1,
+                    1.0,
+                    0.03,
+                    "for C₁",
+                );
+                mesh = [Some(m0), Some(m1), Some(library.value), Some(full)];
+            }
+            let [mesh_0, mesh_1, library_1, long] = mesh;
+            out.row(cells! { nu, elements => u_0: u0.map(|u| u.value), mesh_0, c_0: c0.value,
+            u_1: u1.map(|u| u.value), mesh_1, library_1, c_1: c1.value, long });
+        }
+    }
+    Ok(())
 }

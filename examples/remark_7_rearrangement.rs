@@ -1,161 +1,152 @@
 //! Remark 7 as a theorem: of all sets of one measure the interval at an end has the largest constant.
 //!
-//! The decreasing rearrangement v* has |v*|_ν ≤ |v|_ν: sorting lowers Σ (f_i − f_j)² over |i − j| ≤ k, all k.
+//! For a set E in (0, 1) of measure θ let γ(E) be the best constant in ‖u‖₀ ≤ γ |u|_ν for u in H^ν(0, 1), 0 < ν < 1, with
+//! mean zero on E, |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy; or for u that vanishes on E. Then γ(E) ≤ γ((0, θ)).
 //!
-//! `cargo run --release --example remark_7_rearrangement`
+//! Proof (page `remark_7_rearrangement`): the decreasing rearrangement v* takes every range of values on a set of the same
+//! measure as v. So ‖v*‖₀ = ‖v‖₀, the mean of v* over (0, θ) is the largest that v has over any set of measure θ, and
+//! |v*|_ν ≤ |v|_ν. The last is a lemma on numbers f₁, ..., f_n: sorting lowers Σ (f_i − f_j)² over |i − j| ≤ k, for every k.
+//!
+//! Refuted if a random sequence, sorted, has a larger sum; if a random function, sorted, has a larger seminorm; or if a
+//! random union of one to five intervals has a larger constant than the interval (0, θ) of the same measure.
+//!
+//! `cargo run --release --example remark_7_rearrangement -- --unions 1000`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use experiments::arrangement::{MovedZone, ZoneCase, random_zones};
-use experiments::interpolation::{RoughFamily, rearranged_shares};
-use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};
-use experiments::zones::Condition;
-use fractional_sobolev::{Estimate, Order, Tolerance};
-use std::process::ExitCode;
+use example_report::figures::{Axis, Chart, Series};
+use example_report::prelude::*;
+use fractional_sobolev::{Constraint, Function, Mesh, Zones, gamma};
 
-example_frame::options! {
-    /// Sorted orders, rearranged functions, and the constants of zones of several intervals
-    pub struct Options {
-        /// Random sequences, and random functions of each family
-        #[arg(long, default_value_t = 1000)]
-        pub functions: u32,
-        /// Random zones of one to five intervals
-        #[arg(long, default_value_t = 100)]
-        pub zones: u32,
-        /// Length of the zone that is moved, and of the two halves between which a gap opens
-        #[arg(long, default_value_t = 1e-2, value_parser = within::<f64>("[1e-299, 0.99]"))]
-        pub theta: f64,
-        /// Relative tolerance of the constants
-        #[arg(long, default_value = "1e-3")]
-        pub tolerance: Tolerance,
+example! { seconds "Remark 7, sharp", "γ(E) ≤ γ((0, θ)) for every E of measure θ:  |v*|_ν ≤ |v|_ν for v sorted";
+    /// random sequences, and random functions of each kind
+    functions: usize = "1000" in "[1, 1000000]",
+    /// random unions of intervals
+    unions: usize = "100" in "[1, 100000]",
+}
+
+/// Uniform in [0, 1), the same on every machine: SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// Positive numbers that differ by a factor of 30 at most, their sum given.
+    fn shares(&mut self, count: usize, sum: f64) -> Vec<f64> {
+        let raw: Vec<f64> = (0..count).map(|_| 30f64.powf(self.uniform())).collect();
+        raw.iter().map(|share| share / raw.iter().sum::<f64>() * sum).collect()
     }
 }
 
-/// What was tried.
-pub struct Computed {
-    /// Near differences, sorted over given: the largest over all orders of 8 squares, and random sequences.
-    pub sorted: f64,
-    /// |v*|_ν / |v|_ν: the largest of each family, and the mean.
-    pub functions: Vec<(RoughFamily, Estimate, f64)>,
-    /// γ_E / γ_(0,θ); none where rounding forbids the tolerance.
-    pub zones: Vec<(ZoneCase, Option<Estimate>)>,
-    /// One zone moved, and cut in two.
-    pub places: Vec<MovedZone>,
+/// Σ (f_i − f_j)² over |i − j| ≤ k.
+fn near_differences(f: &[f64], k: usize) -> f64 {
+    let row = |i: usize| f[i + 1..].iter().take(k).map(|b| (f[i] - b).powi(2)).sum::<f64>();
+    (0..f.len()).map(row).sum()
 }
 
-/// Tries everything.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let Options { functions, theta, tolerance, .. } = *options;
-    let squares: Vec<f64> = (0..8).map(|k| f64::from(k * k)).collect();
-    let sorted = sorted_share_of_orders(&squares).max(sorted_share_of_random(functions, 7));
-    let mut tried = Vec::new();
-    for family in [RoughFamily::Linears, RoughFamily::Steps, RoughFamily::Weierstrass] {
-        let (largest, mean) = rearranged_shares(family, functions, 7)?;
-        tried.push((family, largest, mean));
-    }
-    let mut places = Vec::new();
-    for nu in [0.25, 0.5, 0.75] {
-        for condition in [Condition::MeanZero, Condition::Vanishing] {
-            places.push(MovedZone::new(Order::new(nu)?, theta, condition, tolerance)?);
+/// |v|²_ν for v = f_i on the i-th of n equal cells, ν < 1/2: n^(2ν−1) Σ ω(|i − j|) (f_i − f_j)² over i ≠ j, where ω(d) is
+/// ∬ |d + x − y|^(−1−2ν) over two unit cells, a second difference of d^(1−2ν) / (−2ν (1 − 2ν)).
+fn seminorm_squared(f: &[f64], nu: f64) -> f64 {
+    let (n, p) = (f.len(), 1.0 - 2.0 * nu);
+    let weight = |d: f64| ((d + 1.0).powf(p) - 2.0 * d.powf(p) + (d - 1.0).powf(p)) / (p * (p - 1.0));
+    let pairs = (0..n).flat_map(|i| (0..i).map(move |j| (i, j)));
+    2.0 * (n as f64).powf(-p)
+        * pairs.map(|(i, j)| weight((i - j) as f64) * (f[i] - f[j]).powi(2)).sum::<f64>()
+}
+
+/// A row: how many quotients, the largest and the mean.
+fn report(out: &mut Report, what: &str, quotients: &[Measured]) {
+    let tried = quotients.len();
+    let mean = quotients.iter().map(|q| q.value).sum::<f64>() / tried.max(1) as f64;
+    out.row(cells! { what => tried, largest: largest(quotients.iter().copied()).map(|q| q.value), mean });
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("what", "quotient", "sorted over given, and γ(E) over γ((0, θ))");
+    let mut random = Random(7);
+    let (mut sequences, mut steps, mut linears) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..options.functions {
+        // Whole numbers: the sums are exact.
+        let f: Vec<f64> =
+            (0..2 + (39.0 * random.uniform()) as usize).map(|_| (99.0 * random.uniform()).floor()).collect();
+        let mut sorted = f.clone();
+        sorted.sort_by(|a, b| b.total_cmp(a));
+        for k in 1..f.len() {
+            let (less, more) = (near_differences(&sorted, k), near_differences(&f, k));
+            out.check("sequences: sorted − given sum").at_most(less - more, 0.0, "lemma");
+            sequences.push(Measured::from(if more > 0.0 { less / more } else { 1.0 }));
         }
+        // Steps, and the rearrangement by sorting; the library's is compared on the same function.
+        let nu = 0.01 + 0.48 * random.uniform();
+        let share = (seminorm_squared(&sorted, nu) / seminorm_squared(&f, nu)).sqrt();
+        if share.is_finite() {
+            let v = Function::constants(&Mesh::uniform(f.len(), 1.0)?, &f)?;
+            let by_library =
+                Measured::from(v.decreasing_rearrangement()?.seminorm(nu, 1e-8)?) / v.seminorm(nu, 1e-8)?;
+            out.check("steps: library − formula").near(by_library - share, 0.0, 1e-7, "a sum");
+            steps.push(Measured::from(share));
+        }
+        // Linear between random values on a random mesh: v* is piecewise linear, its seminorm a closed form.
+        let nu = 0.01 + 0.98 * random.uniform();
+        let count = 2 + (10.0 * random.uniform()) as usize;
+        let values: Vec<f64> = (0..=count).map(|_| random.uniform()).collect();
+        let v = Function::linears(&Mesh::from_lengths(random.shares(count, 1.0))?, &values)?;
+        linears
+            .push(Measured::from(v.decreasing_rearrangement()?.seminorm(nu, 1e-8)?) / v.seminorm(nu, 1e-8)?);
     }
-    Ok(Computed { sorted, functions: tried, zones: random_zones(options.zones, 7, tolerance)?, places })
-}
-
-/// Places closer than this have constants that differ by less than the tolerance.
-const PLACED: f64 = 0.05;
-
-/// What decides: every comparison of the proof, and the constants.
-pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
-    let (tolerance, page) = (options.tolerance.relative(), "remark_7_rearrangement");
-    let Computed { sorted, functions, zones, places } = computed;
-    let ratios = || zones.iter().filter_map(|(_, ratio)| *ratio);
-    let off = places.iter().map(|place| 0.5 - place.share).fold(0.0, f64::max);
-    let free = places.iter().filter(|place| place.condition == Condition::MeanZero);
-    let halves = free.flat_map(|place| place.gaps.iter().filter_map(|gap| gap.1.over(place.whole).ok()));
-    vec![
-        Finding::claim("worst", "of all sets of one measure the interval at an end is the worst")
-            .at_most(1.0, "the interval at an end")
-            .by_proof(page),
-        Finding::claim("orders", "no order of eight numbers, no random one has less than the sorted one")
-            .number(*sorted, 0.0)
-            .at_most(1.0, "near differences, sorted over given, for every reach"),
-        Finding::claim("functions", "rearranged functions have at most {value} of the seminorm")
-            .largest(functions.iter().map(|&(_, largest, _)| largest))
-            .at_most(1.0 + Tolerance::balanced().relative(), "the seminorm of the function")
-            .told(),
-        Finding::remark("average", "on average at most {value} of it")
-            .number(functions.iter().map(|&(.., mean)| mean).fold(0.0, f64::max), 0.0)
-            .at_most(1.0, "the seminorm of the function"),
-        Finding::claim("zones", "up to five intervals have at most {value} of the constant at the end")
-            .largest(ratios())
-            .at_most(1.0 + 2.0 * tolerance, "the interval at an end, to the tolerance of both")
-            .told(),
-        Finding::remark("refused", "for {value} of the zones rounding forbids the tolerance")
-            .number((zones.len() - ratios().count()) as f64, 0.0)
-            .at_most(0.1 * zones.len() as f64, "a tenth of the zones"),
-        Finding::remark("middle", "one interval has its least constant in the middle")
-            .number(off, 0.0)
-            .within(PLACED, 0.0, "one half less its start over 1 - theta")
-            .told(),
-        Finding::remark("apart", "two halves have {value} of the constant at one end or more")
-            .smallest(places.iter().map(|place| place.gaps[place.gaps.len() - 1].1))
-            .at_most(1.0 - tolerance, "the interval at an end"),
-        Finding::remark("floor", "with mean zero two halves come down to {value} of gamma_1")
-            .smallest(halves)
-            .within(4.0 * tolerance, 1.0, "gamma_1, below which no set comes"),
-    ]
-}
-
-/// Tries everything, and says what held.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "the constant of a set of measure theta is at most that of (0, theta)";
-    let mut headline = Headline::new("Remark 7", claim, table(&computed), findings(options, &computed));
-    headline.draw(&options.output, "remark_7_unions", || Ok(draw_unions(&computed.zones)))?;
-    headline.draw(&options.output, "remark_7_gaps", || Ok(draw_gaps(&computed.places)))?;
-    Ok(headline)
-}
-
-fn table(computed: &Computed) -> Table {
-    let four = Format::Significant(4);
-    let columns = vec![
-        Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("condition", "condition", Format::Plain, ""),
-        Column::new("least_at", "least at", Format::Fixed(2), "start of the best interval over 1 - theta"),
-        Column::new("least", "middle/end", four, "its constant over that at the end"),
-        Column::new("narrow", "short gap", four, "two halves 1e-4 apart in the middle, over the end"),
-        Column::new("ends", "both ends", four, "two halves at both ends, over one end"),
-    ];
-    Table::new(columns).with_rows(computed.places.iter().map(|place| {
-        let ends = [0, place.gaps.len() - 1].map(|k| place.gaps[k].1.value);
-        let mut row: Vec<Cell> = vec![place.order.value().into(), place.condition.to_string().into()];
-        row.extend([place.share, place.least.value, ends[0], ends[1]].map(Cell::from));
-        row
-    }))
-}
-
-fn draw_unions(zones: &[(ZoneCase, Option<Estimate>)]) -> Chart {
-    let (x, y) = ("theta, measure of the zone", "constant over that of (0, theta)");
-    let chart = Chart::new("Random zones of one to five intervals", Axis::logarithmic(x), Axis::linear(y));
-    (1..=5).fold(chart, |chart, count| {
-        let cases = zones.iter().filter(|(case, _)| case.zones.count() == count);
-        let points = cases.filter_map(|(case, ratio)| Some((case.zones.length(), (*ratio)?.value)));
-        chart.with(Series::points(format!("intervals: {count}"), points.collect()))
-    })
-}
-
-fn draw_gaps(places: &[MovedZone]) -> Chart {
-    let x = Axis::linear("gap between the halves of a zone in the middle (interval = 1)");
-    let chart = Chart::new("A gap inside the zone", x, Axis::linear("constant over that at the end"));
-    places.iter().fold(chart, |chart, place| {
-        let points = place.gaps.iter().map(|(gap, ratio)| (*gap, ratio.value)).collect();
-        let is_vanishing = place.condition == Condition::Vanishing;
-        let series = if is_vanishing { Series::dashed } else { Series::line_and_points };
-        chart.with(series(format!("ν = {}, {}", place.order, place.condition), points))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    for (what, shares) in [("steps", &steps), ("piecewise linear", &linears)] {
+        for &share in shares {
+            out.check("functions: |v*|_ν/|v|_ν").at_most(share, 1.0 + 1e-8, "theorem");
+        }
+        report(out, &format!("functions, {what}"), shares);
+    }
+    report(out, "sequences, every k", &sequences);
+    let mut found = vec![Vec::new(); 5];
+    for number in 0..options.unions {
+        let (nu, theta) = (0.001 + 0.998 * random.uniform(), 0.9 * 1e-12f64.powf(random.uniform()));
+        let count = 1 + (5.0 * random.uniform()) as usize;
+        let (intervals, mut gaps) = (random.shares(count, theta), random.shares(count + 1, 1.0 - theta));
+        if number % 4 == 0 && count > 1 {
+            gaps[count] += std::mem::take(&mut gaps[0]); // from the left end on
+        }
+        let lengths: Vec<f64> =
+            gaps.iter().zip(&intervals).flat_map(|(&gap, &interval)| [gap, interval]).collect();
+        let (union, end) = (Zones::from_lengths(&lengths)?, Zones::from_start_and_length(0.0, theta)?);
+        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials on elements that shrink geometrically to all ends
+        // of all intervals; its error is the change to a space of another shape.
+        let solved = |zones: Zones| {
+            let zone = if number % 2 == 0 {
+                Constraint::mean_zero_on(zones)
+            } else {
+                Constraint::vanishing_on(zones)
+            };
+            gamma(nu, zone, 1e-3).map(|found| Measured::from(found.constant))
+        };
+        let Ok(constant) = solved(union) else { continue }; // rounding forbids three digits
+        let over = constant / solved(end)?;
+        out.check("unions: γ(E)/γ((0, θ))").at_most(over, 1.0 + 2e-3, "theorem");
+        found[count - 1].push((theta, over));
+    }
+    for (k, unions) in found.iter().enumerate() {
+        report(
+            out,
+            &format!("E of {} intervals", k + 1),
+            &unions.iter().map(|union| union.1).collect::<Vec<_>>(),
+        );
+    }
+    let computed = found.iter().map(Vec::len).sum::<usize>() as f64;
+    out.check("unions with three digits").at_least(computed / options.unions as f64, 0.9, "rounding");
+    out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
+    let axes = (Axis::logarithmic("θ, measure of the zone"), Axis::linear("constant over that of (0, θ)"));
+    let mut chart = Chart::new("Random zones of one to five intervals", axes.0, axes.1);
+    for (k, unions) in found.iter().enumerate() {
+        let points = unions.iter().map(|(theta, over)| (*theta, over.value)).collect();
+        chart = chart.with(Series::points(format!("intervals: {}", k + 1), points));
+    }
+    out.chart("remark_7_unions", chart);
+    Ok(())
 }

@@ -1,139 +1,130 @@
-//! Remark 7: the constants hold wherever the zone lies.
+//! Remark 7: the constants of Lemma 5.2 are valid wherever the zone lies.
 //!
-//! The statement: γ for (a, a+θ) is never above γ for (0, θ), hence of the same order. The printed proof cuts
-//! the interval inside the zone and uses Lemma 5.2 on both pieces, as if the mean over each part of the zone
-//! were zero. With u odd about the middle of a zone in the middle, the mean over the zone is zero whatever u
-//! is on the left half:
-//! * ν < 1/2: u = sgn(x − 1/2) has no seminorm on either piece, the step reads 1 ≤ 0 with any constant;
-//! * ν = 1/2: the odd ramp in ln|x − 1/2| needs a constant that grows as its inner radius shrinks;
-//! * ν > 1/2: the step is true with another constant; how much larger than γ_θ at least, an extremal function
-//!   says.
+//! Let γ be the best constant in ‖u‖₀ ≤ γ |u|_ν for u in H^ν(0, 1), 0 < ν < 1, with mean zero on the zone (a, a + θ),
+//! |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark: whatever a is, γ is at most a constant times that of
+//! a = 0, which Lemma 5.2 bounds by θ^(ν−1/2), ln(1/θ), 1. Compared: γ is at most that of a = 0 itself.
 //!
-//! Repair: with m the mean of u over (0,1), ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²)|u|_ν², N the dual norm of
-//! 1_E/|E| − 1, of order θ^{ν−1/2}, √ln(1/θ), 1 by Hölder and Sobolev for any set E.
+//! The paper cuts (0, 1) inside the zone into I₁ and I₂ and uses Lemma 5.2 on both, with a constant C(θ):
 //!
-//! `cargo run --release --example remark_7_zone_location`
+//! ```text
+//! ‖u‖₀² = ‖u‖₀² on I₁ + ‖u‖₀² on I₂ ≤ (C(θ) |I₁|^ν |u|_ν on I₁)² + (C(θ) |I₂|^ν |u|_ν on I₂)²,
+//! ```
+//!
+//! as if the mean over each part of the zone were zero. A function that is odd about the middle of the zone has mean zero
+//! there, whatever it is on one half. For u = sgn(x − 1/2), ν < 1/2, the left side is 1 and the right side 0; for odd ramps
+//! in ln |x − 1/2|, ν = 1/2, the quotient grows without bound as their inner radius ε shrinks. So that step is false.
+//!
+//! It can be repaired without a cut: with m the mean of u over (0, 1), ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|²_ν, γ₁ the
+//! constant for mean zero on (0, 1) and N the dual norm of u ↦ m − mean on the zone, of the order of Lemma 5.2 or less
+//! for any zone. Refuted if γ exceeds that of a = 0, or √(γ₁² + N²), by more than the tolerance 1e-7.
+//!
+//! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use experiments::location::Places;
-use fractional_sobolev::{Estimate, Order, Tolerance};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Constraint, Function, Gram, Mesh, Zones, gamma};
+use nalgebra::{DMatrix, DVector};
 
-example_frame::options! {
-    /// Poincare constants of zones at several places, the printed step and its repair
-    pub struct Options: Quick {
-        /// Orders nu in (0, 1)
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<Order>,
-        /// Length theta of the zone
-        #[arg(long, default_value_t = 1e-3)]
-        pub theta: f64,
-        /// Places a, as fractions of 1 - theta
-        #[arg(long, value_delimiter = ',', default_values = ["0", "1e-4", "1e-2", "0.1", "0.25", "0.5"], value_parser = within::<f64>("[0, 1]"))]
-        pub at: Vec<f64>,
-        /// Relative tolerance: fast, balanced, reference or a number
-        #[arg(long, default_value_t = Tolerance::balanced())]
-        pub tolerance: Tolerance,
+example! { quick "Remark 7", "mean zero on (a, a + θ):  ‖u‖₀ ≤ γ |u|_ν,  γ at most that of a = 0, for every a";
+    /// orders ν of the seminorm
+    nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
+    /// length θ of the zone
+    theta: f64 = "1e-3" in "[1e-12, 0.9]" slider "1e-6 to 0.5 by factors",
+    /// places a/(1 − θ)
+    at: Vec<f64> = "0,1e-4,1e-2,0.1,0.25,0.5" in "[0, 1]",
+}
+
+/// γ from its definition: √λ for the largest λ of M u = λ A u, u in the span of the hat functions φᵢ with mean zero on
+/// (a, b), M = ∫ φᵢ φⱼ and A the form of |·|²_ν, in closed form. Elements are halved towards 0, both sides of a and b, 1.
+fn by_definition(nu: Order, a: f64, b: f64) -> Result<f64> {
+    let mut points = vec![0.0, a, b, 1.0];
+    points.dedup();
+    let mesh = Mesh::graded(&points, 10 + (a - b).abs().log2().abs() as usize, 0.5)?;
+    let (h, x, n) = (mesh.lengths(), mesh.nodes(), mesh.len());
+    let mut mass = DMatrix::<f64>::zeros(n + 1, n + 1);
+    let mut mean = DVector::<f64>::zeros(n + 1); // ∫ φᵢ over (a, b)
+    for k in 0..n {
+        let element = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h[k] / 6.0);
+        let mut block = mass.view_mut((k, k), (2, 2));
+        block += element;
+        if (a..b).contains(&(0.5 * (x[k] + x[k + 1]))) {
+            mean[k] += h[k] / 2.0;
+            mean[k + 1] += h[k] / 2.0;
+        }
     }
+    let pivot = mean.imax();
+    let mut free = DMatrix::identity(n + 1, n + 1); // columns φᵢ − (meanᵢ / mean_pivot) φ_pivot: a basis of mean zero
+    free.set_row(pivot, &(-mean.transpose() / mean[pivot]));
+    let free = free.remove_column(pivot);
+    let form = free.transpose() * Gram::new(&mesh, nu, 1e-10)?.to_dense()? * &free;
+    Ok(largest_eigenvalue(&(free.transpose() * mass * &free), &form)?.sqrt())
 }
 
-/// Compares places, then the printed step with its repair.
-pub fn compute(options: &Options) -> Result<Vec<Places>> {
-    let places = |&order| Ok(Places::new(order, options.theta, &options.at, options.tolerance)?);
-    options.nu.iter().map(places).collect()
+/// ‖w‖₀ / |w|_(1/2) of w = 1 − min(|ln x|, L)/L, quadratic on elements of equal length in ln x: odd about 1/2 and scaled,
+/// the quotient of both sides of the cut at ν = 1/2.
+fn ramp(log: f64) -> Result<Measured> {
+    let layers = (log / 0.35).ceil();
+    let mut nodes = vec![0.0];
+    nodes.extend((0..=layers as usize).map(|k| (-log * (1.0 - k as f64 / layers)).exp()));
+    let value = |x: f64| if x <= 0.0 { 0.0 } else { 1.0 - (-x.ln()).clamp(0.0, log) / log };
+    let w = Function::interpolate(&Mesh::from_nodes(&nodes)?, 2, value)?;
+    Ok(Measured::from(w.norm(0.0, 1e-12)?) / w.seminorm(Order::HALF, 1e-8)?)
 }
 
-/// A constant larger than this is none.
-const NO_CONSTANT: f64 = 1e12;
-
-/// What decides: the end is the worst place, the repair holds, and what the printed step would need.
-pub fn findings(options: &Options, places: &[Places]) -> Vec<Finding> {
-    let all = || places.iter().flat_map(|places| &places.zones);
-    let ratio = Estimate::largest(all().filter(|at| at.start > 0.0).map(|at| at.ratio));
-    let repair = Estimate::largest(all().map(|at| at.share));
-    let allowed = 1.0 + options.tolerance.relative();
-    let step = Estimate::smallest(places.iter().map(|places| places.step));
-    let mut findings = vec![
-        Finding::claim(
-            "end",
-            "the end is the worst place in every case computed, inside at most {value} of it",
-        )
-        .estimate_or(ratio, "no zone inside")
-        .at_most(allowed, "the zone at the end, to the tolerance")
-        .otherwise("a zone inside has {value} times the constant of that at the end")
-        .told(),
-        Finding::claim("repair", "gamma stays below the bound without a cut, at most {value} of it")
-            .estimate_or(repair, "no zone")
-            .at_most(allowed, "(gamma_1^2 + N^2)^(1/2), to the tolerance")
-            .otherwise("gamma is {value} times the bound without a cut"),
-        Finding::remark("step", "with gamma of Lemma 5.2 itself the printed step is off by {value} at least")
-            .estimate_or(step, "no order")
-            .at_least(1.0, "the step with the constant gamma of the zone")
-            .otherwise("with gamma of Lemma 5.2 itself the printed step holds for some odd function"),
-    ];
-    for Places { order, sign, ramps, .. } in places {
-        let printed = |key: &str, words: &str| Finding::printed(format!("{key}.nu{order}"), words);
-        let words = format!("nu = {order}: the printed step holds with some constant");
-        findings.extend(sign.as_ref().map(|sides| {
-            printed("sign", &words)
-                .number(sides.right.value, sides.right.error)
-                .at_least(sides.left.value / NO_CONSTANT, "||u|| over a constant of 1e12, u = sgn(x - 1/2)")
-                .otherwise(format!(
-                    "nu = {order}: the printed step reads 1 <= {{value}} for u = sgn(x - 1/2)"
-                ))
-        }));
-        findings.extend(ramps.map(|exponent| {
-            let fails = "the constant of the printed step grows like ln(1/eps)^{value} on odd ramps";
-            printed("ramp", &words)
-                .estimate(exponent)
-                .at_most(0.0, "a constant for every inner radius eps")
-                .otherwise(format!("nu = {order}: {fails}"))
-        }));
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let theta = options.theta;
+    out.column("at", "a/(1−θ)", "");
+    out.column("definition", "hats", "γ by `by_definition`");
+    out.column("over_end", "γ/end", "over γ of (0, θ)");
+    out.column("repair", "repair", "√(γ₁² + N²)");
+    for &nu in &options.nu {
+        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials with mean zero on the zone, on elements that
+        // shrink geometrically to the ends of zone and interval; its error is the change to a space of another shape.
+        let end = Measured::from(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?.constant);
+        for &at in &options.at {
+            let a = at * (1.0 - theta);
+            let zone = Zones::from_start_and_length(a, theta)?;
+            let found = gamma(nu, Constraint::mean_zero_on(zone), 1e-8)?;
+            let bounds = found.bounds()?; // γ₁ by the same eigenproblem, N by one linear solve
+            let repair = Measured::from(bounds.whole).squared() + Measured::from(bounds.dual_norm).squared();
+            let (gamma, repair) = (Measured::from(found.constant), repair.sqrt());
+            let (over_end, definition) =
+                (gamma / end, by_definition(nu, a, if at < 1.0 { a + theta } else { 1.0 })?);
+            out.row(cells! { nu, at => gamma, definition, over_end: over_end.value, repair: repair.value });
+            if at > 0.0 {
+                out.check("γ inside over γ of (0, θ)").at_most(over_end, 1.0 + 1e-7, "the end is worst");
+            }
+            out.check("γ over √(γ₁² + N²)").at_most(gamma / repair, 1.0 + 1e-7, "no cut");
+            out.check("γ by its definition, over γ").near(
+                gamma.recip() * definition,
+                1.0,
+                5e-3,
+                "hat functions",
+            );
+        }
+        // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on one half.
+        let needed =
+            Measured::from(gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant) / end;
+        out.observe("cut with C(θ) = γ of (0, θ): left/right").at_least(needed, 1.0, "an odd function");
     }
-    findings
-}
-
-/// Computes the places, and says what the printed proof and its repair give.
-pub fn run(options: &Options) -> Result<Headline> {
-    let places = compute(options)?;
-    let claim = "the constants of Lemma 5.2 are valid wherever the zone of length theta lies";
-    let mut headline = Headline::new("Remark 7", claim, table(&places), findings(options, &places));
-    let steps = places.iter().map(|places| places.step.value);
-    headline.quote("remark.7.printed.step", steps.fold(f64::INFINITY, f64::min));
-    headline.draw(&options.output, "remark_7_zone_location", || Ok(draw(&places, options.theta)))?;
-    Ok(headline)
-}
-
-fn table(places: &[Places]) -> Table {
-    let six = Format::Significant(6);
-    let step =
-        "||u|| / (gamma |I_1|^nu |u|) on (0,1/2) for an odd function; at most 1 if gamma were the constant";
-    let columns = vec![
-        Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("a", "a", Format::Significant(3), "start of the zone"),
-        Column::new("gamma", "gamma", Format::Significant(9), "its constant"),
-        Column::new("ratio", "/end", six, "over the constant of (0, theta), at most 1"),
-        Column::new("repair", "repair", six, "(gamma_1^2 + N^2)^(1/2), at least gamma"),
-        Column::new("step", "printed step", Format::Significant(4), step),
-    ];
-    Table::new(columns).with_rows(places.iter().flat_map(|Places { order, zones, step, .. }| {
-        zones.iter().map(move |at| {
-            let [gamma, ratio, repair] = [at.gamma, at.ratio, at.repair].map(|number| number.value);
-            [order.value(), at.start, gamma, ratio, repair, step.value]
-        })
-    }))
-}
-
-fn draw(places: &[Places], theta: f64) -> Chart {
-    let (x, y) = ("a + θ, where the zone (a, a + θ) ends (interval = 1)", "constant over that at the end");
-    let chart = Chart::new("Where the zone lies", Axis::logarithmic(x), Axis::linear(y));
-    places.iter().fold(chart, |chart, Places { order, zones, .. }| {
-        let points = zones.iter().map(|at| (at.start + theta, at.ratio.value)).collect();
-        chart.with(Series::line_and_points(format!("ν = {order}"), points))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    if options.nu.iter().any(|nu| nu.is_below_half()) {
+        let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+        let mut right = 0.0;
+        for piece in [sign.restrict(0..1)?, sign.restrict(1..2)?] {
+            right += piece.seminorm(Order::new(0.25)?, 1e-8)?.value; // of a constant
+        }
+        let left = sign.norm(0.0, 1e-8)?.value;
+        out.as_printed("cut, sgn(x − 1/2): right/left").at_least(right / left, 1e-12, "without the cut");
+    }
+    if options.nu.contains(&Order::HALF) {
+        let (long, short) = (17.728, 36.148); // ln(1/ε): inner radius ε = 2e-8 and 2e-16 of the half interval
+        let power = (ramp(short)? / ramp(long)?).ln() / (short / long).ln();
+        out.as_printed("cut, odd ramps: power of ln 1/ε").at_most(power, 0.0, "without the cut");
+    }
+    out.plot(
+        "remark_7_zone_location",
+        "Where the zone lies",
+        Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end"),
+    )
+    .curve_by("nu", "at", "over_end");
+    Ok(())
 }

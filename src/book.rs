@@ -19,7 +19,7 @@ chapters! {
     remark_1: "remark_1.md",
     section_4_midpoint_cone: "section_4_midpoint_cone.md",
     section_1_norms: "section_1_norms.md",
-    scenes: "scenes.md",
+    test_problems: "test_problems.md",
     introduction_rates: "introduction_rates.md",
     falk: "falk.md",
     remark_2: "remark_2.md",

@@ -13,9 +13,6 @@ mod lemma_6_2_global_estimate;
 #[allow(dead_code)]
 #[path = "../examples/section_2_multigrid.rs"]
 mod section_2_multigrid;
-#[allow(dead_code)]
-#[path = "../examples/section_2_strip.rs"]
-mod section_2_strip;
 
 /// What every example takes whatever its size: code, threads, tables.
 const PROGRAM: f64 = 20e6;
@@ -65,7 +62,6 @@ fn announced<O: Parser + HasOutput>(line: &str) -> f64 {
 fn what_is_announced_is_taken() {
     let elements = ["--nu 0.25 --elements 1000000", "--nu 0.25 --elements 3000000"];
     let meshes = ["--n 32 --levels 1", "--n 16 --levels 3"];
-    let strips = ["--levels 3-12", "--levels 3-14"];
     let mut runs: Vec<(&str, &str, f64)> = Vec::new();
     runs.extend(elements.map(|line| {
         ("lemma_6_2_global_estimate", line, announced::<lemma_6_2_global_estimate::Options>(line))
@@ -73,7 +69,6 @@ fn what_is_announced_is_taken() {
     runs.extend(
         meshes.map(|line| ("section_2_multigrid", line, announced::<section_2_multigrid::Options>(line))),
     );
-    runs.extend(strips.map(|line| ("section_2_strip", line, announced::<section_2_strip::Options>(line))));
     for (name, line, said) in runs {
         let Some(found) = taken(name, line) else {
             println!("{name} {line}: this system does not count the memory of a process");

@@ -1,7 +1,6 @@
 //! Files and processes: places that cannot be written, a full disk, directories in place of files, two
-//! processes in one directory, an interrupted study. Nothing half-written is ever read as whole.
+//! processes in one directory. Nothing half-written is ever read as whole.
 
-use example_frame::rates::LevelStore;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
@@ -9,10 +8,6 @@ use std::time::{Duration, Instant};
 
 /// An example that takes no time, and what it draws.
 const QUICK: &str = "equation_6_2_mean";
-/// A study that keeps its levels, and where.
-const STUDY: (&str, &str) = ("theorem_3_1_rates", "theorem_3_1_levels.jsonl");
-/// Longest wait for its first levels.
-const PATIENCE: Duration = Duration::from_secs(120);
 
 fn command(name: &str, arguments: &[&str]) -> Command {
     let test = std::env::current_exe().unwrap();
@@ -152,70 +147,4 @@ fn a_run_of_some_seconds_says_on_a_terminal_that_it_lives() {
     process.kill().unwrap();
     process.wait().unwrap();
     assert!(said.contains("4s"), "{said:?}");
-}
-
-/// Waits until the file has so many lines.
-fn wait_for_lines(path: &str, count: usize) -> String {
-    let start = Instant::now();
-    loop {
-        let text = std::fs::read_to_string(path).unwrap_or_default();
-        if text.matches('\n').count() >= count {
-            return text;
-        }
-        assert!(start.elapsed() < PATIENCE, "no {count} lines of {path} after {PATIENCE:?}");
-        std::thread::sleep(Duration::from_millis(20));
-    }
-}
-
-#[cfg(unix)]
-fn interrupt(process: &mut Child) {
-    // A process that was started in the background of a shell does not hear the first.
-    for signal in ["-INT", "-TERM"] {
-        let sent = Command::new("kill").args([signal, &process.id().to_string()]).status();
-        assert!(sent.unwrap().success());
-        std::thread::sleep(Duration::from_millis(300));
-    }
-    assert_eq!(process.wait().unwrap().code(), None, "ended by the interruption");
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interrupted_study_goes_on_where_it_stopped() {
-    let scratch = Scratch::new("interrupted");
-    let ((name, store), values) = (STUDY, scratch.at("values.json"));
-    let store = scratch.at(store);
-    let start = || {
-        let arguments = ["--full", "--tau", "1.75", "--out", &scratch.at("")[..], "--values", &values];
-        command(name, &arguments).spawn().unwrap()
-    };
-    let keys = |text: &str| -> Vec<String> {
-        let whole = text.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
-        whole.map(|line| line["key"].to_string()).collect()
-    };
-    let mut process = start();
-    let first = wait_for_lines(&store, 3);
-    interrupt(&mut process);
-    assert!(!Path::new(&values).exists(), "nothing is said of a study that has not ended");
-    assert!(scratch.names().iter().all(|name| !name.ends_with(".svg")), "{:?}", scratch.names());
-    // Two go on at once; what was finished is kept, and not computed again.
-    let mut both = [start(), start()];
-    let further = wait_for_lines(&store, first.lines().count() + 3);
-    both.iter_mut().for_each(interrupt);
-    assert!(further.starts_with(&first), "what was finished has changed");
-    let known: BTreeSet<String> = keys(&first).into_iter().collect();
-    let again = keys(&further).into_iter().skip(known.len()).filter(|key| known.contains(key)).count();
-    assert_eq!(again, 0, "levels computed again");
-    // At most the lines that were being written are torn, and they are counted.
-    let read = LevelStore::open(Path::new(&store)).unwrap();
-    assert!(read.ignored() <= 2 && read.len() >= known.len(), "{} damaged", read.ignored());
-    // A damaged line is reported by the next run.
-    let mut text = std::fs::read_to_string(&store).unwrap();
-    text.insert_str(0, "{\"key\": \"torn\n");
-    std::fs::write(&store, &text).unwrap();
-    let mut process = start();
-    wait_for_lines(&store, text.lines().count() + 1);
-    interrupt(&mut process);
-    let mut said = String::new();
-    std::io::Read::read_to_string(&mut process.stderr.take().unwrap(), &mut said).unwrap();
-    assert!(said.contains("damaged lines") && said.contains("computed again"), "{said}");
 }

@@ -4,10 +4,12 @@
 #[allow(dead_code, reason = "only `compute` is used here")]
 mod roads;
 
-use experiments::convergence::MeshRates;
+#[path = "../examples/theorem_3_1_rates.rs"]
+#[allow(dead_code, reason = "only `outcome` is used here")]
+mod rates;
+
 use serde_json::Value;
-use signorini::cone::Cone;
-use signorini::problems::{Parameters, TestProblem};
+use signorini::problems::{NamedProblem, TestProblem};
 
 fn kept(run: &str) -> Value {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/book/generated/large/values.json");
@@ -23,8 +25,6 @@ fn column(run: &Value, key: &str) -> Vec<String> {
 
 /// Half of the last of four printed digits.
 const PRINTED: f64 = 6e-4;
-/// What contact adds to the orthogonality of Galerkin.
-const ORTHOGONAL: f64 = 1e-2;
 
 #[test]
 fn errors_by_every_road_are_those_that_were_kept() {
@@ -39,26 +39,17 @@ fn errors_by_every_road_are_those_that_were_kept() {
     }
 }
 
-/// By orthogonality an error against the finer reference is that against the coarser one and what this one is
-/// off, as squares.
+/// An order from h ≥ 1/128 and the one that was kept are those of one corner.
 #[test]
-fn errors_of_the_block_are_those_that_were_kept() {
-    for (run, cone) in [("theorem_3_1_rates_block", Cone::Nodal), ("theorem_4_1_rates_block", Cone::Midpoint)]
-    {
-        let run = kept(run);
-        let [cells, error] = ["cells", "error"].map(|key| column(&run, key));
-        let setting = Parameters::default();
-        let rates =
-            MeshRates { scene: TestProblem::Block, setting, constant_load: false, coarsest: 4, levels: 5 };
-        let study = rates.study(&[cone]).unwrap().remove(0);
-        let kept = |n: usize| -> f64 {
-            let row = cells.iter().position(|cells| *cells == n.to_string()).unwrap();
-            error[row].parse().unwrap()
-        };
-        for level in &study.levels {
-            let expected = level.error.hypot(kept(128));
-            let off = expected / kept(level.cells) - 1.0;
-            assert!(off.abs() < ORTHOGONAL, "{cone}, {}: {off:e}", level.cells);
-        }
+fn orders_of_corners_are_those_that_were_kept() {
+    let kept = kept("theorem_3_1_rates_corners");
+    let (tau, problem) = (vec![1.6, 1.75, 1.9], vec![NamedProblem::Mesh(TestProblem::Corner)]);
+    let computed = rates::outcome(&rates::Options { tau, problem, finest: 13 }).unwrap();
+    for tau in ["1.6", "1.75", "1.9"] {
+        let key = format!("order.problemcorner.tau{tau}");
+        let [kept, error] =
+            [key.clone(), format!("{key}.error")].map(|key| kept["values"][key].as_f64().unwrap());
+        let (found, wide) = (computed.value(&key).unwrap(), computed.value(&format!("{key}.error")).unwrap());
+        assert!((found - kept).abs() < error + wide, "{tau}: {found} +- {wide}, kept {kept} +- {error}");
     }
 }

@@ -1,17 +1,13 @@
 //! Section 2 on a strip: random loads against a dense solver, extreme data, bad input.
 
-use clap::Parser;
-use example_frame::{Outcome, Verdict};
-use experiments::convergence::{Level, Levels};
 use faer::Mat;
 use proptest::prelude::*;
 use signorini::Error;
 use signorini::ToolkitError;
-use signorini::cone::{Cone, Ends, Status};
+use signorini::cone::{Cone, Ends};
 use signorini::fem::Lame;
 use signorini::problems::StripData;
 use signorini::strip::{EdgeData, EdgeOperator, LateralCondition, Reference, Strip, StripKind, StripProblem};
-use std::sync::LazyLock;
 
 #[path = "../examples/section_2_strip.rs"]
 #[allow(dead_code)]
@@ -199,128 +195,57 @@ fn samples_are_read_or_refused_by_line() {
     refused(EdgeData::from_samples("0 inf\n0 0\n0 0\n", LateralCondition::Natural), "not finite");
 }
 
-fn run(arguments: &[&str]) -> example_frame::Result<example_frame::Headline> {
-    let words = std::iter::once("section_2_strip").chain(arguments.iter().copied());
-    example::run(&example::Options::try_parse_from(words).unwrap())
+fn run(
+    problem: &str,
+    tau: f64,
+    kind: StripKind,
+    cone: Cone,
+) -> example_report::Result<example_report::Outcome> {
+    let problem = vec![problem.parse()?];
+    example::outcome(&example::Options { problem, tau, finest: 9, cone, kind })
 }
 
 #[test]
 fn example_runs_and_refuses() {
-    for arguments in [
-        vec!["--levels", "3-7", "--positions", "5"],
-        vec!["--levels", "3-7", "--kind", "elastic", "--cone", "midpoint"],
-        vec!["--levels", "3-7", "--scene", "cantor", "--positions", "2"],
-        vec!["--levels", "3-10", "--scene", "fat-cantor:6", "--kind", "elastic"],
-        vec!["--levels", "3-7", "--scene", "transitions:2", "--tau", "2"],
-        vec!["--levels", "3-7", "--scene", "transition:0.3", "--positions", "3"],
-        vec!["--levels", "3-9", "--reference", "harmonic"],
-        // h |ln h|^{1/2} itself has order 0.94 here: the bound is compared, not its exponent.
-        vec!["--tau", "2"],
-        vec!["--levels", "1-6", "--kind", "elastic"],
+    use StripKind::{Elastic, Scalar};
+    for (problem, tau, kind, cone) in [
+        ("transitions:1", 1.75, Elastic, Cone::Midpoint),
+        ("cantor", 1.75, Scalar, Cone::Nodal),
+        ("fat-cantor:6", 1.75, Elastic, Cone::Nodal),
+        ("transitions:2", 2.0, Scalar, Cone::Midpoint),
+        ("transition:0.3", 1.6, Scalar, Cone::Nodal),
     ] {
-        let headline = run(&arguments).unwrap();
-        assert!(headline.verdict().is_confirmed(), "{arguments:?}: {}", headline.verdict());
-        assert!(headline.table.number(1, "error").unwrap() > 0.0);
-        assert!(headline.claim.len() <= 100, "{}", headline.claim);
-        assert!(
-            headline.values.iter().all(|(_, value)| value.is_finite())
-                && !headline.measured().contains("NaN")
-        );
-    }
-    // Three orders at one place of the transition may all be on the low side of the alternation: not
-    // confirmed, and why.
-    let one_place = run(&["--levels", "3-7"]).unwrap().verdict();
-    assert!(one_place.is_confirmed() || one_place.to_string().contains("--positions"), "{one_place}");
-    nothing_is_hidden();
-    refused(run(&["--tau", "1.2"]), "tau");
-    for positions in ["0", "1025", "18446744073709551615"] {
-        refused(run(&["--scene", "transition:0.5", "--positions", positions]), "positions");
-        refused(run(&["--scene", "cantor", "--positions", positions]), "positions");
-    }
-    for levels in ["5-5", "3-4", "3-6"] {
-        refused(run(&["--levels", levels]), "number of levels");
+        let found = run(problem, tau, kind, cone).unwrap();
+        let text = found.text(false);
+        for key in ["conditions-of-contact-scaled", "inner-iterations-of-a-step"] {
+            assert_eq!(found.check(key).unwrap().decision(), example_report::Decision::Holds, "{text}");
+        }
+        assert!(found.numbers("error").windows(2).all(|pair| pair[1] > 0.0 && pair[1] < pair[0]), "{text}");
     }
     for count in ["0", "100000000", "4611686018427387904", "18446744073709551615"] {
-        refused(run(&["--levels", "3-7", "--scene", &format!("transitions:{count}")]), "gaps");
+        refused(run(&format!("transitions:{count}"), 1.75, Scalar, Cone::Nodal), "gaps");
     }
-    for scene in ["cantor:0.3:65", "cantor:0.3:18446744073709551615", "fat-cantor:65", "fat-cantor:0"] {
-        refused(run(&["--levels", "3-7", "--scene", scene]), "depth");
+    for problem in ["cantor:0.3:65", "cantor:0.3:18446744073709551615", "fat-cantor:65", "fat-cantor:0"] {
+        refused(run(problem, 1.75, Scalar, Cone::Nodal), "depth");
     }
     // Sets whose gaps have no node on the grid: nothing to converge to, no order that is not a number.
-    refused(run(&["--levels", "3-7", "--scene", "cantor:0.499999999"]), "gaps");
-    refused(run(&["--levels", "3-7", "--scene", "fat-cantor", "--tau", "1.9999"]), "gaps");
-    refused(run(&["--kind", "elastic", "--reference", "harmonic"]), "reference");
-    refused(run(&["--scene", "samples:/nowhere/at-all"]), "/nowhere/at-all");
-    for arguments in
-        [["--levels", "9-3"], ["--levels", "3-40"], ["--levels", "x"], ["--scene", "cliff"], ["--kind", "x"]]
-    {
-        let words = std::iter::once("section_2_strip").chain(arguments);
-        assert!(example::Options::try_parse_from(words).is_err(), "{arguments:?}");
-    }
-    assert!(Levels::new(0, 3).is_err());
+    refused(run("cantor:0.499999999", 1.75, Scalar, Cone::Nodal), "gaps");
+    refused(run("fat-cantor", 1.9999, Scalar, Cone::Nodal), "gaps");
+    refused(run("samples:/nowhere/at-all", 1.75, Scalar, Cone::Nodal), "/nowhere/at-all");
     assert!("samples:".parse::<StripData>().is_err());
 }
 
-/// Gaps that the grid cannot hold are counted, exact solutions and samples coarser than the levels are named.
-fn nothing_is_hidden() {
-    let fat = run(&["--levels", "3-9", "--scene", "fat-cantor:8"]).unwrap();
-    assert!(fat.claim.contains("(127 of 255 gaps)"), "{}", fat.claim);
-    let measured = fat.measured();
-    assert!(measured.contains("128 gaps left out") && measured.contains("32768 cells"), "{measured}");
-    assert!(run(&["--levels", "3-7"]).unwrap().claim.contains("(1 gap)"));
+#[test]
+fn samples_run_without_a_regularity() {
     let path = std::env::temp_dir().join(format!("signorini-samples-{}", std::process::id()));
-    std::fs::write(&path, "0 0\n".repeat(257)).unwrap();
-    let scene = format!("samples:{}", path.display());
-    let closed = run(&["--levels", "3-8", "--scene", &scene]).unwrap();
-    assert!(closed.measured().contains("error 0 on every level"), "{}", closed.measured());
-    assert!(closed.claim.contains("no rate is claimed"), "{}", closed.claim);
-    refused(run(&["--levels", "3-9", "--scene", &scene]), "lower the finest of --levels");
+    let rows: String = (0..=512)
+        .map(|i| if i < 200 { "0 1\n".to_owned() } else { format!("{} 0\n", -(f64::from(i - 199) / 512.0)) })
+        .collect();
+    std::fs::write(&path, rows).unwrap();
+    let problem = format!("samples:{}", path.display());
+    let found = run(&problem, 1.75, StripKind::Scalar, Cone::Nodal).unwrap();
+    assert!(found.checks().iter().all(|check| !check.claim().contains("order")), "{}", found.text(false));
+    std::fs::write(&path, "0 0\n".repeat(33)).unwrap();
+    refused(run(&problem, 1.75, StripKind::Scalar, Cone::Nodal), "");
     std::fs::remove_file(&path).unwrap();
-}
-
-/// The example at default size, once for all tests.
-static SOUND: LazyLock<example::Computed> =
-    LazyLock::new(|| example::compute(&example::Options::default()).unwrap());
-
-/// The default outcome with other errors, beside a bound that is constant.
-fn with_errors(errors: impl Fn(i32) -> f64) -> Verdict {
-    let errors: Vec<(f64, f64)> = (3..15).map(|i| (0.5f64.powi(i), errors(i))).collect();
-    let bounds = vec![errors.iter().map(|&(h, _)| (h, 1.0)).collect(); 2];
-    let computed = example::Computed { study: SOUND.study.clone(), errors, bounds };
-    Verdict::of(&example::findings(&example::Options::default(), &computed))
-}
-
-#[test]
-fn growth_is_told_from_alternation() {
-    for alternation in [0.0, 0.1] {
-        let series = |order: f64| {
-            let sign = |i: i32| if i % 2 == 0 { 1.0 } else { -1.0 };
-            move |i: i32| 2f64.powf(-f64::from(i) * order) * (1.0 + alternation * sign(i))
-        };
-        assert!(with_errors(series(0.0)).is_confirmed());
-        // An alternation by a tenth hides an order of 1/16, not one of 1/4.
-        assert_eq!(with_errors(series(0.0625)).to_string().contains("loose: h^0.06"), alternation == 0.0);
-        assert!(with_errors(series(0.25)).to_string().contains("loose: h^0.2"));
-        assert!(!with_errors(series(-0.1)).is_confirmed());
-    }
-}
-
-#[test]
-fn planted_faults_turn_the_verdict() {
-    let (options, sound) = (example::Options::default(), &*SOUND);
-    let turned = |spoil: &dyn Fn(&mut Vec<Level>), key: &str| {
-        let mut study = sound.study.clone();
-        spoil(&mut study.studies[0]);
-        let computed =
-            example::Computed { study, errors: sound.errors.clone(), bounds: sound.bounds.clone() };
-        let found = example::findings(&options, &computed);
-        assert!(!Verdict::of(&found).is_confirmed(), "{key}");
-        let refuted: Vec<&str> =
-            found.iter().filter(|f| f.outcome() == Outcome::Refuted).map(|f| f.key()).collect();
-        assert_eq!(refuted, [key]);
-    };
-    assert!(Verdict::of(&example::findings(&options, sound)).is_confirmed());
-    turned(&|levels| levels[4].facts.kkt = 1e-9, "kkt");
-    turned(&|levels| levels[0].facts.status = Status::StepLimit { steps: 200 }, "converged");
-    turned(&|levels| levels[11].facts.inner_iterations.push(31), "inner");
 }
