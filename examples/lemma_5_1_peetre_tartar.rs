@@ -9,6 +9,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
+use experiments::EstimateExt;
 use experiments::trial::{mean_free_quotient, peetre_tartar};
 use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
 use std::process::ExitCode;

@@ -9,6 +9,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
+use experiments::EstimateExt;
 use experiments::growth::{END_SLOPE, INTERIOR_SLOPE, growth, last_exponent};
 use experiments::zones::Place;
 use fractional_sobolev::{Constraint, Estimate, Law, Order, Tolerance, gamma, law};

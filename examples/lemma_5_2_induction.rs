@@ -9,6 +9,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use experiments::EstimateExt;
 use experiments::induction::{InductionStep, induction, scaling_defect};
 use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::f64::consts::SQRT_2;

@@ -5,6 +5,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::EstimateExt;
 use experiments::interpolation::{LocalConstants, WorstRatios, worst_ratios};
 use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;

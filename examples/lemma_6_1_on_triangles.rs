@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use experiments::EstimateExt;
 use fractional_sobolev::{
     BestConstant, Domain, ErrorNorm, Estimate, Order, Tolerance, interpolation_constant,
 };

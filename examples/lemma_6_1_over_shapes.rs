@@ -4,6 +4,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::ErrorExt;
+use experiments::EstimateExt;
 use fractional_sobolev::{Domain, Error, ErrorNorm, Estimate, Order, Tolerance, interpolation_constant};
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;

@@ -5,6 +5,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::EstimateExt;
 use experiments::interpolation::{InterpolationError, LocalConstants, MeshRatios, SampleSlope};
 use fractional_sobolev::{Estimate, Mesh, Order, Tolerance};
 use std::process::ExitCode;

@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
+use experiments::EstimateExt;
 use fractional_sobolev::{Error, Estimate, Function, Order, Tolerance, Triangles};
 use std::f64::consts::{PI, SQRT_2};
 use std::process::ExitCode;

@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed, within};
+use experiments::ErrorExt;
 use fractional_sobolev::{Error, Estimate, Function, Mesh, Order, Tolerance};
 use signorini::rates::order_between;
 use std::f64::consts::PI;

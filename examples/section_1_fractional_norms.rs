@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, timed};
+use experiments::EstimateExt;
 use experiments::gallery::GalleryFunction;
 use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;

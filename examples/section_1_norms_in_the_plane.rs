@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
+use experiments::EstimateExt;
 use experiments::SplitMix;
 use fractional_sobolev::{Error, Estimate, Function, Order, Tolerance, Triangles, closed_forms};
 use std::process::ExitCode;
@@ -59,7 +60,7 @@ impl Row {
 
     /// (1 − 2s)|w|² over its limit at one half, with its error.
     fn to_half(&self) -> Option<(f64, f64)> {
-        let scale = self.order.one_minus_twice() / perimeter_limit(2f64.sqrt());
+        let scale = (-2.0 * self.order.offset()) / perimeter_limit(2f64.sqrt());
         self.step.map(|Estimate { value, error, .. }| (scale * value * value, 2.0 * scale * value * error))
     }
 }
@@ -101,10 +102,10 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
 pub fn findings(options: &Options, rows: &[Row]) -> Vec<Finding> {
     let largest = |numbers: Vec<(f64, f64)>| numbers.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
     let errors = rows.iter().map(|row| row.coordinate.relative_distance(&row.exact)).collect();
-    let wrong = rows.iter().filter(|row| row.order.is_below_half() != row.step.is_some()).count();
+    let wrong = rows.iter().filter(|row| (row.order.offset() < 0.0) != row.step.is_some()).count();
     let off = |(value, error): (f64, f64)| ((value - 1.0).abs(), error);
     let at_one = rows.iter().filter(|row| row.order.complement() < NEAR).map(|row| off(row.to_one()));
-    let is_near = |row: &&Row| row.order.one_minus_twice() < NEAR;
+    let is_near = |row: &&Row| (-2.0 * row.order.offset()) < NEAR;
     let at_half = rows.iter().filter(is_near).filter_map(|row| row.to_half().map(off)).collect();
     vec![
         Finding::claim("closed.form", "on every mesh |x| has the norm of its closed form, to {value}")

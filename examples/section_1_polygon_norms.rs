@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
+use experiments::EstimateExt;
 use fractional_sobolev::{Curve, Estimate, Function, Mesh, Order, closed_forms};
 use std::f64::consts::{LN_2, PI, TAU};
 use std::process::ExitCode;

@@ -7,6 +7,7 @@ use example_frame::figures::{Axis, Chart, Series};
 pub use example_frame::shown::numbers::numbered_findings as findings;
 use example_frame::shown::numbers::numbered_table;
 use example_frame::{Headline, Result, progress, within};
+use experiments::ErrorExt;
 use experiments::proof::{NumberedRow, NumberedStudy};
 use signorini::cone::Cone;
 use signorini::problems::KnownSolution;

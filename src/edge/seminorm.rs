@@ -25,7 +25,7 @@ impl SeminormForm {
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without cells.
     pub(super) fn new(traces: Traces, order: Order, cells: usize) -> Result<Self> {
-        if traces == Traces::Constants && !order.is_below_half() {
+        if traces == Traces::Constants && order.offset() >= 0.0 {
             return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
                 order: order.value(),
                 why: "a jump is not in H^nu for nu >= 1/2",
@@ -62,7 +62,7 @@ impl SeminormForm {
         // A maps constants to zero: subtracting the mean costs nothing and saves digits.
         let form: f64 = product.iter().zip(&x).map(|(y, v)| y * (v - mean)).sum();
         let size: f64 = operator.diagonal()?.iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
-        let scale = segment.length().powf(self.order.one_minus_twice());
+        let scale = segment.length().powf(-2.0 * self.order.offset());
         Ok(Estimate::new(scale * form.max(0.0), scale * PRODUCT * size, Work::default())?)
     }
 }
@@ -137,7 +137,7 @@ mod tests {
         };
         let nu = order.value();
         let power = if segment.traces == Traces::Constants {
-            order.one_minus_twice()
+            -2.0 * order.offset()
         } else {
             2.0 * order.complement()
         };
@@ -154,7 +154,7 @@ mod tests {
             total +=
                 adaptive.integral(&beyond, k as f64, k as f64 + 1.0, tolerance.relative() * rough, DEPTH);
         }
-        let scale = 2.0 * segment.cell.powf(order.one_minus_twice());
+        let scale = 2.0 * segment.cell.powf(-2.0 * order.offset());
         let work = Work { points: adaptive.points, ..Work::default() };
         let estimate = Estimate::new(scale * total, scale * adaptive.error, work)?;
         // A constant trace has seminorm 0 and no relative error.

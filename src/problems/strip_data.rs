@@ -18,8 +18,8 @@ use super::gap_data::{Gaps, Grid};
 use super::registry::registry;
 use super::tau_range::TauRange;
 use crate::error::{Error, Result, ToolkitError};
-use crate::mesh::read_text;
 use crate::strip::{EdgeData, LateralCondition};
+use crate::text::read_text;
 use std::f64::consts::LN_2;
 use std::path::PathBuf;
 

@@ -636,25 +636,6 @@ impl<'a> Function<'a> {
         self.polynomials("restriction to elements")?.restrict(elements).map(Self::from)
     }
 
-    /// The decreasing rearrangement u* of a piecewise polynomial of degree at most one, on the same interval: it
-    /// takes every range of values on a set of the same measure as u. Cost: (number of elements)².
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// let tent = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
-    /// let sorted = tent.decreasing_rearrangement()?;
-    /// assert!(sorted.mesh()?.len() == 1 && sorted.value(0, 0.25)? == 0.75);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] for a function that is no piecewise polynomial, [`Error::CountOutOfRange`] for a higher
-    /// degree; [`Error::OutOfRange`] when u* has elements more than 1e303 times shorter than the interval.
-    #[doc(alias("monotone rearrangement"))]
-    pub fn decreasing_rearrangement(&self) -> Result<Self> {
-        self.polynomials("rearrangement")?.decreasing_rearrangement().map(Self::from)
-    }
-
     /// The piecewise polynomial that this function is.
     pub(crate) fn polynomials(&self, quantity: &str) -> Result<&PiecewisePolynomial> {
         match &self.kind {

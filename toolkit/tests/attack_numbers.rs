@@ -51,7 +51,7 @@ fn order(random: &mut SplitMix) -> Order {
 fn order_below_half(random: &mut SplitMix) -> Order {
     loop {
         let order = order(random);
-        if order.is_below_half() {
+        if order.offset() < 0.0 {
             return order;
         }
     }
@@ -138,7 +138,7 @@ fn root_of_reference(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Ru
     let unit = if spread == 0.0 { 1.0 } else { 2f64.powi(spread.log2().floor() as i32) };
     let scaled: Vec<[f64; 2]> = ends.iter().map(|end| end.map(|value| value / unit)).collect();
     // |u|² ~ L^{1−2ν}: above one half on an interval as much longer, where nothing overflows.
-    let longer = if order.is_below_half() { 1.0 } else { 2f64.powi(100) };
+    let longer = if order.offset() < 0.0 { 1.0 } else { 2f64.powi(100) };
     let lengths: Vec<f64> = lengths.iter().map(|length| longer * length).collect();
     unit * longer.powf(order.offset()) * references::linears(&lengths, &scaled, order, rule).sqrt()
 }
@@ -248,7 +248,7 @@ fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
         }
         .unwrap();
         let tolerance = Tolerance::new(decades(&mut random, -5.0, -1.5)).unwrap();
-        if 2.0 * alpha + order.one_minus_twice() < references::LEAST {
+        if 2.0 * alpha + (-2.0 * order.offset()) < references::LEAST {
             continue;
         }
         let exact = references::log_power_below_half(alpha, order).sqrt();

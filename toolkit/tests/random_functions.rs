@@ -487,7 +487,8 @@ fn random_functions_and_loads_are_honest_and_none_is_slow() {
 fn planted_faults_are_found() {
     let made = |value: f64, error: f64, seconds: f64, found: bool| {
         let estimate = Estimate { value, error, work: Work::default() };
-        let refusal = Err(Error::not_met("norm", 1e-6, estimate, "planted"));
+        let (asked, reached, best) = (1e-6, estimate.relative_error(), Some(estimate));
+        let refusal = Err(Error::ToleranceNotMet { what: "norm", asked, reached, best, why: "planted" });
         let tolerance = Tolerance::new(1e-6).unwrap();
         let found = if found { Ok(estimate) } else { refusal };
         Case { what: "planted".to_owned(), tolerance, found, seconds, reference: exactly(1.0) }

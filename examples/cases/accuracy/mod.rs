@@ -101,16 +101,21 @@ fn order(random: &mut SplitMix, low: f64, high: f64) -> Result<Order> {
     Order::new(random.between(low, high))
 }
 
+/// The refusal of a reference file.
+fn unreadable(given: String) -> Error {
+    Error::UnknownName { what: "content of a file in tests/reference", given, expected: "numbers by name" }
+}
+
 /// Rows of a reference file.
 fn rows(text: &str) -> Result<Value> {
-    serde_json::from_str(text).map_err(|error| Error::file("tests/reference", error))
+    serde_json::from_str(text).map_err(|error| unreadable(error.to_string()))
 }
 
 /// A number of such a row, written as a number or as its digits.
 fn number(row: &Value, key: &str) -> Result<f64> {
     let text = row[key].as_str().map(|text| text.trim_start_matches("np.float64(").trim_end_matches(')'));
     let found = row[key].as_f64().or_else(|| text?.parse().ok());
-    found.ok_or_else(|| Error::file("tests/reference", format!("no number {key}")))
+    found.ok_or_else(|| unreadable(format!("no number {key}")))
 }
 
 /// An order of such a row, by its decimal digits.

@@ -2,7 +2,7 @@
 
 use super::{Family, ask, draw, number, order, order_of, rows};
 use experiments::SplitMix;
-use fractional_sobolev::{Error, Estimate, Function, Gram, Result, Triangles, Work, closed_forms};
+use fractional_sobolev::{Estimate, Function, Gram, Result, Triangles, Work, closed_forms};
 use serde_json::Value;
 
 const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/plane_reference.json");
@@ -91,7 +91,7 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
 
 fn numbers(row: &Value) -> Result<Vec<f64>> {
     let list = row.as_array().into_iter().flatten().map(Value::as_f64);
-    list.collect::<Option<Vec<f64>>>().ok_or_else(|| Error::file("tests/reference", "no list of numbers"))
+    list.collect::<Option<Vec<f64>>>().ok_or_else(|| super::unreadable("no list of numbers".to_owned()))
 }
 
 fn points(row: &Value) -> Result<Vec<[f64; 2]>> {

@@ -1,5 +1,7 @@
 //! Trial functions: quotients below the best constant, the family of Remark 5, and the cut of Remark 7.
 
+use crate::ErrorExt;
+use crate::EstimateExt;
 use crate::growth::{END_SLOPE, growth, last_exponent};
 use fractional_sobolev::{Error, Estimate, Function, Given, Mesh, Order, Result, Tolerance, closed_forms};
 

@@ -391,13 +391,9 @@ impl KnownSolution {
             }
             if points == MOST_POINTS {
                 let why = "quadrature of the error converges slowly near the transition";
-                return Err(ToolkitError::not_met(
-                    "error in the energy norm",
-                    tolerance.relative(),
-                    found,
-                    why,
-                )
-                .into());
+                return Err(
+                    Error::not_met("error in the energy norm", tolerance.relative(), found, why).into()
+                );
             }
             (before, points) = (value, points + 1);
         }

@@ -13,7 +13,7 @@
 //! u is prescribed on the other three sides. H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53.
 
 use crate::contact::ContactProblem;
-use crate::error::{Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::fem::{Cubature, Form, Lame};
 use crate::mesh::{Part, Point, SideParts, mapped_grid, unit_square};
 use fractional_sobolev::{Estimate, Tolerance, Work};
@@ -170,8 +170,8 @@ impl Westergaard {
         let asked = tolerance.relative();
         let what = "seminorm of second derivatives";
         Err(best
-            .map_or(ToolkitError::out_of_reach(what, asked, f64::INFINITY, why), |best| {
-                ToolkitError::not_met(what, asked, best, why)
+            .map_or(Error::out_of_reach(what, asked, f64::INFINITY, why), |best| {
+                Error::not_met(what, asked, best, why)
             })
             .into())
     }

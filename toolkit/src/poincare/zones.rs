@@ -383,7 +383,7 @@ mod tests {
                 .intervals()
                 .iter()
                 .map(|&(a, length)| {
-                    let at = |k: u32| function.value(a + length * (f64::from(k) + 0.5) / 4000.0);
+                    let at = |k: u32| function.value(&[a + length * (f64::from(k) + 0.5) / 4000.0]);
                     let values: Vec<f64> = (0..4000).map(at).collect();
                     if condition == Condition::Vanishing {
                         assert!(values.iter().all(|u| u.abs() < 1e-9), "{zones}");

@@ -74,7 +74,7 @@ pub fn log_power(alpha: f64) -> f64 {
 /// ln of the unit in which |ln x|^α is of size 1 at the order ν < 1/2: its values where t^{2α} e^{−(1−2ν)t}
 /// is largest.
 pub fn log_unit(alpha: f64, order: Order) -> f64 {
-    (alpha * ((2.0 * alpha / order.one_minus_twice()).ln() - 1.0)).max(0.0)
+    (alpha * ((2.0 * alpha / (-2.0 * order.offset())).ln() - 1.0)).max(0.0)
 }
 
 /// (1e-140)^{LEAST} is nothing.
@@ -85,7 +85,7 @@ pub const LEAST: f64 = 0.12;
 /// the integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
 pub fn log_power_below_half(alpha: f64, order: Order) -> f64 {
     const STEP: f64 = 1.0 / 48.0;
-    let (decay, twice, unit) = (order.one_minus_twice(), 2.0 * order.value(), log_unit(alpha, order));
+    let (decay, twice, unit) = ((-2.0 * order.offset()), 2.0 * order.value(), log_unit(alpha, order));
     let points = |c: f64| -> Vec<(f64, f64)> {
         let point = |k: i32| {
             let tau = STEP * f64::from(k);
@@ -184,7 +184,7 @@ fn pair(d: f64, [p, a]: [f64; 2], [q, b]: [f64; 2], jump: f64, order: Order, rul
         let squares = if jump == 0.0 {
             (a * a - a * slope + slope * slope) / 3.0 / (1.0 + 2.0 * order.complement())
         } else {
-            jump * jump / order.one_minus_twice()
+            jump * jump / (-2.0 * order.offset())
         };
         // ∫₀^p r (r/p)² (a² − a b p/q + (b p/q)²)/3 r^{-1-2ν} dr has the exponent 3 − 2ν.
         sum.add(squares * scale(p, order));

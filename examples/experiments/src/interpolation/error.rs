@@ -4,6 +4,7 @@
 use super::elements::ElementMesh;
 use super::norms::{ROUNDING, error_norms, sample_norms};
 use super::sample::{SampleSlope, power_error_norms};
+use crate::ErrorExt;
 use crate::scale::{power_of_two, unit_of};
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};

@@ -24,7 +24,7 @@ impl RoughFamily {
     /// The families with members in H^ν.
     pub fn admissible(order: Order) -> Vec<Self> {
         let mut families = vec![Self::Linears, Self::Weierstrass];
-        if order.is_below_half() {
+        if order.offset() < 0.0 {
             families.push(Self::Steps);
         }
         families

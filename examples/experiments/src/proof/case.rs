@@ -1,6 +1,7 @@
 //! What the proofs are profiled on: a manufactured pair, mesh sizes, the resolution and θ as a function of h.
 
 use super::resolution::Resolution;
+use crate::ErrorExt;
 use crate::convergence::Levels;
 use signorini::edge::{ContactPair, Traces};
 use signorini::problems::StripData;

@@ -2,6 +2,7 @@
 
 mod increments;
 
+use crate::ErrorExt;
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Work, gauss_legendre};
 use increments::{EdgeFamily, Family, Increments, Parity};
 use nalgebra::{Cholesky, DMatrix};
