@@ -55,7 +55,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
         let mut constants = Vec::new();
         for order in &options.s {
             let found = constant(order.value())?.constant;
-            constants.push(found.times((FRAC_PI_2 / order.complement()).sqrt())?);
+            constants.push(found.times((FRAC_PI_2 / (1.0 - order.value())).sqrt())?);
         }
         let one = constant(1.0)?;
         constants.push(one.constant);

@@ -51,7 +51,7 @@ fn shapes() -> [Shape; 4] {
 
 /// |r^a sin(πφ/ω)|_s, times r²/(r² + δ²), on the polygon, its triangles cut or not.
 fn norm(o: &Options, shape: &Shape, gap: f64, cut: bool, delta: f64) -> fractional_sobolev::Result<Estimate> {
-    let (a, b, star) = (gap - o.s.complement(), PI / shape.2, Triangles::star(&shape.1)?);
+    let (a, b, star) = (gap - (1.0 - o.s.value()), PI / shape.2, Triangles::star(&shape.1)?);
     let mesh = if cut { star.cut_at(0, 0.45)? } else { star };
     let w = Function::from_plane_positions(&mesh, &[(0, if delta > 0.0 { a + 2.0 } else { a })], |at| {
         let r = at.radius(0);
@@ -64,7 +64,8 @@ fn norm(o: &Options, shape: &Shape, gap: f64, cut: bool, delta: f64) -> fraction
 pub fn compute(options: &Options) -> Result<(Vec<Row>, usize, Vec<Estimate>)> {
     let shapes = shapes();
     let row = |(shape, &gap): (&Shape, &f64)| -> Result<Row> {
-        let w = |radius| Function::sector_power(gap - options.s.complement(), PI / shape.2, shape.2, radius);
+        let w =
+            |radius| Function::sector_power(gap - (1.0 - options.s.value()), PI / shape.2, shape.2, radius);
         let sector = |radius| w(radius)?.seminorm(options.s, options.tolerance);
         let roads = [norm(options, shape, gap, false, 0.0)?, norm(options, shape, gap, true, 0.0)?];
         Ok(Row(shape.0, gap, roads, [sector(shape.3[0])?, sector(shape.3[1])?]))

@@ -48,7 +48,7 @@ const CONSTANT: f64 = 2e-3;
 
 /// alpha - nu + 1/2, the order of the first element, and 2 - nu, that of smooth functions.
 fn orders(options: &Options) -> [f64; 2] {
-    [options.alpha - options.nu.offset(), 1.0 + options.nu.complement()]
+    [options.alpha - options.nu.offset(), 1.0 + (1.0 - options.nu.value())]
 }
 
 /// lim N^(2-nu) |u - I_h u|_nu for beta above the limit: a chain of parabolas of slowly varying length.

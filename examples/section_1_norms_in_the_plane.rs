@@ -53,7 +53,7 @@ fn gradient_limit(gradient_squared: f64) -> f64 {
 impl Row {
     /// (1 − s)|x₁|² over its limit at one, with its error.
     fn to_one(&self) -> (f64, f64) {
-        let scale = self.order.complement() / gradient_limit(1.0);
+        let scale = (1.0 - self.order.value()) / gradient_limit(1.0);
         let Estimate { value, error, .. } = self.coordinate;
         (scale * value * value, 2.0 * scale * value * error)
     }
@@ -104,7 +104,7 @@ pub fn findings(options: &Options, rows: &[Row]) -> Vec<Finding> {
     let errors = rows.iter().map(|row| row.coordinate.relative_distance(&row.exact)).collect();
     let wrong = rows.iter().filter(|row| (row.order.offset() < 0.0) != row.step.is_some()).count();
     let off = |(value, error): (f64, f64)| ((value - 1.0).abs(), error);
-    let at_one = rows.iter().filter(|row| row.order.complement() < NEAR).map(|row| off(row.to_one()));
+    let at_one = rows.iter().filter(|row| (1.0 - row.order.value()) < NEAR).map(|row| off(row.to_one()));
     let is_near = |row: &&Row| (-2.0 * row.order.offset()) < NEAR;
     let at_half = rows.iter().filter(is_near).filter_map(|row| row.to_half().map(off)).collect();
     vec![

@@ -71,7 +71,7 @@ fn row(options: &Options, polygon: &str, n: usize) -> Result<Row> {
     let coordinate = square(&x, options)?.times(2.0 * curve.length().powi(-2))?;
     let hat: Vec<f64> = (0..curve.len()).map(|k| f64::from(k == 0)).collect();
     let corner = square(&Function::on_curve(&curve, 1, &hat)?, options)?;
-    let graded = Curve::graded(&points, n, GRADED)?;
+    let graded = Curve::algebraic(&points, n, GRADED)?;
     let normal: Vec<f64> =
         (0..graded.len()).map(|e| side(e / n)).map(|(length, rise)| rise / length).collect();
     let dual = Estimate::or_best(Function::on_curve(&graded, 0, &normal)?.norm(-options.nu, ASKED[1]))?;

@@ -132,7 +132,7 @@ fn table(computed: &Computed) -> Table {
     Table::new(columns).with_rows(computed.rows.iter().map(|row| {
         let (s, c) = (row.order, row.constant.value);
         let corner = row.corner.iter().take(4).map(|q| q.value).fold(0.0, f64::max);
-        let (growth, normalised) = (2.0 * s.offset() * c, c * (0.5 * PI / s.complement()).sqrt());
+        let (growth, normalised) = (2.0 * s.offset() * c, c * (0.5 * PI / (1.0 - s.value())).sqrt());
         [s.value(), c, growth, normalised, corner, row.square.map_or(f64::NAN, |q| q.value)]
     }))
 }

@@ -119,7 +119,7 @@ fn infinite(error: &Error) -> bool {
 fn ramp(order: Order, length: f64, height: f64) -> Result<Pair> {
     let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|v| v * height);
     let u = Function::linears(&Mesh::uniform(4, length)?, &values)?;
-    let unit = (order.complement() * (1.0 + 2.0 * order.complement())).sqrt().recip();
+    let unit = ((1.0 - order.value()) * (1.0 + 2.0 * (1.0 - order.value()))).sqrt().recip();
     let exact = height * unit * length.powf(-order.offset());
     Ok((u.seminorm(order, Tolerance::reference())?.value, exact))
 }

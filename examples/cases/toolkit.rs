@@ -57,7 +57,7 @@ pub fn cases<'a>() -> Result<Vec<Case<'a>>> {
         let apart: Vec<f64> = fast.iter().zip(&dense).map(|(a, b)| a - b).collect();
         Estimate::new(1.0 + largest(&apart) / largest(&dense), tolerance.relative(), Work::default())
     };
-    let one = Function::constants(&Mesh::uniform(8, 1.0)?, &[1.0; 8])?;
+    let one = Function::piecewise(&Mesh::uniform(8, 1.0)?, 0, &[1.0; 8])?;
     // γ₁(1/2)², the best constant of (4.7) at r = 1/2
     let whole: f64 = 0.291_564_029_207_657_16;
     Ok(vec![

@@ -139,7 +139,7 @@ mod tests {
         let power = if segment.traces == Traces::Constants {
             -2.0 * order.offset()
         } else {
-            2.0 * order.complement()
+            2.0 * (1.0 - order.value())
         };
         // s = t^power: t^{−1−2ν} dt = t^{−2ν−power}/power ds
         let start = |s: f64| {

@@ -60,11 +60,7 @@ impl Tolerance {
     }
 
     /// How many evaluations an integral may take.
-    ///
-    /// ```
-    /// assert_eq!(fractional_sobolev::Tolerance::fast().work(), fractional_sobolev::Tolerance::WORK);
-    /// ```
-    pub const fn work(self) -> u64 {
+    pub(crate) const fn work(self) -> u64 {
         self.work
     }
 

@@ -170,7 +170,7 @@ fn piecewise_constants_on_lengths_of_300_decades() {
         let values = values(&mut random, lengths.len());
         let ends: Vec<[f64; 2]> = values.iter().map(|&value| [value; 2]).collect();
         let partition = Mesh::from_lengths(lengths.clone()).unwrap();
-        let u = Function::constants(&partition, &values).unwrap();
+        let u = Function::piecewise(&partition, 0, &values).unwrap();
         let exact = root_of_reference(&lengths, &ends, order, &rule);
         let case = || format!("constants {values:?} on {lengths:?}, {order:?}, {tolerance}");
         constants.judge(case, &u.seminorm(order, tolerance), exact, ROUNDING);
@@ -328,7 +328,7 @@ fn poincare_constants_between_bounds_known_by_hand() {
                 let [low, high] = [found.value - found.error, found.value + found.error];
                 // u = x − θ/2 from below; |x−y| ≤ 1 and u = w − (mean of w over the zone) from above
                 let c = 0.5 * theta;
-                let complement = order.complement();
+                let complement = 1.0 - order.value();
                 let seminorm = 1.0 / (complement * (1.0 + 2.0 * complement));
                 let line = ((1.0 / 3.0 - c + c * c) / seminorm).sqrt();
                 let crude = (0.5 * (1.0 + 1.0 / theta)).sqrt();

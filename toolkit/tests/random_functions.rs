@@ -183,7 +183,7 @@ fn closure(random: &mut SplitMix) -> Case {
         parts.sum::<f64>() + slope * (wave * at.x()).sin()
     };
     let u = Function::from_positions(&breaks, f).unwrap();
-    let zero = Function::constants(&Mesh::uniform(17, 1.0).unwrap(), &[0.0; 17]).unwrap();
+    let zero = Function::piecewise(&Mesh::uniform(17, 1.0).unwrap(), 0, &[0.0; 17]).unwrap();
     // The road is slower: of weak singularities it says what a second allows.
     let second = |norm: bool| {
         let tight = Tolerance::new((0.1 * asked.relative()).max(1e-9)).unwrap().with_work(1 << 22);

@@ -227,7 +227,7 @@ fn undeclared(random: &mut SplitMix) -> Case {
         let lengths: Vec<f64> = nodes.windows(2).map(|pair| length * (pair[1] - pair[0])).collect();
         let mesh = Mesh::from_lengths(lengths).unwrap();
         let known = if is_step {
-            Function::constants(&mesh, &values[1..]).unwrap()
+            Function::piecewise(&mesh, 0, &values[1..]).unwrap()
         } else {
             Function::linears(&mesh, &values).unwrap()
         };
@@ -404,7 +404,7 @@ fn lengths_are_divided_out_before_anything_is_called_zero() {
         assert_near("L2", l2, (0.05 * -(-20f64).exp_m1() * length).sqrt(), 1e-8);
         let step = Function::from_fn(&[0.0, length], |x| if x < 0.37 * length { 0.0 } else { 1.0 }).unwrap();
         let mesh = Mesh::from_lengths(vec![0.37 * length, 0.63 * length]).unwrap();
-        let exact = Function::constants(&mesh, &[0.0, 1.0]).unwrap().seminorm(0.3, 1e-12).unwrap().value;
+        let exact = Function::piecewise(&mesh, 0, &[0.0, 1.0]).unwrap().seminorm(0.3, 1e-12).unwrap().value;
         let found = Estimate::or_best(step.seminorm(0.3, 1e-3)).unwrap();
         assert!(
             (found.value - exact).abs() <= found.error && found.error < 0.02 * exact,
@@ -489,7 +489,7 @@ fn short_intervals_beside_long_ones_count() {
 fn dual_norms_of_short_loads_keep_their_length() {
     let norm = |w: f64, s: f64, of: DualOf| {
         let mesh = Mesh::from_lengths(vec![0.3, w, 0.7]).unwrap();
-        Function::constants(&mesh, &[0.0, 1.0 / w, 0.0]).unwrap().dual_norm(of, s, 1e-6).unwrap()
+        Function::piecewise(&mesh, 0, &[0.0, 1.0 / w, 0.0]).unwrap().dual_norm(of, s, 1e-6).unwrap()
     };
     // A point load from order 1/2 on, whose square grows by equal amounts from decade to decade at 1/2.
     let squares = |w: f64| {

@@ -111,7 +111,7 @@ fn simple_bound(found: &GammaBounds) -> Result<Estimate> {
 }
 
 fn sign(order: Order) -> Result<BothSides> {
-    let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+    let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     cut_in_two(&sign, 1, order, Tolerance::balanced())
 }
 

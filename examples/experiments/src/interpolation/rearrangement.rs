@@ -53,7 +53,7 @@ mod tests {
     #[test]
     fn steps_are_sorted_with_their_lengths() {
         let partition = Mesh::from_lengths(vec![0.1, 0.2, 0.3, 0.4]).unwrap();
-        let steps = Function::constants(&partition, &[2.0, -1.0, 2.0, 5.0]).unwrap();
+        let steps = Function::piecewise(&partition, 0, &[2.0, -1.0, 2.0, 5.0]).unwrap();
         let sorted = decreasing_rearrangement(&steps).unwrap();
         assert_eq!(sorted.mesh().unwrap().lengths(), [0.4, 0.1 + 0.3, 0.2]);
         let value = |i: usize| sorted.value(i, 0.5).unwrap();

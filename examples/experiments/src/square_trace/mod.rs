@@ -196,7 +196,7 @@ fn largest_quotient(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Result<f64> {
 
 /// Points and weights on (0, 1), graded to 0.
 fn graded(order: Order, points: usize) -> Result<Vec<(f64, f64)>> {
-    let missed = 2.0 * order.offset().min(order.complement());
+    let missed = 2.0 * order.offset().min(1.0 - order.value());
     let cells = (INNERMOST.ln() / RATIO.ln() / missed).ceil() as i32;
     let rule = gauss_legendre(points)?;
     let mut all = Vec::new();
