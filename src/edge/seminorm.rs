@@ -77,7 +77,7 @@ mod tests {
 
     /// What is asked of the quadrature, with a factor for the cancellation in nearly
     /// constant traces.
-    const ROADS: f64 = 1e-8;
+    const METHODS: f64 = 1e-8;
 
     /// Which trace of a segment.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -202,12 +202,12 @@ mod tests {
                 let order = Order::new(nu).unwrap();
                 let traces = if nu < 0.5 { Traces::Constants } else { Traces::Linears };
                 for source in ["transition", "transitions:9", "cantor:0.3"] {
-                    let scene = source
+                    let edge_data = source
                         .parse::<StripData>()
                         .unwrap()
                         .data(tau, 512, LateralCondition::Natural)
                         .unwrap();
-                    let pair = ContactPair::of_scene(&scene, traces).unwrap();
+                    let pair = ContactPair::of_data(&edge_data, traces).unwrap();
                     for n in [16, 32] {
                         let all = pair.norms(n, order, 2.0).unwrap();
                         for (segment, norms) in pair.segments(n).unwrap().zip(all) {
@@ -225,7 +225,7 @@ mod tests {
                                     worst = worst.max(difference / scale);
                                     compared += 1;
                                     assert!(
-                                        difference <= ROADS * scale,
+                                        difference <= METHODS * scale,
                                         "{source} nu {nu} n {n} {which:?}: {} and {}",
                                         closed.value,
                                         adaptive.value
