@@ -1,6 +1,9 @@
 //! The unit square, trace on the edge y = 0: lower bounds of the best constant from trial functions.
 
 mod increments;
+#[allow(dead_code, reason = "one function of the toolkit's file is used")]
+#[path = "../../../../toolkit/src/numeric/legendre.rs"]
+mod legendre;
 
 use crate::ErrorExt;
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Work, gauss_legendre};
