@@ -391,9 +391,7 @@ impl KnownSolution {
             }
             if points == MOST_POINTS {
                 let why = "quadrature of the error converges slowly near the transition";
-                return Err(
-                    Error::not_met("error in the energy norm", tolerance.relative(), found, why).into()
-                );
+                return Err(Error::not_met("error in the energy norm", tolerance.relative(), found, why));
             }
             (before, points) = (value, points + 1);
         }

@@ -169,11 +169,9 @@ impl Westergaard {
         let why = "quadrature of second derivatives converges slowly near the transition";
         let asked = tolerance.relative();
         let what = "seminorm of second derivatives";
-        Err(best
-            .map_or(Error::out_of_reach(what, asked, f64::INFINITY, why), |best| {
-                Error::not_met(what, asked, best, why)
-            })
-            .into())
+        Err(best.map_or(Error::out_of_reach(what, asked, f64::INFINITY, why), |best| {
+            Error::not_met(what, asked, best, why)
+        }))
     }
 }
 
