@@ -1,158 +1,185 @@
-//! Extremes: the hardest admissible input gets digits, the inadmissible an error that names what was wrong.
+//! Extremes: the hardest admissible input gets digits; input without an answer gets an error that names what is wrong.
 //!
-//! Two lists, in `cases/extremes.rs`. Each admissible case is computed and compared with a value found
-//! another way: a closed form, a law of scaling, the other solver.
+//! Each hard input is computed, and compared with a value found another way (column `beside`): a closed form, a law of
+//! scaling, the other solver. Refuted if one is off by more than 1e-9 relatively, if input without an answer gets one,
+//! or if its error is not of the kind that the input calls for.
+//!
+//! Why 1e-9: condition numbers go up to 1e5, sums up to a million positive terms, each rounded at 1e-16.
 //!
 //! `cargo run --release --example extremes`
 
-use cases::{ADMISSIBLE, INADMISSIBLE};
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use fractional_sobolev::{Constraint, Order, Tolerance, gamma, law};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Constraint, Function, Gram, Mesh, closed_forms, gamma, law};
+use signorini::ToolkitError::{CountOutOfRange, EntryOutOfRange, InfiniteNorm, NotFinite, OutOfRange};
+use signorini::cone::Cone::Nodal;
+use signorini::contact::Solver::{ActiveSet, InteriorPoint};
+use signorini::mesh::{Part, SideParts, unit_square};
+use signorini::problems::{Parameters, TestProblem};
+use signorini::{Error as Refusal, Result as Answer, ToolkitError};
 
-#[path = "cases/extremes.rs"]
-pub mod cases;
+example! { seconds "Extremes", "hard input gets its value to 1e-9, input without an answer an error that names what is wrong"; }
 
-example_frame::options! {
-    /// What is planted, what is answered
-    pub struct Options {}
+/// The value found, and the same found another way.
+type Pair = (f64, f64);
+
+/// |H x/L|_ν on (0, L) is H L^(1/2−ν) / √((1−ν)(3−2ν)); beside it four linear elements.
+fn ramp(order: Order, length: f64, height: f64) -> Answer<Pair> {
+    let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|v| v * height);
+    let u = Function::linears(&Mesh::uniform(4, length)?, &values)?;
+    let unit = ((1.0 - order.value()) * (3.0 - 2.0 * order.value())).sqrt().recip();
+    Ok((u.seminorm(order, 1e-12)?.value, height * unit * length.powf(-order.offset())))
 }
 
-/// A relative error above this is no digits: sums of a million positive terms, condition numbers up to 1e5.
-pub const DIGITS: f64 = 1e-9;
-
-/// An admissible case and its answer.
-#[derive(Debug, Clone)]
-pub struct Hard {
-    /// What was planted.
-    pub planted: &'static str,
-    /// What was computed, and against what.
-    pub asked: &'static str,
-    /// The value.
-    pub found: f64,
-    /// Relative, against the value found another way.
-    pub error: f64,
+/// At ν = 1/2 the seminorm does not see scale: a hat over elements of length w beside 1.
+fn hat(w: f64) -> Answer<f64> {
+    let u = Function::linears(&Mesh::from_lengths(vec![1.0, w, w, 1.0])?, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
+    Ok(u.seminorm(0.5, 1e-12)?.value)
 }
 
-/// An inadmissible case and its answer.
-#[derive(Debug, Clone)]
-pub struct Bad {
-    /// What was planted.
-    pub planted: &'static str,
-    /// What was asked.
-    pub asked: &'static str,
-    /// The answer.
-    pub answer: signorini::Result<f64>,
-    /// Whether it is an error that names what is wrong.
-    pub is_named: bool,
+/// The form of a step on a million elements by the fast product with the Gram matrix.
+fn million_elements() -> Answer<Pair> {
+    let n = 1_000_000;
+    let gram = Gram::constants(&Mesh::uniform(n, 1.0)?, 0.25, 1e-12)?;
+    let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
+    let form: f64 = step.iter().zip(gram.apply(&step)?).map(|(x, y)| x * y).sum();
+    Ok((form, closed_forms::jump_seminorm_squared(0.5, 0.5, 0.25)?.value))
 }
 
-/// What was answered, and γ_θ(1/2) beside its law for θ down to 1e-290.
-#[derive(Debug, Clone)]
-pub struct Computed {
-    /// Hard input.
-    pub hard: Vec<Hard>,
-    /// Input without an answer.
-    pub bad: Vec<Bad>,
-    /// (θ, computed, law as θ → 0).
-    pub decades: Vec<(f64, f64, f64)>,
+/// γ of mean zero on (0, 1e-300).
+fn short_zone(nu: f64) -> Answer<f64> {
+    Ok(gamma(nu, Constraint::mean_zero_on(0.0..1e-300), 1e-10)?.constant.value)
 }
 
-/// Plants every case.
-pub fn compute() -> Result<Computed> {
-    let mut hard = Vec::new();
-    for (planted, asked, compute) in ADMISSIBLE {
+/// The contact force is proportional to the load.
+fn scaled_load(scale: f64) -> Answer<Pair> {
+    let force = |load_scale| -> Answer<f64> {
+        let problem =
+            TestProblem::Block.problem_with(16, &Parameters { load_scale, ..Parameters::default() })?;
+        Ok(problem.solve(Nodal, ActiveSet)?.contact_force)
+    };
+    Ok((force(scale)?, scale * force(1.0)?))
+}
+
+/// The energy by the active set and by the interior point, which share no line but the assembly.
+fn energies(problem: TestProblem, parameters: &Parameters) -> Answer<Pair> {
+    let problem = problem.problem_with(16, parameters)?;
+    Ok((problem.solve(Nodal, ActiveSet)?.energy, problem.solve(Nodal, InteriorPoint)?.energy))
+}
+
+/// Planted, what is computed beside what, and the computation.
+type Hard = (&'static str, &'static str, fn() -> Answer<Pair>);
+
+const HARD: [Hard; 14] = [
+    ("order 1e-300", "|x|_ν, closed form", || ramp(Order::new(1e-300)?, 1.0, 1.0)),
+    ("order 1 − 2^-52", "|x|_ν, closed form", || ramp(Order::new(1.0 - f64::EPSILON)?, 1.0, 1.0)),
+    ("length 1e-300", "|ramp|_ν, scaling", || ramp(Order::new(0.3)?, 1e-300, 1.0)),
+    ("length 1e300", "|ramp|_ν, scaling", || ramp(Order::new(0.9)?, 1e300, 1.0)),
+    ("values of size 1e150", "|ramp|_ν, scaling", || ramp(Order::new(0.7)?, 1.0, 1e150)),
+    ("elements 1e-300 beside 1", "|hat|_ν, 1e-20 beside 1", || Ok((hat(1e-300)?, hat(1e-20)?))),
+    ("a million elements", "form of a step, closed form", million_elements),
+    ("zone 1e-300, ν = 1/2", "γ, its law as θ → 0", || {
+        Ok((short_zone(0.5)?, law(0.5, 0.0, 1e-10)?.at(1e-300)?.value))
+    }),
+    ("zone 1e-300, ν = 3/4", "γ, that of u(0) = 0", || {
+        Ok((short_zone(0.75)?, gamma(0.75, Constraint::vanishing_at(0.0), 1e-10)?.constant.value))
+    }),
+    ("load of size 1e-150", "contact force, scaling", || scaled_load(1e-150)),
+    ("load of size 1e150", "contact force, scaling", || scaled_load(1e150)),
+    ("Poisson's ratio 1/2 − 1e-6", "energy, other solver", || {
+        energies(TestProblem::Incompressible, &Parameters { poisson: 0.5 - 1e-6, ..Parameters::default() })
+    }),
+    ("contact nowhere", "energy, other solver", || energies(TestProblem::Free, &Parameters::default())),
+    ("contact everywhere", "energy, other solver", || energies(TestProblem::Closed, &Parameters::default())),
+];
+
+/// Planted, the question, and whether an error is of the kind that it calls for.
+type Bad = (&'static str, fn() -> Answer<f64>, fn(&ToolkitError) -> bool);
+
+const BAD: [Bad; 8] = [
+    ("order NaN", || Ok(Order::new(f64::NAN)?.value()), |e| matches!(e, OutOfRange { .. })),
+    (
+        "a step, order 1/2",
+        || {
+            let step = Function::from_fn(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 })?;
+            Ok(step.seminorm(0.5, 1e-3)?.value)
+        },
+        |e| matches!(e, InfiniteNorm { .. }),
+    ),
+    (
+        "|ln x|^0.6, order 1/2",
+        || Ok(Function::from_fn(&[0.0, 1.0], |x: f64| (-x.ln()).powf(0.6))?.seminorm(0.5, 1e-3)?.value),
+        |e| matches!(e, InfiniteNorm { .. }),
+    ),
+    (
+        "a function with value NaN",
+        || {
+            let torn = Function::from_fn(&[0.0, 1.0], |x: f64| if x > 0.5 { f64::NAN } else { x })?;
+            Ok(torn.seminorm(0.5, 1e-3)?.value)
+        },
+        |e| matches!(e, NotFinite { .. }),
+    ),
+    (
+        "a node given twice",
+        || Ok(Mesh::from_nodes(&[0.0, 0.5, 0.5, 1.0])?.total()),
+        |e| matches!(e, EntryOutOfRange { .. }),
+    ),
+    (
+        "a zone of length 0, ν = 1/2",
+        || Ok(gamma(0.5, Constraint::mean_zero_on(0.0..0.0), 1e-3)?.constant.value),
+        |e| matches!(e, OutOfRange { .. }),
+    ),
+    ("16 digits asked", || Ok(Tolerance::new(1e-16)?.relative()), |e| matches!(e, OutOfRange { .. })),
+    (
+        "a body that nothing holds",
+        || {
+            let free = Part::Neumann;
+            let sides = SideParts { bottom: Part::Contact, right: free, top: free, left: free };
+            Ok(TestProblem::Block.on(unit_square(4, sides)?)?.solve(Nodal, ActiveSet)?.energy)
+        },
+        |e| matches!(e, CountOutOfRange { .. }),
+    ),
+];
+
+fn run(_: &Options, out: &mut Report) -> Result<()> {
+    for (planted, beside, compute) in HARD {
         let (found, expected) = compute()?;
-        hard.push(Hard { planted, asked, found, error: (found / expected - 1.0).abs() });
+        let error = (found / expected - 1.0).abs();
+        out.row(cells! { planted, beside => answer: format!("{found:.9e}"), error });
+        out.check("distance to the value found another way").at_most(error, 1e-9, "see the header");
     }
-    let bad = INADMISSIBLE.into_iter().map(|(planted, asked, compute, names)| {
-        let answer = compute();
-        Bad { planted, asked, is_named: answer.as_ref().is_err_and(names), answer }
-    });
-    let law = law(Order::HALF, 0.0, TOLERANCE)?;
-    let decade = |k: i32| -> Result<(f64, f64, f64)> {
-        let theta = 10f64.powi(-k);
-        let found = gamma(Order::HALF, Constraint::mean_zero_on(0.0..theta), TOLERANCE)?.constant;
-        Ok((theta, found.value, law.at(theta)?.value))
-    };
-    let decades = (20..=290).step_by(45).map(decade).collect::<Result<_>>()?;
-    Ok(Computed { hard, bad: bad.collect(), decades })
-}
-
-/// Of the constants over 300 decades and of their law.
-const TOLERANCE: Tolerance = Tolerance::fast();
-
-/// What decides: errors against values found another way, what was refused and how, the constant's law.
-pub fn findings(computed: &Computed) -> Vec<Finding> {
-    let Computed { hard, bad, decades } = computed;
-    let worst = hard.iter().max_by(|a, b| a.error.total_cmp(&b.error));
-    let digits = format!(
-        "{} hard inputs get their value, to {{value}} at worst ({})",
-        hard.len(),
-        worst.map_or("none", |worst| worst.planted)
-    );
-    let answered = bad.iter().filter(|case| case.answer.is_ok()).count();
-    let unnamed = bad.iter().filter(|case| !case.is_named).count();
-    let apart = decades.iter().map(|(_, found, law)| ((found / law - 1.0).abs(), 0.0));
-    vec![
-        Finding::claim("digits", digits)
-            .number_or(worst.map(|worst| (worst.error, 0.0)), "nothing was planted")
-            .at_most(DIGITS, "condition numbers up to 1e5, sums of a million terms")
-            .otherwise("a hard input is {value} from its value found another way")
-            .told(),
-        Finding::claim("refused", format!("{} inputs without an answer are refused", bad.len()))
-            .number(answered as f64, 0.0)
-            .at_most(0.0, "nothing has an answer there")
-            .otherwise("{value} inputs without an answer get one")
-            .told(),
-        Finding::claim("named", "every refusal names what is wrong")
-            .number(unnamed as f64, 0.0)
-            .at_most(0.0, "the kind of error each input calls for"),
-        Finding::claim("law", "from 1e-20 to 1e-290 the constant of order 1/2 is within {value} of its law")
-            .number_or(apart.max_by(|a, b| a.0.total_cmp(&b.0)), "no zone")
-            .at_most(2.0 * TOLERANCE.relative(), "the tolerances of both"),
-    ]
-}
-
-/// Plants every case and looks at the answers.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute()?;
-    let claim = "the hardest admissible input gets digits, the inadmissible an error that names it";
-    let mut headline = Headline::new("Extremes", claim, table(&computed), findings(&computed));
-    headline
-        .quote("extremes.worst.error", computed.hard.iter().fold(0.0, |worst, case| case.error.max(worst)));
-    headline.draw(&options.output, "extremes_zone", || Ok(draw(&computed.decades)))?;
-    Ok(headline)
-}
-
-fn table(computed: &Computed) -> Table {
-    let columns = vec![
-        Column::words("planted", "planted", 32),
-        Column::words("asked", "asked", 20),
-        Column::words("answer", "answer", 30),
-        Column::new("error", "error", Format::Scientific(0), "relative, against the value found another way"),
-    ];
-    let answer = |case: &Bad| match &case.answer {
-        Err(error) => format!("refused: {error}"),
-        Ok(value) => format!("{value}"),
-    };
-    let hard = computed.hard.iter().map(|case| {
-        [Cell::from(case.planted), case.asked.into(), format!("{:.9e}", case.found).into(), case.error.into()]
-    });
-    let bad = computed.bad.iter();
-    let bad = bad.map(|case| [case.planted.into(), case.asked.into(), answer(case).into(), Cell::Missing]);
-    Table::new(columns).with_rows(hard.chain(bad))
-}
-
-fn draw(decades: &[(f64, f64, f64)]) -> Chart {
-    let x = Axis::logarithmic("θ, length of the zone (interval = 1)");
-    let title = "Poincaré constant of order 1/2 over 300 decades";
-    Chart::new(title, x, Axis::linear("γ, Poincaré constant"))
-        .with(Series::points("computed", decades.iter().map(|d| (d.0, d.1)).collect()))
-        .with(Series::dashed("law as θ → 0", decades.iter().map(|d| (d.0, d.2)).collect()))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    for (planted, ask, is_named) in BAD {
+        let answer = match ask() {
+            Err(Refusal::Toolkit(refusal)) => {
+                out.check("refused, and the error names what is wrong").holds(is_named(&refusal), "its kind");
+                refusal.to_string().chars().take(46).collect()
+            }
+            other => {
+                out.check("refused, and the error names what is wrong").holds(false, "its kind");
+                format!("{other:?}")
+            }
+        };
+        out.row(cells! { planted, beside: "" => answer, error: None::<f64> });
+    }
+    let zones: Vec<f64> = (20..=290).step_by(45).map(|k| 10f64.powi(-k)).collect();
+    let (limit, mut curve, mut dashed) = (law(0.5, 0.0, 1e-3)?, Vec::new(), Vec::new());
+    for theta in zones {
+        let found = Measured::from(gamma(0.5, Constraint::mean_zero_on(0.0..theta), 1e-3)?.constant);
+        let law = Measured::from(limit.at(theta)?);
+        curve.push((theta, found.value));
+        dashed.push((theta, law.value));
+        out.check("ν = 1/2: γ over its law, θ from 1e-20 to 1e-290").near(
+            found / law,
+            1.0,
+            2e-3,
+            "both to 1e-3",
+        );
+    }
+    out.plot(
+        "extremes_zone",
+        "Poincaré constant of order 1/2",
+        Axes::LogLinear("θ, length of the zone", "γ"),
+    )
+    .line("computed", curve)
+    .dashed_line("law as θ → 0", dashed);
+    Ok(())
 }

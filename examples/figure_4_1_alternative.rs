@@ -1,23 +1,40 @@
-//! Figure 4.1: the contact set of every segment against h_e theta. The argument is that of Figure 3.2, its
-//! twin.
+//! Figure 4.1: the two cases of Section 4, on a computed contact set; the program is that of Figure 3.2, its twin.
 //!
-//! `cargo run --release --example figure_4_1_alternative -- --scene fat-cantor --tau 1.7 --n 256
-//! --over-theta`
+//! For the midpoint cone (the mean of u_N over every segment is ≤ 0) the term to bound on a segment T of length h is (4.9),
+//!
+//! ```text
+//! ∫ (σ_N − π σ_N)(π u_N − u_N) = (1/h) ∫ σ_N ∫ u_N     over T,     π the mean over T, since σ_N u_N = 0,
+//! first case     the contact set {u_N = 0} of T has diameter at most θh, and so has the set where σ_N ≠ 0;
+//! second case    the contact set has diameter at least θh: u_N' has mean zero between two points so far apart.
+//! ```
+//!
+//! A segment in full contact is a second case here and a first case in Figure 3.2; on it, and on a segment without
+//! contact, the term is zero. Refuted if a segment is in neither case, or if more segments carry the term than the contact
+//! set has ends.
+//!
+//! `cargo run --release --example figure_4_1_alternative -- --problem fat-cantor --tau 1.7 --n 16,64,256`
 
-#[allow(dead_code)]
+#[allow(dead_code, reason = "the options and the command line of the twin are its own")]
 #[path = "figure_3_2_alternative.rs"]
 pub mod figure_3_2_alternative;
 
-use example_frame::{Headline, Result};
-pub use figure_3_2_alternative::{Options, outcome};
+use example_report::prelude::*;
+use signorini::problems::NamedProblem;
 use signorini::proof::Section;
-use std::process::ExitCode;
 
-/// The outcome for Section 4.
-pub fn run(options: &Options) -> Result<Headline> {
-    outcome(Section::Four, options)
+example! { quick "Figure 4.1", "each segment: contact set and pressure of diameter at most θh, or contact set at least θh";
+    /// a body, or a contact set chosen on an edge
+    problem: NamedProblem = "block",
+    /// numbers of segments
+    n: Vec<usize> = "8,16,32" in "[2, 16384]",
+    /// regularity τ in θ = h^(2τ−3), and that of a chosen contact set
+    tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
+    /// another θ
+    theta: Option<f64> = "" in "(0, 1)",
 }
 
-fn main() -> ExitCode {
-    example_frame::main(run)
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let Options { problem, n, tau, theta } = options.clone();
+    let options = figure_3_2_alternative::Options { problem, n, tau, theta };
+    figure_3_2_alternative::alternative(Section::Four, &options, out)
 }

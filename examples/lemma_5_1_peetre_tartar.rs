@@ -1,161 +1,111 @@
-//! Lemma 5.1 (Peetre-Tartar): the constant α in α ‖u‖_ν ≤ |u|_ν for the spaces of Lemma 5.2.
+//! Lemma 5.1 (Peetre and Tartar) for the spaces of Lemma 5.2: the constant α in α ‖u‖_X ≤ |u|_ν.
 //!
-//! With X = V_θ, A u the difference quotient and T the embedding into L², ‖u‖_ν² = ‖u‖₀² + |u|_ν², so the
-//! best constant is α = (1 + γ_θ²)^{−1/2}. γ² is an eigenvalue on a slope space; beside it, quotients
-//! |u|_ν / ‖u‖_ν of piecewise polynomials, from other matrices: of the extremal function, which should attain
-//! α, and of others with mean zero on the zone, which should not go below it.
+//! The lemma: A : X → Y continuous and injective, T : X → Z compact and c ‖x‖_X ≤ ‖Ax‖_Y + ‖Tx‖_Z give an α > 0 with
+//! α ‖x‖_X ≤ ‖Ax‖_Y, of unknown size. Lemma 5.2 uses it for X = {u in H^ν(0, 1): mean zero on (0, θ)}, 0 < ν < 1, with
+//! ‖u‖²_X = ‖u‖₀² + |u|²_ν, |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy, ‖Au‖_Y = |u|_ν and T the embedding in L².
+//! There the best constant is known from the best γ in ‖u‖₀ ≤ γ |u|_ν, which is (5.4):
 //!
-//! `cargo run --release --example lemma_5_1_peetre_tartar`
+//! ```text
+//! α = inf |u|_ν / ‖u‖_X = (1 + γ²)^(−1/2).
+//! ```
+//!
+//! Refuted if this α is below the positive bound (1 + γ₁² + N²)^(−1/2), which needs no eigenvalue of the zone, if it
+//! differs by more than 0.5 % from the infimum over piecewise linear functions, if the extremal function of (5.4) has
+//! another quotient |u|_ν / ‖u‖_X, by more than 0.1 %, or if a function in X has a smaller one.
+//!
+//! `cargo run --release --example lemma_5_1_peetre_tartar -- --nu 0.45,0.5,0.55`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use experiments::EstimateExt;
-use experiments::trial::{mean_free_quotient, peetre_tartar};
-use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Constraint, Function, Gram, Mesh, gamma};
+use nalgebra::{DMatrix, DVector};
 
-example_frame::options! {
-    /// The constant alpha of the Peetre-Tartar lemma for functions of mean zero on (0, theta)
-    pub struct Options: Quick {
-        /// Orders nu in (0, 1)
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75"])]
-        pub nu: Vec<Order>,
-        /// Lengths theta of the zone
-        #[arg(long, value_delimiter = ',', default_values = ["1", "1e-1", "1e-2", "1e-4", "1e-8"], value_parser = within::<f64>("[1e-299, 1]"))]
-        pub theta: Vec<f64>,
-        /// Relative tolerance: fast, balanced, reference or a number
-        #[arg(long, default_value_t = Tolerance::balanced())]
-        pub tolerance: Tolerance,
-    }
+example! { quick "Lemma 5.1", "α (‖u‖₀² + |u|²_ν)^(1/2) ≤ |u|_ν with α > 0 for mean zero on (0, θ);  best: α = (1 + γ²)^(−1/2)";
+    /// orders ν of the seminorm
+    nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
+    /// lengths θ of the zone
+    theta: Vec<f64> = "1,1e-1,1e-2,1e-4,1e-8" in "[1e-12, 1]" slider "1e-8 to 1 by factors",
 }
 
-/// One order and one zone.
-pub struct Row {
-    /// The order and the length of the zone.
-    pub at: (f64, f64),
-    /// γ, the root of an eigenvalue.
-    pub gamma: Estimate,
-    /// α by γ.
-    pub alpha: Estimate,
-    /// |u| / ‖u‖_ν of the interpolated extremal function.
-    pub quotient: Estimate,
-    /// The same over α.
-    pub attained: Estimate,
-    /// The least of the same quotients of the other functions, over α.
-    pub others: Option<Estimate>,
-}
-
-/// γ, its extremal function, and the other functions: those of the other orders, and that of ν = 0.9.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let other = Order::new(0.9)?;
-    let mut rows = Vec::new();
-    for &theta in &options.theta {
-        let mut functions = Vec::new();
-        for &nu in options.nu.iter().chain([&other]) {
-            let (gamma, u) = gamma(nu, Constraint::mean_zero_on(0.0..theta), options.tolerance)
-                .map(|found| (found.constant, found.extremal()))?;
-            functions.push((gamma, u.interpolate(2, 6, &[theta])?));
-        }
-        for (k, &nu) in options.nu.iter().enumerate() {
-            let of = |u| -> Result<Estimate> {
-                Ok(peetre_tartar(mean_free_quotient(u, theta, nu, Tolerance::fast())?)?)
-            };
-            let quotients = functions.iter().map(|(_, u)| of(u)).collect::<Result<Vec<Estimate>>>()?;
-            let alpha = peetre_tartar(functions[k].0)?;
-            let over = quotients.iter().map(|quotient| quotient.over(alpha));
-            let mut over = over.collect::<fractional_sobolev::Result<Vec<Estimate>>>()?;
-            let (attained, others) = (over.remove(k), Estimate::smallest(over));
-            let (at, gamma) = ((nu.value(), theta), functions[k].0);
-            rows.push(Row { at, gamma, alpha, quotient: quotients[k], attained, others });
+/// α from its definition: α^(−2) is the largest λ of (M + A) u = λ A u, where u runs through the continuous piecewise
+/// linear functions with mean zero on (0, θ), M holds ∫ φᵢ φⱼ and A the form of |·|²_ν for the hat functions φᵢ, in
+/// closed form. (0, θ) and (θ, 1) have elements halved towards both ends.
+fn by_definition(nu: Order, theta: f64) -> Result<f64> {
+    let layers = 10 + (-theta.log2()) as usize;
+    let points = if theta < 1.0 { vec![0.0, theta, 1.0] } else { vec![0.0, 1.0] };
+    let mesh = Mesh::graded(&points, layers, 0.5)?;
+    let (h, n) = (mesh.lengths(), mesh.len());
+    let mut mass = DMatrix::<f64>::zeros(n + 1, n + 1);
+    let mut mean = DVector::<f64>::zeros(n + 1); // ∫ φᵢ over (0, θ)
+    for k in 0..n {
+        let element = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h[k] / 6.0);
+        let mut block = mass.view_mut((k, k), (2, 2));
+        block += element;
+        if k < n / (points.len() - 1) {
+            mean[k] += h[k] / 2.0;
+            mean[k + 1] += h[k] / 2.0;
         }
     }
-    rows.sort_by(|a, b| a.at.0.total_cmp(&b.at.0));
-    Ok(rows)
+    let pivot = mean.imax();
+    let mut free = DMatrix::identity(n + 1, n + 1); // columns φᵢ − (meanᵢ / mean_pivot) φ_pivot: a basis of mean zero
+    free.set_row(pivot, &(-mean.transpose() / mean[pivot]));
+    let free = free.remove_column(pivot);
+    let form = free.transpose() * Gram::new(&mesh, nu, 1e-10)?.to_dense()? * &free;
+    let norm = free.transpose() * mass * &free + &form;
+    Ok(largest_eigenvalue(&norm, &form)?.sqrt().recip())
 }
 
-/// Interpolation by quadratic pieces, six to a cell of the slope space, changes a quotient by less than this.
-const INTERPOLATION: f64 = 1e-3;
-/// α is said to fall where the last zone has less than this part of that of the first.
-const FALLS: f64 = 0.9;
+/// |u|_ν / ‖u‖_X of a piecewise quadratic function: Gauss rules for ‖u‖₀, closed forms on pairs of elements for |u|_ν.
+fn quotient(u: &Function<'_>, nu: Order) -> Result<Measured> {
+    let (norm, seminorm) = (Measured::from(u.norm(0.0, 1e-12)?), Measured::from(u.seminorm(nu, 1e-5)?));
+    Ok(((norm / seminorm).squared() + 1.0).sqrt().recip())
+}
 
-/// What decides: the extremal function attains α on the second road, no other function goes below, α > 0.
-pub fn findings(rows: &[Row]) -> Vec<Finding> {
-    let (largest, none) = (Estimate::largest(rows.iter().map(|row| row.attained)), "no order or no zone");
-    let mut findings = vec![
-        Finding::claim("positive", "alpha > 0 for every zone, at least {value}")
-            .estimate_or(Estimate::smallest(rows.iter().map(|row| row.alpha)), none)
-            .at_least(0.0, "Lemma 5.1")
-            .told(),
-        Finding::claim(
-            "attained",
-            "the extremal functions attain alpha on a second road: {value} times alpha",
-        )
-        .estimate_or(largest, none)
-        .within(INTERPOLATION, 1.0, "equality, up to the interpolation of the function")
-        .otherwise("an extremal function has {value} times alpha on a second road")
-        .told(),
-        Finding::claim(
-            "least",
-            "no other function tried goes below alpha, the nearest has {value} times alpha",
-        )
-        .estimate_or(Estimate::smallest(rows.iter().filter_map(|row| row.others)), none)
-        .at_least(1.0 - INTERPOLATION, "alpha is the infimum, up to interpolation")
-        .otherwise("a function has only {value} times alpha"),
-    ];
-    let series = rows.chunk_by(|a, b| a.at.0 == b.at.0);
-    for (first, last) in series.filter_map(|same| same.first().zip(same.last())) {
-        let (nu, theta) = last.at;
-        let falls = format!("nu = {nu}: alpha falls to {{value}} at theta = {theta:e}");
-        findings.push(
-            Finding::remark(format!("falls.nu{nu}"), falls)
-                .estimate(last.alpha)
-                .at_most(FALLS * first.alpha.value, "nine tenths of alpha of the first zone")
-                .otherwise(format!("nu = {nu}: alpha stays, {{value}} at theta = {theta:e}")),
-        );
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("alpha", "α", "(1 + γ²)^(−1/2)");
+    out.column("definition", "hats", "α by `by_definition`");
+    out.column("attained", "extremal/α", "quotient |u|_ν/‖u‖_X of the extremal function");
+    out.column("others", "others/α", "least quotient of the extremal functions of other orders");
+    let mut orders = options.nu.clone();
+    orders.push(Order::new(0.9)?);
+    for (k, &nu) in options.nu.iter().enumerate() {
+        for &theta in &options.theta {
+            // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials with mean zero on the zone, on elements that
+            // shrink geometrically to 0, θ and 1; its error is the change to a space of another shape.
+            let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
+            let gamma_of = Measured::from(found.constant);
+            let alpha = (gamma_of.squared() + 1.0).sqrt().recip();
+            // γ² ≤ γ₁² + N²: γ₁ for mean zero on (0, 1), N the dual norm of u ↦ mean on (0, 1) − mean on (0, θ).
+            let positive = (1.0 + found.bounds()?.upper.powi(2)).sqrt().recip();
+            let definition = by_definition(nu, theta)?;
+            // Extremal functions, interpolated by quadratics on six pieces of each element: all have mean zero on (0, θ).
+            let mut over = Vec::new();
+            for &order in &orders {
+                let u = gamma(order, Constraint::mean_zero_on(0.0..theta), 1e-8)?.extremal();
+                over.push(quotient(&u.interpolate(2, 6, &[theta])?, nu)? / alpha);
+            }
+            let attained = over.remove(k);
+            let others = Measured::from(smallest(over));
+            out.row(cells! { nu, theta => gamma: gamma_of.value, alpha, definition, attained: attained.value, others: others.value });
+            out.check("α > 0: α over (1 + γ₁² + N²)^(−1/2)").at_least(
+                alpha / positive,
+                1.0 - 1e-9,
+                "no eigenvalue",
+            );
+            out.check("α from hat functions, over α").near(
+                alpha.recip() * definition,
+                1.0,
+                5e-3,
+                "definition",
+            );
+            out.check("extremal function: quotient over α").near(attained, 1.0, 1e-3, "(5.4) is attained");
+            out.check("other functions: quotient over α").at_least(others, 1.0 - 1e-3, "α is the infimum");
+        }
     }
-    findings
-}
-
-/// Computes α from γ and compares it with quotients of functions.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "alpha ||u||_X <= ||A u||_Y with alpha > 0 on functions of mean zero over (0, theta)";
-    let mut headline = Headline::new("Lemma 5.1", claim, table(&rows), findings(&rows));
-    headline.quote("lemma.5.1.smallest.alpha", rows.iter().map(|row| row.alpha.value).fold(1.0, f64::min));
-    headline.draw(&options.output, "lemma_5_1_peetre_tartar", || Ok(draw(&rows)))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let (long, short) = (Format::Significant(9), Format::Significant(6));
-    let columns = vec![
-        Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("theta", "theta", Format::Plain, ""),
-        Column::new("gamma", "gamma", long, "root of an eigenvalue"),
-        Column::new("alpha", "alpha", long, "(1 + gamma^2)^(-1/2)"),
-        Column::new(
-            "quotient",
-            "|u|/||u||",
-            short,
-            "of the extremal function, interpolated, by another road",
-        ),
-        Column::new("others", "others", short, "least quotient of the other functions, over alpha"),
-    ];
-    Table::new(columns).with_rows(rows.iter().map(|row| {
-        let others = row.others.map_or(f64::NAN, |others| others.value);
-        [row.at.0, row.at.1, row.gamma.value, row.alpha.value, row.quotient.value, others]
-    }))
-}
-
-fn draw(rows: &[Row]) -> Chart {
-    let (x, y) = ("θ, length of the zone (interval = 1)", "α, constant of the lemma");
-    let chart = Chart::new("Peetre-Tartar constants", Axis::logarithmic(x), Axis::logarithmic(y));
-    rows.chunk_by(|a, b| a.at.0 == b.at.0).fold(chart, |chart, same| {
-        let points = same.iter().map(|row| (row.at.1, row.alpha.value)).collect();
-        chart.with(Series::line_and_points(format!("ν = {}", same[0].at.0), points))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    out.plot(
+        "lemma_5_1_peetre_tartar",
+        "Peetre-Tartar constants",
+        Axes::LogLog("θ, length of the zone (interval = 1)", "α, constant of the lemma"),
+    )
+    .curve_by("nu", "theta", "alpha");
+    Ok(())
 }

@@ -1,194 +1,128 @@
-//! Lemma 5.2 at ν = 1/2: γ_θ² / ln(1/θ) tends to 3/(2π²), between two proved bounds.
+//! Lemma 5.2 at ν = 1/2, exactly: γ² / ln(1/θ) tends to 3/(2π²).
 //!
-//! With L = ln(1/θ) the law is γ² = A L + c + d/γ² + e/γ⁴ + ..., A = 3/(2π²); c, d, e come from one dual
-//! norm. What is left of γ² − A L − c is of order 1/L. The proof bounds γ² from below by a ramp and from
-//! above along chains of equal steps in ln x, all constants explicit: its two bounds enclose γ² and close as
-//! L grows, far beyond the shortest zone that has a number.
+//! γ is the best constant in ‖u‖₀ ≤ γ |u| for u in H^(1/2)(0, 1) with mean zero on (0, θ), |u| the seminorm of order 1/2;
+//! γ₁ is that for θ = 1. The paper prints γ ≤ C ln(1/θ). With L = ln(1/θ), A = 3/(2π²) and t = −ln x, v(t) = u(x),
 //!
-//! `cargo run --release --example lemma_5_2_exact_law`
+//! ```text
+//! |u|² = 2 ∫ W(r) / (4 sinh²(r/2)) dr,    W(r) = ∫ (v(t + r) − v(t))² dt,    both over (0, ∞).
+//! ```
+//!
+//! *Below*: the quotient of the ramp v = 1 − t/L on (0, L), zero beyond. *Above*: γ² ≤ γ₁² + N², N the largest difference
+//! of the mean over (0, 1) and that over (0, θ) for |u| = 1. Cauchy-Schwarz along chains of steps r gives
+//!
+//! ```text
+//! 1 ≥ ∫ (N − C(r))₊² / (L + r/2) · r² / (2 sinh²(r/2)) dr over (0, 2L),
+//! C(r) = γ₁ (2 ((e^r − 1)/r² − 1)^(1/2) + (e^(r/2) − 1)^(1/2)),
+//! ```
+//!
+//! which bounds N (page `lemma_5_2_exact_law`). Both bounds are A L to leading order. They are formulas of L alone, so
+//! that they reach zones without a number. Refuted if γ² is outside of them, or if they differ by more than 1e-4 at the
+//! largest L. Computed and not proved: γ² = A L + c + d/γ² + e/γ⁴ + ..; what A L + c leaves is of order 1/L.
+//!
+//! `cargo run --release --example lemma_5_2_exact_law -- --theta 1e-20,1e-80 --log 10,1e15`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use experiments::EstimateExt;
-use experiments::growth::{END_SLOPE, INTERIOR_SLOPE, growth, last_exponent};
-use experiments::zones::Place;
-use fractional_sobolev::{Constraint, Estimate, Law, Order, Tolerance, gamma, law};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Constraint, Zones, gamma, law};
+use std::f64::consts::PI;
 
-example_frame::options! {
-    /// The law of the Poincare constant at nu = 1/2, and the two bounds that prove it
-    pub struct Options {
-        /// Zones theta at the end of the interval, longest first
-        #[arg(long, value_delimiter = ',', default_values = ["1e-2", "1e-5", "1e-10", "1e-30", "1e-100", "1e-200", "1e-300"], value_parser = within::<f64>("[1e-300, 0.36]"))]
-        pub theta: Vec<f64>,
-        /// L = ln(1/theta) at which the bounds alone are evaluated
-        #[arg(long, value_delimiter = ',', default_values = ["1e4", "1e6", "1e9", "1e12"], value_parser = within::<f64>("[1, 1e15]"))]
-        pub log: Vec<f64>,
-        /// Relative tolerance: fast, balanced, reference or a number
-        #[arg(long, default_value = "1e-10")]
-        pub tolerance: Tolerance,
+example! { seconds "(5.2), exact", "mean zero on (0, θ), ν = 1/2:  γ² / ln(1/θ) → 3/(2π²) as θ → 0";
+    /// zones θ, longest first
+    theta: Vec<f64> = "1e-2,1e-5,1e-10,1e-30,1e-100,1e-200,1e-300" in "[1e-300, 0.36]",
+    /// L = ln(1/θ) at which only the two bounds are evaluated
+    log: Vec<f64> = "1e4,1e6,1e9,1e12" in "[1, 1e15]",
+}
+
+/// ‖u‖₀² / |u|² of the ramp, from below: W = r²/L − 2r³/(3L²) for r ≤ L and L/3 beyond, ζ(3) = 1.2020569...
+fn ramp(log: f64) -> f64 {
+    const ZETA_3: f64 = 1.202_056_903_159_594_3;
+    let theta = (-log).exp();
+    let norm = 1.0 - 2.0 / log + 2.0 * (1.0 - theta) / (log * log);
+    let beyond = 4.0 * theta / (1.0 - theta).powi(2) * (1.0 + 2.0 / log) / log;
+    norm / (2.0 * PI * PI / (3.0 * log) - 8.0 * ZETA_3 / (log * log) + beyond)
+}
+
+/// γ₁² + N² with the N for which the inequality along chains is an equality: midpoint rule in ln r, bisection in N.
+fn chains(log: f64, whole: f64) -> f64 {
+    const POINTS: usize = 4000;
+    let (first, last) = (1e-14f64.ln(), (2.0 * log).min(120.0).ln());
+    let width = (last - first) / POINTS as f64;
+    let points: Vec<[f64; 2]> = (0..POINTS) // C(r), and the weight of (N − C)₊²
+        .map(|k| {
+            let r = (first + (k as f64 + 0.5) * width).exp();
+            let c = whole * (2.0 * (r.exp_m1() / (r * r) - 1.0).max(0.0).sqrt() + (0.5 * r).exp_m1().sqrt());
+            [c, width * r / (log + 0.5 * r) * 0.5 * (r / (0.5 * r).sinh()).powi(2)]
+        })
+        .collect();
+    let right = |n: f64| points.iter().map(|[c, weight]| (n - c).max(0.0).powi(2) * weight).sum::<f64>();
+    let (mut low, mut high) = (0.0, 10.0 * (1.0 + log.sqrt()));
+    while high - low > 1e-12 * high {
+        let middle = 0.5 * (low + high);
+        *(if right(middle) < 1.0 { &mut low } else { &mut high }) = middle;
     }
+    whole * whole + high * high
 }
 
-/// Two proved bounds of γ² at one L = ln(1/θ).
-pub struct Bracket {
-    /// L.
-    pub log: f64,
-    /// The quotient of a ramp.
-    pub lower: f64,
-    /// The inequality along chains.
-    pub upper: f64,
-}
-
-/// γ² beside the law.
-pub struct LawRest {
-    /// γ².
-    pub square: Estimate,
-    /// γ² − A L − c.
-    pub rest: Estimate,
-    /// The rest over d/γ² + e/γ⁴: one, up to the next term, of relative order 1/γ⁴.
-    pub explained: Estimate,
-}
-
-/// What the leading part A L + c of the law leaves of γ².
-fn rest(law: &Law, log: f64, gamma: Estimate) -> Result<LawRest> {
-    let Some([a, c, d, e]) = law.expansion else { unreachable!("the law at one half has an expansion") };
-    let (value, error) = (gamma.value * gamma.value, 2.0 * gamma.value * gamma.error);
-    let leading = a.value * log + c.value;
-    let known = a.error * log + c.error + f64::EPSILON * value;
-    let rest = Estimate::new(value - leading, error + known, gamma.work)?;
-    let next = (d.value + e.value / value) / value;
-    let next = Estimate::new(next, (d.error + e.error / value) / value + next * error / value, d.work)?;
-    Ok(LawRest { square: Estimate::new(value, error, gamma.work)?, rest, explained: rest.over(next)? })
-}
-
-/// What is computed.
-pub struct Computed {
-    /// Zones at the end: both bounds of γ², and what A L + c leaves of it.
-    pub points: Vec<(Bracket, LawRest)>,
-    /// The power of L in what is left, between the last two zones.
-    pub power: Option<Estimate>,
-    /// Bounds for zones too short for a number.
-    pub beyond: Vec<Bracket>,
-    /// The slope of γ² against L between the last two zones in the middle of the interval.
-    pub inside: Option<Estimate>,
-}
-
-/// Constants by the eigenproblem, the law from dual norms, the bounds from the proof.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let (half, tolerance) = (Order::HALF, options.tolerance);
-    let law = law(half, 0.0, tolerance)?;
-    let bracket = |log: f64| -> Result<Bracket> {
-        let [lower, upper] = law.bracket(log)?;
-        Ok(Bracket { log, lower, upper })
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let half = Order::HALF;
+    // c from the dual norm N of u ↦ mean on (0, 1) − mean on (0, θ), on a zone so short that N² = A L + c to all digits;
+    // d and e are squared norms of N's representer, once and twice through the operator of ‖·‖₀².
+    let end = law(half, 0.0, 1e-10)?;
+    let Some([a, c, d, e]) = end.expansion.map(|all| all.map(Measured::from)) else {
+        return Err(Error::Option("no expansion at one half".to_owned()));
     };
-    let constant = |place: Place, theta: f64| -> Result<Estimate> {
-        Ok(gamma(half, Constraint::mean_zero_on(place.zone(theta)?), tolerance)?.constant)
-    };
-    let point = |&theta: &f64| -> Result<(Bracket, LawRest)> {
-        let log = -theta.ln();
-        Ok((bracket(log)?, rest(&law, log, constant(Place::End, theta)?)?))
-    };
-    let points: Vec<_> = options.theta.iter().map(point).collect::<Result<_>>()?;
-    let rests: Vec<_> = points.iter().map(|(bracket, law)| (bracket.log, law.rest)).collect();
-    let inside = |&theta: &f64| -> Result<(f64, Estimate)> { Ok((theta, constant(Place::Centre, theta)?)) };
-    let inside = options.theta.iter().map(inside).collect::<Result<Vec<_>>>()?;
-    Ok(Computed {
-        points,
-        power: last_exponent(&rests)?,
-        beyond: options.log.iter().map(|&log| bracket(log)).collect::<Result<_>>()?,
-        inside: growth(half, &inside)?,
-    })
-}
-
-/// How near to -1 the power of L in the rest has to be, its change from zone to zone included.
-const POWER: f64 = 0.05;
-/// What the next term of the law may change, relative, at the shortest zone.
-const NEXT_TERM: f64 = 1e-3;
-/// How near the two bounds have to come at the largest L.
-const CLOSED: f64 = 1e-4;
-/// How near to 1/(2 pi^2) the slope inside has to be, its change included.
-const INSIDE: f64 = 1e-3;
-
-/// What decides: the bounds enclose the constant and close, and the rest is of the order and size predicted.
-pub fn findings(computed: &Computed) -> Vec<Finding> {
-    let Computed { points, power, beyond, inside } = computed;
-    let few = "fewer than two zones";
-    let over = |part: fn(&Bracket) -> f64| {
-        points.iter().filter_map(move |(bracket, law)| law.square.times(1.0 / part(bracket)).ok())
-    };
-    let widest = beyond.last().map(|b| (b.upper / b.lower - 1.0, 0.0));
-    vec![
-        Finding::claim("lower", "the ramp is a lower bound: gamma^2 is {value} times it or more")
-            .estimate_or(Estimate::smallest(over(|b| b.lower)), few)
-            .at_least(1.0, "a quotient of one function"),
-        Finding::claim("upper", "the chains give an upper bound: gamma^2 is {percent} % of it or less")
-            .estimate_or(Estimate::largest(over(|b| b.upper)), few)
-            .at_most(1.0, "the bound along chains"),
-        Finding::claim("closing", "at the largest L the two bounds differ by a part {value}")
-            .number_or(widest, "no L")
-            .at_most(CLOSED, "a bracket that closes like L^(-1/2)")
-            .otherwise("at the largest L the two bounds still differ by a part {value}")
-            .told(),
-        Finding::claim("rest", "what A L + c leaves of gamma^2 falls like L^{value}")
-            .estimate_or(*power, few)
-            .within(POWER, -1.0, "the next term d / gamma^2")
-            .told(),
-        Finding::claim("explained", "at the shortest zone it is {value} times d/gamma^2 + e/gamma^4")
-            .estimate_or(points.last().map(|(_, law)| law.explained), few)
-            .within(NEXT_TERM, 1.0, "the expansion of the resolvent, its constants from a dual norm"),
-        Finding::claim("inside", "for zones in the middle gamma^2 grows by {value} per unit of L")
-            .estimate_or(*inside, few)
-            .within(INSIDE, INTERIOR_SLOPE, "1/(2 pi^2): two sides to climb"),
-    ]
-}
-
-/// Follows the law from long zones to zones without a number.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "gamma_theta(1/2)^2 / ln(1/theta) tends to 3/(2 pi^2) as theta falls to zero";
-    let mut headline = Headline::new("(5.2), exact", claim, table(&computed), findings(&computed));
-    headline.draw(&options.output, "lemma_5_2_exact_law", || Ok(draw(&computed)))?;
-    Ok(headline)
-}
-
-fn table(computed: &Computed) -> Table {
-    let columns = vec![
-        Column::new("log", "L", Format::Significant(5), "ln(1/theta)"),
-        Column::new("theta", "theta", Format::Scientific(0), "length of the zone"),
-        Column::new("square", "gamma^2", Format::Significant(10), "square of the best constant"),
-        Column::new("lower", "lower", Format::Significant(5), "the ramp's bound over A L, A = 3/(2 pi^2)"),
-        Column::new("ratio", "ratio", Format::Significant(5), "gamma^2/(A L)"),
-        Column::new("upper", "upper", Format::Significant(5), "the bound along chains over A L"),
-        Column::new("rest", "rest", Format::Scientific(4), "gamma^2 - A L - c"),
-        Column::new("explained", "explained", Format::Significant(7), "rest over d/gamma^2 + e/gamma^4"),
-    ];
-    let row = |b: &Bracket, law: Option<&LawRest>| {
-        let scale = END_SLOPE * b.log;
-        let of = |part: fn(&LawRest) -> f64| law.map(part);
-        let square = of(|law| law.square.value);
-        let bounds = [Some(b.lower / scale), square.map(|g| g / scale), Some(b.upper / scale)];
-        let ends = [of(|law| law.rest.value), of(|law| law.explained.value)];
-        let first = [Some(b.log), square.map(|_| (-b.log).exp()), square];
-        first.into_iter().chain(bounds).chain(ends).map(Cell::from).collect::<Vec<_>>()
-    };
-    let rows = computed.points.iter().map(|(bracket, law)| row(bracket, Some(law)));
-    Table::new(columns).with_rows(rows.chain(computed.beyond.iter().map(|b| row(b, None))))
-}
-
-fn draw(computed: &Computed) -> Chart {
-    let (x, y) = ("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law");
-    let off = |log: f64, square: f64| (log, (square / (END_SLOPE * log) - 1.0).abs());
-    let known = computed.points.iter().map(|(bracket, _)| bracket);
-    let all: Vec<_> = known.chain(&computed.beyond).collect();
-    let found = computed.points.iter().map(|(bracket, law)| off(bracket.log, law.square.value));
-    let title = "The law at one half between its two bounds";
-    Chart::new(title, Axis::logarithmic(x), Axis::logarithmic(y))
-        .with(Series::line("upper bound, chains", all.iter().map(|b| off(b.log, b.upper)).collect()))
-        .with(Series::points("γ², computed", found.collect()))
-        .with(Series::line("lower bound, ramp", all.iter().map(|b| off(b.log, b.lower)).collect()))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials on elements that shrink geometrically to the ends of the
+    // zone and of the interval; hat functions on halved elements give 0.2 % less. Error: change to another such space.
+    let best = |zone: Constraint| -> Result<Measured> { Ok(gamma(half, zone, 1e-10)?.constant.into()) };
+    let whole = best(Constraint::mean_zero())?.value;
+    out.column("log", "L", "ln(1/θ)");
+    out.column("square", "γ²", "");
+    out.column("below", "1−ramp/AL", "lower bound, A = 3/(2π²)");
+    out.column("off", "|γ²/AL−1|", "");
+    out.column("above", "chains/AL−1", "upper bound");
+    out.column("rest", "rest", "γ² − A L − c");
+    out.column("explained", "rest/next", "over d/γ² + e/γ⁴");
+    let mut inside: Vec<(f64, f64)> = Vec::new();
+    let zones = options.theta.iter().map(|&theta| (-theta.ln(), Some(theta)));
+    for (log, theta) in zones.chain(options.log.iter().map(|&log| (log, None))) {
+        let (lower, upper, scale) = (ramp(log), chains(log, whole), a.value * log);
+        let mut square = None;
+        if let Some(theta) = theta {
+            square = Some(best(Constraint::mean_zero_on(0.0..theta)?)?.squared());
+            let centre = Zones::from_start_and_length(0.5 * (1.0 - theta), theta)?;
+            inside.push((log, best(Constraint::mean_zero_on(centre)?)?.squared().value));
+        }
+        let rest = square.map(|square| square - a * log - c);
+        let explained = square.zip(rest).map(|(square, rest)| rest / ((d + e / square) / square));
+        out.row(cells! { log => theta, square, below: 1.0 - lower / scale,
+        off: square.map(|g| (g.value / scale - 1.0).abs()), above: upper / scale - 1.0,
+        rest: rest.map(|r| r.value), explained: explained.map(|r| r.value) });
+        if let Some(square) = square {
+            out.check("γ² over the quotient of the ramp").at_least(square / lower, 1.0, "proved");
+            out.check("γ² over the bound along chains").at_most(square / upper, 1.0, "proved");
+        }
+        if theta == options.theta.last().copied() && theta.is_some() {
+            let power = out.slope("log", "rest", f64::ln, |rest| rest.abs().ln());
+            out.check("rest γ² − A L − c: power of L").near(power, -1.0, 0.05, "d/γ²");
+            out.check("rest over d/γ² + e/γ⁴").near(explained, 1.0, 1e-3, "next term, 1/L²");
+            if let [.., (long, a), (short, b)] = inside.as_slice() {
+                let slope = (b - a) / (short - long);
+                out.check("zone inside: slope of γ² over L").near(slope, 0.5 / PI.powi(2), 1e-3, "1/(2π²)");
+            }
+        }
+        let [known_lower, known_upper] = end.bracket(log)?; // the same two bounds, their integral by Gauss rules
+        let agreement = (lower / known_lower - 1.0).abs().max((upper / known_upper - 1.0).abs());
+        out.check("both bounds, against the library's").at_most(agreement, 1e-4, "Gauss rules");
+        if theta.is_none() && log == options.log.iter().copied().fold(0.0, f64::max) {
+            out.check("largest L: upper/lower bound − 1").at_most(upper / lower - 1.0, 1e-4, "L^(−1/2)");
+        }
+    }
+    out.plot(
+        "lemma_5_2_exact_law",
+        "The law at one half between its two bounds",
+        Axes::LogLog("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law"),
+    )
+    .curve("log", "above")
+    .points("log", "off")
+    .curve("log", "below");
+    Ok(())
 }

@@ -1,165 +1,138 @@
-//! Lemma 6.1 in the plane: best constants of linear interpolation on a triangle, for gradients of order s.
+//! Lemma 6.1 on triangles: best constants of linear interpolation, and what flat and sharp angles cost.
 //!
-//! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.3,0.5,0.9 --tolerance 1e-7`
+//! T is the triangle with two sides of length 1 at an angle α, and I u the linear function with the values of u at the
+//! three corners. For 0 < s < 1 let |∇u|²_s = ∬ |∇u(x) − ∇u(y)|² / |x − y|^(2+2s) dx dy over T × T, and |∇u|₁ = ‖D²u‖₀.
+//! In the plane the lemma reads, with the best constants C and C' for this s and α,
+//!
+//! ```text
+//! ‖∇(u − I u)‖₀ ≤ C |∇u|_s,        ‖u − I u‖₀ ≤ C' |∇u|_s.
+//! ```
+//!
+//! Since ((1−s) 2/π)^(1/2) |∇u|_s → ‖D²u‖₀ as s → 1, C_h = C (π/2/(1−s))^(1/2) / h^s is shown, h the longest side of T. At
+//! s = 1 it is bounded as long as α stays away from 180°; for s < 1 it also grows as α → 0, like α^−min(1/2, 1−s) or more.
+//!
+//! Refuted if C is above its upper bound (for s < 1 by telescoping over halved triangles, at s = 1 Kobayashi's formula),
+//! if a quadratic function has a larger quotient than C, or if C_h of a flat or sharp triangle is not above C_h at 60°.
+//!
+//! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.9,0.3 --angle 15,90,150`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use experiments::EstimateExt;
-use fractional_sobolev::{
-    BestConstant, Domain, ErrorNorm, Estimate, Order, Tolerance, interpolation_constant,
-};
+use example_report::prelude::*;
+use fractional_sobolev::{Domain::Triangle, ErrorNorm, Function, Triangles, interpolation_constant};
+use nalgebra::{DMatrix, Matrix2, Vector2};
 use std::f64::consts::FRAC_PI_2;
-use std::process::ExitCode;
 
-example_frame::options! {
-    /// Best constants of linear interpolation on the right isosceles triangle
-    pub struct Options {
-        /// Orders s of the gradient in (0, 1), increasing; s = 1 is added
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.3", "0.35", "0.4", "0.5", "0.6", "0.7", "0.75", "0.8", "0.9", "0.95"])]
-        pub s: Vec<Order>,
-        /// Relative tolerance of the constants: fast, balanced, reference or a number
-        #[arg(long, default_value = "1e-6")]
-        pub tolerance: Tolerance,
-    }
+example! { seconds "Lemma 6.1, triangles", "‖∇(u − I u)‖₀ ≤ C |∇u|_s on a triangle; flat angles raise C, for s < 1 sharp ones too";
+    /// orders s of the gradient; s = 1 is added
+    s: Vec<f64> = "0.25,0.5,0.75" in "[0.02, 1]" slider "0.1 to 0.98",
+    /// angles α in degrees; 60 is added
+    angle: Vec<f64> = "20,90,135" in "(6, 174)" slider "10 to 160",
 }
 
-/// One order with both constants.
-#[derive(Clone)]
-pub struct Row {
-    /// s; 1 for the norm of second derivatives.
-    pub s: f64,
-    /// The constants of ‖∇(u − Iu)‖ and of ‖u − Iu‖, legs 1.
-    pub constants: [BestConstant; 2],
-}
-
-impl Row {
-    /// ((π/2)/(1−s))^{1/2}, which makes |∇u|_s a norm that tends to ‖D²u‖.
-    fn unit(&self) -> f64 {
-        if self.s < 1.0 { (FRAC_PI_2 / (1.0 - self.s)).sqrt() } else { 1.0 }
-    }
-
-    fn both(&self) -> impl Iterator<Item = &BestConstant> {
-        self.constants.iter()
-    }
-}
-
-/// The right isosceles triangle with legs 1.
-const RIGHT: Domain = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
-/// Babuska and Aziz' bound for the right isosceles triangle (1976), the root of 1/x + tan(1/x) = 0.
+/// Babuška and Aziz' bound (1976) at s = 1, α = 90°: the root of 1/x + tan(1/x) = 0.
 const BABUSKA_AZIZ: f64 = 0.492_912_451_754_9;
-/// Relative error asked of every constant.
-const DIGITS: f64 = 1e-6;
 
-/// Both constants for all orders and s = 1.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let row = |s: f64| -> Result<Row> {
-        let gradient = interpolation_constant(RIGHT, ErrorNorm::Derivative, s, options.tolerance)?;
-        let l2 = gradient.in_norm(ErrorNorm::L2)?;
-        Ok(Row { s, constants: [gradient, l2] })
+/// The largest ‖∇(u − I u)‖₀ / |∇u|_s of quadratic u, from the definition: ∇u = H x with the Hessian H, so
+/// |∇u|²_s = tr(H G Hᵀ), G the form of the seminorm for the functions x₁, x₂ on T; u − I u has the gradient H x − g.
+fn of_quadratics(corners: [[f64; 2]; 3], s: f64) -> Result<f64> {
+    let mesh = Triangles::new(corners.to_vec(), vec![[0, 1, 2]])?;
+    // |a x₁ + b x₂|²_s: a smooth integral in the ratio of distances from a corner, by Gauss rules
+    let square = |a: f64, b: f64| -> Result<f64> {
+        let linear = Function::on_triangles(&mesh, 1, &corners.map(|[x, y]| a * x + b * y))?;
+        Ok(linear.seminorm(s, 1e-8)?.value.powi(2))
     };
-    options.s.iter().map(|order| order.value()).chain([1.0]).map(row).collect()
+    let (xx, yy, sum) = (square(1.0, 0.0)?, square(0.0, 1.0)?, square(1.0, 1.0)?);
+    let g = Matrix2::new(xx, (sum - xx - yy) / 2.0, (sum - xx - yy) / 2.0, yy);
+    let corner = corners.map(|[x, y]| Vector2::new(x, y));
+    let edges = Matrix2::from_columns(&[corner[1] - corner[0], corner[2] - corner[0]]);
+    let hessians = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
+        .map(|h| Matrix2::from_row_slice(&h));
+    let gradient = |h: &Matrix2<f64>, x: Vector2<f64>| {
+        let u = corner.map(|corner| 0.5 * corner.dot(&(h * corner)));
+        let slope =
+            edges.transpose().try_inverse().unwrap_or_default() * Vector2::new(u[1] - u[0], u[2] - u[0]);
+        h * x - slope
+    };
+    // the rule of the midpoints of the sides is exact for the square of a linear function
+    let error = |i: usize, j: usize| -> f64 {
+        let middle = |k: usize| (corner[k] + corner[(k + 1) % 3]) / 2.0;
+        let product = |k| gradient(&hessians[i], middle(k)).dot(&gradient(&hessians[j], middle(k)));
+        (0..3).map(product).sum::<f64>() * mesh.areas()[0] / 3.0
+    };
+    let form = DMatrix::from_fn(3, 3, |i, j| (hessians[i] * g * hessians[j].transpose()).trace());
+    Ok(largest_eigenvalue(&DMatrix::from_fn(3, 3, error), &form)?.sqrt())
 }
 
-/// What decides: the digits, the bounds from both sides, the order in s, and the limit s = 1.
-pub fn findings(rows: &[Row]) -> Vec<Finding> {
-    let constants = || rows.iter().flat_map(Row::both);
-    let exact = |numbers: Vec<f64>| numbers.into_iter().reduce(f64::max).map(|number| (number, 0.0));
-    let digits = constants().map(|c| c.constant.relative_error()).collect();
-    let lower = constants().map(|c| c.lower.value / (c.constant.value + c.constant.error)).collect();
-    let below = rows.iter().filter(|row| row.s < 1.0).flat_map(Row::both);
-    let over = below.filter_map(|c| c.constant.times(c.upper?.value.recip()).ok());
-    let falls = rows.windows(2).flat_map(|pair| {
-        let normalised = |row: &Row, k: usize| row.constants[k].constant.times(row.unit()).ok();
-        [0, 1].into_iter().filter_map(move |k| normalised(&pair[1], k)?.over(normalised(&pair[0], k)?).ok())
-    });
-    let at_one = rows.iter().find(|row| row.s == 1.0).map(|row| &row.constants[0]);
-    let one = at_one.map(|found| found.constant);
-    let bound = at_one.and_then(|found| found.upper).map_or(f64::NAN, |upper| upper.value);
-    vec![
-        Finding::claim("digits", "every constant is known to a relative error of {value}")
-            .number_or(exact(digits), "no order")
-            .at_most(DIGITS, "accuracy asked")
-            .told(),
-        Finding::claim("lower", "quotients of functions reach {value} of value plus error, never more")
-            .number_or(exact(lower), "no order")
-            .at_most(1.0, "such quotients are lower bounds"),
-        Finding::claim("upper", "for s < 1 each constant is at most {value} times its computable bound")
-            .largest(over)
-            .at_most(1.0, "telescoping over halved triangles"),
-        Finding::claim("monotone", "normalised, both fall with s, to {value} of the one before or less")
-            .largest(falls)
-            .at_most(1.0, "the constant of the order before")
-            .told(),
-        Finding::claim("kobayashi", "at s = 1 the constant of the gradient is {value}")
-            .estimate_or(one, "s = 1 is missing")
-            .at_most(bound, "Kobayashi's upper bound")
-            .told(),
-        Finding::claim("babuska.aziz", "that is below the classical bound")
-            .estimate_or(one, "s = 1 is missing")
-            .at_most(BABUSKA_AZIZ, "Babuska and Aziz"),
-    ]
-}
-
-/// The constants of the right isosceles triangle.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "|grad(u - Iu)| <= C(s) |grad u|_s and |u - Iu| <= C'(s) |grad u|_s on a triangle";
-    let mut headline = Headline::new("Lemma 6.1, triangles", claim, table(&rows), findings(&rows));
-    headline.draw(&options.output, "lemma_6_1_on_triangles", || Ok(draw(&rows)))?;
-    headline.draw(&options.output, "lemma_6_1_on_triangles_extremal", || Ok(draw_extremal(&rows)))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let (digits, error, bound) = (Format::Significant(9), Format::Scientific(0), Format::Significant(4));
-    let columns = vec![
-        Column::new("s", "s", Format::Plain, ""),
-        Column::new("derivative", "gradient", digits, "sup |grad(u - Iu)| / |grad u|_s, legs 1"),
-        Column::new("derivative_error", "+-", error, "error of it"),
-        Column::new("derivative_lower", "lower", digits, "quotient of a function"),
-        Column::new("derivative_upper", "upper", bound, "computable upper bound; at s = 1 Kobayashi's"),
-        Column::new("l2", "L2", digits, "sup |u - Iu| / |grad u|_s"),
-        Column::new("l2_error", "+- L2", error, "error of it"),
-        Column::new("normalised", "normalised", digits, "gradient, times (pi/2 / (1-s))^(1/2)"),
-    ];
-    Table::new(columns).with_rows(rows.iter().map(|row| {
-        let [first, second] = &row.constants;
-        let upper = first.upper.map_or("".into(), |upper| Cell::from(upper.value));
-        let (gradient, error): (Estimate, Estimate) = (first.constant, second.constant);
-        let value = [gradient.value, gradient.error, first.lower.value].map(Cell::from);
-        let l2 = [error.value, error.error, gradient.value * row.unit()].map(Cell::from);
-        [[row.s.into()].as_slice(), &value, &[upper], &l2].concat()
-    }))
-}
-
-fn draw(rows: &[Row]) -> Chart {
-    let of =
-        |k: usize| rows.iter().map(|row| (row.s, row.constants[k].constant.value * row.unit())).collect();
-    let y = Axis::logarithmic("constant, seminorm normalised");
-    Chart::new(
-        "Linear interpolation on the right isosceles triangle",
-        Axis::linear("s, order of the gradient"),
-        y,
-    )
-    .with(Series::line_and_points("gradient of the error", of(0)))
-    .with(Series::line_and_points("error in L2", of(1)))
-}
-
-/// The extremal functions less their interpolants along a leg, largest value 1.
-fn draw_extremal(rows: &[Row]) -> Chart {
-    let (x, y) =
-        (Axis::linear("place on a leg, from the right angle"), Axis::linear("u - Iu, largest value 1"));
-    let chart = Chart::new("Functions that take the constant of the gradient", x, y);
-    rows.iter().step_by((rows.len() / 3).max(1)).fold(chart, |chart, row| {
-        let extremal = row.constants[0].extremal();
-        let value = |t: f64| extremal.map_or(f64::NAN, |error| error.value(&[t, 0.0]));
-        let leg: Vec<(f64, f64)> = (0..=100).map(|k| 0.01 * f64::from(k)).map(|t| (t, value(t))).collect();
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let sorted = |values: &[f64], with: f64| {
+        let mut values = [values, &[with]].concat();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
+    };
+    let (orders, angles) = (sorted(&options.s, 1.0), sorted(&options.angle, 60.0));
+    let corners = |angle: f64| {
+        let (x, y) = (0.5 * angle).to_radians().sin_cos();
+        [[0.0, y], [-x, 0.0], [x, 0.0]]
+    };
+    let mut extremal = Vec::new();
+    for &s in &orders {
+        // Polynomials, and powers r^2s about the corners; largest eigenvalue, extrapolated in the degree: its error.
+        let best =
+            |&angle: &f64| interpolation_constant(Triangle(corners(angle)), ErrorNorm::Derivative, s, 1e-3);
+        let best = angles.iter().map(best).collect::<std::result::Result<Vec<_>, _>>()?;
+        let unit = if s < 1.0 { (FRAC_PI_2 / (1.0 - s)).sqrt() } else { 1.0 };
+        let c_h = |k: usize| {
+            let longest = (2.0 * (0.5 * angles[k]).to_radians().sin()).max(1.0);
+            Measured::from(best[k].constant) * (unit / longest.powf(s))
+        };
+        let equilateral = angles.iter().position(|angle| *angle == 60.0).map(c_h);
+        for (k, &angle) in angles.iter().enumerate() {
+            let (c, c_l2) = (Measured::from(best[k].constant), best[k].in_norm(ErrorNorm::L2)?.constant);
+            let quadratics = of_quadratics(corners(angle), s)?;
+            let upper = best[k].upper.map(|upper| upper.value);
+            let (claim, source) = if s < 1.0 { ("s < 1", "telescoping") } else { ("s = 1", "Kobayashi") };
+            out.check(format!("{claim}: C over its upper bound")).at_most(
+                upper.map(|upper| c / upper),
+                1.0,
+                source,
+            );
+            out.check("quotient of quadratics, over C").at_most(
+                c.recip() * quadratics,
+                1.0,
+                "3 × 3 matrices",
+            );
+            if s == 1.0 && angle == 90.0 {
+                out.check("s = 1, α = 90°: C").at_most(c, BABUSKA_AZIZ, "Babuška and Aziz");
+            }
+            let ratio = c_h(k) / equilateral;
+            if angle >= 135.0 {
+                out.check("α ≥ 135°: C_h over C_h at 60°").at_least(ratio, 2.0, "flat: doubled");
+            }
+            if angle <= 20.0 && s <= 0.75 {
+                out.check("α ≤ 20°, s ≤ 3/4: C_h over C_h at 60°").at_least(ratio, 1.0, "sharp: larger");
+            }
+            out.row(cells! { s, angle => c, quadratics, upper, c_h: c_h(k).value, c_l2 });
+        }
+        if let Some(error) = best[best.len() - 1].extremal() {
+            let [[_, y], _, [x, _]] = corners(angles[angles.len() - 1]); // a leg of the last triangle
+            let leg = (0..=100).map(|k| f64::from(k) / 100.0);
+            extremal.push((s, leg.map(|t| (t, error.value(&[t * x, (1.0 - t) * y]))).collect::<Vec<_>>()));
+        }
+    }
+    out.column("angle", "α", "angle between the equal sides, in degrees");
+    out.column("c", "C", "best constant for the gradient");
+    out.column("upper", "upper", "bound of C from above");
+    out.column("quadratics", "quadratics", "the largest quotient of quadratic u");
+    out.column("c_h", "C_h", "C over h^s, normalised");
+    out.column("c_l2", "C'", "best constant in L²");
+    let axes = Axes::LinearLog("α, angle between the equal sides, in degrees", "C_h");
+    out.plot("lemma_6_1_on_triangles", "Constant of interpolation on isosceles triangles", axes)
+        .curve_by("s", "angle", "c_h");
+    let axes = Axes::Linear("place on a leg, from the angle α", "u − I u, largest value 1");
+    let plot = out.plot("lemma_6_1_on_triangles_extremal", "Functions for which C is attained", axes);
+    for (s, leg) in extremal {
         let top = leg.iter().fold(0f64, |top, p| if p.1.abs() > top.abs() { p.1 } else { top });
-        let scaled = leg.into_iter().map(|(t, v)| (t, v / top)).collect();
-        chart.with(Series::line(format!("s = {}", row.s), scaled))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+        plot.line(&format!("s = {s}"), leg.into_iter().map(|(t, v)| (t, v / top)).collect());
+    }
+    Ok(())
 }

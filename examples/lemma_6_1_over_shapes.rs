@@ -4,8 +4,6 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use experiments::ErrorExt;
-use experiments::EstimateExt;
 use fractional_sobolev::{Domain, Error, ErrorNorm, Estimate, Order, Tolerance, interpolation_constant};
 use std::f64::consts::FRAC_PI_2;
 use std::process::ExitCode;
@@ -55,7 +53,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
         let mut constants = Vec::new();
         for order in &options.s {
             let found = constant(order.value())?.constant;
-            constants.push(found.times((FRAC_PI_2 / (1.0 - order.value())).sqrt())?);
+            constants.push(found.times((FRAC_PI_2 / order.complement()).sqrt())?);
         }
         let one = constant(1.0)?;
         constants.push(one.constant);

@@ -6,7 +6,6 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use experiments::EstimateExt;
 use experiments::arrangement::{MovedZone, ZoneCase, random_zones};
 use experiments::interpolation::{RoughFamily, rearranged_shares};
 use experiments::sorting::{sorted_share_of_orders, sorted_share_of_random};

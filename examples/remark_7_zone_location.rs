@@ -16,7 +16,6 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use experiments::EstimateExt;
 use experiments::location::Places;
 use fractional_sobolev::{Estimate, Order, Tolerance};
 use std::process::ExitCode;

@@ -1,163 +1,221 @@
-//! Section 2, your own body: a mesh from Gmsh, a load in x and y, and the floor under every contact edge.
+//! Section 2: your own body. A mesh of Gmsh, a load in x and y, a rigid floor under every contact edge.
+//!
+//! Curves of the mesh are in physical groups `clamped` (Γ_D), `contact` (Γ_C, straight pieces, each with its outward
+//! normal n) and `free`. With a(u, v) = ∫ σ(u) : ε(v), σ = 2μ ε + λ tr ε I, and l(v) = ∫ f·v,
+//!
+//! ```text
+//! u^h minimises J(v) = ½ a(v, v) − l(v) over { v linear on triangles, v = 0 on Γ_D, v·n ≤ 0 at the nodes of Γ_C }   (2.9)
+//! ```
+//!
+//! A load with one component makes the problem scalar: a(u, v) = ∫ ∇u·∇v, u ≤ 0 on Γ_C. No solution is known, so what
+//! must hold for every body is checked, on the mesh and on refinements of it (each triangle cut into four). Refuted if
+//! the resultants of load, clamp and floors do not add up, if a condition of contact is violated, if two solvers differ
+//! in J, if body and load turned by an angle have another J or force, or if J rises on a finer mesh (nested cones).
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR --csv DIR`
 
-use example_frame::contact::{self, ContactSubject, Load, Own, OwnOptions, worst};
-use example_frame::{Finding, Headline, Result};
-use experiments::contact_levels::SceneRun;
-use signorini::cone::{Cone, KKT_ROUNDING, KktResiduals};
-use signorini::fem::{Form, Lame};
-use signorini::rates::order_between;
-use std::process::ExitCode;
+use example_report::{Expression, prelude::*};
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, ContactSolution, Solver};
+use signorini::fem::{Cubature, Field, Form, Lame};
+use signorini::mesh::{Hierarchy, Triangulation, parse_msh, read_msh};
+use std::path::{Path, PathBuf};
 
-/// The body that comes with the example: an L on a slanted floor.
-const SAMPLE: &str = include_str!("data/l_shape.msh");
-/// It lifts the arm and presses both ends of the foot on the floor.
-const LOAD: &str = "0.015, 0.02 - 0.03*x";
-
-example_frame::options! {
-    /// Solve a contact problem on a mesh of Gmsh with a load given by expressions, and check what must hold
-    pub struct Options {
-        /// Number of meshes: the one given, and every triangle cut into four, and again
-        #[arg(long, default_value_t = 4)]
-        pub levels: usize,
-        /// Discrete cone: nodal (2.9) or midpoint (4.1)
-        #[arg(long, default_value_t = Cone::Nodal)]
-        pub cone: Cone,
-        /// The angle by which body and load are turned for a check, degrees
-        #[arg(long, default_value_t = 50.0)]
-        pub angle: f64,
-        /// The body; without one an L on a slanted floor
-        #[command(flatten)]
-        pub own: OwnOptions,
-    }
+example! { seconds "Section 2, your own body", "a body from Gmsh: u^h minimises J over K^h (2.9), forces in balance, every condition of (2.5) met";
+    /// mesh of Gmsh (ASCII, format 4.1 or 2.2) with groups clamped, contact, free; without one an L on a slanted floor
+    mesh: Option<PathBuf> = "",
+    /// volume load "fx, fy", of a scalar problem "f", in x, y, pi and the usual functions; unless given that of the L
+    load: String = "",
+    /// Young's modulus E, one or one for each physical surface; E = 2.5, ν = 1/4 is λ = μ = 1
+    young: Vec<f64> = "2.5" in "(0, 1e300]",
+    /// Poisson's ratio ν, as many
+    poisson: Vec<f64> = "0.25" in "(-1, 0.5)",
+    /// plane stress, a thin plate; unless given plane strain
+    plane_stress: bool = "",
+    /// meshes: the one given, and every triangle cut into four, and again
+    levels: usize = "4" in "[1, 8]",
+    /// discrete cone: nodal (2.9) or midpoint (4.1)
+    cone: Cone = "nodal",
+    /// angle by which body and load are turned for a check, degrees
+    angle: f64 = "50" in "[-360, 360]",
+    /// directory for contact_edge.csv: u_N and σ_N at the nodes of the contact edges
+    csv: Option<PathBuf> = "",
 }
 
-/// Everything on every mesh.
-pub struct Computed {
-    subject: ContactSubject,
-    /// All solutions, coarsest mesh first, on each mesh one solver after the other.
-    pub runs: Vec<SceneRun>,
-    /// On every mesh the resultants of load, clamp and floors.
-    pub resultants: Vec<[[f64; 2]; 3]>,
-    /// Solutions of the same body turned, in the same order.
-    pub turned: Vec<SceneRun>,
-}
+/// f, and the angle by which it is turned with its body.
+struct Load(Vec<Expression>, f64);
 
-/// Solves the body as it is given, and turned.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let Options { levels, cone, angle, own, .. } = options;
-    let mut own = own.clone();
-    if !own.is_own() {
-        own.load = Some(LOAD.parse()?);
-    }
-    let is_scalar = own.load.as_ref().is_some_and(|load: &Load| load.components() == 1);
-    let form = if is_scalar { Form::LAPLACE } else { Form::elastic(Lame::new(1.0, 1.0)?) };
-    let body = own.body(|| Own::sample("l_shape", SAMPLE), form, 1.0)?;
-    let turned = ContactSubject::own(body.turned(*angle)?, *cone, *levels, &own)?;
-    let subject = ContactSubject::own(body.clone(), *cone, *levels, &own)?;
-    let runs = subject.solve()?;
-    let resultants = runs.iter().map(|run| body.resultants(run)).collect::<Result<_>>()?;
-    Ok(Computed { subject, resultants, turned: turned.solve()?, runs })
-}
-
-/// What a sum over all nodes, a second solver or another frame must confirm.
-const EIGHT_DIGITS: f64 = 1e-8;
-/// A scaled condition may be violated by a duality gap of 1e-13 over 1000 unknowns.
-const KKT_LIMIT: f64 = 1e-10;
-
-/// What decides: forces balance, every condition is met, solvers agree, J falls, and directions do not
-/// matter.
-pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
-    let Computed { runs, resultants, turned, .. } = computed;
-    let kkt: Option<Vec<KktResiduals>> = runs.iter().map(|run| run.kkt().ok()).collect();
-    let imbalance = |forces: &[[f64; 2]; 3]| {
-        let size = |[x, y]: [f64; 2]| x.hypot(y);
-        let sum = forces.iter().fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
-        size(sum) / forces.iter().map(|&f| size(f)).sum::<f64>()
-    };
-    let force = runs.last().map(|run| (run.solution.contact_force, run.solution.balance));
-    let mut found = vec![
-        Finding::claim("forces", "the resultants of load, clamp and floor add up to zero")
-            .number(worst(resultants.iter().map(imbalance)), KKT_ROUNDING)
-            .at_most(EIGHT_DIGITS, "eight digits of a sum over all nodes")
-            .otherwise("the resultants of load, clamp and floor add up to {value} of their sizes"),
-        Finding::claim("push", "the floor pushes with {value}")
-            .number_or(force, "no solution")
-            .at_least(0.0, "sigma_N <= 0")
-            .otherwise("the floor pulls, {value}")
-            .told(),
-    ];
-    for (key, holds, fails, figure) in contact::CONDITIONS {
-        let worst = kkt.as_ref().map(|all| (worst(all.iter().map(figure)), KKT_ROUNDING));
-        let condition = Finding::claim(key, holds).number_or(worst, "a force or a gap is not a number");
-        found
-            .push(condition.at_most(KKT_LIMIT, "a duality gap of 1e-13 over 1000 unknowns").otherwise(fails));
-    }
-    found.extend(contact::solvers_agree(runs, EIGHT_DIGITS));
-    let apart = |[a, b]: [f64; 2]| if a == b { 0.0 } else { (a - b).abs() / a.abs() };
-    let figures = |run: &SceneRun| [run.solution.energy, run.solution.contact_force];
-    let pairs = runs.iter().zip(turned).map(|(run, other)| (figures(run), figures(other)));
-    let directions = pairs.flat_map(|([j, f], [k, g])| [apart([j, k]), apart([f, g])]);
-    found.push(
-        Finding::claim(
-            "turned",
-            "turned by the angle asked for it has the same J and the same force, apart by {value}",
-        )
-        .number_or(Some((worst(directions), 0.0)).filter(|_| runs.len() == turned.len()), "other meshes")
-        .at_most(EIGHT_DIGITS, "eight digits in another frame")
-        .otherwise("turned it has another J or another force, apart by {value}")
-        .told(),
-    );
-    found.extend(energies(options.cone, runs));
-    found
-}
-
-/// J from mesh to mesh: it does not rise where cones are nested, and how fast it falls.
-fn energies(cone: Cone, runs: &[SceneRun]) -> Vec<Finding> {
-    let first = runs.first().map(|run| run.solution.solver);
-    let j: Vec<f64> =
-        runs.iter().filter(|run| Some(run.solution.solver) == first).map(|run| run.solution.energy).collect();
-    let gained: Vec<f64> = j.windows(2).map(|pair| pair[0] - pair[1]).collect();
-    let least = gained
-        .iter()
-        .map(|gain| (if *gain == 0.0 { 0.0 } else { gain / j[0].abs() }, 0.0))
-        .reduce(|a, b| if a.0 < b.0 { a } else { b });
-    let order = match gained[..] {
-        [.., before, last] if before > 0.0 && last > 0.0 => {
-            Some((order_between((1.0, before), (0.5, last)), 0.0))
+impl Load {
+    fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.1.sin_cos();
+        let before = [cos * x + sin * y, cos * y - sin * x];
+        match &self.0[..] {
+            [f, g] if self.1 == 0.0 => [f.at(before), g.at(before)],
+            [f, g] => [cos * f.at(before) - sin * g.at(before), sin * f.at(before) + cos * g.at(before)],
+            parts => [parts[0].at(before), 0.0],
         }
-        _ => None,
+    }
+
+    /// Linear elements on the mesh; ∫ f·φᵢ by a rule of 4 × 4 points a triangle, exact for f of degree 6.
+    fn problem(&self, mesh: Triangulation, form: &Form) -> Result<ContactProblem> {
+        let mut problem =
+            ContactProblem::new(mesh.clone(), form.clone(), &vec![0.0; mesh.nodes().len() * self.0.len()])?;
+        let (scalar, vector) = (|p| self.at(p)[0], |p| self.at(p));
+        let field = if self.0.len() == 1 { Field::Scalar(&scalar) } else { Field::Vector(&vector) };
+        problem.add_volume_load(&field, &Cubature::new(4)?)?;
+        Ok(problem)
+    }
+
+    /// Resultants of load, clamp and floors, over the sum of their sizes.
+    fn imbalance(&self, problem: &ContactProblem, u: &ContactSolution) -> Result<f64> {
+        let (mesh, edge, mut load, mut floors) = (problem.mesh(), problem.edge(), [0.0; 2], [0.0; 2]);
+        for t in 0..mesh.triangles().len() {
+            Cubature::new(4)?.on(mesh.corners(t), &mut |point, weight| {
+                load = add(load, weight, self.at(point));
+                Ok(())
+            })?;
+        }
+        let normals = if self.0.len() == 2 { edge.normals()? } else { vec![[1.0, 0.0]; edge.pieces().len()] };
+        for (i, normal) in
+            edge.pieces().into_iter().zip(normals).flat_map(|(piece, n)| piece.map(move |i| (i, n)))
+        {
+            floors = add(floors, -u.pressure[i] * edge.nodal_lengths()[i], normal); // the force of node i, along −n
+        }
+        let size = [load, u.reaction, floors].iter().map(|f| f[0].hypot(f[1])).sum::<f64>();
+        let sum = add(add(load, 1.0, u.reaction), 1.0, floors);
+        Ok(if size == 0.0 { 0.0 } else { sum[0].hypot(sum[1]) / size })
+    }
+}
+
+fn add(a: [f64; 2], factor: f64, b: [f64; 2]) -> [f64; 2] {
+    [a[0] + factor * b[0], a[1] + factor * b[1]]
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let text = match (options.load.is_empty(), &options.mesh) {
+        (true, None) => "0.015, 0.02 - 0.03*x",
+        (true, Some(_)) => {
+            return Err(Error::option("load", "--mesh needs --load \"fx, fy\", of a scalar problem \"f\""));
+        }
+        _ => &options.load,
     };
-    let words = "J does not rise from mesh to mesh";
-    let falls = if cone == Cone::Nodal { Finding::claim } else { Finding::remark };
-    let falls = least.map(|least| {
-        falls("falls", words)
-            .number(least.0, least.1)
-            .at_least(-EIGHT_DIGITS, "nested cones, up to eight digits for the load")
-            .otherwise("J rises from one mesh to the next, by {value} of its size")
-    });
-    let order = (gained.len() > 1).then(|| {
-        Finding::remark("order", "the last two halvings of h show J converge with order {value}")
-            .number_or(order, "J does not fall")
-            .at_least(1.0, "corners with exponents above 1/2, as those of the L")
-            .otherwise("the last two halvings of h show J converge with order {value} only")
-            .told()
-    });
-    falls.into_iter().chain(order).collect()
+    let parts = Expression::parse_list(text)?;
+    if parts.len() > 2 {
+        return Err(Error::option(
+            "load",
+            &format!("{} components, expected \"fx, fy\" or \"f\"", parts.len()),
+        ));
+    }
+    let (mesh, name) = match &options.mesh {
+        Some(path) => (
+            read_msh(path)?,
+            path.file_stem().map_or("body".into(), |stem| stem.to_string_lossy().into_owned()),
+        ),
+        None => (parse_msh(include_str!("data/l_shape.msh"))?, "l_shape".to_owned()),
+    };
+    let surfaces = mesh.regions().iter().max().map_or(1, |&last| last as usize + 1);
+    if options.young.len() != options.poisson.len() || ![1, surfaces].contains(&options.young.len()) {
+        return Err(Error::option(
+            "young",
+            &format!("as many as --poisson, 1 or {surfaces}, one for each surface"),
+        ));
+    }
+    let lame = if options.plane_stress { Lame::plane_stress } else { Lame::plane_strain };
+    let materials = options.young.iter().zip(&options.poisson).map(|(&e, &nu)| lame(e, nu));
+    let form = if parts.len() == 1 {
+        Form::LAPLACE
+    } else {
+        Form::Elastic { materials: materials.collect::<std::result::Result<_, _>>()? }
+    };
+    out.column("touching", "touching", "active constraints: nodes (midpoint cone: segments) in contact");
+    out.column("force", "force", "−∫ σ_N, in the unit of E times that of the mesh");
+    let (sin, cos) = options.angle.to_radians().sin_cos();
+    let (load, other_load) = (Load(parts.clone(), 0.0), Load(parts, options.angle.to_radians()));
+    let mut meshes = Hierarchy::new(mesh);
+    let mut last: Option<(ContactProblem, ContactSolution)> = None;
+    for level in 0..options.levels {
+        if level > 0 {
+            meshes.refine()?;
+        }
+        let mesh = meshes.finest().clone();
+        let problem = load.problem(mesh.clone(), &form)?;
+        // Guess which constraints are active, solve the linear equations, correct the guess by the signs of gap and force.
+        let u = problem.solve(options.cone, Solver::ActiveSet)?;
+        // Primal-dual path through the interior of the cone (Clarabel): a duality gap of 1e-13.
+        let other = problem.solve(options.cone, Solver::InteriorPoint)?;
+        let turned =
+            other_load.problem(mesh.mapped(|[x, y]| [cos * x - sin * y, sin * x + cos * y])?, &form)?;
+        let turned = turned.solve(options.cone, Solver::ActiveSet)?;
+        let segments = problem.edge().segment_lengths().len();
+        out.row(cells! { segments => unknowns: problem.free_unknowns(), touching: u.contact_set.count(), force: u.contact_force,
+            J: Measured::new(u.energy, u.energy_rounding) });
+        // (2.5) and the equations: penetration over the largest displacement, pull over the largest push, their product,
+        // and the largest entry of K u − F + Bᵀλ over that of |K||u| + |F|.
+        out.check("not below the floor: B u ≤ 0").at_most(u.kkt.gap, 1e-10, "(2.5)");
+        out.check("floors do not pull: λ ≥ 0").at_most(u.kkt.sign, 1e-10, "(2.5)");
+        out.check("force only in contact: λ B u = 0").at_most(u.kkt.complementarity, 1e-10, "(2.5)");
+        out.check("equations at free nodes").at_most(u.kkt.balance, 1e-10, "(2.1)");
+        out.check("sum of load, clamp and floors").at_most(
+            load.imbalance(&problem, &u)?,
+            1e-8,
+            "eight digits",
+        );
+        let allowed = 1e-8 + 10.0 * if u.energy == 0.0 { 0.0 } else { u.energy_rounding / u.energy.abs() };
+        let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
+        out.check("two solvers, change of J").at_most(apart(other.energy, u.energy), allowed, "eight digits");
+        out.check("turned, change of J").at_most(apart(turned.energy, u.energy), allowed, "eight digits");
+        out.check("turned, change of the force").at_most(
+            apart(turned.contact_force, u.contact_force),
+            allowed,
+            "eight digits",
+        );
+        if let (Cone::Nodal, Some((_, before))) = (options.cone, &last) {
+            let rise = (u.energy - before.energy) / before.energy.abs();
+            out.check("finer mesh, rise of J").at_most(
+                if rise.is_nan() { 0.0 } else { rise },
+                1e-8,
+                "nested cones",
+            );
+        }
+        last = Some((problem, u));
+    }
+    if let [.., (_, a), (_, b), (_, c)] = out.series("segments", "J")[..] {
+        // Energies of nested meshes: J_h − J ≈ C h^(2p), p the order in the energy norm.
+        out.observe("order of J from the last two halvings").at_least(
+            ((a - b) / (b - c)).log2(),
+            1.0,
+            "exponents > 1/2 of corners",
+        );
+    }
+    let Some((problem, u)) = last else { return Ok(()) };
+    if out.draws() {
+        out.bodies(
+            &name.replace('_', " "),
+            &[(format!("section_2_own_{name}_body_{}", options.cone), &problem, &u)],
+        )?;
+        out.contact_edge(
+            format!("section_2_own_{name}_edge_{}", options.cone),
+            &name.replace('_', " "),
+            &problem,
+            &u,
+        );
+    }
+    options.csv.as_deref().map_or(Ok(()), |directory| write_edge(directory, &problem, &u))
 }
 
-/// Solves the body and says how well it obeys the laws of contact.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let Computed { subject, runs, .. } = &computed;
-    let claim = "a body from Gmsh is solved: one minimum, every condition met, forces in balance";
-    let found = findings(options, &computed);
-    let mut headline = Headline::new("Section 2, your own body", claim, subject.table(runs), found);
-    subject.finish(&mut headline, runs, &options.own, &options.output)?;
-    Ok(headline)
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+/// One line for each node of the contact edges: number of the edge, arc length, node, u_N and σ_N.
+fn write_edge(directory: &Path, problem: &ContactProblem, u: &ContactSolution) -> Result<()> {
+    let edge = problem.edge();
+    let mut text = "edge,s,x,y,u_N,sigma_N\n".to_owned();
+    for (number, piece) in edge.pieces().into_iter().enumerate() {
+        for i in piece.clone() {
+            let ([x, y], s) = (edge.points()[i], edge.arc()[i] - edge.arc()[piece.start]);
+            let (normal, stress) = (u.normal_displacement[i], 0.0 - u.pressure[i]);
+            text += &format!("{},{s},{x},{y},{normal},{stress}\n", number + 1);
+        }
+    }
+    let file = directory.join("contact_edge.csv");
+    std::fs::create_dir_all(directory)
+        .and_then(|()| std::fs::write(&file, text))
+        .map_err(|error| Error::file(&file, error))
 }

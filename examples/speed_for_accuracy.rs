@@ -1,150 +1,146 @@
-//! What accuracy costs: seconds and work against true error for every numerical function of the toolkit.
+//! Speed for accuracy: what a digit costs, for every numerical function of the toolkit.
 //!
-//! The one list is `cases/toolkit.rs`: a name, the value found another way, and the function of the
-//! tolerance.
+//! Each function takes a relative tolerance ε and returns a value v with a stated error e. Beside it stands the value
+//! v* found another way: a closed form, ball arithmetic (printed digits), a dense matrix, a sum of modes. Then
 //!
-//! `cargo run --release --example speed_for_accuracy -- --case closure --repeat 10`
+//! ```text
+//! error = |v − v*| / |v*| ≤ ε,     |v − v*| ≤ e,     and a looser tolerance does no more work.
+//! ```
+//!
+//! Refuted if one error passes its tolerance, or one passes what was stated, v* being exact to 1e-14, or if the count
+//! of evaluations, factorizations and iterations grows when ε does.
+//!
+//! `cargo run --release --example speed_for_accuracy -- --case gamma`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
-use fractional_sobolev::Tolerance;
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{
+    Constraint, Domain, ErrorNorm, Function, Gram, Mesh, Work, closed_forms, gamma, interpolation_constant,
+    projection_constant,
+};
 use std::time::Instant;
-use toolkit::{Case, cases};
 
-#[path = "cases/toolkit.rs"]
-mod toolkit;
-
-example_frame::options! {
-    /// Seconds against true error
-    pub struct Options: Long {
-        /// Only cases whose name contains this
-        #[arg(long, default_value = "")]
-        pub case: String,
-        /// Repetitions; the fastest counts
-        #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
-        pub repeat: u32,
-    }
+example! { seconds "Speed for accuracy", "every tolerance is met, no error passes what is stated, and fewer digits cost no more work";
+    /// only functions whose name contains this
+    case: String = "",
+    /// runs of each, of which the fastest counts
+    repeat: usize = "3" in "[1, 100]",
 }
 
-/// One tolerance of one case.
-#[derive(Debug, Clone, Copy)]
-pub struct Row {
-    /// Relative tolerance.
-    pub asked: f64,
-    /// Seconds of the fastest and of the slowest run.
-    pub seconds: [f64; 2],
-    /// Relative distance to the value found another way, and the relative error of the estimate.
-    pub error: [f64; 2],
-    /// Points, pairs, iterations and factorizations together.
-    pub work: f64,
+/// A name, the value found another way, and the function of the tolerance.
+type Case = (&'static str, f64, Box<dyn Fn(Tolerance) -> fractional_sobolev::Result<Estimate>>);
+
+/// |x^a|_ν from values of x^a alone, beside the Beta functions of its closed form.
+fn power(name: &'static str, a: f64, nu: f64) -> Result<Case> {
+    let u = Function::from_fn(&[0.0, 1.0], move |x: f64| x.powf(a))?;
+    let exact = closed_forms::power_seminorm_squared(a, nu)?.value.sqrt();
+    Ok((name, exact, Box::new(move |tolerance| u.seminorm(nu, tolerance))))
 }
 
-const TOLERANCES: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
-/// What the values found another way may be off by: closed forms of some hundred operations, or 16 printed
-/// digits.
-const REFERENCE: f64 = 1e-14;
+/// γ of mean zero on (0, θ), beside ball arithmetic.
+fn zone(name: &'static str, nu: f64, theta: f64, exact: f64) -> Case {
+    let found = move |tolerance| Ok(gamma(nu, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant);
+    (name, exact, Box::new(found))
+}
 
-/// The rows of every case that was asked for.
-pub fn compute(options: &Options) -> Result<Vec<(&'static str, Vec<Row>)>> {
-    let chosen: Vec<Case> = cases()?.into_iter().filter(|case| case.0.contains(&options.case)).collect();
-    let bar = progress(chosen.len() as u64);
-    let measure = |(name, exact, compute): &Case| -> Result<(&'static str, Vec<Row>)> {
-        let row = |&asked: &f64| -> Result<Row> {
-            let mut seconds = [f64::INFINITY, 0.0];
+/// Best constants of interpolation (Lemma 6.1), beside ball arithmetic.
+fn interpolation(name: &'static str, nu: f64, norm: ErrorNorm, exact: f64) -> Case {
+    let found = move |tolerance| {
+        interpolation_constant(Domain::Interval(1.0), norm, nu, tolerance).map(|found| found.constant)
+    };
+    (name, exact, Box::new(found))
+}
+
+fn cases() -> Result<Vec<Case>> {
+    let hat = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
+    let hat_exact = closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, 0.5)?.value.sqrt();
+    // A product with the Gram matrix on elements from 1 to 1e-30, beside the dense matrix.
+    let graded = Mesh::geometric(1999, 1e-30f64.powf(1.0 / 1999.0), 1.0)?;
+    let x: Vec<f64> = (0..=2000).map(|i| f64::from((i * 7919) % 1000) / 1000.0).collect();
+    let dense = Gram::new(&graded, 0.5, 1e-14)?.to_dense()? * nalgebra::DVector::from_column_slice(&x);
+    let product = move |tolerance: Tolerance| {
+        let fast = Gram::new(&graded, 0.5, tolerance)?.apply(&x)?;
+        let apart = fast.iter().zip(&dense).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        Estimate::new(1.0 + apart / dense.amax(), tolerance.relative(), Work::default())
+    };
+    let projection = |tolerance| {
+        projection_constant(Domain::Interval(1.0), ErrorNorm::Dual, 0.5, tolerance)
+            .map(|found| found.constant)
+    };
+    let whole: f64 = 0.291_564_029_207_657_16; // γ₁(1/2); its square is the constant of (4.7) at order 1/2
+    Ok(vec![
+        power("|x^0.6|, ν 1/4", 0.6, 0.25)?,
+        power("|x^0.001|, ν 1/2", 0.001, 0.5)?,
+        power("|x^0.51|, ν 0.99", 0.51, 0.99)?,
+        ("|hat|, ν 1/2", hat_exact, Box::new(move |tolerance| hat.seminorm(0.5, tolerance))),
+        ("Gram product, 2000 elements", 1.0, Box::new(product)),
+        interpolation("C of Lemma 6.1 in L², ν 1/2", 0.5, ErrorNorm::L2, 0.092_742_524_652_174_63),
+        interpolation("C of Lemma 6.1, slope, ν 0.99", 0.99, ErrorNorm::Derivative, 0.032_024_593_023_715_79),
+        ("C of (4.7), order 1/2", whole * whole, Box::new(projection)),
+        zone("γ, ν 1/4, θ 1e-2", 0.25, 1e-2, 1.656_712_117_564_16),
+        zone("γ, ν 0.49, θ 1e-300", 0.49, 1e-300, 2_758.865_095_337_738_5),
+        zone("γ, ν 1/2, θ 1e-40", 0.5, 1e-40, 3.738_285_316_256_439),
+        zone("γ, ν 0.99, θ 1e-4", 0.99, 1e-4, 0.064_321_434_320_780_88),
+    ])
+}
+
+/// What the values found another way may be off by, relatively.
+const EXACT: f64 = 1e-14;
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let mut curves = Vec::new();
+    for (name, exact, compute) in cases()?.into_iter().filter(|case| case.0.contains(&options.case)) {
+        let mut measured = Vec::new();
+        let mut work: Option<u64> = None;
+        for asked in [1e-3, 1e-7, 1e-11] {
+            let mut seconds = f64::INFINITY;
             let mut found = None;
             for _ in 0..options.repeat {
                 let start = Instant::now();
                 found = Some(compute(Tolerance::new(asked)?)?);
-                let passed = start.elapsed().as_secs_f64();
-                seconds = [passed.min(seconds[0]), passed.max(seconds[1])];
+                seconds = seconds.min(start.elapsed().as_secs_f64());
             }
-            let error =
-                found.map_or([f64::NAN; 2], |u| [(u.value / exact - 1.0).abs(), u.error / exact.abs()]);
-            Ok(Row { asked, seconds, error, work: found.map_or(0.0, |found| found.work.total() as f64) })
-        };
-        let rows = TOLERANCES.iter().map(row).collect::<Result<_>>()?;
-        bar.inc(1);
-        Ok((*name, rows))
-    };
-    chosen.iter().map(measure).collect()
-}
-
-/// What decides: true errors against what was asked and promised; work and seconds against those of more
-/// digits.
-pub fn findings(cases: &[(&'static str, Vec<Row>)]) -> Vec<Finding> {
-    let rows = || cases.iter().flat_map(|case| &case.1);
-    let worst = |share: &dyn Fn(&Row) -> (f64, f64)| rows().map(share).max_by(|a, b| a.0.total_cmp(&b.0));
-    let pairs = cases.iter().flat_map(|case| case.1.windows(2)).filter(|pair| pair[1].work > 0.0);
-    let dearer = pairs.map(|pair| (pair[0].work / pair[1].work, 0.0)).max_by(|a, b| a.0.total_cmp(&b.0));
-    let sum = |row: usize, run: usize| cases.iter().map(|case| case.1[row].seconds[run]).sum::<f64>();
-    let [loose, tight, spread] =
-        [sum(0, 0), sum(4, 0), sum(0, 1) / sum(0, 0) - 1.0 + sum(4, 1) / sum(4, 0) - 1.0];
-    let mut shares: Vec<f64> = rows().map(|row| row.error[0] / row.asked).collect();
-    shares.sort_by(f64::total_cmp);
-    let median = shares.get(shares.len() / 2).map(|&share| (share, 0.0));
-    let none = "no case has a name like that";
-    vec![
-        Finding::claim("met", "every tolerance is met, with a true error of at most {percent} % of it")
-            .number_or(worst(&|row| (row.error[0] / row.asked, REFERENCE / row.asked)), none)
-            .at_most(1.0, "the tolerance")
-            .otherwise("a true error is {percent} % of the tolerance")
-            .told(),
-        Finding::claim("promise", "no true error passes its estimate, the largest is {percent} % of it")
-            .number_or(worst(&|row| (row.error[0] / row.error[1], REFERENCE / row.error[1])), none)
-            .at_most(1.0, "the estimate")
-            .otherwise("a true error is {percent} % of its estimate"),
-        Finding::claim("work", "no looser tolerance takes more points, pairs, iterations and factorizations")
-            .number_or(dearer, none)
-            .at_most(1.0, "the work of the next tighter tolerance")
-            .otherwise("a looser tolerance takes {value} times the work"),
-        Finding::remark("spare", "half of the true errors are below {percent} % of the tolerance")
-            .number_or(median, none)
-            .at_most(1.0, "the tolerance"),
-        Finding::remark("seconds", "1e-11 takes {value} times the seconds of 1e-3, all cases together")
-            .number_or((!cases.is_empty()).then_some((tight / loose, spread * tight / loose)), none)
-            .at_least(1.0, "equal cost"),
-    ]
-}
-
-/// Measures every case.
-pub fn run(options: &Options) -> Result<Headline> {
-    let cases = compute(options)?;
-    let claim = "a looser tolerance costs less, and every tolerance is met";
-    let mut headline = Headline::new("Speed for accuracy", claim, table(&cases), findings(&cases));
-    headline.draw(&options.output, "speed_for_accuracy_seconds", || Ok(draw(&cases)))?;
-    Ok(headline)
-}
-
-fn table(cases: &[(&'static str, Vec<Row>)]) -> Table {
-    let columns = vec![
-        Column::new("case", "case", Format::Significant(6), ""),
-        Column::new("asked", "asked", Format::Scientific(0), "relative tolerance"),
-        Column::new("seconds", "seconds", Format::Scientific(2), "fastest run"),
-        Column::new(
-            "true_error",
-            "true error",
-            Format::Scientific(1),
-            "relative, against a value computed another way",
-        ),
-    ];
-    let cells = |name: &'static str, row: &Row| {
-        [Cell::from(name), row.asked.into(), row.seconds[0].into(), row.error[0].into()]
-    };
-    Table::new(columns)
-        .with_rows(cases.iter().flat_map(|(name, rows)| rows.iter().map(|row| cells(name, row))))
-}
-
-fn draw(cases: &[(&'static str, Vec<Row>)]) -> Chart {
-    let axes = [Axis::logarithmic("seconds"), Axis::logarithmic("true relative error")];
-    let [x, y] = axes;
-    cases.iter().fold(Chart::new("What accuracy costs", x, y), |chart, (name, rows)| {
+            let Some(found) = found else { continue };
+            let distance = Measured::new((found.value - exact).abs(), EXACT * exact);
+            let error = distance / exact;
+            measured.push((1e3 * seconds, error.value));
+            out.check("error over the tolerance").at_most(error / asked, 1.0, "the tolerance");
+            // A stated error below that of v* is no promise that v* can test.
+            let stated = Measured::from(found.error.max(2.0 * EXACT * exact));
+            out.check("error over what is stated").at_most(distance / stated, 1.0, "the estimate");
+            if let Some(looser) = work {
+                out.check("work at a looser tolerance, over that at the next").at_most(
+                    looser as f64 / found.work.total().max(1) as f64,
+                    1.0,
+                    "equal work",
+                );
+            }
+            work = Some(found.work.total());
+        }
+        let [(ms_3, error_3), (ms_7, error_7), (ms_11, error_11)] = measured[..] else { continue };
+        out.row(cells! { function: name => ms_3, error_3, ms_7, error_7, ms_11, error_11 });
         // An error of zero is drawn where binary64 ends.
-        let points = rows.iter().map(|row| (row.seconds[0], row.error[0].max(f64::EPSILON))).collect();
-        chart.with(Series::line_and_points(*name, points))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+        curves.push((
+            name,
+            measured.iter().map(|&(ms, error)| (ms, error.max(f64::EPSILON))).collect::<Vec<_>>(),
+        ));
+    }
+    for (name, title) in [("ms_3", "ms, 1e-3"), ("ms_7", "ms, 1e-7"), ("ms_11", "ms, 1e-11")] {
+        out.column(name, title, "");
+    }
+    out.column("error_3", "error", "");
+    out.column("error_7", "error", "");
+    out.column(
+        "error_11",
+        "error",
+        "relative, against the value found another way; ms: milliseconds, tolerance asked",
+    );
+    let plot = out.plot(
+        "speed_for_accuracy",
+        "What a digit costs",
+        Axes::LogLog("milliseconds", "true relative error"),
+    );
+    for (name, points) in curves {
+        plot.line(name, points);
+    }
+    Ok(())
 }

@@ -3,9 +3,6 @@
 
 use clap::Parser;
 use example_frame::HasOutput;
-use experiments::contact_levels::SceneStudy;
-use signorini::cone::Cone;
-use signorini::problems::{Parameters, TestProblem};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -64,11 +61,6 @@ fn announced<O: Parser + HasOutput>(line: &str) -> f64 {
     O::parse_from(["example"].into_iter().chain(line.split(' '))).memory()
 }
 
-fn study(scene: TestProblem, n: usize) -> f64 {
-    let setting = Parameters::default();
-    SceneStudy { scene, setting, cone: Cone::Nodal, solver: None, n, levels: 1, accuracy: None }.bytes()
-}
-
 #[test]
 fn what_is_announced_is_taken() {
     let elements = ["--nu 0.25 --elements 1000000", "--nu 0.25 --elements 3000000"];
@@ -82,12 +74,6 @@ fn what_is_announced_is_taken() {
         meshes.map(|line| ("section_2_multigrid", line, announced::<section_2_multigrid::Options>(line))),
     );
     runs.extend(strips.map(|line| ("section_2_strip", line, announced::<section_2_strip::Options>(line))));
-    runs.extend([
-        ("section_2_elastic_contact", "--n 64", study(TestProblem::Block, 64)),
-        ("section_2_elastic_contact", "--n 128", study(TestProblem::Block, 128)),
-        ("section_2_scalar_contact", "--n 128", study(TestProblem::Membrane, 128)),
-        ("section_2_scalar_contact", "--n 512", study(TestProblem::Membrane, 512)),
-    ]);
     for (name, line, said) in runs {
         let Some(found) = taken(name, line) else {
             println!("{name} {line}: this system does not count the memory of a process");

@@ -32,10 +32,8 @@ fn contact_examples_refuse_what_has_no_mesh_cone_or_solver() {
             ["--n", "many"],
             ["--n", "99999999"],
             ["--cone", "dual"],
-            ["--solver", "guess"],
             ["--out", "Cargo.toml"],
             ["--colour", "red"],
-            ["--load-scale", "-inf"],
             ["--values", "Cargo.toml/values"],
         ] {
             is_refused(name, &arguments);
@@ -53,8 +51,6 @@ fn poincare_example_refuses_what_has_no_zone_or_order() {
         ["--nu", "1"],
         ["--nu", "0"],
         ["--nu", "half"],
-        ["--tolerance", "0"],
-        ["--tolerance", "tight"],
         ["--condition", "positive"],
         ["--out", "Cargo.toml/figures"],
     ] {
@@ -69,19 +65,16 @@ fn studies_refuse_what_cannot_be_classified_or_refined() {
         ["--tau", "2.5"],
         ["--theta", "0"],
         ["--theta", "1"],
-        ["--n", "6"],
-        ["--scene", "drum"],
+        ["--n", "6,32"],
+        ["--problem", "drum"],
     ] {
         is_refused("figure_3_2_alternative", &arguments);
         is_refused("figure_4_1_alternative", &arguments);
     }
-    for arguments in
-        [["--levels", "1"], ["--tau", "1.5"], ["--tau", "2.6"], ["--tau", "1.7"], ["--scene", "drum"]]
-    {
+    for arguments in [["--finest", "1"], ["--tau", "1.5"], ["--tau", "2.6"], ["--problem", "drum"]] {
         is_refused("theorem_3_1_rates", &arguments);
         is_refused("theorem_4_1_rates", &arguments);
     }
-    is_refused("section_2_elastic_contact", &["--scene", "incompressible", "--poisson", "-1"]);
     is_refused("tour", &["--out", "Cargo.toml"]);
     is_refused("lemma_6_1_local_estimate", &["--nu", "1"]);
 }

@@ -1,8 +1,7 @@
-//! The planted extremes of the example, case by case, and the examples of speed against accuracy at small
-//! size.
+//! The planted extremes, and speed against accuracy.
 
 #[path = "../examples/extremes.rs"]
-#[allow(dead_code, reason = "only `run` and the lists are used here")]
+#[allow(dead_code, reason = "only `outcome` is used here")]
 mod extremes;
 
 #[path = "../examples/section_2_speed_for_accuracy.rs"]
@@ -10,35 +9,23 @@ mod extremes;
 mod contact_speed;
 
 #[path = "../examples/speed_for_accuracy.rs"]
-#[allow(dead_code, reason = "only `run` is used here")]
+#[allow(dead_code, reason = "only `outcome` is used here")]
 mod speed;
 
-use example_frame::Verdict;
-
-#[test]
-fn every_bad_input_is_refused_with_its_reason() {
-    for (planted, asked, compute, names) in extremes::cases::INADMISSIBLE {
-        let outcome = compute();
-        let error = outcome.expect_err(planted);
-        assert!(!error.to_string().is_empty() && names(&error), "{planted}, {asked}: {error}");
-    }
-}
+use example_report::Status;
 
 #[test]
 fn every_hard_input_gets_digits() {
-    let headline = extremes::run(&extremes::Options::default()).unwrap();
-    assert_eq!(headline.verdict(), Verdict::Holds, "{headline}");
-    for (row, (planted, ..)) in extremes::cases::ADMISSIBLE.iter().enumerate() {
-        let error = headline.table.number(row, "error").unwrap();
-        assert!(error <= extremes::DIGITS, "{planted}: {error:e}");
-    }
+    let found = extremes::outcome(&extremes::Options::default()).unwrap();
+    assert_eq!(found.status(), Status::True, "{}", found.text(false));
+    let errors = found.numbers("error");
+    assert!(errors[..14].iter().all(|error| *error <= 1e-9) && errors[14..].iter().all(|error| error.is_nan()));
 }
 
 #[test]
 fn tolerances_of_the_toolkit_are_met() {
-    let options = speed::Options { repeat: 1, ..Default::default() };
-    let headline = speed::run(&options).unwrap();
-    assert_eq!(headline.verdict(), Verdict::Holds, "{headline}");
+    let found = speed::outcome(&speed::Options { repeat: 1, ..Default::default() }).unwrap();
+    assert_eq!(found.status(), Status::True, "{}", found.text(false));
 }
 
 #[test]

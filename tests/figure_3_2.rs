@@ -1,14 +1,18 @@
 //! Figure 3.2: every contact segment of a computed solution is in the first or the second case.
 
+use signorini::cone::Cone;
 use signorini::edge::{EdgeTrace, Interval};
-
-use experiments::proof::{Against, AlternativeCase};
 use signorini::problems::{NamedProblem, TestProblem};
-use signorini::proof::{Alternative, Section, ThetaRule};
+use signorini::proof::{Alternative, Classification, Section, ThetaRule};
 
 #[allow(dead_code)]
 #[path = "../examples/figure_3_2_alternative.rs"]
 mod figure_3_2_alternative;
+
+fn classified(trace: &EdgeTrace, n: usize, theta: f64) -> Classification {
+    let vertices: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
+    Classification::new(Section::Three, trace, &vertices, theta).unwrap()
+}
 
 #[test]
 fn every_segment_of_the_block_is_in_a_case() {
@@ -18,45 +22,43 @@ fn every_segment_of_the_block_is_in_a_case() {
         (TestProblem::Membrane, 1.6),
         (TestProblem::Membrane, 2.0),
     ] {
-        let study =
-            AlternativeCase::new(Section::Three, scene, 16, ThetaRule::Printed { tau }).over_size().unwrap();
-        for row in &study.rows {
-            let found = &row.classification;
-            assert_eq!(found.count(Alternative::Neither), 0, "{scene} tau {tau} n {}", row.n);
-            let counted: usize = [Alternative::First, Alternative::Second, Alternative::Both]
-                .map(|case| found.count(case))
-                .iter()
-                .sum();
-            assert_eq!(counted, row.n, "{scene} tau {tau} n {}", row.n);
-            assert!(
-                found.segments().iter().all(|s| s.term >= 0.0),
-                "{scene}: a consistency term is negative"
-            );
+        let trace = EdgeTrace::reference(&scene.into(), 16, tau).unwrap();
+        for n in [4, 8, 16] {
+            let theta = ThetaRule::Printed { tau }.theta(1.0 / n as f64).unwrap();
+            let found = classified(&trace, n, theta);
+            assert_eq!(found.count(Alternative::Neither), 0, "{scene} tau {tau} n {n}");
+            let terms = found.segments().iter().map(|s| s.term);
+            assert!(terms.clone().all(|term| term >= 0.0), "{scene}: a consistency term is negative");
+            // The example counts nodes where the library intersects intervals.
+            let own = figure_3_2_alternative::classify(Section::Three, &trace, n, theta);
+            for (own, theirs) in own.iter().zip(found.segments()) {
+                let case = theirs.alternative;
+                assert_eq!(own.cases, [case.first(), case.second()], "{scene} n {n} {:?}", theirs.segment);
+                assert!((own.integral - theirs.term).abs() <= 1e-13 * found.total(), "{scene} n {n}");
+            }
         }
     }
 }
 
 #[test]
 fn the_example_confirms_the_figure() {
-    let options = figure_3_2_alternative::Options::default();
-    let headline = figure_3_2_alternative::run(&options).unwrap();
-    assert!(headline.verdict().is_confirmed());
+    let outcome = figure_3_2_alternative::outcome(&figure_3_2_alternative::Options::default()).unwrap();
+    assert!(outcome.status().is_confirmed());
     // block touches on [0, 0.33]: on 32 segments the ten inside are first cases, the rest second cases
-    assert_eq!(headline.table.number(2, "first"), Some(10.0));
-    assert_eq!(headline.table.number(2, "second"), Some(22.0));
+    assert_eq!(outcome.value("first.n32"), Some(10.0));
+    assert_eq!(outcome.value("second.n32"), Some(22.0));
 }
 
 #[test]
-fn a_term_that_is_zero_has_no_share_and_says_so() {
+fn a_body_without_contact_carries_nothing() {
     let options = figure_3_2_alternative::Options {
-        scene: NamedProblem::Mesh(TestProblem::Free),
-        n: 8,
-        meshes: 2,
+        problem: NamedProblem::Mesh(TestProblem::Free),
+        n: vec![4, 8],
         ..Default::default()
     };
-    let headline = figure_3_2_alternative::run(&options).unwrap();
-    let share = headline.finding("second.carries").unwrap();
-    assert!(share.measured().is_none() && share.comparison().contains("term is zero"), "{share:?}");
+    let outcome = figure_3_2_alternative::outcome(&options).unwrap();
+    assert_eq!([outcome.value("integral.n8"), outcome.value("carriers.n8")], [Some(0.0); 2]);
+    assert_eq!(outcome.value("second.n8"), Some(8.0));
 }
 
 #[test]
@@ -95,6 +97,8 @@ fn classification_agrees_with_the_definition_point_by_point() {
         };
         assert_eq!(found.first(), near(false) && near(true), "case {case}, theta {theta}");
         assert!(found.first() || found.second(), "case {case}, theta {theta}");
+        let example = &figure_3_2_alternative::classify(Section::Three, &trace, 1, theta)[0];
+        assert_eq!(example.cases, [found.first(), found.second()], "case {case}, theta {theta}");
     }
 }
 
@@ -103,33 +107,22 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
     for (scene, tau) in
         [("transition", 1.75), ("transitions:9", 1.6), ("cantor:0.3", 1.9), ("fat-cantor", 1.75)]
     {
-        for against in [Against::Reference, Against::Itself] {
-            let source: NamedProblem = scene.parse().unwrap();
-            let rule = ThetaRule::Printed { tau };
-            let case = AlternativeCase {
-                meshes: 6,
-                tau,
-                against,
-                ..AlternativeCase::new(Section::Three, source, 256, rule)
-            };
-            for row in case.over_size().unwrap().rows.iter().chain(&case.over_theta().unwrap().rows) {
-                let found = &row.classification;
-                assert_eq!(
-                    found.count(Alternative::Neither),
-                    0,
-                    "{scene} {against} n {} theta {}",
-                    row.n,
-                    row.theta
-                );
-                assert_eq!(found.segments().len(), row.n);
+        let source: NamedProblem = scene.parse().unwrap();
+        let reference = EdgeTrace::reference(&source, 256, tau).unwrap();
+        for n in [8, 16, 32, 64, 128, 256] {
+            let own = EdgeTrace::discrete(&source, n, tau, Cone::Nodal).unwrap();
+            let printed = ThetaRule::Printed { tau }.theta(1.0 / n as f64).unwrap();
+            let sweep = (1..=12).map(|k| 0.5f64.powi(k)).filter(|_| n == 256);
+            for theta in sweep.chain([printed]) {
+                let found = classified(&reference, n, theta);
+                assert_eq!(found.count(Alternative::Neither), 0, "{scene} n {n} theta {theta}");
+                assert!(found.segments().len() == n && found.segments().iter().all(|s| s.term >= 0.0));
+                // on coarse meshes every vertex in a gap may have no contact beside it
+                assert!(n < 256 || found.total() > 0.0, "{scene} n {n}");
                 // The nodal solution has no consistency term of its own: lambda_i u_i = 0 at every node.
-                if against == Against::Itself {
-                    assert_eq!(found.total(), 0.0, "{scene} n {}", row.n);
-                } else {
-                    assert!(found.segments().iter().all(|s| s.term >= 0.0));
-                    // on coarse meshes every vertex in a gap may have no contact beside it
-                    assert!(row.n < 256 || found.total() > 0.0, "{scene} n {}", row.n);
-                }
+                let found = classified(&own, n, theta);
+                assert_eq!(found.count(Alternative::Neither), 0, "{scene} itself n {n} theta {theta}");
+                assert_eq!(found.total(), 0.0, "{scene} n {n}");
             }
         }
     }
@@ -137,23 +130,15 @@ fn every_segment_of_a_strip_scene_is_in_a_case() {
 
 #[test]
 fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
-    let case = AlternativeCase {
-        meshes: 1,
-        ..AlternativeCase::new(
-            Section::Three,
-            "fat-cantor".parse::<NamedProblem>().unwrap(),
-            128,
-            ThetaRule::Fixed(0.5),
-        )
+    let trace = EdgeTrace::reference(&"fat-cantor".parse().unwrap(), 128, 1.75).unwrap();
+    let count = |theta: f64, case: Alternative| {
+        let found = classified(&trace, 128, theta);
+        found.count(case) + found.count(Alternative::Both)
     };
-    let study = case.over_theta().unwrap();
-    let first =
-        |c: &signorini::proof::Classification| c.count(Alternative::First) + c.count(Alternative::Both);
-    let second =
-        |c: &signorini::proof::Classification| c.count(Alternative::Second) + c.count(Alternative::Both);
-    for pair in study.rows.windows(2) {
-        assert!(first(&pair[0].classification) >= first(&pair[1].classification));
-        assert!(second(&pair[0].classification) <= second(&pair[1].classification));
+    for k in 1..12 {
+        let (large, small) = (0.5f64.powi(k), 0.5f64.powi(k + 1));
+        assert!(count(large, Alternative::First) >= count(small, Alternative::First));
+        assert!(count(large, Alternative::Second) <= count(small, Alternative::Second));
     }
 }
 
@@ -193,18 +178,4 @@ fn degenerate_segments_have_the_expected_class() {
         let found = Alternative::on_segment(Section::Three, &trace(contact), segment, 0.25);
         assert_eq!(found.unwrap(), expected, "{name}");
     }
-}
-
-#[test]
-fn bad_studies_are_refused() {
-    let rule = ThetaRule::Printed { tau: 1.75 };
-    let strip = |n, meshes| AlternativeCase {
-        meshes,
-        ..AlternativeCase::new(Section::Three, "transition".parse::<NamedProblem>().unwrap(), n, rule)
-    };
-    for case in [strip(0, 1), strip(48, 2), strip(8, 5), strip(1 << 15, 3), strip(8, 0)] {
-        assert!(case.over_size().is_err() && case.over_theta().is_err());
-    }
-    assert!(AlternativeCase::new(Section::Three, TestProblem::Block, 512, rule).over_size().is_err());
-    assert!("cliff".parse::<NamedProblem>().is_err() && "both".parse::<Against>().is_err());
 }

@@ -1,19 +1,26 @@
 //! Lemma 5.2: the Poincaré constants against values computed independently, the three laws, and bounds in all
 //! cases.
 
-use example_frame::{Outcome, Verdict};
-use experiments::growth::{END_SLOPE, INTERIOR_SLOPE, growth, printed_growth};
-use experiments::induction::closing_factor;
-use experiments::zones::{Condition, Place};
-use fractional_sobolev::{Constraint, Error, Estimate, Given, Order, Tolerance, Zones, gamma, law};
-use std::sync::LazyLock;
+use fractional_sobolev::closed_forms::hat_seminorm_squared;
+use fractional_sobolev::{
+    Constraint, Error, Function, Given, Mesh, Order, Result, Tolerance, Zones, gamma, law,
+};
+use std::f64::consts::PI;
 
-#[path = "../examples/lemma_5_2_induction.rs"]
-#[allow(dead_code)]
-mod induction;
-#[path = "../examples/lemma_5_2_poincare_scaling.rs"]
-#[allow(dead_code)]
-mod scaling;
+/// Slopes of γ² against ln(1/θ) at ν = 1/2: the zone at an end, and inside.
+const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
+const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
+
+/// (0, θ), and the zone of length θ in the middle.
+const PLACES: [fn(f64) -> Result<Zones>; 2] = [|theta| Zones::from_start_and_length(0.0, theta), centre];
+
+fn centre(theta: f64) -> Result<Zones> {
+    Zones::from_start_and_length(0.5 * (1.0 - theta), theta)
+}
+
+/// Mean zero on a zone, and zero there.
+const CONDITIONS: [fn(Zones) -> Result<Constraint>; 2] =
+    [|zones| Constraint::mean_zero_on(zones), |zones| Constraint::vanishing_on(zones)];
 
 fn number(row: &serde_json::Value, key: &str) -> f64 {
     row[key].as_str().unwrap().parse().unwrap()
@@ -60,7 +67,7 @@ fn constants_of_zones_inside_agree_with_the_reference() {
     for row in rows["location"].as_array().unwrap() {
         let (nu, theta, exact) = (number(row, "nu"), number(row, "theta"), number(row, "gamma"));
         let zone = match row["a"].as_str().unwrap() {
-            "(1-theta)/2" => Place::Centre.zone(theta).unwrap(),
+            "(1-theta)/2" => centre(theta).unwrap(),
             a => Zones::from_start_and_length(a.parse().unwrap(), theta).unwrap(),
         };
         let found = constant(nu, &zone, LOCATION);
@@ -99,16 +106,16 @@ fn gamma_approaches_its_limits_below_one_half() {
 }
 
 /// (γ² at the shorter zone − γ² at the longer) per ln.
-fn slope(place: Place) -> f64 {
-    let square = |theta: f64| constant(0.5, place.zone(theta).unwrap(), 1e-10).powi(2);
+fn slope(place: fn(f64) -> Result<Zones>) -> f64 {
+    let square = |theta: f64| constant(0.5, place(theta).unwrap(), 1e-10).powi(2);
     (square(1e-300) - square(1e-200)) / (100.0 * 10f64.ln())
 }
 
 #[test]
 fn gamma_grows_like_sqrt_log_at_one_half() {
-    for (place, exact) in [(Place::End, END_SLOPE), (Place::Centre, INTERIOR_SLOPE)] {
+    for (place, exact) in PLACES.into_iter().zip([END_SLOPE, INTERIOR_SLOPE]) {
         let measured = slope(place);
-        assert!((measured / exact - 1.0).abs() < 1e-5, "{place}: {measured} against {exact}");
+        assert!((measured / exact - 1.0).abs() < 1e-5, "{measured} against {exact}");
     }
     let law = law(Order::HALF, 0.0, Tolerance::balanced()).unwrap();
     let (found, predicted) = (constant(0.5, 0.0..1e-300, 1e-10), law.at(1e-300).unwrap().value);
@@ -129,9 +136,9 @@ fn extreme_orders_agree_between_two_discretisations() {
     }
     // For ν > 1/2 a short zone is a point, whatever holds there: θ^{2ν−1} ~ 1e-300.
     for nu in [0.9, 0.999, 1.0 - 1e-6] {
-        let [mean, zero] = [Condition::MeanZero, Condition::Vanishing].map(|condition| {
-            let zone = Place::Centre.zone(1e-300).unwrap();
-            gamma(order(nu), condition.on(zone), Tolerance::new(1e-8).unwrap()).unwrap().constant.value
+        let [mean, zero] = CONDITIONS.map(|condition| {
+            let zone = centre(1e-300).unwrap();
+            gamma(order(nu), condition(zone), Tolerance::new(1e-8).unwrap()).unwrap().constant.value
         });
         assert!((mean / zero - 1.0).abs() < 1e-8, "nu {nu}: {mean} and {zero}");
     }
@@ -187,7 +194,7 @@ fn orders_without_digits_of_their_own_are_continued() {
         assert!((quotient / found.value - 1.0).abs() < 1e-3, "nu {nu:e}: {quotient} against {found}");
     }
     // A zone inside leaves fewer digits: a refusal that says how many.
-    let inside = Place::Centre.zone(1e-300).unwrap();
+    let inside = centre(1e-300).unwrap();
     let asked = Tolerance::new(1e-10).unwrap();
     let refused = gamma(order(1e-300), Constraint::mean_zero_on(&inside), asked).map(|found| found.constant);
     assert!(matches!(refused, Err(Error::ToleranceNotMet { .. })), "{refused:?}");
@@ -202,17 +209,18 @@ fn bounds_hold_in_a_sweep() {
     let mut count = 0;
     for nu in [0.05, 0.2, 0.35, 0.48, 0.5, 0.52, 0.65, 0.8, 0.95] {
         for theta in [0.9, 0.3, 0.1, 1e-2, 1e-4, 1e-7, 1e-30, 1e-200] {
-            for place in [Place::End, Place::Centre, Place::At(0.01)] {
-                for condition in [Condition::MeanZero, Condition::Vanishing] {
-                    let zone = place.zone(theta).unwrap();
-                    let case = format!("nu {nu} zone {zone} {condition}");
-                    let found = gamma(order(nu), condition.on(&zone), tolerance)
+            let inside: fn(f64) -> Result<Zones> = |theta| Zones::from_start_and_length(0.01, theta);
+            for place in [PLACES[0], PLACES[1], inside] {
+                for (k, condition) in CONDITIONS.into_iter().enumerate() {
+                    let zone = place(theta).unwrap();
+                    let case = format!("nu {nu} zone {zone} {k}");
+                    let found = gamma(order(nu), condition(zone), tolerance)
                         .and_then(|found| found.bounds())
                         .unwrap_or_else(|error| panic!("{case}: {error}"));
                     assert!(found.lower <= found.gamma.value, "{case}: {found:?}");
                     assert!(found.gamma.value <= found.upper, "{case}: {found:?}");
                     let crude = found.whole.value.max(found.dual_norm.value);
-                    if condition == Condition::MeanZero {
+                    if k == 0 {
                         assert!(found.gamma.value >= crude * (1.0 - 1e-5), "{case}: {found:?}");
                     }
                     count += 1;
@@ -239,7 +247,7 @@ fn gamma_decreases_with_the_length_of_the_zone() {
 #[test]
 fn printed_law_at_one_half_fails_near_one_and_is_loose_near_zero() {
     // (5.2): γ ≤ C ln(1/θ). C would have to exceed 10⁴ as θ → 1, and the quotient tends to zero with θ.
-    let quotient = |theta: f64| constant(0.5, 0.0..theta, 1e-6) / printed_growth(Order::HALF, theta);
+    let quotient = |theta: f64| constant(0.5, 0.0..theta, 1e-6) / -theta.ln();
     assert!(quotient(1.0 - 1e-5) > 1e4);
     assert!(quotient(1e-200) < 0.1 * quotient(0.5));
     // Corrected: γ ≤ C √(1 + ln(1/θ)) for every θ
@@ -286,29 +294,9 @@ fn extremal_value_and_function_belong_together() {
 }
 
 #[test]
-fn growth_is_measured_with_its_drift() {
-    // γ² = A L + c + d/(A L + c): between 1e-20 and 1e-30 the slope has all but 1e-4 of its limit.
-    let zones: Vec<(f64, Estimate)> = [1e-10, 1e-20, 1e-30]
-        .into_iter()
-        .map(|theta| {
-            let zone = 0.0..theta;
-            (
-                theta,
-                gamma(order(0.5), Constraint::mean_zero_on(zone), Tolerance::balanced()).unwrap().constant,
-            )
-        })
-        .collect();
-    let slope = growth(order(0.5), &zones).unwrap().unwrap();
-    assert!((slope.value - END_SLOPE).abs() <= slope.error && slope.error < 1e-3, "{slope}");
-    assert_eq!(growth(order(0.5), &zones[..1]), Ok(None));
-    let backwards = [zones[1], zones[0]];
-    assert!(matches!(growth(order(0.5), &backwards), Err(Error::EntryOutOfRange { index: 1, .. })));
-}
-
-#[test]
 fn interior_limit_is_approached() {
     for (nu, theta) in [(0.25, 1e-12), (0.4, 1e-40)] {
-        let scaled = constant(nu, Place::Centre.zone(theta).unwrap(), 1e-6) * theta.powf(0.5 - nu);
+        let scaled = constant(nu, centre(theta).unwrap(), 1e-6) * theta.powf(0.5 - nu);
         let limit = law(order(nu), 0.5, 1e-11).unwrap().factor().unwrap().value;
         assert!((scaled / limit - 1.0).abs() < 1e-4, "nu {nu}: {scaled} against {limit}");
     }
@@ -342,64 +330,70 @@ fn inadmissible_zones_and_orders_are_errors_that_carry_the_value() {
     );
 }
 
+/// (5.3): above one half γ has the constant of the point for every zone, and attains it.
 #[test]
-fn scaling_example_confirms_its_claim() {
-    let options = scaling::Options { theta: vec![1e-1, 1e-6], ..scaling::Options::default() };
-    let headline = scaling::run(&options).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{headline}");
-    assert_eq!(headline.table.rows().len(), 6);
-    for key in ["sides", "bound.nu0.25", "bound.nu0.5", "bound.nu0.75", "loose.nu0.5"] {
-        assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {headline}");
-    }
-    assert_eq!(headline.finding("near.one.nu0.5").unwrap().outcome(), Outcome::Refuted, "{headline}");
-}
-
-#[test]
-fn a_constant_off_by_a_millionth_is_not_confirmed() {
-    // For ν > 1/2 and a very short zone γ is its explicit bound γ₀ to all digits.
-    let (nu, theta) = (vec![order(0.75)], vec![1e-30]);
-    let options = scaling::Options { nu, theta, ..scaling::Options::default() };
-    let mut computed = scaling::compute(&options).unwrap();
-    assert!(Verdict::of(&scaling::findings(&options, &computed)).is_confirmed());
-    computed[0].points[0].0.share.as_mut().unwrap().value *= 1.0 + 1e-6;
-    assert!(!Verdict::of(&scaling::findings(&options, &computed)).is_confirmed());
-}
-
-#[test]
-fn induction_example_confirms_its_claim() {
-    let options = induction::Options { steps: 2, ..induction::Options::default() };
-    let headline = induction::run(&options).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{headline}");
-    // Two steps are too few to say by which factor the induction is loose.
-    assert_ne!(headline.finding("given.half").unwrap().outcome(), Outcome::Holds, "{headline}");
-    let mut chains = induction::compute(&options).unwrap();
-    chains[0].steps[0].share.value = 1.01;
-    assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
-}
-
-/// Σ a^{2^i} by its terms; next to ν = 1/2, where a is rounded to 1, it ends all the same.
-#[test]
-fn the_closing_factor_ends_at_every_order() {
-    for (offset, start) in [(0.25, 0.5), (0.4, 0.1), (0.01, 0.9), (1e-6, 0.5)] {
-        let terms = std::iter::successors(Some(f64::powf(start, offset)), |a| Some(a * a));
-        let sum: f64 = terms.take(60).sum();
-        let above = closing_factor(order(0.5 + offset), start, start).unwrap();
-        // The exponent of a is rounded by 2^-53 next to 1/2, a sum of up to 60 terms by as many ulps.
-        assert!((above / sum.exp() - 1.0).abs() < 1e-8, "{offset} {start}: {above}");
-    }
-    for offset in [-1e-16, -1e-17, 1e-16, -1e-300, 1e-300, 5e-324] {
-        let order = Order::half_plus(offset).unwrap();
-        let factor = closing_factor(order, 0.5, 0.25).unwrap();
-        assert!(factor > 1e20, "{offset}: {factor}");
+fn above_one_half_one_constant_serves_all_zones() {
+    for nu in [0.6, 0.75, 0.9] {
+        let point = gamma(order(nu), Constraint::vanishing_at(0.0), 1e-9).unwrap().constant;
+        for theta in [0.9, 0.5, 0.1, 1e-3, 1e-6, 1e-12, 1e-100] {
+            let found = constant(nu, 0.0..theta, 1e-9);
+            assert!(found <= point.value * (1.0 + 2e-9), "nu {nu}, theta {theta}: {found} against {point}");
+        }
+        let short = constant(nu, 0.0..1e-300, 1e-9);
+        assert!((short / point.value - 1.0).abs() < 1e-8, "nu {nu}: {short} against {point}");
     }
 }
 
-/// The induction at default size, once.
-static CHAINS: LazyLock<Vec<induction::Chain>> =
-    LazyLock::new(|| induction::compute(&induction::Options::default()).unwrap());
+/// (5.5) on hat functions, whose norms are closed forms on any interval.
+#[test]
+fn norms_scale_as_in_5_5() {
+    for nu in [0.1, 0.5, 0.9] {
+        for theta in [0.5f64, 0.1, 1e-3] {
+            let square = |l: f64| hat_seminorm_squared(0.2 * l, 0.3 * l, 0.1 * l, 0.4 * l, nu).unwrap().value;
+            let quotient = (square(1.0 / theta) / square(1.0)).sqrt() / theta.powf(nu - 0.5);
+            assert!((quotient - 1.0).abs() < 1e-12, "nu {nu}, theta {theta}: {quotient}");
+            // ∫ of the squared hat is a third of its support
+            let norm = |l: f64| {
+                let mesh = Mesh::from_lengths(vec![0.2 * l, 0.3 * l, 0.1 * l, 0.4 * l]).unwrap();
+                let hat = Function::linears(&mesh, &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
+                hat.norm(0.0, Tolerance::reference()).unwrap().value
+            };
+            assert!((norm(1.0 / theta) * theta.sqrt() / (0.4f64 / 3.0).sqrt() - 1.0).abs() < 1e-12);
+        }
+    }
+}
 
-/// (5.6), and the end of the proof in its three cases, also where θ is no power of θ₀; at ν = 1/2 the
-/// induction gives away √2 per step.
+/// (5.8) and (5.9) from the constants alone, also for zones that are no powers of two.
+#[test]
+fn steps_and_products_of_the_induction_hold() {
+    const DIGITS: f64 = 1e-6;
+    for nu in [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9] {
+        for first in [0.9f64, 0.5, 0.03] {
+            let (mut theta, mut product, start) = (first, 1.0, constant(nu, 0.0..first, DIGITS));
+            let mut before = start;
+            for _ in 0..4 {
+                let factor = 1.0 + theta.powf(nu - 0.5);
+                (theta, product) = (theta * theta, product * factor);
+                let found = constant(nu, 0.0..theta, DIGITS) * (1.0 - 2.0 * DIGITS);
+                assert!(found <= factor * before, "nu {nu}, theta {theta}: {found} after {before}");
+                assert!(found <= product * start, "nu {nu}, theta {theta}: {found}");
+                before = found;
+            }
+        }
+    }
+}
+
+/// What the last lines of the proof make of the product, for the first zone t and θ ≤ t.
+fn last_lines(nu: f64, t: f64, theta: f64) -> f64 {
+    let series = |a: f64| std::iter::successors(Some(a), |a| Some(a * a)).take(64).sum::<f64>();
+    match nu {
+        0.5 => 2.0 * theta.ln() / t.ln(),
+        _ if nu > 0.5 => series(t.powf(nu - 0.5)).exp(),
+        _ => theta.powf(nu - 0.5) * series(t.powf(0.25 - 0.5 * nu)).exp(),
+    }
+}
+
+/// The end of the proof in its three cases, also where θ is no power of θ₀.
 #[test]
 fn the_end_of_the_proof_holds_in_three_cases() {
     // Five digits: no bound is nearer than that.
@@ -409,26 +403,11 @@ fn the_end_of_the_proof_holds_in_three_cases() {
         let whole = gamma(order(nu), Constraint::mean_zero(), Tolerance::default()).unwrap().constant.value;
         for theta in [0.4, 0.2, 0.03, 1e-3, 3e-7, 1e-20, 1e-100] {
             let found = constant(nu, 0.0..theta, DIGITS) * (1.0 + 3.0 * DIGITS);
-            let bound = start * closing_factor(order(nu), 0.5, theta).unwrap();
+            let bound = start * last_lines(nu, 0.5, theta);
             assert!(found <= bound, "nu {nu}, theta {theta}: {found} against {bound}");
             // The repair without monotonicity: γ_θ² ≤ γ₁² (1 + 1/θ).
             let crude = whole * (1.0 + 1.0 / theta).sqrt();
             assert!(found <= crude, "nu {nu}, theta {theta}: {found} against {crude}");
         }
-    }
-    let found = induction::findings(&CHAINS);
-    for key in ["stretched", "closing", "given.half"] {
-        let finding = found.iter().find(|finding| finding.key() == key).unwrap();
-        assert_eq!(finding.outcome(), Outcome::Holds, "{finding:?}");
-    }
-    let mut chains = induction::compute(&induction::Options { steps: 2, ..Default::default() }).unwrap();
-    chains[0].steps[1].stretched.value = 1.001;
-    assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
-    // A norm that scales with another power of θ.
-    let mut chains = induction::compute(&induction::Options { steps: 2, ..Default::default() }).unwrap();
-    chains[1].scaling.value = 0.5f64.powf(-0.01) - 1.0;
-    assert!(!Verdict::of(&induction::findings(&chains)).is_confirmed());
-    for (start, theta) in [(0.5, 0.6), (1.0, 0.5), (0.5, 0.0), (0.5, f64::NAN), (f64::NAN, 0.1)] {
-        assert!(matches!(closing_factor(order(0.5), start, theta), Err(Error::OutOfRange { .. })));
     }
 }

@@ -1,13 +1,11 @@
 //! Section 1 in the plane: closures against polar coordinates, against norms of piecewise linears and
-//! constants, down to 1e-100, and planted faults.
+//! constants, down to 1e-100.
 
-#[allow(dead_code)]
-#[path = "../examples/section_1_closures_in_the_plane.rs"]
-mod example;
+#[path = "../toolkit/tests/common/mod.rs"]
+mod common;
 mod plane_polar;
 
-use example_frame::Outcome;
-use experiments::SplitMix;
+use common::SplitMix;
 use fractional_sobolev::{Error, Estimate, Function, Order, PlanePosition, Tolerance, Triangles};
 use plane_polar::Star;
 use std::f64::consts::PI;
@@ -248,30 +246,4 @@ fn what_cannot_be_is_an_error() {
     }
     let constant = Function::from_plane_positions(&star(), &[], |_| 3.0).unwrap();
     assert_eq!(seminorm(&constant, 0.7, 1e-6).unwrap().value, 0.0);
-}
-
-#[test]
-fn wrong_norms_are_seen() {
-    let options = example::Options {
-        gaps: vec![0.3, 1e-3],
-        tolerance: Tolerance::new(1e-6).unwrap(),
-        ..example::Options::default()
-    };
-    let mut computed = example::compute(&options).unwrap();
-    let outcome = |computed: &(Vec<example::Row>, usize, Vec<Estimate>), key: &str| {
-        let found = example::findings(&options, computed);
-        found.iter().find(|finding| finding.key() == key).unwrap().outcome()
-    };
-    for key in ["roads", "sectors", "corner", "infinite", "depth"] {
-        assert_eq!(outcome(&computed, key), Outcome::Holds, "{key}");
-    }
-    let right = computed.0[1].2[0];
-    computed.0[1].2[0].value = 1.01 * right.value;
-    for key in ["roads", "sectors"] {
-        assert_eq!(outcome(&computed, key), Outcome::Refuted, "{key}");
-    }
-    (computed.0[1].2[0].value, computed.1, computed.2[2]) = (1.01 * right.value, 1, computed.2[1]);
-    for key in ["corner", "infinite", "depth"] {
-        assert_eq!(outcome(&computed, key), Outcome::Refuted, "{key}");
-    }
 }

@@ -1,24 +1,10 @@
 //! Section 2: the discrete Signorini problem (2.9) and its scalar form, nodal cone.
 
-#![allow(clippy::duplicate_mod, reason = "the scalar example launches the elastic one, and both are loaded")]
-
 #[path = "reference_squares/mod.rs"]
 mod reference_squares;
 
-#[allow(dead_code)]
-#[path = "../examples/section_2_elastic_contact.rs"]
-mod section_2_elastic_contact;
-
-#[allow(dead_code)]
-#[path = "../examples/section_2_scalar_contact.rs"]
-mod section_2_scalar_contact;
-
-use clap::Parser;
-use example_frame::{Headline, Outcome, Table, Verdict};
-use experiments::contact_levels::SceneRun;
 use reference_squares::{check_against_reference, solvers_agree};
-use section_2_elastic_contact::Problem;
-use signorini::cone::{Cone, Status};
+use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Condensation, Form, Lame, stiffness};
 use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -116,84 +102,4 @@ fn bad_input_is_an_error() {
     let loose = SideParts { top: signorini::mesh::Part::Neumann, ..SideParts::HANGING };
     let floating = ContactProblem::new(unit_square(4, loose).unwrap(), elastic(), &[0.0; 50]);
     assert!(floating.is_err());
-    for arguments in [["--n", "0"], ["--cone", "planar"], ["--solver", "newton"]] {
-        let given = [&["example"], &arguments[..]].concat();
-        let failed = match section_2_elastic_contact::Options::try_parse_from(given) {
-            Ok(options) => section_2_elastic_contact::run(&options).is_err(),
-            Err(_) => true,
-        };
-        assert!(failed, "{arguments:?}");
-    }
-}
-
-#[test]
-fn examples_confirm_their_claim() {
-    let elastic = section_2_elastic_contact::run(&Default::default()).unwrap();
-    let scalar = section_2_scalar_contact::run(&Default::default()).unwrap();
-    for headline in [elastic, scalar] {
-        assert_eq!(headline.verdict(), Verdict::Holds, "{headline}");
-        for key in ["n", "energy", "active", "contact_force", "balance", "kkt", "iterations", "seconds"] {
-            assert!(headline.table.number(0, key).is_some(), "{key}");
-        }
-        // At default size every sentence is decided: the proof apart, all hold.
-        let held = headline.count(Outcome::Holds);
-        assert_eq!(held + headline.count(Outcome::ByProof), headline.findings.len(), "{headline}");
-        assert!(held >= 9, "{headline}");
-    }
-}
-
-#[test]
-fn scenes_of_the_other_example_are_refused() {
-    let scene = Some(TestProblem::Block);
-    assert!(
-        section_2_scalar_contact::run(&section_2_scalar_contact::Options { scene, ..Default::default() })
-            .is_err()
-    );
-    let scene = Some(TestProblem::Corner);
-    assert!(
-        section_2_elastic_contact::run(&section_2_elastic_contact::Options { scene, ..Default::default() })
-            .is_err()
-    );
-}
-
-/// A fault planted in what is computed turns the finding with this key, and with it verdict and exit code.
-#[track_caller]
-fn turns(key: &str, plant: impl Fn(&mut [SceneRun])) {
-    let options = section_2_elastic_contact::Options { n: 8, ..Default::default() };
-    let mut computed = section_2_elastic_contact::compute(Problem::Elastic, &options).unwrap();
-    let headline = |computed: &_| {
-        let found = section_2_elastic_contact::findings(&options, computed);
-        Headline::new("Section 2", "planted", Table::default(), found)
-    };
-    assert_eq!((headline(&computed).verdict(), headline(&computed).exit_code()), (Verdict::Holds, 0));
-    plant(&mut computed.runs);
-    let spoiled = headline(&computed);
-    assert_ne!(spoiled.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {spoiled}");
-    assert_eq!(spoiled.exit_code(), 1, "{key}: {spoiled}");
-}
-
-#[test]
-fn planted_faults_turn_finding_verdict_and_exit_code() {
-    // A contact force with the wrong sign: of one node, and of the whole edge.
-    turns("sign", |runs| runs[1].solution.multiplier[2] *= -1.0);
-    turns("push", |runs| runs[1].solution.contact_force *= -1.0);
-    // A cone violated by 1e-9 of the largest displacement, at a node in contact.
-    turns("cone", |runs| runs[0].solution.gap[1] = 1e-9 * runs[0].solution.displacement_scale);
-    // A force beside an open gap.
-    turns("gaps", |runs| {
-        let (force, displacement) = (runs[0].solution.contact_force, runs[0].solution.displacement_scale);
-        let last = runs[0].solution.gap.len() - 1;
-        runs[0].solution.multiplier[last] = 1e-3 * force;
-        runs[0].solution.gap[last] = -1e-3 * displacement;
-    });
-    turns("balance", |runs| runs[0].solution.kkt.balance = 1e-9);
-    turns("forces", |runs| runs[0].solution.balance = 1e-7);
-    turns("solvers", |runs| runs[1].solution.energy *= 1.0 + 1e-7);
-    turns("packages", |runs| runs.iter_mut().for_each(|run| run.solution.energy *= 1.0 + 1e-10));
-    turns("converged", |runs| runs[0].solution.status = Status::Stalled { residual: 1e-3 });
-    // What is not a number decides nothing, and nothing is confirmed.
-    turns("sign", |runs| runs[0].solution.multiplier[0] = f64::NAN);
-    turns("forces", |runs| runs[1].solution.balance = f64::NAN);
-    turns("solvers", |runs| runs[0].solution.energy = f64::NAN);
-    turns("solvers", |runs| runs[1].n = 9);
 }

@@ -5,16 +5,13 @@
 #[path = "../examples/section_2_own_body.rs"]
 mod section_2_own_body;
 
-use clap::Parser;
-use example_frame::contact::{Load, Own, OwnOptions};
-use example_frame::{Headline, Outcome, Table, Verdict};
-use experiments::contact_levels::OwnBody;
-use section_2_own_body::{Computed, Options};
+use example_report::Outcome;
+use section_2_own_body::Options;
 use signorini::Error;
 use signorini::ToolkitError;
 use signorini::cone::Cone;
-use signorini::contact::{ContactProblem, Fallback, Settings, Solver, Start};
-use signorini::fem::{Field, Form, Frame, Lame, stiffness};
+use signorini::contact::{ContactProblem, ContactSolution, Fallback, Settings, Solver, Start};
+use signorini::fem::{Cubature, Field, Form, Frame, Lame, stiffness};
 use signorini::mesh::{ContactEdge, Triangulation, parse_msh, read_msh};
 use std::path::{Path, PathBuf};
 
@@ -94,8 +91,16 @@ fn binary_files_are_refused_with_what_to_do() {
     std::fs::remove_dir_all(&directory).unwrap();
 }
 
-fn body<'a>(mesh: &'a Triangulation, form: &'a Form, load: Field<'a>) -> OwnBody<'a> {
-    OwnBody { mesh, form, load, cone: Cone::Nodal, solver: None, levels: 1, accuracy: None }
+fn problem(mesh: &Triangulation, load: &Field<'_>) -> ContactProblem {
+    let none = vec![0.0; mesh.nodes().len() * 2];
+    let mut problem = ContactProblem::new(mesh.clone(), elastic(), &none).unwrap();
+    problem.add_volume_load(load, &Cubature::new(4).unwrap()).unwrap();
+    problem
+}
+
+fn solved(mesh: &Triangulation, load: &Field<'_>) -> [ContactSolution; 2] {
+    let problem = problem(mesh, load);
+    [Solver::ActiveSet, Solver::InteriorPoint].map(|solver| problem.solve(Cone::Nodal, solver).unwrap())
 }
 
 #[test]
@@ -109,12 +114,10 @@ fn a_slanted_floor_is_a_turned_one() {
         let [a, b] = f([cos * x - sin * y, sin * x + cos * y]);
         [cos * a + sin * b, cos * b - sin * a]
     };
-    let form = elastic();
-    let one = body(&slanted, &form, Field::Vector(&f)).run(|_| Ok(())).unwrap();
-    let other = body(&level, &form, Field::Vector(&g)).run(|_| Ok(())).unwrap();
+    let one = solved(&slanted, &Field::Vector(&f));
+    let other = solved(&level, &Field::Vector(&g));
     assert!(ContactEdge::of(&level).unwrap().normal().unwrap()[1] < -1.0 + SUMS);
     for (a, b) in one.iter().zip(&other) {
-        let (a, b) = (&a.solution, &b.solution);
         assert!((a.energy / b.energy - 1.0).abs() < SUMS && a.contact_set == b.contact_set);
         for (u, v) in a.normal_displacement.iter().zip(&b.normal_displacement) {
             assert!((u - v).abs() < SUMS, "{u} {v}");
@@ -124,8 +127,8 @@ fn a_slanted_floor_is_a_turned_one() {
         }
     }
     // A planted fault: the load does not turn.
-    let wrong = body(&level, &form, Field::Vector(&f)).run(|_| Ok(())).unwrap();
-    assert!((wrong[0].solution.energy / one[0].solution.energy - 1.0).abs() > 1e-3);
+    let wrong = solved(&level, &Field::Vector(&f));
+    assert!((wrong[0].energy / one[0].energy - 1.0).abs() > 1e-3);
 }
 
 #[test]
@@ -135,8 +138,7 @@ fn two_contact_edges_have_two_normals() {
     assert!(ContactEdge::of(&mesh).is_err() && edge.pieces().len() == 2);
     let form = elastic();
     let load = |[x, y]: [f64; 2]| [0.2 * y, -0.5 - 0.3 * x];
-    let body = body(&mesh, &form, Field::Vector(&load));
-    let problem = body.problem(mesh.clone()).unwrap();
+    let problem = problem(&mesh, &Field::Vector(&load));
     let by_sets = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
     let by_barrier = problem.solve(Cone::Nodal, Solver::InteriorPoint).unwrap();
     assert!((by_sets.energy / by_barrier.energy - 1.0).abs() < 1e-8);
@@ -144,7 +146,7 @@ fn two_contact_edges_have_two_normals() {
     // The conditions once more, in Cartesian components: K u - F is the force of the floors, along the
     // normals.
     let mut rest = stiffness(&mesh, &form, &Frame::cartesian()).multiply(&by_sets.displacement);
-    let rule = OwnBody::load_rule().unwrap();
+    let rule = Cubature::new(4).unwrap();
     let f = signorini::fem::volume_load(&mesh, &Field::Vector(&load), &rule).unwrap();
     rest.iter_mut().zip(f).for_each(|(r, f)| *r -= f);
     let (lengths, normals) = (edge.nodal_lengths(), edge.normals().unwrap());
@@ -192,152 +194,75 @@ fn contact_edges_that_meet_are_refused() {
     ));
 }
 
-#[test]
-fn the_example_holds_and_planted_faults_turn_it() {
-    let options = Options { levels: 2, ..Default::default() };
-    let headline = |options: &Options, computed: &Computed| {
-        let found = section_2_own_body::findings(options, computed);
-        Headline::new("Section 2", "planted", Table::default(), found)
-    };
-    let plant = |key: &str, spoil: &dyn Fn(&mut Computed)| {
-        let mut computed = section_2_own_body::compute(&options).unwrap();
-        assert_eq!(headline(&options, &computed).verdict(), Verdict::Holds);
-        spoil(&mut computed);
-        let spoiled = headline(&options, &computed);
-        assert_ne!(spoiled.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {spoiled}");
-        assert_eq!(spoiled.exit_code(), 1, "{key}: {spoiled}");
-    };
-    plant("forces", &|c| c.resultants[0][2][1] *= 1.0 + 1e-6);
-    plant("forces", &|c| c.resultants[1][0] = [0.0; 2]);
-    plant("push", &|c| c.runs.iter_mut().for_each(|run| run.solution.contact_force *= -1.0));
-    plant("turned", &|c| c.turned[1].solution.energy *= 1.0 + 1e-6);
-    plant("turned", &|c| c.turned.truncate(1));
-    plant("falls", &|c| c.runs[2].solution.energy *= 0.9);
-    plant("cone", &|c| c.runs[0].solution.gap[0] = 1e-9 * c.runs[0].solution.displacement_scale);
-    plant("solvers", &|c| c.runs[1].solution.energy *= 1.0 + 1e-7);
-}
-
-fn options(line: &[&str]) -> Result<Options, String> {
-    let first = |text: String| text.lines().next().unwrap_or_default().to_owned();
-    Options::try_parse_from([&["example"], line].concat()).map_err(|e| first(e.to_string()))
-}
-
-fn answer(line: &[&str]) -> Result<Headline, String> {
-    section_2_own_body::run(&options(line)?).map_err(|e| e.to_string())
+fn outcome(options: &Options) -> Result<Outcome, String> {
+    section_2_own_body::outcome(options).map_err(|error| error.to_string())
 }
 
 #[test]
 fn bad_bodies_are_refused_in_one_clear_line() {
-    let mesh = repository("examples/data/l_shape.msh");
-    let mesh = mesh.to_str().unwrap();
-    for (line, why) in [
-        (&["--load", "z, 0"][..], "unknown name 'z': known are x, y, pi"),
-        (&["--load", "sin x, 0"], "needs its argument in parentheses"),
-        (&["--load", "1, 2, 3"], "3 components"),
-        (&["--mesh", mesh], "--mesh needs --load"),
-        (&["--load", "ln(x - 1), 0"], "is not finite: NaN at ("),
-        (&["--load", "0, 1/(x - x)"], "is not finite: inf at ("),
-        (&["--load", "1", "--material", "E=1, nu=0.3"], "no effect on a scalar problem"),
-        (&["--material", "E=1, nu=0.5"], "Poisson's ratio"),
-        (&["--material", "E=1, nu=0", "--material", "E=2, nu=0"], "2 materials for 1 physical surfaces"),
-        (&["--mesh", "no/such.msh", "--load", "0, 1"], "no/such.msh"),
+    let mesh = Some(repository("examples/data/l_shape.msh"));
+    let load = |load: &str| Options { load: load.to_owned(), ..Default::default() };
+    for (options, why) in [
+        (load("z, 0"), "unknown name 'z': known are x, y, pi"),
+        (load("sin x, 0"), "needs its argument in parentheses"),
+        (load("x y, 0"), "follows without a sign"),
+        (load("1, 2, 3"), "3 components"),
+        (Options { mesh, ..Default::default() }, "--mesh needs --load"),
+        (load("ln(x - 1), 0"), "is not finite: NaN at ("),
+        (load("0, 1/(x - x)"), "is not finite: inf at ("),
+        (Options { poisson: vec![0.5], ..Default::default() }, "Poisson's ratio"),
+        (
+            Options { young: vec![1.0, 2.0], poisson: vec![0.0; 2], ..Default::default() },
+            "one for each surface",
+        ),
+        (Options { mesh: Some("no/such.msh".into()), ..load("0, 1") }, "no/such.msh"),
     ] {
-        let error = answer(line).expect_err(why);
-        assert!(error.contains(why) && !error.contains('\n'), "{line:?}: {error}");
+        let error = outcome(&options).expect_err(why);
+        assert!(error.contains(why) && !error.contains('\n'), "{error}");
     }
-    // A negative first component is a value, not an option.
-    assert!(options(&["--load", "-x, -1"]).is_ok());
 }
 
 #[test]
 fn scalar_bodies_and_materials_have_their_effect() {
-    let force = |line: &[&str]| {
-        let headline = answer(&[line, &["--levels", "1"]].concat()).unwrap();
-        assert_eq!(headline.verdict(), Verdict::Holds, "{headline}");
-        headline.values.iter().find(|(key, _)| key == "section.2.own.nodal.force").unwrap().1
+    let force = |options: Options| {
+        let found = outcome(&Options { levels: 1, ..options }).unwrap();
+        assert_eq!(found.exit_code(), 0, "{}", found.text(false));
+        found.numbers("force")[0]
     };
-    assert!(force(&["--load", "1 - x"]) > 0.0);
+    let load =
+        |load: &str, young: f64| Options { load: load.to_owned(), young: vec![young], ..Default::default() };
+    assert!(force(load("1 - x", 2.5)) > 0.0);
     // Contact does not change when load and constants grow together; force does.
-    let (soft, hard) = (
-        force(&["--load", "0.15, 0.2 - 0.3*x", "--material", "E=2.5, nu=0.25"]),
-        force(&["--load", "15, 20 - 30*x", "--material", "E=250, nu=0.25"]),
-    );
+    let (soft, hard) = (force(load("0.15, 0.2 - 0.3*x", 2.5)), force(load("15, 20 - 30*x", 250.0)));
     assert!((hard / soft - 100.0).abs() < 1e-9, "{hard} {soft}");
-    let groove = repository("examples/data/groove.msh");
-    assert!(force(&["--mesh", groove.to_str().unwrap(), "--load", "0, -0.5"]) > 0.0);
+    let groove = Some(repository("examples/data/groove.msh"));
+    assert!(force(Options { mesh: groove, ..load("0, -0.5", 2.5) }) > 0.0);
 }
 
 #[test]
-fn files_hold_the_rows_and_the_contact_edges() {
+fn the_file_holds_the_contact_edges() {
     let directory = std::env::temp_dir().join(format!("signorini-own-{}", std::process::id()));
-    let groove = repository("examples/data/groove.msh");
-    let line = ["--mesh", groove.to_str().unwrap(), "--load", "0.2*y, -0.5 - 0.3*x", "--levels", "2"];
-    let out = ["--csv", directory.to_str().unwrap(), "--out", directory.to_str().unwrap()];
-    let headline = answer(&[&line[..], &out[..]].concat()).unwrap();
-    let read = |name: &str| std::fs::read_to_string(directory.join(name)).unwrap();
-    let lines = |text: &str| -> (Vec<String>, Vec<String>) {
-        text.lines().map(str::to_owned).partition(|line| line.starts_with('#'))
+    let options = Options {
+        mesh: Some(repository("examples/data/groove.msh")),
+        load: "0.2*y, -0.5 - 0.3*x".to_owned(),
+        levels: 2,
+        csv: Some(directory.clone()),
+        ..Default::default()
     };
-    let (head, rows) = lines(&read("rows.csv"));
-    assert!(head.join(" ").contains("Units: lengths and displacements in the unit of the mesh"));
-    assert_eq!(rows.len(), 1 + headline.table.rows().len());
-    let (head, rows) = lines(&read("contact_edge.csv"));
-    assert!(head.join(" ").contains("sigma_N: nodal contact force over"));
-    assert_eq!(rows[0], "edge,s,x,y,normal_x,normal_y,u_N,sigma_N");
+    let found = outcome(&options).unwrap();
+    let text = std::fs::read_to_string(directory.join("contact_edge.csv")).unwrap();
+    let mut rows = text.lines();
+    assert_eq!(rows.next(), Some("edge,s,x,y,u_N,sigma_N"));
     let numbers: Vec<Vec<f64>> =
-        rows[1..].iter().map(|row| row.split(',').map(|word| word.parse().unwrap()).collect()).collect();
-    assert!(numbers.iter().all(|row| row.len() == 8 && row[6] <= 1e-12 && row[7] <= 0.0));
+        rows.map(|row| row.split(',').map(|word| word.parse().unwrap()).collect()).collect();
+    assert!(numbers.iter().all(|row| row.len() == 6 && row[4] <= 1e-12 && row[5] <= 0.0));
     // The trapezoidal rule of sigma_N on each edge gives the force of the floors back.
     let mut force = 0.0;
     for pair in numbers.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
-        force -= 0.5 * (pair[1][1] - pair[0][1]) * (pair[0][7] + pair[1][7]);
+        force -= 0.5 * (pair[1][1] - pair[0][1]) * (pair[0][5] + pair[1][5]);
     }
-    let expected = headline.values.iter().find(|(key, _)| key == "section.2.own.nodal.force").unwrap().1;
+    let expected = found.numbers("force")[1];
     assert!((force / expected - 1.0).abs() < 1e-9, "{force} {expected}");
     assert_eq!(numbers.iter().filter(|row| row[1] == 0.0).count(), 2, "two edges begin");
-    // Each edge has its floor, hatched: two lines along two normals.
-    let picture = read("section_2_own_groove_body_nodal.svg");
-    assert!(picture.contains("in the unit of λ and μ") && !picture.contains("Lamé"));
-    std::fs::remove_dir_all(&directory).unwrap();
-}
-
-#[test]
-fn loads_are_turned_with_their_body() {
-    let own = OwnOptions { load: Some("x, 2*y".parse::<Load>().unwrap()), ..Default::default() };
-    let body = own.body(|| Own::sample("l_shape", L_SHAPE), elastic(), 2.0).unwrap();
-    let turned = body.turned(90.0).unwrap();
-    // (1, 0) goes to (0, 1), and its load (2, 0) to (0, 2).
-    let load = turned.load_at([0.0, 1.0]);
-    assert!((load[0]).abs() < 1e-15 && (load[1] - 2.0).abs() < 1e-15, "{load:?}");
-}
-
-/// The first number pairs of the first path with this attribute: x, y of "M", then of "L".
-fn first_stroke(picture: &str, attribute: &str) -> [f64; 4] {
-    let at = picture.find(attribute).unwrap();
-    let start = picture[..at].rfind("d=\"M").unwrap() + 4;
-    let words = picture[start..at].split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
-    let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).take(4).collect();
-    numbers.try_into().unwrap()
-}
-
-#[test]
-fn floor_and_arrows_follow_the_normal_of_a_slanted_edge() {
-    let directory = std::env::temp_dir().join(format!("signorini-slanted-{}", std::process::id()));
-    answer(&["--levels", "2", "--out", directory.to_str().unwrap()]).unwrap();
-    let picture = std::fs::read_to_string(directory.join("section_2_own_l_shape_body_nodal.svg")).unwrap();
-    let angle = 20_f64.to_radians();
-    // One decimal of some dozen user units.
-    const DRAWN: f64 = 0.02;
-    let [x0, y0, x1, y1] = first_stroke(&picture, "stroke=\"rgb(213,94,0)\"");
-    let length = (x1 - x0).hypot(y1 - y0);
-    // The floor presses upwards and to the left; y of a picture points down.
-    assert!(
-        ((x1 - x0) / length + angle.sin()).abs() < DRAWN && ((y1 - y0) / length + angle.cos()).abs() < DRAWN
-    );
-    let [x0, y0, x1, y1] = first_stroke(&picture, "stroke-opacity=\"0.7\"");
-    let length = (x1 - x0).hypot(y1 - y0);
-    assert!(
-        ((x1 - x0) / length - angle.cos()).abs() < DRAWN && ((y1 - y0) / length + angle.sin()).abs() < DRAWN
-    );
     std::fs::remove_dir_all(&directory).unwrap();
 }

@@ -5,9 +5,10 @@ use fractional_sobolev::{Estimate, Order, Tolerance};
 use serde_json::{Value, json};
 use signorini::rates::ConvergenceOrder;
 
-/// Significant digits of a number with an error, and of one without.
+/// Significant digits of a number with an error, of one without, and of columns of errors, all below 1e-3.
 const TEN: usize = 10;
 const FIVE: usize = 5;
+const TWO: usize = 2;
 /// A column of numbers that are all this short is written as it stands: parameters that somebody chose.
 const SHORT: usize = 7;
 
@@ -22,6 +23,8 @@ pub enum Cell {
     Integer(i64),
     /// Words.
     Text(String),
+    /// A number by its name: 1/2 + 1e-12 keeps its offset.
+    Named(String, f64),
     /// Nothing to report.
     Missing,
 }
@@ -32,6 +35,7 @@ impl Cell {
         match self {
             Cell::Number(value) => (*value).into(),
             Cell::Measured(measured) => *measured,
+            Cell::Named(_, value) => (*value).into(),
             Cell::Integer(count) => (*count as f64).into(),
             Cell::Text(_) | Cell::Missing => Measured::NONE,
         }
@@ -44,6 +48,7 @@ impl Cell {
             Cell::Measured(measured) => number(measured.value),
             Cell::Integer(count) => json!(count),
             Cell::Text(words) => json!(words),
+            Cell::Named(_, value) => number(*value),
             Cell::Missing => Value::Null,
         }
     }
@@ -51,7 +56,7 @@ impl Cell {
     /// As few characters as identify it: for keys.
     pub(crate) fn short(&self) -> String {
         match self {
-            Cell::Text(words) => crate::check::slug(words),
+            Cell::Text(words) | Cell::Named(words, _) => crate::check::slug(words),
             other => shortest(other.number().value),
         }
     }
@@ -79,8 +84,7 @@ cell_from! {
     String => Cell::Text,
     bool => |is: bool| Cell::Text(if is { "yes" } else { "no" }.to_owned()),
     Tolerance => |tolerance: Tolerance| Cell::Number(tolerance.relative()),
-    // Words, so that 1/2 + 1e-12 keeps its offset.
-    Order => |order: Order| if order.offset().abs() < 1e-6 { Cell::Text(order.to_string()) } else { Cell::Number(order.value()) },
+    Order => |order: Order| Cell::Named(order.to_string(), order.value()),
 }
 
 impl<T: Into<Cell>> From<Option<T>> for Cell {
@@ -182,6 +186,7 @@ pub(crate) fn bound_text(value: f64) -> String {
 pub(crate) fn column(cells: &[&Cell]) -> Vec<Vec<String>> {
     let is_measured = cells.iter().any(|cell| matches!(cell, Cell::Measured(m) if m.error != 0.0));
     let numbers = || cells.iter().filter_map(|cell| if let Cell::Number(v) = cell { Some(*v) } else { None });
+    let digits_of_numbers = if numbers().all(|value| value.abs() < 1e-3) { TWO } else { FIVE };
     let is_short = numbers().all(|value| shortest(value).chars().count() <= SHORT);
     let text = |cell: &&Cell| match cell {
         Cell::Number(value) if is_short => {
@@ -191,10 +196,10 @@ pub(crate) fn column(cells: &[&Cell]) -> Vec<Vec<String>> {
                 shortest(*value)
             }
         }
-        Cell::Number(value) => significant(*value, FIVE),
+        Cell::Number(value) => significant(*value, digits_of_numbers),
         Cell::Measured(measured) => significant(measured.value, digits(*measured, TEN)),
         Cell::Integer(count) => count.to_string(),
-        Cell::Text(words) => words.clone(),
+        Cell::Text(words) | Cell::Named(words, _) => words.clone(),
         Cell::Missing => "–".to_owned(),
     };
     let error = |cell: &&Cell| match cell {

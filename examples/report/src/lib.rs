@@ -30,6 +30,7 @@ mod check;
 mod command;
 mod eigen;
 mod error;
+mod expression;
 pub mod figures;
 mod files;
 mod measured;
@@ -44,6 +45,7 @@ pub use check::{Check, Claim, Decision, Role};
 pub use command::main;
 pub use eigen::largest_eigenvalue;
 pub use error::{Error, Result};
+pub use expression::Expression;
 pub use measured::{Measured, largest, smallest};
 pub use options::{Declared, OptionValue, Parameters};
 pub use outcome::{Outcome, Status};
@@ -80,7 +82,6 @@ pub mod prelude {
 /// ```
 #[macro_export]
 macro_rules! example {
-    ($cost:ident $label:literal, $statement:literal $(;)?) => { $crate::example! { $cost $label, $statement; } };
     ($cost:ident $label:literal, $statement:literal;
         $($(#[doc = $help:literal])+ $field:ident: $kind:ty = $default:literal $(in $range:literal)? $(slider $slider:literal)?),* $(,)?
     ) => {
@@ -128,6 +129,9 @@ macro_rules! example {
         fn main() -> std::process::ExitCode {
             $crate::main::<Options>(run)
         }
+    };
+    ($cost:ident $label:literal, $statement:literal) => {
+        $crate::example! { $cost $label, $statement; }
     };
 }
 

@@ -99,7 +99,10 @@ impl Declared {
             return argument.action(ArgAction::SetTrue);
         }
         // A value may be a negative number, so that `--nu -0.1` is answered by what it means.
-        let argument = argument.allow_negative_numbers(true);
+        let argument = match self.kind {
+            "text" => argument.allow_hyphen_values(true),
+            _ => argument.allow_negative_numbers(true),
+        };
         if self.default.is_empty() { argument } else { argument.default_value(self.default) }
     }
 

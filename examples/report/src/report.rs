@@ -2,10 +2,12 @@
 
 use crate::cell::{Cell, Cells};
 use crate::check::{Check, Claim, Role};
+use crate::figures::body::{body_svg, body_values, edge_chart};
 use crate::figures::{BodyPicture, Chart};
 use crate::outcome::Outcome;
 use crate::plot::{Axes, Plot};
 use crate::{Measured, Parameters, Result};
+use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::rates::ConvergenceOrder;
 use std::time::Instant;
 
@@ -165,6 +167,36 @@ impl Report {
     pub fn picture(&mut self, name: impl Into<String>, picture: &BodyPicture<'_>) -> Result<()> {
         self.pictures.push(Picture::Svg(name.into(), picture.svg()?));
         Ok(())
+    }
+
+    /// Contact solutions as deformed bodies, one picture each under its name, all on the scale of colour of the last one.
+    ///
+    /// # Errors
+    /// Those of the stresses and of [`BodyPicture::svg`].
+    pub fn bodies(
+        &mut self,
+        title: &str,
+        solved: &[(String, &ContactProblem, &ContactSolution)],
+    ) -> Result<()> {
+        let Some((_, problem, solution)) = solved.last() else { return Ok(()) };
+        let values = body_values(problem, solution)?;
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let range = values.iter().fold(ends, |(low, high), &v| (low.min(v), high.max(v)));
+        for (name, problem, solution) in solved {
+            self.pictures.push(Picture::Svg(name.clone(), body_svg(problem, solution, title, range)?));
+        }
+        Ok(())
+    }
+
+    /// u_N and −σ_N of a contact solution along its contact edges, each over its largest value.
+    pub fn contact_edge(
+        &mut self,
+        name: impl Into<String>,
+        title: &str,
+        problem: &ContactProblem,
+        solution: &ContactSolution,
+    ) {
+        self.chart(name, edge_chart(problem, solution, title));
     }
 
     /// The outcome.

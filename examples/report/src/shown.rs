@@ -9,10 +9,10 @@ use std::fmt::Write as _;
 /// The widest a line gets; less where the variable COLUMNS says so.
 const WIDTH: usize = 100;
 /// More rows than this are shown by their first and last ones.
-const ROWS: usize = 21;
-const ENDS: usize = 9;
+const ROWS: usize = 24;
+const ENDS: usize = 11;
 /// The widest a source stands beside its check; a longer one has a line of its own.
-const SOURCE: usize = 28;
+const SOURCE: usize = 32;
 /// More checks than this: those that hold beyond it are counted.
 const CHECKS: usize = 12;
 
@@ -72,7 +72,7 @@ impl Outcome {
             }
         }
         for k in 0..titles.len() {
-            if rows.iter().all(|row| is_number(&row[k]))
+            if 2 * rows.iter().filter(|row| is_number(&row[k])).count() > rows.len()
                 && let Some(column) = table.column_mut(k)
             {
                 column.set_cell_alignment(CellAlignment::Right);
@@ -113,8 +113,8 @@ impl Outcome {
             |k: usize| checks.iter().map(|check| check.parts()[k].chars().count()).max().unwrap_or(0);
         let (value, bound) = (widest(0), widest(1));
         let longest = checks.iter().map(|check| claim(check).chars().count()).max().unwrap_or(0);
-        let source = checks.iter().map(|check| check.source().chars().count()).max().unwrap_or(0).min(SOURCE);
-        let words = longest.min(width.saturating_sub(value + bound + source + 9).max(30));
+        let beside = checks.iter().map(|check| source(check).chars().count()).max().unwrap_or(0).min(SOURCE);
+        let words = longest.min(width.saturating_sub(value + bound + beside + 9).max(30));
         let mut text = String::new();
         for check in checks {
             let [number, relation] = check.parts();
@@ -122,16 +122,17 @@ impl Outcome {
             let mark = painted(&check.decision().mark().to_string(), mark_colour(check), in_colour);
             let first = claim.first().map_or("", String::as_str);
             let mut line = format!("  {mark} {first:<words$}  {number:>value$} {relation:<bound$}");
-            let beside = check.source().chars().count() <= width.saturating_sub(words + value + bound + 9);
-            if beside && !check.source().is_empty() {
-                let _ = write!(line, "  {}", check.source());
+            let source = source(check);
+            let beside = source.chars().count() <= width.saturating_sub(words + value + bound + 9);
+            if beside {
+                let _ = write!(line, "  {source}");
             }
             let _ = writeln!(text, "{}", line.trim_end());
             for rest in claim.iter().skip(1) {
                 let _ = writeln!(text, "    {rest}");
             }
             if !beside {
-                for rest in wrapped(check.source(), width - 8) {
+                for rest in wrapped(&source, width - 8) {
                     let _ = writeln!(text, "      {rest}");
                 }
             }
@@ -143,14 +144,17 @@ impl Outcome {
     }
 }
 
-/// The sentence, with how often it was decided.
+/// The sentence.
 fn claim(check: &Check) -> String {
-    let prefix = match (check.role(), check.decision()) {
-        (Role::AsPrinted, Decision::Fails) => "as printed: ",
-        _ => "",
-    };
-    let cases = if check.cases > 1 { format!(" (worst of {})", check.cases) } else { String::new() };
-    format!("{prefix}{}{cases}", check.claim())
+    let failed = check.role() == Role::AsPrinted && check.decision() == Decision::Fails;
+    format!("{}{}", if failed { "as printed: " } else { "" }, check.claim())
+}
+
+/// Where the bound comes from, and of how many cases the worst is shown.
+fn source(check: &Check) -> String {
+    let cases = if check.cases > 1 { format!("worst of {}", check.cases) } else { String::new() };
+    let parts = [check.source().to_owned(), cases];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
 const GREEN: u8 = 32;

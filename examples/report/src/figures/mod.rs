@@ -4,6 +4,7 @@
 //! alone it brings its own light and dark colours. Series use the eight-colour palette of Okabe and Ito, told
 //! apart by people with any kind of colour vision, and every series also has its own marker.
 
+pub(crate) mod body;
 mod canvas;
 mod chart;
 mod data;

@@ -207,7 +207,7 @@ fn shade(s: f64) -> Colour {
 }
 
 /// Three significant digits, with a raised exponent where that is shorter.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     if rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs()) || !rounded.is_finite() {
         return rounded.to_string();

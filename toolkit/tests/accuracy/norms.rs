@@ -1,16 +1,16 @@
 //! Norms on intervals: closures, functions on meshes, dual norms, fast products.
 
+use super::SplitMix;
+use super::largest;
 use super::{Ask, Family, ask, draw, formula, number, order, order_of, printed, rows};
-use experiments::SplitMix;
-use experiments::largest;
 use fractional_sobolev::{
     DualOf, Estimate, Function, Gram, Mesh, Order, Result, Tolerance, Work, closed_forms,
 };
 
-const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/closed_forms.json");
+const REFERENCE: &str = include_str!("../reference/closed_forms.json");
 
 /// All of them.
-pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+pub(super) fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let mut all = closed()?;
     all.extend(closures(each, random)?);
     all.extend(meshes(each, random)?);
@@ -34,24 +34,9 @@ fn closed() -> Result<Vec<Family>> {
             })
             .collect()
     };
-    let by = "40 digits, another program";
     Ok(vec![
-        Family {
-            name: "power",
-            functions: "closed_forms::power_seminorm_squared",
-            range: "0.01 <= nu <= 0.999",
-            by,
-            least: 0.0,
-            cases: of("x^a")?,
-        },
-        Family {
-            name: "log power",
-            functions: "closed_forms::log_power_seminorm_squared",
-            range: "nu = 1/2",
-            by,
-            least: 0.0,
-            cases: of("|ln x|^alpha")?,
-        },
+        Family { name: "power", least: 0.0, cases: of("x^a")? },
+        Family { name: "log power", least: 0.0, cases: of("|ln x|^alpha")? },
     ])
 }
 
@@ -84,40 +69,11 @@ fn closures(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let u = Function::from_fn(&[0.0, 1.0], move |x: f64| x.powf(a))?;
         Ok((formula((1.0 + q * a).powf(-1.0 / q))?, ask(move |t| u.lp(q, t))))
     })?;
-    let functions = "Function::seminorm";
     Ok(vec![
-        Family {
-            name: "u: power",
-            functions,
-            range: "x^a, 0.02 < nu < 0.98",
-            by: "closed form",
-            least: 0.0,
-            cases: powers,
-        },
-        Family {
-            name: "u: log",
-            functions,
-            range: "|ln x|^a, nu = 1/2",
-            by: "closed form",
-            least: 0.0,
-            cases: logarithms,
-        },
-        Family {
-            name: "u: kink",
-            functions,
-            range: "kinks, 0.02 < nu < 0.98",
-            by: "closed form",
-            least: 0.0,
-            cases: kinks,
-        },
-        Family {
-            name: "u: L^q",
-            functions: "Function::lp",
-            range: "x^a, 1 <= q < 8",
-            by: "closed form",
-            least: 0.0,
-            cases: lebesgue,
-        },
+        Family { name: "u: power", least: 0.0, cases: powers },
+        Family { name: "u: log", least: 0.0, cases: logarithms },
+        Family { name: "u: kink", least: 0.0, cases: kinks },
+        Family { name: "u: L^q", least: 0.0, cases: lebesgue },
     ])
 }
 
@@ -186,43 +142,13 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         };
         Ok((formula(1.0)?, ask(product)))
     })?;
-    let functions = "Function::seminorm";
-    let by = "closed form";
     Ok(vec![
-        Family { name: "P: hats", functions, range: "hats, graded meshes", by, least: 0.0, cases: hats },
-        Family {
-            name: "P: jumps",
-            functions,
-            range: "jumps, 0.02 < nu < 0.49",
-            by,
-            least: 0.0,
-            cases: jumps,
-        },
-        Family { name: "P: degree", functions, range: "degree 1 to 8", by, least: 0.0, cases: degrees },
-        Family {
-            name: "P: L^q",
-            functions: "Function::lp",
-            range: "degree 1 to 8",
-            by,
-            least: 0.0,
-            cases: lebesgue,
-        },
-        Family {
-            name: "dual norm",
-            functions: "Function::dual_norm",
-            range: "steps, 0.02 < nu < 0.98",
-            by: "sum over modes",
-            least: 0.0,
-            cases: duals,
-        },
-        Family {
-            name: "product",
-            functions: "Gram::apply",
-            range: "100 to 400 elements",
-            by: "dense matrix",
-            least: 0.0,
-            cases: products,
-        },
+        Family { name: "P: hats", least: 0.0, cases: hats },
+        Family { name: "P: jumps", least: 0.0, cases: jumps },
+        Family { name: "P: degree", least: 0.0, cases: degrees },
+        Family { name: "P: L^q", least: 0.0, cases: lebesgue },
+        Family { name: "dual norm", least: 0.0, cases: duals },
+        Family { name: "product", least: 0.0, cases: products },
     ])
 }
 

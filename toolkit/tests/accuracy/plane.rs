@@ -1,14 +1,14 @@
 //! Norms in the plane.
 
+use super::SplitMix;
 use super::{Family, ask, draw, number, order, order_of, rows};
-use experiments::SplitMix;
-use fractional_sobolev::{Estimate, Function, Gram, Result, Triangles, Work, closed_forms};
+use fractional_sobolev::{Error, Estimate, Function, Gram, Result, Triangles, Work, closed_forms};
 use serde_json::Value;
 
-const REFERENCE: &str = include_str!("../../../toolkit/tests/reference/plane_reference.json");
+const REFERENCE: &str = include_str!("../reference/plane_reference.json");
 
 /// All of them.
-pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+pub(super) fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let reference = rows(REFERENCE)?;
     let cases = reference["cases"].as_array().into_iter().flatten();
     let meshes = cases.filter(|row| row["case"] == "P1 on mesh" || row["case"] == "P0 on mesh");
@@ -52,46 +52,17 @@ pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         };
         Ok((closed_forms::coordinate_on_square_seminorm_squared(order)?, ask(product)))
     })?;
-    let by = "one integral";
     Ok(vec![
-        Family {
-            name: "plane mesh",
-            functions: "Function::seminorm",
-            range: "two to eight triangles",
-            by: "12 digits, another program",
-            least: 0.0,
-            cases: meshes,
-        },
-        Family {
-            name: "plane grid",
-            functions: "Function::seminorm",
-            range: "x on grids",
-            by,
-            least: 0.0,
-            cases: grids,
-        },
-        Family {
-            name: "plane u",
-            functions: "Function::seminorm",
-            range: "x on a square",
-            by,
-            least: 0.0,
-            cases: closures,
-        },
-        Family {
-            name: "grid product",
-            functions: "Gram::apply",
-            range: "x on grids",
-            by,
-            least: 0.0,
-            cases: products,
-        },
+        Family { name: "plane mesh", least: 0.0, cases: meshes },
+        Family { name: "plane grid", least: 0.0, cases: grids },
+        Family { name: "plane u", least: 0.0, cases: closures },
+        Family { name: "grid product", least: 0.0, cases: products },
     ])
 }
 
 fn numbers(row: &Value) -> Result<Vec<f64>> {
     let list = row.as_array().into_iter().flatten().map(Value::as_f64);
-    list.collect::<Option<Vec<f64>>>().ok_or_else(|| super::unreadable("no list of numbers".to_owned()))
+    list.collect::<Option<Vec<f64>>>().ok_or_else(|| Error::file("tests/reference", "no list of numbers"))
 }
 
 fn points(row: &Value) -> Result<Vec<[f64; 2]>> {

@@ -1,21 +1,18 @@
 //! Poincaré constants, moments, and constants of interpolation.
 
+use super::SplitMix;
 use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
-use experiments::SplitMix;
-use experiments::interpolation::{
-    InterpolationError, SampleSlope, extremal_slopes, mean_deviation, pointwise, power_slope,
-};
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Estimate, Mesh, Moment, Order, Result, Work, Zones, gamma,
     interpolation_constant, law, moment, projection_constant,
 };
 
-const GAMMA: &str = include_str!("../../../toolkit/tests/reference/gamma_reference.json");
-const LIMITS: &str = include_str!("../../../toolkit/tests/reference/limits_reference.json");
-const ELEMENTS: &str = include_str!("../../../toolkit/tests/reference/interpolation_reference.json");
+const GAMMA: &str = include_str!("../reference/gamma_reference.json");
+const LIMITS: &str = include_str!("../reference/limits_reference.json");
+const ELEMENTS: &str = include_str!("../reference/interpolation_reference.json");
 
 /// All of them.
-pub fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
+pub(super) fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     let mut all = zones(each, random)?;
     all.extend(moments(each, random)?);
     all.extend(elements(each, random)?);
@@ -63,33 +60,11 @@ fn zones(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         ))
     });
     let points = points.collect::<Result<Vec<_>>>()?;
-    let by = "ball arithmetic, another program";
     Ok(vec![
-        Family {
-            name: "zone at end",
-            functions: "gamma",
-            range: "zone at an end",
-            by,
-            least: 0.0,
-            cases: ends,
-        },
-        Family {
-            name: "zone inside",
-            functions: "gamma",
-            range: "zone inside",
-            by,
-            least: 0.0,
-            cases: inside,
-        },
-        Family {
-            name: "end limit",
-            functions: "law",
-            range: "0.01 <= nu < 1/2",
-            by: "30 digits",
-            least: 0.0,
-            cases: small,
-        },
-        Family { name: "point", functions: "gamma", range: "nu > 1/2", by, least: 0.0, cases: points },
+        Family { name: "zone at end", least: 0.0, cases: ends },
+        Family { name: "zone inside", least: 0.0, cases: inside },
+        Family { name: "end limit", least: 0.0, cases: small },
+        Family { name: "point", least: 0.0, cases: points },
     ])
 }
 
@@ -107,24 +82,9 @@ fn moments(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let exact = Estimate::new(0.5 * (lower + upper), 0.5 * (upper - lower), Work::default())?;
         Ok((exact, ask(move |t| moment(order, e..1.0, m, t).map(|found| found.constant))))
     })?;
-    let functions = "moment";
     Ok(vec![
-        Family {
-            name: "moment 1/2",
-            functions,
-            range: "nu = 1/2",
-            by: "Wiener and Hopf's method",
-            least: 0.0,
-            cases: half,
-        },
-        Family {
-            name: "moments",
-            functions,
-            range: "0.1 < nu < 0.9",
-            by: "bounds by the strong form",
-            least: 0.0,
-            cases: strong,
-        },
+        Family { name: "moment 1/2", least: 0.0, cases: half },
+        Family { name: "moments", least: 0.0, cases: strong },
     ])
 }
 
@@ -138,25 +98,6 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
             constants.push((printed(row, key)?, ask(move |t| on_unit(t).map(|found| found.constant))));
         }
     }
-    let slopes = draw(each, || {
-        let order = order(random, 0.02, 0.98)?;
-        let a = order.value() - 0.5 + random.between(0.05, 2.0);
-        let mesh = Mesh::uniform(1, 1.0)?;
-        let of = move || InterpolationError::of_sample(SampleSlope::Power(a), &mesh, order);
-        let exact = power_slope(a, order)?;
-        Ok(match random.below(2) {
-            0 => (exact.l2_ratio()?, ask(move |_| of()?.l2_ratio())),
-            _ => (exact.derivative_ratio()?, ask(move |_| of()?.derivative_ratio())),
-        })
-    })?;
-    let means = draw(each, || {
-        let cells = 1 + random.below(200);
-        let node = random.below(cells + 1);
-        let best = pointwise(node as f64 / cells as f64)?.value;
-        let exact = (best * best - 1.0 / (12.0 * (cells * cells) as f64)).sqrt();
-        let exact = Estimate::new(exact, 1e-15 / exact, Work::default())?;
-        Ok((exact, ask(move |_| mean_deviation(&extremal_slopes(cells, node)?, node))))
-    })?;
     let waves = draw(each.min(4), || {
         let elements = 1 + random.below(8);
         let exact = formula(std::f64::consts::FRAC_1_PI / elements as f64)?;
@@ -164,39 +105,8 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         let on_mesh = move |t| projection_constant(mesh.clone(), ErrorNorm::L2, 1.0, t);
         Ok((exact, ask(move |t| on_mesh(t).map(|found| found.constant))))
     })?;
-    let by = "closed form";
     Ok(vec![
-        Family {
-            name: "element",
-            functions: "interpolation_constant",
-            range: "0.01 <= nu <= 0.99",
-            by: "ball arithmetic, another program",
-            least: 0.0,
-            cases: constants,
-        },
-        Family {
-            name: "slope x^a",
-            functions: "InterpolationError::of_sample",
-            range: "x^a, one element",
-            by,
-            least: 0.0,
-            cases: slopes,
-        },
-        Family {
-            name: "mean",
-            functions: "projection_constant, At(x)",
-            range: "up to 200 cells",
-            by,
-            least: 0.0,
-            cases: means,
-        },
-        Family {
-            name: "projection",
-            functions: "projection_constant",
-            range: "r = 1, to 1e-4",
-            by,
-            least: 1e-4,
-            cases: waves,
-        },
+        Family { name: "element", least: 0.0, cases: constants },
+        Family { name: "projection", least: 1e-4, cases: waves },
     ])
 }

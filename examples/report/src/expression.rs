@@ -1,0 +1,334 @@
+//! Functions of x and y from the command line: `"-cos(pi*x) - 0.5"`.
+//!
+//! Numbers, `x`, `y`, `pi`, `e`, `+ - * / ^`, parentheses, and functions with their arguments in parentheses; angles in
+//! radians, `log` and `ln` natural. What has two readings is refused: `2*-x`, `2^3^2`, `sin x`, `2x`, `x y`.
+
+use crate::{Error, Result};
+
+type Checked<T> = std::result::Result<T, String>;
+type Of1 = fn(f64) -> f64;
+type Of2 = fn(f64, f64) -> f64;
+
+const ONE: [(&str, Of1); 21] = [
+    ("abs", f64::abs),
+    ("signum", f64::signum),
+    ("sin", f64::sin),
+    ("cos", f64::cos),
+    ("tan", f64::tan),
+    ("asin", f64::asin),
+    ("acos", f64::acos),
+    ("atan", f64::atan),
+    ("sinh", f64::sinh),
+    ("cosh", f64::cosh),
+    ("tanh", f64::tanh),
+    ("asinh", f64::asinh),
+    ("acosh", f64::acosh),
+    ("atanh", f64::atanh),
+    ("floor", f64::floor),
+    ("exp", f64::exp),
+    ("sqrt", f64::sqrt),
+    ("cbrt", f64::cbrt),
+    ("ln", f64::ln),
+    ("log", f64::ln),
+    ("log10", f64::log10),
+];
+const TWO: [(&str, Of2); 3] = [("min", f64::min), ("max", f64::max), ("atan2", f64::atan2)];
+/// Longest text, and deepest parentheses.
+const LONGEST: usize = 2000;
+const DEEPEST: usize = 50;
+
+/// A function of x and y.
+#[derive(Debug, Clone)]
+pub struct Expression(Node);
+
+#[derive(Debug, Clone)]
+enum Node {
+    Number(f64),
+    Coordinate(usize),
+    One(Of1, Box<Node>),
+    Two(Of2, Box<[Node; 2]>),
+}
+
+impl Expression {
+    /// The function that a text means.
+    ///
+    /// # Errors
+    /// [`Error::Option`] with the text and what is wrong with it.
+    pub fn parse(text: &str) -> Result<Self> {
+        if text.len() > LONGEST {
+            return Err(Error::Option(format!("an expression of more than {LONGEST} characters")));
+        }
+        let mut reader = Reader { rest: text.trim(), depth: 0 };
+        let whole = reader.sum().and_then(|node| match reader.peek() {
+            None => Ok(node),
+            Some(')') => Err("a parenthesis is closed that was not opened".to_owned()),
+            Some(',') => Err("a comma between arguments of no function".to_owned()),
+            Some(_) => Err(reader.two_in_a_row()),
+        });
+        whole.map(Self).map_err(|why| Error::Option(format!("expression '{}': {why}", text.trim())))
+    }
+
+    /// The functions of a list with commas; commas inside parentheses belong to a function of two arguments.
+    ///
+    /// # Errors
+    /// As [`Expression::parse`].
+    pub fn parse_list(text: &str) -> Result<Vec<Self>> {
+        let mut depth = 0_i64;
+        let split = |c: char| {
+            depth += i64::from(c == '(') - i64::from(c == ')');
+            c == ',' && depth == 0
+        };
+        text.split(split).map(Self::parse).collect()
+    }
+
+    /// The value; NaN where it is not defined.
+    pub fn at(&self, point: [f64; 2]) -> f64 {
+        self.0.at(point)
+    }
+}
+
+impl Node {
+    fn at(&self, point: [f64; 2]) -> f64 {
+        match self {
+            Node::Number(number) => *number,
+            Node::Coordinate(axis) => point[*axis],
+            Node::One(function, argument) => function(argument.at(point)),
+            Node::Two(function, arguments) => function(arguments[0].at(point), arguments[1].at(point)),
+        }
+    }
+
+    fn two(function: Of2, a: Node, b: Node) -> Self {
+        Node::Two(function, Box::new([a, b]))
+    }
+}
+
+struct Reader<'a> {
+    rest: &'a str,
+    depth: usize,
+}
+
+impl Reader<'_> {
+    fn peek(&mut self) -> Option<char> {
+        self.rest = self.rest.trim_start();
+        self.rest.chars().next()
+    }
+
+    /// Whether the next character is this one, which is then read.
+    fn takes(&mut self, c: char) -> bool {
+        let is_next = self.peek() == Some(c);
+        if is_next {
+            self.rest = &self.rest[c.len_utf8()..];
+        }
+        is_next
+    }
+
+    fn two_in_a_row(&self) -> String {
+        format!("'{}' follows without a sign: a product is 2*x", self.rest)
+    }
+
+    /// [+-] product {+- product}
+    fn sum(&mut self) -> Checked<Node> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(format!("parentheses more than {DEEPEST} deep"));
+        }
+        let is_negative = self.takes('-');
+        let _ = !is_negative && self.takes('+');
+        let mut node = self.product()?;
+        if is_negative {
+            node = Node::two(|a, b| a - b, Node::Number(0.0), node);
+        }
+        loop {
+            node = if self.takes('+') {
+                Node::two(|a, b| a + b, node, self.product()?)
+            } else if self.takes('-') {
+                Node::two(|a, b| a - b, node, self.product()?)
+            } else {
+                self.depth -= 1;
+                return Ok(node);
+            };
+        }
+    }
+
+    /// power {*/ power}
+    fn product(&mut self) -> Checked<Node> {
+        let mut node = self.power()?;
+        loop {
+            node = if self.takes('*') {
+                Node::two(|a, b| a * b, node, self.power()?)
+            } else if self.takes('/') {
+                Node::two(|a, b| a / b, node, self.power()?)
+            } else {
+                return Ok(node);
+            };
+        }
+    }
+
+    /// atom [^ atom]
+    fn power(&mut self) -> Checked<Node> {
+        let base = self.atom()?;
+        if !self.takes('^') {
+            return Ok(base);
+        }
+        let node = Node::two(f64::powf, base, self.atom()?);
+        match self.peek() {
+            Some('^') => Err("two powers in a row need parentheses: a^(b^c) or (a^b)^c".to_owned()),
+            _ => Ok(node),
+        }
+    }
+
+    fn atom(&mut self) -> Checked<Node> {
+        match self.peek() {
+            None => Err("is empty, or ends too early".to_owned()),
+            Some('(') => match &self.arguments("a parenthesis", 1)?[..] {
+                [node] => Ok(node.clone()),
+                _ => Err("a parenthesis takes one argument".to_owned()),
+            },
+            Some('0'..='9' | '.') => self.number(),
+            Some(c) if c.is_alphabetic() || c == '_' => self.named(),
+            Some('+' | '-') => {
+                Err("two signs in a row: a signed factor needs parentheses, as in 2*(-x)".to_owned())
+            }
+            Some('*') => Err("'*' has nothing before it; a power is x^2".to_owned()),
+            Some(c @ ('/' | '^' | ')' | ',')) => Err(format!("'{c}' has nothing before it")),
+            Some(c) => Err(format!("'{c}' has no meaning; there are + - * / ^ and parentheses")),
+        }
+    }
+
+    fn number(&mut self) -> Checked<Node> {
+        let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+        let mut length = digits(self.rest);
+        if let Some(power) = self.rest[length..].strip_prefix(['e', 'E']) {
+            let sign = usize::from(power.starts_with(['+', '-']));
+            let count = digits(&power[sign..]);
+            length += if count > 0 { 1 + sign + count } else { 0 };
+        }
+        let (word, rest) = self.rest.split_at(length);
+        self.rest = rest;
+        word.parse().map(Node::Number).map_err(|_| format!("'{word}' is not a number"))
+    }
+
+    fn named(&mut self) -> Checked<Node> {
+        let end = self.rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        let word = word.to_owned();
+        match word.as_str() {
+            "x" => return Ok(Node::Coordinate(0)),
+            "y" => return Ok(Node::Coordinate(1)),
+            "pi" => return Ok(Node::Number(std::f64::consts::PI)),
+            "e" => return Ok(Node::Number(std::f64::consts::E)),
+            _ => {}
+        }
+        let one = ONE.iter().find(|(name, _)| *name == word);
+        let two = TWO.iter().find(|(name, _)| *name == word);
+        if one.is_none() && two.is_none() {
+            let known: Vec<&str> = ONE.iter().map(|f| f.0).chain(TWO.iter().map(|f| f.0)).collect();
+            return Err(format!("unknown name '{word}': known are x, y, pi, e, {}", known.join(", ")));
+        }
+        if self.peek() != Some('(') {
+            return Err(format!("'{word}' needs its argument in parentheses: {word}(..)"));
+        }
+        let arguments = self.arguments(&word, if one.is_some() { 1 } else { 2 })?;
+        match (one, two, &arguments[..]) {
+            (Some((_, function)), _, [x]) => Ok(Node::One(*function, Box::new(x.clone()))),
+            (_, Some((_, function)), [x, y]) => Ok(Node::two(*function, x.clone(), y.clone())),
+            _ => Err(format!("'{word}' has another number of arguments")),
+        }
+    }
+
+    /// ( sum {, sum} ), with so many arguments.
+    fn arguments(&mut self, of: &str, takes: usize) -> Checked<Vec<Node>> {
+        self.takes('(');
+        let mut arguments = vec![self.sum()?];
+        while self.takes(',') {
+            arguments.push(self.sum()?);
+        }
+        match self.peek() {
+            Some(')') if arguments.len() != takes => {
+                Err(format!("{of} has {} arguments, and takes {takes}", arguments.len()))
+            }
+            Some(')') => {
+                self.takes(')');
+                Ok(arguments)
+            }
+            None => Err("a parenthesis is not closed".to_owned()),
+            Some(_) => Err(self.two_in_a_row()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn expressions_mean_what_they_mean_on_paper() {
+        let (x, y) = (0.75_f64, -1.5_f64);
+        let pi = std::f64::consts::PI;
+        let cases: [(&str, f64); 16] = [
+            ("-x^2", -x * x),
+            ("2 - x^2*3", 2.0 - x * x * 3.0),
+            ("(-x)^2", x * x),
+            ("1e-3*x", 1e-3 * x),
+            ("2.5E+2 + .5", 250.5),
+            ("-cos(pi*x) - 0.5", -(pi * x).cos() - 0.5),
+            ("max(x, y) + min(-x^2, y)", x + y),
+            ("atan2(y, x)*2", 2.0 * y.atan2(x)),
+            ("x/y*3", x / y * 3.0),
+            ("x - y - 1 + 2", x - y + 1.0),
+            ("exp(-x^2)", (-x * x).exp()),
+            ("2^(-1)", 0.5),
+            ("(2^3)^2 + 2^(3^2)", 576.0),
+            ("x^2 + y^2", x * x + y * y),
+            ("log(e)+ln(e^2)+log10(100)", 5.0),
+            ("abs(y)*signum(y)", y),
+        ];
+        for (text, value) in cases {
+            let found = Expression::parse(text).unwrap().at([x, y]);
+            assert!((found - value).abs() <= 4.0 * f64::EPSILON * value.abs().max(1.0), "{text}: {found}");
+        }
+        assert!(Expression::parse("sqrt(-1 - x^2)").unwrap().at([0.0, 0.0]).is_nan());
+        let list = Expression::parse_list("max(x, 1), -y").unwrap();
+        assert_eq!((list.len(), list[0].at([3.0, 0.0]), list[1].at([0.0, 2.0])), (2, 3.0, -2.0));
+    }
+
+    #[test]
+    fn what_is_not_clear_is_refused_in_one_line() {
+        let faults = [
+            ("x + z", "unknown name 'z': known are x, y, pi, e, abs"),
+            ("sin x", "'sin' needs its argument in parentheses"),
+            ("2*-x", "two signs in a row"),
+            ("2^-1", "two signs in a row"),
+            ("x**2", "a power is x^2"),
+            ("2^3^2", "two powers in a row"),
+            ("max(x)", "max has 1 arguments, and takes 2"),
+            ("sin(x, y)", "sin has 2 arguments"),
+            ("(x, y)", "a parenthesis has 2 arguments"),
+            ("(x", "is not closed"),
+            ("x)", "was not opened"),
+            ("", "is empty"),
+            ("*x", "nothing before it"),
+            ("x*", "ends too early"),
+            ("2x", "follows without a sign"),
+            ("x y", "follows without a sign"),
+            ("2 (x)", "follows without a sign"),
+            ("(x y)", "follows without a sign"),
+            ("x & y", "follows without a sign"),
+            ("&", "'&' has no meaning"),
+            ("1.2.3", "is not a number"),
+            ("{x}", "has no meaning"),
+            ("sin()", "nothing before it"),
+            ("1e", "follows without a sign"),
+        ];
+        for (text, why) in faults {
+            let error = Expression::parse(text).unwrap_err().to_string();
+            assert!(error.contains(why) && !error.contains('\n'), "{text}: {error}");
+        }
+        for depth in [60, 900] {
+            let deep = "(".repeat(depth) + "x" + &")".repeat(depth);
+            assert!(Expression::parse(&deep).is_err());
+        }
+        assert!(Expression::parse(&"x+".repeat(2000)).is_err());
+    }
+}

@@ -1,0 +1,88 @@
+//! Every example at its default size: every claim holds, and every check, its number moved across its bound, turns
+//! its mark, the status and the exit code. `cargo book labels` writes the list of examples.
+
+#![allow(clippy::duplicate_mod, reason = "twins and the tour share files, and every example is loaded")]
+
+use example_report::{Decision, Outcome, Role, Status};
+use std::collections::BTreeSet;
+
+/// Lines and columns of a terminal.
+const SCREEN: (usize, usize) = (40, 100);
+
+/// What a check moved to `decision` must do to the status, where all other claims hold.
+fn follows(role: Role, decision: Decision, outcome: &Outcome) -> bool {
+    let status = outcome.status();
+    match (role, decision) {
+        (Role::Claim, Decision::Fails) => outcome.exit_code() == 1 && status == Status::Fails,
+        (Role::Claim, Decision::Undecided) => outcome.exit_code() == 1 && status == Status::Undecided,
+        (Role::AsPrinted, Decision::Fails) => outcome.exit_code() == 0 && status == Status::FalseAsPrinted,
+        (Role::NotSharp, Decision::Holds) => {
+            outcome.exit_code() == 0 && matches!(status, Status::NotSharp | Status::FalseAsPrinted)
+        }
+        (Role::Stronger, Decision::Holds) => {
+            outcome.exit_code() == 0 && !matches!(status, Status::True | Status::Open)
+        }
+        _ => outcome.exit_code() == 0,
+    }
+}
+
+fn every_check_turns(outcome: &Outcome) {
+    let text = outcome.text(false);
+    assert_eq!(outcome.exit_code(), 0, "{text}");
+    assert!(text.lines().count() <= SCREEN.0, "{} lines:\n{text}", text.lines().count());
+    let wide = text.lines().filter(|line| line.chars().count() > SCREEN.1).collect::<Vec<_>>();
+    assert!(wide.is_empty(), "wider than a terminal: {wide:?}");
+    let keys: BTreeSet<String> = outcome.checks().iter().map(example_report::Check::key).collect();
+    assert_eq!(keys.len(), outcome.checks().len(), "two checks with one key:\n{text}");
+    for (at, check) in outcome.checks().iter().enumerate() {
+        let label = format!("{} / {}: {}", outcome.label(), check.key(), check.comparison());
+        if check.decision() == Decision::ByProof {
+            continue;
+        }
+        assert!(!check.source().is_empty(), "a bound without a source: {label}");
+        let mut said = BTreeSet::new();
+        for wanted in [Decision::Holds, Decision::Fails, Decision::Undecided] {
+            let moved = check.moved(wanted);
+            assert_eq!(moved.decision(), wanted, "{label}: {}", moved.comparison());
+            said.insert(format!("{} {}", wanted.mark(), moved.comparison()));
+            let changed = outcome.with_check(at, moved);
+            assert!(follows(check.role(), wanted, &changed), "{label}: {wanted:?}: {}", changed.status());
+        }
+        assert_eq!(said.len(), 3, "the same line for different decisions: {label}: {said:?}");
+    }
+}
+
+macro_rules! examples {
+    ($($name:ident: $file:literal),* $(,)?) => {
+        $(#[path = $file] #[allow(dead_code, reason = "only `outcome` is used here")] mod $name;)*
+
+        $(#[test]
+        fn $name() {
+            every_check_turns(&$name::outcome(&$name::Options::default()).unwrap());
+        })*
+    };
+}
+
+examples! {
+    section_2_own_body: "../examples/section_2_own_body.rs",
+    figure_3_2_alternative: "../examples/figure_3_2_alternative.rs",
+    figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
+    section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
+    section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
+    lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
+    lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
+    extremes: "../examples/extremes.rs",
+    section_1_field_errors: "../examples/section_1_field_errors.rs",
+    section_1_polygon_norms: "../examples/section_1_polygon_norms.rs",
+    section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
+    section_1_norms_in_the_plane: "../examples/section_1_norms_in_the_plane.rs",
+    section_1_trace_constants: "../examples/section_1_trace_constants.rs",
+    section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
+    speed_for_accuracy: "../examples/speed_for_accuracy.rs",
+    lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",
+    lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
+    lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
+    lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
+    theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
+    theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
+}
