@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
+use experiments::EstimateExt;
 use experiments::interpolation::{extremal_slopes, largest_share, mean_deviation, pointwise};
 use fractional_sobolev::Estimate;
 use std::process::ExitCode;

@@ -6,6 +6,7 @@
 use example_frame::rates::{HALF_WIDTH, order_columns, orders_on_curves};
 use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
+use experiments::ErrorExt;
 use experiments::convergence::{Levels, StripGroup};
 use signorini::problems::StripData;
 use signorini::rates::Bound;

@@ -151,7 +151,7 @@ fn extremal_chart(orders: &[Order], theta: f64) -> Result<Chart> {
     for &nu in orders {
         let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-3)?;
         let u = found.extremal();
-        let mut points = vec![(NEAREST, u.value(NEAREST))];
+        let mut points = vec![(NEAREST, u.value(&[NEAREST]))];
         points.extend(u.profile(6).into_iter().filter(|&(x, _)| x > NEAREST));
         chart = chart.with(Series::line(format!("ν = {nu}, γ = {:.4}", found.constant.value), points));
     }

@@ -6,6 +6,7 @@
 
 use example_frame::figures::{Axis, Chart, Series as Line};
 use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
+use experiments::EstimateExt;
 use experiments::interpolation::{AliasedWave, all_waves_rate, smooth_dual_error};
 use fractional_sobolev::{Domain, ErrorNorm, Estimate, Order, Tolerance, Work, interpolation_constant};
 use signorini::rates::ConvergenceOrder;

@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
+use experiments::EstimateExt;
 use experiments::proof::FaceGaps;
 use fractional_sobolev::{Estimate, Order, Tolerance};
 use signorini::rates::order_between;

@@ -6,6 +6,8 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
+use experiments::ErrorExt;
+use experiments::EstimateExt;
 use experiments::interpolation::{
     DualRates, SampleSlope, power_lagrange_rate, sample_projection_rate, saturation_quotient,
 };

@@ -8,6 +8,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
+use experiments::EstimateExt;
 use experiments::growth::END_SLOPE;
 use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
 use std::process::ExitCode;

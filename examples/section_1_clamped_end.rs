@@ -4,6 +4,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::EstimateExt;
 use experiments::convergence::{EndCase, EndRun};
 use fractional_sobolev::Estimate;
 use signorini::{mesh::Outline, problems::DirichletEnd};

@@ -5,6 +5,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::EstimateExt;
 use fractional_sobolev::{Estimate, Order, Target, Tolerance, embedding_constant};
 use std::process::ExitCode;
 
@@ -58,7 +59,7 @@ pub fn compute(options: &Options) -> Result<Vec<Row>> {
         bar.inc(1);
     }
     for &order in &options.nu {
-        rows.push(row(order, 2.0 / order.one_minus_twice())?);
+        rows.push(row(order, 2.0 / (-2.0 * order.offset()))?);
         bar.inc(1);
     }
     Ok(rows)

@@ -5,6 +5,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
+use experiments::EstimateExt;
 use experiments::interpolation::{ProjectionRates, ProjectionStudy};
 use fractional_sobolev::{Domain, ErrorNorm, Estimate, Tolerance, projection_constant};
 use std::process::ExitCode;

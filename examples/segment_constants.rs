@@ -6,6 +6,7 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
+use experiments::EstimateExt;
 use fractional_sobolev::{Estimate, Moment, Order, Tolerance, moment};
 use signorini::proof::{
     SegmentConstant, consistency_constant, midpoint_bound, product_bound, product_constant,
@@ -151,8 +152,8 @@ fn draw_pair(nu: Order) -> Result<Chart> {
     let places = || (0..=400).map(|k| f64::from(k) / 400.0);
     let (x, y) = (Axis::linear("place on the segment"), Axis::linear("seminorms 1"));
     Ok(Chart::new(format!("The worst pair, ν = {nu}, gap {gap:.3}"), x, y)
-        .with(Series::line("σ_N", places().map(|x| (x, -sigma.value(x))).collect()))
-        .with(Series::line("u_N'", places().map(|x| (x, slope.value(x))).collect())))
+        .with(Series::line("σ_N", places().map(|x| (x, -sigma.value(&[x]))).collect()))
+        .with(Series::line("u_N'", places().map(|x| (x, slope.value(&[x]))).collect())))
 }
 
 fn main() -> ExitCode {

@@ -6,6 +6,7 @@
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::shown::numbers::{decided_by, effectivity, numbered_findings, numbered_table};
 use example_frame::{Finding, Headline, Result, progress, within};
+use experiments::ErrorExt;
 use experiments::proof::NumberedStudy;
 use signorini::cone::Cone;
 use signorini::fem::Lame;

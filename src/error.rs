@@ -14,8 +14,8 @@ pub type Result<T> = std::result::Result<T, Error>;
 ///
 /// ```
 /// use signorini::{Error, ToolkitError};
-/// let refused: Error = ToolkitError::require("theta", f64::NAN, "(0, 1)", true).unwrap_err().into();
-/// assert!(matches!(refused, Error::Toolkit(ToolkitError::OutOfRange { name: "theta", .. })));
+/// let refused: Error = fractional_sobolev::Order::new(f64::NAN).unwrap_err().into();
+/// assert!(matches!(refused, Error::Toolkit(ToolkitError::OutOfRange { name: "nu", .. })));
 /// assert!(Error::file("body.msh", "no such file").to_string().contains("body.msh"));
 /// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -99,17 +99,22 @@ impl Error {
         range: &'static str,
         admissible: bool,
     ) -> Result<f64> {
-        Ok(ToolkitError::require(name, value, range, admissible)?)
+        if admissible && !value.is_nan() {
+            Ok(value)
+        } else {
+            Err(Error::Toolkit(ToolkitError::OutOfRange { name, value, range }))
+        }
     }
 
     /// The best estimate of `what` misses the tolerance asked for.
     pub(crate) fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
-        ToolkitError::not_met(what, asked, best, why).into()
+        let reached = best.relative_error();
+        Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: Some(best), why })
     }
 
     /// No value of `what` was reached, only this relative uncertainty.
     pub(crate) fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
-        ToolkitError::out_of_reach(what, asked, reached, why).into()
+        Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: None, why })
     }
 
     /// The file `path` with the reason the system gave.

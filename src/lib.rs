@@ -24,5 +24,7 @@ pub mod proof;
 pub mod rates;
 pub mod singular;
 pub mod strip;
+mod text;
 
 pub use error::{Error, Result, ToolkitError};
+pub use text::read_pairs;

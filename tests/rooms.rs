@@ -21,7 +21,6 @@ const ROOMS: [(&str, &[&str]); 2] = [
             "grading",
             "mesh",
             "nearly_one",
-            "constant",
             "kernel",
             "gram",
             "energy",
@@ -34,6 +33,7 @@ const ROOMS: [(&str, &[&str]); 2] = [
             "fields",
             "function",
             "matrix",
+            "constant",
             "trace",
             "poincare",
             "interpolation",
@@ -42,8 +42,8 @@ const ROOMS: [(&str, &[&str]); 2] = [
     (
         "src",
         &[
-            "error", "numeric", "mesh", "fem", "cone", "contact", "strip", "singular", "problems", "edge",
-            "rates", "proof",
+            "error", "text", "numeric", "mesh", "fem", "cone", "contact", "strip", "singular", "problems",
+            "edge", "rates", "proof",
         ],
     ),
 ];

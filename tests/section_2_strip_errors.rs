@@ -364,7 +364,7 @@ fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
             let source = StripData::Transition { position };
             let scene = source.data(tau, levels.reference_cells(), LateralCondition::Natural).unwrap();
             match &mut problem {
-                Some(problem) => problem.set_scene(&scene).unwrap(),
+                Some(problem) => problem.set_data(&scene).unwrap(),
                 None => {
                     problem =
                         Some(StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2048).unwrap())

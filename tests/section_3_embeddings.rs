@@ -29,7 +29,7 @@ fn no_rough_function_exceeds_the_upper_bound() {
                 let u = functions.draw().unwrap();
                 let norm = u.norm(nu, Tolerance::balanced()).unwrap().value;
                 for q in [2.0, 3.0, 20.0, 200.0_f64] {
-                    let q = q.min(2.0 / (nu.one_minus_twice() + 0.0));
+                    let q = q.min(2.0 / ((-2.0 * nu.offset()) + 0.0));
                     let quotient = u.lp(q, Tolerance::balanced()).unwrap().value / norm;
                     let bound = embedding_bound(nu, q).unwrap();
                     assert!(quotient <= bound, "{family:?} {index} nu {nu} q {q}: {quotient} above {bound}");

@@ -83,8 +83,8 @@ fn cases_of_pairs_are_those_of_traces() {
     {
         let scene =
             source.parse::<StripData>().unwrap().data(tau, 1 << 12, LateralCondition::Natural).unwrap();
-        let trace = EdgeTrace::of_scene(&scene).unwrap();
-        let pair = ContactPair::of_scene(&scene, Traces::Constants).unwrap();
+        let trace = EdgeTrace::of_data(&scene).unwrap();
+        let pair = ContactPair::of_data(&scene, Traces::Constants).unwrap();
         let n = 64;
         let all = pair.norms(n, 0.2, 2.0).unwrap();
         for theta in [0.4, 0.11, 0.03] {
@@ -125,7 +125,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
         for tau in [1.75, 2.0] {
             let (constants, gamma) = &known[usize::from(tau == 2.0)];
             let traces = Traces::for_regularity(tau);
-            let pair = ContactPair::of_scene(&scene, traces).unwrap();
+            let pair = ContactPair::of_data(&scene, traces).unwrap();
             for norms in pair.norms(4, constants.order(), constants.q()).unwrap() {
                 assert!(
                     norms.displacement_norm_squared().is_finite() && norms.stress.norm_squared().is_finite()
@@ -149,7 +149,7 @@ fn degenerate_pairs_have_finite_norms_and_no_violation() {
     let values = (0..=8).map(|i| if i == 4 { 0.0 } else { -1.0 }).collect();
     let forces = (0..=8).map(|i| if i == 4 { 1.0 } else { 0.0 }).collect();
     let scene = EdgeData::new(8, LateralCondition::Natural, values, forces).unwrap();
-    assert!(ContactPair::of_scene(&scene, Traces::Constants).is_err());
+    assert!(ContactPair::of_data(&scene, Traces::Constants).is_err());
 }
 
 #[test]

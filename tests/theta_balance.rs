@@ -55,7 +55,7 @@ fn no_random_pair_exceeds_the_worst_pair() {
             let values = (0..=cells).map(value).collect();
             let forces = (0..=cells).map(force).collect();
             let scene = EdgeData::new(cells, LateralCondition::Natural, values, forces).unwrap();
-            let pair = ContactPair::of_scene(&scene, traces).unwrap();
+            let pair = ContactPair::of_data(&scene, traces).unwrap();
             let norms = pair.norms(1, order, 2.0).unwrap()[0];
             let size = (norms.stress.norm_squared() * norms.slope.norm_squared()).sqrt();
             let quotient = norms.nodal_term / size;

@@ -1,4 +1,4 @@
-//! The second road on the condensed edge: min ½ w'S w − b'w over { B w ≤ g } by the interior point method.
+//! The second method on the condensed edge: min ½ w'S w − b'w over { B w ≤ g } by the interior point method.
 //!
 //! Elimination is shared with the active set, the search for the contact set is not. Cost: some 15
 //! factorizations of a dense matrix of the size of the edge, where the whole body would be factorized as often.

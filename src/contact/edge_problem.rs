@@ -240,7 +240,7 @@ mod tests {
         (p, ContactSet::new(active))
     }
 
-    /// The other road: try every contact set for S = D, b = D z, and take the one that satisfies all
+    /// The other method: try every contact set for S = D, b = D z, and take the one that satisfies all
     /// conditions.
     fn exhaustive(target: &[f64], weights: &[f64], bound: &[f64], fixed: &[bool]) -> Vec<f64> {
         let nodes = target.len();

@@ -1,4 +1,4 @@
-//! The second road: the full sparse quadratic program min ½ u'K u − F'u, B u ≤ g, by the interior point
+//! The second method: the full sparse quadratic program min ½ u'K u − F'u, B u ≤ g, by the interior point
 //! method Clarabel.
 //!
 //! Nothing is shared with the condensed active set except the assembled matrix.

@@ -10,7 +10,7 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Frame, Frames, consistent_load};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
 use crate::numeric::check::require_values;
-use crate::numeric::sum::careful_dot;
+use crate::numeric::scale::careful_dot;
 use fractional_sobolev::Mesh;
 use rayon::prelude::*;
 use std::time::Instant;

@@ -13,8 +13,9 @@ use crate::cone::{Cone, ContactSet, EdgeCone, KktResiduals, KktTerms, Margins, S
 use crate::error::Result;
 use crate::mesh::Point;
 use crate::numeric::check::require_values;
+use crate::numeric::scale::careful_dot;
 use crate::numeric::scale::largest;
-use crate::numeric::sum::{careful_dot, compensated};
+use crate::numeric::sum::compensated;
 use fractional_sobolev::Work;
 
 /// Largest KKT residual of a solution that counts as converged.

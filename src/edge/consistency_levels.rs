@@ -1,4 +1,4 @@
-//! The consistency terms of Sections 3 and 4 of a scene, on all grids coarser than its own.
+//! The consistency terms of Sections 3 and 4 of a test problem, on all grids coarser than its own.
 //!
 //! Both depend on the exact u_N and σ_N = −λ alone, no discrete problem is solved:
 //!
@@ -24,10 +24,10 @@ use crate::strip::{EdgeData, LateralCondition, restrict};
 /// assert!(terms.contains(&(16, 0.0)) && !terms.contains(&(8, 0.0)));
 /// # Ok::<(), signorini::Error>(())
 /// ```
-pub fn consistency_terms(scene: &EdgeData, cone: Cone) -> Vec<(usize, f64)> {
+pub fn consistency_terms(edge_data: &EdgeData, cone: Cone) -> Vec<(usize, f64)> {
     match cone {
-        Cone::Nodal => nodal(scene),
-        Cone::Midpoint => midpoint(scene),
+        Cone::Nodal => nodal(edge_data),
+        Cone::Midpoint => midpoint(edge_data),
     }
 }
 
@@ -38,31 +38,32 @@ fn halvings(cells: usize) -> impl Iterator<Item = usize> {
 
 /// −Σ_j (P'λ)_j u_N(x_j) on each grid: the coarse forces follow from the finer ones by λ_j + (λ_{j−1} + λ_{j+1})/2, the
 /// coarse values by injection.
-fn nodal(scene: &EdgeData) -> Vec<(usize, f64)> {
-    let mut forces = scene.forces().to_vec();
-    halvings(scene.cells())
+fn nodal(edge_data: &EdgeData) -> Vec<(usize, f64)> {
+    let mut forces = edge_data.forces().to_vec();
+    halvings(edge_data.cells())
         .map(|cells| {
-            forces = restrict(&forces, scene.sides());
-            let stride = scene.cells() / cells;
-            let values = scene.values().iter().step_by(stride);
+            forces = restrict(&forces, edge_data.sides());
+            let stride = edge_data.cells() / cells;
+            let values = edge_data.values().iter().step_by(stride);
             (cells, forces.iter().zip(values).fold(0.0, |sum, (force, value)| sum - force * value))
         })
         .collect()
 }
 
 /// (1/h) Σ_T (∫_T λ)(−∫_T u_N) on each grid: both integrals over a coarse cell are the sums over its two halves.
-fn midpoint(scene: &EdgeData) -> Vec<(usize, f64)> {
-    let (values, forces, sides) = (scene.values(), scene.forces(), scene.sides());
+fn midpoint(edge_data: &EdgeData) -> Vec<(usize, f64)> {
+    let (values, forces, sides) = (edge_data.values(), edge_data.forces(), edge_data.sides());
     let next = |i: usize| if i + 1 < values.len() { i + 1 } else { 0 };
-    let h = 1.0 / scene.cells() as f64;
+    let h = 1.0 / edge_data.cells() as f64;
     // A force inside the edge counts half in each of its cells.
     let share = |i: usize| {
-        let at_side = sides == LateralCondition::Natural && (i == 0 || i == scene.cells());
+        let at_side = sides == LateralCondition::Natural && (i == 0 || i == edge_data.cells());
         forces[i] * if at_side { 1.0 } else { 0.5 }
     };
-    let mut held: Vec<f64> = (0..scene.cells()).map(|i| share(i) + share(next(i))).collect();
-    let mut open: Vec<f64> = (0..scene.cells()).map(|i| -0.5 * h * (values[i] + values[next(i)])).collect();
-    halvings(scene.cells())
+    let mut held: Vec<f64> = (0..edge_data.cells()).map(|i| share(i) + share(next(i))).collect();
+    let mut open: Vec<f64> =
+        (0..edge_data.cells()).map(|i| -0.5 * h * (values[i] + values[next(i)])).collect();
+    halvings(edge_data.cells())
         .map(|cells| {
             for sums in [&mut held, &mut open] {
                 *sums = sums.chunks(2).map(|pair| pair.iter().sum()).collect();
@@ -84,14 +85,14 @@ mod tests {
         // 1/8: nodal ½ t²(1−t) h², midpoint t · ½(1−t)² h².
         let (cells, h, t) = (1 << 16, 0.125, 0.3);
         let kind = StripData::Transition { position: 0.375 + t * h };
-        let scene = kind.data(2.0, cells, LateralCondition::Natural).unwrap();
+        let edge_data = kind.data(2.0, cells, LateralCondition::Natural).unwrap();
         // The force at the last contact node is missing: one fine cell in t h.
         let rounding = 4.0 / (t * h * cells as f64);
         for (cone, exact) in [
             (Cone::Nodal, 0.5 * t * t * (1.0 - t) * h * h),
             (Cone::Midpoint, 0.5 * t * (1.0 - t).powi(2) * h * h),
         ] {
-            let terms = consistency_terms(&scene, cone);
+            let terms = consistency_terms(&edge_data, cone);
             let (_, term) = terms[terms.iter().position(|&(n, _)| n == 8).unwrap()];
             assert!((term / exact - 1.0).abs() < rounding, "{cone}: {term} {exact}");
         }
@@ -99,10 +100,10 @@ mod tests {
 
     #[test]
     fn nothing_is_inconsistent_where_transitions_are_nodes() {
-        let scene =
+        let edge_data =
             StripData::Transitions { gaps: 4 }.data(1.75, 1 << 10, LateralCondition::Periodic).unwrap();
         for cone in [Cone::Nodal, Cone::Midpoint] {
-            let terms = consistency_terms(&scene, cone);
+            let terms = consistency_terms(&edge_data, cone);
             let at = |cells| terms.iter().find(|t| t.0 == cells).map(|t| t.1);
             assert_eq!(terms.len(), 9);
             // The nodes of 8 cells lie in the middle of gaps and contact pieces, transitions between them.

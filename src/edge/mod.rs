@@ -17,7 +17,7 @@
 //!   solution gives, and what the alternatives sum over the segments of a case.
 //! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is
 //!   exact, so all levels together cost O(N) where segment by segment each costs O(N). To rounding the sum of
-//!   the first over all segments: the two are each other's second road (tests of Theorems 3.1 and 4.1).
+//!   the first over all segments: the two are independent computations (tests of Theorems 3.1 and 4.1).
 //! * [`SegmentNorms`]: densities. The inequalities of the proofs name ‖σ_N‖₀ and |σ_N|_ν, which a point force
 //!   does not have; spread over its cells it has, and the term of the spread force is another number, not the
 //!   same one rounded differently.
@@ -28,8 +28,8 @@ mod consistency;
 mod consistency_levels;
 mod norms;
 mod pair;
+mod problem_trace;
 mod radial;
-mod scene_trace;
 mod segment;
 mod seminorm;
 mod trace;

@@ -2,7 +2,7 @@
 //!
 //! The proofs of Sections 3 and 4 use u only through ‖u_N‖_{τ−1/2} and ‖σ_N‖_{τ−3/2} on Γ_C. For 3/2 < τ < 2
 //! both have order ν = τ − 3/2 < 1/2 after one derivative of u_N, so the piecewise constant slopes of u_N and
-//! densities of σ_N on the grid of the scene have finite norms, which are exact for the data that are solved:
+//! densities of σ_N on the grid of the test problem have finite norms, which are exact for the data that are solved:
 //! seminorms by a Gram matrix of constants, O(N log N). Powers of regularity exactly τ are not in H^τ; their
 //! norms on a grid of N cells grow like (ln N)^{1/2}.
 
@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::strip::{EdgeData, LateralCondition};
 use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 
-/// Norm and seminorms of the data of a scene on its edge.
+/// Norm and seminorms of the data of a test problem on its edge.
 ///
 /// ν = τ − 3/2; ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν and ‖σ_N‖²_{τ−3/2} = ‖σ_N‖₀² + |σ_N|²_ν, with the
 /// Sobolev-Slobodeckij seminorm (1.1) on the edge of length 1.
@@ -40,16 +40,16 @@ pub struct EdgeNorms {
 /// # Errors
 /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2, [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ 2: then slopes with jumps
 /// have no norm.
-pub fn edge_norms(scene: &EdgeData, tau: f64) -> Result<EdgeNorms> {
+pub fn edge_norms(edge_data: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let order = Order::half_plus(tau - 2.0)?;
-    let (values, cells) = (scene.values(), scene.cells());
+    let (values, cells) = (edge_data.values(), edge_data.cells());
     let h = 1.0 / cells as f64;
     let next = |i: usize| if i + 1 < values.len() { i + 1 } else { 0 };
     let slopes: Vec<f64> = (0..cells).map(|i| (values[next(i)] - values[i]) / h).collect();
     // Half of each nodal force belongs to either cell.
     let share = |i: usize| {
-        let at_side = scene.sides() == LateralCondition::Natural && (i == 0 || i == cells);
-        scene.forces()[i] * if at_side { 1.0 } else { 0.5 } / h
+        let at_side = edge_data.sides() == LateralCondition::Natural && (i == 0 || i == cells);
+        edge_data.forces()[i] * if at_side { 1.0 } else { 0.5 } / h
     };
     let densities: Vec<f64> = (0..cells).map(|i| share(i) + share(next(i))).collect();
     let gram = Gram::constants(&Mesh::uniform(cells, 1.0)?, order, Tolerance::balanced())?;
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn the_grid_gives_the_norm_of_the_powers() {
-        // τ = 1.9 scene measured at 1.75: u_N = −(x − a)^{0.9}, λ = (a − x)^{−0.1}, by quadrature of the
+        // τ = 1.9 edge_data measured at 1.75: u_N = −(x − a)^{0.9}, λ = (a − x)^{−0.1}, by quadrature of the
         // functions themselves.
         let (a, tau, at) = (0.4, 1.9, 1.75);
         let order = Order::new(at - 1.5).unwrap();
@@ -103,13 +103,13 @@ mod tests {
         // What the grid does not resolve falls like N^{−2(1.9 − 1.75)} in the squares: extrapolated, the next
         // terms are left.
         let square = |cells: usize| {
-            let scene = TransitionPowers::of_regularity(tau).data(a, cells).unwrap();
-            edge_norms(&scene, at).unwrap().norm.powi(2)
+            let edge_data = TransitionPowers::of_regularity(tau).data(a, cells).unwrap();
+            edge_norms(&edge_data, at).unwrap().norm.powi(2)
         };
         let (coarse, fine, ratio) = (square(1 << 14), square(1 << 16), 4f64.powf(-0.3));
         let limit = ((fine - ratio * coarse) / (1.0 - ratio)).sqrt();
         assert!((limit / exact - 1.0).abs() < 5e-3, "{limit} {exact}");
-        let scene = TransitionPowers::of_regularity(tau).data(a, 64).unwrap();
-        assert!(edge_norms(&scene, 2.0).is_err() && edge_norms(&scene, 1.5).is_err());
+        let edge_data = TransitionPowers::of_regularity(tau).data(a, 64).unwrap();
+        assert!(edge_norms(&edge_data, 2.0).is_err() && edge_norms(&edge_data, 1.5).is_err());
     }
 }

@@ -64,7 +64,7 @@ pub struct ContactPair {
 }
 
 impl ContactPair {
-    /// The pair of a scene of the strip; a ring is opened at 0.
+    /// The pair of a test problem of the strip; a ring is opened at 0.
     ///
     /// ∫ σ_N = −Σ λ_i is preserved. The example checks the consistency bound with the constant 1/2 on every segment,
     /// ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_ν |u_N'|_ν.
@@ -73,7 +73,7 @@ impl ContactPair {
     /// use signorini::edge::{ContactPair, Traces};
     /// use signorini::{problems::StripData, strip::LateralCondition};
     /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
-    /// for norms in ContactPair::of_scene(&data, Traces::Constants)?.norms(8, 0.25, 2.0)? {
+    /// for norms in ContactPair::of_data(&data, Traces::Constants)?.norms(8, 0.25, 2.0)? {
     ///     let product = norms.stress.seminorm() * norms.slope.seminorm();
     ///     assert!(norms.nodal_term <= 0.5 * norms.length.powf(1.5) * product + 1e-14);
     /// }
@@ -82,9 +82,9 @@ impl ContactPair {
     ///
     /// # Errors
     /// [`Error::NotComplementary`] when a node with a force has no contact cell beside it to carry a density.
-    pub fn of_scene(scene: &EdgeData, traces: Traces) -> Result<Self> {
-        let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
-        if scene.sides() == LateralCondition::Periodic {
+    pub fn of_data(edge_data: &EdgeData, traces: Traces) -> Result<Self> {
+        let (mut values, mut forces) = (edge_data.values().to_vec(), edge_data.forces().to_vec());
+        if edge_data.sides() == LateralCondition::Periodic {
             values.push(values[0]);
             // The force at the common node belongs to the cells on its two sides.
             forces[0] *= 0.5;
@@ -172,9 +172,9 @@ impl ContactPair {
             let share = if i == 0 || i == cells { 0.5 } else { 1.0 };
             if place(i) < 0.0 { share * (-place(i)).powf(tau - 2.0) / n } else { 0.0 }
         };
-        let scene =
+        let edge_data =
             EdgeData::new(cells, LateralCondition::Natural, values, (0..=cells).map(force).collect())?;
-        Self::of_scene(&scene, Traces::Linears)
+        Self::of_data(&edge_data, Traces::Linears)
     }
 
     /// Which functions the traces are.
@@ -250,9 +250,9 @@ mod tests {
         {
             for sides in [LateralCondition::Natural, LateralCondition::Periodic] {
                 let source: StripData = name.parse().unwrap();
-                let scene = source.data(tau, 1 << 10, sides).unwrap();
+                let edge_data = source.data(tau, 1 << 10, sides).unwrap();
                 for traces in [Traces::Constants, Traces::Linears] {
-                    let pair = ContactPair::of_scene(&scene, traces).unwrap();
+                    let pair = ContactPair::of_data(&edge_data, traces).unwrap();
                     let edge = pair.segment(0, pair.cells());
                     for i in 0..pair.cells() {
                         let open =
@@ -262,7 +262,7 @@ mod tests {
                     }
                     let total: f64 =
                         edge.pressures.iter().map(|p| 0.5 * (p[0] + p[1])).sum::<f64>() * edge.cell;
-                    let force: f64 = scene.forces().iter().sum();
+                    let force: f64 = edge_data.forces().iter().sum();
                     match traces {
                         Traces::Constants => assert!((total - force).abs() < 1e-12 * force, "{name}"),
                         Traces::Linears => assert!(total <= force && total > 0.0, "{name}"),

@@ -25,7 +25,7 @@ impl SeminormForm {
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without cells.
     pub(super) fn new(traces: Traces, order: Order, cells: usize) -> Result<Self> {
-        if traces == Traces::Constants && !order.is_below_half() {
+        if traces == Traces::Constants && order.offset() >= 0.0 {
             return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
                 order: order.value(),
                 why: "a jump is not in H^nu for nu >= 1/2",
@@ -62,7 +62,7 @@ impl SeminormForm {
         // A maps constants to zero: subtracting the mean costs nothing and saves digits.
         let form: f64 = product.iter().zip(&x).map(|(y, v)| y * (v - mean)).sum();
         let size: f64 = operator.diagonal()?.iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
-        let scale = segment.length().powf(self.order.one_minus_twice());
+        let scale = segment.length().powf(-2.0 * self.order.offset());
         Ok(Estimate::new(scale * form.max(0.0), scale * PRODUCT * size, Work::default())?)
     }
 }
@@ -77,7 +77,7 @@ mod tests {
 
     /// What is asked of the quadrature, with a factor for the cancellation in nearly
     /// constant traces.
-    const ROADS: f64 = 1e-8;
+    const METHODS: f64 = 1e-8;
 
     /// Which trace of a segment.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -137,9 +137,9 @@ mod tests {
         };
         let nu = order.value();
         let power = if segment.traces == Traces::Constants {
-            order.one_minus_twice()
+            -2.0 * order.offset()
         } else {
-            2.0 * order.complement()
+            2.0 * (1.0 - order.value())
         };
         // s = t^power: t^{−1−2ν} dt = t^{−2ν−power}/power ds
         let start = |s: f64| {
@@ -154,7 +154,7 @@ mod tests {
             total +=
                 adaptive.integral(&beyond, k as f64, k as f64 + 1.0, tolerance.relative() * rough, DEPTH);
         }
-        let scale = 2.0 * segment.cell.powf(order.one_minus_twice());
+        let scale = 2.0 * segment.cell.powf(-2.0 * order.offset());
         let work = Work { points: adaptive.points, ..Work::default() };
         let estimate = Estimate::new(scale * total, scale * adaptive.error, work)?;
         // A constant trace has seminorm 0 and no relative error.
@@ -202,12 +202,12 @@ mod tests {
                 let order = Order::new(nu).unwrap();
                 let traces = if nu < 0.5 { Traces::Constants } else { Traces::Linears };
                 for source in ["transition", "transitions:9", "cantor:0.3"] {
-                    let scene = source
+                    let edge_data = source
                         .parse::<StripData>()
                         .unwrap()
                         .data(tau, 512, LateralCondition::Natural)
                         .unwrap();
-                    let pair = ContactPair::of_scene(&scene, traces).unwrap();
+                    let pair = ContactPair::of_data(&edge_data, traces).unwrap();
                     for n in [16, 32] {
                         let all = pair.norms(n, order, 2.0).unwrap();
                         for (segment, norms) in pair.segments(n).unwrap().zip(all) {
@@ -225,7 +225,7 @@ mod tests {
                                     worst = worst.max(difference / scale);
                                     compared += 1;
                                     assert!(
-                                        difference <= ROADS * scale,
+                                        difference <= METHODS * scale,
                                         "{source} nu {nu} n {n} {which:?}: {} and {}",
                                         closed.value,
                                         adaptive.value

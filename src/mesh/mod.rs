@@ -19,7 +19,6 @@ pub(crate) use geometry::{distance, doubled_area};
 pub(crate) use grid::Grid;
 pub use hierarchy::Hierarchy;
 pub use msh::{parse_msh, read_msh};
-pub(crate) use msh::{quoted, read_text};
 pub use rings::{Outline, polar_rings};
 pub use structured::{SideParts, mapped_grid, rectangles, unit_square, unit_squares};
 pub use triangulation::Triangulation;

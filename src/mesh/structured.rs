@@ -32,7 +32,7 @@ pub struct SideParts {
 const BYTES_OF_CELL: usize = 100;
 
 impl SideParts {
-    /// Contact at the bottom, fixed at the top, free on both sides: the scenes `block` and `membrane`.
+    /// Contact at the bottom, fixed at the top, free on both sides: the test problems `block` and `membrane`.
     pub const HANGING: SideParts =
         SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
 }

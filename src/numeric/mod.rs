@@ -1,7 +1,17 @@
-//! Small numerical tools of the contact code: sums, scales, searches, checks of input.
+//! Small numerical tools of the contact code: sums, scales, searches, checks of input, conjugate gradients.
+//!
+//! Those that the toolkit has, private there, are compiled from its files.
 
 pub(crate) mod check;
+#[path = "../../toolkit/src/numeric/conjugate_gradients.rs"]
+pub(crate) mod conjugate_gradients;
+pub(crate) mod grid;
+#[allow(dead_code, reason = "one function of the toolkit's file is used")]
+#[path = "../../toolkit/src/numeric/legendre.rs"]
+pub(crate) mod legendre;
 pub(crate) mod memory;
 pub(crate) mod scale;
+#[path = "../../toolkit/src/numeric/search.rs"]
 pub(crate) mod search;
+#[path = "../../toolkit/src/numeric/sum.rs"]
 pub(crate) mod sum;

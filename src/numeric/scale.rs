@@ -1,6 +1,8 @@
 //! Units that are powers of two: dividing by them is exact, and squares of what is left neither overflow nor
 //! underflow.
 
+use super::sum::compensated;
+
 /// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x
 /// = 0.
 pub(crate) fn power_of_two(x: f64) -> f64 {
@@ -18,6 +20,12 @@ pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     values.into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
+/// Σ a_i b_i, compensated; terms neither overflow nor underflow unless the result does.
+pub(crate) fn careful_dot(a: &[f64], b: &[f64]) -> f64 {
+    let (p, q) = (power_below(a), power_below(b));
+    compensated(a.iter().zip(b).map(|(a, b)| (a / p) * (b / q))) * p * q
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -27,5 +35,12 @@ mod tests {
         assert_eq!([0.0, 3.0, -0.3, 1e-310].map(power_of_two), [1.0, 2.0, 0.25, 2f64.powi(-1000)]);
         assert_eq!(power_below(&[]), 1.0);
         assert_eq!(power_below(&[5.0, f64::INFINITY]), 1.0);
+    }
+
+    #[test]
+    fn products_of_extreme_sizes_have_their_sum() {
+        let (huge, tiny) = ([1e200, -1e200], [1e-300, 3e-300]);
+        assert!((careful_dot(&huge, &tiny) / -2e-100 - 1.0).abs() < 1e-14);
+        assert_eq!(careful_dot(&huge, &[1e200, 1e200]), 0.0);
     }
 }

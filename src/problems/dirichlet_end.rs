@@ -85,7 +85,7 @@ mod tests {
     use crate::contact::Solver;
     use crate::edge::radial_intervals;
 
-    const SCENE: DirichletEnd = DirichletEnd {
+    const END: DirichletEnd = DirichletEnd {
         outline: Outline::HalfDisc,
         angles: 8,
         step: 0.4,
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn every_ring_is_solved_and_a_pulled_body_keeps_one_zone() {
         for cone in Cone::ALL {
-            let problem = SCENE.problem().unwrap();
+            let problem = END.problem().unwrap();
             let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
             assert!(solution.status.is_converged(), "{cone}");
             let found = radial_intervals(&solution.positions, &solution.contact_set).unwrap();
@@ -112,8 +112,8 @@ mod tests {
 
     #[test]
     fn bad_data_are_refused() {
-        assert!(DirichletEnd { direction: f64::NAN, ..SCENE }.problem().is_err());
-        assert!(DirichletEnd { poisson: Some(0.5), ..SCENE }.problem().is_err());
-        assert!(DirichletEnd { smallest: 1e-300, ..SCENE }.problem().is_err());
+        assert!(DirichletEnd { direction: f64::NAN, ..END }.problem().is_err());
+        assert!(DirichletEnd { poisson: Some(0.5), ..END }.problem().is_err());
+        assert!(DirichletEnd { smallest: 1e-300, ..END }.problem().is_err());
     }
 }

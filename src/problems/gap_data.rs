@@ -1,4 +1,4 @@
-//! u_N and λ on the edge of a strip from the gaps of a scene: powers of the distance to their ends.
+//! u_N and λ on the edge of a strip from the gaps of a test problem: powers of the distance to their ends.
 
 use super::contact_sets::Gap;
 use super::pressure::contact_forces;

@@ -45,22 +45,22 @@ impl NamedProblem {
 }
 
 impl From<TestProblem> for NamedProblem {
-    fn from(scene: TestProblem) -> Self {
-        NamedProblem::Mesh(scene)
+    fn from(problem: TestProblem) -> Self {
+        NamedProblem::Mesh(problem)
     }
 }
 
 impl From<StripData> for NamedProblem {
-    fn from(scene: StripData) -> Self {
-        NamedProblem::Strip(scene)
+    fn from(problem: StripData) -> Self {
+        NamedProblem::Strip(problem)
     }
 }
 
 impl fmt::Display for NamedProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NamedProblem::Mesh(scene) => scene.fmt(f),
-            NamedProblem::Strip(scene) => scene.fmt(f),
+            NamedProblem::Mesh(problem) => problem.fmt(f),
+            NamedProblem::Strip(problem) => problem.fmt(f),
         }
     }
 }
@@ -72,7 +72,7 @@ impl FromStr for NamedProblem {
         let mesh = text.parse().map(NamedProblem::Mesh);
         mesh.or_else(|_: Error| text.parse().map(NamedProblem::Strip)).map_err(|_: Error| {
             Error::Toolkit(ToolkitError::UnknownName {
-                what: "scene",
+                what: "test problem",
                 given: text.to_owned(),
                 expected: NamedProblem::names(),
             })

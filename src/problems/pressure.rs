@@ -1,4 +1,4 @@
-//! Contact forces of a scene: a density that is a power of the distance to the gap.
+//! Contact forces of a test problem: a density that is a power of the distance to the gap.
 
 use crate::strip::LateralCondition;
 

@@ -14,44 +14,44 @@ use std::path::PathBuf;
 macro_rules! registry {
     (
         $(#[$about:meta])*
-        pub enum $Scenes:ident: $Form:ty {
+        pub enum $Problems:ident: $Form:ty {
             $(
                 $(#[$variant_about:meta])*
-                $Scene:ident($name:literal)
+                $Problem:ident($name:literal)
                 $({ $($(#[$field_about:meta])* $field:ident: $kind:ty = $default:expr,)+ })?
                 => $form:expr;
             )+
         }
     ) => {
         $(#[$about])*
-        pub enum $Scenes {
-            $($(#[$variant_about])* $Scene $({ $($(#[$field_about])* $field: $kind,)+ })?,)+
+        pub enum $Problems {
+            $($(#[$variant_about])* $Problem $({ $($(#[$field_about])* $field: $kind,)+ })?,)+
         }
 
-        impl $Scenes {
+        impl $Problems {
             /// One test problem of each kind, with the parameters it has when its name gives none.
             pub fn all() -> Vec<Self> {
-                vec![$($Scenes::$Scene $({ $($field: $default),+ })?),+]
+                vec![$($Problems::$Problem $({ $($field: $default),+ })?),+]
             }
 
             /// The name without parameters.
             pub fn name(&self) -> &'static str {
                 match self {
-                    $($Scenes::$Scene $({ $($field: _),+ })? => $name,)+
+                    $($Problems::$Problem $({ $($field: _),+ })? => $name,)+
                 }
             }
 
             /// The names and parameters of all test problems, for help texts and errors.
             pub fn names() -> &'static str {
                 static NAMES: std::sync::LazyLock<String> =
-                    std::sync::LazyLock::new(|| $crate::problems::registry::grammar($Scenes::all()));
+                    std::sync::LazyLock::new(|| $crate::problems::registry::grammar($Problems::all()));
                 &NAMES
             }
 
             /// All that tells this test problem from the others.
             fn form(&self) -> $Form {
                 match self {
-                    $($Scenes::$Scene $({ $($field),+ })? => {
+                    $($Problems::$Problem $({ $($field),+ })? => {
                         $($(let $field = std::borrow::ToOwned::to_owned($field);)+)?
                         $form
                     })+
@@ -59,27 +59,27 @@ macro_rules! registry {
             }
         }
 
-        impl $crate::problems::registry::Registered for $Scenes {
+        impl $crate::problems::registry::Registered for $Problems {
             fn parts(&mut self) -> $crate::problems::registry::Parts<'_> {
                 let name = self.name();
                 let parameters = match self {
-                    $($Scenes::$Scene $({ $($field),+ })? => vec![$($((stringify!($field), $field.into())),+)?],)+
+                    $($Problems::$Problem $({ $($field),+ })? => vec![$($((stringify!($field), $field.into())),+)?],)+
                 };
                 $crate::problems::registry::Parts { name, parameters }
             }
         }
 
-        impl std::fmt::Display for $Scenes {
+        impl std::fmt::Display for $Problems {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 $crate::problems::registry::Registered::parts(&mut self.to_owned()).write(f)
             }
         }
 
-        impl std::str::FromStr for $Scenes {
+        impl std::str::FromStr for $Problems {
             type Err = $crate::error::Error;
 
             fn from_str(text: &str) -> $crate::error::Result<Self> {
-                $crate::problems::registry::read(text, $Scenes::all(), $Scenes::names())
+                $crate::problems::registry::read(text, $Problems::all(), $Problems::names())
             }
         }
     };
@@ -194,7 +194,7 @@ impl Parts<'_> {
 
 /// The names and parameters of all test problems.
 pub(super) fn grammar<S: Registered>(all: Vec<S>) -> String {
-    let names: Vec<String> = all.into_iter().map(|mut scene| scene.parts().grammar()).collect();
+    let names: Vec<String> = all.into_iter().map(|mut problem| problem.parts().grammar()).collect();
     names.join(", ")
 }
 
@@ -202,10 +202,14 @@ pub(super) fn grammar<S: Registered>(all: Vec<S>) -> String {
 pub(super) fn read<S: Registered>(text: &str, all: Vec<S>, expected: &'static str) -> Result<S> {
     let (name, rest) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
     all.into_iter()
-        .find_map(|mut scene| (scene.parts().name == name).then_some(scene))
-        .and_then(|mut scene| scene.parts().set(rest).map(|()| scene))
+        .find_map(|mut problem| (problem.parts().name == name).then_some(problem))
+        .and_then(|mut problem| problem.parts().set(rest).map(|()| problem))
         .ok_or_else(|| {
-            Error::Toolkit(ToolkitError::UnknownName { what: "scene", given: text.to_owned(), expected })
+            Error::Toolkit(ToolkitError::UnknownName {
+                what: "test problem",
+                given: text.to_owned(),
+                expected,
+            })
         })
 }
 
@@ -229,8 +233,8 @@ mod tests {
             _ => false,
         };
         let mut known = BTreeSet::new();
-        for scene in all {
-            let mut copy = scene.clone();
+        for problem in all {
+            let mut copy = problem.clone();
             let Parts { name, parameters } = copy.parts();
             assert!(known.insert(name.to_owned()), "{name} twice");
             let fields: Vec<&str> = parameters.iter().map(|(field, _)| *field).collect();
@@ -241,16 +245,16 @@ mod tests {
             if is_needed {
                 assert!(refused(name) && refused(&format!("{name}:")), "{name}");
             } else {
-                assert_eq!(name.parse(), Ok(scene.clone()));
-                assert_eq!(scene.to_string().parse(), Ok(scene.clone()));
-                assert_eq!(scene.to_string().split(':').count(), 1 + fields.len());
+                assert_eq!(name.parse(), Ok(problem.clone()));
+                assert_eq!(problem.to_string().parse(), Ok(problem.clone()));
+                assert_eq!(problem.to_string().split(':').count(), 1 + fields.len());
                 // One parameter too many, an empty one in each place, one that is no number.
-                for text in [format!("{scene}:1"), format!("{scene}:")] {
+                for text in [format!("{problem}:1"), format!("{problem}:")] {
                     assert!(refused(&text), "{text}");
                 }
                 for place in 1..=fields.len() {
                     for wrong in ["", " ", "x", "1,5", "NaN", "inf", "1e400"] {
-                        let written = scene.to_string();
+                        let written = problem.to_string();
                         let mut words: Vec<&str> = written.split(':').collect();
                         words[place] = wrong;
                         assert!(refused(&words.join(":")), "{words:?}");
@@ -260,20 +264,20 @@ mod tests {
             }
             assert!(refused(&format!("{name}x")) && refused(&name.to_uppercase()), "{name}");
         }
-        assert!(refused("") && refused(":") && refused("no-such-scene"));
+        assert!(refused("") && refused(":") && refused("no-such-problem"));
         assert_eq!(names.split(", ").count(), all.len());
         known
     }
 
     #[test]
-    fn every_scene_is_read_back_and_wrong_names_are_refused() {
+    fn every_problem_is_read_back_and_wrong_names_are_refused() {
         let strip = is_read_back(&StripData::all(), StripData::names());
         let mesh = is_read_back(&TestProblem::all(), TestProblem::names());
-        assert!(strip.is_disjoint(&mesh), "one name for two scenes: {strip:?}, {mesh:?}");
+        assert!(strip.is_disjoint(&mesh), "one name for two problems: {strip:?}, {mesh:?}");
         for name in strip.iter().chain(&mesh) {
             assert!(NamedProblem::names().contains(name.as_str()), "{name}");
         }
-        let error = "no-such-scene".parse::<NamedProblem>().unwrap_err().to_string();
+        let error = "no-such-problem".parse::<NamedProblem>().unwrap_err().to_string();
         assert!(error.contains(TestProblem::names()) && error.contains(StripData::names()), "{error}");
     }
 }

@@ -82,8 +82,8 @@ mod tests {
     #[test]
     fn computed_regularity_stands_beside_the_typed_one() {
         let setting = Parameters::default();
-        for scene in TestProblem::all() {
-            let typed = match scene {
+        for test_problem in TestProblem::all() {
+            let typed = match test_problem {
                 // 1 + the root of Williams' equation at a right angle and ratio 1/4, by bisection.
                 TestProblem::Block | TestProblem::Free | TestProblem::Closed => 1.744_749_698_597_720_7,
                 TestProblem::Corner => 1.75,
@@ -94,19 +94,19 @@ mod tests {
                 TestProblem::Bracket => 1.544_483_736_782,
                 _ => 2.0,
             };
-            let found = scene.regularity(&setting).unwrap();
-            assert!((found.tau.min(2.0) - typed).abs() < DIGITS, "{scene}: {found:?}");
+            let found = test_problem.regularity(&setting).unwrap();
+            assert!((found.tau.min(2.0) - typed).abs() < DIGITS, "{test_problem}: {found:?}");
             let responsible = found.responsible().unwrap().to_string();
-            let expected = match scene {
+            let expected = match test_problem {
                 TestProblem::Corner | TestProblem::Leaning | TestProblem::Raised => {
                     "O-D 120 deg at (0.000, 0.000)"
                 }
                 TestProblem::Taper => "C-N 120 deg at (0.000, 0.000)",
                 TestProblem::Bracket => "N-N 270 deg at (0.000, 1.000)",
-                scene if scene.is_elastic() => "90 deg",
+                test_problem if test_problem.is_elastic() => "90 deg",
                 _ => "180 deg",
             };
-            assert!(responsible.contains(expected), "{scene}: {responsible}");
+            assert!(responsible.contains(expected), "{test_problem}: {responsible}");
         }
     }
 

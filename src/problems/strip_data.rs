@@ -18,8 +18,8 @@ use super::gap_data::{Gaps, Grid};
 use super::registry::registry;
 use super::tau_range::TauRange;
 use crate::error::{Error, Result, ToolkitError};
-use crate::mesh::read_text;
 use crate::strip::{EdgeData, LateralCondition};
+use crate::text::read_text;
 use std::f64::consts::LN_2;
 use std::path::PathBuf;
 
@@ -210,7 +210,8 @@ impl StripData {
         Error::require("alpha", logarithm, "[0, inf)", is_in)?;
         let form = self.form();
         let Data::Powers(gaps) = form.data else {
-            let (what, with, expected) = ("scene", "a logarithm", "a scene whose data are powers");
+            let (what, with, expected) =
+                ("test problem", "a logarithm", "a test problem whose data are powers");
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what,
                 given: self.to_string(),
@@ -275,21 +276,21 @@ mod tests {
     #[test]
     fn a_logarithm_damps_both_data() {
         let (cells, alpha) = (1 << 10, 0.75);
-        for scene in [StripData::Transitions { gaps: 5 }, StripData::Cantor { ratio: 0.3, depth: 9 }] {
-            let plain = scene.data(2.0, cells, LateralCondition::Natural).unwrap();
+        for source in [StripData::Transitions { gaps: 5 }, StripData::Cantor { ratio: 0.3, depth: 9 }] {
+            let plain = source.data(2.0, cells, LateralCondition::Natural).unwrap();
             assert_eq!(
-                scene.damped_data(0.0, cells, LateralCondition::Natural).unwrap().values(),
+                source.damped_data(0.0, cells, LateralCondition::Natural).unwrap().values(),
                 plain.values()
             );
-            let damped = scene.damped_data(alpha, cells, LateralCondition::Natural).unwrap();
+            let damped = source.damped_data(alpha, cells, LateralCondition::Natural).unwrap();
             for (u, v) in plain.values().iter().zip(damped.values()).filter(|(u, _)| **u != 0.0) {
                 // ℓ ≥ 2, and the weight of a depth between half a cell and 1.
                 let weight = v / u;
                 let least = (2.0 + (2.0 * cells as f64).ln()).powf(-alpha);
-                assert!(weight >= least && weight <= 2f64.powf(-alpha), "{scene}: {weight}");
+                assert!(weight >= least && weight <= 2f64.powf(-alpha), "{source}: {weight}");
             }
             let [total, less] = [&plain, &damped].map(|data| data.forces().iter().sum::<f64>());
-            assert!(less < total * 2f64.powf(-alpha) && less > 0.0, "{scene}: {less} {total}");
+            assert!(less < total * 2f64.powf(-alpha) && less > 0.0, "{source}: {less} {total}");
         }
         for bad in [-0.1, f64::NAN, f64::INFINITY] {
             assert!(
@@ -306,15 +307,15 @@ mod tests {
     }
 
     #[test]
-    fn every_scene_has_words_and_data_of_its_own() {
-        let scenes = StripData::all();
-        let words: BTreeSet<String> = scenes.iter().map(StripData::words).collect();
-        assert_eq!(words.len(), scenes.len());
-        for scene in scenes.iter().filter(|scene| scene.gaps().is_some()) {
-            let data = scene.data(1.75, 1 << 12, LateralCondition::Natural).unwrap();
-            let planned = scene.gaps().unwrap();
-            assert!((1..=planned).contains(&(data.gaps() as u64)), "{scene}: {} of {planned}", data.gaps());
-            assert_eq!(data.regularity(), Some(1.75), "{scene}");
+    fn every_problem_has_words_and_data_of_its_own() {
+        let sources = StripData::all();
+        let words: BTreeSet<String> = sources.iter().map(StripData::words).collect();
+        assert_eq!(words.len(), sources.len());
+        for source in sources.iter().filter(|source| source.gaps().is_some()) {
+            let data = source.data(1.75, 1 << 12, LateralCondition::Natural).unwrap();
+            let planned = source.gaps().unwrap();
+            assert!((1..=planned).contains(&(data.gaps() as u64)), "{source}: {} of {planned}", data.gaps());
+            assert_eq!(data.regularity(), Some(1.75), "{source}");
         }
     }
 }

@@ -18,7 +18,7 @@ impl TauRange {
     pub(super) const TRANSITION: TauRange = TauRange { largest: 2.5, is_attained: true, words: "(3/2, 5/2]" };
     /// The slope of u_N jumps somewhere, or λ does.
     pub(super) const SLOPE: TauRange =
-        TauRange { largest: 2.0, is_attained: true, words: "(3/2, 2] for this scene" };
+        TauRange { largest: 2.0, is_attained: true, words: "(3/2, 2] for this problem" };
     /// d = 4 − 2τ > 0.
     pub(super) const FAT_CANTOR: TauRange =
         TauRange { largest: 2.0, is_attained: false, words: "(3/2, 2) for a fat Cantor set" };

@@ -365,20 +365,22 @@ mod tests {
     use crate::contact::Solver;
 
     #[test]
-    fn every_scene_has_the_contact_it_is_named_for() {
-        for scene in TestProblem::all() {
-            let solution = scene.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    fn every_problem_has_the_contact_it_is_named_for() {
+        for test_problem in TestProblem::all() {
+            let solution = test_problem.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
             let (count, all) = (solution.contact_set.count(), solution.contact_set.constraints());
-            match scene {
-                TestProblem::Free => assert_eq!(count, 0, "{scene}"),
-                TestProblem::Closed => assert_eq!(count, all, "{scene}"),
-                _ => assert!(0 < count && count < all, "{scene}: {count} of {all}"),
+            match test_problem {
+                TestProblem::Free => assert_eq!(count, 0, "{test_problem}"),
+                TestProblem::Closed => assert_eq!(count, all, "{test_problem}"),
+                _ => assert!(0 < count && count < all, "{test_problem}: {count} of {all}"),
             }
-            assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{scene}");
+            assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{test_problem}");
         }
         let setting = Parameters { angle: 10.0, ..Parameters::default() };
-        for scene in [TestProblem::Corner, TestProblem::Leaning, TestProblem::Raised, TestProblem::Taper] {
-            assert!(scene.problem_with(4, &setting).is_err(), "{scene}");
+        for test_problem in
+            [TestProblem::Corner, TestProblem::Leaning, TestProblem::Raised, TestProblem::Taper]
+        {
+            assert!(test_problem.problem_with(4, &setting).is_err(), "{test_problem}");
         }
         let setting = Parameters { angle: 60.0, ..Parameters::default() };
         assert!(TestProblem::Taper.mesh_with(4, &setting).is_err());

@@ -98,16 +98,16 @@ mod tests {
     #[test]
     fn powers_are_those_asked_for() {
         let (position, cells) = (0.4, 1 << 12);
-        let scene = TransitionPowers::of_regularity(1.75).data(position, cells).unwrap();
+        let edge_data = TransitionPowers::of_regularity(1.75).data(position, cells).unwrap();
         // Half way to the mirror axis δ = d (c − d)/c, c = 1.2, d = 0.3.
-        let value = scene.values()[(0.7 * cells as f64).round() as usize];
+        let value = edge_data.values()[(0.7 * cells as f64).round() as usize];
         let depth = 0.3 * 0.9 / 1.2;
         assert!((value + f64::powf(depth, 0.75)).abs() < 1.0 / cells as f64, "{value}");
         // No slope at the side.
-        let last = scene.values()[cells] - scene.values()[cells - 1];
+        let last = edge_data.values()[cells] - edge_data.values()[cells - 1];
         assert!(last.abs() < (cells as f64).powi(-2), "{last}");
         // ∫ (a − x)^{−1/4} = a^{3/4}/(3/4), a sum of 1600 terms.
-        let total: f64 = scene.forces().iter().sum();
+        let total: f64 = edge_data.forces().iter().sum();
         let missing = 0.4f64.powf(0.75) / 0.75 - total;
         assert!(missing.abs() < 1e-12, "{missing}");
         let bad = TransitionPowers { pressure: -1.0, ..TransitionPowers::of_regularity(1.75) };

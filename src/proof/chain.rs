@@ -24,7 +24,7 @@ use crate::edge::SegmentNorms;
 /// let gamma = constants.gamma(theta)?;
 /// let setting = SegmentSetting { theta, gamma, own_gamma: gamma, law: constants.law(theta) };
 /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
-/// for norms in ContactPair::of_scene(&data, Traces::Constants)?.norms(4, 0.25, constants.q())? {
+/// for norms in ContactPair::of_data(&data, Traces::Constants)?.norms(4, 0.25, constants.q())? {
 ///     assert!(segment_checks(Section::Three, &norms, &constants, &setting).iter().all(|check| check.holds()));
 /// }
 /// # Ok::<(), signorini::Error>(())
@@ -55,7 +55,7 @@ pub fn segment_checks(
 /// let gamma = constants.gamma(theta)?;
 /// let setting = SegmentSetting { theta, gamma, own_gamma: gamma, law: constants.law(theta) };
 /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
-/// let norms = ContactPair::of_scene(&data, Traces::Constants)?.norms(4, 0.25, constants.q())?;
+/// let norms = ContactPair::of_data(&data, Traces::Constants)?.norms(4, 0.25, constants.q())?;
 /// let chain = segment_chain(Section::Three, &norms[1], &constants, &setting);
 /// assert!(chain.windows(2).all(|step| step[0].printed <= step[1].printed * (1.0 + 1e-9)));
 /// # Ok::<(), signorini::Error>(())

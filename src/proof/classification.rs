@@ -25,7 +25,7 @@ pub struct ClassifiedSegment {
 /// use signorini::{edge::EdgeTrace, problems::StripData, strip::LateralCondition};
 /// use signorini::proof::{Alternative, Classification, Section};
 /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
-/// let trace = EdgeTrace::of_scene(&data)?;
+/// let trace = EdgeTrace::of_data(&data)?;
 /// let found = Classification::new(Section::Three, &trace, &[0.0, 0.25, 0.5, 0.75, 1.0], 0.25)?;
 /// assert_eq!((found.segments().len(), found.count(Alternative::Neither)), (4, 0));
 /// assert!(found.total() > 0.0 && found.carriers(0.01) == 1);

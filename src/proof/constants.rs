@@ -63,7 +63,7 @@ impl ProofConstants {
         let tolerance = Tolerance::balanced();
         let upper = |e: fractional_sobolev::Estimate| e.value + e.error;
         let (q, embedding) = if tau < 2.0 {
-            let q = 2.0 / order.one_minus_twice();
+            let q = 2.0 / (-2.0 * order.offset());
             (q, embedding_bound(order, q)?)
         } else {
             (q, embedding_bound(Order::HALF, q)?)

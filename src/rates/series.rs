@@ -5,7 +5,8 @@
 //! h_r on the same family of meshes, e² is that of h less that of h_r, and every h^q becomes h^q − h_r^q.
 //! Cost: O(levels) per value of p.
 
-use crate::numeric::search::{golden_section, smallest_on_grid};
+use crate::numeric::grid::smallest_on_grid;
+use crate::numeric::search::golden_section;
 /// Orders tried for the power: below it no finite element error falls, above it nothing is told from the
 /// smooth part h².
 const POWERS: (f64, f64) = (0.05, 0.995);

@@ -15,6 +15,7 @@
 
 use super::wedge::{Medium, SideCondition, Wedge};
 use crate::error::{Error, Result, ToolkitError};
+use crate::numeric::legendre;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
@@ -181,7 +182,7 @@ fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
 /// (0, 1).
 fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
     let mut legendre = vec![0.0; count + 1];
-    fill_legendre(&mut legendre, 2.0 * x - 1.0);
+    legendre::fill(&mut legendre, 2.0 * x - 1.0);
     let (mut values, mut slopes) = (vec![1.0; count], vec![0.0; count]);
     for k in 0..count - 1 {
         let (norm, odd) = (((2 * k + 1) as f64).sqrt(), (2 * k + 1) as f64);
@@ -204,20 +205,4 @@ fn general_eigenvalues(a: &Mat<f64>) -> Option<Vec<c64>> {
     let im = imaginary.as_mut().col_mut(0).as_diagonal_mut();
     evd_real(a.as_ref(), re, im, None, None, Par::Seq, stack, Default::default()).ok()?;
     Some((0..size).map(|i| c64::new(real[(i, 0)], imaginary[(i, 0)])).collect())
-}
-
-/// P_{k+1}(x) from P_k(x) and P_{k−1}(x); the latter does not matter for k = 0.
-#[inline]
-fn next_legendre(k: usize, x: f64, current: f64, previous: f64) -> f64 {
-    let k = k as f64;
-    ((2.0 * k + 1.0) * x * current - k * previous) / (k + 1.0)
-}
-
-/// Legendre polynomials P_0(x), P_1(x), ... by their recurrence, stable for |x| ≤ 1, into all places of `values`.
-fn fill_legendre(values: &mut [f64], x: f64) {
-    let (mut previous, mut current) = (0.0, 1.0);
-    for (k, value) in values.iter_mut().enumerate() {
-        *value = current;
-        (previous, current) = (current, next_legendre(k, x, current, previous));
-    }
 }

@@ -6,8 +6,8 @@
 
 use super::sides::{LateralCondition, check_cells};
 use crate::error::{Error, Result, ToolkitError};
-use crate::mesh::quoted;
 use crate::numeric::check::{require_finite, require_length};
+use crate::text::pairs;
 
 /// Complementary data on a fine edge.
 ///
@@ -170,49 +170,4 @@ fn require_complementary(node: usize, value: f64, force: f64) -> Result<()> {
     Error::require("lambda", force, "[0, inf)", force >= 0.0)?;
     let is_pair = value == 0.0 || force == 0.0;
     if is_pair { Ok(()) } else { Err(Error::NotComplementary { node, value, force }) }
-}
-
-/// Two finite numbers per line, between blanks or commas; `#` begins a comment, lines without a word are
-/// passed over. Each pair with its line, from 1.
-///
-/// # Errors
-/// [`Error::Syntax`] with the line that is anything else.
-fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>> {
-    let mut pairs = Vec::new();
-    for (index, line) in text.lines().enumerate() {
-        let content = line.split('#').next().unwrap_or("");
-        let mut words =
-            content.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty());
-        let fault = |what: &str| Error::Syntax {
-            format,
-            line: index + 1,
-            reason: format!("expected two numbers, found {}{what}", quoted(content.trim())),
-        };
-        let number = |word: &str| word.parse::<f64>().map_err(|_| fault(""));
-        let pair = match [words.next(), words.next(), words.next()] {
-            [None, ..] => continue,
-            [Some(first), Some(second), None] => [number(first)?, number(second)?],
-            _ => return Err(fault("")),
-        };
-        if !pair.iter().all(|value| value.is_finite()) {
-            return Err(fault(", which is not finite"));
-        }
-        pairs.push((index + 1, pair));
-    }
-    Ok(pairs)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn pairs_are_read_and_any_other_line_is_named() {
-        let read = pairs("# x, u\r\n0 1\r\n\n 0.5,2 # middle\r\n", "samples").unwrap();
-        assert_eq!(read, [(2, [0.0, 1.0]), (4, [0.5, 2.0])]);
-        for bad in ["0", "0 1 2", "0 x", "0 nan", "0 1 x", "0 inf", "\u{fffd} 1"] {
-            let refused = pairs(&format!("0 0\n{bad}\n"), "samples");
-            assert!(matches!(refused, Err(Error::Syntax { line: 2, .. })), "{bad}: {refused:?}");
-        }
-    }
 }

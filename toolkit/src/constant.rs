@@ -1,8 +1,9 @@
 //! Best constants: on which domain, in which norm, and what is known of one.
 
-use crate::Mesh;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
+use crate::function::Function;
+use crate::mesh::Mesh;
 use crate::order::{Order, SobolevOrder};
 use std::fmt;
 use std::sync::Arc;
@@ -127,7 +128,7 @@ impl BestConstant {
     }
 
     pub(crate) fn with_extremal(self, value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static) -> Self {
-        Self { extremal: Some(Extremal(Arc::new(value))), ..self }
+        Self { extremal: Some(Extremal(Kind::Points(Arc::new(value)))), ..self }
     }
 
     pub(crate) fn with_others(
@@ -172,21 +173,56 @@ impl BestConstant {
 /// A function of the coordinates of a point.
 type PointFunction = dyn Fn(&[f64]) -> f64 + Send + Sync;
 
+/// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
+const ONE_NODE: f64 = 1e-10;
+/// Nodes of the graded cells this close to a given one, likewise, make way for it.
+const MAKES_WAY: f64 = 1e-5;
+
+/// A function of x in (0, 1) on graded cells.
+pub(crate) trait OnInterval: fmt::Debug + Send + Sync {
+    /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.
+    fn value(&self, x: f64) -> f64;
+
+    /// Position x and value u(x) at `per_cell` + 1 points of every cell, increasing in x.
+    fn profile(&self, per_cell: usize) -> Vec<(f64, f64)>;
+}
+
 /// The function for which a best constant is attained.
 ///
-/// For interpolation it is the error u − Iu of the extremal u with |∇u|_s = 1, for projection φ with |φ|_r = 1, for
-/// the embedding and the trace the function itself. The sign is free.
+/// | constant | function | sign |
+/// | --- | --- | --- |
+/// | [`gamma`](crate::gamma) | u with ‖u‖ = 1 on (0, 1) | positive where \|u\| is largest |
+/// | [`moment`](crate::moment) | w with \|w\|_ν = 1 on (0, 1) | likewise |
+/// | interpolation | the error u − Iu of u with \|∇u\|_s = 1 | free |
+/// | projection | φ with \|φ\|_r = 1 | free |
+/// | embedding, trace | the function itself | free |
 ///
 /// ```
-/// use fractional_sobolev::{Domain, ErrorNorm, Extremal, interpolation_constant};
+/// use fractional_sobolev::{Constraint, Domain, ErrorNorm, Extremal, Tolerance, gamma, interpolation_constant};
 /// let found = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, 0.5, 1e-8)?;
 /// let error: Option<Vec<f64>> =
 ///     found.extremal().map(|e: &Extremal| [0.0, 0.25, 0.5].map(|x| e.value(&[x]).abs()).to_vec());
 /// assert!(error.is_some_and(|e| e[0] < 1e-12 && e[1] < e[2])); // zero at the nodes, largest in the middle
+///
+/// let asked = Tolerance::fast();
+/// let found = gamma(0.5, Constraint::mean_zero_on(0.0..0.01), asked)?;
+/// let u: Extremal = found.extremal();
+/// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(&[x])).abs() < 1e-9));
+/// // its interpolant nearly has the quotient γ
+/// let u = u.interpolate(3, 1, &[0.01])?;
+/// let quotient = u.norm(0.0, asked)?.value / u.seminorm(0.5, asked)?.value;
+/// assert!((quotient / found.constant.value - 1.0).abs() < 1e-2);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Extremal(Arc<PointFunction>);
+pub struct Extremal(Kind);
+
+/// How a function is known.
+#[derive(Clone)]
+enum Kind {
+    Points(Arc<PointFunction>),
+    Interval(Arc<dyn OnInterval>),
+}
 
 impl fmt::Debug for Extremal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -195,9 +231,47 @@ impl fmt::Debug for Extremal {
 }
 
 impl Extremal {
-    /// The value at a point of the domain: one coordinate on an interval, two in the plane. NaN outside.
+    pub(crate) fn on_interval(u: impl OnInterval + 'static) -> Self {
+        Self(Kind::Interval(Arc::new(u)))
+    }
+
+    /// The value at a point of the domain: one coordinate on an interval, two in the plane. NaN outside; of `gamma` and
+    /// `moment` the value at the nearer end.
     pub fn value(&self, point: &[f64]) -> f64 {
-        (self.0)(point)
+        match &self.0 {
+            Kind::Points(u) => u(point),
+            Kind::Interval(u) => point.first().map_or(f64::NAN, |&x| u.value(x)),
+        }
+    }
+
+    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture that
+    /// resolves all scales. Empty for a function without cells, which those of `gamma` and `moment` have.
+    pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
+        match &self.0 {
+            Kind::Points(_) => Vec::new(),
+            Kind::Interval(u) => u.profile(per_cell),
+        }
+    }
+
+    /// The interpolant of a degree on the graded cells, each cut into `pieces`, with additional nodes at
+    /// `breaks`. Nodes closer than 1e-10 of their position (or of their distance from 1, or than 1e-5 to a
+    /// break) are left out.
+    ///
+    /// # Errors
+    /// As for [`Function::interpolate`]; [`Error::Incompatible`] for a function without cells.
+    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<Function<'static>> {
+        let Kind::Interval(u) = &self.0 else {
+            let (given, expected) = ("of a function without cells".to_owned(), "one of gamma or moment");
+            return Err(Error::Incompatible { what: "interpolant", given, with: "graded cells", expected });
+        };
+        let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
+        let mut nodes: Vec<f64> = u.profile(pieces).into_iter().map(|(x, _)| x).collect();
+        nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
+        nodes.extend(breaks.iter().filter(|&&b| b < 1.0 - ONE_NODE));
+        nodes.sort_by(f64::total_cmp);
+        nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
+        nodes.push(1.0);
+        Function::interpolate(&Mesh::from_nodes(&nodes)?, degree, |x| u.value(x))
     }
 }
 

@@ -6,7 +6,6 @@ mod given;
 pub use given::Given;
 
 use crate::value::Estimate;
-use std::path::PathBuf;
 
 /// Result with the library's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
@@ -16,15 +15,12 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// How an iteration ended (converged, stalled, cycled) is not an error but a status in its result.
 ///
 /// ```
-/// use fractional_sobolev::{Error, Estimate, Work};
-/// let best = Estimate::new(2.0, 1e-3, Work::default())?;
-/// let refused = Error::not_met("seminorm", 1e-6, best, "rounding");
-/// assert_eq!(refused.best(), Some(best)); // what was reached is not thrown away
-/// assert_eq!(Error::out_of_reach("seminorm", 1e-6, 1.0, "rounding").best(), None);
-/// assert!(Error::require("theta", 0.5, "(0, 1)", true).is_ok());
-/// assert!(Error::require("theta", f64::NAN, "(0, 1)", true).is_err());
-/// assert!(Error::file("samples.txt", "no such file").to_string().contains("samples.txt"));
-/// # Ok::<(), fractional_sobolev::Error>(())
+/// use fractional_sobolev::{Constraint, Error, Order, gamma};
+/// let refused = gamma(0.25, Constraint::mean_zero_on(0.0..0.5), 1e-15).unwrap_err();
+/// assert!(matches!(refused, Error::ToleranceNotMet { .. }));
+/// assert!(refused.best().is_some_and(|best| best.relative_error() < 1e-11)); // what was reached is kept
+/// assert!(matches!(Order::new(f64::NAN), Err(Error::OutOfRange { name: "nu", .. })));
+///
 /// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -187,24 +183,6 @@ pub enum Error {
         /// What is wrong.
         reason: &'static str,
     },
-    /// A text does not follow its format.
-    #[error("{format}, line {line}: {reason}")]
-    Syntax {
-        /// The format.
-        format: &'static str,
-        /// The line, from 1.
-        line: usize,
-        /// What is wrong.
-        reason: String,
-    },
-    /// A file could not be read or written.
-    #[error("{}: {reason}", path.display())]
-    File {
-        /// The path.
-        path: PathBuf,
-        /// What the system said.
-        reason: String,
-    },
 }
 
 /// The best value of a quantity, as it stands in the message.
@@ -214,12 +192,12 @@ fn value_of(best: &Option<Estimate>) -> String {
 
 impl Error {
     /// The best estimate of `what` misses the tolerance that was asked, for the reason given.
-    pub fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
+    pub(crate) fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
         Error::ToleranceNotMet { what, asked, reached: best.relative_error(), best: Some(best), why }
     }
 
     /// Nothing of `what` was reached that could be called a value: the relative uncertainty, and why.
-    pub fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
+    pub(crate) fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
         Error::ToleranceNotMet { what, asked, reached, best: None, why }
     }
 
@@ -253,12 +231,12 @@ impl Error {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] otherwise.
-    pub fn require(name: &'static str, value: f64, range: &'static str, admissible: bool) -> Result<f64> {
+    pub(crate) fn require(
+        name: &'static str,
+        value: f64,
+        range: &'static str,
+        admissible: bool,
+    ) -> Result<f64> {
         if admissible && !value.is_nan() { Ok(value) } else { Err(Error::OutOfRange { name, value, range }) }
-    }
-
-    /// The file `path` with the reason the system gave.
-    pub fn file(path: impl Into<PathBuf>, reason: impl std::fmt::Display) -> Self {
-        Error::File { path: path.into(), reason: reason.to_string() }
     }
 }

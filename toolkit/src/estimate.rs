@@ -60,11 +60,7 @@ impl Tolerance {
     }
 
     /// How many evaluations an integral may take.
-    ///
-    /// ```
-    /// assert_eq!(fractional_sobolev::Tolerance::fast().work(), fractional_sobolev::Tolerance::WORK);
-    /// ```
-    pub const fn work(self) -> u64 {
+    pub(crate) const fn work(self) -> u64 {
         self.work
     }
 
@@ -181,27 +177,15 @@ impl Estimate {
         found.or_else(|error| error.best().ok_or(error))
     }
 
-    /// (distance to a value found another way, what that value may itself be off by), both relative to it;
-    /// absolute where it is 0.
+    /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
     ///
     /// ```
     /// use fractional_sobolev::{Estimate, Work};
-    /// let of = |value, error| Estimate::new(value, error, Work::default());
-    /// let (a, b) = (of(4.0, 4e-6)?, of(2.0, 0.0)?);
-    /// assert!((a.sqrt()?.error - 1e-6).abs() < 1e-12 && (a.over(b)?.error - 2e-6).abs() < 1e-12);
-    /// assert_eq!((b.recip()?.value, a.times(3.0)?.value, a.off(3.5)?.value), (0.5, 12.0, 0.5));
-    /// assert_eq!(a.relative_distance(&b).0, 1.0);
-    /// assert_eq!(Estimate::largest([a, b]).map(|e| e.value), Some(4.0));
-    /// assert_eq!(Estimate::smallest([a, b]).map(|e| e.value), Some(2.0));
-    /// assert!(of(f64::NAN, 0.0).is_err());
+    /// let square = Estimate::new(4.0, 4e-6, Work::default())?;
+    /// assert!((square.sqrt()?.error - 1e-6).abs() < 1e-12 && square.times(3.0)?.value == 12.0);
+    /// assert!(Estimate::new(f64::NAN, 0.0, Work::default()).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
-    pub fn relative_distance(&self, exact: &Self) -> (f64, f64) {
-        let size = if exact.value == 0.0 { 1.0 } else { exact.value.abs() };
-        ((self.value - exact.value).abs() / size, exact.error / size)
-    }
-
-    /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] when the value is negative beyond its error.
@@ -233,54 +217,12 @@ impl Estimate {
         Self::new(value, error, self.work + other.work)
     }
 
-    /// The quotient of two estimates, relative errors added; both works count.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] when the divisor is zero or the quotient beyond the range of binary64.
-    pub fn over(self, divisor: Self) -> Result<Self> {
-        let value = self.value / divisor.value;
-        let error = self.error / divisor.value.abs() + value.abs() * divisor.error / divisor.value.abs();
-        Self::new(value, error, self.work + divisor.work)
-    }
-
     /// The estimate times a number that is known.
     ///
     /// # Errors
     /// [`Error::NotFinite`] when the product is not finite.
     pub fn times(self, factor: f64) -> Result<Self> {
         Self::new(self.value * factor, self.error * factor, self.work)
-    }
-
-    /// How far the value is from a number that is known, with the same error.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] when that number is not finite.
-    pub fn off(self, exact: f64) -> Result<Self> {
-        Self::new((self.value - exact).abs(), self.error, self.work)
-    }
-
-    /// 1/v with error e/v².
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for zero.
-    pub fn recip(self) -> Result<Self> {
-        Self::new(1.0, 0.0, Work::default())?.over(self)
-    }
-
-    /// The largest of several: the true largest value lies within the error returned. `None` of none.
-    pub fn largest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
-        estimates.into_iter().reduce(|a, b| {
-            let value = a.value.max(b.value);
-            let high = (a.value + a.error).max(b.value + b.error) - value;
-            let low = value - (a.value - a.error).max(b.value - b.error);
-            Self { value, error: high.max(low), work: a.work + b.work }
-        })
-    }
-
-    /// The smallest of several: the true smallest value lies within the error returned. `None` of none.
-    pub fn smallest(estimates: impl IntoIterator<Item = Self>) -> Option<Self> {
-        let negated = |e: Self| Self { value: -e.value, ..e };
-        Self::largest(estimates.into_iter().map(negated)).map(negated)
     }
 }
 
@@ -295,17 +237,6 @@ mod tests {
         for bad in ["0", "nan", "1", "tight"] {
             assert!(bad.parse::<Tolerance>().is_err(), "{bad}");
         }
-    }
-
-    #[test]
-    fn quotients_and_largest_values_carry_their_errors() {
-        let of = |value, error| Estimate::new(value, error, Work::default()).unwrap();
-        let quotient = of(1.0, 0.1).over(of(-4.0, 0.4)).unwrap();
-        assert!(quotient.value == -0.25 && (quotient.error - 0.05).abs() < 1e-15);
-        assert!(of(1.0, 0.1).over(of(0.0, 0.0)).is_err());
-        let largest = Estimate::largest([of(1.0, 0.5), of(1.2, 0.1), of(0.3, 0.1)]).unwrap();
-        // The true values may be as large as 1.5 and the largest is at least 1.1.
-        assert!(largest.value == 1.2 && (largest.error - 0.3).abs() < 1e-15);
     }
 
     #[test]

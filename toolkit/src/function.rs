@@ -21,7 +21,7 @@ use std::ops::Range;
 /// | given by | constructor |
 /// | --- | --- |
 /// | a formula with breakpoints | [`from_fn`](Self::from_fn), [`from_positions`](Self::from_positions), [`power`](Self::power) |
-/// | values on a mesh of an interval | [`linears`](Self::linears), [`constants`](Self::constants), [`piecewise`](Self::piecewise), [`interpolate`](Self::interpolate) |
+/// | values on a mesh of an interval | [`linears`](Self::linears), [`piecewise`](Self::piecewise), [`interpolate`](Self::interpolate) |
 /// | values ⟨f, φ_i⟩ on the hat functions of a mesh | [`load`](Self::load) |
 /// | values on a triangulation | [`on_triangles`](Self::on_triangles) |
 /// | a formula on a triangulation, with singular corners | [`from_plane_positions`](Self::from_plane_positions) |
@@ -165,22 +165,6 @@ impl<'a> Function<'a> {
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub fn linears(mesh: &Mesh, values: &[f64]) -> Result<Self> {
         PiecewisePolynomial::linears(mesh.clone(), values).map(Self::from)
-    }
-
-    /// The piecewise constant function with one value per element.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
-    /// assert!(sign.norm(-0.5, 1e-6)?.value < sign.norm(0.0, 1e-6)?.value);
-    /// assert!(sign.norm(0.5, 1e-6).is_err()); // a jump
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn constants(mesh: &Mesh, values: &[f64]) -> Result<Self> {
-        PiecewisePolynomial::constants(mesh.clone(), values).map(Self::from)
     }
 
     /// The piecewise polynomial of degree p with p + 1 values on every element, at equidistant points from its
@@ -332,7 +316,7 @@ impl<'a> Function<'a> {
     /// ```
     /// use fractional_sobolev::{Function, Curve};
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let curve = Curve::graded(&square, 2, 1.0)?;
+    /// let curve = Curve::algebraic(&square, 2, 1.0)?;
     /// let one = Function::on_curve(&curve, 1, &[1.0; 8])?;
     /// assert!((one.norm(0.5, 1e-8)?.value - 2.0).abs() < 1e-8);
     /// assert!((one.norm(-0.5, 1e-8)?.value - 2.0).abs() < 1e-8);
@@ -508,7 +492,7 @@ impl<'a> Function<'a> {
     ///
     /// ```
     /// use fractional_sobolev::{DualOf, Function, Mesh};
-    /// let one = Function::constants(&Mesh::uniform(4, 1.0)?, &[1.0; 4])?;
+    /// let one = Function::piecewise(&Mesh::uniform(4, 1.0)?, 0, &[1.0; 4])?;
     /// assert!((one.dual_norm(DualOf::Interpolation, 0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -540,7 +524,7 @@ impl<'a> Function<'a> {
     /// use fractional_sobolev::{Function, Mesh};
     /// // x - 1/2 against 0: 1 + 1/12
     /// let u = Function::from_fn(&[0.0, 1.0], |x| x - 0.5)?;
-    /// let zero = Function::constants(&Mesh::uniform(10, 1.0)?, &[0.0; 10])?;
+    /// let zero = Function::piecewise(&Mesh::uniform(10, 1.0)?, 0, &[0.0; 10])?;
     /// assert!((u.minus(&zero)?.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
     /// assert!(zero.minus(&zero)?.norm(0.5, 1e-8)?.value == 0.0);
     /// assert!(u.minus(&u).is_err());
@@ -634,25 +618,6 @@ impl<'a> Function<'a> {
     /// range or one that leaves the mesh.
     pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
         self.polynomials("restriction to elements")?.restrict(elements).map(Self::from)
-    }
-
-    /// The decreasing rearrangement u* of a piecewise polynomial of degree at most one, on the same interval: it
-    /// takes every range of values on a set of the same measure as u. Cost: (number of elements)².
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// let tent = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
-    /// let sorted = tent.decreasing_rearrangement()?;
-    /// assert!(sorted.mesh()?.len() == 1 && sorted.value(0, 0.25)? == 0.75);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] for a function that is no piecewise polynomial, [`Error::CountOutOfRange`] for a higher
-    /// degree; [`Error::OutOfRange`] when u* has elements more than 1e303 times shorter than the interval.
-    #[doc(alias("monotone rearrangement"))]
-    pub fn decreasing_rearrangement(&self) -> Result<Self> {
-        self.polynomials("rearrangement")?.decreasing_rearrangement().map(Self::from)
     }
 
     /// The piecewise polynomial that this function is.

@@ -32,7 +32,7 @@ use std::sync::OnceLock;
 /// assert!((of(&form.apply(&x)?) - 1.0).abs() < 1e-7);
 /// assert!((of(&form.mass(&x)?) - 1.0 / 3.0).abs() < 1e-12);
 /// let dense = form.to_dense()?;
-/// assert!(form.len() == 101 && !form.is_empty() && dense.nrows() == 101);
+/// assert!(form.len() == 101 && dense.nrows() == 101);
 /// assert!((form.diagonal()?[7] / dense[(7, 7)] - 1.0).abs() < 1e-12);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -137,16 +137,12 @@ impl Gram {
     }
 
     /// Number of basis functions.
+    #[expect(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
         match &self.form {
             Form::Interval(interval) => interval.len(),
             Form::Grid { form, .. } => form.size(),
         }
-    }
-
-    /// False: a mesh has an element.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// A x; the error is relative to |A| |x − mean|.

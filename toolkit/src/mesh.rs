@@ -28,7 +28,7 @@ const BYTES: usize = 48;
 /// use fractional_sobolev::Mesh;
 /// let mesh = Mesh::from_nodes(&[0.0, 0.25, 1.0])?;
 /// assert_eq!(mesh.lengths(), Mesh::from_lengths(vec![0.25, 0.75])?.lengths());
-/// assert!(mesh.len() == 2 && !mesh.is_empty() && mesh.total() == 1.0);
+/// assert!(mesh.len() == 2 && mesh.total() == 1.0);
 /// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
 /// // graded to both ends, and to a point inside
 /// assert_eq!(Mesh::graded(&[0.0, 1.0], 1, 0.5)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
@@ -180,13 +180,9 @@ impl Mesh {
     }
 
     /// Number of elements.
+    #[expect(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
         self.lengths.len()
-    }
-
-    /// Never true: a mesh has at least one element.
-    pub fn is_empty(&self) -> bool {
-        self.lengths.is_empty()
     }
 
     /// Element lengths, left to right.

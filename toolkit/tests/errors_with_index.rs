@@ -28,7 +28,7 @@ fn two() -> Mesh {
 fn entries_that_are_no_numbers_are_named() {
     let nan = f64::NAN;
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let curve = || Curve::graded(&square, 2, 1.0).unwrap();
+    let curve = || Curve::algebraic(&square, 2, 1.0).unwrap();
     let triangles = || Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]]).unwrap();
     let mut values = [0.0; 8];
     values[5] = nan;
@@ -36,7 +36,7 @@ fn entries_that_are_no_numbers_are_named() {
         (1, Mesh::from_nodes(&[0.0, nan, 1.0]).map(drop)),
         (1, Mesh::from_lengths(vec![1.0, nan]).map(drop)),
         (2, Function::linears(&two(), &[0.0, 1.0, nan]).map(drop)),
-        (0, Function::constants(&two(), &[nan, 1.0]).map(drop)),
+        (0, Function::piecewise(&two(), 0, &[nan, 1.0]).map(drop)),
         (2, Function::piecewise(&two(), 1, [[0.0, 1.0], [nan, 1.0]].as_flattened()).map(drop)),
         (1, Function::load(&two(), &[0.0, nan, 1.0]).map(drop)),
         (2, Gram::new(&two(), 0.5, 1e-8).unwrap().apply(&[0.0, 0.0, nan]).map(drop)),

@@ -12,7 +12,7 @@ fn assert_digits(what: &str, value: f64, exact: f64) {
 
 /// |x|²_ν on (0, 1).
 fn identity_squared(order: Order) -> f64 {
-    1.0 / (order.complement() * (1.0 + 2.0 * order.complement()))
+    1.0 / ((1.0 - order.value()) * (1.0 + 2.0 * (1.0 - order.value())))
 }
 
 #[test]

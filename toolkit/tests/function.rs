@@ -7,7 +7,7 @@ use fractional_sobolev::{
 #[test]
 fn lebesgue_norms_on_a_square() -> Result<()> {
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let curve = Curve::graded(&square, 4, 2.0)?;
+    let curve = Curve::algebraic(&square, 4, 2.0)?;
     let values: Vec<f64> = curve.nodes().iter().map(|x| x[0]).collect();
     let x = Function::on_curve(&curve, 1, &values)?;
     // 1/4 on two sides, 1 and 0 on the others
@@ -19,7 +19,7 @@ fn lebesgue_norms_on_a_square() -> Result<()> {
 #[test]
 fn constants_on_a_curve_have_their_dual_norms() -> Result<()> {
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let one = Function::on_curve(&Curve::graded(&square, 2, 1.0)?, 1, &[1.0; 8])?;
+    let one = Function::on_curve(&Curve::algebraic(&square, 2, 1.0)?, 1, &[1.0; 8])?;
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
         // attained by 1 itself, of eigenvalue 0: the L² norm
         assert!((one.dual_norm(of, 0.5, 1e-8)?.value - 2.0).abs() < 1e-7);
@@ -44,7 +44,7 @@ fn a_corner_counts_like_an_interval() -> Result<()> {
 #[test]
 fn jumps_on_curves_are_finite_below_one_half() -> Result<()> {
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let curve = Curve::graded(&square, 2, 1.0)?;
+    let curve = Curve::algebraic(&square, 2, 1.0)?;
     let side = Function::on_curve(&curve, 0, &[1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])?;
     assert!(side.seminorm(Order::new(0.4)?, Tolerance::fast()).is_ok());
     assert!(side.seminorm(Order::HALF, Tolerance::fast()).is_err()); // a jump
@@ -98,7 +98,7 @@ fn means_have_the_rate_of_the_dual_norm() -> Result<()> {
                 middle.sin() * (1.5 * h).sin() / (1.5 * h)
             })
             .collect();
-        let field = Function::constants(&Mesh::uniform(n, 1.0)?, &means)?;
+        let field = Function::piecewise(&Mesh::uniform(n, 1.0)?, 0, &means)?;
         let sines = u.minus(&field)?.dual_norm(DualOf::InterpolationZero, 0.5, 1e-4)?;
         let found = u.minus(&field)?.norm(-0.5, 1e-4)?;
         assert!(sines.value < u.minus(&field)?.norm(0.0, 1e-4)?.value);

@@ -183,7 +183,7 @@ fn closure(random: &mut SplitMix) -> Case {
         parts.sum::<f64>() + slope * (wave * at.x()).sin()
     };
     let u = Function::from_positions(&breaks, f).unwrap();
-    let zero = Function::constants(&Mesh::uniform(17, 1.0).unwrap(), &[0.0; 17]).unwrap();
+    let zero = Function::piecewise(&Mesh::uniform(17, 1.0).unwrap(), 0, &[0.0; 17]).unwrap();
     // The road is slower: of weak singularities it says what a second allows.
     let second = |norm: bool| {
         let tight = Tolerance::new((0.1 * asked.relative()).max(1e-9)).unwrap().with_work(1 << 22);
@@ -487,7 +487,8 @@ fn random_functions_and_loads_are_honest_and_none_is_slow() {
 fn planted_faults_are_found() {
     let made = |value: f64, error: f64, seconds: f64, found: bool| {
         let estimate = Estimate { value, error, work: Work::default() };
-        let refusal = Err(Error::not_met("norm", 1e-6, estimate, "planted"));
+        let (asked, reached, best) = (1e-6, estimate.relative_error(), Some(estimate));
+        let refusal = Err(Error::ToleranceNotMet { what: "norm", asked, reached, best, why: "planted" });
         let tolerance = Tolerance::new(1e-6).unwrap();
         let found = if found { Ok(estimate) } else { refusal };
         Case { what: "planted".to_owned(), tolerance, found, seconds, reference: exactly(1.0) }

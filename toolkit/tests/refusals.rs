@@ -65,7 +65,7 @@ fn piecewise_functions_and_dual_norms_carry_theirs() {
     assert!(found.relative_error() < 1e-13, "{found}");
     let signs = |n: usize| {
         let values: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 5.0 } else { -5.0 }).collect();
-        Function::constants(&Mesh::uniform(n, 1.0).unwrap(), &values).unwrap()
+        Function::piecewise(&Mesh::uniform(n, 1.0).unwrap(), 0, &values).unwrap()
     };
     // The square of a functional's dual norm is what is computed inside.
     for (of, asked, met) in [(DualOf::Slobodeckij, 1e-13, 1e-3), (DualOf::Interpolation, SHARPEST, 1e-12)] {

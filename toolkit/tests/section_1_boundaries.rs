@@ -92,7 +92,7 @@ fn straight_curves_are_intervals() {
         }
     }
     let on_curve = Function::on_curve(&curve, 0, &steps).unwrap();
-    let flat = Function::constants(&mesh, &steps).unwrap();
+    let flat = Function::piecewise(&mesh, 0, &steps).unwrap();
     for nu in [0.1, 0.49] {
         let found = on_curve.seminorm(order(nu), Tolerance::balanced()).unwrap();
         let exact = flat.seminorm(order(nu), Tolerance::reference()).unwrap();
@@ -103,7 +103,7 @@ fn straight_curves_are_intervals() {
 #[test]
 fn vertices_on_a_side_change_nothing() {
     let wave = |x: [f64; 2]| (3.0 * x[0]).sin() + x[1] * x[1];
-    let plain = Curve::graded(&SQUARE, 6, 1.0).unwrap();
+    let plain = Curve::algebraic(&SQUARE, 6, 1.0).unwrap();
     let vertices = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.5]];
     let meshes = [uniform(3), uniform(3), uniform(6), uniform(6), uniform(3), uniform(3)];
     let cut = Curve::closed(&vertices, &meshes).unwrap();
@@ -149,7 +149,7 @@ fn regular_polygons_become_the_circle() {
 fn dual_norms_of_jumps_agree_on_two_meshes() {
     // One on the lower side, minus one on the upper one.
     let found = [(4, 1.0), (8, 3.0)].map(|(count, exponent)| {
-        let curve = Curve::graded(&SQUARE, count, exponent).unwrap();
+        let curve = Curve::algebraic(&SQUARE, count, exponent).unwrap();
         let sign = |e: usize| {
             if e < count {
                 1.0
@@ -170,7 +170,7 @@ fn dual_norms_of_jumps_agree_on_two_meshes() {
 
 #[test]
 fn powers_have_their_closed_forms() {
-    let u = interpolate(Curve::graded(&SQUARE, 6, 2.5).unwrap(), |x| x[0] - 0.5);
+    let u = interpolate(Curve::algebraic(&SQUARE, 6, 2.5).unwrap(), |x| x[0] - 0.5);
     let u = u.unwrap();
     for q in [1.0, 2.0, 2.5, 40.0] {
         // |x - 1/2| on two sides, 1/2 on the others
@@ -238,7 +238,7 @@ fn duals_on_open_curves_know_the_arc_length_alone() {
 fn many_elements_of_a_closed_curve_are_a_matter_of_seconds() {
     // The same function on 100 000 elements and on 8.
     let of = |per_side: usize| {
-        let curve = Curve::graded(&SQUARE, per_side, 1.0).unwrap();
+        let curve = Curve::algebraic(&SQUARE, per_side, 1.0).unwrap();
         interpolate(curve, |x| x[0] + x[0] * 3.0 * x[1]).unwrap()
     };
     let [few, many] = [of(2), of(25_000)].map(|u| u.dual_norm(DualOf::Interpolation, 0.5, 1e-8).unwrap());
@@ -259,7 +259,7 @@ fn faults_are_refused() {
     let bad = [[0.0, 0.0], [f64::NAN, 0.0], [0.5, 1.0]];
     assert!(matches!(Curve::closed(&bad, &meshes[..3]), Err(Error::NotFinite { .. })));
     assert!(Curve::closed(&SQUARE[..2], &meshes[..2]).is_err());
-    assert!(Curve::graded(&SQUARE, 3, 1.0).is_err());
+    assert!(Curve::algebraic(&SQUARE, 3, 1.0).is_err());
     let curve = Curve::closed(&SQUARE, &meshes).unwrap();
     assert!(Function::on_curve(&curve, 1, &[0.0; 9]).is_err());
     assert!(Function::on_curve(&curve, 0, &[f64::INFINITY; 8]).is_err());

@@ -8,7 +8,7 @@ const SOLVER_TOLERANCE: f64 = 1e-8;
 #[test]
 fn constants_have_their_l2_norm_in_both_duals() {
     // v ↦ ∫ v is maximal at v = 1, whose seminorm vanishes: sup = √L in either norm.
-    let u = Function::constants(&Mesh::uniform(3, 2.0).unwrap(), &[1.0; 3]).unwrap();
+    let u = Function::piecewise(&Mesh::uniform(3, 2.0).unwrap(), 0, &[1.0; 3]).unwrap();
     for of in [DualOf::Slobodeckij, DualOf::Interpolation] {
         let value = u.dual_norm(of, Order::HALF, Tolerance::new(1e-9).unwrap()).unwrap().value;
         assert!((value - 2f64.sqrt()).abs() < SOLVER_TOLERANCE, "{of:?}: {value}");
@@ -44,7 +44,7 @@ fn dense_and_iterative_solves_agree() {
 #[test]
 fn the_three_norms_are_ordered_and_equivalent() {
     // sign(x − 1/2): mean zero, a jump
-    let u = Function::constants(&Mesh::uniform(2, 1.0).unwrap(), &[-1.0, 1.0]).unwrap();
+    let u = Function::piecewise(&Mesh::uniform(2, 1.0).unwrap(), 0, &[-1.0, 1.0]).unwrap();
     let tolerance = Tolerance::new(1e-5).unwrap();
     let value = |of| u.dual_norm(of, Order::HALF, tolerance).unwrap().value;
     let (slobodeckij, cosines, sines) =

@@ -111,7 +111,8 @@ fn random_errors_agree_with_closures_at_every_tolerance() {
 fn against_zero_the_error_is_the_function() {
     for (name, a) in [("power", 0.3), ("power", -0.2), ("power", 2.5)] {
         for count in [1, 7, 300] {
-            let zero = Function::constants(&Mesh::uniform(count, 1.0).unwrap(), &vec![0.0; count]).unwrap();
+            let zero =
+                Function::piecewise(&Mesh::uniform(count, 1.0).unwrap(), 0, &vec![0.0; count]).unwrap();
             let nu = if a < 0.0 { 0.2 } else { 0.6 };
             let exact = closed_forms::power_seminorm_squared(a, order(nu)).unwrap().sqrt().unwrap();
             for tolerance in [1e-3, 1e-6, 1e-9] {
@@ -177,17 +178,17 @@ fn smooth_ends_below_rounding_are_no_waves() {
 fn jumps_and_other_intervals_are_refused() {
     let u = Function::from_fn(&[0.0, 1.0], |x| x).unwrap();
     let steps =
-        Function::constants(&Mesh::uniform(8, 1.0).unwrap(), &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
+        Function::piecewise(&Mesh::uniform(8, 1.0).unwrap(), 0, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
             .unwrap();
     let found = u.minus(&steps).unwrap().seminorm(Order::HALF, Tolerance::fast());
     assert!(matches!(found, Err(Error::InfiniteNorm { .. })));
     assert!(u.minus(&steps).unwrap().seminorm(order(0.4), Tolerance::fast()).is_ok());
-    let longer = Function::constants(&Mesh::uniform(8, 2.0).unwrap(), &[0.0; 8]).unwrap();
+    let longer = Function::piecewise(&Mesh::uniform(8, 2.0).unwrap(), 0, &[0.0; 8]).unwrap();
     assert!(matches!(u.minus(&longer).unwrap().norm(0.0, Tolerance::fast()), Err(Error::OutOfRange { .. })));
     let power = Function::power(0.2).unwrap();
     let singular = power.minus(&longer).unwrap().seminorm(order(0.8), Tolerance::fast());
     assert!(singular.is_err());
-    let flat = Function::constants(&Mesh::uniform(8, 1.0).unwrap(), &[0.0; 8]).unwrap();
+    let flat = Function::piecewise(&Mesh::uniform(8, 1.0).unwrap(), 0, &[0.0; 8]).unwrap();
     let singular = power.minus(&flat).unwrap().seminorm(order(0.8), Tolerance::fast());
     assert!(matches!(singular, Err(Error::InfiniteNorm { .. })), "{singular:?}");
 }

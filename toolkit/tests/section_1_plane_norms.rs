@@ -164,7 +164,7 @@ fn scaling_rotation_and_constants() {
         let norm = seminorm(&w);
         for l in [1e-100, 3e-7, 1e5, 1e100] {
             let larger = like(w.mesh.mapped(|p| p.map(|x| l * x)).unwrap(), w.values.clone());
-            let expected = l.powf(order.complement()) * norm;
+            let expected = l.powf(1.0 - order.value()) * norm;
             assert!((seminorm(&larger) / expected - 1.0).abs() < IDENTITY, "{l} {order}");
         }
         let (sin, cos) = random.between(0.0, 6.0).sin_cos();

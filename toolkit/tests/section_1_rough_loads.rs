@@ -153,7 +153,7 @@ fn square_wave(elements: f64, nu: f64) -> f64 {
 fn square_waves_on_up_to_a_hundred_thousand_elements() {
     for n in [2usize, 50, 3000, 100_000] {
         let signs: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
-        let wave = Function::constants(&Mesh::uniform(n, 1.0).unwrap(), &signs).unwrap();
+        let wave = Function::piecewise(&Mesh::uniform(n, 1.0).unwrap(), 0, &signs).unwrap();
         for nu in [0.1, 0.5, 0.9] {
             let exact = square_wave(n as f64, nu);
             let found = wave.dual_norm(DualOf::InterpolationZero, order(nu), tolerance(1e-8)).unwrap();
@@ -170,8 +170,8 @@ fn a_partition_cut_further_has_the_same_norm() {
     let values: Vec<f64> = lengths.iter().map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
     let cut: Vec<f64> = lengths.iter().flat_map(|h| [0.3 * h, 0.7 * h]).collect();
     let twice: Vec<f64> = values.iter().flat_map(|v| [*v, *v]).collect();
-    let whole = Function::constants(&Mesh::from_lengths(lengths).unwrap(), &values).unwrap();
-    let halves = Function::constants(&Mesh::from_lengths(cut).unwrap(), &twice).unwrap();
+    let whole = Function::piecewise(&Mesh::from_lengths(lengths).unwrap(), 0, &values).unwrap();
+    let halves = Function::piecewise(&Mesh::from_lengths(cut).unwrap(), 0, &twice).unwrap();
     for nu in [0.05, 0.5, 0.95] {
         for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
             let [a, b] = [&whole, &halves].map(|u| u.dual_norm(of, order(nu), tolerance(1e-10)).unwrap());
@@ -260,7 +260,7 @@ fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
 fn random_signs_on_a_hundred_thousand_elements() {
     let mut random = SplitMix::new(17);
     let values: Vec<f64> = (0..100_000).map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
-    let load = Function::constants(&Mesh::uniform(100_000, 1.0).unwrap(), &values).unwrap();
+    let load = Function::piecewise(&Mesh::uniform(100_000, 1.0).unwrap(), 0, &values).unwrap();
     let find = |nu, t| load.norm(-order(nu), tolerance(t));
     let (wide, sharp) = (find(0.9, 1e-5).unwrap(), find(0.9, 1e-9).unwrap());
     assert!((wide.value - sharp.value).abs() <= wide.error + sharp.error, "{wide} {sharp}");
@@ -277,7 +277,7 @@ fn random_signs(count: usize, random: &mut SplitMix) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn constants(lengths: &[f64], values: &[f64]) -> Function<'static> {
-    Function::constants(&Mesh::from_lengths(lengths.to_vec()).unwrap(), values).unwrap()
+    Function::piecewise(&Mesh::from_lengths(lengths.to_vec()).unwrap(), 0, values).unwrap()
 }
 
 /// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
@@ -325,7 +325,7 @@ fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
     let step = |x: f64| if x < 0.3 { 1.0 } else { -2.0 };
     let declared = Function::from_fn(&[0.0, 0.3, 1.0], step).unwrap();
     let cells = Mesh::from_lengths(vec![0.3, 0.7]).unwrap();
-    let exact = Function::constants(&cells, &[1.0, -2.0]).unwrap();
+    let exact = Function::piecewise(&cells, 0, &[1.0, -2.0]).unwrap();
     let log = Function::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
     let power = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {

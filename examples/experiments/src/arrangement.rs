@@ -1,5 +1,6 @@
 //! Which set E of given measure has the largest constant: the zone at an end, by rearrangement.
 
+use crate::EstimateExt;
 use crate::SplitMix;
 use crate::parallel;
 use crate::search::golden_section;

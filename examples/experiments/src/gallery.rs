@@ -1,10 +1,8 @@
 //! Functions by name for `section_1_fractional_norms` and its page: `power:0.3`, `step:0.4`, `hat`, `log:0.25`,
 //! `samples:FILE`.
 
-use crate::text::{pairs, read_text};
-use fractional_sobolev::{
-    Error, Estimate, Function, Given, Mesh, Order, Position, Result, Tolerance, closed_forms,
-};
+use fractional_sobolev::{Estimate, Function, Given, Mesh, Order, Position, Tolerance, closed_forms};
+use signorini::{Error, Result, ToolkitError, read_pairs};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -17,7 +15,7 @@ use std::str::FromStr;
 ///
 /// ```
 /// use experiments::gallery::GalleryFunction;
-/// use fractional_sobolev::{Error, Order};
+/// use fractional_sobolev::Order;
 /// let root: GalleryFunction = "power:0.5".parse()?;
 /// let exact = root.closed_form(0.25)?.map(|e| e.value).unwrap_or(f64::NAN);
 /// assert!((root.function()?.seminorm(0.25, 1e-8)?.value / exact - 1.0).abs() < 1e-8);
@@ -25,7 +23,7 @@ use std::str::FromStr;
 /// let step: GalleryFunction = "step:0.4".parse()?;
 /// assert!(step.is_in(Order::new(0.25)?) && !step.is_in(Order::HALF) && step.last_order() == 0.5);
 /// assert_eq!(step.finite_seminorm(0.5, 1e-8)?, None);
-/// # Ok::<(), fractional_sobolev::Error>(())
+/// # Ok::<(), signorini::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum GalleryFunction {
@@ -48,8 +46,8 @@ impl GalleryFunction {
     /// |u|_ν in closed form, where one is known.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] above the critical order.
-    pub fn closed_form(&self, order: impl Given<Order>) -> Result<Option<Estimate>> {
+    /// [`ToolkitError::InfiniteNorm`] above the critical order.
+    pub fn closed_form(&self, order: impl Given<Order>) -> fractional_sobolev::Result<Option<Estimate>> {
         let order = order.given()?;
         let squared = match self {
             // right also where the square underflows
@@ -67,8 +65,8 @@ impl GalleryFunction {
     pub fn is_in(&self, order: Order) -> bool {
         match *self {
             Self::Power(a) => a == 0.0 || order.offset() < a,
-            Self::Step(_) => order.is_below_half(),
-            Self::Log(alpha) => order.is_below_half() || order.offset() == 0.0 && alpha < 0.5,
+            Self::Step(_) => order.offset() < 0.0,
+            Self::Log(alpha) => order.offset() < 0.0 || order.offset() == 0.0 && alpha < 0.5,
             Self::Hat | Self::Samples(_) => true,
         }
     }
@@ -87,24 +85,24 @@ impl GalleryFunction {
     /// # Errors
     /// [`Error::File`] for samples that cannot be read.
     pub fn function(&self) -> Result<Function<'static>> {
-        match *self {
-            Self::Power(a) => Function::power(a),
+        Ok(match *self {
+            Self::Power(a) => Function::power(a)?,
             Self::Step(x) => Function::from_positions(&[0.0, x, 1.0], |at: Position| {
                 let right = at.anchor() == 2 || at.anchor() == 1 && at.offset() > 0.0;
                 f64::from(u8::from(right))
-            }),
+            })?,
             Self::Hat => Function::from_positions(&[0.0, 0.5, 1.0], |at| match at.anchor() {
                 1 => 1.0 - 2.0 * at.offset().abs(),
                 _ => 2.0 * at.offset().abs(),
-            }),
+            })?,
             Self::Log(alpha) => Function::from_log_distances(&[0.0, 1.0], move |at| match at.anchor() {
                 0 => (-at.log_distance()).powf(alpha),
                 // The distance to 1 is −ln x; at small α its power is far from 0 where it underflows.
                 _ if at.log_distance() < -46.0 => (alpha * at.log_distance()).exp(),
                 _ => (-at.offset().ln_1p()).powf(alpha),
-            }),
-            Self::Samples(ref path) => read_samples(path),
-        }
+            })?,
+            Self::Samples(ref path) => read_samples(path)?,
+        })
     }
 
     /// |u|_ν, none where it is found to be infinite.
@@ -117,15 +115,15 @@ impl GalleryFunction {
         tolerance: impl Given<Tolerance>,
     ) -> Result<Option<Estimate>> {
         match self.function()?.seminorm(order.given()?, tolerance) {
-            Err(Error::InfiniteNorm { .. }) => Ok(None),
-            outcome => outcome.map(Some),
+            Err(ToolkitError::InfiniteNorm { .. }) => Ok(None),
+            outcome => Ok(Some(outcome?)),
         }
     }
 }
 
 /// The piecewise linear function through the rows (x, value) of a file.
 fn read_samples(path: &Path) -> Result<Function<'static>> {
-    let rows = pairs(&read_text(path)?, "samples").map_err(|fault| Error::file(path, fault))?;
+    let rows = read_pairs(path)?;
     if rows.len() < 2 {
         return Err(Error::file(path, "fewer than two rows of x, value"));
     }
@@ -133,7 +131,7 @@ fn read_samples(path: &Path) -> Result<Function<'static>> {
         return Err(Error::file(path, format!("line {line}: x is not above that of the line before")));
     }
     let (nodes, values): (Vec<f64>, Vec<f64>) = rows.iter().map(|&(_, [x, value])| (x, value)).unzip();
-    Function::linears(&Mesh::from_nodes(&nodes)?, &values)
+    Ok(Function::linears(&Mesh::from_nodes(&nodes)?, &values)?)
 }
 
 impl fmt::Display for GalleryFunction {
@@ -148,14 +146,14 @@ impl fmt::Display for GalleryFunction {
     }
 }
 
-fn unknown(text: &str) -> Error {
-    Error::UnknownName { what: "function", given: text.to_owned(), expected: EXPECTED }
+fn unknown(text: &str) -> ToolkitError {
+    ToolkitError::UnknownName { what: "function", given: text.to_owned(), expected: EXPECTED }
 }
 
 impl FromStr for GalleryFunction {
-    type Err = Error;
+    type Err = ToolkitError;
 
-    fn from_str(text: &str) -> Result<Self> {
+    fn from_str(text: &str) -> fractional_sobolev::Result<Self> {
         let (name, argument) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
         let number = argument.unwrap_or("").parse::<f64>().ok().filter(|value| value.is_finite());
         match (name, number) {

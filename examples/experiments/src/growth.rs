@@ -1,5 +1,6 @@
 //! Lemma 5.2 over a sequence of zones: how fast the constants grow, and bounds with explicit constants.
 
+use crate::EstimateExt;
 use crate::zone_bound::ZoneBound;
 use crate::zones::{Condition, Place};
 pub use crate::zones::{END_SLOPE, INTERIOR_SLOPE};
@@ -56,7 +57,7 @@ pub fn growth(order: impl Given<Order>, zones: &[(f64, Estimate)]) -> Result<Opt
 /// ```
 pub fn growth_limit(order: Order, place: Place) -> f64 {
     match place {
-        _ if order.is_below_half() => order.offset(),
+        _ if order.offset() < 0.0 => order.offset(),
         _ if order.offset() > 0.0 => 0.0,
         Place::End => END_SLOPE,
         Place::Centre | Place::At(_) => INTERIOR_SLOPE,
@@ -116,7 +117,7 @@ pub fn printed_exponent_near_one(tolerance: impl Given<Tolerance>) -> Result<Opt
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 pub fn printed_growth(order: Order, theta: f64) -> f64 {
-    if order.is_below_half() {
+    if order.offset() < 0.0 {
         theta.powf(order.offset())
     } else if order.offset() == 0.0 {
         -theta.ln()

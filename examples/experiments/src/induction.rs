@@ -1,6 +1,8 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, both sides of every step.
 
-use fractional_sobolev::{Constraint, ExtremalFunction, gamma};
+use crate::ErrorExt;
+use crate::EstimateExt;
+use fractional_sobolev::{Constraint, Extremal, gamma};
 use fractional_sobolev::{Error, Estimate, Function, Given, Order, Result, Tolerance};
 
 /// The extremal function is interpolated by polynomials of this degree on its cells, each cut into pieces.
@@ -212,7 +214,7 @@ pub fn induction(
 }
 
 /// The three quotients of (5.7) and that of (5.6) for the extremal function of V_{θ²}, in the variable x/θ.
-fn restricted(order: Order, theta: f64, gamma: Estimate, u: &ExtremalFunction) -> Result<[Estimate; 4]> {
+fn restricted(order: Order, theta: f64, gamma: Estimate, u: &Extremal) -> Result<[Estimate; 4]> {
     let whole = u.interpolate(DEGREE, PIECES, &[theta * theta, theta])?;
     let nodes = whole.mesh()?.nodes();
     let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + AT_THETA)).count() - 1;

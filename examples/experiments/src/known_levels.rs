@@ -1,6 +1,7 @@
 //! `theorem_3_1_without_c`, `theorem_3_1_with_numbers`, `theorem_3_1_with_numbers_elastic`, `contact_costs_nothing`:
 //! errors of the discrete solutions of a problem with known solution on the meshes with n × n squares, n = 4, 8, ...
 
+use crate::ErrorExt;
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Settings, Start};
 use signorini::problems::KnownSolution;

@@ -4,6 +4,8 @@
 pub mod arrangement;
 pub mod contact_levels;
 pub mod convergence;
+mod estimates;
+mod faults;
 pub mod gallery;
 pub mod growth;
 pub mod hard_cases;
@@ -20,12 +22,13 @@ pub mod solver_variants;
 pub mod sorting;
 pub mod square_trace;
 mod sum;
-mod text;
 pub mod trial;
 pub mod wedge_grid;
 pub mod zone_bound;
 pub mod zones;
 
+pub use estimates::EstimateExt;
+pub use faults::ErrorExt;
 pub use known_levels::{KnownLevel, known_levels};
 pub use random::SplitMix;
 pub use scale::largest;

@@ -1,5 +1,6 @@
 //! Remark 7: one length of the zone at several places, and what the printed cut of the interval would need.
 
+use crate::EstimateExt;
 use crate::growth::last_exponent;
 use crate::trial::{BothSides, cut_in_two, trial_quotient, truncated_logarithm};
 use fractional_sobolev::{Constraint, GammaBounds, Zones, gamma};
@@ -96,7 +97,7 @@ impl Places {
         };
         let step = gamma(order, Constraint::vanishing_on(short), tolerance)?.constant.over(end)?;
         let zones = starts.into_iter().map(placed).collect::<Result<Vec<Placed>>>()?;
-        let sign = order.is_below_half().then(|| sign(order)).transpose()?;
+        let sign = (order.offset() < 0.0).then(|| sign(order)).transpose()?;
         let ramps = if order.offset() == 0.0 { ramps(order)? } else { None };
         Ok(Self { order, zones, step, sign, ramps })
     }
@@ -110,7 +111,7 @@ fn simple_bound(found: &GammaBounds) -> Result<Estimate> {
 }
 
 fn sign(order: Order) -> Result<BothSides> {
-    let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+    let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     cut_in_two(&sign, 1, order, Tolerance::balanced())
 }
 

@@ -1,5 +1,7 @@
 //! Trial functions: quotients below the best constant, the family of Remark 5, and the cut of Remark 7.
 
+use crate::ErrorExt;
+use crate::EstimateExt;
 use crate::growth::{END_SLOPE, growth, last_exponent};
 use fractional_sobolev::{Error, Estimate, Function, Given, Mesh, Order, Result, Tolerance, closed_forms};
 
@@ -208,7 +210,7 @@ pub fn mean_free_quotient(
 /// use experiments::trial::{BothSides, cut_in_two};
 /// use fractional_sobolev::{Function, Mesh};
 /// // sgn(x − 1/2) cut at its jump: no constant bounds the left side by the right one
-/// let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+/// let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
 /// let BothSides { left, right } = cut_in_two(&sign, 1, 0.25, 1e-8)?;
 /// assert!((left.value - 1.0).abs() < 1e-14 && right.value == 0.0);
 /// # Ok::<(), fractional_sobolev::Error>(())

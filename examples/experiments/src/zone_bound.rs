@@ -1,5 +1,6 @@
 //! An upper bound of the constants of all zones of one length.
 
+use crate::ErrorExt;
 use crate::zones::{Condition, END_SLOPE};
 use fractional_sobolev::{Constraint, gamma, law};
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Tolerance};

@@ -1,5 +1,6 @@
 //! Zones and conditions as options of a command: where zones of any length are put, and what holds on them.
 
+use crate::ErrorExt;
 use fractional_sobolev::{Constraint, Error, Given, Result, Zones};
 use std::f64::consts::PI;
 use std::fmt;

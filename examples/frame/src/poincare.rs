@@ -34,7 +34,7 @@ pub fn extremal_chart(orders: &[Order], theta: f64, tolerance: Tolerance) -> Res
         let (gamma, u) = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)
             .map(|found| (found.constant, found.extremal()))?;
         let name = format!("ν = {order}, γ = {:.4}", gamma.value);
-        let mut points = vec![(NEAREST, u.value(NEAREST))];
+        let mut points = vec![(NEAREST, u.value(&[NEAREST]))];
         points.extend(u.profile(PER_CELL).into_iter().filter(|&(x, _)| x > NEAREST));
         chart = chart.with(Series::line(name, points));
     }

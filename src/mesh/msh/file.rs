@@ -18,9 +18,9 @@
 
 use super::lines::Lines;
 use super::raw::Raw;
-use super::text::{quoted, read_text};
 use crate::error::Result;
 use crate::mesh::triangulation::Triangulation;
+use crate::text::{quoted, read_text};
 use std::collections::BTreeSet;
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! The lines of a Gmsh file with their numbers; blank ones are passed over.
 
-use super::text::quoted;
 use crate::error::{Error, Result};
+use crate::text::quoted;
 use std::str::FromStr;
 
 /// How errors call the format.

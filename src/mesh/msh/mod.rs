@@ -5,7 +5,5 @@ mod lines;
 mod raw;
 mod sections_2;
 mod sections_4;
-mod text;
 
 pub use file::{parse_msh, read_msh};
-pub(crate) use text::{quoted, read_text};

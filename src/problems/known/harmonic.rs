@@ -103,7 +103,7 @@ impl fmt::Display for Harmonic {
 pub(super) mod tests {
     use super::*;
 
-    pub(in super::super) fn scenes(whole_boundary: bool) -> Vec<Harmonic> {
+    pub(in super::super) fn all_known(whole_boundary: bool) -> Vec<Harmonic> {
         let of_tau = [1.4, 1.5, 1.75, 2.1, 2.25, 2.5].map(TransitionPowers::of_regularity);
         let of_log = [0.0, 0.75, 1.0, 1.5].map(|logarithm| TransitionPowers {
             opening: 1.0,
@@ -116,37 +116,37 @@ pub(super) mod tests {
 
     #[test]
     fn signs_and_derivatives_are_those_claimed() {
-        for scene in scenes(true) {
+        for known in all_known(true) {
             for i in 1..100 {
                 let t = f64::from(i) / 100.0;
-                let bottom = scene.displacement([t, 0.0]);
-                let beyond = t - scene.position;
+                let bottom = known.displacement([t, 0.0]);
+                let beyond = t - known.position;
                 assert!(
                     if beyond > 0.0 { bottom.abs() < 1e-15 } else { bottom < 0.0 },
-                    "{scene} {t} {bottom}"
+                    "{known} {t} {bottom}"
                 );
                 assert!(
-                    scene.normal_stress(beyond) <= 0.0 && bottom * scene.normal_stress(beyond) == 0.0,
-                    "{scene} {t}"
+                    known.normal_stress(beyond) <= 0.0 && bottom * known.normal_stress(beyond) == 0.0,
+                    "{known} {t}"
                 );
                 for point in [[0.0, t], [1.0, t], [t, 1.0]] {
-                    assert!(scene.displacement(point) < 0.0, "{scene} {point:?}");
+                    assert!(known.displacement(point) < 0.0, "{known} {point:?}");
                 }
             }
             // Central differences: h² times third derivatives, ε/h of rounding.
             let (h, [x, y]) = (1e-4, [0.7, 0.3]);
-            let around = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| scene.displacement(p));
-            let [p, q] = scene.gradient([x, y]);
-            assert!(((around[0] - around[1]) / (2.0 * h) - p).abs() < 1e-7, "{scene}");
-            assert!(((around[2] - around[3]) / (2.0 * h) - q).abs() < 1e-7, "{scene}");
-            let laplace = (around.iter().sum::<f64>() - 4.0 * scene.displacement([x, y])) / (h * h);
-            assert!(laplace.abs() < 1e-5, "{scene}: {laplace}");
+            let around = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| known.displacement(p));
+            let [p, q] = known.gradient([x, y]);
+            assert!(((around[0] - around[1]) / (2.0 * h) - p).abs() < 1e-7, "{known}");
+            assert!(((around[2] - around[3]) / (2.0 * h) - q).abs() < 1e-7, "{known}");
+            let laplace = (around.iter().sum::<f64>() - 4.0 * known.displacement([x, y])) / (h * h);
+            assert!(laplace.abs() < 1e-5, "{known}: {laplace}");
             // u_N = −r^p, and at p = 1 near −r ℓ^{−α}.
             let r = 1e-9;
-            let (found, p) = (-scene.displacement([scene.position - r, 0.0]), scene.powers.opening);
-            let expected = r.powf(p) * (2.0 - r.ln()).powf(-scene.powers.logarithm);
-            let near = if scene.powers.logarithm == 0.0 { 1e-5 } else { 0.05 };
-            assert!((found / expected - 1.0).abs() < near, "{scene}: {found} {expected}");
+            let (found, p) = (-known.displacement([known.position - r, 0.0]), known.powers.opening);
+            let expected = r.powf(p) * (2.0 - r.ln()).powf(-known.powers.logarithm);
+            let near = if known.powers.logarithm == 0.0 { 1e-5 } else { 0.05 };
+            assert!((found / expected - 1.0).abs() < near, "{known}: {found} {expected}");
         }
     }
 }

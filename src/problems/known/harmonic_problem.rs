@@ -105,7 +105,7 @@ impl Harmonic {
 
 #[cfg(test)]
 mod tests {
-    use super::super::harmonic::tests::scenes;
+    use super::super::harmonic::tests::all_known;
     use super::*;
     use crate::mesh::doubled_area;
 
@@ -115,12 +115,12 @@ mod tests {
     fn the_loads_are_those_of_u() {
         let n = 4;
         for whole_boundary in [false, true] {
-            for scene in scenes(whole_boundary) {
-                let problem = scene.problem(n).unwrap();
+            for known in all_known(whole_boundary) {
+                let problem = known.problem(n).unwrap();
                 let mesh = problem.mesh();
                 let held = mesh.nodes_on(Part::Dirichlet);
                 let mut work = vec![0.0; mesh.nodes().len()];
-                let rule = scene.rule(10).unwrap();
+                let rule = known.rule(10).unwrap();
                 let reaction = f64::from(u8::from(whole_boundary));
                 let mut volume = work.clone();
                 for (t, corners) in mesh.triangles().iter().enumerate() {
@@ -130,7 +130,7 @@ mod tests {
                         let doubled = doubled_area(triangle);
                         let slope = [(b[1] - c[1]) / doubled, (c[0] - b[0]) / doubled];
                         rule.on(triangle, &mut |point, weight| {
-                            let ([p, q], u) = (scene.gradient(point), scene.displacement(point));
+                            let ([p, q], u) = (known.gradient(point), known.displacement(point));
                             let share = doubled_area([point, b, c]) / doubled;
                             work[node] += weight * (p * slope[0] + q * slope[1] + reaction * u * share);
                             volume[node] += weight * reaction * u * share;
@@ -139,19 +139,19 @@ mod tests {
                         .unwrap();
                     }
                 }
-                let mut load = scene.edge_load(mesh).unwrap();
+                let mut load = known.edge_load(mesh).unwrap();
                 let rule = gauss_legendre(EDGE_POINTS).unwrap();
                 for i in 0..n {
                     let start = i as f64 / n as f64;
-                    for (t, weight, beyond) in scene.points_on_bottom(start, 1.0 / n as f64, &rule) {
+                    for (t, weight, beyond) in known.points_on_bottom(start, 1.0 / n as f64, &rule) {
                         for (node, share) in [(i, 1.0 - t), (i + 1, t)] {
-                            load[node] += weight * share / n as f64 * scene.normal_stress(beyond);
+                            load[node] += weight * share / n as f64 * known.normal_stress(beyond);
                         }
                     }
                 }
                 for node in (0..work.len()).filter(|&node| !held[node]) {
                     let off = work[node] - volume[node] - load[node];
-                    assert!(off.abs() < 2e-6, "{scene} node {node}: {off:e}");
+                    assert!(off.abs() < 2e-6, "{known} node {node}: {off:e}");
                 }
             }
         }

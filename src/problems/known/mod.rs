@@ -391,13 +391,7 @@ impl KnownSolution {
             }
             if points == MOST_POINTS {
                 let why = "quadrature of the error converges slowly near the transition";
-                return Err(ToolkitError::not_met(
-                    "error in the energy norm",
-                    tolerance.relative(),
-                    found,
-                    why,
-                )
-                .into());
+                return Err(Error::not_met("error in the energy norm", tolerance.relative(), found, why));
             }
             (before, points) = (value, points + 1);
         }
@@ -529,7 +523,7 @@ impl fmt::Display for KnownSolution {
 
 #[cfg(test)]
 mod tests {
-    use super::harmonic::tests::scenes;
+    use super::harmonic::tests::all_known;
     use super::*;
     use crate::cone::Cone;
     use crate::contact::Solver;
@@ -540,49 +534,49 @@ mod tests {
         let powers = [0.65, 1.3].map(|p| KnownSolution::power(p, lame).unwrap());
         let of_each = |lame| [KnownSolution::one_transition(lame), KnownSolution::two_transitions(lame)];
         let known = [of_each(None), of_each(lame), powers].concat();
-        for scene in known.into_iter().chain([KnownSolution::three_halves()]) {
-            let problem = scene.problem(8).unwrap();
-            let values = scene.interpolant(&problem).unwrap();
-            let coarse = scene.error_norms(&problem, &values).unwrap().energy;
-            let fine = scene.norms(&problem, &values, 10).unwrap().energy;
+        for known in known.into_iter().chain([KnownSolution::three_halves()]) {
+            let problem = known.problem(8).unwrap();
+            let values = known.interpolant(&problem).unwrap();
+            let coarse = known.error_norms(&problem, &values).unwrap().energy;
+            let fine = known.norms(&problem, &values, 10).unwrap().energy;
             // Four points a side see less of the gradient r^{p−1} of a rough solution than of r^{1/2}.
-            let allowed = if powers.contains(&scene) { 3e-3 } else { 1e-3 };
-            assert!((coarse / fine - 1.0).abs() < allowed, "{scene}: {coarse} {fine}");
-            let found = scene.error(&problem, &values, 1e-2).unwrap();
-            assert_eq!(found.value, coarse, "{scene}");
-            assert!((found.value - fine).abs() <= 4.0 * found.error, "{scene}: {found:?} {fine}");
+            let allowed = if powers.contains(&known) { 3e-3 } else { 1e-3 };
+            assert!((coarse / fine - 1.0).abs() < allowed, "{known}: {coarse} {fine}");
+            let found = known.error(&problem, &values, 1e-2).unwrap();
+            assert_eq!(found.value, coarse, "{known}");
+            assert!((found.value - fine).abs() <= 4.0 * found.error, "{known}: {found:?} {fine}");
         }
     }
 
     #[test]
     fn a_tolerance_is_met_or_refused() {
-        let scene = KnownSolution::power(0.65, None).unwrap();
-        let problem = scene.problem(4).unwrap();
-        let values = scene.interpolant(&problem).unwrap();
-        let [rough, sharp] = [1e-2, 1e-5].map(|asked| scene.error(&problem, &values, asked).unwrap());
+        let known = KnownSolution::power(0.65, None).unwrap();
+        let problem = known.problem(4).unwrap();
+        let values = known.interpolant(&problem).unwrap();
+        let [rough, sharp] = [1e-2, 1e-5].map(|asked| known.error(&problem, &values, asked).unwrap());
         assert!(sharp.error <= 1e-5 * sharp.value && (rough.value - sharp.value).abs() <= 2.0 * rough.error);
-        assert!(scene.error(&problem, &values, 1e-15).is_err());
-        assert!(scene.second_seminorm(4, 1e-2).is_err());
+        assert!(known.error(&problem, &values, 1e-15).is_err());
+        assert!(known.second_seminorm(4, 1e-2).is_err());
         assert!(KnownSolution::three_halves().body_seminorm(1.75, 1e-3).is_err());
     }
 
     #[test]
     fn contact_is_found_where_it_is_in_both_cones() {
-        for known in scenes(true).into_iter().chain(scenes(false)) {
-            let scene = KnownSolution { formula: Formula::Harmonic(known) };
-            let problem = scene.problem(16).unwrap();
+        for known in all_known(true).into_iter().chain(all_known(false)) {
+            let known = KnownSolution { formula: Formula::Harmonic(known) };
+            let problem = known.problem(16).unwrap();
             let [nodal, midpoint] = [Cone::Nodal, Cone::Midpoint].map(|cone| {
                 let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
-                assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{scene} {cone}");
-                let error = scene.error(&problem, &solution.displacement, 1e-2).unwrap();
-                assert!(error.error < 1e-3 * error.value, "{scene} {cone}: {error:?}");
+                assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{known} {cone}");
+                let error = known.error(&problem, &solution.displacement, 1e-2).unwrap();
+                assert!(error.error < 1e-3 * error.value, "{known} {cone}: {error:?}");
                 (solution.contact_set.count(), error.value)
             });
-            assert!(nodal.0.abs_diff(2 * 16 / 3) <= 2, "{scene}: {nodal:?}");
+            assert!(nodal.0.abs_diff(2 * 16 / 3) <= 2, "{known}: {nodal:?}");
             // The errors of the two cones are of one size on every test problem.
             assert!(
                 midpoint.1 < 1.5 * nodal.1 && nodal.1 < 1.5 * midpoint.1,
-                "{scene}: {nodal:?} {midpoint:?}"
+                "{known}: {nodal:?} {midpoint:?}"
             );
         }
         for opening in [0.2, 0.95, 1.6, f64::NAN] {

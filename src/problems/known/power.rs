@@ -197,19 +197,19 @@ mod tests {
     #[test]
     fn conditions_hold_and_the_load_is_what_is_left() {
         for power in [0.65, 0.8, 0.95, 1.1, 1.3] {
-            let scene = Power::new(power, None).unwrap();
+            let known = Power::new(power, None).unwrap();
             for i in 0..=20 {
                 let x = f64::from(i) / 20.0 + 1e-3;
                 let (r, side) = ((x - TRANSITION).abs(), usize::from(x > TRANSITION));
-                let (u, normal) = (scene.displacement([x, 0.0])[0], -scene.gradient([x, 0.0])[0][1]);
-                let pressure = normal - scene.loads()[side] * r.powf(power - 1.0);
+                let (u, normal) = (known.displacement([x, 0.0])[0], -known.gradient([x, 0.0])[0][1]);
+                let pressure = normal - known.loads()[side] * r.powf(power - 1.0);
                 assert!(u <= 1e-15 && pressure <= 1e-14 && (u * pressure).abs() < 1e-14, "{power} {x}");
                 assert!(side == 0 || u < 0.0);
                 assert!(side == 1 || pressure < 0.0);
             }
             let (h, [x, y]) = (1e-5, [0.55, 0.2]);
-            let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| scene.displacement(p)[0]);
-            let [slope, _] = scene.gradient([x, y]);
+            let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| known.displacement(p)[0]);
+            let [slope, _] = known.gradient([x, y]);
             assert!(((sides[0] - sides[1]) / (2.0 * h) - slope[0]).abs() < 1e-8);
             assert!(((sides[2] - sides[3]) / (2.0 * h) - slope[1]).abs() < 1e-8);
         }
@@ -224,23 +224,23 @@ mod tests {
     fn an_elastic_body_meets_all_conditions_and_is_in_balance() {
         let lame = Lame::new(1.3, 0.7).unwrap();
         for power in [0.65, 0.8, 0.95, 1.1, 1.3] {
-            let scene = Power::new(power, Some(lame)).unwrap();
+            let known = Power::new(power, Some(lame)).unwrap();
             for i in 0..=20 {
                 let x = f64::from(i) / 20.0 + 1e-3;
                 let (r, side) = ((x - TRANSITION).abs(), usize::from(x > TRANSITION));
-                let u = -scene.displacement([x, 0.0])[1];
-                let [_, [shear, normal]] = stress(lame, scene.gradient([x, 0.0]));
-                let pressure = normal - scene.loads()[side] * r.powf(power - 1.0);
+                let u = -known.displacement([x, 0.0])[1];
+                let [_, [shear, normal]] = stress(lame, known.gradient([x, 0.0]));
+                let pressure = normal - known.loads()[side] * r.powf(power - 1.0);
                 assert!(u <= 1e-15 && pressure <= 1e-14 && (u * pressure).abs() < 1e-14, "{power} {x}");
                 assert!(shear.abs() < 1e-14, "{power} {x}: {shear}");
-                let exact = [scene.slope() / power * r.powf(power), scene.pressure() * r.powf(power - 1.0)];
+                let exact = [known.slope() / power * r.powf(power), known.pressure() * r.powf(power - 1.0)];
                 let [given, found] = if side == 1 { [exact[0], u] } else { [exact[1], pressure] };
                 assert!((given - found).abs() < 1e-14, "{power} {x}: {given} {found}");
             }
             let (h, [x, y]) = (1e-5, [0.55, 0.2]);
             let points = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]];
-            let (u, g) = (points.map(|p| scene.displacement(p)), scene.gradient([x, y]));
-            let s = points.map(|p| stress(lame, scene.gradient(p)));
+            let (u, g) = (points.map(|p| known.displacement(p)), known.gradient([x, y]));
+            let s = points.map(|p| stress(lame, known.gradient(p)));
             for c in 0..2 {
                 for d in 0..2 {
                     assert!(((u[2 * d][c] - u[2 * d + 1][c]) / (2.0 * h) - g[c][d]).abs() < 1e-8, "{power}");
@@ -254,8 +254,8 @@ mod tests {
     #[test]
     fn bad_powers_and_infinite_norms_are_errors() {
         assert!(Power::new(1.0, None).is_err() && Power::new(0.4, None).is_err());
-        let scene = Power::new(0.8, None).unwrap();
+        let known = Power::new(0.8, None).unwrap();
         let order = Order::new(0.3).unwrap();
-        assert!(scene.edge_seminorm(EdgeDatum::Slope, [0.0, 1.0], order, Tolerance::fast()).is_err());
+        assert!(known.edge_seminorm(EdgeDatum::Slope, [0.0, 1.0], order, Tolerance::fast()).is_err());
     }
 }

@@ -13,7 +13,7 @@
 //! u is prescribed on the other three sides. H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53.
 
 use crate::contact::ContactProblem;
-use crate::error::{Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::fem::{Cubature, Form, Lame};
 use crate::mesh::{Part, Point, SideParts, mapped_grid, unit_square};
 use fractional_sobolev::{Estimate, Tolerance, Work};
@@ -169,11 +169,9 @@ impl Westergaard {
         let why = "quadrature of second derivatives converges slowly near the transition";
         let asked = tolerance.relative();
         let what = "seminorm of second derivatives";
-        Err(best
-            .map_or(ToolkitError::out_of_reach(what, asked, f64::INFINITY, why), |best| {
-                ToolkitError::not_met(what, asked, best, why)
-            })
-            .into())
+        Err(best.map_or(Error::out_of_reach(what, asked, f64::INFINITY, why), |best| {
+            Error::not_met(what, asked, best, why)
+        }))
     }
 }
 
@@ -188,24 +186,24 @@ impl fmt::Display for Westergaard {
 mod tests {
     use super::*;
 
-    fn scenes() -> [Westergaard; 4] {
+    fn all_known() -> [Westergaard; 4] {
         let lame = Some(Lame::new(1.3, 0.7).unwrap());
-        let scene = |two_transitions, lame| Westergaard { two_transitions, lame };
-        [scene(false, None), scene(true, None), scene(false, lame), scene(true, lame)]
+        let known = |two_transitions, lame| Westergaard { two_transitions, lame };
+        [known(false, None), known(true, None), known(false, lame), known(true, lame)]
     }
 
     #[test]
     fn contact_conditions_hold_on_the_edge() {
-        for scene in scenes() {
+        for known in all_known() {
             for i in 0..=40 {
                 let point = [f64::from(i) / 40.0, 0.0];
-                let (u, stress) = (scene.displacement(point), scene.traction(point, [0.0, -1.0]));
-                let (normal, pressure, shear) = match scene.lame {
+                let (u, stress) = (known.displacement(point), known.traction(point, [0.0, -1.0]));
+                let (normal, pressure, shear) = match known.lame {
                     Some(_) => (-u[1], -stress[1], stress[0]),
                     None => (u[0], stress[0], 0.0),
                 };
-                assert!(normal <= 0.0 && pressure <= 1e-15, "{scene} {point:?}: {normal} {pressure}");
-                assert!((normal * pressure).abs() < 1e-15 && shear.abs() < 1e-15, "{scene} {point:?}");
+                assert!(normal <= 0.0 && pressure <= 1e-15, "{known} {point:?}: {normal} {pressure}");
+                assert!((normal * pressure).abs() < 1e-15 && shear.abs() < 1e-15, "{known} {point:?}");
             }
         }
     }
@@ -214,27 +212,27 @@ mod tests {
     fn derivatives_are_those_of_u_and_forces_balance() {
         // Central differences: h² times third derivatives, ε/h of rounding.
         let (h, tolerance) = (1e-5, 1e-7);
-        for scene in scenes() {
+        for known in all_known() {
             for point in [[0.1, 0.2], [0.55, 0.4], [0.9, 0.15]] {
                 let [x, y] = point;
-                let (gradient, second) = (scene.gradient(point), scene.second_derivatives(point));
+                let (gradient, second) = (known.gradient(point), known.second_derivatives(point));
                 let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]];
-                let (u, g) = (sides.map(|p| scene.displacement(p)), sides.map(|p| scene.gradient(p)));
+                let (u, g) = (sides.map(|p| known.displacement(p)), sides.map(|p| known.gradient(p)));
                 for c in 0..2 {
                     for d in 0..2 {
                         let slope = (u[2 * d][c] - u[2 * d + 1][c]) / (2.0 * h);
-                        assert!((slope - gradient[c][d]).abs() < tolerance, "{scene} {point:?}");
+                        assert!((slope - gradient[c][d]).abs() < tolerance, "{known} {point:?}");
                         for e in 0..2 {
                             let curve = (g[2 * d][c][e] - g[2 * d + 1][c][e]) / (2.0 * h);
-                            assert!((curve - second[c][d + e]).abs() < tolerance, "{scene} {point:?}");
+                            assert!((curve - second[c][d + e]).abs() < tolerance, "{known} {point:?}");
                         }
                     }
                 }
                 let laplace = second.map(|[xx, _, yy]| xx + yy);
-                let (lambda, mu) = scene.lame.map_or((-1.0, 1.0), |m| (m.lambda(), m.mu()));
+                let (lambda, mu) = known.lame.map_or((-1.0, 1.0), |m| (m.lambda(), m.mu()));
                 let grad = [second[0][0] + second[1][1], second[0][1] + second[1][2]];
                 for c in 0..2 {
-                    assert!((mu * laplace[c] + (lambda + mu) * grad[c]).abs() < 1e-13, "{scene}");
+                    assert!((mu * laplace[c] + (lambda + mu) * grad[c]).abs() < 1e-13, "{known}");
                 }
             }
         }
@@ -247,7 +245,7 @@ mod tests {
         for n in [1, 2, 16] {
             let q = 1.0 / n as f64;
             let exact = (1.125 * (corner(0.3, q) + corner(0.7, q))).sqrt();
-            let value = scenes()[0].second_seminorm(n, Tolerance::fast()).unwrap();
+            let value = all_known()[0].second_seminorm(n, Tolerance::fast()).unwrap();
             assert!((value.value - exact).abs() <= value.error.max(1e-9), "{n}: {value:?} {exact}");
         }
     }

@@ -50,16 +50,21 @@ impl ExactElastic {
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a test problem with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the
     /// numbers of layers are powers of two.
-    pub(super) fn new(scene: &EdgeData, height: (usize, usize), lame: Lame, coarsest: usize) -> Result<Self> {
-        if scene.sides() != LateralCondition::Periodic {
+    pub(super) fn new(
+        edge_data: &EdgeData,
+        height: (usize, usize),
+        lame: Lame,
+        coarsest: usize,
+    ) -> Result<Self> {
+        if edge_data.sides() != LateralCondition::Periodic {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
-                given: format!("{:?}", scene.sides()),
+                given: format!("{:?}", edge_data.sides()),
                 with: "the elastic strip",
                 expected: "periodic sides",
             }));
         }
-        let cells = scene.cells();
+        let cells = edge_data.cells();
         power_of_two(cells)?;
         let mut matrices: Vec<Vec<EdgeMatrix>> = Vec::new();
         let mut defects: Vec<Vec<EdgeMatrix>> = Vec::new();
@@ -93,7 +98,7 @@ impl ExactElastic {
             rounding: 0.0,
             interpolation: Interpolation::new(LateralCondition::Periodic.period(cells)),
         };
-        exact.set_scene(scene)?;
+        exact.set_data(edge_data)?;
         Ok(exact)
     }
 
@@ -101,11 +106,11 @@ impl ExactElastic {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
-    pub(super) fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
-        let mut force = self.operator.apply(scene.values())?;
-        force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
+    pub(super) fn set_data(&mut self, edge_data: &EdgeData) -> Result<()> {
+        let mut force = self.operator.apply(edge_data.values())?;
+        force.iter_mut().zip(edge_data.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, LateralCondition::Periodic);
-        self.exact = displacement(&self.operator, &self.matrices[0], scene.values())?;
+        self.exact = displacement(&self.operator, &self.matrices[0], edge_data.values())?;
         let largest = self.matrices[0].iter().map(|a| a.xx + a.yy).fold(0.0, f64::max);
         self.rounding = self.exact.iter().map(|component| rounding(component, largest)).sum();
         Ok(())

@@ -102,9 +102,9 @@ impl StripProblem {
     /// As [`EdgeData::new`], [`ToolkitError::Incompatible`] for sides of the other kind, [`ToolkitError::CountOutOfRange`] unless the
     /// number of cells is a power of two; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a continuous elastic
     /// reference.
-    pub fn new(kind: StripKind, scene: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
+    pub fn new(kind: StripKind, edge_data: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(Self(match kind {
-            StripKind::Scalar => Exact::Scalar(ExactEdge::scalar(scene, (1, 1), reference)?),
+            StripKind::Scalar => Exact::Scalar(ExactEdge::scalar(edge_data, (1, 1), reference)?),
             StripKind::Elastic if reference != Reference::Nested => {
                 return Err(Error::Toolkit(ToolkitError::Incompatible {
                     what: "reference",
@@ -114,7 +114,7 @@ impl StripProblem {
                 }));
             }
             StripKind::Elastic => {
-                Exact::Elastic(ExactElastic::new(scene, (1, 1), Lame::new(1.0, 1.0)?, coarsest)?)
+                Exact::Elastic(ExactElastic::new(edge_data, (1, 1), Lame::new(1.0, 1.0)?, coarsest)?)
             }
         }))
     }
@@ -125,10 +125,10 @@ impl StripProblem {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
-    pub fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
+    pub fn set_data(&mut self, edge_data: &EdgeData) -> Result<()> {
         match &mut self.0 {
-            Exact::Scalar(exact) => exact.set_scene(scene),
-            Exact::Elastic(exact) => exact.set_scene(scene),
+            Exact::Scalar(exact) => exact.set_data(edge_data),
+            Exact::Elastic(exact) => exact.set_data(edge_data),
         }
     }
 

@@ -53,16 +53,16 @@ impl ExactEdge {
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic test problem, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two
     /// and the height gives a whole number of layers on it.
-    pub(super) fn scalar(scene: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
-        if scene.sides() != LateralCondition::Natural {
+    pub(super) fn scalar(edge_data: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
+        if edge_data.sides() != LateralCondition::Natural {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what: "sides",
-                given: format!("{:?}", scene.sides()),
+                given: format!("{:?}", edge_data.sides()),
                 with: "the scalar strip",
                 expected: "natural sides",
             }));
         }
-        let cells = scene.cells();
+        let cells = edge_data.cells();
         power_of_two(cells)?;
         let layers = layers_on(cells, height)? as f64;
         let symbol = (0..=cells)
@@ -90,7 +90,7 @@ impl ExactEdge {
             loads: Vec::new(),
             defects,
         };
-        exact.set_scene(scene)?;
+        exact.set_data(edge_data)?;
         Ok(exact)
     }
 
@@ -98,11 +98,11 @@ impl ExactEdge {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
-    pub(super) fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
-        let mut force = self.operator.apply(scene.values())?;
-        force.iter_mut().zip(scene.forces()).for_each(|(b, l)| *b += l);
+    pub(super) fn set_data(&mut self, edge_data: &EdgeData) -> Result<()> {
+        let mut force = self.operator.apply(edge_data.values())?;
+        force.iter_mut().zip(edge_data.forces()).for_each(|(b, l)| *b += l);
         self.loads = pyramid(force, LateralCondition::Natural);
-        self.modes = self.operator.modes(scene.values())?;
+        self.modes = self.operator.modes(edge_data.values())?;
         self.rounding = rounding(&self.modes, self.operator.norm());
         Ok(())
     }

@@ -4,10 +4,10 @@
 //! energy norm of the error with constants near 1. Iterations needed for a given reduction do not depend on n
 //! or on the gaps.
 
-use super::conjugate_gradients::{CgStep, ConjugateGradients, System};
 use super::precondition::Preconditioner;
 use crate::cone::Face;
 use crate::error::Result;
+use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::fourier::Workspace;
 
@@ -95,7 +95,7 @@ impl<'a> FaceSolver<'a> {
         let target = (goal * scale).max(reduction * self.iteration.rho().sqrt());
         let mut iterations = 0;
         while self.iteration.rho().sqrt() > target && iterations < limit {
-            if self.iteration.step(&mut system, x)? == CgStep::Flat {
+            if self.iteration.step(&mut system, x)? == Step::Flat {
                 break;
             }
             iterations += 1;

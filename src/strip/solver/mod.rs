@@ -1,6 +1,5 @@
 //! Contact on the edge: the linear problem on a face, its preconditioner, and the iteration over faces.
 
-mod conjugate_gradients;
 mod inner;
 mod precondition;
 pub(super) mod solution;

@@ -49,7 +49,7 @@ impl Curve {
     /// let graded = Mesh::algebraic(3, 2.0, 1.0)?;
     /// let meshes = [Mesh::uniform(2, 1.0)?, graded, Mesh::uniform(1, 1.0)?];
     /// let curve = Curve::closed(&triangle, &meshes)?;
-    /// assert!(curve.len() == 6 && curve.is_closed() && (curve.length() - 12.0).abs() < 1e-14);
+    /// assert!(curve.len() == 6 && (curve.length() - 12.0).abs() < 1e-14);
     /// assert_eq!(curve.nodes()[1], [1.5, 0.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -69,7 +69,7 @@ impl Curve {
     /// let corner = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
     /// let mesh = Mesh::uniform(4, 1.0)?;
     /// let curve = Curve::open(&corner, &[mesh.clone(), mesh])?;
-    /// assert!(curve.len() == 8 && curve.nodes().len() == 9 && !curve.is_empty());
+    /// assert!(curve.len() == 8 && curve.nodes().len() == 9);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -85,7 +85,7 @@ impl Curve {
     /// ```
     /// use fractional_sobolev::Curve;
     /// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let curve = Curve::graded(&square, 4, 2.0)?;
+    /// let curve = Curve::algebraic(&square, 4, 2.0)?;
     /// assert_eq!(curve.nodes()[1], [0.125, 0.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -93,7 +93,7 @@ impl Curve {
     /// # Errors
     /// As [`Curve::closed`] and [`Mesh::algebraic`]; [`Error::CountOutOfRange`] for an odd
     /// count.
-    pub fn graded(vertices: &[[f64; 2]], count: usize, exponent: f64) -> Result<Self> {
+    pub fn algebraic(vertices: &[[f64; 2]], count: usize, exponent: f64) -> Result<Self> {
         if !count.is_multiple_of(2) {
             return Err(Error::CountOutOfRange { name: "elements of a side", value: count, range: "even" });
         }
@@ -181,17 +181,13 @@ impl Curve {
     }
 
     /// Number of elements.
+    #[expect(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
         self.elements.len()
     }
 
-    /// Never true: a curve has at least one element.
-    pub fn is_empty(&self) -> bool {
-        self.elements.is_empty()
-    }
-
     /// The last side ends where the first begins.
-    pub fn is_closed(&self) -> bool {
+    pub(super) fn is_closed(&self) -> bool {
         self.closed
     }
 

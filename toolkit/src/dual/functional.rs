@@ -24,7 +24,7 @@ use crate::piecewise::PiecewisePolynomial;
 ///
 /// ```
 /// use fractional_sobolev::{DualOf, Function, Mesh};
-/// let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[1.0, -1.0])?;
+/// let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[1.0, -1.0])?;
 /// let cosines = sign.dual_norm(DualOf::Interpolation, 0.5, 1e-8)?.value;
 /// let sines = sign.dual_norm(DualOf::InterpolationZero, 0.5, 1e-8)?.value;
 /// assert!(sines < cosines);

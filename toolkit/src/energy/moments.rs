@@ -23,6 +23,9 @@ use crate::numeric::sum::RunningSum;
 /// Rounding of a pair, relative to its terms: the sums have some dozen terms each.
 const PAIR_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
+/// Quotient of lengths beyond which the values of the shorter cluster are not those of the whole.
+const UNEQUAL: f64 = 16.0;
+
 /// A function known on the cells of a mesh by points of a rule.
 pub(crate) trait Samples: Sync {
     /// A value of the function on the cell.
@@ -55,7 +58,17 @@ impl<'a> MomentTree<'a> {
         for c in (0..count).rev() {
             let cluster = &tree.clusters[c];
             levels[c] = match cluster.children {
-                Some([a, b]) => 0.5 * levels[a] + 0.5 * levels[b],
+                Some([a, b]) => {
+                    let [p, q] = [a, b].map(|child| tree.clusters[child].length);
+                    // Beside a layer a function is often constant: then its moments are exactly zero.
+                    if p > UNEQUAL * q {
+                        levels[a]
+                    } else if q > UNEQUAL * p {
+                        levels[b]
+                    } else {
+                        0.5 * levels[a] + 0.5 * levels[b]
+                    }
+                }
                 None => function.level(cluster.first + (cluster.end - cluster.first) / 2),
             };
         }

@@ -171,7 +171,11 @@ impl<'a> DeepTail<'a> {
             {
                 // What is left of an exponential in τ, or less.
                 let rest = rest.max(0.0);
-                return Ok(ArmValue { limit: Limit { value: sum + rest, error: rest }, rounding });
+                return Ok(ArmValue {
+                    limit: Limit { value: sum + rest, error: rest },
+                    rounding,
+                    is_settled: false,
+                });
             }
         }
         if self.decay != 0.0 && self.decay.abs() * tau.exp() <= BEGUN {
@@ -184,7 +188,7 @@ impl<'a> DeepTail<'a> {
         if limit.error > 0.5 * limit.value {
             return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
         }
-        Ok(ArmValue { limit, rounding })
+        Ok(ArmValue { limit, rounding, is_settled: false })
     }
 
     /// Whether no value at a number of deeper places is larger; one beyond binary64 is.

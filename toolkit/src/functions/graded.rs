@@ -4,7 +4,12 @@
 //! Every arm is cut at R/2^k towards its break as deep as u differs there from one polynomial by more than
 //! counts, at all scales ([`Profile`]); cells away from the break are halved likewise. A difference ε at the
 //! scale δ counts as ε δ^{1/2−ν} beside |u|_ν. The seminorm is |p|_ν of the piecewise polynomial, which uses
-//! lengths alone and is right on all scales; the error is the bound of |u − p|_ν of [`super::resolution`].
+//! lengths alone and is right on all scales.
+//!
+//! The error of |p|_ν is at most |u − p|_ν, bounded by B of [`super::resolution`]. That counts every cell as if its
+//! residual e had the sign of p; but e is orthogonal to polynomials of lower degree, and |u|² − |p|² = 2(p, e)_ν +
+//! |e|²_ν is much smaller. The first term is compared with its value for polynomials that are ten times as far from u on
+//! every cell, those without their last bubbles; the second one is at most B².
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -34,6 +39,13 @@ const MOVED: f64 = 0.1;
 const NOISE: f64 = 8.0 * f64::EPSILON;
 /// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
 const UNSEEN: f64 = 2.0;
+
+/// Polynomials so many times as far from u are compared with.
+const COARSER: f64 = 10.0;
+/// Cells at most that are compared with others: two sums over their pairs.
+const COMPARED: usize = 400;
+/// Of the goal: what differences that do not count may leave.
+const BELOW: f64 = 0.01;
 
 /// Why more is not known.
 const LIMIT: &str = "structure on so many scales leaves no more digits";
@@ -99,7 +111,7 @@ impl SingularFunction<'_> {
         let seen = (0.5 * log_sum(&profile.energies(kernel))).exp();
         let size = if seen > 0.0 { seen } else { 1.0 };
         let (mut best, mut why): (Option<Estimate>, _) = (None, LIMIT);
-        let mut accuracy = 0.05 * asked * 0.03f64.powf(order.value());
+        let mut accuracy = 0.2 * asked * 0.03f64.powf(order.value());
         for _ in 0..ROUNDS {
             let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
             let between = Rule::gauss_legendre(2 * degree)?;
@@ -113,15 +125,17 @@ impl SingularFunction<'_> {
                 }
                 other => other?,
             };
-            if found.value.relative_error() <= asked {
+            // Of a value of zero the relative error is not known.
+            if found.value.error <= asked * found.value.value {
                 return Ok(found.value);
             }
             if found.is_rough {
                 why = UNDECLARED;
             }
             let gained = best.is_none_or(|best| found.value.error < 0.5 * best.error);
-            let missed = found.value.relative_error();
-            accuracy = (0.3 * accuracy * asked / missed).min(0.1 * accuracy);
+            let missed = found.value.error / found.value.value;
+            accuracy = if missed.is_finite() { 0.3 * accuracy * asked / missed } else { 0.1 * accuracy }
+                .min(0.1 * accuracy);
             if best.is_none_or(|best| found.value.error < best.error) {
                 best = Some(found.value);
             }
@@ -193,15 +207,22 @@ impl SingularFunction<'_> {
         }
         let lengths: Vec<f64> = flat.iter().map(|cell| cell.far - cell.near).collect();
         let ends: Vec<[f64; 2]> = flat.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
+        let coarse: Vec<Vec<f64>> = flat.iter().map(Cell::coarser).collect();
         let bubbles = flat.into_iter().map(|cell| cell.piece.bubbles).collect();
-        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
+        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths.clone())?, &ends, bubbles)?;
         let inner = Tolerance::new((0.3 * tolerance.relative()).max(1e-15))?;
         let found = Estimate::or_best(u.seminorm(order, inner))?;
+        let bound = fit.size * square.sqrt();
+        let error = if is_rough || is_endless || ends.len() > COMPARED {
+            bound
+        } else {
+            let coarser = PiecewisePolynomial::with_bubbles(u.mesh().clone(), &ends, coarse)?;
+            let coarser = Estimate::or_best(coarser.seminorm(order, inner))?;
+            let second = if found.value > 0.0 { bound * (bound / found.value) } else { bound };
+            bound.min((coarser.value - found.value).abs() + second + BELOW * fit.goal)
+        };
         let work = Work { points: found.work.points + points, ..found.work };
-        Ok(Found {
-            value: Estimate::new(found.value, found.error + fit.size * square.sqrt(), work)?,
-            is_rough,
-        })
+        Ok(Found { value: Estimate::new(found.value, found.error + error, work)?, is_rough })
     }
 
     /// The cells of an arm from its break on, and whether one is not resolved.
@@ -301,10 +322,10 @@ impl SingularFunction<'_> {
         } else {
             piece = line;
         }
-        let slope = (high - low) / length;
-        let rounded = self.coordinate_if_seen(arm.anchor).abs();
-        // What x is rounded by moves a value along a slope; a step is no slope.
-        let moved = (FLOOR * slope * rounded).min(MOVED * (high - low));
+        // What x is rounded by moves a value along a slope, which may overflow where x is not rounded; a step is no
+        // slope.
+        let rounded = self.coordinate_if_seen(arm.anchor).abs() / length;
+        let moved = (FLOOR * rounded).min(MOVED) * (high - low);
         let noise = FLOOR * low.abs().max(high.abs()) + moved;
         match fault.into_inner() {
             Some(error) => Err(error),
@@ -314,6 +335,18 @@ impl SingularFunction<'_> {
 }
 
 impl Cell {
+    /// The bubbles of a polynomial that is further off by COARSER times as much, or a line.
+    fn coarser(&self) -> Vec<f64> {
+        let (mut bubbles, mut cut) = (self.piece.bubbles.clone(), 0.0);
+        while cut < COARSER * self.residual
+            && let Some(last) = bubbles.pop()
+        {
+            // |t (1 − t) P_k(2t − 1)| ≤ 1/4
+            cut += 0.25 * last.abs();
+        }
+        bubbles
+    }
+
     /// p at δ.
     fn value(&self, arm: &Arm, delta: f64) -> f64 {
         let t = (delta - self.near) / (self.far - self.near);

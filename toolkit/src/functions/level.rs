@@ -31,6 +31,8 @@ impl Add for Density {
 pub(crate) struct ArmValue {
     pub(crate) limit: Limit,
     pub(crate) rounding: f64,
+    /// the integrand fell to nothing on cells of the level's width
+    pub(crate) is_settled: bool,
 }
 
 /// What a level found, for the squared seminorm.
@@ -41,5 +43,7 @@ pub(crate) struct LevelValue {
     pub(crate) rounding: f64,
     /// what the rules cannot see
     pub(crate) missed: f64,
+    /// what the rules of this level are off, where that is seen by other rules on the same cells
+    pub(crate) of_rules: Option<f64>,
     pub(crate) points: u64,
 }

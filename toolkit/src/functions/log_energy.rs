@@ -22,6 +22,8 @@ use crate::quadrature::{PowerWeightRule, Rule};
 
 /// Where a point of an arm is so deep that other breaks are as good as infinitely far in t.
 const NEAR_DEPTH: f64 = 3.0;
+/// Two rules that differ by no more than this many times their rounding agree.
+const NOISE: f64 = 4.0;
 
 /// Values of u on one cell of one arm.
 struct CellSamples {
@@ -98,6 +100,7 @@ impl<'a> LogEnergy<'a> {
             tail: factor * tail,
             rounding: factor * rounding,
             missed,
+            of_rules: None,
             points: self.points + points,
         })
     }
@@ -239,9 +242,22 @@ impl<'a> LogEnergy<'a> {
 
     /// The own arm on t − s, 0 < s < `reach`.
     fn near_piece(&mut self, x: Outer, reach: f64) -> Result<Density> {
+        let fine = self.near_by(x, reach, &self.near)?;
+        self.points += (self.level.points + 6) as u64;
+        if x.t - reach <= NEAR_DEPTH {
+            return Ok(fine);
+        }
+        // Fewer digits are lost by the other rule, which is too coarse where u varies on the scale of t.
+        let coarse = self.near_by(x, reach, &self.near_deep)?;
+        self.points += (self.level.points / 2 + 3) as u64;
+        let is_resolved = (fine.value - coarse.value).abs() <= NOISE * fine.rounding;
+        Ok(if is_resolved { coarse } else { fine })
+    }
+
+    /// The same by one rule.
+    fn near_by(&self, x: Outer, reach: f64, rule: &PowerWeightRule) -> Result<Density> {
         let arm = self.arms[x.arm];
         let (mut sum, mut rounding) = (0.0, 0.0);
-        let rule = if x.t - reach > NEAR_DEPTH { &self.near_deep } else { &self.near };
         for (node, w) in rule.iter() {
             let s = reach * node;
             // From δ itself, so that δ and ε keep their quotient e^s however deep they lie.
@@ -256,7 +272,6 @@ impl<'a> LogEnergy<'a> {
             let size = f64::EPSILON * (x.value.abs() + value.abs());
             rounding += (weight * quotient * (size + blur) / s).abs();
         }
-        self.points += (self.level.points + 6) as u64;
         // ∫₀^reach s^{1-2ν} f ds = reach^{2-2ν} Σ w f
         let count = self.level.points as f64;
         let scale = reach.powf(self.kernel.two_minus) * self.kernel.scaling(x.delta / self.unit);

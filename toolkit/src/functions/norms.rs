@@ -146,7 +146,9 @@ impl SingularFunction<'_> {
             } else {
                 power.error.powf(1.0 / q)
             };
-            back(scaled(unit, Estimate::new(value, error, power.work)?)?)
+            // Powers of rounded values.
+            let rounding = 32.0 * f64::EPSILON * value;
+            back(scaled(unit, Estimate::new(value, error + rounding, power.work)?)?)
         };
         u.integral_of(&profile, is_inside, tolerance, q, q, |u| (u / unit).abs().powf(q))
             .map_err(|error| error.carry("L^q norm", root))
@@ -221,6 +223,7 @@ impl SingularFunction<'_> {
         refine(self, tolerance, factor, false, |level, tolerance| {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
+            let mut is_settled = true;
             for arm in &arms {
                 let found = integral.integrate(arm.depth, value, None, |t| {
                     points += 1;
@@ -231,9 +234,11 @@ impl SingularFunction<'_> {
                 value += found.limit.value;
                 tail += found.limit.error;
                 rounding += found.rounding;
+                is_settled &= found.is_settled;
             }
             let missed = missed_of_integral(self, level, f)?;
-            Ok(LevelValue { value, tail, rounding, missed, points })
+            let of_rules = is_settled.then_some(missed);
+            Ok(LevelValue { value, tail, rounding, missed, of_rules, points })
         })
     }
 }

@@ -32,6 +32,9 @@ pub(super) const LIMIT: &str =
 const ROUNDED: &str = "x is rounded near a break that is not 0, and the distance to it is all that counts there: \
      from_positions gives the distance";
 
+/// Two levels differ by no more than this many times what the coarser one is seen to be off.
+const EXPLAINED: f64 = 4.0;
+
 /// Levels after which what the ends of the arms and rounding leave should have fallen, and by how much.
 const TRIED: usize = 4;
 const FALLS: f64 = 0.3;
@@ -67,10 +70,8 @@ pub(super) fn refine(
         let work = Work { points, ..Work::default() };
         let beside_rules = current.tail + current.rounding;
         if let Some(coarse) = previous {
-            let error = (current.value - coarse.value).abs()
-                + beside_rules
-                + current.missed
-                + 64.0 * f64::EPSILON * current.value.abs();
+            let error =
+                of_rules(&current, &coarse) + beside_rules + 64.0 * f64::EPSILON * current.value.abs();
             let estimate = Estimate::new(current.value, error, work)?;
             // All that is found of a function without variation is its rounding.
             let is_zero = is_constant && estimate.error.max(estimate.value.abs()) <= ZERO;
@@ -102,6 +103,18 @@ pub(super) fn refine(
         (best, _) => best,
     };
     Err(Error::best_of("integral", asked.relative(), best, why))
+}
+
+/// What the rules of the finer level are off: their difference to those of the coarser one, whose error it is. Where the
+/// rules of both are seen to be off by what explains it, errors fall as these do.
+fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
+    let apart = (fine.value - coarse.value).abs();
+    match (fine.of_rules, coarse.of_rules) {
+        (Some(after), Some(before)) if apart <= EXPLAINED * before && after < before => {
+            EXPLAINED * after + apart * (after / before)
+        }
+        _ => apart + fine.missed,
+    }
 }
 
 /// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} −

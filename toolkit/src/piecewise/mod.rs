@@ -5,7 +5,6 @@ mod lebesgue;
 mod norms;
 mod pairs;
 mod polynomial;
-mod rearrangement;
 mod squares;
 
 pub(crate) use pairs::{Cell, PolynomialPairs};

@@ -1,11 +1,11 @@
 //! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and extremal function.
 
 use super::constraint::Constraint;
-use super::extremal::ExtremalFunction;
 use super::mesh::SHORTEST_RADIUS;
 use super::spaces::{Attained, attained};
 use super::two_sided::{GammaBounds, two_sided};
 use crate::Order;
+use crate::constant::Extremal;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
@@ -72,12 +72,12 @@ impl Gamma {
     /// use fractional_sobolev::{Constraint, Gamma, gamma};
     /// let found: Gamma = gamma(0.5, Constraint::vanishing_on(0.0..0.01), 1e-4)?;
     /// let u = found.extremal();
-    /// assert!(u.value(0.005).abs() < 1e-12 && u.value(1.0) > 1.0 && found.constant.value > 0.3);
+    /// assert!(u.value(&[0.005]).abs() < 1e-12 && u.value(&[1.0]) > 1.0 && found.constant.value > 0.3);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     #[doc(alias("eigenfunction", "minimiser"))]
-    pub fn extremal(&self) -> ExtremalFunction {
-        self.found.function.clone()
+    pub fn extremal(&self) -> Extremal {
+        Extremal::on_interval(self.found.function.clone())
     }
 
     /// Two bounds that do not use the eigenvalue (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m

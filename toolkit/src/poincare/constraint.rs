@@ -44,7 +44,7 @@ impl Constraint {
     /// ```
     /// use fractional_sobolev::{Constraint, Order, gamma};
     /// let near_one = Order::new(1.0 - 1e-9)?;
-    /// let found = gamma(near_one, Constraint::mean_zero(), 1e-8)?.constant.value / near_one.complement().sqrt();
+    /// let found = gamma(near_one, Constraint::mean_zero(), 1e-8)?.constant.value / (1.0 - near_one.value()).sqrt();
     /// assert!((found - std::f64::consts::FRAC_1_PI).abs() < 1e-6);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -55,7 +55,7 @@ impl Constraint {
     /// Mean zero over the union of the zones, ∫_E u = 0.
     ///
     /// # Errors
-    /// Those of the zone, as for [`Zones::between`] and [`Zones::union`].
+    /// Those of the zone, as for [`Zones::from_start_and_length`] and [`Zones::union`].
     pub fn mean_zero_on(zones: impl Given<Zones>) -> Result<Self> {
         Ok(Self::on_zones(&zones.given()?, Condition::MeanZero))
     }

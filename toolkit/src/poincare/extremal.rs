@@ -1,32 +1,12 @@
-//! The function for which the Poincaré constant of (5.4) is attained, for plots and for checks.
+//! The function for which the Poincaré constant of (5.4) is attained, by its slopes.
 
 use super::discrete::Discrete;
 use super::slopes::space::{SlopeSpace, legendre_primitives};
-use crate::error::Result;
-use crate::{Function, Mesh};
-
-/// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
-const ONE_NODE: f64 = 1e-10;
-/// Nodes of the graded cells this close to a given one, likewise, make way for it.
-const MAKES_WAY: f64 = 1e-5;
+use crate::constant::OnInterval;
 
 /// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
-///
-/// Returned by [`crate::Gamma::extremal`] and [`crate::MomentConstant::extremal`].
-///
-/// ```
-/// use fractional_sobolev::{Constraint, Order, gamma, Tolerance};
-/// let (order, asked) = (Order::HALF, Tolerance::fast());
-/// let (gamma, u) = gamma(order, Constraint::mean_zero_on(0.0..0.01), asked).map(|found| (found.constant, found.extremal()))?;
-/// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(x)).abs() < 1e-9));
-/// // its interpolant nearly has the quotient γ
-/// let u = u.interpolate(3, 1, &[0.01])?;
-/// let quotient = u.norm(0.0, asked)?.over(u.seminorm(order, asked)?)?;
-/// assert!((quotient.value / gamma.value - 1.0).abs() < 1e-2);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
 #[derive(Debug, Clone)]
-pub struct ExtremalFunction {
+pub(super) struct SlopeSum {
     /// One function of a slope space; several with their weights where the order is continued from larger
     /// ones.
     terms: Vec<(f64, SlopeFunction)>,
@@ -34,8 +14,8 @@ pub struct ExtremalFunction {
     is_mirrored: bool,
 }
 
-impl ExtremalFunction {
-    pub(crate) fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
+impl SlopeSum {
+    pub(super) fn new(discrete: &Discrete, coefficients: Vec<f64>) -> Self {
         Self { terms: vec![(1.0, SlopeFunction::new(discrete, coefficients))], is_mirrored: false }
     }
 
@@ -45,7 +25,7 @@ impl ExtremalFunction {
     }
 
     /// Σ w_k u_k for functions of orders close to each other, their signs made to agree.
-    pub(crate) fn combined(weights: &[f64], functions: Vec<Self>) -> Self {
+    pub(super) fn combined(weights: &[f64], functions: Vec<Self>) -> Self {
         let first = functions.first().map_or(Vec::new(), |u| u.profile(1));
         let agrees = |u: &Self| first.iter().map(|&(x, value)| value * u.value(x)).sum::<f64>() >= 0.0;
         let mut terms = Vec::new();
@@ -54,16 +34,6 @@ impl ExtremalFunction {
             terms.extend(function.terms.into_iter().map(|(inner, u)| (weight * inner, u)));
         }
         Self { terms, is_mirrored: false }
-    }
-
-    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture
-    /// that resolves all scales.
-    pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
-        let points = self.profile_of_terms(per_cell);
-        if self.is_mirrored {
-            return points.into_iter().rev().map(|(x, u)| (1.0 - x, u)).collect();
-        }
-        points
     }
 
     fn profile_of_terms(&self, per_cell: usize) -> Vec<(f64, f64)> {
@@ -76,30 +46,22 @@ impl ExtremalFunction {
         }
     }
 
-    /// The interpolant of a degree on the graded cells, each cut into `pieces`, with additional nodes at
-    /// `breaks`. Nodes closer than 1e-10 of their position (or of their distance from 1, or than 1e-5 to a
-    /// break) are left out.
-    ///
-    /// # Errors
-    /// As for [`Function::interpolate`].
-    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<Function<'static>> {
-        let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
-        let mut nodes: Vec<f64> = self.profile(pieces).into_iter().map(|(x, _)| x).collect();
-        nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
-        nodes.extend(breaks.iter().filter(|&&b| b < 1.0 - ONE_NODE));
-        nodes.sort_by(f64::total_cmp);
-        nodes.dedup_by(|x, before| near(*x, *before, ONE_NODE));
-        nodes.push(1.0);
-        Function::interpolate(&Mesh::from_nodes(&nodes)?, degree, |x| self.value(x))
+    fn value_of_terms(&self, x: f64) -> f64 {
+        self.terms.iter().map(|(weight, u)| weight * u.value(x)).sum()
     }
+}
 
-    /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.
-    pub fn value(&self, x: f64) -> f64 {
+impl OnInterval for SlopeSum {
+    fn value(&self, x: f64) -> f64 {
         self.value_of_terms(if self.is_mirrored { 1.0 - x } else { x })
     }
 
-    fn value_of_terms(&self, x: f64) -> f64 {
-        self.terms.iter().map(|(weight, u)| weight * u.value(x)).sum()
+    fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
+        let points = self.profile_of_terms(per_cell);
+        if self.is_mirrored {
+            return points.into_iter().rev().map(|(x, u)| (1.0 - x, u)).collect();
+        }
+        points
     }
 }
 

@@ -26,7 +26,6 @@ mod zones;
 
 pub use constant::{Gamma, gamma};
 pub use constraint::Constraint;
-pub use extremal::ExtremalFunction;
 pub use law::{Law, law};
 pub use moments::{Moment, MomentConstant, moment};
 pub use two_sided::GammaBounds;

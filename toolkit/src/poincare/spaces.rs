@@ -4,7 +4,7 @@
 use super::constraint::Constraint;
 use super::continuation::Continuation;
 use super::discrete::Discrete;
-use super::extremal::ExtremalFunction;
+use super::extremal::SlopeSum;
 use super::mesh::MeshModel;
 use super::rounding::rounding;
 use crate::Order;
@@ -23,7 +23,7 @@ const COARSER: f64 = 4.0;
 #[derive(Debug, Clone)]
 pub(super) struct Attained {
     pub(super) constant: Estimate,
-    pub(super) function: ExtremalFunction,
+    pub(super) function: SlopeSum,
     /// None where γ is continued from larger orders.
     pub(super) spaces: Option<Arc<[Discrete; 2]>>,
 }
@@ -35,7 +35,7 @@ pub(super) fn attained(order: Order, constraint: &Constraint, tolerance: Toleran
     let continued = |larger: &Continuation| {
         let at = |order, tolerance| direct(order, tolerance).map(|found| (found.constant, found.function));
         let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(at)?.into_iter().unzip();
-        let function = ExtremalFunction::combined(&larger.all_weights(), functions);
+        let function = SlopeSum::combined(&larger.all_weights(), functions);
         Ok(Attained { constant: larger.value(&values)?, function, spaces: None })
     };
     let digits = rounding(order, constraint) <= tolerance.relative();
@@ -69,12 +69,12 @@ pub(super) fn continued(
 /// γ and its function from the same one of the two spaces that are compared.
 fn on_two_spaces(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Attained> {
     let rounding = rounding(order, constraint);
-    let solve = |model: &MeshModel| -> Result<(f64, ExtremalFunction, Discrete)> {
+    let solve = |model: &MeshModel| -> Result<(f64, SlopeSum, Discrete)> {
         let mut discrete = Discrete::new(order, constraint, model)?;
         let (value, coefficients) = discrete.largest_quotient()?;
-        Ok((value, ExtremalFunction::new(&discrete, coefficients), discrete))
+        Ok((value, SlopeSum::new(&discrete, coefficients), discrete))
     };
-    type Solved = (f64, ExtremalFunction, Discrete);
+    type Solved = (f64, SlopeSum, Discrete);
     let join = |fine: Solved, coarse: Solved| {
         let (apart, work) = ((fine.0 - coarse.0).abs(), fine.2.work + coarse.2.work);
         let (value, function) = if fine.0 >= coarse.0 { (fine.0, fine.1) } else { (coarse.0, coarse.1) };

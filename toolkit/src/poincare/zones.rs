@@ -23,7 +23,7 @@ const TOUCHING: f64 = 4.0 * f64::EPSILON;
 /// let tiny = Zones::from_start_and_length(0.2, 1e-20)?;
 /// assert!(tiny.length() == 1e-20 && tiny.count() == 1);
 /// let found = |zone: &Zones| gamma(0.5, Constraint::mean_zero_on(zone), 1e-6).map(|found| found.constant.value);
-/// assert!(found(&tiny)? > found(&Zones::between(0.2, 0.25)?)?);
+/// assert!(found(&tiny)? > found(&Zones::union(&[0.2..0.25])?)?);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[doc(alias("zone", "interval", "subinterval"))]
@@ -82,7 +82,7 @@ impl Zones {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] as for [`Zones::from_start_and_length`], and for b outside (a, 1].
-    pub fn between(a: f64, b: f64) -> Result<Self> {
+    fn between(a: f64, b: f64) -> Result<Self> {
         require_start(a)?;
         let inside = b - a >= SHORTEST && b <= 1.0;
         Error::require("zone end", b, "(a, 1], at least 1e-300 above a", inside)?;
@@ -383,7 +383,7 @@ mod tests {
                 .intervals()
                 .iter()
                 .map(|&(a, length)| {
-                    let at = |k: u32| function.value(a + length * (f64::from(k) + 0.5) / 4000.0);
+                    let at = |k: u32| function.value(&[a + length * (f64::from(k) + 0.5) / 4000.0]);
                     let values: Vec<f64> = (0..4000).map(at).collect();
                     if condition == Condition::Vanishing {
                         assert!(values.iter().all(|u| u.abs() < 1e-9), "{zones}");

@@ -34,7 +34,7 @@ const LARGEST_TAU: f64 = 100.0;
 /// whose minimum over ψ is computed by finite elements (`wedge_elements`). The best constant of the
 /// wedge is the supremum of C(τ)/min E_τ over τ; as τ → ∞ the quotient tends to that of the half-plane,
 /// from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
-/// at π/2; there the quotient is the closed form for *every* τ, a second road to it.
+/// at π/2; there the quotient is the closed form for *every* τ, an independent computation of it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WedgeTrace {
     order: Order,

@@ -92,7 +92,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
     })?;
     let jumps = draw(each, || {
         let (order, p) = (order(random, 0.02, 0.49)?, random.between(0.01, 0.99));
-        let u = Function::constants(&Mesh::from_lengths(vec![p, 1.0 - p])?, &[0.0, 1.0])?;
+        let u = Function::piecewise(&Mesh::from_lengths(vec![p, 1.0 - p])?, 0, &[0.0, 1.0])?;
         Ok((
             closed_forms::jump_seminorm_squared(p, 1.0 - p, order)?.sqrt()?,
             ask(move |t| u.seminorm(order, t)),
@@ -121,7 +121,7 @@ fn meshes(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
             0 => (DualOf::Interpolation, [1.0, -1.0]),
             _ => (DualOf::InterpolationZero, [1.0, 1.0]),
         };
-        let u = Function::constants(&mesh, &values)?;
+        let u = Function::piecewise(&mesh, 0, &values)?;
         Ok((modes(order)?, ask(move |t| u.dual_norm(of, order, t))))
     })?;
     let products = draw(each.min(6), || {

@@ -32,7 +32,7 @@ fn scale(r: f64, order: Order) -> f64 {
 /// |x^a|²_ν on (0, 1) = (a − ν + 1/2)^{-1} ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. Above t = 1/2 in w = 1 − t, where
 /// (1−t^a)² = a²w² + ..., the first term is integrated by hand; below in s = −ln t.
 pub fn power(a: f64, order: Order) -> f64 {
-    let (nu, p) = (order.value(), 2.0 * order.complement());
+    let (nu, p) = (order.value(), 2.0 * (1.0 - order.value()));
     let near = half_line(p + 1.0, |y| {
         let w = 0.5 * (-y).exp();
         let h = -(a * (-w).ln_1p()).exp_m1() / w;
@@ -74,7 +74,7 @@ pub fn log_power(alpha: f64) -> f64 {
 /// ln of the unit in which |ln x|^α is of size 1 at the order ν < 1/2: its values where t^{2α} e^{−(1−2ν)t}
 /// is largest.
 pub fn log_unit(alpha: f64, order: Order) -> f64 {
-    (alpha * ((2.0 * alpha / order.one_minus_twice()).ln() - 1.0)).max(0.0)
+    (alpha * ((2.0 * alpha / (-2.0 * order.offset())).ln() - 1.0)).max(0.0)
 }
 
 /// (1e-140)^{LEAST} is nothing.
@@ -85,7 +85,7 @@ pub const LEAST: f64 = 0.12;
 /// the integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
 pub fn log_power_below_half(alpha: f64, order: Order) -> f64 {
     const STEP: f64 = 1.0 / 48.0;
-    let (decay, twice, unit) = (order.one_minus_twice(), 2.0 * order.value(), log_unit(alpha, order));
+    let (decay, twice, unit) = ((-2.0 * order.offset()), 2.0 * order.value(), log_unit(alpha, order));
     let points = |c: f64| -> Vec<(f64, f64)> {
         let point = |k: i32| {
             let tau = STEP * f64::from(k);
@@ -124,7 +124,7 @@ pub fn log_power_below_half(alpha: f64, order: Order) -> f64 {
 /// |cos kπx|²_ν on (0, 1) = 4 ω^{2ν} ∫₀^ω sin²(v/2) [1 − (v − sin v)/ω] v^{-1-2ν} dv, ω = kπ; Gauss's rule on
 /// every half period, the term v²/4 of the first one by hand.
 pub fn cosine(k: u32, order: Order, rule: &Rule) -> f64 {
-    let (nu, p, omega) = (order.value(), 2.0 * order.complement(), f64::from(k) * PI);
+    let (nu, p, omega) = (order.value(), 2.0 * (1.0 - order.value()), f64::from(k) * PI);
     let density = |v: f64| (0.5 * v).sin().powi(2) * (1.0 - (v - v.sin()) / omega);
     let first = 0.25 * PI.powf(p) / p
         + half_line(p + 1.0, |y| {
@@ -147,7 +147,7 @@ pub fn linears(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Rule) ->
     let mut sum = 0.0;
     for (i, (&p, u)) in lengths.iter().zip(ends).enumerate() {
         let rise = u[1] - u[0];
-        sum += rise * rise * scale(p, order) / (order.complement() * (1.0 + 2.0 * order.complement()));
+        sum += rise * rise * scale(p, order) / ((1.0 - order.value()) * (1.0 + 2.0 * (1.0 - order.value())));
         for j in i + 1..lengths.len() {
             let v = ends[j];
             let distance = lengths[i + 1..j].iter().sum();
@@ -182,9 +182,9 @@ fn pair(d: f64, [p, a]: [f64; 2], [q, b]: [f64; 2], jump: f64, order: Order, rul
     if d == 0.0 {
         let slope = b * (p / q);
         let squares = if jump == 0.0 {
-            (a * a - a * slope + slope * slope) / 3.0 / (1.0 + 2.0 * order.complement())
+            (a * a - a * slope + slope * slope) / 3.0 / (1.0 + 2.0 * (1.0 - order.value()))
         } else {
-            jump * jump / order.one_minus_twice()
+            jump * jump / (-2.0 * order.offset())
         };
         // ∫₀^p r (r/p)² (a² − a b p/q + (b p/q)²)/3 r^{-1-2ν} dr has the exponent 3 − 2ν.
         sum.add(squares * scale(p, order));

@@ -63,7 +63,7 @@ impl CaseStudy {
         let mut studies = Vec::new();
         for source in &sources {
             if !studies.is_empty() {
-                problem.set_scene(&build(source)?)?;
+                problem.set_data(&build(source)?)?;
             }
             studies.push(strip_levels(&problem, case.levels, case.cone, &mut report)?);
         }

@@ -13,6 +13,7 @@
 //! extrapolated from cells and 2 cells. The error of the [`Estimate`] is twice the distance of these two, six
 //! times what is extrapolated, and what the last shells still move. Cost: two solutions of some 10⁴ nodes.
 
+use crate::ErrorExt;
 use fractional_sobolev::{Estimate, Work};
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactProblem, ContactSolution, Solver};

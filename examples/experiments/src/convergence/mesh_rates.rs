@@ -10,6 +10,7 @@ use super::level::RateLevel;
 use super::level_loop::{Facts, LevelProblem, solve_levels};
 use super::study::{RateReference, RateStudy};
 use super::subject::Subject;
+use crate::ErrorExt;
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver};

@@ -141,7 +141,7 @@ impl RateStrip {
 
     fn set_scene(&mut self, scene: &EdgeData) -> Result<()> {
         if let Some(problem) = &mut self.problem {
-            return problem.set_scene(scene);
+            return problem.set_data(scene);
         }
         let problem = StripProblem::new(self.kind, scene, Reference::Nested, self.levels.coarsest_cells())?;
         self.operators =

@@ -1,6 +1,7 @@
 //! Remark 2: in the dual norm of H^{1/2} Lagrange interpolation of H^{3/2} functions gains nothing over
 //! h^{3/2}.
 
+use crate::ErrorExt;
 use fractional_sobolev::Order;
 use fractional_sobolev::{Domain, ErrorNorm, interpolation_constant};
 use fractional_sobolev::{Error, Result};

@@ -108,7 +108,7 @@ impl ElementMesh {
             lengths.push(self.length(e));
             means.push(v.restrict(range.clone())?.mean(Tolerance::reference())?.value);
         }
-        Function::constants(&Mesh::from_lengths(lengths)?, &means)
+        Function::piecewise(&Mesh::from_lengths(lengths)?, 0, &means)
     }
 
     fn require_cells(&self, mesh: &Mesh) -> Result<()> {
@@ -145,7 +145,7 @@ mod tests {
         assert!(matches!(empty, Err(Error::EntryOutOfRange { index: 1, value: 0.0, .. })));
         assert!(ElementMesh::new(cells(), &[2, 1]).is_err());
         assert!(ElementMesh::uniform(0, 3).is_err() && ElementMesh::uniform(usize::MAX, 3).is_err());
-        let other = Function::constants(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 1.0]).unwrap();
+        let other = Function::piecewise(&Mesh::uniform(2, 1.0).unwrap(), 0, &[0.0, 1.0]).unwrap();
         assert!(ElementMesh::single(cells()).unwrap().projection(&other).is_err());
     }
 }

@@ -4,6 +4,7 @@
 use super::elements::ElementMesh;
 use super::norms::{ROUNDING, error_norms, sample_norms};
 use super::sample::{SampleSlope, power_error_norms};
+use crate::ErrorExt;
 use crate::scale::{power_of_two, unit_of};
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
@@ -309,7 +310,7 @@ mod tests {
     #[test]
     fn affine_functions_have_no_ratio() {
         let partition = Mesh::uniform(3, 1.0).unwrap();
-        let slope = Function::constants(&partition, &[2.0; 3]).unwrap();
+        let slope = Function::piecewise(&partition, 0, &[2.0; 3]).unwrap();
         let order = Order::new(0.3).unwrap();
         let error = InterpolationError::of_slope(&slope, order, Tolerance::fast()).unwrap();
         assert!(matches!(error.l2_ratio(), Err(Error::OutOfRange { value: 0.0, .. })));

@@ -14,6 +14,7 @@ mod projection_rates;
 mod projection_sample;
 mod rate;
 mod rearranged;
+mod rearrangement;
 mod rough;
 mod sample;
 mod saturation;

@@ -6,6 +6,7 @@
 
 use super::panels::PanelRules;
 use super::sample::SampleSlope;
+use crate::ErrorExt;
 use crate::sum::RunningSum;
 use fractional_sobolev::gauss_legendre;
 use fractional_sobolev::{Error, Result};

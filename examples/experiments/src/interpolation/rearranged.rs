@@ -1,6 +1,8 @@
 //! Seminorms of rough functions and of their monotone rearrangements.
 
+use super::rearrangement::decreasing_rearrangement;
 use super::rough::{RoughFamily, RoughSlopes};
+use crate::EstimateExt;
 use crate::SplitMix;
 use crate::parallel;
 use fractional_sobolev::Order;
@@ -29,7 +31,7 @@ pub fn rearranged_shares(family: RoughFamily, count: u32, seed: u64) -> Result<(
     let share = |k: usize| -> Result<Estimate> {
         let order = Order::new(orders[k])?;
         let function = RoughSlopes::new(family, order, seed.wrapping_add(k as u64)).draw()?;
-        let sorted = function.decreasing_rearrangement()?;
+        let sorted = decreasing_rearrangement(&function)?;
         let seminorm = |u: &fractional_sobolev::Function<'_>| u.seminorm(order, Tolerance::balanced());
         seminorm(&sorted)?.over(seminorm(&function)?)
     };

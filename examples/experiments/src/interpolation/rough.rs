@@ -24,7 +24,7 @@ impl RoughFamily {
     /// The families with members in H^ν.
     pub fn admissible(order: Order) -> Vec<Self> {
         let mut families = vec![Self::Linears, Self::Weierstrass];
-        if order.is_below_half() {
+        if order.offset() < 0.0 {
             families.push(Self::Steps);
         }
         families
@@ -103,7 +103,7 @@ impl RoughSlopes {
                 let nodes = partition.nodes();
                 let centres: Vec<f64> = nodes.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
                 let values = self.values(&centres, singular);
-                Function::constants(&partition, &values)
+                Function::piecewise(&partition, 0, &values)
             }
             RoughFamily::Weierstrass => self.weierstrass(),
         }

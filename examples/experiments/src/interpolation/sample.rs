@@ -2,6 +2,7 @@
 //! cancellation.
 
 use super::panels::{PanelRules, Squares, panel_squares, panels};
+use crate::ErrorExt;
 use fractional_sobolev::{Error, Given, Result};
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use fractional_sobolev::{Function, Mesh, Order, closed_forms};

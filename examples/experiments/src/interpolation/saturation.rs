@@ -4,6 +4,7 @@ use super::projection_rates::MESHES;
 use super::projection_sample::sample_projection_error;
 use super::rate::last_order;
 use super::{error::InterpolationError, sample::SampleSlope};
+use crate::ErrorExt;
 use fractional_sobolev::Estimate;
 use fractional_sobolev::{Error, Result};
 use fractional_sobolev::{Mesh, Order};

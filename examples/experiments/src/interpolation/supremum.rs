@@ -1,6 +1,8 @@
 //! The rates of (4.6) and (4.7) for the whole space: S(N) = sup ‖φ − π^h φ‖/|φ|_r over φ ∈ H^r(0, 1),
 //! h = 1/N.
 
+use crate::ErrorExt;
+use crate::EstimateExt;
 use fractional_sobolev::{Domain, Error, ErrorNorm, Mesh, Result, projection_constant};
 use fractional_sobolev::{Estimate, Work};
 use signorini::rates::order_between;

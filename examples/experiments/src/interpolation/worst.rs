@@ -4,6 +4,7 @@
 use super::error::{InterpolationError, power_slope};
 use super::local::LocalConstants;
 use super::rough::{RoughFamily, RoughSlopes};
+use crate::EstimateExt;
 use fractional_sobolev::Order;
 use fractional_sobolev::{Estimate, Tolerance};
 use fractional_sobolev::{Given, Result};

@@ -31,6 +31,7 @@
 //! balance moves to θ = h^{τ−3/2} and the bound to h^{2τ−2−(τ−3/2)(2−τ)}: half of what the printed proof
 //! loses is a matter of (3.7).
 
+use crate::ErrorExt;
 use crate::search::sign_change;
 use fractional_sobolev::{Gram, Mesh, Order};
 use nalgebra::{Cholesky, DMatrix};
@@ -68,7 +69,7 @@ impl Forms {
         if size == 0 {
             return Ok([[0.0; 2]; 2]);
         }
-        let scale = h.powf(order.one_minus_twice());
+        let scale = h.powf(-2.0 * order.offset());
         let norm = DMatrix::from_fn(size, size, |i, j| h * self.mass[(i, j)] + scale * self.seminorm[(i, j)]);
         let broken = || {
             Error::Toolkit(ToolkitError::NotPositiveDefinite { what: "Gram matrix of a trace", pivot: size })

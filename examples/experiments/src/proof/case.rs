@@ -1,6 +1,7 @@
 //! What the proofs are profiled on: a manufactured pair, mesh sizes, the resolution and θ as a function of h.
 
 use super::resolution::Resolution;
+use crate::ErrorExt;
 use crate::convergence::Levels;
 use signorini::edge::{ContactPair, Traces};
 use signorini::problems::StripData;
@@ -129,7 +130,7 @@ impl ProofCase {
         let StripData::Transition { position } = self.source else {
             ToolkitError::require("tau", self.tau, "(3/2, 2] but for a single transition", self.tau <= 2.0)?;
             let scene = self.source.data(self.scene_tau, cells, LateralCondition::Natural)?;
-            return Ok(vec![ContactPair::of_scene(&scene, traces)?]);
+            return Ok(vec![ContactPair::of_data(&scene, traces)?]);
         };
         (0..self.positions)
             .map(|i| {
@@ -139,7 +140,7 @@ impl ProofCase {
                 }
                 let source = StripData::Transition { position };
                 let scene = source.data(self.scene_tau, cells, LateralCondition::Natural)?;
-                ContactPair::of_scene(&scene, traces)
+                ContactPair::of_data(&scene, traces)
             })
             .collect()
     }

@@ -154,7 +154,7 @@ pub fn contact_cost(case: &StripCase, mut report: impl FnMut()) -> Result<Vec<Co
         let scene = source.data(case.tau, case.levels.reference_cells(), sides)?;
         let problem = match problem.as_mut() {
             Some(known) => {
-                known.set_scene(&scene)?;
+                known.set_data(&scene)?;
                 known
             }
             None => problem.insert(StripProblem::new(case.kind, &scene, case.reference, coarsest)?),

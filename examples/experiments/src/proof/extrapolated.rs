@@ -6,6 +6,7 @@
 //! Orthogonality does not hold exactly for inequalities: an estimate. Norms: [`FineNorms`].
 
 use super::fine_norms::{FineForms, FineNorms};
+use crate::ErrorExt;
 use fractional_sobolev::{Estimate, Work};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Settings, Start};

@@ -7,6 +7,7 @@
 //! r^{1−ν} and |∇u|_ν ~ r^{−ν}, while Iu = −1 on all of T: the nodal quotient grows like r^{2ν−1}, the other
 //! falls like r^{1+2ν}.
 
+use crate::EstimateExt;
 use fractional_sobolev::{Estimate, Function, Given, Order, Tolerance, Triangles};
 use signorini::Result;
 

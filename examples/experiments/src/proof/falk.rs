@@ -43,10 +43,10 @@ pub fn falk_terms(case: &StripCase, mut report: impl FnMut(usize)) -> Result<Vec
     let mut problem: Option<StripProblem> = None;
     for source in &sources {
         let scene = source.data(case.tau, cells, case.kind.sides())?;
-        let trace = EdgeTrace::of_scene(&scene)?;
+        let trace = EdgeTrace::of_data(&scene)?;
         let problem = match problem.as_mut() {
             Some(known) => {
-                known.set_scene(&scene)?;
+                known.set_data(&scene)?;
                 known
             }
             None => {

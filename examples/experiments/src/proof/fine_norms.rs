@@ -11,6 +11,7 @@
 //! have a limit; the error is what the limit differs from that of the coarser two, and half of what it is
 //! away from the finest. An estimate, not a bound.
 
+use crate::ErrorExt;
 use fractional_sobolev::{Estimate, Gram, Mesh, Order, Tolerance, Work};
 use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::fem::gradients;

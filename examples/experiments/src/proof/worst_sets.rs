@@ -8,6 +8,7 @@
 //! = −1 on short pieces looks like point forces, of order below the theorem's exponent; its norm
 //! |σ_N|_{τ−3/2} is as large, so that the share tells the truth there. Cost: O(N log N) per set.
 
+use crate::ErrorExt;
 use signorini::cone::Cone;
 use signorini::edge::{consistency_terms, edge_norms};
 use signorini::problems::{StripData, TransitionPowers};

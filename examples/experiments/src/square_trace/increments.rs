@@ -3,21 +3,8 @@
 //! For w = X(x) Y(y) and the displacement (a, b), w(x+a, y+b) − w(x, y) = ΔX Y + X⁺ ΔY with X⁺ = X(x+a),
 //! ΔX = X⁺ − X: products over the overlap of one function of x and one of y, formed from differences.
 
+use super::legendre::fill_with_quotients;
 use fractional_sobolev::{Result, gauss_legendre};
-
-/// P_k(a) and (P_k(b) − P_k(a))/(b − a) into all places, from the recurrence itself and so without a
-/// difference: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
-fn fill_with_quotients(values: &mut [f64], quotients: &mut [f64], a: f64, b: f64) {
-    let (mut previous, mut quotient) = (0.0, 0.0);
-    let (mut before, mut current) = (0.0, 1.0);
-    for (k, (value, place)) in values.iter_mut().zip(quotients).enumerate() {
-        (*value, *place) = (current, quotient);
-        let n = k as f64;
-        let following = ((2.0 * n + 1.0) * (b * quotient + current) - n * previous) / (n + 1.0);
-        (previous, quotient) = (quotient, following);
-        (before, current) = (current, ((2.0 * n + 1.0) * a * current - n * before) / (n + 1.0));
-    }
-}
 
 /// ⟨f_i f_k⟩, ⟨f_i Δf_k⟩, ⟨f_i⁺ f_k⁺⟩, ⟨Δf_i f_k⁺⟩ and ⟨Δf_i Δf_k⟩ over (0, 1 − a), row after row.
 pub(super) struct Increments {

@@ -1,7 +1,11 @@
 //! The unit square, trace on the edge y = 0: lower bounds of the best constant from trial functions.
 
 mod increments;
+#[allow(dead_code, reason = "one function of the toolkit's file is used")]
+#[path = "../../../../toolkit/src/numeric/legendre.rs"]
+mod legendre;
 
+use crate::ErrorExt;
 use fractional_sobolev::{Error, Estimate, Given, Order, Result, Work, gauss_legendre};
 use increments::{EdgeFamily, Family, Increments, Parity};
 use nalgebra::{Cholesky, DMatrix};
@@ -195,7 +199,7 @@ fn largest_quotient(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Result<f64> {
 
 /// Points and weights on (0, 1), graded to 0.
 fn graded(order: Order, points: usize) -> Result<Vec<(f64, f64)>> {
-    let missed = 2.0 * order.offset().min(order.complement());
+    let missed = 2.0 * order.offset().min(1.0 - order.value());
     let cells = (INNERMOST.ln() / RATIO.ln() / missed).ceil() as i32;
     let rule = gauss_legendre(points)?;
     let mut all = Vec::new();

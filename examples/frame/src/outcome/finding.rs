@@ -14,6 +14,7 @@
 //! evidence.
 
 use super::cell::not_finite;
+use experiments::EstimateExt;
 use serde_json::{Value, json};
 use std::fmt;
 

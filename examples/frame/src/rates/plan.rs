@@ -3,6 +3,7 @@
 use super::row::RateRow;
 use super::store::LevelStore;
 use crate::{Error, Result, announce_memory, progress};
+use experiments::ErrorExt;
 use experiments::convergence::{LevelMemory, Levels, MeshRates, StripGroup, TransitionRates};
 use signorini::cone::Cone;
 use signorini::problems::{NamedProblem, Parameters, StripData, TestProblem};

@@ -8,6 +8,10 @@ use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
 use crate::{Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The last increments: other α on the same mesh use them.
+static LAST: Mutex<Option<Arc<EndIncrements>>> = Mutex::new(None);
 
 /// N(0, θ) at the nodes θ of a mesh.
 ///
@@ -27,11 +31,26 @@ pub(super) struct EndIncrements {
 }
 
 impl EndIncrements {
-    /// On the nodes of a mesh of (0, 1), which should be geometric to 0.
+    /// On the nodes of a mesh of (0, 1), which should be geometric to 0; the last ones where the nodes are the same.
+    ///
+    /// # Errors
+    /// As [`EndIncrements::new`].
+    pub(super) fn on(mesh: &Mesh) -> Result<Arc<Self>> {
+        let last = LAST.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        if let Some(found) = last.filter(|found| found.nodes == mesh.from_left()[1..]) {
+            return Ok(found);
+        }
+        // Not under the lock: the matrix is assembled in parallel.
+        let found = Arc::new(Self::new(mesh)?);
+        *LAST.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
+        Ok(found)
+    }
+
+    /// On the nodes of a mesh of (0, 1).
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding.
-    pub(super) fn new(partition: &Mesh) -> Result<Self> {
+    fn new(partition: &Mesh) -> Result<Self> {
         let size = partition.len() + 1;
         let norm = gram_linears(partition, Order::HALF) + mass_form(partition) + primitive_form(partition)?;
         let broken =

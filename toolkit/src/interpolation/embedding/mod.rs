@@ -107,7 +107,8 @@ pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) ->
 ///
 /// **From below.** Piecewise linears on a mesh geometric to 0, and u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_s:
 /// the quotient rises. For Hölder's constant the norm of the functional v ↦ ∫₀^θ v on the slopes v = u', by one solve,
-/// at all nodes θ. Cost O(N³) once, N of some hundred, O(N²) a step.
+/// at all nodes θ. Cost O(N³) once, N of some hundred, O(N²) a step;
+/// the factorized matrix of the last order is kept.
 ///
 /// **From above.** The even reflection of u on the circle, the double integral there in closed form, and Beckner's
 /// sharp inequality (Ann. of Math. 138 (1993) 213-242): C² ≤ max_k m_k/w_k over the frequencies k. Hölder's inequality
@@ -144,7 +145,7 @@ pub fn embedding_constant(
         }
         Embedding::Hoelder(alpha) => {
             let mesh = trial::graded((1.0 - alpha).recip())?;
-            let (lower, _) = EndIncrements::new(&mesh)?.constant(alpha)?;
+            let (lower, _) = EndIncrements::on(&mesh)?.constant(alpha)?;
             Ok(BestConstant::new(between(lower, upper)?, lower, Some(upper)))
         }
     }

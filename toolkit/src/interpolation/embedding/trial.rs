@@ -8,6 +8,7 @@ use crate::numeric::dense::{Cholesky, product};
 use crate::quadrature::Rule;
 use crate::{Function, Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Most steps of the ascent: some dozens do where the maximum is isolated.
 const STEPS: usize = 400;
@@ -24,6 +25,9 @@ const LARGEST: f64 = 1000.0;
 const LARGEST_CRITICAL: f64 = 800.0;
 /// The layers at ν = 1/2 serve exponents up to this one in any case.
 const USUAL: f64 = 200.0;
+
+/// The last space, with its order and layers: other exponents q use its factorized matrix.
+static LAST: Mutex<Option<(usize, Arc<EmbeddingSpace>)>> = Mutex::new(None);
 
 /// Grading towards the end of the interval.
 const RATIO: f64 = 0.6;
@@ -60,17 +64,27 @@ pub(super) struct EmbeddingSpace {
 }
 
 impl EmbeddingSpace {
-    /// A space for the exponent q. Below ν = 1/2 it serves four times the critical exponent, where that is allowed.
+    /// A space for the exponent q, the last one where order and layers are the same. Below ν = 1/2 it serves four times
+    /// the critical exponent, where that is allowed.
     ///
     /// # Errors
     /// As [`EmbeddingSpace::new`].
-    pub(super) fn of(order: Order, q: f64) -> Result<Self> {
+    pub(super) fn of(order: Order, q: f64) -> Result<Arc<Self>> {
         let critical = critical_exponent(order);
-        if critical.is_finite() {
+        let layers = if critical.is_finite() {
             let q = (4.0 * critical).min(LARGEST_CRITICAL);
-            return Self::new(order, (30.0 + 0.6 * q / -RATIO.ln()) as usize, RATIO);
+            (30.0 + 0.6 * q / -RATIO.ln()) as usize
+        } else {
+            layers(q)
+        };
+        let last = LAST.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        if let Some((_, space)) = last.filter(|(kept, space)| *kept == layers && space.order == order) {
+            return Ok(space);
         }
-        Self::new(order, layers(q), RATIO)
+        // Not under the lock: the matrix is assembled in parallel.
+        let space = Arc::new(Self::new(order, layers, RATIO)?);
+        *LAST.lock().unwrap_or_else(PoisonError::into_inner) = Some((layers, Arc::clone(&space)));
+        Ok(space)
     }
 
     /// Elements shrink by `ratio` from 1/4 to 1/4 ratio^layers at the end 0; equal ones on the rest of (0,

@@ -30,7 +30,7 @@ pub(super) fn critical_exponent(order: Order) -> f64 {
 
 /// An upper bound of C(q), for every function of H^ν(0,1); rounded up.
 ///
-/// `value` is the bound; max_k (m_k/w_k)^{1/2}, the best this road gives, lies at most `error` below it:
+/// `value` is the bound; max_k (m_k/w_k)^{1/2}, the best this method gives, lies at most `error` below it:
 /// rounding, and what terms beyond the 100 000th could add. How far C(q) itself lies below it is seen from
 /// the functions of [`super::trial`].
 ///

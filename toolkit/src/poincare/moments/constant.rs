@@ -4,12 +4,13 @@ use super::half_order::half_order_moment;
 use super::strong_form::strong_bounds;
 use super::weight::Moment;
 use crate::Order;
+use crate::constant::Extremal;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::poincare::constraint::{Condition, Constraint};
 use crate::poincare::continuation::Continuation;
 use crate::poincare::discrete::Discrete;
-use crate::poincare::extremal::ExtremalFunction;
+use crate::poincare::extremal::SlopeSum;
 use crate::poincare::mesh::MeshModel;
 use crate::poincare::slopes::space::{SlopeSpace, legendre_primitives};
 use crate::poincare::spaces::refine_until;
@@ -111,18 +112,18 @@ impl MomentConstant {
     /// ```
     /// use fractional_sobolev::{Moment, moment};
     /// let w = moment(0.5, 0.0..0.5, Moment::Mass, 1e-3)?.extremal()?;
-    /// assert!(w.value(0.25).abs() < 1e-12 && w.value(1.0).abs() > 0.0);
+    /// assert!(w.value(&[0.25]).abs() < 1e-12 && w.value(&[1.0]).abs() > 0.0);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
     /// As for [`moment`].
-    pub fn extremal(&self) -> Result<ExtremalFunction> {
+    pub fn extremal(&self) -> Result<Extremal> {
         let model = MeshModel::new(self.order, self.tolerance.relative());
         let discrete = Discrete::new(self.order, &self.place.constraint(), &model)?;
         let (_, coefficients) = solve(&discrete, self.moment, &model)?;
-        let found = ExtremalFunction::new(&discrete, coefficients);
-        Ok(if self.place.at_right { found.mirrored() } else { found })
+        let found = SlopeSum::new(&discrete, coefficients);
+        Ok(Extremal::on_interval(if self.place.at_right { found.mirrored() } else { found }))
     }
 
     /// Lower and upper bound by the strong form of the equation, which shares nothing with the Gram matrices.
@@ -262,7 +263,7 @@ mod tests {
             let found = MomentConstant { constant: norm, order, place, moment, tolerance };
             let w = found.extremal().unwrap();
             let right = super::moment(order, e..1.0, moment, tolerance).unwrap().extremal().unwrap();
-            assert!([0.1, 0.5, 0.7].iter().all(|&x| (right.value(x) - w.value(1.0 - x)).abs() < 1e-12));
+            assert!([0.1, 0.5, 0.7].iter().all(|&x| (right.value(&[x]) - w.value(&[1.0 - x])).abs() < 1e-12));
             let u = w.interpolate(3, 4, &[1.0 - e]).unwrap();
             let seminorm = u.seminorm(order, tolerance).unwrap().value;
             assert!((seminorm - 1.0).abs() < 1e-4, "{moment:?}: {seminorm}");

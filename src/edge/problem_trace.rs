@@ -1,4 +1,4 @@
-//! The trace of a scene on its contact edge, by the mesh solver or on the strip.
+//! The trace of a test problem on its contact edge, by the mesh solver or on the strip.
 //!
 //! | whose trace | mesh | strip |
 //! | --- | --- | --- |
@@ -34,9 +34,9 @@ const STRIP_FACTOR: usize = 64;
 const ZERO: f64 = 1e-12;
 
 impl EdgeTrace {
-    /// The largest number of segments for which a fine reference of the scene is made.
-    pub fn largest_segments(scene: &NamedProblem) -> usize {
-        match scene {
+    /// The largest number of segments for which a fine reference of the test problem is made.
+    pub fn largest_segments(test_problem: &NamedProblem) -> usize {
+        match test_problem {
             NamedProblem::Mesh(_) => MESH_LARGEST,
             NamedProblem::Strip(_) => STRIP_LARGEST,
         }
@@ -49,7 +49,7 @@ impl EdgeTrace {
     /// ```
     /// use signorini::{edge::EdgeTrace, problems::StripData, strip::LateralCondition};
     /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
-    /// let trace = EdgeTrace::of_scene(&data)?;
+    /// let trace = EdgeTrace::of_data(&data)?;
     /// // Contact left of the transition, to within a cell.
     /// assert_eq!(trace.transitions(), 1);
     /// assert!((trace.contact()[0].end - 0.3).abs() <= 1.0 / 256.0);
@@ -58,10 +58,10 @@ impl EdgeTrace {
     ///
     /// # Errors
     /// As [`EdgeTrace::new`].
-    pub fn of_scene(scene: &EdgeData) -> Result<Self> {
-        let cells = scene.cells();
-        let (mut values, mut forces) = (scene.values().to_vec(), scene.forces().to_vec());
-        if scene.sides() == LateralCondition::Periodic {
+    pub fn of_data(edge_data: &EdgeData) -> Result<Self> {
+        let cells = edge_data.cells();
+        let (mut values, mut forces) = (edge_data.values().to_vec(), edge_data.forces().to_vec());
+        if edge_data.sides() == LateralCondition::Periodic {
             forces[0] *= 0.5;
             values.push(values[0]);
             forces.push(forces[0]);
@@ -71,27 +71,27 @@ impl EdgeTrace {
     }
 
     /// The fine trace that stands for u on meshes of up to n segments; `tau` is the regularity of a strip
-    /// scene.
+    /// test problem.
     ///
     /// # Errors
-    /// Those of the scenes.
+    /// Those of the test problems.
     pub fn reference(source: &NamedProblem, n: usize, tau: f64) -> Result<Self> {
         match source {
-            NamedProblem::Mesh(scene) => mesh_trace(*scene, MESH_FACTOR * n, Cone::Nodal),
-            NamedProblem::Strip(source) => EdgeTrace::of_scene(&strip_data(source, n, tau)?),
+            NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, MESH_FACTOR * n, Cone::Nodal),
+            NamedProblem::Strip(source) => EdgeTrace::of_data(&strip_data(source, n, tau)?),
         }
     }
 
     /// The trace of the discrete solution on n segments.
     ///
     /// # Errors
-    /// Those of the scenes and solvers.
+    /// Those of the test problems and solvers.
     pub fn discrete(source: &NamedProblem, n: usize, tau: f64, cone: Cone) -> Result<Self> {
         match source {
-            NamedProblem::Mesh(scene) => mesh_trace(*scene, n, cone),
+            NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, n, cone),
             NamedProblem::Strip(source) => {
-                let scene = strip_data(source, n, tau)?;
-                let exact = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, n)?;
+                let edge_data = strip_data(source, n, tau)?;
+                let exact = StripProblem::new(StripKind::Scalar, &edge_data, Reference::Nested, n)?;
                 let solution = exact.operator(n)?.0.solve_contact(&exact.load(n)?, cone, None, SOLVED)?;
                 let nodes = (0..=n).map(|i| i as f64 / n as f64).collect();
                 discrete_trace(nodes, solution.values, &solution.multiplier, &solution.contact, cone)
@@ -100,19 +100,19 @@ impl EdgeTrace {
     }
 }
 
-/// The scene on a grid whose cells divide every segment.
+/// The test problem on a grid whose cells divide every segment.
 fn strip_data(source: &StripData, n: usize, tau: f64) -> Result<EdgeData> {
     source.data(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
 }
 
-fn mesh_trace(scene: TestProblem, squares: usize, cone: Cone) -> Result<EdgeTrace> {
-    let problem = scene.problem(squares)?;
+fn mesh_trace(test_problem: TestProblem, squares: usize, cone: Cone) -> Result<EdgeTrace> {
+    let problem = test_problem.problem(squares)?;
     if problem.edge().is_closed() {
         return Err(Error::Toolkit(ToolkitError::Incompatible {
-            what: "scene",
-            given: scene.to_string(),
+            what: "test problem",
+            given: test_problem.to_string(),
             with: "a trace on a segment",
-            expected: "a scene whose contact edge has two ends",
+            expected: "a test problem whose contact edge has two ends",
         }));
     }
     let solution = problem.solve(cone, Solver::ActiveSet)?;
