@@ -21,7 +21,7 @@
 //! `cargo run --release --example lemma_5_2_induction -- --nu 0.5 --steps 7`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Constraint, ExtremalFunction, Function, gamma};
+use fractional_sobolev::{Constraint, Extremal, Function, gamma};
 use std::cmp::Ordering::{Equal, Greater, Less};
 use std::f64::consts::SQRT_2;
 
@@ -37,7 +37,7 @@ example! { quick "(5.5)-(5.9)", "mean zero on (0, θ²):  γ(θ²) ≤ γ(θ) (1
 /// γ and the function that attains it: γ² is the largest eigenvalue λ of M u = λ A u, M and A the matrices of ‖·‖₀² and
 /// |·|²_ν on polynomials with mean zero on the zone, on elements that shrink geometrically to 0, θ and 1. Hat functions
 /// on elements halved towards these points give 0.2 % less. The error is the change to a space of another shape.
-fn solved(nu: Order, theta: f64) -> Result<(Measured, ExtremalFunction)> {
+fn solved(nu: Order, theta: f64) -> Result<(Measured, Extremal)> {
     let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
     Ok((found.constant.into(), found.extremal()))
 }
@@ -49,7 +49,7 @@ fn on_stretched_interval(
     nu: Order,
     theta: f64,
     gamma: Measured,
-    u: &ExtremalFunction,
+    u: &Extremal,
 ) -> Result<[Measured; 3]> {
     let all = u.interpolate(2, 6, &[theta * theta, theta])?;
     let nodes = all.mesh()?.nodes();
