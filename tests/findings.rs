@@ -91,7 +91,6 @@ examples! {
     equation_6_2_mean: "../examples/equation_6_2_mean.rs",
     figure_3_1: "../examples/figure_3_1.rs",
     introduction_rates: "../examples/introduction_rates.rs",
-    lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",
     remark_1_whole_boundary: "../examples/remark_1_whole_boundary.rs",
     remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
     remark_3_face: "../examples/remark_3_face.rs",
@@ -113,7 +112,6 @@ examples! {
     theorem_3_1_with_numbers_extrapolated: "../examples/theorem_3_1_with_numbers_extrapolated.rs",
     theorem_3_1_without_c: "../examples/theorem_3_1_without_c.rs",
     theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
-    theta_balance: "../examples/theta_balance.rs",
     tour: "../examples/tour.rs",
     worst_contact_set: "../examples/worst_contact_set.rs",
     // end of examples

@@ -64,6 +64,7 @@ macro_rules! examples {
 }
 
 examples! {
+    theta_balance: "../examples/theta_balance.rs",
     section_2_strip: "../examples/section_2_strip.rs",
     falk_terms: "../examples/falk_terms.rs",
     section_2_own_body: "../examples/section_2_own_body.rs",
@@ -72,6 +73,7 @@ examples! {
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
+    lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",
     lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
     extremes: "../examples/extremes.rs",
     section_1_field_errors: "../examples/section_1_field_errors.rs",
