@@ -1,159 +1,180 @@
-//! The balance of Section 3: both bounds as functions of theta, the printed choice, and the true worst case.
+//! Section 3, "Globally": θ = h^(2τ−3), at τ = 2 θ = h², balances the bounds of the two cases.
 //!
-//! `cargo run --release --example theta_balance -- --tau 2`
+//! On a segment of length h let ν = τ − 3/2, |·|_ν the seminorm of H^ν and ‖·‖_ν its norm. The proof bounds ∫ σ_N I^h u_N by
+//!
+//! ```text
+//! first case    C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν,    q = 1/(2 − τ), at τ = 2 q = 2                    (3.9), (3.10)
+//! second case   C_I h^(2τ−2) γ_θ |σ_N|_ν |u_N'|_ν,   γ_θ ≤ C_P θ^(τ−2), at τ = 2 C_P ln(1/θ)          (3.14), (3.15)
+//! ```
+//!
+//! C_q: H^ν(0,1) in L^q; C_I: Lemma 6.1; γ_θ, C_P: Lemma 5.2. One rises, the other falls with θ. Expected: the θ at which they
+//! are equal is a constant times h^(2τ−3), and both are of order h^(2τ²−5τ+4) there. Refuted if the quotient of both bounds at
+//! the printed θ depends on h (at τ = 2, apart from ln(1/h)), if an exponent differs, or if a bound at the crossing is below the
+//! true supremum κ h^(2τ−2) of the integral over |σ_N|_ν |u_N'|_ν.
+//!
+//! The truth is better, and so are two other bounds. `sharp`: u_N' has mean zero between its two zeros, so that for θ ≤ 1/4
+//! the first case has h^(1+ν) C_q (1 + γ²)^(1/2) |u_N'|_ν, γ = γ_(1/2), and half of the loss is regained. `own`: θ = r on each
+//! segment, rh the distance of the end with the larger |u_N| to the contact set. Both cases hold at once, C_q (1 + γ₁²)^(1/2)
+//! h^(2τ−2) r^(1−1/q) γ_r/(1 − r) for r ≤ 1/2, and r^(1−1/q) γ_r ~ r^(2ν) is bounded: nothing is lost.
+//!
+//! `cargo run --release --example theta_balance -- --tau 1.6`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table};
-use experiments::convergence::Levels;
-use experiments::proof::{BalanceExponents, BalanceRow, ElementBalance, worst_of_cases};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{
+    Constraint, Domain, ErrorNorm, Gram, Mesh, embedding_bound, gamma, interpolation_constant,
+};
+use nalgebra::{DMatrix, DVector};
+use signorini::cone::Cone;
+use signorini::proof::{consistency_constant, one_gap_ratio};
+use std::ops::RangeInclusive;
 
-example_frame::options! {
-    /// Compare the bounds of both cases with an optimisation over complementary pairs (u_N, sigma_N) on one
-    /// element
-    pub struct Options: Quick {
-        /// Regularity, in (3/2, 2]
-        #[arg(long, default_value_t = 1.75)]
-        pub tau: f64,
-        /// Exponent q of the embedding at tau = 2
-        #[arg(long, default_value_t = 2.0)]
-        pub q: f64,
-        /// Element lengths h = 2^-COARSEST ... 2^-FINEST
-        #[arg(long, default_value = "3-12")]
-        pub levels: Levels,
-    }
-    check(options) {
-        Ok(options.levels.require_count(3, "[3, 22]: an exponent takes three meshes")?)
-    }
+example! { quick "Section 3, Globally", "θ = h^(2τ−3), at τ = 2 θ = h², balances the bounds of the two cases";
+    /// regularity τ of the solution
+    tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 1.95",
+    /// segments of length 1/8, 1/16, .. 2^-finest
+    finest: u32 = "12" in "[4, 30]",
 }
 
-/// What is computed: bounds and worst pairs per element length, and their exponents of h.
-pub struct Computed {
-    balance: ElementBalance,
-    /// Per element length, coarsest first.
-    pub rows: Vec<BalanceRow>,
-    /// Exponents of h over these lengths.
-    pub exponents: BalanceExponents,
-    /// The largest part of the bound of its case that a worst pair takes.
-    pub share: f64,
+/// W(a), the supremum of ∫ σ_N I^h u_N / (|σ_N|_ν |u_N'|_ν) on (0, 1) where u_N = 0 on [a, 1] and σ_N = 0 on [0, a]: the
+/// integral is ∫ σ_N (1 − x) times u_N(0) = −∫ u_N', so W² is b·A⁻¹b of the one functional times that of the other, for
+/// hat functions on (a, 1) and on (0, a); A holds their products in |·|_ν, in closed form. Elements halved towards 0, a, 1.
+fn by_definition(nu: Order, a: f64) -> Result<f64> {
+    let mesh = Mesh::graded(&[0.0, a, 1.0], 10 + (-a.log2()) as usize, 0.5)?;
+    let (x, n) = (mesh.nodes(), mesh.len());
+    let gram = Gram::new(&mesh, nu, 1e-10)?.to_dense()?;
+    let square = |hats: RangeInclusive<usize>, weight: &dyn Fn(f64) -> f64| -> Result<f64> {
+        let (first, size) = (*hats.start(), hats.clone().count());
+        let mut b = DVector::<f64>::zeros(size);
+        for k in 0..n {
+            let (left, right, sixth) = (weight(x[k]), weight(x[k + 1]), (x[k + 1] - x[k]) / 6.0);
+            for (node, value) in [(k, 2.0 * left + right), (k + 1, left + 2.0 * right)] {
+                if hats.contains(&node) {
+                    b[node - first] += sixth * value
+                }
+            }
+        }
+        let a = DMatrix::from_fn(size, size, |i, j| gram[(first + i, first + j)]);
+        let solved =
+            a.cholesky().ok_or_else(|| Error::option("tau", "a Gram matrix lost its sign"))?.solve(&b);
+        Ok(b.dot(&solved))
+    };
+    Ok((square(n / 2 + 1..=n, &|x| 1.0 - x)? * square(0..=n / 2 - 1, &|_| 1.0)?).sqrt())
 }
 
-/// Bounds and worst pairs for every element length.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let balance = ElementBalance::new(options.tau, options.q)?;
-    let lengths: Vec<f64> = options.levels.cells().map(|n| 1.0 / n as f64).collect();
-    let rows = balance.rows(&lengths)?;
-    let (exponents, share) = (BalanceExponents::fit(&rows)?, balance.largest_share(&rows));
-    Ok(Computed { balance, rows, exponents, share })
-}
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let tau = options.tau;
+    let (nu, q) = (Order::new(tau - 1.5)?, if tau < 2.0 { 1.0 / (2.0 - tau) } else { 2.0 });
+    let hoelder = 1.0 - 1.0 / q;
+    // γ_θ for mean zero on (0, θ) as in Lemma 5.2, its error added; C_P is its largest quotient over θ = 1/2, 1/4, .. 2^-16.
+    let poincare = |theta: f64| -> Result<f64> {
+        let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-5)?.constant;
+        Ok(found.value + found.error)
+    };
+    let law = |theta: f64| if tau < 2.0 { theta.powf(tau - 2.0) } else { -theta.ln() };
+    let zones: Vec<f64> = (1..=16).map(|k| 0.5f64.powi(k)).collect();
+    let gammas = zones.iter().map(|&theta| poincare(theta)).collect::<Result<Vec<f64>>>()?;
+    let c_p = zones.iter().zip(&gammas).fold(0.0, |c: f64, (&theta, gamma)| c.max(gamma / law(theta)));
+    let (half, whole) = (gammas[0], poincare(1.0 - 1e-12)?);
+    let c_q = embedding_bound(nu, q)?; // an upper bound of the best constant, by the Hardy-Littlewood-Sobolev inequality
+    let c_i = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
+    // κ, the largest W(a): both functionals are moments of one-sided functions, found to 1e-9 by polynomials.
+    let kappa = consistency_constant(nu, 1e-9)?;
+    let (truth, worst) = (Measured::from(kappa.value), 1.0 - kappa.contact);
+    let own = |r: f64, gamma: f64| c_q * whole.hypot(1.0) * r.powf(hoelder) * gamma / (1.0 - r);
+    let largest = zones.iter().zip(&gammas).map(|(&r, &gamma)| own(r, gamma)).fold(half * c_i, f64::max);
 
-/// Contact intervals lie on a grid of powers of 1/2: the supremum exceeds the largest by less than this part.
-const GRID: f64 = 0.05;
-/// Powers of h without a logarithm: what rounding leaves of a fit over ten lengths.
-const ROUNDING: f64 = 1e-9;
-
-/// What decides: no pair passes the bounds, the exponents are the printed ones, and what lies between them
-/// and the worst pair.
-pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
-    let (tau, Computed { exponents: e, share, rows, .. }) = (options.tau, computed);
-    let bounds = Finding::claim("bounds", "no worst pair passes the bound of its case, at most {percent} %")
-        .number(*share, GRID * share)
-        .at_most(1.0, "the bounds (3.9), (3.14) with their constants");
-    let lost = Finding::sharpness("loss", "h^{value} against the worst pair of an element")
-        .number(e.worst.order - e.printed.order, e.worst.uncertainty + e.printed.uncertainty)
-        .at_least(0.0, "equal exponents")
-        .told();
-    let own = Finding::claim("own.bounds", "and none that with theta_T = r, at most {percent} %")
-        .largest_of(rows.iter().map(|row| (row.own_share, 0.0)), "no element length")
-        .at_most(1.0, "(3.5) and (3.12) at the same theta");
-    let mut findings = vec![bounds, lost, own];
-    for (key, own) in [("own", e.own[0]), ("own.midpoint", e.own[1])] {
-        let finding = Finding::claim(key, "with theta_T = r on each segment the exponent is {value}");
-        let finding = finding.number(own.order, own.uncertainty);
-        findings.push(finding.within(0.01, 2.0 * tau - 2.0, "2 tau - 2"));
+    let first = |h: f64, theta: f64| c_q * h * theta.powf(hoelder);
+    let sharpened = |h: f64, theta: f64| {
+        let factor = if theta <= 0.25 { half.hypot(1.0) * h.powf(nu.value()) } else { 1.0 };
+        first(h, theta) * factor.min(1.0)
+    };
+    let second = |h: f64, theta: f64| c_i * h.powf(2.0 * tau - 2.0) * c_p * law(theta);
+    // Where a rising and a falling bound are equal: ln θ is halved in.
+    let crossing = |rises: &dyn Fn(f64) -> f64, falls: &dyn Fn(f64) -> f64| {
+        let (mut low, mut high) = (1e-30f64.ln(), 0.5f64.ln());
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            if rises(middle.exp()) > falls(middle.exp()) { high = middle } else { low = middle }
+        }
+        high.exp()
+    };
+    out.column("theta", "θ printed", "");
+    out.column("bound", "bound", "the larger one at the printed θ");
+    out.column("crossing", "θ crossing", "where both bounds are equal");
+    out.column("at_crossing", "bound there", "");
+    out.column("sharp", "sharp", "sharpened bounds where they are equal");
+    out.column("own", "own", "θ of its own for each segment");
+    out.column("best", "truth", "κ h^(2τ−2)");
+    let mut coarsest = None;
+    for n in (3..=options.finest).map(|level| 1usize << level) {
+        let h = 1.0 / n as f64;
+        let theta = h.powf(if tau < 2.0 { 2.0 * tau - 3.0 } else { 2.0 });
+        let second = |theta: f64| second(h, theta);
+        let at = crossing(&|theta| first(h, theta), &second);
+        let at_sharp = crossing(&|theta| sharpened(h, theta), &second);
+        let best = truth * h.powf(2.0 * tau - 2.0);
+        out.row(cells! { h => theta, bound: first(h, theta).max(second(theta)), crossing: at, at_crossing: second(at),
+            sharp: second(at_sharp), own: largest * h.powf(2.0 * tau - 2.0), best: best.value });
+        let logarithm = if tau < 2.0 { 1.0 } else { -h.ln() };
+        let quotient = second(theta) / (first(h, theta) * logarithm);
+        let reference = *coarsest.get_or_insert(quotient);
+        out.check("second over first bound, printed θ").near(
+            quotient / reference,
+            1.0,
+            1e-9,
+            "that at h = 1/8",
+        );
+        out.check("truth over bound, at the crossing").at_most(best / second(at), 1.0, "a bound is no less");
+        out.check("truth over bound, sharp").at_most(best / second(at_sharp), 1.0, "a bound is no less");
     }
-    // At τ = 2 both bounds carry logarithms, which no exponent over these lengths tells apart.
+    let [printed, cross, there, sharp] =
+        ["bound", "crossing", "at_crossing", "sharp"].map(|column| out.exponent("h", column));
     if tau < 2.0 {
-        let equation = 2.0 * tau * tau - 5.0 * tau + 4.0;
-        let choice = Finding::claim("printed", "the printed choice gives one element the exponent {value}");
-        let choice = choice.number(e.printed.order, e.printed.uncertainty);
-        findings.push(choice.within(ROUNDING, equation, "2 tau^2 - 5 tau + 4").told());
-        let way = 2.0 * tau - 2.0 - equation;
-        let (gain, bar) =
-            (e.sharpened.order - e.printed.order, e.sharpened.uncertainty + e.printed.uncertainty);
-        let regained =
-            Finding::remark("sharpened", "the sharpened first case regains {percent} % of the loss");
-        let regained = regained.number(gain / way, bar / way);
-        findings.push(regained.within(ROUNDING, 0.5, "half of (tau - 3/2)(2 - tau)"));
+        let claimed = 2.0 * tau * tau - 5.0 * tau + 4.0;
+        out.check("exponent of θ at the crossing").near(cross, 2.0 * tau - 3.0, 1e-9, "2τ − 3, printed θ");
+        out.check("exponent of the bound, printed θ").near(printed, claimed, 1e-9, "2τ² − 5τ + 4");
+        out.check("exponent of the bound, crossing").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
+        let half_loss = (tau - 1.5) * (2.0 - tau);
+        out.stronger("exponent gained, sharp").near(sharp - printed, half_loss, 1e-9, "(τ − 3/2)(2 − τ)");
+        let order = hoelder - (poincare(1e-102)? / poincare(1e-100)?).log10() / 2.0;
+        out.check("exponent of r in r^(1−1/q) γ_r").near(order, 2.0 * tau - 3.0, 1e-3, "2ν");
+    } else {
+        out.observe("exponent of θ at the crossing").near(cross, 2.0, 0.5, "h², up to ln² h");
+        out.observe("exponent of the bound, printed θ").near(printed, 2.0, 0.5, "h² ln(1/h)");
     }
-    let growth = |theta: f64| rows.last().map(|row| worst_of_cases(&row.pairs, theta)[1]);
-    let growth = growth(1e-3).zip(growth(0.2)).map(|(short, long)| (short / long - 1.0, 0.0));
-    findings.push(
-        Finding::remark("second.case", "the worst pair of the second case does not grow as theta falls")
-            .number_or(growth, "no element length")
-            .within(ROUNDING, 0.0, "the same contact set is the worst for theta = 1e-3 and 0.2"),
+    for (&r, &gamma) in zones.iter().zip(&gammas).take(10) {
+        let ratio = Measured::from(one_gap_ratio(Cone::Nodal, nu, r, 1e-6)?); // W(r), as κ
+        out.check("W(r) over the own bound").at_most(ratio / own(r, gamma), 1.0, "θ = r = 1/2, 1/4, ..");
+        out.check("W(θ)/κ where γ_θ grows").at_most(ratio / truth, 1.0 + 1e-6, "κ is the largest");
+    }
+    out.note("exponent.printed", printed);
+    out.note("exponent.sharp", sharp);
+    out.note("worst.gap", worst);
+    out.check("W by its definition over κ").near(
+        truth.recip() * by_definition(nu, worst)?,
+        1.0,
+        5e-3,
+        "two linear solves",
     );
-    findings
-}
 
-/// Finds the worst pairs of every contact interval and sets them beside the bounds.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "theta = h^(2 tau - 3), h^2 at tau = 2, balances the bounds of the first and the second case";
-    let found = findings(options, &computed);
-    let mut headline = Headline::new("Section 3, Globally", claim, table(&computed.rows), found);
-    let Computed { balance, exponents: e, rows, .. } = &computed;
-    let keys = ["printed", "crossing", "sharpened", "worst", "own"];
-    for (key, exponent) in keys.into_iter().zip([e.printed, e.crossing, e.sharpened, e.worst, e.own[0]]) {
-        headline.quote_with(&format!("theta.balance.{key}"), exponent.order, exponent.uncertainty);
-    }
-    if let Some(finest) = rows.last() {
-        headline.quote("theta.balance.worst.place", finest.worst.ends[0]);
-        headline.draw(&options.output, "theta_balance", || Ok(draw(balance, finest)))?;
-    }
-    Ok(headline)
-}
-
-fn table(rows: &[BalanceRow]) -> Table {
-    let number = Format::Scientific(2);
-    let columns = vec![
-        Column::new("n", "1/h", Format::Plain, "length of the element"),
-        Column::new("theta", "theta", number, "printed choice"),
-        Column::new("bound", "B", number, "larger of both printed bounds there"),
-        Column::new("crossing", "crossing", number, "theta at which the printed bounds agree"),
-        Column::new("crossing_bound", "B cross", number, "both bounds there"),
-        Column::new("sharp_crossing", "sharp", number, "theta at which the sharpened bounds agree"),
-        Column::new("sharp_bound", "B sharp", number, "both bounds there"),
-        Column::new("first", "W first", number, "worst pair, contact sets of the first case at theta"),
-        Column::new("second", "W second", number, "the same, second case"),
-        Column::new("own", "B own", number, "largest bound with theta_T = r on each segment"),
-        Column::new("worst", "W", number, "worst pair over all contact sets"),
-        Column::new("place", "a", Format::Plain, "the worst contact set begins at a h"),
-    ];
-    Table::new(columns).with_rows(rows.iter().map(|row| {
-        let all =
-            [[1.0 / row.h].as_slice(), &row.printed, &row.crossing, &row.sharpened, &row.cases].concat();
-        all.into_iter().chain([row.own[0], row.worst.value, row.worst.ends[0]])
-    }))
-}
-
-/// Bounds and worst cases over θ for one h.
-fn draw(balance: &ElementBalance, row: &BalanceRow) -> Chart {
-    let (h, tau) = (row.h, balance.constants().tau());
+    let h = 0.5f64.powi(options.finest as i32);
     let thetas: Vec<f64> = (2..=40).map(|k| 0.5f64.powf(0.25 * f64::from(k))).collect();
-    let line = |f: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> { thetas.iter().map(|&t| (t, f(t))).collect() };
-    let y = Axis::logarithmic("∫σ(I^h u) per norms of σ_N and u_N'");
-    let [low, high] = [row.worst.value, balance.first_bound(h, 0.7).max(row.printed[1])];
-    Chart::new(format!("One element, h = {h:.3e}, τ = {tau}"), Axis::logarithmic("θ"), y)
-        .with(Series::line("first case, printed (3.9)", line(&|t| balance.first_bound(h, t))))
-        .with(Series::line("second case, printed (3.14)", line(&|t| balance.second_bound(h, t)[0])))
-        .with(Series::dashed("first case, sharpened", line(&|t| balance.sharpened_first_bound(h, t))))
-        .with(Series::dashed("second case, corrected law", line(&|t| balance.second_bound(h, t)[1])))
-        .with(Series::points("true worst, first case", line(&|t| worst_of_cases(&row.pairs, t)[0])))
-        .with(Series::line("true worst, second case", line(&|t| worst_of_cases(&row.pairs, t)[1])))
-        .with(Series::dashed("printed θ", vec![(row.printed[0], 0.3 * low), (row.printed[0], high)]))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    let line = |f: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+        thetas.iter().map(|&theta| (theta, f(theta))).collect()
+    };
+    let best = kappa.value.value * h.powf(2.0 * tau - 2.0);
+    let printed = h.powf(if tau < 2.0 { 2.0 * tau - 3.0 } else { 2.0 });
+    let ratios = |theta: f64| one_gap_ratio(Cone::Nodal, nu, theta, 1e-3).map_or(f64::NAN, |w| w.value);
+    let gaps = if out.draws() { line(&|theta| ratios(theta) * h.powf(2.0 * tau - 2.0)) } else { Vec::new() };
+    out.plot(
+        "theta_balance",
+        &format!("One segment, h = {h:.2e}, τ = {tau}"),
+        Axes::LogLog("θ", "∫ σ I^h u over both norms"),
+    )
+    .line("first case (3.9)", line(&|theta| first(h, theta)))
+    .line("second case (3.14)", line(&|theta| second(h, theta)))
+    .line("truth, zone θ without pressure", gaps)
+    .dashed_line("first case, sharp", line(&|theta| sharpened(h, theta)))
+    .dashed_line("printed θ", vec![(printed, 0.3 * best), (printed, first(h, 0.5))]);
+    Ok(())
 }
