@@ -8,9 +8,6 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 #[allow(dead_code)]
-#[path = "../examples/lemma_6_2_global_estimate.rs"]
-mod lemma_6_2_global_estimate;
-#[allow(dead_code)]
 #[path = "../examples/section_2_multigrid.rs"]
 mod section_2_multigrid;
 
@@ -60,12 +57,8 @@ fn announced<O: Parser + HasOutput>(line: &str) -> f64 {
 
 #[test]
 fn what_is_announced_is_taken() {
-    let elements = ["--nu 0.25 --elements 1000000", "--nu 0.25 --elements 3000000"];
     let meshes = ["--n 32 --levels 1", "--n 16 --levels 3"];
     let mut runs: Vec<(&str, &str, f64)> = Vec::new();
-    runs.extend(elements.map(|line| {
-        ("lemma_6_2_global_estimate", line, announced::<lemma_6_2_global_estimate::Options>(line))
-    }));
     runs.extend(
         meshes.map(|line| ("section_2_multigrid", line, announced::<section_2_multigrid::Options>(line))),
     );
