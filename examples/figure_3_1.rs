@@ -1,153 +1,136 @@
-//! Figure 3.1: the three printed curves over τ, and on them the orders that errors and consistency terms of
-//! both cones show.
+//! Figure 3.1: the exponents of three bounds over the regularity τ, and the orders that are measured.
+//!
+//! For u in H^τ, 3/2 < τ < 2, linear elements of size h and any contact set, ‖u − u^h‖ ≤ C h^p with
+//!
+//! ```text
+//! p = τ/2 − 1/4  (E2), known before,      p = τ² − 5τ/2 + 2  (N1), Theorems 3.1 and 4.1,      p = τ − 1, optimal.
+//! ```
+//!
+//! (N1) less (E2) is (τ − 3/2)², the optimal one less (N1) is (τ − 3/2)(2 − τ): 0 at both ends, 1/16 at τ = 7/4. The figure
+//! has these curves only. Here each point is measured, on a strip (example `section_2_strip`): contact on the edge of the
+//! unit square for x < a, g = −r^(τ−1) and λ ~ r^(τ−2) at distance r from a, so that u is in H^s for s < τ only, and
+//! errors are known without a reference solution but for rounding. They are root mean squares over five places a, a fifth
+//! of the coarsest cell apart: doubling n permutes the places in the cell.
+//!
+//! Expected: both cones show τ − 1. Refuted if an order, less what its fit may be off by (±), is below (N1), or is further
+//! than ± from τ − 1, or if the printed curves are not in this sequence.
 //!
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 
-use example_frame::rates::{HALF_WIDTH, order_columns, orders_on_curves};
-use example_frame::rates::{RateRow, both_cones, complete, fit_cells, largest, lowest};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
-use experiments::ErrorExt;
-use experiments::convergence::{Levels, StripGroup};
-use signorini::problems::StripData;
-use signorini::rates::Bound;
-use signorini::strip::StripKind;
-use std::process::ExitCode;
+use example_report::prelude::*;
+use signorini::cone::Cone;
+use signorini::problems::{StripData, TransitionPowers};
+use signorini::rates::ConvergenceOrder;
+use signorini::strip::{EdgeData, Reference, StripKind, StripProblem};
 
-example_frame::options! {
-    /// Exponents over the regularity: printed, and measured with their uncertainty
-    pub struct Options {
-        /// Regularities tau in (3/2, 2)
-        #[arg(long, value_delimiter = ',', default_value = "1.55,1.6,1.65,1.7,1.75,1.8,1.85,1.9,1.95", value_parser = within::<f64>("(1.5, 2)"))]
-        pub tau: Vec<f64>,
-        /// scalar or elastic
-        #[arg(long, default_value_t = StripKind::Scalar)]
-        pub kind: StripKind,
-        /// A scene on the strip
-        #[arg(long, default_value_t = StripData::transition(), help = StripData::names())]
-        pub scene: StripData,
-        /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 32 times finer
-        #[arg(long, default_value = "3-12")]
-        pub levels: Levels,
-        /// Positions of a single transition in its cell (odd: evenly spread on all levels)
-        #[arg(long, default_value_t = 5)]
-        pub positions: usize,
-    }
-    without_effect(options) {
-        "positions" if !options.scene.moves() => "unless the scene is one transition",
-    }
+example! { seconds "Figure 3.1", "τ/2 − 1/4  ≤  τ² − 5τ/2 + 2  ≤  τ − 1 for 3/2 < τ < 2, the last two 1/16 apart at 7/4;  measured: τ − 1";
+    /// regularities τ
+    tau: Vec<f64> = "1.55,1.6,1.65,1.7,1.75,1.8,1.85,1.9,1.95" in "(1.5, 2)",
+    /// scalar, or elastic with periodic sides
+    kind: StripKind = "scalar",
+    /// meshes of 8, 16, .. 2^finest cells along the edge
+    finest: u32 = "12" in "[8, 15]",
 }
 
-/// What is computed: the same scene at every τ in both cones, nodal first.
-pub struct Computed {
-    /// One pair per τ.
-    pub pairs: Vec<[RateRow; 2]>,
+/// The term of Falk's lemma (4.5) for the nodal cone, ∫ σ_N I^h u_N: λ as forces on the fine edge, and g interpolated
+/// linearly between the nodes of n cells.
+fn consistency_term(data: &EdgeData, n: usize) -> f64 {
+    let (ratio, g) = (data.cells() / n, data.values());
+    let interpolant = |j: usize| {
+        let (cell, share) = ((j / ratio).min(n - 1), (j as f64 / ratio as f64));
+        let at = share - cell as f64;
+        // Periodic sides: the last node is the first one.
+        (1.0 - at) * g[cell * ratio] + at * g[(cell + 1) * ratio % g.len()]
+    };
+    data.forces().iter().enumerate().map(|(j, force)| -force * interpolant(j)).sum()
 }
 
-/// Solves all levels at every τ in both cones.
-pub fn compute(options: &Options) -> Result<Computed> {
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let Options { kind, finest, .. } = *options;
+    out.column("earlier", "(E2)", "τ/2 − 1/4");
+    out.column("printed", "(N1)", "τ² − 5τ/2 + 2");
+    out.column("optimal", "τ − 1", "");
+    out.column("nodal", "nodal", "order of ‖u − u^h‖, nodal cone");
+    out.column("midpoint", "midpoint", "the same, midpoint cone");
+    out.column("term", "term", "order of the root of ∫ σ_N I^h u_N, nodal cone");
+    let cells: Vec<usize> = (3..=finest).map(|k| 1 << k).collect();
     for &tau in &options.tau {
-        fractional_sobolev::Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)?;
-    }
-    let reference = (32 * options.levels.finest_cells()).min(1 << 22);
-    let group = StripGroup::new(options.kind, options.levels, reference);
-    let group = group.with(&options.scene, &options.tau, options.positions)?;
-    Ok(Computed { pairs: both_cones(&group)? })
-}
-
-/// What decides: every order against the curve of the paper and against the optimal line, with its bar.
-pub fn findings(_: &Options, Computed { pairs }: &Computed) -> Vec<Finding> {
-    let rows = || pairs.iter().flatten();
-    let without = "an order is missing";
-    let ratios = |k: usize| rows().map(move |row| row.from_optimal()[k]);
-    let distances = rows().map(|row| row.above(Bound::Optimal).map(|(distance, _)| distance.abs()));
-    let beside = largest(ratios(0)).map(|_| ratios(0).filter(|r| r.is_some_and(|r| r.abs() > 1.0)).count());
-    let terms = ratios(1).filter(Option::is_some).map(|ratio| ratio.map(f64::abs));
-    let mut found = vec![
-        complete(rows().map(|row| &row.study)),
-        Finding::claim(
-            "above",
-            "every measured order lies above the curve of the paper, the least sure by {value} +- {uncertainty}",
-        )
-        .number_or(lowest(rows().map(|row| row.above(Bound::Paper))), without)
-        .at_least(0.0, "tau^2 - 5tau/2 + 2, (3.1)")
-        .otherwise("an order lies below the curve of the paper, by {value}")
-        .told(),
-        Finding::claim("optimal", "no order stays below the optimal line by more than its bar")
-            .number_or(largest(ratios(0).map(|ratio| ratio.map(|r| -r))), without)
-            .at_most(1.0, "tau - 1, Drouet & Hild 2015; in units of the bar")
-            .otherwise("an order stays below the optimal line by {value} times its bar"),
-        Finding::remark("line", "every bar meets the optimal line")
-            .number_or(beside.map(|count| (count as f64, 0.0)), without)
-            .at_most(0.0, "tau - 1")
-            .otherwise("{value} bars miss the optimal line")
-            .told(),
-        Finding::remark("distance", "no order is further than {value} from the optimal line")
-            .number_or(largest(distances), without)
-            .at_most(0.5 * SIXTEENTH, "half of 1/16, the largest gap between the curves")
-            .otherwise("an order is {value} away from the optimal line"),
-        Finding::remark("terms", "the bars of the consistency terms meet the optimal line as well")
-            .number_or(largest(terms), "no term could be fitted")
-            .at_most(1.0, "tau - 1; in units of the bar"),
-    ];
-    found.extend(rows().filter(|row| row.study.tau == 1.75).map(|row| {
-        let cone = row.study.cone;
-        Finding::remark(format!("sixteenth.{cone}"), format!("at tau = 7/4 the {cone} cone gains {{value}}"))
-            .number_or(row.above(Bound::Paper), without)
-            .within(0.5 * SIXTEENTH, SIXTEENTH, "3/4 - 11/16, Figure 3.1")
-    }));
-    found
-}
-
-/// (τ − 3/2)(2 − τ) at τ = 7/4.
-const SIXTEENTH: f64 = 1.0 / 16.0;
-
-/// Measures the orders and sets them beside the curves.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "the exponent tau^2-5tau/2+2 lies above tau/2-1/4 and below tau-1, furthest from it (1/16) at tau = 7/4";
-    let found = findings(options, &computed);
-    let mut headline = Headline::new("Figure 3.1", claim, table(&computed.pairs)?, found);
-    for row in computed.pairs.iter().flatten() {
-        for (what, fit) in [("error", row.error), ("term", row.term)] {
-            let key = format!("figure.3.1.{}.{what}.{:.0}", row.study.cone, 100.0 * row.study.tau);
-            RateRow::quote(&mut headline, &key, fit);
+        let (earlier, printed, optimal) = (0.5 * tau - 0.25, tau * tau - 2.5 * tau + 2.0, tau - 1.0);
+        let [mut nodal, mut midpoint, mut term] = [0; 3].map(|_| vec![0.0; cells.len()]);
+        for place in 0..5 {
+            let position = 0.381966 + f64::from(place) / 40.0;
+            let data = match kind {
+                StripKind::Scalar => TransitionPowers::of_regularity(tau).data(position, 32 << finest)?, // mirrored at x = 1
+                StripKind::Elastic => {
+                    StripData::Transition { position }.data(tau, 32 << finest, kind.sides())?
+                }
+            };
+            let problem = StripProblem::new(kind, &data, Reference::Nested, 8)?;
+            for (cone, squares) in [(Cone::Nodal, &mut nodal), (Cone::Midpoint, &mut midpoint)] {
+                let mut coarser = None;
+                for (&n, square) in cells.iter().zip(squares) {
+                    // The square eliminated exactly, the rest by an active set on the edge to 1e-13; ‖u − u^h‖² is a sum
+                    // over the Fourier modes of the edge.
+                    let u = problem.operator(n)?.0.solve_contact(
+                        &problem.load(n)?,
+                        cone,
+                        coarser.as_ref(),
+                        1e-13,
+                    )?;
+                    *square += problem.error(n, &u.values)?.value.powi(2) / 5.0;
+                    coarser = Some(u);
+                }
+            }
+            for (&n, sum) in cells.iter().zip(&mut term) {
+                *sum += consistency_term(&data, n) / 5.0;
+            }
+        }
+        // e² ≈ A h^(2p) + B h² + D h³ fitted to all meshes; ± is what leaving out meshes and terms changes, or half of what
+        // the account of the finite mesh of u changes. The term has no smooth part: one power.
+        let points = |squares: &[f64]| -> Vec<(f64, f64)> {
+            cells.iter().zip(squares).map(|(&n, s)| (1.0 / n as f64, s.sqrt())).collect()
+        };
+        let order = |squares: &[f64]| {
+            let [with, without] = [Some(1.0 / f64::from(32 << finest)), None]
+                .map(|reference| Measured::from(ConvergenceOrder::against(&points(squares), reference)));
+            Measured::new(without.value, without.error.max(0.5 * (with - without).value.abs()))
+        };
+        let (nodal, midpoint) = (order(&nodal), order(&midpoint));
+        let term = Measured::from(ConvergenceOrder::of_power(&points(&term)));
+        out.row(cells! { tau => earlier, printed, optimal, nodal, midpoint, term });
+        for (cone, order) in [("nodal", nodal), ("midpoint", midpoint)] {
+            out.check(format!("{cone} cone: order − (N1)")).at_least(order - printed, 0.0, "(3.1), (4.2)");
+            let distance = Measured::from((order.value - optimal).abs() / order.error);
+            out.stronger(format!("{cone} cone: distance from τ − 1 over ±")).at_most(
+                distance,
+                1.0,
+                "Drouet, Hild 2015",
+            );
+            out.check(format!("{cone} cone: |order − (τ − 1)|")).at_most(
+                (order.value - optimal).abs(),
+                1.0 / 32.0,
+                "half of 1/16",
+            );
+        }
+        out.observe("term: distance from τ − 1 over ±").at_most(
+            (term.value - optimal).abs() / term.error,
+            1.0,
+            "(3.12)",
+        );
+        out.check("(N1) − (E2)").at_least(printed - earlier, 0.0, "(τ − 3/2)²");
+        out.check("(τ − 1) − (N1)").at_least(optimal - printed, 0.0, "(τ − 3/2)(2 − τ)");
+        if tau == 1.75 {
+            out.check("(τ − 1) − (N1) at τ = 7/4").near(optimal - printed, 1.0 / 16.0, 1e-15, "1/16");
         }
     }
-    headline.draw(&options.output, "figure_3_1", || orders_on_curves(&computed.pairs))?;
-    Ok(headline)
-}
-
-fn table(pairs: &[[RateRow; 2]]) -> Result<Table> {
-    let three = Format::Fixed(3);
-    let mut columns = vec![
-        Column::new("tau", "tau", Format::Plain, "supremum of the tau with u in H^tau"),
-        Column::new("earlier", "(E2)", three, "tau/2 - 1/4"),
-        Column::new("paper", "(N1)", three, "tau^2 - 5tau/2 + 2"),
-        Column::new("optimal", "tau-1", three, "optimal"),
-    ];
-    for (keys, title, of, half_width) in [
-        (["nodal_error", "nodal_error_half"], "error K", "error, nodal cone", HALF_WIDTH),
-        (["nodal_term", "nodal_term_half"], "term K", "root of the consistency term, nodal cone", ""),
-        (["midpoint_error", "midpoint_error_half"], "error M", "error, midpoint cone", ""),
-        (["midpoint_term", "midpoint_term_half"], "term M", "root of the term, midpoint cone", ""),
-    ] {
-        columns.extend(order_columns(keys, title, of, half_width));
-    }
-    columns.push(Column::new("left_out", "out", Format::Plain, "levels left out of the fits"));
-    let mut table = Table::new(columns);
-    for pair in pairs {
-        let tau = pair[0].study.tau;
-        let mut row: Vec<Cell> = vec![tau.into()];
-        for bound in [Bound::Earlier, Bound::Paper, Bound::Optimal] {
-            row.push(bound.exponent(tau)?.into());
-        }
-        row.extend(pair.iter().flat_map(|row| [row.error, row.term]).flat_map(fit_cells));
-        row.push(pair.iter().map(|row| row.study.left_out()).sum::<usize>().into());
-        table.push(row);
-    }
-    Ok(table)
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    let curve =
+        |f: fn(f64) -> f64| (0..=50).map(|k| 1.5 + 0.01 * f64::from(k)).map(|tau| (tau, f(tau))).collect();
+    out.plot("figure_3_1", "Exponents over the regularity", Axes::Linear("τ", "exponent of h"))
+        .points("tau", "nodal")
+        .points("tau", "midpoint")
+        .points("tau", "term")
+        .dashed_line("(E2), τ/2 − 1/4", curve(|tau| 0.5 * tau - 0.25))
+        .line("(N1), τ² − 5τ/2 + 2", curve(|tau| tau * tau - 2.5 * tau + 2.0))
+        .dashed_line("τ − 1", curve(|tau| tau - 1.0));
+    Ok(())
 }

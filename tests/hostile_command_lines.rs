@@ -285,7 +285,6 @@ fn options_are_checked_before_the_first_computation() {
 #[test]
 fn an_option_without_effect_is_refused() {
     for (name, line) in [
-        ("figure_3_1", "--scene cantor --positions 3"),
         ("theorem_4_1_proof_profile", "--scene cantor --positions 3"),
     ] {
         let line: Vec<String> = line.split(' ').map(str::to_owned).collect();

@@ -64,6 +64,7 @@ macro_rules! examples {
 }
 
 examples! {
+    figure_3_1: "../examples/figure_3_1.rs",
     theta_balance: "../examples/theta_balance.rs",
     section_2_strip: "../examples/section_2_strip.rs",
     falk_terms: "../examples/falk_terms.rs",
@@ -87,6 +88,8 @@ examples! {
     lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
     lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
+    remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
+    remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
     theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
 }
