@@ -131,6 +131,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             u_1: u1.map(|u| u.value), mesh_1, library_1, c_1: c1.value, long });
         }
     }
+    out.note("mesh_share", smallest_share); // of C₁
     out.column(
         "u_0",
         "u, L²",

@@ -88,7 +88,6 @@ examples! {
     // examples
     contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
-    equation_6_2_mean: "../examples/equation_6_2_mean.rs",
     introduction_rates: "../examples/introduction_rates.rs",
     remark_1_whole_boundary: "../examples/remark_1_whole_boundary.rs",
     remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
@@ -104,12 +103,7 @@ examples! {
     section_4_p0_projection: "../examples/section_4_p0_projection.rs",
     segment_constants: "../examples/segment_constants.rs",
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
-    theorem_3_1_with_numbers: "../examples/theorem_3_1_with_numbers.rs",
-    theorem_3_1_with_numbers_elastic: "../examples/theorem_3_1_with_numbers_elastic.rs",
-    theorem_3_1_with_numbers_extrapolated: "../examples/theorem_3_1_with_numbers_extrapolated.rs",
     theorem_3_1_without_c: "../examples/theorem_3_1_without_c.rs",
     theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
-    tour: "../examples/tour.rs",
-    worst_contact_set: "../examples/worst_contact_set.rs",
     // end of examples
 }

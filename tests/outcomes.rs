@@ -64,6 +64,8 @@ macro_rules! examples {
 }
 
 examples! {
+    tour: "../examples/tour.rs",
+    worst_contact_set: "../examples/worst_contact_set.rs",
     figure_3_1: "../examples/figure_3_1.rs",
     theta_balance: "../examples/theta_balance.rs",
     section_2_strip: "../examples/section_2_strip.rs",
@@ -75,6 +77,7 @@ examples! {
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
     lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",
+    equation_6_2_mean: "../examples/equation_6_2_mean.rs",
     lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
     extremes: "../examples/extremes.rs",
     section_1_field_errors: "../examples/section_1_field_errors.rs",
@@ -91,5 +94,6 @@ examples! {
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
+    theorem_3_1_with_numbers: "../examples/theorem_3_1_with_numbers.rs",
     theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
 }
