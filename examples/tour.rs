@@ -1,152 +1,146 @@
-//! The paper in one run: its main arguments computed, one row each with claim, measured, verdict and seconds.
+//! The paper in one run: the steps of its proof, what each says, what is computed, and whether it is so.
+//!
+//! Every step runs an example and reads its numbers, so that tour and example cannot disagree; the formula behind a
+//! number stands in the file of that example. The last column is the status that the checks of the example give: true;
+//! loose: a stronger statement is true too; not sharp: another growth; false as printed: a repaired form is true.
+//!
+//! Refuted if a check of one of the examples fails.
 //!
 //! `cargo run --release --example tour -- --out out`
 
-#![allow(clippy::duplicate_mod, reason = "twins share a file, and every row loads its own")]
-
-use example_frame::{
-    Cell, Column, Finding, Format, Headline, Outcome, Output, Result, Role, Table, progress,
-};
-use fractional_sobolev::Order;
+use example_report::prelude::*;
+use example_report::{Decision, Outcome, Role, Status};
 use signorini::cone::Cone;
-use std::process::ExitCode;
-use std::time::Instant;
 
-example_frame::options! {
-    /// The main arguments of the paper: claim, measured, verdict, how many findings hold, seconds
-    pub struct Options: Long {
-        /// Smaller meshes and fewer values: a few seconds instead of up to a minute
-        #[arg(long)]
-        pub quick: bool,
-    }
-}
-
-impl Options {
-    /// Squares along each side of the contact scenes.
-    fn size(&self) -> usize {
-        if self.quick { 16 } else { 32 }
-    }
-
-    /// Regularities τ of the rate studies.
-    fn regularities(&self) -> Vec<f64> {
-        if self.quick { vec![1.75] } else { vec![1.55, 1.75, 1.95] }
-    }
-
-    /// Rough functions of each family tried on Lemma 6.1.
-    fn functions(&self) -> usize {
-        if self.quick { 4 } else { lemma_6_1_local_estimate::Options::default().functions }
-    }
-
-    /// Lengths θ of the zones of Lemma 5.2.
-    fn zones(&self) -> Vec<f64> {
-        (1..=if self.quick { 3 } else { 6 }).map(|k| 10f64.powi(-k)).collect()
-    }
-}
-
-/// The examples are the rows: each file is loaded here, so that tour, example, test and book cannot disagree.
-macro_rules! example {
-    ($name:ident, $file:literal) => {
-        #[path = $file]
-        #[allow(dead_code, reason = "only `run` is used here")]
-        mod $name;
+/// The examples are loaded here.
+macro_rules! examples {
+    ($($name:ident: $file:literal),* $(,)?) => {
+        $(#[path = $file] #[allow(dead_code, reason = "only `outcome` is used here")] mod $name;)*
     };
 }
-example!(section_2_elastic_contact, "section_2_elastic_contact.rs");
-example!(section_2_scalar_contact, "section_2_scalar_contact.rs");
-example!(figure_3_2_alternative, "figure_3_2_alternative.rs");
-example!(figure_4_1_alternative, "figure_4_1_alternative.rs");
-example!(lemma_5_2_poincare_scaling, "lemma_5_2_poincare_scaling.rs");
-example!(lemma_6_1_local_estimate, "lemma_6_1_local_estimate.rs");
-example!(theorem_3_1_rates, "theorem_3_1_rates.rs");
-example!(theorem_4_1_rates, "theorem_4_1_rates.rs");
+examples! {
+    block: "section_2_elastic_contact.rs",
+    falk: "falk_terms.rs",
+    figure_3_2: "figure_3_2_alternative.rs",
+    figure_4_1: "figure_4_1_alternative.rs",
+    lemma_5_2: "lemma_5_2_poincare_scaling.rs",
+    lemma_6_1: "lemma_6_1_local_estimate.rs",
+    theorem_3_1: "theorem_3_1_rates.rs",
+    theorem_4_1: "theorem_4_1_rates.rs",
+}
 
-/// One row: its name and how to compute it.
-type Row = (&'static str, Box<dyn Fn(&Options) -> Result<Headline>>);
+example! { long "Hild & Renard 2012", "an a priori error analysis of Signorini's problem, step by step";
+    /// regularities τ of the last two steps
+    tau: Vec<f64> = "1.55,1.75,1.95" in "(1.5, 2)",
+}
 
-/// A row that runs an example with some of its options set from those of the tour.
-macro_rules! row {
-    ($name:literal, $tour:ident: $example:ident $(, $field:ident = $value:expr)*) => {
-        ($name, Box::new(|$tour: &Options| {
-            let output = Output { values: None, ..$tour.output.clone() };
-            #[allow(clippy::needless_update, reason = "some examples have no other option")]
-            let options = $example::Options { $($field: $value,)* output, ..Default::default() };
-            $example::run(&options)
-        }))
+/// The number of an example under this key; NaN prints as such.
+fn at(found: &Outcome, key: &str) -> f64 {
+    found.value(key).unwrap_or(f64::NAN)
+}
+
+/// One line, and the claims of its example.
+fn line(out: &mut Report, step: &str, says: impl Into<String>, computed: String, found: &Outcome) {
+    let repaired =
+        found.checks().iter().any(|c| c.role() == Role::NotSharp && c.decision() == Decision::Holds);
+    let status = match found.status() {
+        Status::FalseAsPrinted if repaired => "not sharp [a]".to_owned(),
+        Status::FalseAsPrinted => "loose [b]".to_owned(),
+        other => other.word().to_owned(),
     };
-}
-
-fn rows() -> Vec<Row> {
-    vec![
-        row!("elastic.nodal", tour: section_2_elastic_contact, n = tour.size()),
-        row!("scalar.nodal", tour: section_2_scalar_contact, n = tour.size()),
-        row!("elastic.midpoint", tour: section_2_elastic_contact, n = tour.size(), cone = Cone::Midpoint),
-        row!("scalar.midpoint", tour: section_2_scalar_contact, n = tour.size(), cone = Cone::Midpoint),
-        row!("figure.3.2", tour: figure_3_2_alternative, n = tour.size()),
-        row!("figure.4.1", tour: figure_4_1_alternative, n = tour.size()),
-        row!("lemma.5.2.below", tour: lemma_5_2_poincare_scaling, nu = vec![Order::new(0.25)?], theta = tour.zones()),
-        row!("lemma.5.2.half", tour: lemma_5_2_poincare_scaling, nu = vec![Order::HALF], theta = tour.zones()),
-        row!("lemma.5.2.above", tour: lemma_5_2_poincare_scaling, nu = vec![Order::new(0.75)?], theta = tour.zones()),
-        row!("lemma.6.1", tour: lemma_6_1_local_estimate, functions = tour.functions()),
-        row!("theorem.3.1", tour: theorem_3_1_rates, tau = tour.regularities()),
-        row!("theorem.4.1", tour: theorem_4_1_rates, tau = tour.regularities()),
-    ]
-}
-
-/// One finding a row: none of its claims is refuted or undecided.
-fn finding(name: &str, headline: &Headline) -> Finding {
-    let claims = headline.findings.iter().filter(|f| f.role() == Role::Claim);
-    let failed = claims.filter(|f| !matches!(f.outcome(), Outcome::Holds | Outcome::ByProof)).count();
-    Finding::claim(name, format!("{}: every claim holds", headline.label))
-        .number(failed as f64, 0.0)
-        .at_most(0.0, "claims refuted or undecided")
-        .otherwise(format!("{}: {{value}} claims are refuted or undecided", headline.label))
-}
-
-/// Runs every row and gathers their headlines.
-pub fn run(options: &Options) -> Result<Headline> {
-    let count = |key, title| Column::new(key, title, Format::Plain, "");
-    let mut table = Table::new(vec![
-        Column::words("label", "label", 12),
-        Column::words("claim", "claim", 22),
-        Column::words("measured", "measured", 26),
-        Column::words("verdict", "verdict", 17),
-        count("holds", "hold"),
-        count("refuted", "ref."),
-        count("undecided", "und."),
-        Column::new("seconds", "s", Format::Significant(2), ""),
-    ]);
-    let (mut figures, mut values, mut findings) = (Vec::new(), Vec::new(), Vec::new());
-    let rows = rows();
-    let (bar, started) = (progress(rows.len() as u64), Instant::now());
-    for (name, row) in &rows {
-        let row_started = Instant::now();
-        let headline = row(options)?;
-        let seconds = row_started.elapsed().as_secs_f64();
-        bar.set_message(headline.label.clone());
-        bar.inc(1);
-        findings.push(finding(name, &headline));
-        let counts = [Outcome::Holds, Outcome::Refuted, Outcome::Undecided].map(|o| headline.count(o));
-        let (measured, verdict) = (headline.measured(), headline.verdict().to_string());
-        let words = [headline.label, headline.claim, measured, verdict].map(Cell::Text);
-        table.push(words.into_iter().chain(counts.map(Cell::from)).chain([seconds.into()]).collect());
-        figures.extend(headline.figures);
-        values.extend(headline.values);
+    out.row(cells! { step, says: says.into() => computed, so_it_is: status });
+    for check in found.checks().iter().filter(|check| check.role() == Role::Claim) {
+        out.check("claims of the examples that fail or are undecided")
+            .holds(check.decision() <= Decision::Holds, "their checks");
     }
-    bar.finish_and_clear();
-    let total = table.rows().len();
-    findings.push(
-        Finding::remark("seconds", format!("{total} arguments in {{value}} s"))
-            .number(started.elapsed().as_secs_f64().round(), 0.5)
-            .at_most(60.0, "what a reader waits for")
-            .otherwise(format!("{total} arguments took {{value}} s"))
-            .told(),
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    for cone in [Cone::Nodal, Cone::Midpoint] {
+        let found =
+            block::outcome(&block::Options { n: vec![8, 16, 32], cone: vec![cone], ..Default::default() })?;
+        let touching = at(&found, &format!("touching.cone{cone}.n32"));
+        let of = if cone == Cone::Nodal { "33 nodes" } else { "32 segments" };
+        let apart = at(&found, "two-solvers-change-of-j");
+        let says = if cone == Cone::Nodal {
+            "one discrete solution: a block, (2.9)"
+        } else {
+            "  the same for means, (4.1)"
+        };
+        line(
+            out,
+            if cone == Cone::Nodal { "1" } else { "" },
+            says,
+            format!("{touching} of {of} touch; solvers: {apart:.0e}"),
+            &found,
+        );
+    }
+    let found = falk::outcome(&falk::Options::default())?;
+    let [nodal, midpoint] = ["c-nodal-cone", "c-midpoint-cone"].map(|key| at(&found, key));
+    line(
+        out,
+        "2",
+        "error² ≤ C (interpolation + term), (4.5)",
+        format!("C = {nodal:.2} and {midpoint:.2} are enough"),
+        &found,
     );
-    let claim = "an a priori error analysis for Signorini's problem, argument by argument";
-    let mut headline = Headline::new("Hild & Renard 2012", claim, table, findings);
-    (headline.figures, headline.values) = (figures, values);
-    Ok(headline)
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    let found = figure_3_2::outcome(&figure_3_2::Options::default())?;
+    let [first, second, carriers] =
+        ["first", "second", "carriers"].map(|key| at(&found, &format!("{key}.n32")));
+    line(
+        out,
+        "3",
+        "each segment: case 1 or 2 (Figure 3.2)",
+        format!("{first} + {second} of 32; {carriers} has the term"),
+        &found,
+    );
+    let found = figure_4_1::outcome(&figure_4_1::Options::default())?;
+    let [first, second] = ["first", "second"].map(|key| at(&found, &format!("{key}.n32")));
+    line(out, "", "  the same for means (Figure 4.1)", format!("{first} + {second} of 32"), &found);
+    for (k, (nu, says)) in [("1/4", "C θ^(−1/4)"), ("1/2", "C ln(1/θ)"), ("3/4", "C")].into_iter().enumerate()
+    {
+        let order = Order::new([0.25, 0.5, 0.75][k])?;
+        let found = lemma_5_2::outcome(&lemma_5_2::Options { nu: vec![order], ..Default::default() })?;
+        let computed = match k {
+            0 => format!("θ^{:.3}", at(&found, "nu-0.25-exponent-of-theta")),
+            1 => format!("√({:.3} ln(1/θ))", at(&found, "nu-1-2-slope-of-gamma-over-ln-1-theta")),
+            _ => format!("{:.4} at θ = 1e-6", at(&found, "gamma.nu0.75.theta1e-6")),
+        };
+        let step = if k == 0 { "4" } else { "" };
+        line(out, step, format!("case 2 costs γ ≤ {says}, ν = {nu} (Lemma 5.2)"), computed, &found);
+    }
+    let found = lemma_6_1::outcome(&lemma_6_1::Options::default())?;
+    let [value, slope] = ["first-line", "second-line-seminorm"].map(|key| at(&found, key));
+    line(
+        out,
+        "5",
+        "interpolation, constant 1 (Lemma 6.1)",
+        format!("{value:.4} in L², {slope:.3} for slopes"),
+        &found,
+    );
+    let strip = "transition".parse()?;
+    let problem = vec![strip];
+    for &tau in &options.tau {
+        let asked = theorem_3_1::Options { tau: vec![tau], problem: problem.clone(), ..Default::default() };
+        let found = theorem_3_1::outcome(&asked)?;
+        let key = |name: &str| format!("{name}.problemtransition.tau{tau}");
+        let [order, error, printed] =
+            [key("order"), key("order") + ".error", key("printed")].map(|key| at(&found, &key));
+        let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);
+        let step = if tau == options.tau[0] { "6" } else { "" };
+        line(out, step, format!("τ = {tau}: error ≤ C h^{printed:.3} (Theorem 3.1)"), computed, &found);
+    }
+    let tau = options.tau.get(options.tau.len() / 2).copied().unwrap_or(1.75);
+    let found =
+        theorem_4_1::outcome(&theorem_4_1::Options { tau: vec![tau], problem, ..Default::default() })?;
+    let key = |name: &str| format!("{name}.problemtransition.tau{tau}");
+    let [order, error, printed] =
+        [key("order"), key("order") + ".error", key("printed")].map(|key| at(&found, &key));
+    let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);
+    line(out, "7", format!("τ = {tau}: error ≤ C h^{printed:.3} (Theorem 4.1)"), computed, &found);
+    out.column("says", "the paper says", "");
+    out.column("computed", "computed here", "");
+    out.column("so_it_is", "so it is", "");
+    out.remark("[a] and false as θ → 1: say θ ≤ 1/2    [b] full H¹ norm: for h ≤ 5.46 only\nnext: cargo book     one step: cargo run --release --example figure_3_2_alternative");
+    Ok(())
 }

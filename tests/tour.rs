@@ -1,12 +1,14 @@
-//! The tour: every row of its quick form is confirmed.
+//! The tour: every line of it is confirmed, and fits a terminal.
 
 #[path = "../examples/tour.rs"]
-#[allow(dead_code, reason = "only `run` is used here")]
+#[allow(dead_code, reason = "only `outcome` is used here")]
 mod tour;
 
+use example_report::Status;
+
 #[test]
-fn the_quick_tour_confirms_every_row() {
-    let headline = tour::run(&tour::Options { quick: true, ..Default::default() }).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{headline}");
-    assert_eq!(headline.table.rows().len(), 12, "{headline}");
+fn the_tour_confirms_every_line() {
+    let found = tour::outcome(&tour::Options { tau: vec![1.75] }).unwrap();
+    assert_eq!(found.status(), Status::True, "{}", found.text(false));
+    assert!(found.text(false).lines().count() <= 30, "{}", found.text(false));
 }

@@ -176,10 +176,20 @@ pub(crate) fn measured_text(measured: Measured) -> String {
     format!("{} ± {}", significant(value, digits(measured, FIVE)), significant(error, 2))
 }
 
-/// A bound: as it stands where that is short, else five digits.
+/// A bound: as it stands where that is short, else five digits, without zeros at the end.
 pub(crate) fn bound_text(value: f64) -> String {
     let short = shortest(value);
-    if value.is_nan() || short.chars().count() > SHORT { significant(value, FIVE) } else { short }
+    if value.is_finite() && short.chars().count() > SHORT {
+        let text = significant(value, FIVE);
+        let (mantissa, exponent) = text.split_once('e').map_or((&*text, None), |(m, e)| (m, Some(e)));
+        let trimmed = if mantissa.contains('.') {
+            mantissa.trim_end_matches('0').trim_end_matches('.')
+        } else {
+            mantissa
+        };
+        return exponent.map_or_else(|| trimmed.to_owned(), |e| format!("{trimmed}e{e}"));
+    }
+    if value.is_nan() { significant(value, FIVE) } else { short }
 }
 
 /// The texts of one column; of numbers with errors two columns.
@@ -223,10 +233,8 @@ mod tests {
         assert_eq!(measured_text(Measured::new(0.549_312, 0.0071)), "0.549 ± 0.0071");
         assert_eq!(measured_text(Measured::new(0.549_312, 1e-12)), "0.54931");
         assert_eq!(measured_text(3usize.into()), "3");
-        assert_eq!(
-            [bound_text(0.01), bound_text(0.151_981_775), bound_text(1e-12)],
-            ["0.01", "0.15198", "1e-12"]
-        );
+        let bounds = [0.01, 0.151_981_775, 1e-12, 1.0 + 1e-9].map(bound_text);
+        assert_eq!(bounds, ["0.01", "0.15198", "1e-12", "1"]);
         assert_eq!(
             [significant(1.0, 5), significant(2.5e-9, 3), significant(f64::NAN, 3)],
             ["1.0000", "2.50e-9", "–"]

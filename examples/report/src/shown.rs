@@ -49,8 +49,8 @@ impl Outcome {
             let _ = write!(last, "     picture: {}{more}", path.display());
         }
         let _ = writeln!(text, "{last}     {:.1} s", self.seconds);
-        if !self.remark.is_empty() {
-            let _ = writeln!(text, "  {}", wrapped(&self.remark, width - 2).join("\n  "));
+        for paragraph in self.remark.lines() {
+            let _ = writeln!(text, "  {}", wrapped(paragraph, width - 2).join("\n  "));
         }
         text
     }
@@ -61,7 +61,8 @@ impl Outcome {
         table.load_preset(presets::NOTHING);
         table.set_header(titles.iter().map(|[title, _]| title));
         let is_number = |text: &str| {
-            text.starts_with(|c: char| c.is_ascii_digit() || "-−–∞".contains(c)) || text.is_empty()
+            text.is_empty()
+                || text.starts_with(|c: char| c.is_ascii_digit() || "-−–∞".contains(c)) && !text.contains(' ')
         };
         let all = rows.len() <= ROWS;
         for (k, row) in rows.iter().enumerate() {
