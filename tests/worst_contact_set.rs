@@ -4,30 +4,53 @@
 #[path = "../examples/worst_contact_set.rs"]
 mod example;
 
-use example_frame::{Outcome, Verdict};
-use fractional_sobolev::Tolerance;
+use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 use signorini::cone::Cone;
-use signorini::proof::worst_ratio;
+use signorini::proof::{consistency_constant, worst_ratio};
 
 #[test]
 fn no_set_is_bad_and_none_passes_the_sharp_constant() {
-    let options = example::Options { depth: 15, ..example::Options::default() };
-    let mut computed = example::compute(&options).unwrap();
-    assert!(Verdict::of(&example::findings(&computed)).is_confirmed());
-    for (family, terms, _) in &computed.sets {
-        assert!(terms.shares.iter().all(|share| (0.0..1.0).contains(share)), "{family}: {terms:?}");
+    let outcome = example::outcome(&example::Options::default()).unwrap();
+    assert!(outcome.status().is_confirmed(), "{}", outcome.text(false));
+    let shares = outcome
+        .values()
+        .into_iter()
+        .filter(|(key, _)| key.starts_with("nodal.") || key.starts_with("midpoint."));
+    assert!(shares.map(|(_, share)| (0.0..1.0).contains(&share)).filter(|&is| is).count() == 18);
+    for cone in ["nodal", "midpoint"] {
+        let found = outcome.check(&format!("random-sets-over-kappa-{cone}-cone")).unwrap().value().value;
+        assert!(found < 1.0 && found > 0.8, "{cone}: {found}");
     }
-    let sharp = computed.sharp[0].value.value;
-    // The two cones exchange their parts for one gap: no difference is left but that of the search.
-    for searched in &computed.searched {
-        assert!(searched.largest() < sharp && searched.largest() > 0.8 * sharp, "{searched:?} {sharp}");
-        assert_eq!(searched.climbed.gaps(), 1, "{searched:?}");
+}
+
+#[test]
+fn the_ratio_of_a_set_is_that_of_two_independent_computations() {
+    let order = Order::new(0.25).unwrap();
+    let form = Gram::new(&Mesh::uniform(40, 1.0).unwrap(), order, 1e-8).unwrap().to_dense().unwrap();
+    let one_gap = |gap: usize| -> Vec<bool> { (0..40).map(|k| k >= gap).collect() };
+    let ratio = |cone, contact: &[bool]| example::by_definition(cone, contact, &form).unwrap();
+    for gap in [3, 10, 25] {
+        // One gap and its complement exchange the cones.
+        let (nodal, midpoint) =
+            (ratio(Cone::Nodal, &one_gap(gap)), ratio(Cone::Midpoint, &one_gap(40 - gap)));
+        assert!((nodal / midpoint - 1.0).abs() < 1e-11, "{gap}: {nodal} {midpoint}");
     }
-    let [nodal, midpoint] = &computed.searched;
-    assert!((nodal.interval.ratio / midpoint.interval.ratio - 1.0).abs() < 1e-10);
-    assert_eq!(outcome(&computed, "search"), Outcome::Holds);
-    computed.searched[1].random.ratio = 1.001 * sharp;
-    assert_eq!(outcome(&computed, "search"), Outcome::Refuted);
+    // Continuous linears here, constants on a graded mesh there.
+    let there = worst_ratio(Cone::Nodal, 1.75, 0.0, 0.25, 0.02).unwrap().value;
+    let here = ratio(Cone::Nodal, &one_gap(10));
+    assert!(here < 1.02 * there && here > 0.8 * there, "{here} {there}");
+    // A gap without room only takes room from the pressure.
+    let mut inside = one_gap(12);
+    inside[25] = false;
+    assert!(ratio(Cone::Midpoint, &inside) < ratio(Cone::Midpoint, &one_gap(12)));
+    // Every contact interval stays below the sharp constant of one gap.
+    let sharp = consistency_constant(order, Tolerance::fast()).unwrap().value.value;
+    for cone in [Cone::Nodal, Cone::Midpoint] {
+        for (a, b) in (0..40).flat_map(|a| (a + 1..=40).map(move |b| (a, b))) {
+            let contact: Vec<bool> = (0..40).map(|k| (a..b).contains(&k)).collect();
+            assert!(ratio(cone, &contact) < sharp, "{cone} {a} {b}");
+        }
+    }
 }
 
 #[test]
@@ -44,9 +67,4 @@ fn a_short_gap_makes_the_term_small_where_the_second_case_lets_it_grow() {
         let order = (ratios[1] / ratios[2]).log10();
         assert!((order - (2.0 * tau - 3.0)).abs() < 0.05, "{tau}: {order}");
     }
-}
-
-fn outcome(computed: &example::Computed, key: &str) -> Outcome {
-    let found = example::findings(computed);
-    found.iter().find(|finding| finding.key() == key).unwrap().outcome()
 }
