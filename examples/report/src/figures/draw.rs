@@ -1,9 +1,7 @@
-//! Line and point charts on linear or logarithmic axes. Up to six entries have a legend below the plot, so
-//! that it never covers data; more have their names beside the curves.
+//! Line and point charts on linear or logarithmic axes, with a legend below the plot, so that it never covers data.
 
 use super::canvas::{Anchor, Canvas, Paint};
 use super::chart::{BELOW, Chart, Frame, LEFT, PLOT_HEIGHT, RIGHT, ROW, TEXT_SIZE, TOP, WIDTH};
-use super::labels::Labels;
 use super::legend::Legend;
 use super::marks::{draw_run, paint};
 use super::series::Series;
@@ -15,16 +13,15 @@ impl Chart {
     /// # Errors
     /// [`crate::Error::Figure`] when the drawing backend fails.
     pub fn svg(&self) -> Result<String> {
-        let (labels, legend) = (Labels::of(self), Legend::of(self));
-        let frame = self.frame(labels.width());
-        let height = (frame.height + BELOW + legend.height()).max(labels.height()) + TOP + 8.0;
+        let legend = Legend::of(self);
+        let frame = self.frame();
+        let height = frame.height + BELOW + legend.height() + TOP + 8.0;
         Canvas::draw(WIDTH, height, &self.title, |canvas| {
             canvas.text(&self.title, (WIDTH / 2.0, TOP / 2.0), TEXT_SIZE + 1.0, Anchor::Centre)?;
             self.draw_bands(canvas, &frame)?;
             self.draw_axes(canvas, &frame)?;
             self.draw_asymptotes(canvas, &frame)?;
             self.series.iter().enumerate().try_for_each(|(k, s)| draw_series(canvas, &frame, s, k))?;
-            labels.draw(canvas, &frame)?;
             legend.draw(canvas, frame.up(0.0) + BELOW)
         })
     }
@@ -39,7 +36,7 @@ impl Chart {
         Ok(())
     }
 
-    fn frame(&self, labels: f64) -> Frame {
+    fn frame(&self) -> Frame {
         let points = || self.series.iter().flat_map(|s| &s.points);
         let bars = self.series.iter().flat_map(|s| s.points.iter().zip(&s.half_bars));
         let ends = bars.flat_map(|(p, b)| [p.1 - b, p.1 + b]);
@@ -48,7 +45,7 @@ impl Chart {
         Frame {
             x: self.x.scale(points().map(|p| p.0).chain(bands).chain(asymptotes)),
             y: self.y.scale(points().map(|p| p.1).chain(ends)),
-            width: WIDTH - LEFT - RIGHT - labels,
+            width: WIDTH - LEFT - RIGHT,
             height: PLOT_HEIGHT.max(ROW * self.y.row_count() as f64),
         }
     }

@@ -1,9 +1,7 @@
-//! The legend below a chart, in rows that fit its width. Where series have their names beside the curves,
-//! only bands are left for it.
+//! The legend below a chart, in rows that fit its width.
 
 use super::canvas::{Anchor, Canvas, Paint};
 use super::chart::{Bands, CHARACTER, Chart, LEFT, RIGHT, TEXT_SIZE, WIDTH};
-use super::labels::Labels;
 use super::marks::draw_sample;
 use super::series::Series;
 use crate::Result;
@@ -32,7 +30,6 @@ impl Entry<'_> {
 impl<'a> Legend<'a> {
     pub(super) fn of(chart: &'a Chart) -> Self {
         let series = chart.series.iter().enumerate().map(|(k, s)| Entry::Series(s, k));
-        let series = series.filter(|_| !Labels::has(chart));
         let mut rows: Vec<Vec<(Entry<'_>, f64)>> = Vec::new();
         let mut x = f64::INFINITY;
         for entry in series.chain(chart.bands.iter().map(Entry::Bands)) {

@@ -11,7 +11,6 @@ mod data;
 pub(crate) use data::save_svg;
 mod draw;
 mod floor;
-mod labels;
 mod legend;
 mod marks;
 mod picture;

@@ -1,18 +1,5 @@
-//! Words of a figure as a page would set them: `u_N` with a lowered N, `x^0.6` with a raised exponent, Greek
-//! letters that a terminal spells out, `1e-4` as a power of ten.
-
-/// Greek letters by name; a name counts where it is a whole word.
-const GREEK: [(&str, &str); 9] = [
-    ("alpha", "α"),
-    ("gamma", "γ"),
-    ("theta", "θ"),
-    ("lambda", "λ"),
-    ("nu", "ν"),
-    ("pi", "π"),
-    ("phi", "φ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-];
+//! Words of a figure as a page would set them: `u_N` with a lowered N, `x^0.6` with a raised exponent, `1e-4` as a power
+//! of ten.
 
 /// How far an index is lowered and an exponent raised, in units of its own letters, and how large these are.
 const SHIFT: (f64, f64) = (0.3, 0.45);
@@ -21,23 +8,10 @@ const SIZE: f64 = 0.75;
 /// Sets the texts of an SVG; the backend writes each on a line of its own.
 pub(super) fn typeset(svg: &str) -> String {
     let set = |line: &str| match line.strip_suffix('\n') {
-        Some(text) if !text.starts_with('<') => shifted(&greek(&powers(text))) + "\n",
+        Some(text) if !text.starts_with('<') => shifted(&powers(text)) + "\n",
         _ => line.to_owned(),
     };
     svg.split_inclusive('\n').map(set).collect()
-}
-
-fn greek(text: &str) -> String {
-    let mut result = String::new();
-    let mut rest = text;
-    while let Some(start) = rest.find(|c: char| c.is_ascii_alphabetic()) {
-        let word = &rest[start..];
-        let word = &word[..word.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(word.len())];
-        result.push_str(&rest[..start]);
-        result.push_str(GREEK.iter().find(|(name, _)| *name == word).map_or(word, |(_, letter)| letter));
-        rest = &rest[start + word.len()..];
-    }
-    (result + rest).replace("sqrt(", "√(")
 }
 
 /// `1e-4` as a power of ten, to be raised.
@@ -122,10 +96,5 @@ mod tests {
     #[test]
     fn powers_of_ten_are_written_as_such() {
         assert_eq!(powers("θ = 1e-4, 2.5e3 e 12 1e x1e3"), "θ = 10^-4, 2.5·10^3 e 12 1e x1e3");
-    }
-
-    #[test]
-    fn greek_letters_are_whole_words() {
-        assert_eq!(greek("nu 1/2, number, pi^h, theta"), "ν 1/2, number, π^h, θ");
     }
 }
