@@ -61,7 +61,7 @@ fn by_definition(nu: Order, a: f64, b: f64) -> Result<f64> {
 
 /// ‖w‖₀ / |w|_(1/2) of w = 1 − min(|ln x|, L)/L, quadratic on elements of equal length in ln x: odd about 1/2 and scaled,
 /// the quotient of both sides of the cut at ν = 1/2.
-fn ramp(log: f64) -> Result<Measured> {
+pub fn ramp(log: f64) -> Result<Measured> {
     let layers = (log / 0.35).ceil();
     let mut nodes = vec![0.0];
     nodes.extend((0..=layers as usize).map(|k| (-log * (1.0 - k as f64 / layers)).exp()));
@@ -106,8 +106,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             Measured::from(gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant) / end;
         out.observe("cut with C(θ) = γ of (0, θ): left/right").at_least(needed, 1.0, "an odd function");
     }
-    if options.nu.iter().any(|nu| nu.is_below_half()) {
-        let sign = Function::constants(&Mesh::uniform(2, 1.0)?, &[-1.0, 1.0])?;
+    if options.nu.iter().any(|nu| nu.offset() < 0.0) {
+        let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
         let mut right = 0.0;
         for piece in [sign.restrict(0..1)?, sign.restrict(1..2)?] {
             right += piece.seminorm(Order::new(0.25)?, 1e-8)?.value; // of a constant
