@@ -52,8 +52,6 @@ chapters! {
     segment_constants: "segment_constants.md",
     theorem_3_1_without_c: "theorem_3_1_without_c.md",
     theorem_3_1_with_numbers: "theorem_3_1_with_numbers.md",
-    theorem_3_1_with_numbers_elastic: "theorem_3_1_with_numbers_elastic.md",
-    theorem_3_1_with_numbers_extrapolated: "theorem_3_1_with_numbers_extrapolated.md",
     contact_costs_nothing: "contact_costs_nothing.md",
     section_1_norms_in_the_plane: "section_1_norms_in_the_plane.md",
     section_1_closures_in_the_plane: "section_1_closures_in_the_plane.md",

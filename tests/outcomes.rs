@@ -64,6 +64,8 @@ macro_rules! examples {
 }
 
 examples! {
+    section_2_multigrid: "../examples/section_2_multigrid.rs",
+    section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
     tour: "../examples/tour.rs",
     worst_contact_set: "../examples/worst_contact_set.rs",
     figure_3_1: "../examples/figure_3_1.rs",
