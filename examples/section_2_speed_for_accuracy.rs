@@ -1,146 +1,131 @@
-//! Section 2: true error and true algebraic error against seconds and memory, for three solvers, on a scene
-//! with known solution.
+//! Section 2: speed for accuracy of contact solvers, on a problem with known solution.
 //!
-//! `cargo run --release --example section_2_speed_for_accuracy -- --levels 6`
+//! On the unit square, with z = x + iy, let u = −Re (z − 2/5)^(3/2): harmonic, 0 on the bottom edge for x < 2/5 (contact) and
+//! −(x − 2/5)^(3/2) beyond (gap), with ∂u/∂n ≤ 0 in contact and 0 in the gap. So u solves the scalar Signorini problem
+//! with contact on the bottom edge, its own values prescribed on top, its own ∂u/∂n on both sides. u is in H^s for s < 5/2.
+//!
+//! ```text
+//! |u − v|_a  ≤  |u − u^h|_a + |u^h − v|_a,      |v|_a² = ∫ |∇v|²,      |u − u^h|_a ≤ C h for linear elements
+//! ```
+//!
+//! u^h is the discrete solution (2.9) on n × n squares, cut into triangles; v what a solver returns. The first term belongs
+//! to the mesh, the second to the algebra: a hundredth of the first is worth nothing.
+//!
+//! Expected: order 1 whatever solves the discrete problem. Refuted if the order is off by more than 0.1, if a solver to
+//! ten digits changes |u − v|_a by more than 1e-6 of it or one to a hundredth by more than 1e-3, if a true algebraic error
+//! is above its estimate, or if the error from the definition is off by more than 0.3 %.
+//!
+//! `cargo run --release --example section_2_speed_for_accuracy -- --n 16,64,256,1024 --cone midpoint`
 
-use example_frame::{Finding, Headline, Result, contact, progress};
-use experiments::solver_variants::{SolverVariant, VariantRow, manufactured_by_every_variant};
-use peak_alloc::PeakAlloc;
-use signorini::cone::{Cone, KKT_ROUNDING};
+use example_report::prelude::*;
+use signorini::cone::Cone;
+use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver};
+use signorini::fem::gradients;
+use signorini::problems::KnownSolution;
 use signorini::rates::ConvergenceOrder;
-use std::process::ExitCode;
+use std::time::Instant;
 
-#[global_allocator]
-static MEMORY: PeakAlloc = PeakAlloc;
-
-example_frame::options! {
-    /// Seconds and memory against true error on the scene `manufactured`, u = -Re (z - 2/5)^{3/2}
-    pub struct Options {
-        /// Squares along each side of the coarsest mesh
-        #[arg(long, default_value_t = 8)]
-        pub n: usize,
-        /// Number of meshes n, 2n, 4n, ...
-        #[arg(long, default_value_t = 6)]
-        pub levels: usize,
-        /// Discrete cone
-        #[arg(long, default_value_t = Cone::Nodal)]
-        pub cone: Cone,
-    }
+example! { seconds "Section 2, speed for accuracy", "|u − u^h|_a ≤ C h for u in H^(5/2−ε), whatever solves the discrete problem;  C h/100 of algebra changes nothing";
+    /// squares along each side, coarsest mesh first
+    n: Vec<usize> = "16,64,256" in "[4, 2048]",
+    /// discrete cone: nodal (2.9) or midpoint (4.1)
+    cone: Cone = "nodal",
 }
 
-/// What is computed: every mesh by every road; on the coarsest there is nothing to start from.
-pub struct Computed {
-    /// Coarsest mesh first.
-    pub rows: Vec<VariantRow>,
-    /// The most bytes held for each solution, its problem and its KKT residuals.
-    pub peaks: Vec<f64>,
-}
-
-/// Solves on every mesh by every road and measures the error against the known solution.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let bar = progress((options.levels * SolverVariant::ALL.len()) as u64);
-    // What is allocated once for the process (64 MiB by products of matrices) belongs to no road.
-    manufactured_by_every_variant(32, 2, options.cone, |_, _| Ok(()))?;
-    let (mut held, mut begun) = (Vec::new(), None);
-    let mut begin = |next: Option<(usize, SolverVariant)>| {
-        if let Some((place, before)) = begun.take() {
-            held.push((place, MEMORY.peak_usage().saturating_sub(before)));
+/// |u − v|_a from its definition: ∇v is constant on triangles, ∇u = (Re f', −Im f') for f' = −3/2 (z − 2/5)^(1/2), and the
+/// integral is a third of the area at the middle of each side.
+fn by_definition(problem: &ContactProblem, v: &[f64]) -> Result<f64> {
+    let mesh = problem.mesh();
+    let mut square = 0.0;
+    for (t, slope) in gradients(mesh, v)?.into_iter().enumerate() {
+        let [a, b, c] = mesh.corners(t);
+        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+        for (p, q) in [(a, b), (b, c), (c, a)] {
+            let [x, y] = [0.5 * (p[0] + q[0]) - 0.4, 0.5 * (p[1] + q[1])];
+            let (size, angle) = (1.5 * x.hypot(y).sqrt(), 0.5 * y.atan2(x));
+            let off = [-size * angle.cos() - slope[0], size * angle.sin() - slope[1]];
+            square += area / 3.0 * (off[0] * off[0] + off[1] * off[1]);
         }
-        MEMORY.reset_peak_usage();
-        begun = next.map(|place| (place, MEMORY.current_usage()));
-    };
-    let rows = manufactured_by_every_variant(options.n, options.levels, options.cone, |n, road| {
-        bar.set_message(format!("n = {n}, {road}"));
-        bar.inc(1);
-        begin(Some((n, road)));
-        Ok(())
-    })?;
-    begin(None);
-    bar.finish_and_clear();
-    let peak = |row: &VariantRow| held.iter().find(|(place, _)| *place == (row.n, row.road));
-    let peaks = rows.iter().map(|row| peak(row).map_or(f64::NAN, |(_, bytes)| *bytes as f64)).collect();
-    Ok(Computed { rows, peaks })
-}
-
-/// What a condition may be violated by: a duality gap of 1e-13 summed over the unknowns of a mesh of n = 32.
-const KKT_LIMIT: f64 = 1e-10;
-/// The order settles from mesh to mesh, as the transition moves in its cell: a tenth.
-const SETTLING: f64 = 0.1;
-/// Digits of the error that two ways to one discrete solution share: half of those of J.
-const SHARED: f64 = 1e-6;
-/// A hundredth of the error of discretisation beside it changes the error by 1e-4 / 2; tenfold for an
-/// estimate that is off.
-const WORTHLESS: f64 = 1e-3;
-/// What two solutions in binary64 may differ by in the energy norm, relative.
-const ROUNDING: f64 = 1e-13;
-
-/// The order of the errors without a start from a coarser mesh.
-fn order(rows: &[VariantRow]) -> Option<ConvergenceOrder> {
-    let cold = rows.iter().filter(|row| row.road == SolverVariant::Cold);
-    ConvergenceOrder::of_scattered(&cold.map(|row| (1.0 / row.n as f64, row.error)).collect::<Vec<_>>())
-}
-
-/// What decides: the order of the error, the conditions, and whether the roads meet; what they cost.
-pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
-    let rows = &computed.rows;
-    let order = order(rows).map(|found| (found.order, found.uncertainty));
-    let apart = |is_share: bool| {
-        let same = rows.iter().filter(move |row| (row.road == SolverVariant::Share) == is_share);
-        let exact = |n| rows.iter().find(|row| row.road == SolverVariant::Cold && row.n == n);
-        same.filter_map(move |row| Some((row.error / exact(row.n)?.error - 1.0).abs()))
-    };
-    let promised = rows.iter().filter_map(|row| Some(row.algebraic? / (row.estimate? + ROUNDING)));
-    let mut found = vec![
-        Finding::claim("order", "the error in the energy norm falls with order {value}")
-            .number_or(order, "fewer than three meshes")
-            .within(SETTLING, 1.0, "linear elements, u in H^{5/2-eps}")
-            .otherwise("order {value} is not that of linear elements, 1")
-            .told(),
-        Finding::claim("conditions", "every exact solution meets the discrete conditions")
-            .number(
-                contact::worst(rows.iter().filter(|row| row.road != SolverVariant::Share).map(|row| row.kkt)),
-                KKT_ROUNDING,
-            )
-            .at_most(KKT_LIMIT, "a duality gap of 1e-13 over 1000 unknowns")
-            .otherwise("a discrete condition is violated by {value}"),
-        Finding::claim("roads", "every exact road ends at the same error")
-            .number(contact::worst(apart(false)), KKT_ROUNDING)
-            .at_most(SHARED, "six digits of the error")
-            .otherwise("two roads differ by {value} of the error"),
-        Finding::claim("share", "a hundredth of the error of discretisation is worth nothing")
-            .number(contact::worst(apart(true)), KKT_ROUNDING)
-            .at_most(WORTHLESS, "a thousandth of the error")
-            .otherwise("an inexact solution changes the error by {value}"),
-        Finding::claim("promise", "every true algebraic error is at most {value} of its estimate")
-            .number(contact::worst(promised), KKT_ROUNDING)
-            .at_most(1.0, "the estimate")
-            .otherwise("a true algebraic error is {value} of its estimate")
-            .told(),
-    ];
-    found.extend(contact::road_costs(rows, &computed.peaks));
-    found
-}
-
-/// Seconds for accuracy by every road.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "order 1 in the energy norm for u in H^{5/2-eps}, whatever solves the discrete problem";
-    let found = findings(options, &computed);
-    let table = contact::road_table(&computed.rows, &computed.peaks);
-    let mut headline = Headline::new("Section 2, speed for accuracy", claim, table, found);
-    if let Some(found) = order(&computed.rows) {
-        headline.quote(format!("section.2.speed.{}.order", options.cone), found.order);
     }
-    let name = |what: &str| format!("section_2_{what}_{}", options.cone);
-    headline.draw(&options.output, &name("seconds"), || Ok(contact::road_chart(&computed.rows)))?;
-    headline.draw(&options.output, &name("peak"), || {
-        Ok(contact::memory_chart(&computed.rows, &computed.peaks))
-    })?;
-    headline
-        .draw(&options.output, &name("algebraic_seconds"), || Ok(contact::algebraic_chart(&computed.rows)))?;
-    Ok(headline)
+    Ok(square.sqrt())
 }
 
-fn main() -> ExitCode {
-    example_frame::main(run)
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("error", "error", "|u − v|_a");
+    out.column("definition", "definition", "the same by `by_definition`");
+    out.column("algebraic", "algebraic", "|u^h − v|_a/|u^h|_a, u^h by the active set");
+    out.column("estimate", "estimate", "what multigrid states for it");
+    out.column("steps", "steps", "linear systems, barrier steps, or cycles on the finest mesh");
+    out.column("ms", "ms", "milliseconds for mesh, assembly, solution");
+    let known = KnownSolution::three_halves();
+    let multigrid = |accuracy| Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
+    let mut errors = Vec::new();
+    for &n in &options.n {
+        let mut exact: Option<(f64, ContactSolution)> = None; // |u − u^h|_a and u^h
+        let solvers: [(&str, usize, Settings<'_>); 5] = [
+            // Interior eliminated by a sparse factorisation, then guesses of the contact set on the edge: exact to rounding.
+            ("active set", 1024, Solver::ActiveSet.into()),
+            // Primal-dual path (Clarabel) on all unknowns; the same on the edge.
+            ("interior point", 64, Solver::InteriorPoint.into()),
+            ("interior point, edge", 1024, Solver::EdgeInteriorPoint.into()),
+            // Nested iteration; gradients with a V-cycle on the contact set in hand; stops by an estimate of |u^h − v|_a.
+            ("multigrid, 1e-10", 2048, multigrid(Accuracy::Relative(Tolerance::new(1e-10)?))),
+            ("multigrid, h/100", 2048, multigrid(Accuracy::OfDiscretisation(0.01))),
+        ];
+        for (name, _, settings) in solvers.into_iter().filter(|(_, most, _)| n <= *most) {
+            let start = Instant::now();
+            let problem = known.problem(n)?;
+            let v = problem.solve(options.cone, settings)?;
+            let ms = (1e5 * start.elapsed().as_secs_f64()).ceil() / 100.0;
+            // Cubature of |∇u − ∇v|² on each triangle, refined towards the transition.
+            let error = known.error_norms(&problem, &v.displacement)?.h1;
+            let definition = by_definition(&problem, &v.displacement)?;
+            let estimate = v.multigrid.as_ref().and_then(|report| report.error).map(|e| e.relative_error());
+            let algebraic = exact.as_ref().map(|(_, u)| -> Result<f64> {
+                let apart: Vec<f64> =
+                    u.displacement.iter().zip(&v.displacement).map(|(a, b)| a - b).collect();
+                Ok(problem.energy_norm(&apart)? / problem.energy_norm(&u.displacement)?)
+            });
+            let algebraic = algebraic.transpose()?;
+            out.row(cells! { n, solver: name => error, definition, algebraic, estimate, steps: v.work.iterations as usize, ms });
+            out.check("error by its definition, over error").near(
+                definition / error,
+                1.0,
+                3e-3,
+                "side middles",
+            );
+            if let Some((of_mesh, _)) = &exact {
+                let change = (error / of_mesh - 1.0).abs();
+                if name.ends_with("h/100") {
+                    out.check("h/100: change of the error").at_most(change, 1e-3, "a thousandth");
+                } else {
+                    out.check("ten digits: change of the error").at_most(change, 1e-6, "six digits");
+                }
+            }
+            if !name.ends_with("h/100") {
+                out.check("conditions of contact, scaled").at_most(v.kkt.worst(), 1e-8, "(2.5)");
+            }
+            if let (Some(algebraic), Some(estimate)) = (algebraic, estimate) {
+                out.check("algebraic error over its estimate").at_most(
+                    algebraic / (estimate + 1e-13),
+                    1.0,
+                    "stated",
+                );
+            }
+            if exact.is_none() {
+                errors.push((1.0 / n as f64, error));
+                exact = Some((error, v));
+            }
+        }
+    }
+    if let Some(order) = ConvergenceOrder::of_scattered(&errors) {
+        out.check("order of |u − u^h|_a").near(order, 1.0, 0.1, "linear elements");
+    }
+    out.plot(
+        &format!("section_2_seconds_{}", options.cone),
+        "True error against seconds",
+        Axes::LogLog("milliseconds", "|u − v|_a"),
+    )
+    .curve_by("solver", "ms", "error");
+    Ok(())
 }

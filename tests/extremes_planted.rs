@@ -5,7 +5,7 @@
 mod extremes;
 
 #[path = "../examples/section_2_speed_for_accuracy.rs"]
-#[allow(dead_code, reason = "only `run` is used here")]
+#[allow(dead_code, reason = "only `outcome` is used here")]
 mod contact_speed;
 
 #[path = "../examples/speed_for_accuracy.rs"]
@@ -30,11 +30,9 @@ fn tolerances_of_the_toolkit_are_met() {
 
 #[test]
 fn errors_of_contact_solutions_fall_whatever_the_road() {
-    let options = contact_speed::Options { levels: 4, ..Default::default() };
-    let headline = contact_speed::run(&options).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{headline}");
-    let rows = headline.table.rows().len();
-    let errors: Vec<f64> = (0..rows).map(|row| headline.table.number(row, "error").unwrap()).collect();
-    assert!(errors.iter().all(|&error| error > 0.0));
-    assert!(errors[0] > errors[rows - 1]);
+    let options = contact_speed::Options { n: vec![8, 16, 32, 64], ..Default::default() };
+    let found = contact_speed::outcome(&options).unwrap();
+    assert_eq!(found.status(), Status::True, "{}", found.text(false));
+    let errors = found.numbers("error");
+    assert!(errors.iter().all(|&error| error > 0.0) && errors[0] > errors[errors.len() - 1]);
 }
