@@ -64,6 +64,7 @@ macro_rules! examples {
 }
 
 examples! {
+    remark_1_whole_boundary: "../examples/remark_1_whole_boundary.rs",
     section_2_multigrid: "../examples/section_2_multigrid.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
     tour: "../examples/tour.rs",
@@ -93,9 +94,11 @@ examples! {
     lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
     lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
+    remark_6_point_condition: "../examples/remark_6_point_condition.rs",
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
     theorem_3_1_with_numbers: "../examples/theorem_3_1_with_numbers.rs",
+    theorem_3_1_without_c: "../examples/theorem_3_1_without_c.rs",
     theorem_4_1_rates: "../examples/theorem_4_1_rates.rs",
 }
