@@ -1,148 +1,84 @@
 //! Remark 6: for ν > 1/2 it is enough that u vanishes at one point.
 //!
-//! γ₀(ν) = sup ‖u‖₀/|u|_ν over u(a) = 0, the limit of γ_θ as the zone shrinks to the point. It blows up like
-//! (2ν−1)^{−1/2} at ν = 1/2: the uniform formula gives (2ν−1) γ₀² → 3/(2π²) at an end, and the inside of the
-//! interval is the better place.
+//! For u in H^ν(0, 1), 1/2 < ν < 1, with u(a) = 0 let γ₀ be the best constant in ‖u‖₀ ≤ γ₀ |u|_ν, where
+//! |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark: γ₀ is finite, since H^ν is compactly embedded in the
+//! continuous functions. It is the limit, from below, of the constant γ(θ) for mean zero on (0, θ) as θ → 0, with a
+//! difference of the order θ^(2ν−1).
 //!
-//! `cargo run --release --example remark_6_point_condition`
+//! As ν → 1/2 it cannot stay bounded, because a point then fixes nothing: (2ν − 1) γ₀² → A = 3/(2π²) for a = 0, the factor
+//! of Lemma 5.2 at ν = 1/2. The end of the interval is the worst place for the point.
+//!
+//! Refuted if γ₀ differs by more than 1 % from its definition with piecewise linear functions, whose value is a lower
+//! bound, if the zone (0, 1e-12) has a larger constant or is off by more than its correction, if the point inside has a
+//! larger constant than the end, or if (2ν − 1) γ₀²/A, for ν ≤ 0.6, is off 1 by more than 2ν − 1.
+//!
+//! `cargo run --release --example remark_6_point_condition -- --nu 0.7,0.8 --point 0.1`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use experiments::EstimateExt;
-use experiments::growth::END_SLOPE;
-use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Constraint, Gram, Mesh, gamma};
+use nalgebra::DMatrix;
+use std::f64::consts::PI;
 
-example_frame::options! {
-    /// The Poincare constant of functions that vanish at one point
-    pub struct Options: Quick {
-        /// Orders nu in (1/2, 1)
-        #[arg(long, value_delimiter = ',', default_values = ["0.55", "0.6", "0.75", "0.9", "0.99"], value_parser = within::<Order>("(0.5, 1)"))]
-        pub nu: Vec<Order>,
-        /// The point inside, beside the end
-        #[arg(long, default_value_t = 0.5)]
-        pub point: f64,
-        /// Relative tolerance: fast, balanced, reference or a number
-        #[arg(long, default_value_t = Tolerance::balanced())]
-        pub tolerance: Tolerance,
+example! { quick "Remark 6", "ν > 1/2, u(a) = 0:  ‖u‖₀ ≤ γ₀ |u|_ν with γ₀ finite;  γ₀² ≈ 3/(2π²) / (2ν − 1) as ν → 1/2";
+    /// orders ν of the seminorm
+    nu: Vec<Order> = "0.55,0.6,0.75,0.9,0.99" in "(0.5, 1)" slider "0.52 to 0.99",
+    /// a point inside, beside a = 0
+    point: f64 = "0.5" in "(0, 1)" slider "0.01 to 0.99",
+}
+
+/// γ₀ for u(0) = 0 from its definition: √λ for the largest λ of M u = λ A u, where u runs through the continuous piecewise
+/// linear functions that vanish at 0, M holds ∫ φᵢ φⱼ and A the form of |·|²_ν for the hat functions φᵢ, in closed form.
+/// Elements are halved towards 0 and 1, down to lengths ℓ for which ℓ^(2ν−1) is 1e-3.
+fn by_definition(nu: Order) -> Result<f64> {
+    let layers = (10.0 / (2.0 * nu.offset())).clamp(20.0, 260.0) as usize;
+    let mesh = Mesh::graded(&[0.0, 1.0], layers, 0.5)?;
+    let (h, n) = (mesh.lengths(), mesh.len());
+    let mut mass = DMatrix::<f64>::zeros(n + 1, n + 1);
+    for k in 0..n {
+        let element = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h[k] / 6.0);
+        let mut block = mass.view_mut((k, k), (2, 2));
+        block += element;
     }
+    let form = Gram::new(&mesh, nu, 1e-10)?.to_dense()?;
+    let vanishing = |all: DMatrix<f64>| all.remove_row(0).remove_column(0);
+    Ok(largest_eigenvalue(&vanishing(mass), &vanishing(form))?.sqrt())
 }
 
-/// Zone that stands for a point in the comparison.
-const SHORT: f64 = 1e-12;
-
-/// One order.
-pub struct Row {
-    /// The order.
-    pub nu: Order,
-    /// γ₀, the point at the end.
-    pub end: Estimate,
-    /// γ₀, the point inside.
-    pub inside: Estimate,
-    /// γ_θ, mean zero on (0, 1e-12).
-    pub short: Estimate,
-    /// The last two over the first.
-    pub ratios: [Estimate; 2],
-    /// γ₀ over (A / (2ν−1))^{1/2}.
-    pub scaled: Estimate,
-}
-
-/// The constants of the point at the end, of the point given and of a short zone.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let row = |&nu: &Order| -> Result<Row> {
-        let end = gamma(nu, Constraint::vanishing_at(0.0), options.tolerance)?.constant;
-        let inside = gamma(nu, Constraint::vanishing_at(options.point), options.tolerance)?.constant;
-        let short = gamma(nu, Constraint::mean_zero_on(0.0..SHORT), options.tolerance)?.constant;
-        let ratios = [inside.over(end)?, short.over(end)?];
-        let law = (END_SLOPE / (2.0 * nu.offset())).sqrt();
-        let scaled = Estimate::new(end.value / law, end.error / law, end.work)?;
-        Ok(Row { nu, end, inside, short, ratios, scaled })
-    };
-    options.nu.iter().map(row).collect()
-}
-
-/// What decides: short zones have smaller constants that tend to γ₀, the end is the worst point, and how γ₀
-/// blows up.
-pub fn findings(options: &Options, rows: &[Row]) -> Vec<Finding> {
-    // Both constants are known to the tolerance, and near ν = 1 they agree to many digits.
-    let allowed = 1.0 + 4.0 * options.tolerance.relative();
-    let largest = |k: usize| Estimate::largest(rows.iter().map(|row| row.ratios[k]));
-    let none = "no order";
-    let inside = format!("the point {} has at most {{percent}} % of the constant of the end", options.point);
-    let mut findings = vec![
-        Finding::claim("short", "no zone (0, 1e-12) has a larger constant than the point: {value} times it")
-            .estimate_or(largest(1), none)
-            .at_most(allowed, "(5.3) with the constant of the point, to the tolerance")
-            .otherwise("a short zone has {value} times the constant of the point"),
-        Finding::claim("inside", inside)
-            .estimate_or(largest(0), none)
-            .at_most(allowed, "the constant of the end, to the tolerance")
-            .otherwise("the point inside has {percent} % of the constant of the end"),
-    ];
-    for Row { nu, end, ratios, scaled, .. } in rows {
-        let finite = Finding::claim(format!("finite.nu{nu}"), format!("gamma_0({nu}) = {{value}}"));
-        let source = "(3/(2 pi^2) / (2 nu - 1))^(1/2), its law as nu -> 1/2";
-        findings.push(finite.estimate(*end).at_most(end.value / scaled.value, source).told());
-        let limit = format!("nu = {nu}: the zone (0, 1e-12) has {{value}} times the constant of the point");
-        let correction = SHORT.powf(2.0 * nu.offset());
-        findings.push(Finding::remark(format!("limit.nu{nu}"), limit).estimate(ratios[1]).within(
-            correction.max(allowed - 1.0),
-            1.0,
-            "the point, up to theta^(2nu-1) or the tolerance",
-        ));
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    const SHORT: f64 = 1e-12;
+    out.column("end", "γ₀", "u(0) = 0");
+    out.column("definition", "hats", "γ₀ by `by_definition`");
+    out.column("short", "γ(θ)", "mean zero on (0, 1e-12)");
+    out.column("scaled", "(2ν−1)γ₀²/A", "1 as ν → 1/2");
+    out.column("inside", "inside", "u = 0 at the point given");
+    out.column("over_end", "/γ₀", "inside over the end");
+    for &nu in &options.nu {
+        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials that satisfy the condition, on elements that
+        // shrink geometrically to the point or zone and to 0 and 1; the error is the change to a space of another shape.
+        let best = |condition| gamma(nu, condition, 1e-8).map(|found| Measured::from(found.constant));
+        let end = best(Constraint::vanishing_at(0.0)?)?;
+        let inside = best(Constraint::vanishing_at(options.point)?)?;
+        let short = best(Constraint::mean_zero_on(0.0..SHORT)?)?;
+        let (definition, delta) = (by_definition(nu)?, 2.0 * nu.offset()); // 2ν − 1
+        let scaled = end.squared() * (delta * PI.powi(2) / 1.5);
+        out.row(cells! { nu => end, definition, short: short.value, scaled: scaled.value,
+        inside: inside.value, over_end: (inside / end).value });
+        out.check("γ₀ by its definition, over γ₀").near(end.recip() * definition, 1.0, 1e-2, "hat functions");
+        out.check("(0, 1e-12): γ(θ) over γ₀").at_most(short / end, 1.0 + 4e-8, "(5.3) with C = γ₀");
+        let correction = SHORT.powf(delta).max(4e-8);
+        out.check(format!("ν = {nu}: γ(θ)/γ₀ at θ = 1e-12")).near(short / end, 1.0, correction, "θ^(2ν−1)");
+        out.check("point inside: constant over γ₀").at_most(inside / end, 1.0 + 4e-8, "the end is worst");
+        if delta <= 0.2 + 1e-12 {
+            let claim = format!("ν = {nu}: (2ν − 1) γ₀² over 3/(2π²)");
+            out.check(claim).near(scaled, 1.0, delta, "1 as ν → 1/2, to 2ν − 1");
+        }
     }
-    let nearest = rows.iter().min_by(|a, b| a.nu.offset().total_cmp(&b.nu.offset()));
-    if let Some(Row { nu, scaled, .. }) = nearest {
-        let words = format!("(2 nu - 1)^(1/2) gamma_0 is {{percent}} % of its limit at nu = {nu}");
-        let finding = Finding::remark("blow.up", words).estimate(*scaled);
-        findings.push(finding.within(
-            2.0 * nu.offset(),
-            1.0,
-            "(3/(2 pi^2))^(1/2) as nu -> 1/2, up to 2 nu - 1",
-        ));
-    }
-    findings
-}
-
-/// Compares the constant of a point with that of short zones.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim =
-        "for nu > 1/2 the inequality ||u||_0 <= C |u|_nu holds for functions that vanish at one point";
-    let mut headline = Headline::new("Remark 6", claim, table(&rows), findings(options, &rows));
-    for row in &rows {
-        headline.quote(format!("remark.6.gamma.{}", row.nu.value()), row.end.value);
-    }
-    headline.draw(&options.output, "remark_6_point_condition", || Ok(draw(&rows, options.point)))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let ten = Format::Significant(10);
-    let scaled = "(2nu-1) gamma_0^2 / A";
-    let columns = vec![
-        Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("gamma0", "gamma_0", ten, "u = 0 at the end of the interval"),
-        Column::new("short", "gamma_theta", ten, "mean zero on (0, 1e-12)"),
-        Column::new("scaled", scaled, Format::Significant(5), "A = 3/(2 pi^2); tends to 1 as nu -> 1/2"),
-        Column::new("inside", "inside", Format::Significant(8), "u = 0 at the point given"),
-        Column::new("ratio", "inside/end", Format::Significant(6), ""),
-    ];
-    Table::new(columns).with_rows(rows.iter().map(|row| {
-        let (end, inside) = (row.end.value, row.inside.value);
-        [row.nu.value(), end, row.short.value, row.scaled.value.powi(2), inside, row.ratios[0].value]
-    }))
-}
-
-fn draw(rows: &[Row], point: f64) -> Chart {
-    let axes = (Axis::linear("ν, order"), Axis::logarithmic("γ_0, Poincaré constant"));
-    let points = |value: fn(&Row) -> f64| rows.iter().map(|row| (row.nu.value(), value(row))).collect();
-    Chart::new("Functions vanishing at a point", axes.0, axes.1)
-        .with(Series::line_and_points("point at the end", points(|row| row.end.value)))
-        .with_asymptote(0.5)
-        .with(Series::line_and_points(format!("point at {point}"), points(|row| row.inside.value)))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    out.plot(
+        "remark_6_point_condition",
+        "Functions vanishing at a point",
+        Axes::LinearLog("ν, order", "γ₀, Poincaré constant"),
+    )
+    .curve("nu", "end")
+    .curve("nu", "inside");
+    Ok(())
 }

@@ -76,13 +76,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("definition", "hats", "γ by `by_definition`");
     out.column("over_end", "γ/end", "over γ of (0, θ)");
     out.column("repair", "repair", "√(γ₁² + N²)");
+    let place = |&at: &f64| Zones::from_start_and_length(at * (1.0 - theta), theta).map(|zone| (at, zone));
+    let places = options.at.iter().map(place).collect::<fractional_sobolev::Result<Vec<_>>>()?;
     for &nu in &options.nu {
         // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials with mean zero on the zone, on elements that
         // shrink geometrically to the ends of zone and interval; its error is the change to a space of another shape.
         let end = Measured::from(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?.constant);
-        for &at in &options.at {
-            let a = at * (1.0 - theta);
-            let zone = Zones::from_start_and_length(a, theta)?;
+        for (at, zone) in &places {
+            let (at, a) = (*at, at * (1.0 - theta));
             let found = gamma(nu, Constraint::mean_zero_on(zone), 1e-8)?;
             let bounds = found.bounds()?; // γ₁ by the same eigenproblem, N by one linear solve
             let repair = Measured::from(bounds.whole).squared() + Measured::from(bounds.dual_norm).squared();
