@@ -59,6 +59,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("C", "C", "with the proved c");
     out.column("C_K", "C (K)", "with K in place of c; midpoint cone: K/2");
     out.column("C_kappa", "C (κ)", "with κ; midpoint cone: K/2");
+    out.column("ends", "ends", "number of ends of contact");
     out.column("seminorm", "|u|₂", "over the square, by adaptive quadrature, its error added");
     out.column("error", "error", "on the finest mesh");
     out.column("bound", "C h |u|₂", "on the finest mesh");
@@ -112,7 +113,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                             c.map(|c| constants(lame, cone, c).iter().sum::<f64>().sqrt());
                         let least = smallest(points.iter().map(|point| point[1])).map(|least| least.value);
                         let edge = largest(points.iter().map(|point| point[2])).map(|most| most.value);
-                        out.row(cells! { body, transitions: known.transitions().len(), cone: cone.to_string() =>
+                        out.row(cells! { body, ends: known.transitions().len(), cone: cone.to_string() =>
                             C: c, C_K: c_k, C_kappa: c_kappa, seminorm: whole, error, bound: bounds[0][0], least, edge });
                     }
                 }
