@@ -1,158 +1,130 @@
-//! Remark 4: the P0 projection gains nothing beyond H^1: the rate of ‖φ − π^h φ‖ is min(r, 1), in the dual
-//! norm min(r, 1) + 1/2.
+//! Remark 4: the projection on piecewise constants gains nothing beyond H¹.
 //!
-//! φ = x^{r−1/2+0.005}, barely in H^r. Lagrange interpolation of the same functions goes on to rate 2. The
-//! product of two projection errors loses an order; whether the method does is asked in `theorem_4_1_rates`.
+//! π^h φ is the mean of φ on each of N = 1/h equal elements of (0, 1). By (4.6) the error ‖φ − π^h φ‖₀ has the order r for
+//! φ in H^r, r ≤ 1. For φ in H¹, however smooth,
+//!
+//! ```text
+//! ‖φ − π^h φ‖₀ = h ‖φ'‖₀ / √12 (1 + o(1)),
+//! ```
+//!
+//! since φ − π^h φ is φ' times the distance from the centre of the element, whose mean square is h²/12. So the order is
+//! min(r, 1); linear interpolation I^h φ goes on to order 2. Here φ = x^a, a = r − 1/2 + 0.005: barely in H^r.
+//!
+//! In (4.9) the error of the method is bounded by ∫ (σ_N − π^h σ_N)(u_N − π^h u_N), for u in H^τ of the power 2τ − 2 in h.
+//! The product of the norms of both factors has, at τ = 7/4, σ_N in H^(1/4) and u_N in H^(5/4), only 1/4 + 1 (observed).
+//!
+//! The next term is smaller by h^q, q = |2a − 1|: what the first element contributes, where φ is not smooth. Refuted if an
+//! order of ‖φ − π^h φ‖₀, its uncertainty included, is off min(r, 1) by more than 0.02 + h^q, h = 1/4096, or if on 65536
+//! elements the error of a φ in H¹ is off h ‖φ'‖₀ / √12 by a larger part than h^min(q, 1).
+//!
+//! `cargo run --release --example remark_4_saturation -- --r 0.9,1.2,3`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use experiments::ErrorExt;
-use experiments::EstimateExt;
-use experiments::interpolation::{
-    DualRates, SampleSlope, power_lagrange_rate, sample_projection_rate, saturation_quotient,
-};
-use fractional_sobolev::{Error, Estimate};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Gram, Mesh, gauss_legendre};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use signorini::rates::order_between;
 
-/// Distance of a measured rate from the theoretical one that counts as agreement.
-const RATE_TOLERANCE: f64 = 0.02;
-/// Distance from 1 of the error over its limit on the finest mesh, which falls like 1/N.
-const LIMIT_TOLERANCE: f64 = 1e-3;
-/// Elements of the mesh for the limit, and of the coarsest of three meshes in the dual norm.
-const FINEST: usize = 1 << 16;
-const DUAL_COARSEST: usize = 64;
+example! { seconds "Remark 4", "‖φ − π^h φ‖₀ = h ‖φ'‖₀/√12 (1 + o(1)) for φ in H¹: the order is min(r, 1) for φ in H^r";
+    /// orders r of smoothness
+    r: Vec<f64> = "0.25,0.5,0.75,1.25,1.5,2,2.5,4" in "(0, 10]" slider "0.1 to 3",
+}
 
-example_frame::options! {
-    /// The rate of the P0 projection against the smoothness of the function
-    pub struct Options {
-        /// Orders r > 0, comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.5", "0.75", "1.25", "1.5", "2", "2.5", "4"], value_parser = within::<f64>("(0, 10]"))]
-        pub r: Vec<f64>,
+/// ‖φ − π^h φ‖₀ and ‖φ − I^h φ‖₀ for φ = x^a on n equal elements: closed forms on the first, six Gauss points on each other.
+fn errors(a: f64, n: usize) -> Result<[f64; 2]> {
+    let (h, rule) = (1.0 / n as f64, gauss_legendre(6)?);
+    let mut constant = h.powf(2.0 * a + 1.0) * (1.0 / (2.0 * a + 1.0) - 1.0 / (a + 1.0).powi(2));
+    let mut linear = h.powf(2.0 * a + 1.0) * (1.0 / (2.0 * a + 1.0) - 2.0 / (a + 2.0) + 1.0 / 3.0);
+    for k in 1..n {
+        let (x, y) = (k as f64 * h, 1.0 / k as f64);
+        let rise = |s: f64, power: f64| x.powf(power) * (power * s.ln_1p()).exp_m1(); // (x (1 + s))^power − x^power
+        let mean = rise(y, a + 1.0) / ((a + 1.0) * h) - x.powf(a); // of φ − φ(x)
+        constant += h * rule.integrate(|t| (rise(t * y, a) - mean).powi(2));
+        linear += h * rule.integrate(|t| (rise(t * y, a) - t * rise(y, a)).powi(2));
     }
+    Ok([constant.sqrt(), linear.sqrt()])
 }
 
-/// Rates of the function barely in H^r.
-pub struct Row {
-    /// The order.
-    pub r: f64,
-    /// Of ‖φ − π^h φ‖₀.
-    pub projection: Estimate,
-    /// Of ‖φ − π^h φ‖_{1/2,*}.
-    pub dual: Estimate,
-    /// Of ‖φ − I^h φ‖₀, for φ ∈ H¹.
-    pub lagrange: Option<Estimate>,
-    /// ‖φ − π^h φ‖₀ / (h ‖φ'‖₀/√12) on the finest mesh, for φ ∈ H¹.
-    pub limit: Option<Estimate>,
+/// Four cells per element for the dual norm of H^(1/2): sup ∫ f ψ / ‖ψ‖_(1/2) over continuous ψ linear on each cell is
+/// (bᵀ (A + M)⁻¹ b)^(1/2), bᵢ = ∫ f ψᵢ, M the masses and A the seminorm's form of the hat functions ψᵢ.
+fn half_norm(n: usize) -> Result<Cholesky<f64, Dyn>> {
+    let cells = 4 * n;
+    let mut matrix = Gram::new(&Mesh::uniform(cells, 1.0)?, 0.5, 1e-10)?.to_dense()?; // closed forms
+    for k in 0..cells {
+        let mut block = matrix.view_mut((k, k), (2, 2));
+        block += DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) / (6 * cells) as f64;
+    }
+    Cholesky::new(matrix).ok_or_else(|| Error::Option("A + M is not positive definite".to_owned()))
 }
 
-/// Rates for every r, and the limit of ‖φ − π^h φ‖/h.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let dual = DualRates::new(DUAL_COARSEST)?;
-    let mut rows = Vec::new();
+/// ‖φ − π^h φ‖_(1/2,*) for φ = x^a: the loads b from the moments of x^a on each cell.
+fn dual_error(a: f64, n: usize, norm: &Cholesky<f64, Dyn>) -> f64 {
+    let (cells, c) = (4 * n, 1.0 / (4 * n) as f64);
+    let integral = |x: f64, power: f64| x.powf(power + 1.0) / (power + 1.0);
+    let mut load = DVector::zeros(cells + 1);
+    for k in 0..cells {
+        let (x, y, first) = (k as f64 * c, (k + 1) as f64 * c, (k / 4 * 4) as f64 * c);
+        let mean = (integral(first + 4.0 * c, a) - integral(first, a)) / (4.0 * c);
+        let all = integral(y, a) - integral(x, a);
+        let rising = (integral(y, a + 1.0) - integral(x, a + 1.0) - x * all) / c;
+        load[k] += all - rising - 0.5 * c * mean;
+        load[k + 1] += rising - 0.5 * c * mean;
+    }
+    load.dot(&norm.solve(&load)).sqrt()
+}
+
+/// The order between the two finer of three meshes; it may be off by 3.5 times the change from the coarser two.
+fn order(n: [usize; 3], error: [f64; 3]) -> Measured {
+    let point = |k: usize| (1.0 / n[k] as f64, error[k]);
+    let last = order_between(point(1), point(2));
+    Measured::new(last, 3.5 * (last - order_between(point(0), point(1))))
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let (meshes, few) = ([1 << 8, 1 << 12, 1 << 16], [64, 128, 256]); // dense matrices in the dual norm
+    let norms = [half_norm(few[0])?, half_norm(few[1])?, half_norm(few[2])?];
+    let mut found = Vec::new();
     for &r in &options.r {
-        Error::require("r", r, "(0, 10]", r > 0.0 && r <= 10.0)?;
-        let phi = SampleSlope::barely_in(r)?;
-        // x^a is in H¹ for a > 1/2
-        let a = r - 0.5 + SampleSlope::EDGE;
-        rows.push(Row {
-            r,
-            projection: sample_projection_rate(phi)?,
-            dual: dual.rate(phi)?,
-            lagrange: (a > 0.5).then(|| power_lagrange_rate(a)).transpose()?,
-            limit: (a > 0.5).then(|| saturation_quotient(a, FINEST)).transpose()?,
-        });
+        let a = r - 0.5 + 0.005;
+        let all = [errors(a, meshes[0])?, errors(a, meshes[1])?, errors(a, meshes[2])?];
+        let p0 = order(meshes, all.map(|e| e[0]));
+        let dual = order(few, [0, 1, 2].map(|k| dual_error(a, few[k], &norms[k])));
+        let in_h1 = a > 0.5; // ‖φ'‖₀ = a / √(2a − 1)
+        let p1 = in_h1.then(|| order(meshes, all.map(|e| e[1])));
+        let limit = in_h1.then(|| all[2][0] * meshes[2] as f64 * (12.0 * (2.0 * a - 1.0)).sqrt() / a);
+        let next = |h: f64, most: f64| h.powf((2.0 * a - 1.0).abs().min(most));
+        let claim = if r <= 1.0 { "r ≤ 1: order less r" } else { "r > 1: order less 1" };
+        let (distance, source) = (p0 - r.min(1.0), if r <= 1.0 { "(4.6)" } else { "saturation" });
+        out.check(claim).near(distance, 0.0, 0.02 + next(1.0 / 4096.0, f64::INFINITY), source);
+        if let Some(limit) = limit {
+            out.check("error over h ‖φ'‖₀/√12").near(limit, 1.0, next(1.0 / 65536.0, 1.0), "finest mesh");
+        }
+        if r > 1.0 {
+            out.observe("r > 1, dual norm: r + 1/2 less order").at_least(
+                -dual + (r + 0.5),
+                0.0,
+                "(4.7) beyond r = 1",
+            );
+            out.observe("r > 1, linear interpolation: order").at_least(p1, 1.0, "that of constants");
+        }
+        found.push((r, p0));
+        out.row(cells! { r => p0, dual, limit, p1: p1.map(|p1| p1.value) });
     }
-    Ok(rows)
-}
-
-/// σ_N and u_N of a solution in H^{7/4}: their orders on the edge, and the power that (4.9) has.
-const PAIR: ([f64; 2], f64) = ([0.25, 1.25], 1.5);
-
-/// What decides: rates below and beyond H^1, and the limit they saturate at.
-pub fn findings(_: &Options, rows: &[Row]) -> Vec<Finding> {
-    let beyond = || rows.iter().filter(|row| row.r > 1.0);
-    let l2 = |row: &Row| row.projection.off(row.r.min(1.0)).ok();
-    let gap = |row: &Row| Estimate::new(row.r + 0.5 - row.dual.value, row.dual.error, row.dual.work).ok();
-    let rate = |r: f64| rows.iter().find(|row| row.r == r).map(|row| row.projection);
-    let product = PAIR.0.map(rate);
-    let product = product[0].zip(product[1]).map(|(s, u)| (s.value + u.value, s.error + u.error));
-    vec![
-        Finding::claim("below", "up to H^1 the rates in L2 are within {value} of r")
-            .largest(rows.iter().filter(|row| row.r <= 1.0).filter_map(l2))
-            .at_most(RATE_TOLERANCE, "(4.6)")
-            .told(),
-        Finding::claim("beyond", "beyond H^1 the rates in L2 are within {value} of 1")
-            .largest(beyond().filter_map(l2))
-            .at_most(RATE_TOLERANCE, "saturation")
-            .told(),
-        Finding::claim(
-            "limit",
-            "of functions in H^1 the error is h |phi'|_0 / sqrt(12) up to a part {value}",
-        )
-        .largest(rows.iter().filter_map(|row| row.limit?.off(1.0).ok()))
-        .at_most(LIMIT_TOLERANCE, "its limit"),
-        Finding::remark("dual", "beyond H^1 the rates in the dual norm stay {value} or more below r + 1/2")
-            .smallest(beyond().filter_map(gap))
-            .at_least(0.0, "(4.7), if it went on beyond r = 1"),
-        Finding::remark(
-            "product",
-            "at tau = 7/4 the product of both projection errors has the power {value}",
-        )
-        .number_or(product, "no row for sigma_N or u_N")
-        .at_most(PAIR.1, "2 tau - 2, the power of the term; tau - 1/2 by (4.6), saturated")
-        .otherwise("at tau = 7/4 the product of both projection errors has the power {value}, no loss"),
-        Finding::remark("lagrange", "beyond H^1 piecewise linears have rates of at least {value}")
-            .smallest(beyond().filter_map(|row| row.lagrange))
-            .at_least(1.0, "the rate of piecewise constants"),
-    ]
-}
-
-/// Measures the rates of projection and interpolation.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "the L2 projection on piecewise constants gains nothing beyond H^1";
-    let mut headline = Headline::new("Remark 4", claim, table(&rows), findings(options, &rows));
-    let worst = rows.iter().map(|row| (row.projection.value - row.r.min(1.0)).abs()).fold(0.0, f64::max);
-    headline.quote("remark_4.worst_rate", worst);
-    headline.draw(&options.output, "remark_4_saturation", || Ok(draw(&rows)))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let (rate, error) = (Format::Fixed(4), Format::Scientific(0));
-    let uncertainty = "3.5 times the change from the coarser pair of meshes, and the errors of the norms";
-    Table::new(vec![
-        Column::new("r", "r", Format::Significant(3), "phi = x^(r-1/2+0.005) is barely in H^r"),
-        Column::new("projection", "P0", rate, "rate of |phi - pi^h phi|_0; theory min(r, 1)"),
-        Column::new("projection_error", "+-", error, uncertainty),
-        Column::new("dual", "P0, dual", Format::Fixed(3), "in the dual norm; theory min(r, 1) + 1/2"),
-        Column::new("dual_error", "+- dual", error, "the same"),
-        Column::new(
-            "limit",
-            "/limit",
-            Format::Fixed(5),
-            "|phi - pi^h phi|_0 / (h |phi'|_0 / sqrt(12)), finest mesh",
-        ),
-        Column::new("lagrange", "P1", rate, "rate of |phi - I^h phi|_0; theory min(r, 2)"),
-    ])
-    .with_rows(rows.iter().map(|row| {
-        let both = |rate: Estimate| [Some(rate.value), Some(rate.error)];
-        let last = [row.limit.map(|e| e.value), row.lagrange.map(|e| e.value)];
-        [[Some(row.r)].as_slice(), &both(row.projection), &both(row.dual), &last].concat()
-    }))
-}
-
-fn draw(rows: &[Row]) -> Chart {
-    let points = |of: fn(&Row) -> Option<Estimate>| -> Vec<(f64, f64)> {
-        rows.iter().filter_map(|row| Some((row.r, of(row)?.value))).collect()
-    };
-    let (x, y) = (Axis::linear("r, smoothness of the function"), Axis::linear("rate, exponent of h"));
-    Chart::new("Remark 4: saturation of the P0 projection", x, y)
-        .with(Series::line_and_points("P0, L2", points(|row| Some(row.projection))))
-        .with(Series::line_and_points("P0, dual norm", points(|row| Some(row.dual))))
-        .with(Series::line_and_points("P1, L2", points(|row| row.lagrange)))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    let of = |r: f64| found.iter().find(|row| row.0 == r).map(|row| row.1);
+    if let (Some(sigma), Some(u)) = (of(0.25), of(1.25)) {
+        out.observe("τ = 7/4: order of the product of both norms").at_most(
+            sigma + u,
+            1.5,
+            "2τ − 2 of the term",
+        );
+    }
+    out.column("p0", "order", "of ‖φ − π^h φ‖₀, 4096 to 65536 elements");
+    out.column("dual", "dual", "in the dual norm of H^(1/2), 128 to 256 elements");
+    out.column("limit", "/ limit", "error over h ‖φ'‖₀/√12");
+    out.column("p1", "linear", "order of ‖φ − I^h φ‖₀");
+    let axes = Axes::Linear("r, smoothness of the function", "order, exponent of h");
+    out.plot("remark_4_saturation", "Remark 4: saturation of the projection on constants", axes)
+        .curve("r", "p0")
+        .curve("r", "dual")
+        .curve("r", "p1");
+    Ok(())
 }

@@ -1,161 +1,136 @@
-//! (4.6) and (4.7): ‖φ − π^h φ‖₀ ≤ C h^r |φ|_r and ‖φ − π^h φ‖_{1/2,*} ≤ C h^{r+1/2} |φ|_r for 0 ≤ r ≤ 1.
+//! (4.6), (4.7): the projection on piecewise constants, in L² and in the dual norm of H^(1/2).
 //!
-//! Best constants on one element, and rates on two roads: of one rough function, and of the supremum over all
-//! of H^r. Both roads count, in both norms.
+//! π^h φ is the mean of φ on each of N = 1/h equal elements of (0, 1), |φ|²_r = ∬ (φ(x) − φ(y))² / |x − y|^(1+2r) dx dy for
+//! 0 < r < 1, |φ|₁ = ‖φ'‖₀, and ‖f‖_(1/2,*) is the largest ∫ f ψ over ψ with ‖ψ‖₀² + |ψ|²_(1/2) = 1. The paper uses
+//!
+//! ```text
+//! ‖φ − π^h φ‖₀ ≤ C h^r |φ|_r   (4.6),      ‖φ − π^h φ‖_(1/2,*) ≤ C h^(r+1/2) |φ|_r   (4.7).
+//! ```
+//!
+//! C(r) and C*(r) are the best constants of one element, C* for ∫ (φ − π^h φ)(ψ − π^h ψ) ≤ C* h^(r+1/2) |φ|_r |ψ|_(1/2); the
+//! proof has C* ≤ C(r) C(1/2). S(N) is the largest quotient of both norms over all φ, on N elements.
+//!
+//! Refuted if S(N) h^−r or S(N) h^(−r−1/2) is above its constant, if C* is above C(r) C(1/2), or if an order of S(N), its
+//! uncertainty included, is off r or r + 1/2 by more than 0.05. S(N)^−2 = A N^(2p) − B: B is what the pairs of points
+//! outside (0, 1) would add to |φ|²_r; three meshes give the order p, which is not put in.
+//!
+//! `cargo run --release --example section_4_p0_projection -- --r 0.15,0.99`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use experiments::EstimateExt;
-use experiments::interpolation::{ProjectionRates, ProjectionStudy};
-use fractional_sobolev::{Domain, ErrorNorm, Estimate, Tolerance, projection_constant};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Domain, ErrorNorm, Gram, Mesh, projection_constant};
+use nalgebra::DMatrix;
 
-/// Distance of a rate from r or r + 1/2, its uncertainty included, that counts as agreement: a tenth of half
-/// an order.
-const AGREEMENT: f64 = 0.05;
-/// Part of the chain's constant that C*(r) is at least.
-const CHAIN: f64 = 0.99;
-
-example_frame::options! {
-    /// The P0 projection: best constants and rates in L2 and in the dual norm of H^(1/2)
-    pub struct Options {
-        /// Orders r in [0, 1], comma separated
-        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1"], value_parser = within::<f64>("[0, 1]"))]
-        pub r: Vec<f64>,
-    }
+example! { seconds "(4.6), (4.7)", "‖φ − π^h φ‖₀ ≤ C h^r |φ|_r,  ‖φ − π^h φ‖_(1/2,*) ≤ C h^(r+1/2) |φ|_r  for 0 ≤ r ≤ 1";
+    /// orders r
+    r: Vec<f64> = "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1" in "[0.05, 1]" slider "0.1 to 1",
 }
 
-/// One order.
-pub struct Row {
-    /// The order.
-    pub r: f64,
-    /// C(r) C(1/2), the constant of (4.7) by the paper's chain of inequalities.
-    pub chain: f64,
-    /// In L2 and in the dual norm.
-    pub norms: [ProjectionRates; 2],
-}
-
-/// Constants and rates for every r.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let bar = progress(options.r.len() as u64);
-    let unit = Domain::Interval(1.0);
-    let half = projection_constant(unit, ErrorNorm::L2, 0.5, Tolerance::balanced())?.constant;
-    let study = ProjectionStudy::new()?;
-    let mut rows = Vec::new();
-    for &r in &options.r {
-        let norms = study.rates(r)?;
-        rows.push(Row { r, chain: norms[0].constant.value * half.value, norms });
-        bar.inc(1);
-    }
-    Ok(rows)
-}
-
-/// Which of the numbers of one norm is looked at.
-type Of = fn(&ProjectionRates) -> Estimate;
-
-/// How far rates are from theory, over all orders, in one norm.
-fn off(rows: &[Row], norm: usize, of: Of) -> impl Iterator<Item = Estimate> {
-    rows.iter().filter_map(move |row| of(&row.norms[norm]).off(row.norms[norm].theory).ok())
-}
-
-/// What decides: rates on both roads in both norms, and the supremum against the best constants.
-pub fn findings(_: &Options, rows: &[Row]) -> Vec<Finding> {
-    let roads: [(&str, &str, Of); 2] =
-        [("function", "one function", |n| n.function), ("supremum", "all of H^r", |n| n.supremum.rate)];
-    let norms = [("l2", "L2", "r", "(4.6)"), ("dual", "the dual norm", "r + 1/2", "(4.7)")];
-    let rates = roads.iter().flat_map(|(road, words, of)| {
-        norms.iter().enumerate().map(move |(norm, (key, name, theory, source))| {
-            let words = format!("the rates of {words} in {name} are within {{value}} of {theory}");
-            let claim = Finding::claim(format!("{road}.{key}"), words).largest(off(rows, norm, *of));
-            claim.at_most(AGREEMENT, *source).told()
-        })
-    });
-    let all = || rows.iter().flat_map(|row| &row.norms);
-    let observed = [0, 1].into_iter().flat_map(|norm| off(rows, norm, |n| n.supremum.observed));
-    let others = [
-        Finding::claim("above", "the supremum takes at most {percent} % of the best constants")
-            .largest(all().filter_map(|norm| norm.supremum.share(norm.constant).ok()))
-            .at_most(1.0, "best constants C(r), C*(r)"),
-        Finding::claim("below", "a wave of half a period per element bounds the supremum from below")
-            .smallest(all().filter_map(|norm| norm.supremum.scaled.over(norm.wave).ok()))
-            .at_least(1.0, "the wave")
-            .by_proof("section_4_p0_projection"),
-        Finding::remark("observed", "between 32 and 64 elements as they stand rates are off by {value}")
-            .largest(observed)
-            .at_most(AGREEMENT, "they near theirs like N^(-2r)")
-            .told(),
-        Finding::remark("chain", "the best constant C*(r) is at least {value} of the paper's chain")
-            .smallest(rows.iter().filter_map(|row| row.norms[1].constant.times(row.chain.recip()).ok()))
-            .at_least(CHAIN, "equality at r = 0 and 1/2"),
-    ];
-    rates.chain(others).collect()
-}
-
-/// Measures the rates on both roads in both norms.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "|phi - pi^h phi| <= C h^r |phi|_r in L2 and C h^(r+1/2) |phi|_r in the dual norm of H^(1/2)";
-    let mut headline = Headline::new("(4.6), (4.7)", claim, table(&rows), findings(options, &rows));
-    let worst = |of: Of| {
-        let distances = [0, 1].into_iter().flat_map(|norm| off(&rows, norm, of));
-        distances.map(|distance| distance.value).fold(0.0, f64::max)
+/// S(N) in both norms over φ that are linear on each of some cells per element, given by nodal values: √λ, λ the largest with
+/// Q φ = λ A φ. A holds |φ|²_r; Q = R for L², R = M − P the form of ‖φ − π^h φ‖₀², M the masses and P that of means; Q =
+/// R (M + H)⁻¹ R for the dual norm, H the form of |ψ|²_(1/2), since ∫ (φ − π^h φ) ψ = φᵀ R ψ; and Q = R H⁻¹ R for C*(r), N = 1.
+fn supremum(r: f64, elements: usize, cells: usize) -> Result<[f64; 3]> {
+    let n = elements * cells;
+    let c = 1.0 / n as f64;
+    let mesh = Mesh::uniform(n, 1.0)?;
+    let on_cells = |block: [f64; 4]| {
+        let mut matrix = DMatrix::<f64>::zeros(n + 1, n + 1);
+        for k in 0..n {
+            let mut cell = matrix.view_mut((k, k), (2, 2));
+            cell += DMatrix::from_row_slice(2, 2, &block);
+        }
+        matrix
     };
-    let [function, supremum] = [worst(|n| n.function), worst(|n| n.supremum.rate)];
-    headline.quote("section_4_projection.worst_rate", f64::max(function, supremum));
-    headline.quote("section_4_projection.worst_function_rate", function);
-    headline.quote("section_4_projection.worst_supremum_rate", supremum);
-    headline.quote("section_4_projection.worst_observed_rate", worst(|n| n.supremum.observed));
-    for Row { r, norms: [l2, dual], .. } in &rows {
-        headline.quote(format!("section_4_projection.constant_l2.r_{r}"), l2.constant.value);
-        headline.quote(format!("section_4_projection.constant_dual.r_{r}"), dual.constant.value);
+    let mass = on_cells([2.0, 1.0, 1.0, 2.0]) * (c / 6.0);
+    let mut rest = mass.clone(); // M − P
+    for first in (0..n).step_by(cells) {
+        let weight = |k: usize| if k == first || k == first + cells { 0.5 } else { 1.0 }; // ∫ φ over the element, over c
+        for (i, j) in (first..=first + cells).flat_map(|i| (first..=first + cells).map(move |j| (i, j))) {
+            rest[(i, j)] -= weight(i) * weight(j) * c / cells as f64;
+        }
     }
-    headline.draw(&options.output, "section_4_p0_projection", || Ok(draw(&rows)))?;
-    Ok(headline)
+    let seminorm = |r: f64| -> Result<DMatrix<f64>> {
+        // Gram: closed forms for every pair of hat functions
+        if r == 1.0 {
+            Ok(on_cells([1.0, -1.0, -1.0, 1.0]) / c)
+        } else {
+            Ok(Gram::new(&mesh, r, 1e-10)?.to_dense()?)
+        }
+    };
+    let free = |matrix: DMatrix<f64>| matrix.remove_row(n).remove_column(n); // φ(1) = 0: constants change nothing
+    let inverse = |h: DMatrix<f64>, rest: &DMatrix<f64>| match h.cholesky() {
+        Some(h) => Ok(rest * h.solve(rest)),
+        None => Err(Error::Option("the form is not positive definite".to_owned())),
+    };
+    let half = seminorm(0.5)?;
+    let dual = free(inverse(&mass + &half, &rest)?);
+    let rest = free(rest);
+    let element = inverse(free(half), &rest)?;
+    let a = free(seminorm(r)?);
+    let largest = |q: &DMatrix<f64>| -> Result<f64> { Ok(largest_eigenvalue(q, &a)?.sqrt()) };
+    Ok([largest(&rest)?, largest(&dual)?, largest(&element)?])
 }
 
-fn table(rows: &[Row]) -> Table {
-    let (rate, digits) = (Format::Fixed(4), Format::Fixed(7));
-    let phi = "rate of phi = x^(r-1/2+0.005), theory r + 0.005; of cos(pi x) for r = 1";
-    let sup = "rate of the supremum over H^r, theory r: S^-2 = A N^(2 rate) - B for 16 ... 64 elements";
-    let same = "the same in the dual norm, theory r + 1/2";
-    Table::new(vec![
-        Column::new("r", "r", Format::Significant(3), ""),
-        Column::new("constant_l2", "C(r)", digits, "best constant of (4.6) on one element"),
-        Column::new("function_l2", "phi L2", rate, phi),
-        Column::new("function_error_l2", "+- phi", rate, "3.5 times the change from coarser meshes"),
-        Column::new("supremum_l2", "sup L2", rate, sup),
-        Column::new("error_l2", "+- sup", rate, "three times that change, and that from half as many cells"),
-        Column::new("constant_dual", "C*(r)", digits, "best constant of (4.7) element by element"),
-        Column::new("function_dual", "phi dual", rate, same),
-        Column::new("function_error_dual", "+-", rate, "in the dual norm"),
-        Column::new("supremum_dual", "sup dual", rate, same),
-        Column::new("error_dual", "+-", rate, "in the dual norm"),
-        Column::new("chain", "chain", digits, "C(r) C(1/2), from the paper's chain of inequalities"),
-    ])
-    .with_rows(rows.iter().map(|row| {
-        let norms = row.norms.iter().flat_map(|norm| {
-            let (phi, sup) = (norm.function, norm.supremum.rate);
-            [norm.constant.value, phi.value, phi.error, sup.value, sup.error]
-        });
-        [row.r].into_iter().chain(norms).chain([row.chain]).collect::<Vec<_>>()
-    }))
+/// The order p of S^−2 = A N^(2p) − B from meshes of N/4, N/2 and N elements; S N^half is fitted, half = 0 or 1/2.
+fn order(s: &[f64], half: f64) -> f64 {
+    let square = |k: usize| (s[k] * 2f64.powf(k as f64 * half)).powi(-2);
+    0.5 * ((square(2) - square(1)) / (square(1) - square(0))).log2() + half
 }
 
-fn draw(rows: &[Row]) -> Chart {
-    let x = Axis::linear("r, smoothness of the function");
-    let chart =
-        Chart::new("(4.6), (4.7): rates of the P0 projection", x, Axis::linear("rate, exponent of h"));
-    [("L2", "r"), ("dual norm", "r + 1/2")].iter().enumerate().fold(chart, |chart, (k, (norm, theory))| {
-        let points = |of: fn(&ProjectionRates) -> f64| -> Vec<(f64, f64)> {
-            rows.iter().map(|row| (row.r, of(&row.norms[k]))).collect()
-        };
-        chart
-            .with(Series::dashed(*theory, points(|n| n.theory)))
-            .with(Series::points(format!("{norm}, one function"), points(|n| n.function.value)))
-            .with(Series::points(format!("{norm}, supremum"), points(|n| n.supremum.rate.value)))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    const MESHES: [usize; 4] = [8, 16, 32, 64];
+    // By the library: Legendre series for φ and ψ, largest eigenvalue; error: change when doubled.
+    let constant = |norm, r: f64| -> Result<Measured> {
+        Ok(projection_constant(Domain::Interval(1.0), norm, r, 1e-8)?.constant.into())
+    };
+    let half = constant(ErrorNorm::L2, 0.5)?;
+    for &r in &options.r {
+        let all = |cells: usize| MESHES.iter().map(|&n| supremum(r, n, cells)).collect::<Result<Vec<_>>>();
+        let (fine, coarse, one) = (all(4)?, all(2)?, supremum(r, 1, 64)?);
+        let (c, c_dual) = (constant(ErrorNorm::L2, r)?, constant(ErrorNorm::Dual, r)?);
+        let chain = c * half;
+        let mut orders = [Measured::NONE; 2];
+        for (k, (label, constant, theory)) in
+            [("(4.6)", c, r), ("(4.7)", c_dual, r + 0.5)].into_iter().enumerate()
+        {
+            let of = |all: &[[f64; 3]]| order(&all.iter().map(|s| s[k]).collect::<Vec<_>>(), theory - r);
+            let p = of(&fine[1..]);
+            // three times the change from coarser meshes, and what half as many cells change
+            orders[k] = Measured::new(p, 3.0 * (p - of(&fine[..3])).abs() + (p - of(&coarse[1..])).abs());
+            out.check(format!("{label}: order of S(N) less {}", ["r", "r+1/2"][k])).near(
+                orders[k] - theory,
+                0.0,
+                0.05,
+                "theory",
+            );
+            let scaled = fine[3][k] * 64f64.powf(theory);
+            out.check(format!("{label}: S(64) over its bound")).at_most(
+                constant.recip() * scaled,
+                1.0,
+                "C(r), C*(r)",
+            );
+            let definition = constant.recip() * [one[0], one[2]][k];
+            out.check(format!("{label}: `supremum` over C")).near(definition, 1.0, 1e-3, "64 cells");
+        }
+        out.check("C*(r) over C(r) C(1/2)").at_most(c_dual / chain, 1.0 + 1e-7, "proof of (4.7)");
+        out.observe("the same: nearly sharp").at_least(c_dual / chain, 0.99, "equality at 1/2");
+        out.row(cells! { r => c, one: one[0], order: orders[0], c_dual, one_dual: one[2], order_dual: orders[1], chain: chain.value });
+    }
+    for (name, title, meaning) in [
+        ("c", "C(r)", "best constant of (4.6) on one element"),
+        ("one", "by supremum", "the same from `supremum`"),
+        ("order", "order", "of S(N), N = 16, 32, 64"),
+        ("c_dual", "C*(r)", "best constant of (4.7)"),
+        ("one_dual", "by supremum", ""),
+        ("order_dual", "order", ""),
+        ("chain", "chain", "C(r) C(1/2)"),
+    ] {
+        out.column(name, title, meaning);
+    }
+    let axes = Axes::Linear("r, smoothness of the function", "order, exponent of h");
+    out.plot("section_4_p0_projection", "(4.6), (4.7): orders of the projection on constants", axes)
+        .curve("r", "order")
+        .curve("r", "order_dual")
+        .dashed_line("r", vec![(0.0, 0.0), (1.0, 1.0)])
+        .dashed_line("r + 1/2", vec![(0.0, 0.5), (1.0, 1.5)]);
+    Ok(())
 }

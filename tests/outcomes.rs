@@ -64,6 +64,8 @@ macro_rules! examples {
 }
 
 examples! {
+    section_2_regularity: "../examples/section_2_regularity.rs",
+    section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     remark_1_whole_boundary: "../examples/remark_1_whole_boundary.rs",
     section_2_multigrid: "../examples/section_2_multigrid.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
@@ -81,6 +83,8 @@ examples! {
     lemma_6_1_local_estimate: "../examples/lemma_6_1_local_estimate.rs",
     lemma_6_2_global_estimate: "../examples/lemma_6_2_global_estimate.rs",
     equation_6_2_mean: "../examples/equation_6_2_mean.rs",
+    remark_4_saturation: "../examples/remark_4_saturation.rs",
+    section_4_p0_projection: "../examples/section_4_p0_projection.rs",
     lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
     extremes: "../examples/extremes.rs",
     section_1_field_errors: "../examples/section_1_field_errors.rs",
@@ -94,6 +98,7 @@ examples! {
     lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
     lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_poincare_scaling: "../examples/lemma_5_2_poincare_scaling.rs",
+    remark_5_log_counterexample: "../examples/remark_5_log_counterexample.rs",
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
