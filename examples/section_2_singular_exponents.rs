@@ -1,164 +1,160 @@
-//! Section 2: where tau comes from. Singular exponents of corners and transitions, regularity of the scenes.
+//! Section 2: where τ comes from. Singular exponents of corners and transitions.
 //!
-//! `cargo run --release --example section_2_singular_exponents -- --omega 90 --pair D-N --out out`
+//! Near a corner of opening ω the solution of a problem of plane strain is a sum of r^λ U(angle) and smoother functions;
+//! such a term, unless it is a polynomial, lies in H^τ exactly for τ < 1 + Re λ. With κ = 3 − 4ν, ν Poisson's ratio, and the
+//! sides D clamped, N free, C contact (u_N = 0, σ_T = 0), λ is a zero with Re λ > 0 of
+//!
+//! ```text
+//! N-N:  sin²λω − λ² sin²ω               D-D:  κ² sin²λω − λ² sin²ω          C-N:  sin 2λω + λ sin 2ω
+//! D-N:  4κ sin²λω − (κ+1)² + 4λ² sin²ω  C-C:  sin (λ−1)ω sin (λ+1)ω         C-D:  κ sin 2λω − λ sin 2ω
+//! ```
+//!
+//! The list of the library has all zeros with 0 < Re λ < 3: their number in a rectangle is the number of turns of the argument
+//! along its boundary, rectangles are cut until each holds one or two, and these are found in double-double. It is compared
+//! with Newton's method in this file, and on a grid of openings, sides and ratios with a count along one rectangle and with the
+//! eigenvalues of the equations of elasticity on the arc (Legendre polynomials), which know nothing of the formulas above.
+//!
+//! Expected: the same zeros. Refuted if one is missing, if two computations differ by more than 1e-6 (Newton at double zeros)
+//! or 1e-12 (arc), if D-N on one line has another imaginary part than ln κ/(2π), or if the signs of contact leave another
+//! supremum than τ = 5/2 at a transition.
+//!
+//! `cargo run --release --example section_2_singular_exponents -- --omega 360 --sides N-N,C-O`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::rates::RateRow;
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use experiments::convergence::{SceneOrder, scene_orders};
-use experiments::wedge_grid::ExponentCheck;
-use signorini::problems::TestProblem;
-use signorini::singular::{Medium, SideCondition, SideConditions, SignCondition, Spectrum, Wedge};
-use std::f64::consts::{PI, TAU};
-use std::process::ExitCode;
+use example_report::figures::{Axis, Chart, Series};
+use example_report::prelude::*;
+use nalgebra::Complex;
+use signorini::singular::{LARGEST, Medium, SideConditions, SignCondition, Wedge};
+use std::f64::consts::PI;
 
-example_frame::options! {
-    /// All exponents of a wedge, by two roads, and how smooth the scenes are
-    pub struct Options {
-        /// Opening in degrees, up to 360
-        #[arg(long, default_value_t = 270.0)]
-        pub omega: f64,
-        /// Poisson's ratio, between -1 and 1/2
-        #[arg(long, default_value_t = 0.25, allow_negative_numbers = true)]
-        pub poisson: f64,
-        /// Sides as in D-N: clamped D, free N, contact closed C, contact open O; six pairs when not given
-        #[arg(long)]
-        pub pair: Option<SideConditions>,
-    }
+example! { seconds "Section 2, exponents", "r^λ U lies in H^τ for τ < 1 + Re λ;  every λ with 0 < Re λ < 3 of a wedge is found, by three methods";
+    /// opening in degrees
+    omega: f64 = "270" in "(1, 360]" slider "30 to 360",
+    /// Poisson's ratio
+    poisson: f64 = "0.25" in "(-1, 0.5)" slider "-0.5 to 0.49",
+    /// sides: clamped D, free N, contact closed C, contact open O
+    sides: Vec<SideConditions> = "N-N,D-N,C-N",
 }
 
-/// Exponents asked for, a grid of wedges by all roads, two known values, the scenes.
-pub struct Computed {
-    /// The wedges of the table.
-    pub wedges: Vec<(Wedge, Spectrum)>,
-    /// One entry per wedge of the grid.
-    pub grid: Vec<ExponentCheck>,
-    /// Im of the first exponent of clamped/free on one line.
-    pub oscillation: f64,
-    /// The supremum of tau at the transition of contact on one line.
-    pub transition: f64,
-    /// All scenes on meshes.
-    pub scenes: Vec<SceneOrder>,
-}
-
-/// Openings of the grid in steps of 15 degrees, Poisson's ratios, the agreement asked for.
-const OPENINGS: u32 = 24;
-const RATIOS: [f64; 4] = [-0.9, 0.0, 0.3, 0.49];
-const DIGITS: f64 = 1e-12;
-
-/// The wedges asked for, the grid, the scenes.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let medium = Medium::PlaneStrain(options.poisson);
-    let solved = |&sides: &SideConditions| {
-        let wedge = Wedge::new(options.omega.to_radians(), sides, medium)?;
-        Ok((wedge, wedge.exponents()?))
+/// Zeros of the equation of these sides with 0 < Re λ < 3 and Im λ ≥ 0: Newton's method from a grid of starts, with a
+/// difference quotient; limits nearer than 1e-4 are one.
+fn by_definition(sides: &str, omega: f64, kappa: f64) -> Vec<Complex<f64>> {
+    let sine = |z: Complex<f64>| (z * omega).sin();
+    let square = omega.sin().powi(2);
+    let equation = |z: Complex<f64>| match sides {
+        "D-D" => sine(z).powi(2) * kappa * kappa - z * z * square,
+        "D-N" | "N-D" => sine(z).powi(2) * (4.0 * kappa) - (kappa + 1.0).powi(2) + z * z * (4.0 * square),
+        "C-C" => sine(z - 1.0) * sine(z + 1.0),
+        "C-N" | "C-O" => sine(z * 2.0) + z * (2.0 * omega).sin(),
+        "C-D" => sine(z * 2.0) * kappa - z * (2.0 * omega).sin(),
+        _ => sine(z).powi(2) - z * z * square,
     };
-    let wedges = options.pair.as_ref().map_or(&SideConditions::ALL[..], std::slice::from_ref);
-    let bar = progress(u64::from(OPENINGS) + TestProblem::all().len() as u64);
-    let flat =
-        Wedge::new(PI, SideConditions(SideCondition::Clamped, SideCondition::Free), medium)?.exponents()?;
-    let computed = Computed {
-        wedges: wedges.iter().map(solved).collect::<Result<_>>()?,
-        grid: ExponentCheck::on_grid(OPENINGS, &RATIOS, || bar.inc(1))?,
-        oscillation: flat.exponents.first().map_or(f64::NAN, |exponent| exponent.im.value),
-        transition: Wedge::new(PI, SideConditions(SideCondition::Closed, SideCondition::Open), medium)?
-            .regularity()?
-            .tau,
-        scenes: scene_orders(3, 6, || bar.inc(1))?,
-    };
-    bar.finish_and_clear();
-    Ok(computed)
-}
-
-/// What decides: counts against lists, one road against the other, known values, orders against tau.
-pub fn findings(options: &Options, computed: &Computed) -> Vec<Finding> {
-    let Computed { grid, oscillation, transition, scenes, .. } = computed;
-    let claim = |key, words: &str, value: Option<f64>, bound, source| {
-        Finding::claim(key, words).number_or(value.map(|value| (value, 0.0)), "none").at_most(bound, source)
-    };
-    let (lost, apart) = (Some(ExponentCheck::lost(grid) as f64), Some(ExponentCheck::furthest(grid)));
-    let read = SceneOrder::worst_reading(scenes).map(|read| read.deviation());
-    let (sharp, orders) = (SceneOrder::widest_reading(scenes), SceneOrder::furthest(scenes));
-    let words = format!("no exponent is lost on {} wedges", grid.len());
-    vec![
-        claim("lost", &words, lost, 0.0, "wedges whose list and count by the argument principle differ"),
-        claim("roads", "eigenvalues on the arc agree with the list to {value}", apart, DIGITS, "relative"),
-        claim("read", "the exponent read at a scene's corner is the wedge's", read, 1.0, "its error"),
-        claim("sharp", "exponents are read to {value} or better", sharp, 0.05, "open, closed: 0.18 apart"),
-        Finding::claim("oscillation", "clamped/free on one line oscillates, Im lambda = {value}")
-            .number(*oscillation, DIGITS)
-            .within(2.0 * DIGITS, (3.0 - 4.0 * options.poisson).ln() / TAU, "ln(kappa)/(2 pi)"),
-        Finding::claim("transition", "the signs of contact leave u in H^tau, tau < {value}, at a transition")
-            .number(*transition, DIGITS)
-            .within(2.0 * DIGITS, 2.5, "r^(3/2): 5/2"),
-        Finding::remark("unseen", "uniform squares miss a gap at a corner, and tau, in scenes: {value}")
-            .number(SceneOrder::unseen(scenes) as f64, 0.0)
-            .at_least(1.0, "a gap that only a graded mesh sees"),
-        Finding::remark("orders", "every scene's order is min(1, tau - 1) within its uncertainty")
-            .number_or(orders.map(|off| (off, 0.0)), "an order is missing")
-            .at_most(1.0, "min(1, tau - 1); in units of +-"),
-    ]
-}
-
-/// Computes and lists.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let found = findings(options, &computed);
-    let claim = "all exponents with 0 < Re lambda < 3 are found, and give tau of every scene";
-    let mut headline = Headline::new("Section 2", claim, table(&computed.wedges), found);
-    for row in &computed.scenes {
-        let name = format!("scene.{}", row.scene);
-        row.numbers().iter().for_each(|(of, value)| headline.quote(format!("{name}.{of}"), *value));
-        RateRow::quote(&mut headline, &name, row.order);
+    let mut zeros: Vec<Complex<f64>> = Vec::new();
+    for (a, b) in (1..=60).flat_map(|a| (0..=10).map(move |b| (0.05 * f64::from(a), 0.1 * f64::from(b)))) {
+        let (mut z, mut step) = (Complex::new(a, b), Complex::new(1.0, 0.0));
+        for _ in 0..60 {
+            let slope = (equation(z + 1e-6) - equation(z - 1e-6)) / 2e-6;
+            step = equation(z) / slope;
+            z -= step;
+        }
+        let is_new = zeros.iter().all(|other| (other - z).norm() > 1e-4);
+        if step.norm() < 1e-7 && z.re > 0.02 && z.re < LARGEST && z.im > -1e-7 && is_new {
+            zeros.push(z);
+        }
     }
-    headline.draw(&options.output, "section_2_singular_exponents", || draw(options, &computed.scenes))?;
-    Ok(headline)
+    zeros
 }
 
-fn table(wedges: &[(Wedge, Spectrum)]) -> Table {
-    let twelve = Format::Fixed(12);
-    let mut table = Table::new(vec![
-        Column::new("sides", "sides", Format::Plain, "D clamped, N free, C contact closed, O contact open"),
-        Column::new("re", "Re lambda", twelve, ""),
-        Column::new("im", "Im lambda", twelve, "of a pair the one above the axis"),
-        Column::new("error", "+-", Format::Scientific(0), "rounding of the characteristic function"),
-        Column::new("multiplicity", "zeros", Format::Plain, "multiplicity as a zero"),
-        Column::new("modes", "modes", Format::Plain, "angular functions; fewer than zeros: r^lambda ln r"),
-        Column::new("kind", "kind", Format::Plain, "polynomial: no limit to tau; excluded: not in contact"),
-    ]);
-    for (wedge, e) in wedges.iter().flat_map(|(wedge, all)| all.exponents.iter().map(move |e| (wedge, e))) {
-        let kind = match (wedge.sign_condition(e), e.is_polynomial()) {
-            (SignCondition::Excluded, _) => "excluded",
-            (_, true) => "polynomial",
-            _ => "",
-        };
-        let mut row = vec![wedge.sides().to_string().into(), e.re.value.into(), e.im.value.into()];
-        row.extend([e.re.error.into(), e.multiplicity.into(), e.modes.len().into(), kind.into()]);
-        table.push(row);
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("number", "", "");
+    out.column("re", "Re λ", "");
+    out.column("im", "Im λ", "of a pair the one above the axis");
+    out.column("definition", "Newton", "Re λ by Newton's method in this file");
+    out.column("zeros", "zeros", "multiplicity; fewer functions than zeros: r^λ ln r");
+    out.column("functions", "functions", "linearly independent U");
+    out.column("kind", "kind", "polynomial: no limit to τ; excluded: by the signs of contact");
+    let (medium, omega) = (Medium::PlaneStrain(options.poisson), options.omega.to_radians());
+    for &sides in &options.sides {
+        let wedge = Wedge::new(omega, sides, medium)?;
+        let listed = wedge.exponents()?.exponents;
+        let newton = by_definition(&sides.to_string(), omega, 3.0 - 4.0 * options.poisson);
+        for (k, exponent) in listed.iter().enumerate() {
+            let (re, im) = (exponent.re.value, exponent.im.value);
+            let place = Complex::new(re, im);
+            let near = newton.iter().min_by(|a, b| (*a - place).norm().total_cmp(&(*b - place).norm()));
+            let kind = match (wedge.sign_condition(exponent), exponent.is_polynomial()) {
+                (SignCondition::Excluded, _) => "excluded",
+                (_, true) => "polynomial",
+                _ => "",
+            };
+            out.row(cells! { sides: sides.to_string(), number: k + 1 => re: Measured::from(exponent.re), im,
+                definition: near.map(|z| z.re), zeros: exponent.multiplicity, functions: exponent.modes.len(), kind });
+            let apart = near.map_or(f64::INFINITY, |z| (z - place).norm());
+            out.check("|λ listed − λ by Newton|").at_most(apart, 1e-6, "equations above");
+        }
+        out.check("zeros by Newton not in a list").near(
+            newton.len() as f64 - listed.len() as f64,
+            0.0,
+            0.0,
+            "none is lost",
+        );
     }
-    table
+    for (turn, &sides) in (1..=8).flat_map(|turn| SideConditions::ALL.iter().map(move |sides| (turn, sides)))
+    {
+        for poisson in [-0.9, 0.3, 0.49] {
+            let wedge = Wedge::new(f64::from(turn) * PI / 4.0, sides, Medium::PlaneStrain(poisson))?;
+            let spectrum = wedge.exponents()?;
+            let end = |exponent: Option<&signorini::singular::Exponent>| exponent.map_or(1.0, |e| e.re.value);
+            let (first, last) = (end(spectrum.exponents.first()), end(spectrum.exponents.last()));
+            // Turns of the argument of the equation along one rectangle from half the first to just above the last zero.
+            let count = wedge.count(0.5 * first, LARGEST - 0.02 * (LARGEST - last))?;
+            let lost = count as f64 - spectrum.zeros() as f64;
+            out.check("144 wedges: zeros not in a list").near(lost, 0.0, 0.0, "argument principle");
+            // Eigenvalues on the arc; of zeros nearer than 0.05 the means are compared.
+            let inside = |z: &(f64, f64)| z.0 > 1e-3 && z.0 < LARGEST - 1e-3;
+            let listed: Vec<_> = spectrum.places().into_iter().filter(inside).collect();
+            let height = 0.5 + listed.iter().map(|z| z.1).fold(0.0, f64::max);
+            let arc = wedge.exponents_on_arc((24.0 + 4.0 * wedge.angle()) as usize, height)?;
+            let arc: Vec<_> = arc.into_iter().map(|z| (z.re, z.im)).filter(inside).collect();
+            let mean = |of: &[(f64, f64)], z: (f64, f64)| {
+                let near = of.iter().filter(|other| (other.0 - z.0).hypot(other.1 - z.1) < 0.05);
+                near.fold((0.0, 0.0, 0.0), |sum, other| (sum.0 + 1.0, sum.1 + other.0, sum.2 + other.1))
+            };
+            for &z in &listed {
+                let (a, b) = (mean(&listed, z), mean(&arc, z));
+                let apart =
+                    if a.0 == b.0 { (a.1 - b.1).hypot(a.2 - b.2) / a.1.hypot(a.2) } else { f64::INFINITY };
+                out.check("144 wedges: λ listed − λ on the arc").at_most(apart, 1e-12, "relative");
+            }
+        }
+    }
+    let flat = Wedge::new(PI, "D-N".parse()?, medium)?.exponents()?;
+    let oscillation = flat.exponents.first().map(|exponent| Measured::from(exponent.im));
+    out.check("D-N on one line: first Im λ").near(
+        oscillation,
+        (3.0 - 4.0 * options.poisson).ln() / (2.0 * PI),
+        1e-12,
+        "ln κ/(2π)",
+    );
+    let transition = Wedge::new(PI, "C-O".parse()?, medium)?.regularity()?.tau;
+    out.check("transition of contact: supremum of τ").near(transition, 2.5, 1e-12, "r^(3/2)");
+    if out.draws() {
+        out.chart("section_2_singular_exponents", chart(medium)?);
+    }
+    Ok(())
 }
 
-/// The first exponent that is no polynomial against the opening, and the corners responsible for the scenes.
-fn draw(options: &Options, scenes: &[SceneOrder]) -> Result<Chart> {
+/// The first exponent that is no polynomial against the opening.
+fn chart(medium: Medium) -> Result<Chart> {
     let x = Axis::linear("opening in degrees").range(0.0, 360.0);
-    let y = Axis::linear("first Re lambda, polynomials left out").range(0.0, 3.0);
-    let mut chart = Chart::new(format!("Singular exponents, Poisson's ratio {}", options.poisson), x, y);
+    let y = Axis::linear("first Re λ, polynomials left out").range(0.0, 3.0);
+    let mut chart = Chart::new("Singular exponents", x, y);
     for sides in SideConditions::ALL {
         let mut points = Vec::new();
-        for degrees in (1..=90).map(|k| 4.0 * f64::from(k) - 0.7) {
-            let wedge = Wedge::new(f64::to_radians(degrees), sides, Medium::PlaneStrain(options.poisson))?;
-            points.extend(wedge.first_singular()?.map(|exponent| (degrees, exponent.re.value)));
+        for degrees in (20..=360).step_by(4) {
+            let first = Wedge::new(f64::from(degrees).to_radians(), sides, medium)?.first_singular()?;
+            points.extend(first.map(|exponent| (f64::from(degrees), exponent.re.value)));
         }
         chart = chart.with(Series::line(sides.to_string(), points));
     }
-    for (name, elastic) in [("scenes", true), ("scalar scenes", false)] {
-        let chosen = scenes.iter().filter(|row| row.scene.is_elastic() == elastic);
-        chart = chart.with(Series::points(name, chosen.filter_map(SceneOrder::point).collect()));
-    }
     Ok(chart)
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
 }

@@ -87,7 +87,6 @@ macro_rules! examples {
 examples! {
     // examples
     contact_costs_nothing: "../examples/contact_costs_nothing.rs",
-    equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     introduction_rates: "../examples/introduction_rates.rs",
     remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
     remark_3_face: "../examples/remark_3_face.rs",
