@@ -1,158 +1,122 @@
-//! Remark 5: (5.3) fails at ν = 1/2. Truncations of |ln x|^α; the paper takes 0 < α < 1/2.
+//! Remark 5: (5.3) fails at ν = 1/2. Truncated powers of |ln x|.
 //!
-//! w = 1 − min(|ln x|^α, n)/n vanishes on (0, θ), θ = exp(−n^{1/α}), ‖w‖₀ ≥ 1 − O(1/n) and |w|_{1/2} ≤ C/n.
-//! The printed chain of full norms is false, that of seminorms holds. With L = ln(1/θ) the constant of the
-//! zone grows like √L, and α = 1, no member of the paper's family, reaches that with the right factor.
+//! (5.3) bounds ‖u‖₀ by C |u|_ν with one C for all zones (0, θ), for ν > 1/2. At ν = 1/2 let u = |ln x|^α, 0 < α < 1/2,
+//! which is in H^(1/2)(0, 1) and unbounded; |u|² = ∬ (u(x) − u(y))² / (x − y)² dx dy and ‖u‖² = ‖u‖₀² + |u|². Then
 //!
-//! `cargo run --release --example remark_5_log_counterexample`
+//! ```text
+//! w = 1 − min(u, n)/n vanishes on (0, θ),  L = ln(1/θ) = n^(1/α),  ‖w‖₀ ≥ 1 − ‖u‖₀/n → 1,  |w| ≤ |u|/n → 0:
+//! ```
+//!
+//! so the quotient ‖w‖₀/|w| has no bound. Printed, for ‖u‖ = 1, is |w| ≤ ‖w‖ = ‖v‖ ≤ 1/n, v = 1 − w. With full norms that
+//! is false, since ‖w‖ ≥ ‖w‖₀ → 1; with |w| = |v| it is right. For α ≥ 1/2 u is not in H^(1/2), but w is; α = 1 gives a
+//! ramp in ln x, whose quotient² grows like 3/(2π²) L, as that of the best constant γ of the zone does.
+//!
+//! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation), if a quotient exceeds γ, if γ grows like another
+//! power of L than 1/2 ± 0.02, or if the slope of quotient² for α = 1 is off by more than 0.001.
+//!
+//! `cargo run --release --example remark_5_log_counterexample -- --alpha 0.49 --log 8,32`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, increasing, within};
-use experiments::growth::last_exponent;
-use experiments::trial::{NormChain, TruncatedFamily, truncated_slope};
-use fractional_sobolev::{Constraint, Estimate, Order, Tolerance, gamma};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::closed_forms::log_power_seminorm_squared;
+use fractional_sobolev::{Constraint, Function, Mesh, gamma};
+use std::f64::consts::PI;
 
-example_frame::options! {
-    /// Quotients of the truncated logarithms of Remark 5 beside the Poincare constants of their zones
-    pub struct Options {
-        /// Exponents alpha in (0, 1]; those of the paper are below 1/2
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4", "0.45", "0.75", "1"], value_parser = within::<f64>("(0, 1]"))]
-        pub alpha: Vec<f64>,
-        /// L = ln(1/theta)
-        #[arg(long, value_delimiter = ',', default_values = ["4", "16", "64", "256"], value_parser = within::<f64>("[1, 690]"))]
-        pub log: Vec<f64>,
-        /// Relative tolerance: fast, balanced, reference or a number
-        #[arg(long, default_value_t = Tolerance::balanced())]
-        pub tolerance: Tolerance,
-    }
-    check(options) {
-        increasing("--log", &options.log)
-    }
+example! { quick "Remark 5", "ν = 1/2: no C in ‖w‖₀ ≤ C |w| for all w that vanish on an interval (0, θ)";
+    /// exponents α; those of the paper are below 1/2
+    alpha: Vec<f64> = "0.25,0.4,0.45,0.75,1" in "[0.2, 1]" slider "0.2 to 1",
+    /// L = ln(1/θ)
+    log: Vec<f64> = "4,16,64,256" in "[1, 690]",
 }
 
-/// What is computed.
-pub struct Computed {
-    /// Quotients and their growth, per exponent.
-    pub families: Vec<TruncatedFamily>,
-    /// (L, γ).
-    pub constants: Vec<(f64, Estimate)>,
-    /// The exponent of L in γ between the last two zones.
-    pub growth: Option<Estimate>,
-}
-
-/// Constants of the zones, and quotients of the functions that vanish on them.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let mut constants = Vec::new();
-    for &log in &options.log {
-        let zone = Constraint::vanishing_on(0.0..(-log).exp());
-        constants.push((log, gamma(Order::HALF, zone, options.tolerance)?.constant));
-    }
-    let family = |&alpha| TruncatedFamily::new(alpha, &constants, Tolerance::balanced());
-    let families = options.alpha.iter().map(family).collect::<fractional_sobolev::Result<Vec<_>>>()?;
-    Ok(Computed { families, growth: last_exponent(&constants)?, constants })
-}
-
-/// A quadratic interpolant on layers may raise the seminorm by this part; more, and the mesh is too coarse.
-const RESOLUTION: f64 = 1e-3;
-/// How near to a power of L the growth has to be, its change from zone to zone included.
-const POWER: f64 = 0.02;
-/// How near to its limit the slope of the square has to be for alpha = 1, its change included.
-const SLOPE: f64 = 1e-3;
-
-/// What decides: every quotient grows, below a constant that grows like √L; which chain of norms holds.
-pub fn findings(computed: &Computed) -> Vec<Finding> {
-    let families = &computed.families;
-    let chain = |part: fn(&NormChain) -> f64| {
-        families.iter().flat_map(|family| &family.chain).map(move |norms| (part(norms), 0.0))
+/// ‖w‖₀ / |w| from the definition, in t = −ln x: with ψ = min(t/L, 1)^α, ‖w‖₀² = ∫ e^(−t) (1 − ψ)² dt and
+/// |w|² = 2 ∫ W(r) / (4 sinh²(r/2)) dr, W(r) = ∫ (ψ(t + r) − ψ(t))² dt, all by the midpoint rule in ln t and ln r.
+pub fn by_definition(alpha: f64, log: f64) -> f64 {
+    let psi = |t: f64| (t / log).min(1.0).powf(alpha);
+    let integral = |low: f64, high: f64, f: &dyn Fn(f64) -> f64| {
+        const POINTS: usize = 300;
+        let width = (high / low).ln() / POINTS as f64;
+        let at = |k: usize| low * ((k as f64 + 0.5) * width).exp();
+        (0..POINTS).map(|k| width * at(k) * f(at(k))).sum::<f64>()
     };
-    let (above, few) = ("no alpha below 1/2", "fewer than two zones");
-    let mut findings = vec![
-        Finding::claim("below", "every quotient lies below the constant of its zone, at {percent} % at most")
-            .largest(families.iter().flat_map(|family| family.shares.iter().copied()))
-            .at_most(1.0, "the constant is a supremum")
-            .otherwise("a quotient is {percent} % of the constant of its zone"),
-        Finding::printed("chain", "the printed chain of full norms, ||w||_{1/2} = ||v||_{1/2} <= 1/n, holds")
-            .largest_of(chain(|norms| norms.printed), above)
-            .at_most(1.0, "||w||_{1/2} in units of 1/n")
-            .otherwise("||w||_{1/2} <= 1/n is false: it is up to {value} times 1/n"),
-        Finding::claim("repaired", "with seminorms it holds: |w| is {percent} % of |u|/n at most")
-            .largest_of(chain(|norms| norms.truncation), above)
-            .at_most(1.0 + RESOLUTION, "truncation lowers the seminorm, up to interpolation")
-            .otherwise("|w| is {percent} % of |u|/n: the mesh near x = 1 does not resolve so small an alpha"),
-        Finding::claim("constant", "the constant of the zone grows like L^{value}, L = ln(1/theta)")
-            .estimate_or(computed.growth, few)
-            .within(POWER, 0.5, "the square root of the law at nu = 1/2")
-            .told(),
-    ];
-    for TruncatedFamily { alpha, growth, slope, .. } in families {
-        let of = |key: &str| format!("{key}.alpha{alpha}");
-        let grows = Finding::claim(of("grows"), format!("alpha = {alpha}: quotients grow like L^{{value}}"));
-        findings
-            .push(grows.estimate_or(*growth, few).at_least(0.0, "a bounded quotient, as in (5.3)").told());
-        let limit = if *alpha > 0.5 {
-            Finding::remark(
-                of("slope"),
-                format!("alpha = {alpha}: its square grows by {{value}} L, the limit"),
-            )
-            .estimate_or(*slope, few)
-            .within(SLOPE, truncated_slope(*alpha), "(2 alpha - 1)/alpha^2 times 3/(2 pi^2)")
-            .otherwise(format!("alpha = {alpha}: its square grows by {{value}} L, not yet the limit"))
-        } else {
-            Finding::remark(of("power"), format!("alpha = {alpha}: that is L^alpha"))
-                .estimate_or(*growth, few)
-                .within(POWER, *alpha, "alpha")
-                .otherwise(format!("alpha = {alpha}: that is not yet the power L^alpha"))
-                .undecided(format!("alpha = {alpha}: too few zones to tell it from L^alpha"))
-        };
-        findings.push(limit);
+    let shift = |r: f64| integral(1e-6 * r.min(log), log, &|t| (psi(t + r) - psi(t)).powi(2));
+    let seminorm = integral(1e-10, 100.0, &|r| shift(r) / (2.0 * (0.5 * r).sinh().powi(2)));
+    let norm = integral(1e-10, log, &|t| (-t).exp() * (1.0 - psi(t)).powi(2));
+    (norm / seminorm).sqrt()
+}
+
+/// w, quadratic on elements of equal length in ln x, halved towards x = 1, where |ln x|^α is singular.
+pub fn truncated(alpha: f64, log: f64) -> Result<Function<'static>> {
+    let layers = (log / 0.35).ceil().max(8.0);
+    let mut nodes = vec![0.0];
+    nodes.extend((0..layers as usize).map(|k| (-log * (1.0 - k as f64 / layers)).exp()));
+    let rest = 1.0 - nodes[nodes.len() - 1];
+    nodes.extend((1..40).map(|k| 1.0 - rest * 0.5f64.powi(k)));
+    nodes.push(1.0);
+    let w = |x: f64| if x <= 0.0 { 0.0 } else { 1.0 - ((-x.ln()).clamp(0.0, log) / log).powf(alpha) };
+    Ok(Function::interpolate(&Mesh::from_nodes(&nodes)?, 2, w)?)
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let mut logs = options.log.clone();
+    logs.sort_by(f64::total_cmp);
+    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials that vanish on the zone, on elements that shrink
+    // geometrically to θ and 1; its error is the change to a space of another shape.
+    let best = |log: &f64| gamma(Order::HALF, Constraint::vanishing_on(0.0..(-log).exp()), 1e-8);
+    let constants =
+        logs.iter().map(|log| Ok(best(log)?.constant.into())).collect::<Result<Vec<Measured>>>()?;
+    out.column("log", "L", "ln(1/θ)");
+    out.column("quotient", "q", "‖w‖₀/|w|");
+    out.column("definition", "by ∫∫", "q by `by_definition`");
+    out.column("share", "q/γ", "γ: best constant of the zone");
+    out.column("square", "q²/L", "3/(2π²) = 0.15198 in the limit for α = 1");
+    out.column("printed", "n‖w‖/‖u‖", "printed as at most 1");
+    out.column("repaired", "n|w|/|u|", "at most 1");
+    for &alpha in &options.alpha {
+        // In closed form: |u|² by Gamma functions, ‖u‖₀² = ∫ |ln x|^(2α) dx = Γ(1 + 2α).
+        let full = if alpha < 0.5 { Some(Measured::from(log_power_seminorm_squared(alpha)?)) } else { None };
+        for (&log, &gamma) in logs.iter().zip(&constants) {
+            let w = truncated(alpha, log)?;
+            let norm = Measured::from(w.norm(0.0, 1e-12)?); // Gauss rules
+            let seminorm = Measured::from(w.seminorm(Order::HALF, 1e-8)?); // closed forms on pairs of elements
+            let (quotient, n, definition) = (norm / seminorm, log.powf(alpha), by_definition(alpha, log));
+            let whole = (norm.squared() + seminorm.squared()).sqrt();
+            let printed = full.map(|u| whole * n / (u + libm::tgamma(1.0 + 2.0 * alpha)).sqrt());
+            let repaired = full.map(|u| seminorm * n / u.sqrt());
+            out.row(cells! { alpha, log => quotient: quotient.value, definition, gamma: gamma.value,
+            share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
+            printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) });
+            out.check("q over γ of the zone").at_most(quotient / gamma, 1.0, "γ is the supremum");
+            out.check("q by its definition, over q").near(
+                quotient.recip() * definition,
+                1.0,
+                3e-3,
+                "midpoint rules",
+            );
+            if let Some((printed, repaired)) = printed.zip(repaired) {
+                out.check("|w| ≤ |u|/n: n|w|/|u|").at_most(repaired, 1.001, "truncation, interpolated");
+                out.as_printed("‖w‖ ≤ 1/n: n‖w‖/‖u‖").at_most(printed, 1.0, "with seminorms");
+            }
+        }
+        if let [.., long, short] = logs.as_slice() {
+            let growth = out.exponent("log", "quotient");
+            out.check("power of L in q, least α").at_least(growth, 0.0, "a bound as in (5.3)");
+            if alpha == 1.0 {
+                let slope = out.slope("log", "quotient", |log| log, |q| q * q);
+                out.check("α = 1: slope of q² over L").near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
+            }
+            if alpha == options.alpha[0] {
+                let [.., a, b] = constants.as_slice() else { continue };
+                let power = (*b / *a).ln() / (short / long).ln();
+                out.check("power of L in γ").near(power, 0.5, 0.02, "law at ν = 1/2");
+            }
+        }
     }
-    findings
-}
-
-/// Follows the family down to very short zones.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "no C bounds ||w||_0 / |w|_{1/2} for functions that vanish on an interval of length theta";
-    let mut headline = Headline::new("Remark 5", claim, table(&computed), findings(&computed));
-    headline.draw(&options.output, "remark_5_log_counterexample", || Ok(draw(&computed)))?;
-    Ok(headline)
-}
-
-fn table(computed: &Computed) -> Table {
-    let columns = vec![
-        Column::new("alpha", "alpha", Format::Significant(3), ""),
-        Column::new("log", "L", Format::Significant(3), "ln(1/theta)"),
-        Column::new("quotient", "q", Format::Significant(6), "||w|| / |w| of the truncated function"),
-        Column::new("gamma", "gamma", Format::Significant(8), "constant of the zone (0, theta)"),
-        Column::new("used", "share", Format::Significant(4), "quotient / gamma, at most 1"),
-        Column::new("square", "q^2/L", Format::Significant(4), "3/(2 pi^2) in the limit for alpha = 1"),
-        Column::new("full", "n ||w||", Format::Significant(4), "full norm over 1/n, printed as at most 1"),
-        Column::new("bound", "n |w|", Format::Significant(4), "seminorm over 1/n, at most 1"),
-    ];
-    let rows = computed.families.iter().flat_map(|f| {
-        (0..f.quotients.len()).map(|k| {
-            let ((log, q), g, share) = (f.quotients[k], computed.constants[k].1, f.shares[k]);
-            let norm = |part: fn(&NormChain) -> f64| Cell::from(f.chain.get(k).map(part));
-            let norms = [norm(|norms| norms.printed), norm(|norms| norms.repaired)];
-            let first = [f.alpha, log, q.value, g.value, share.value, q.value * q.value / log];
-            first.map(Cell::from).into_iter().chain(norms)
-        })
-    });
-    Table::new(columns).with_rows(rows)
-}
-
-fn draw(computed: &Computed) -> Chart {
-    let points = |curve: &[(f64, Estimate)]| curve.iter().map(|(log, number)| (*log, number.value)).collect();
-    let (x, y) = ("L = ln(1/θ), logarithm of the zone", "‖w‖ / |w|, quotient of the function");
-    let title = "Remark 5: quotients of truncated logarithms";
-    let chart = Chart::new(title, Axis::logarithmic(x), Axis::logarithmic(y));
-    let lines = computed.families.iter().fold(chart, |chart, family| {
-        chart.with(Series::line_and_points(format!("α = {}", family.alpha), points(&family.quotients)))
-    });
-    lines.with(Series::dashed("γ of the zone", points(&computed.constants)))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    out.plot(
+        "remark_5_log_counterexample",
+        "Remark 5: quotients of truncated logarithms",
+        Axes::LogLog("L = ln(1/θ), logarithm of the zone", "‖w‖₀ / |w|, quotient of the function"),
+    )
+    .curve_by("alpha", "log", "quotient")
+    .dashed("log", "gamma");
+    Ok(())
 }
